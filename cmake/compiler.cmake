@@ -1,0 +1,22 @@
+# Language and warnings, the same for the library, the program and the tests.
+set(CMAKE_C_STANDARD 17)
+set(CMAKE_C_STANDARD_REQUIRED ON)
+set(CMAKE_C_EXTENSIONS OFF)
+if(NOT CMAKE_BUILD_TYPE)
+    set(CMAKE_BUILD_TYPE Release CACHE STRING "build type" FORCE)
+endif()
+
+option(ROUGHCONTACT_WERROR "treat warnings as errors" OFF)
+option(ROUGHCONTACT_SANITIZE "build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
+
+add_library(roughcontact_warnings INTERFACE)
+# -ffp-contract=off: a fused multiply-add rounds once where the formula rounds twice, so results would depend on the
+# processor; output has to be the same to the byte everywhere.
+target_compile_options(roughcontact_warnings INTERFACE -Wall -Wextra -Wconversion -Wshadow -Wstrict-prototypes
+                       -Wformat=2 -ffp-contract=off $<$<BOOL:${ROUGHCONTACT_WERROR}>:-Werror>)
+target_compile_definitions(roughcontact_warnings INTERFACE _GNU_SOURCE)
+if(ROUGHCONTACT_SANITIZE)
+    target_compile_options(roughcontact_warnings INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
+                           -fno-omit-frame-pointer)
+    target_link_options(roughcontact_warnings INTERFACE -fsanitize=address,undefined)
+endif()

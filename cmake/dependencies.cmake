@@ -1,0 +1,12 @@
+# Everything the program stands on, all of it from Debian's packages (listed in packages.txt).
+find_package(PkgConfig REQUIRED)
+find_package(Threads REQUIRED)
+pkg_check_modules(fftw REQUIRED IMPORTED_TARGET fftw3)
+pkg_check_modules(gsl REQUIRED IMPORTED_TARGET gsl)
+pkg_check_modules(yaml REQUIRED IMPORTED_TARGET yaml-0.1)
+pkg_check_modules(jansson REQUIRED IMPORTED_TARGET jansson)
+pkg_check_modules(md4c_html REQUIRED IMPORTED_TARGET md4c-html)
+
+add_library(roughcontact_dependencies INTERFACE)
+target_link_libraries(roughcontact_dependencies INTERFACE PkgConfig::fftw PkgConfig::gsl PkgConfig::yaml
+                      PkgConfig::jansson PkgConfig::md4c_html Threads::Threads m)

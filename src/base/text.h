@@ -1,0 +1,31 @@
+/* A growing text: report pages, CSV rows, messages. Owned by whoever declared it; text_free() ends it. */
+#ifndef BASE_TEXT_H
+#define BASE_TEXT_H
+
+#include "base/status.h"
+#include <stdbool.h>
+#include <stddef.h>
+
+struct text {
+    char *data;      /* NUL-terminated once something was added, else NULL */
+    size_t length;   /* bytes without the NUL */
+    size_t capacity; /* bytes allocated */
+    bool failed;     /* an allocation failed: further additions do nothing */
+};
+
+void text_add(struct text *text, const char *format, ...) PRINTF_LIKE(2, 3);
+void text_add_bytes(struct text *text, const char *bytes, size_t length);
+/** Adds `string` with the characters that mean something in Markdown or HTML escaped, control characters as '?'. */
+void text_add_markdown(struct text *text, const char *string);
+/** Adds `string` as one CSV field: quoted, with quotes doubled, when it holds a comma, a quote or a line end. */
+void text_add_csv(struct text *text, const char *string);
+/** The text so far, never NULL. */
+const char *text_string(const struct text *text);
+void text_free(struct text *text);
+
+/** Reads a whole file (any size, NUL allowed) into `text`. Error: STATUS_IO with path and reason. */
+MUST_CHECK enum status_code text_read_file(struct text *text, const char *path, struct status *status);
+/** Writes `length` bytes to a new file at `path` and checks that they arrived. Error: STATUS_IO. */
+MUST_CHECK enum status_code text_write_file(const char *path, const char *bytes, size_t length, struct status *status);
+
+#endif

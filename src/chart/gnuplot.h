@@ -1,0 +1,34 @@
+/* One gnuplot process that draws every chart. C sends `call` lines only; the plot code is in templates/ (*.gp). */
+#ifndef CHART_GNUPLOT_H
+#define CHART_GNUPLOT_H
+
+#include "base/status.h"
+#include <stdio.h>
+#include <sys/types.h>
+
+struct gnuplot {
+    pid_t process;
+    FILE *commands;      /* its standard input */
+    FILE *complaints;    /* unnamed file that takes its stderr and stdout */
+    double seconds;      /* wall time from the first command to its end, set by gnuplot_finish() */
+};
+
+/** Is there a gnuplot in PATH? Error: STATUS_CHART with the package to install. */
+MUST_CHECK enum status_code gnuplot_check(struct status *status);
+
+/** Starts gnuplot (found in PATH, no shell) with `directory` as its working directory.
+ * Errors: STATUS_CHART (not installed: names the package), STATUS_IO. */
+MUST_CHECK enum status_code gnuplot_start(struct gnuplot *out, const char *directory, struct status *status);
+
+/** Sends one line, e.g. gnuplot_send(g, "load %s", quoted). A dead process is reported by gnuplot_finish(). */
+void gnuplot_send(struct gnuplot *gnuplot, const char *format, ...) PRINTF_LIKE(2, 3);
+
+/** Ends the input, waits, and checks: any exit status but 0 and any word on stderr is a failure.
+ * Error: STATUS_CHART with the first complaint. Always releases the process. */
+MUST_CHECK enum status_code gnuplot_finish(struct gnuplot *gnuplot, struct status *status);
+
+/** Writes `string` as a gnuplot single-quoted string (quotes doubled, control characters as '?') into `out`, cut to fit
+ * at a UTF-8 border. */
+void gnuplot_quote(char *out, size_t size, const char *string);
+
+#endif

@@ -1,0 +1,16 @@
+/* The HTML report: made from the Markdown one by md4c, charts inlined, in the skeleton templates/page.html. */
+#ifndef REPORT_HTML_H
+#define REPORT_HTML_H
+
+#include "base/status.h"
+#include "base/text.h"
+
+/** Renders `markdown` (GitHub tables, no raw HTML) to one self-contained page in `out`.
+ * Images `![alt](figures/x.svg)` become inline SVG read from `directory`/figures/x.svg, wrapped in <figure> with the alt
+ * text as caption; identifiers inside each SVG are made unique, its white background dropped and its ink colour
+ * (#222222) replaced by currentColor, so that it follows light and dark. `templates` is the directory of page.html.
+ * Errors: STATUS_IO, STATUS_MEMORY. */
+MUST_CHECK enum status_code html_render(struct text *out, const char *markdown, const char *title,
+                                        const char *directory, const char *templates, struct status *status);
+
+#endif

@@ -1,0 +1,68 @@
+/* Scan files: one reader a format, found by content (never by the file's ending). Everything leaves here in SI. */
+#ifndef SCAN_SCAN_H
+#define SCAN_SCAN_H
+
+#include "base/status.h"
+#include <stdbool.h>
+#include <stddef.h>
+
+enum scan_kind { SCAN_PROFILE, SCAN_AREAL };
+
+enum { SCAN_WARNINGS = 8, SCAN_WARNING_LENGTH = 240 };
+
+/** What a file holds, as read: not levelled, not resampled. */
+struct scan {
+    const char *format;     /* the reader's name */
+    enum scan_kind kind;
+    size_t nx, ny;          /* points a row, rows (ny = 1 for a profile) */
+    double *x_m;            /* nx positions, or NULL where the file gives a spacing only */
+    double dx_m, dy_m;      /* spacing; dx_m = (last - first)/(nx - 1) when x_m is given; dy_m 0 for a profile */
+    double *z_m;            /* ny*nx heights, row after row; NaN where a point is missing */
+    size_t missing;         /* how many are */
+    char x_unit[16], z_unit[16]; /* as named by the file, else as given by the scene */
+    char warnings[SCAN_WARNINGS][SCAN_WARNING_LENGTH]; /* each one line, lower case */
+    size_t warning_count;
+};
+
+/** What the scene says about a file; "" where it says nothing. Used only where the file itself names no unit. */
+struct scan_options {
+    const char *x_unit, *z_unit;
+};
+
+/** The bytes of a file in memory; `bytes[length]` is readable and 0. */
+struct scan_bytes {
+    const char *bytes;
+    size_t length;
+    const char *path; /* for messages only */
+};
+
+/** One row a format. */
+struct scan_reader {
+    const char *name;        /* "text", "x3p", ... */
+    const char *description; /* for the table of formats */
+    bool (*sniff)(const struct scan_bytes *file); /* do these bytes look like it? cheap */
+    enum status_code (*read)(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
+                             struct status *status);
+};
+
+extern const struct scan_reader scan_readers[]; /* first match wins; text last */
+extern const size_t scan_reader_count;
+
+/** Reads `path`. `out` is to be freed with scan_free() whatever comes back.
+ * Heights and positions are SI; x ascends strictly; at least 3 points; every number finite or, for z, NaN (missing).
+ * Errors: STATUS_IO (cannot be read), STATUS_SCAN (no scan, one line: what, which line, remedy),
+ * STATUS_MEMORY. */
+MUST_CHECK enum status_code scan_read(struct scan *out, const char *path, const struct scan_options *options,
+                                      struct status *status);
+/** The same from bytes already in memory. */
+MUST_CHECK enum status_code scan_read_bytes(struct scan *out, const struct scan_bytes *file,
+                                            const struct scan_options *options, struct status *status);
+void scan_free(struct scan *scan);
+/** Notes a warning; beyond SCAN_WARNINGS the last says how many more there were. */
+void scan_warn(struct scan *scan, const char *format, ...) PRINTF_LIKE(2, 3);
+
+/** Metres per unit for "m", "mm", "um", "µm", "micron(s)", "nm", "pm", "A"/"Å", "in"/"inch", "mil", "uin"/"µin"...
+ * in any encoding they come in (UTF-8 both mu signs; latin-1 0xB5); 0 when the name is no length. */
+double scan_unit_m(const char *name, size_t length);
+
+#endif

@@ -1,0 +1,76 @@
+#include "support.h"
+
+#include <stdio.h>
+
+void support_near(double actual, double expected, double rtol, double atol, const char *what, const char *file,
+                  int line)
+{
+    double error = fabs(actual - expected);
+    if (isfinite(actual) && isfinite(expected) && error <= rtol * fabs(expected) + atol)
+        return;
+    print_error("%s = %.17g, expected %.17g: error %.3g relative, %.3g absolute (allowed %.3g, %.3g)\n", what, actual,
+                expected, error / fabs(expected), error, rtol, atol);
+    _fail(file, line);
+}
+
+static size_t count_columns(const char *line)
+{
+    size_t columns = 1;
+    for (; *line; line++)
+        columns += *line == ',';
+    return columns;
+}
+
+struct table table_read(const char *name)
+{
+    char path[4096];
+    snprintf(path, sizeof path, "%s/%s", TEST_DATA, name);
+    FILE *file = fopen(path, "r");
+    if (!file)
+        fail_msg("cannot open %s", path);
+    struct table table = {0};
+    char *line = NULL;
+    size_t capacity = 0, lines = 0;
+    while (getline(&line, &capacity, file) > 0) {
+        line[strcspn(line, "\r\n")] = '\0';
+        if (line[0] == '#' || line[0] == '\0')
+            continue;
+        if (lines == 0)
+            table.columns = count_columns(line);
+        assert_int_equal(count_columns(line), table.columns);
+        table.cell = realloc(table.cell, (lines + 1) * table.columns * sizeof *table.cell);
+        assert_non_null(table.cell);
+        char *rest = line;
+        for (size_t c = 0; c < table.columns; c++)
+            table.cell[lines * table.columns + c] = strdup(strsep(&rest, ","));
+        lines++;
+    }
+    free(line);
+    fclose(file);
+    assert_true(lines > 1);
+    table.rows = lines - 1;
+    return table;
+}
+
+void table_free(struct table *table)
+{
+    for (size_t i = 0; i < (table->rows + 1) * table->columns; i++)
+        free(table->cell[i]);
+    free(table->cell);
+    *table = (struct table){0};
+}
+
+const char *table_text(const struct table *table, size_t row, const char *column)
+{
+    assert_true(row < table->rows);
+    for (size_t c = 0; c < table->columns; c++)
+        if (strcmp(table->cell[c], column) == 0)
+            return table->cell[(row + 1) * table->columns + c];
+    fail_msg("no column '%s'", column);
+    return NULL;
+}
+
+double table_number(const struct table *table, size_t row, const char *column)
+{
+    return strtod(table_text(table, row, column), NULL);
+}

@@ -1,0 +1,38 @@
+/* What every test program shares: relative comparison of doubles and reference tables.
+ * cmocka 1.1.5 compares floats only, in single precision; hence a comparison of our own. */
+#ifndef TEST_SUPPORT_H
+#define TEST_SUPPORT_H
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+/** Fails unless |actual - expected| <= rtol |expected| (both zero passes; non-finite never does). */
+#define assert_near(actual, expected, rtol) support_near((actual), (expected), (rtol), 0.0, #actual, __FILE__, __LINE__)
+/** Fails unless |actual - expected| <= atol. */
+#define assert_within(actual, expected, atol)                                                                          \
+    support_near((actual), (expected), 0.0, (atol), #actual, __FILE__, __LINE__)
+
+void support_near(double actual, double expected, double rtol, double atol, const char *what, const char *file,
+                  int line);
+
+/** A reference table: a CSV file of tests/data; lines that start with # name its origin. Cells are text. */
+struct table {
+    size_t rows, columns;
+    char **cell; /* (rows + 1) x columns, row 0 is the header */
+};
+
+struct table table_read(const char *name);
+void table_free(struct table *table);
+/** Text of `column` in data row `row` (from 0); fails the test when there is no such column. */
+const char *table_text(const struct table *table, size_t row, const char *column);
+/** The same as a number. */
+double table_number(const struct table *table, size_t row, const char *column);
+
+#endif
