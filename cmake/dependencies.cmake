@@ -5,8 +5,9 @@ pkg_check_modules(fftw REQUIRED IMPORTED_TARGET fftw3)
 pkg_check_modules(gsl REQUIRED IMPORTED_TARGET gsl)
 pkg_check_modules(yaml REQUIRED IMPORTED_TARGET yaml-0.1)
 pkg_check_modules(jansson REQUIRED IMPORTED_TARGET jansson)
+pkg_check_modules(md REQUIRED IMPORTED_TARGET libmd)
 pkg_check_modules(md4c_html REQUIRED IMPORTED_TARGET md4c-html)
 
 add_library(roughcontact_dependencies INTERFACE)
 target_link_libraries(roughcontact_dependencies INTERFACE PkgConfig::fftw PkgConfig::gsl PkgConfig::yaml
-                      PkgConfig::jansson PkgConfig::md4c_html Threads::Threads m)
+                      PkgConfig::jansson PkgConfig::md PkgConfig::md4c_html Threads::Threads m)

@@ -2,6 +2,7 @@
 
 #include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
 
 enum status_code status_fail(struct status *status, enum status_code code, const char *format, ...)
 {
@@ -17,13 +18,19 @@ enum status_code status_fail(struct status *status, enum status_code code, const
 
 enum status_code status_prefix(struct status *status, const char *format, ...)
 {
-    char prefix[512], rest[sizeof status->message];
+    char old[sizeof status->message];
+    memcpy(old, status->message, sizeof old);
     va_list args;
     va_start(args, format);
-    vsnprintf(prefix, sizeof prefix, format, args);
+    int length = vsnprintf(status->message, sizeof status->message, format, args);
     va_end(args);
-    snprintf(rest, sizeof rest, "%s", status->message);
-    snprintf(status->message, sizeof status->message, "%s: %.*s", prefix, (int)(sizeof rest - sizeof prefix), rest);
+    size_t used = length < 0 ? 0 : (size_t)length;
+    for (const char *rest = ": "; used + 1 < sizeof status->message && *rest; rest++)
+        status->message[used++] = *rest;
+    for (const char *rest = old; used + 1 < sizeof status->message && *rest; rest++)
+        status->message[used++] = *rest;
+    if (used < sizeof status->message)
+        status->message[used] = '\0';
     return status->code;
 }
 

@@ -1,0 +1,47 @@
+/* Does the area converge as ever smaller scales are included? (physics §8; thesis 4.9, 6.2, eq. 4.55) */
+#ifndef CONTACT_CONVERGENCE_H
+#define CONTACT_CONVERGENCE_H
+
+#include "scene/scene.h"
+#include "spectrum/powerlaw.h"
+#include <stdint.h>
+
+enum convergence_sweep { CONVERGENCE_ALPHA, CONVERGENCE_GAMMA, CONVERGENCE_SWEEP_COUNT };
+enum { CONVERGENCE_VALUES_MOST = 9 };
+
+/** One row a sweep: which parameter runs over which values. */
+struct convergence_sweep_row {
+    const char *name; /* as in convergence.csv */
+    size_t count;
+    double values[CONVERGENCE_VALUES_MOST];
+};
+extern const struct convergence_sweep_row convergence_sweeps[CONVERGENCE_SWEEP_COUNT];
+
+/** Area ratio after each scale of a synthetic law Delta_n = alpha lambda_n^gamma, lambda_n = L/n. */
+struct convergence_law {
+    double alpha, gamma, length_m, load;
+    size_t scales;
+};
+
+/** Fills area_ratio[scales] with A/A_n after scale n = 1 ... scales (closure thesis). Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code convergence_areas(double *area_ratio, const struct convergence_law *law,
+                                              const struct material_pair *pair, bool plastic, uint64_t *evaluations,
+                                              struct status *status);
+
+/** Smallest wavelength a continuum can have: about an atom's diameter. */
+extern const double convergence_atom_m;
+
+/** What the scales below a measured surface's sampling limit would still take from its area. */
+struct convergence_extension {
+    double area_measured; /* A/A_n of the fitted law down to the shortest measured wavelength */
+    double area_extended; /* the same carried on to atomic size */
+    double settled_m;     /* wavelength from which every shorter scale is complete; NaN: none */
+    uint64_t scales;      /* visited */
+};
+
+/** Extends the fitted law of a surface of scan length `length_m`, sampled down to `shortest_m`, at one load. Stops at
+ * the first scale from which p* can no longer exceed the pressure (gamma >= 1), or at atomic size. */
+struct convergence_extension convergence_extend(const struct powerlaw *law, double length_m, double shortest_m,
+                                                const struct material_pair *pair, bool plastic, double load);
+
+#endif

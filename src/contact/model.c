@@ -1,0 +1,79 @@
+#include "contact/model.h"
+
+#include "contact/multiscale.h"
+#include "contact/statistical.h"
+#include <math.h>
+
+static enum status_code run_multiscale(struct model_curve *curve, const struct model_row *row,
+                                       const struct model_task *task, struct status *status)
+{
+    struct multiscale stack;
+    struct spot spot = spot_make(task->pair);
+    if (multiscale_make(&stack, task->spectrum, task->pair, row->plastic, task->closure, status) != STATUS_OK)
+        return status->code;
+    for (size_t i = 0; i < task->load_count; i++)
+        multiscale_solve(&curve->points[i], &stack, &spot, task->wanted, task->loads[i], &curve->evaluations);
+    curve->count = task->load_count;
+    curve->full_load = stack.full_load;
+    curve->closed_load = stack.closed_load;
+    curve->yielding_scales = stack.critical_scales;
+    curve->beta = NAN;
+    curve->exists = true;
+    multiscale_free(&stack);
+    return STATUS_OK;
+}
+
+static enum status_code run_statistical(struct model_curve *curve, const struct model_row *row,
+                                        const struct model_task *task, struct status *status)
+{
+    if (!task->asperities)
+        return STATUS_OK;
+    struct statistical model;
+    enum status_code rc = statistical_make(&model, task->asperities, task->pair, row->plastic ? ASPERITY_JG : ASPERITY_HERTZ,
+                                           task->wanted, task->tolerance, INFINITY, &curve->evaluations, status);
+    if (rc == STATUS_OK) {
+        double d = 3; /* a first guess; the solution of one load starts the next */
+        while (curve->count < task->load_count &&
+               statistical_solve(&curve->points[curve->count], &model, task->loads[curve->count], &d))
+            curve->count++;
+        if (curve->count < task->load_count)
+            statistical_full(&curve->points[curve->count++], &model);
+        curve->full_load = curve->closed_load = model.full_load;
+        curve->beta = model.beta;
+        curve->exists = true;
+    }
+    statistical_free(&model);
+    return rc;
+}
+
+const struct model_row model_rows[MODEL_COUNT] = {
+    [MODEL_MULTISCALE_ELASTIC] =
+        {"multiscale-elastic", "multiscale elastic", "me", SCENE_MODEL_MULTISCALE, false, "4.1-4.11, 4.40-4.42",
+         "Jackson and Streator, Wear 261 (2006) 1337; Johnson, Greenwood and Higginson, Int. J. Mech. Sci. 27 (1985) 383; "
+         "Wilson, Auburn University (2008)",
+         "every harmonic is a scale of sinusoids on top of the longer ones; all asperities of a scale carry the same load; "
+         "no yield", "any area ratio; needs a spectrum that converges (gamma >= 1)", run_multiscale},
+    [MODEL_MULTISCALE_PLASTIC] =
+        {"multiscale-plastic", "multiscale elastic-plastic", "mp", SCENE_MODEL_MULTISCALE, true,
+         "4.12-4.18, 4.40-4.42",
+         "Krithivasan and Jackson, Tribol. Lett. 27 (2007) 31; Jackson, Krithivasan and Wilson, Proc. IMechE J 222 (2008) "
+         "1; Wilson, Auburn University (2008)",
+         "as multiscale elastic, with yield of every scale above its critical amplitude; no hardening",
+         "any area ratio; the area steps up by up to 8 % where a scale begins to yield", run_multiscale},
+    [MODEL_GW] =
+        {"gw", "GW", "gw", SCENE_MODEL_STATISTICAL, false, "4.19-4.30, 4.43, 4.54",
+         "Greenwood and Williamson, Proc. R. Soc. A 295 (1966) 300; McCool, Wear 107 (1986) 37",
+         "asperities of one radius, Gaussian heights, no interaction, no yield",
+         "A/A_n up to 0.1: asperities must not touch each other", run_statistical},
+    [MODEL_JG] =
+        {"jg", "JG", "jg", SCENE_MODEL_STATISTICAL, true, "4.31-4.38, 4.45-4.46, 4.54",
+         "Jackson and Green, J. Tribol. 127 (2005) 343; Jackson and Green, Tribol. Int. 39 (2006) 906",
+         "as GW, with Jackson and Green's elastic-plastic sphere",
+         "A/A_n up to 0.1; fitted for contact radius / asperity radius up to 0.41", run_statistical},
+};
+
+bool model_called_for(enum model_id model, unsigned families, unsigned effects)
+{
+    const struct model_row *row = &model_rows[model];
+    return (families & row->family) && (!row->plastic || (effects & EFFECT_BIT(EFFECT_PLASTICITY)));
+}

@@ -1,0 +1,56 @@
+/* The four models side by side: one row each, from name to evaluation. A new model is one row (and its file). */
+#ifndef CONTACT_MODEL_H
+#define CONTACT_MODEL_H
+
+#include "contact/point.h"
+#include "scene/scene.h"
+#include "spectrum/roughness.h"
+#include "spectrum/spectrum.h"
+#include <stdint.h>
+
+enum model_id { MODEL_MULTISCALE_ELASTIC, MODEL_MULTISCALE_PLASTIC, MODEL_GW, MODEL_JG, MODEL_COUNT };
+
+/** What a model is asked: one surface, one pair of bodies, a list of loads. */
+struct model_task {
+    const struct spectrum *spectrum;
+    const struct asperities *asperities; /* NULL: no statistical model exists for this surface */
+    const struct material_pair *pair;
+    const double *loads;                 /* P/(A_n E'), ascending */
+    size_t load_count;
+    unsigned wanted;                     /* enum contact_quantity bits */
+    double tolerance;
+    enum scene_closure closure;
+};
+
+/** What it answers. `points` is the caller's, load_count + 1 long. */
+struct model_curve {
+    bool exists;            /* false: the model was not run, or has no solution for this surface */
+    struct contact_point *points;
+    size_t count;           /* statistical: ends with the point of full contact, when the loads reach it */
+    double full_load;       /* P/(A_n E') at which A = A_n */
+    double closed_load;     /* at which the (adjusted) separation is 0 */
+    double beta;            /* statistical, else NaN */
+    size_t yielding_scales; /* multiscale plastic: scales that can yield; else 0 */
+    uint64_t evaluations;   /* scales visited, or asperity laws evaluated */
+};
+
+struct model_row {
+    const char *name;      /* as in contact.csv */
+    const char *label;     /* as in charts and tables */
+    const char *style;     /* style word of templates/curves.gp */
+    enum scene_model family;
+    bool plastic;
+    const char *equations; /* of the thesis, as in physics.md */
+    const char *source;
+    const char *assumes;
+    const char *valid;
+    enum status_code (*run)(struct model_curve *curve, const struct model_row *row, const struct model_task *task,
+                            struct status *status);
+};
+
+extern const struct model_row model_rows[MODEL_COUNT];
+
+/** May this model run: its family is asked for and, for a plastic one, the effect plasticity runs. */
+bool model_called_for(enum model_id model, unsigned families, unsigned effects);
+
+#endif

@@ -1,0 +1,79 @@
+#include "contact/multiscale.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum status_code multiscale_make(struct multiscale *out, const struct spectrum *spectrum,
+                                 const struct material_pair *pair, bool plastic, enum scene_closure closure,
+                                 struct status *status)
+{
+    *out = (struct multiscale){
+        .scales = malloc(spectrum->count * sizeof *out->scales),
+        .count = spectrum->count,
+        .closure = &sinusoid_closures[closure],
+        .effective_modulus_Pa = pair->effective_modulus_Pa,
+    };
+    if (!out->scales)
+        return status_memory(status);
+    double full_Pa = 0, closed_Pa = 0;
+    for (size_t i = 0; i < spectrum->count; i++) {
+        double frequency = spectrum_frequency(spectrum, i);
+        out->scales[i] = sinusoid_scale(spectrum->amplitude_m[i], frequency, pair, plastic);
+        out->critical_scales += isfinite(out->scales[i].critical_pressure_Pa);
+        double closed = sinusoid_closed_pressure(&out->scales[i]);
+        closed_Pa = fmax(closed_Pa, closed);
+        if (closed > full_Pa) /* else this scale cannot be the last to fill */
+            full_Pa = fmax(full_Pa, sinusoid_full_area_pressure(&out->scales[i]));
+    }
+    out->full_load = full_Pa / pair->effective_modulus_Pa;
+    out->closed_load = closed_Pa / pair->effective_modulus_Pa;
+    return STATUS_OK;
+}
+
+void multiscale_free(struct multiscale *stack)
+{
+    free(stack->scales);
+    *stack = (struct multiscale){0};
+}
+
+void multiscale_solve(struct contact_point *out, const struct multiscale *stack, const struct spot *spot,
+                      unsigned wanted, double load, uint64_t *evaluations)
+{
+    bool with_gap = wanted & CONTACT_SEPARATION;
+    bool conducts = wanted & (CONTACT_ELECTRICAL | CONTACT_THERMAL | CONTACT_SCALE_DEPENDENT);
+    double nominal_Pa = load * stack->effective_modulus_Pa;
+    double area = 1, separation = 0;
+    struct spot_sum sum = {0};
+    for (size_t i = 0; i < stack->count; i++) {
+        const struct sinusoid_scale *scale = &stack->scales[i];
+        struct sinusoid_cell cell;
+        sinusoid_press(&cell, scale, stack->closure, nominal_Pa / area, with_gap);
+        if (with_gap)
+            separation += scale->amplitude_m * cell.gap_ratio;
+        if (conducts && cell.area_complement > 0)
+            spot_add_scale(&sum, &cell, scale->frequency_per_m, area);
+        area *= cell.area_ratio;
+    }
+    *evaluations += stack->count;
+    *out = (struct contact_point){
+        .load = load,
+        .area_ratio = area,
+        .separation_m = with_gap ? separation : NAN,
+        .adjusted_m = NAN,
+        .ecr_ohm_m2 = wanted & CONTACT_ELECTRICAL ? spot_electrical(spot, &sum) : NAN,
+        .tcr_K_m2_per_W = wanted & CONTACT_THERMAL ? spot_thermal(spot, &sum) : NAN,
+        .tcr_sd_K_m2_per_W = wanted & CONTACT_SCALE_DEPENDENT ? spot_thermal_scale_dependent(spot, &sum) : NAN,
+    };
+}
+
+void multiscale_areas(double *area_ratio, const struct multiscale *stack, double load, uint64_t *evaluations)
+{
+    double nominal_Pa = load * stack->effective_modulus_Pa, area = 1;
+    for (size_t i = 0; i < stack->count; i++) {
+        struct sinusoid_cell cell;
+        sinusoid_press(&cell, &stack->scales[i], stack->closure, nominal_Pa / area, false);
+        area *= cell.area_ratio;
+        area_ratio[i] = area;
+    }
+    *evaluations += stack->count;
+}

@@ -1,0 +1,166 @@
+#include "contact/sinusoid.h"
+
+#include <math.h>
+
+static const double link_area_low = 1.51;     /* exponents of the linking equation (4.5) */
+static const double link_area_high = 1.04;
+static const double link_switch = 0.8;        /* p/p* from which the near-complete asymptote holds alone (4.6) */
+static const double critical_strain = 2.0 / 3; /* exp(2 nu/3) in Delta_c; the thesis's form, see physics.md "Unsettled" */
+
+/** a_1 = pi (3x/8pi)^(2/3), the Hertz limit (4.3); from ln x. */
+static double area_low(double ln_x)
+{
+    static const double factor = 0.7616184731724445; /* pi (3/(8 pi))^(2/3) */
+    return factor * exp(2.0 / 3 * ln_x);
+}
+
+/** 1 - a_2 = (3/2pi)(1-x), near complete contact (4.4). */
+static double area_high_complement(double x)
+{
+    return 3 / (2 * M_PI) * (1 - x);
+}
+
+/** The linking equation a_low (1-x^1.51) + a_2 x^1.04 for 0 < x < 1, with a_low of either law. Its complement is summed
+ * from small terms where x is near 1, so that 1 - sqrt(a) keeps its digits. */
+static void link_areas(struct sinusoid_cell *cell, double low, double x, double ln_x)
+{
+    double high_complement = area_high_complement(x);
+    if (x < 0.5) {
+        cell->area_ratio = low * (1 - exp(link_area_low * ln_x)) + (1 - high_complement) * exp(link_area_high * ln_x);
+        cell->area_complement = 1 - cell->area_ratio;
+    } else {
+        double fall_low = -expm1(link_area_low * ln_x), fall_high = -expm1(link_area_high * ln_x);
+        cell->area_complement = fall_high + high_complement * (1 - fall_high) - low * fall_low;
+        cell->area_ratio = 1 - cell->area_complement;
+    }
+    if (cell->area_complement <= 0) {
+        cell->area_ratio = 1;
+        cell->area_complement = 0;
+    }
+}
+
+static void complete_contact(struct sinusoid_cell *cell)
+{
+    *cell = (struct sinusoid_cell){.area_ratio = 1, .area_complement = 0, .gap_ratio = 0};
+}
+
+/** Elastic area ratio, thesis (4.5), (4.6). */
+static void thesis_area(struct sinusoid_cell *cell, double x)
+{
+    if (x >= 1) {
+        cell->area_ratio = 1;
+        cell->area_complement = 0;
+    } else if (x >= link_switch) {
+        cell->area_complement = area_high_complement(x);
+        cell->area_ratio = 1 - cell->area_complement;
+    } else {
+        double ln_x = log(x);
+        link_areas(cell, area_low(ln_x), x, ln_x);
+    }
+}
+
+/** Mean gap / amplitude G = (1-x)^(5/2 (0.696x + 0.158)^-0.847), thesis (4.10) with the 5/2 of physics.md's errata. */
+static double thesis_gap(double x)
+{
+    if (x >= 1)
+        return 0;
+    double exponent = 2.5 * exp(-0.847 * log(0.696 * x + 0.158));
+    return exp(exponent * log1p(-x));
+}
+
+void sinusoid_numeric_area(struct sinusoid_cell *cell, double x);
+double sinusoid_numeric_gap(double x);
+
+const struct sinusoid_closure sinusoid_closures[SCENE_CLOSURE_COUNT] = {
+    [SCENE_CLOSURE_THESIS] = {"thesis", "W. E. Wilson, Auburn University 2008, eq. 4.3-4.10; after Johnson, Greenwood "
+                              "and Higginson 1985, Jackson and Streator 2006", 0.12, 0.10, thesis_area, thesis_gap},
+    [SCENE_CLOSURE_NUMERIC] = {"numeric", "direct numerical solution of the elastic cell on a 1024 x 1024 grid, "
+                               "interpolated", 0.004, 0.002, sinusoid_numeric_area, sinusoid_numeric_gap},
+};
+
+double sinusoid_full_pressure(double amplitude_m, double frequency_per_m, double effective_modulus_Pa)
+{
+    return M_SQRT2 * M_PI * effective_modulus_Pa * amplitude_m * frequency_per_m;
+}
+
+double sinusoid_critical_amplitude(double frequency_per_m, const struct material_pair *pair)
+{
+    return M_SQRT2 * pair->yield_strength_Pa * exp(critical_strain * pair->poisson_ratio) /
+           (3 * M_PI * pair->effective_modulus_Pa * frequency_per_m);
+}
+
+struct sinusoid_scale sinusoid_scale(double amplitude_m, double frequency_per_m, const struct material_pair *pair,
+                                     bool plastic)
+{
+    double modulus = pair->effective_modulus_Pa;
+    struct sinusoid_scale scale = {
+        .amplitude_m = amplitude_m,
+        .frequency_per_m = frequency_per_m,
+        .full_pressure_Pa = sinusoid_full_pressure(amplitude_m, frequency_per_m, modulus),
+        .critical_pressure_Pa = INFINITY,
+    };
+    double critical_amplitude_m = plastic ? sinusoid_critical_amplitude(frequency_per_m, pair) : INFINITY;
+    if (amplitude_m <= critical_amplitude_m)
+        return scale;
+
+    double flow_Pa = pair->yield_coefficient * pair->yield_strength_Pa; /* C S_y */
+    double slope = amplitude_m * frequency_per_m;                      /* Delta f */
+    scale.critical_pressure_Pa = flow_Pa * flow_Pa * flow_Pa / (48 * M_PI * slope * modulus * slope * modulus);
+    scale.plastic_full_pressure_Pa =
+        scale.full_pressure_Pa * pow(11 / (4 * amplitude_m / critical_amplitude_m + 7), 3.0 / 5);
+    /* a_p = 2 f² A_c^(1/(1+q)) (3p/(4 C S_y f²))^(q/(1+q)), with f² A_c = (C S_y/(8 Delta f E'))²/pi: the f² cancel. */
+    double q = 3.8 * pow(modulus * slope / pair->yield_strength_Pa, 0.11);
+    double cell_critical_area = pow(flow_Pa / (8 * slope * modulus), 2) / M_PI;
+    scale.plastic_area_exponent = q / (1 + q);
+    scale.plastic_area_log =
+        M_LN2 + log(cell_critical_area) / (1 + q) + scale.plastic_area_exponent * log(3 / (4 * flow_Pa));
+    return scale;
+}
+
+double sinusoid_closed_pressure(const struct sinusoid_scale *scale)
+{
+    if (scale->critical_pressure_Pa >= scale->full_pressure_Pa)
+        return scale->full_pressure_Pa;
+    return fmax(scale->plastic_full_pressure_Pa, scale->critical_pressure_Pa);
+}
+
+bool sinusoid_press(struct sinusoid_cell *cell, const struct sinusoid_scale *scale,
+                    const struct sinusoid_closure *closure, double pressure_Pa, bool with_gap)
+{
+    bool plastic = pressure_Pa > scale->critical_pressure_Pa;
+    double complete_Pa = plastic ? scale->plastic_full_pressure_Pa : scale->full_pressure_Pa;
+    if (pressure_Pa >= complete_Pa) { /* also a scale of no amplitude, before anything is divided by its pressure */
+        complete_contact(cell);
+        return plastic;
+    }
+    double x = pressure_Pa / complete_Pa;
+    if (plastic) {
+        double ln_x = log(x);
+        double low = exp(scale->plastic_area_log + scale->plastic_area_exponent * log(pressure_Pa));
+        link_areas(cell, low, x, ln_x);
+    } else {
+        closure->area(cell, x);
+    }
+    if (with_gap)
+        cell->gap_ratio = closure->gap(x);
+    return plastic;
+}
+
+double sinusoid_full_area_pressure(const struct sinusoid_scale *scale)
+{
+    double high = sinusoid_closed_pressure(scale), low = scale->critical_pressure_Pa;
+    if (low >= high)
+        return high;
+    const struct sinusoid_closure *closure = &sinusoid_closures[SCENE_CLOSURE_THESIS]; /* plastic: not asked */
+    for (;;) { /* bisect down to neighbouring numbers: the area never falls, so there is one border */
+        double middle = low + (high - low) / 2;
+        if (middle <= low || middle >= high)
+            return high;
+        struct sinusoid_cell cell;
+        sinusoid_press(&cell, scale, closure, middle, false);
+        if (cell.area_complement <= 0)
+            high = middle;
+        else
+            low = middle;
+    }
+}

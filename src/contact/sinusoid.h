@@ -1,0 +1,63 @@
+/* One scale of a rough surface pressed flat: a double-sinusoidal surface Delta cos(2 pi f x) cos(2 pi f y) against a
+ * flat (physics §3; thesis 4.3-4.18). Area ratio is real area / cell area, 0...1. */
+#ifndef CONTACT_SINUSOID_H
+#define CONTACT_SINUSOID_H
+
+#include "scene/material.h"
+#include "scene/scene.h"
+
+/** Area and gap of one cell at one pressure. */
+struct sinusoid_cell {
+    double area_ratio;      /* a */
+    double area_complement; /* 1 - a, without cancellation as a -> 1 */
+    double gap_ratio;       /* mean gap / amplitude G, 1...0 */
+};
+
+/** A law for the elastic cell: x = mean pressure / p*. One row a closure. */
+struct sinusoid_closure {
+    const char *name;   /* scene spelling */
+    const char *source; /* where the formula or table is from */
+    double area_error, gap_error; /* largest relative difference from the direct numerical solution: area at any x, gap
+                                     at x <= 0.55 (beyond, less than 4 % of the gap is left) */
+    /** Area ratio and its complement at x > 0 (gap_ratio is left alone). */
+    void (*area)(struct sinusoid_cell *cell, double x);
+    /** Gap ratio at x > 0. */
+    double (*gap)(double x);
+};
+
+extern const struct sinusoid_closure sinusoid_closures[SCENE_CLOSURE_COUNT]; /* indexed by enum scene_closure */
+
+/** One scale with everything that does not depend on the load. Make it with sinusoid_scale(). */
+struct sinusoid_scale {
+    double amplitude_m;              /* Delta >= 0 */
+    double frequency_per_m;          /* f > 0 */
+    double full_pressure_Pa;         /* p* (4.7) */
+    double critical_pressure_Pa;     /* p_c (4.14); INFINITY: elastic at any load */
+    double plastic_full_pressure_Pa; /* p_p (4.18) */
+    double plastic_area_log;         /* ln of the factor of p^(q/(1+q)) in a_p (4.15) */
+    double plastic_area_exponent;    /* q/(1+q) (4.16) */
+};
+
+/** p* = sqrt2 pi E' Delta f [Pa], thesis (4.7). */
+double sinusoid_full_pressure(double amplitude_m, double frequency_per_m, double effective_modulus_Pa);
+
+/** Delta_c = sqrt2 S_y exp(2 nu/3) / (3 pi E' f) [m]: at or below it the scale is elastic at any load (physics §3). */
+double sinusoid_critical_amplitude(double frequency_per_m, const struct material_pair *pair);
+
+/** Prepares a scale; `plastic` false leaves it elastic at any load. */
+struct sinusoid_scale sinusoid_scale(double amplitude_m, double frequency_per_m, const struct material_pair *pair,
+                                     bool plastic);
+
+/** Lowest mean pressure [Pa] at which the scale is closed: area ratio 1 and gap 0 (p* or p_p). */
+double sinusoid_closed_pressure(const struct sinusoid_scale *scale);
+
+/** Lowest mean pressure [Pa] at which the area ratio is 1. Elastic: p*. Plastic: the published area (4.17) may reach 1
+ * before p_p, while a gap is left. */
+double sinusoid_full_area_pressure(const struct sinusoid_scale *scale);
+
+/** Area (and, when `with_gap`, gap) of the scale at mean pressure p > 0 [Pa]. Returns whether it deformed plastically.
+ * Elastic: thesis (4.5), (4.6), (4.10); plastic: (4.17) with p_p in place of p*. The area never falls with p. */
+bool sinusoid_press(struct sinusoid_cell *cell, const struct sinusoid_scale *scale,
+                    const struct sinusoid_closure *closure, double pressure_Pa, bool with_gap);
+
+#endif

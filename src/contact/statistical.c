@@ -1,0 +1,152 @@
+#include "contact/statistical.h"
+
+#include "contact/gaussian.h"
+
+#include <float.h>
+#include <math.h>
+
+/** The integrals of thesis (4.25), (4.26), (4.43) at d, in closed form for GW, else from the panels. */
+static void integrate(struct panels_sums *sums, const struct statistical *model, double d)
+{
+    if (model->law != ASPERITY_HERTZ) {
+        panels_sum(sums, &model->panels, d);
+        return;
+    }
+    if (model->wanted & CONTACT_SCALE_DEPENDENT)
+        panels_sum(sums, &model->panels, d);
+    struct gaussian_integrals f = gaussian_integrals(d);
+    double radius_m = model->asperity.radius_m, sigma_s_m = model->surface.sigma_s_m;
+    double scale_dependent = 0; /* the panels take out another factor */
+    if (model->wanted & CONTACT_SCALE_DEPENDENT)
+        scale_dependent = sums->radius_scale_dependent * exp(sums->log_factor - f.log_factor);
+    double area = M_PI * radius_m * sigma_s_m;
+    double load = 4.0 / 3 * model->asperity.effective_modulus_Pa * sqrt(radius_m * sigma_s_m) * sigma_s_m;
+    *sums = (struct panels_sums){
+        .area = area * f.one,
+        .area_slope = -area * f.zero, /* dF_n/dh = -n F_{n-1} */
+        .load = load * f.three_halves,
+        .load_slope = -1.5 * load * f.half,
+        .radius = sqrt(radius_m * sigma_s_m) * f.half,
+        .radius_scale_dependent = scale_dependent,
+        .log_factor = f.log_factor,
+    };
+}
+
+/** Solves ln(density integral(d)) = ln target by Newton's method. The logarithm falls and is concave in d (both laws
+ * are log-concave), so that after one step the iterates close in from one side. */
+static double solve(const struct statistical *model, bool for_area, double log_target, double d)
+{
+    double log_scale = log(model->surface.density_per_m2);
+    if (!for_area)
+        log_scale -= log(model->asperity.effective_modulus_Pa);
+    for (int iteration = 0; iteration < 200; iteration++) {
+        struct panels_sums sums;
+        integrate(&sums, model, d);
+        double value = for_area ? sums.area : sums.load, slope = for_area ? sums.area_slope : sums.load_slope;
+        double step = (log_scale + log(value) + sums.log_factor - log_target) * value / slope;
+        d -= step;
+        if (fabs(step) <= 4 * DBL_EPSILON * fmax(1, fabs(d)))
+            break;
+    }
+    return d;
+}
+
+/** Where the elastic model fills the nominal area: below it no law has anything to say. */
+static double hertz_full_d(const struct statistical *model)
+{
+    struct statistical elastic = {.surface = model->surface, .asperity = model->asperity, .law = ASPERITY_HERTZ};
+    return solve(&elastic, true, 0, 0);
+}
+
+enum status_code statistical_make(struct statistical *out, const struct asperities *surface,
+                                  const struct material_pair *pair, enum asperity_law_id law, unsigned wanted,
+                                  double tolerance, double lowest_d, uint64_t *evaluations, struct status *status)
+{
+    *out = (struct statistical){
+        .surface = *surface,
+        .asperity = asperity_make(surface->radius_m, pair, law),
+        .law = law,
+        .spot = spot_make(pair),
+        .wanted = wanted,
+        .tolerance = tolerance,
+    };
+    out->full_d = hertz_full_d(out);
+    bool closed = law == ASPERITY_HERTZ && !(wanted & CONTACT_SCALE_DEPENDENT);
+    if (!closed) {
+        double knudsen_m = wanted & CONTACT_SCALE_DEPENDENT ? out->spot.knudsen_length_m : 0;
+        if (panels_make(&out->panels, &out->asperity, law, surface->sigma_s_m, knudsen_m,
+                        fmin(lowest_d, out->full_d), tolerance, evaluations, status) != STATUS_OK)
+            return status->code;
+    }
+    if (law != ASPERITY_HERTZ)
+        out->full_d = solve(out, true, 0, out->full_d);
+    struct contact_point full;
+    statistical_at(&full, out, out->full_d);
+    out->full_load = full.load;
+    out->beta = -2 * full.separation_m / surface->sigma_m;
+    return STATUS_OK;
+}
+
+void statistical_free(struct statistical *model)
+{
+    panels_free(&model->panels);
+}
+
+void statistical_at(struct contact_point *out, const struct statistical *model, double d)
+{
+    struct panels_sums sums;
+    integrate(&sums, model, d);
+    const struct asperities *surface = &model->surface;
+    double scale = surface->density_per_m2 * exp(sums.log_factor);
+    double area = scale * sums.area;
+    double separation_m = d * surface->sigma_s_m + surface->offset_m;
+    double full_m = model->full_d * surface->sigma_s_m + surface->offset_m;
+    /* 1/R = (1/Psi) eta int g(a) phi: psi/(2 eta int a phi), per nominal area */
+    double psi = area < 1 ? spot_alleviation(area, 1 - area) : 0;
+    double spread = psi > 0 ? psi / (2 * scale * sums.radius) : 0;
+    double spread_sd = psi > 0 ? psi / (2 * scale * sums.radius_scale_dependent) : 0;
+    unsigned wanted = model->wanted;
+    *out = (struct contact_point){
+        .load = scale * sums.load / model->asperity.effective_modulus_Pa,
+        .area_ratio = area,
+        .separation_m = separation_m,
+        .adjusted_m = (separation_m - full_m) / 2, /* (delta + beta sigma/2)/2 (4.54) */
+        .ecr_ohm_m2 = wanted & CONTACT_ELECTRICAL ? model->spot.resistivity_ohm_m * spread : NAN,
+        .tcr_K_m2_per_W = wanted & CONTACT_THERMAL ? spread / model->spot.conductivity_W_per_mK : NAN,
+        .tcr_sd_K_m2_per_W = wanted & CONTACT_SCALE_DEPENDENT ? spread_sd / model->spot.conductivity_W_per_mK : NAN,
+        .outside = sums.load > 0 ? sums.load_outside / sums.load : 0,
+    };
+}
+
+bool statistical_solve(struct contact_point *out, const struct statistical *model, double load, double *d)
+{
+    if (!(load < model->full_load))
+        return false;
+    *d = solve(model, false, log(load), fmax(*d, model->full_d));
+    *d = fmax(*d, model->full_d);
+    statistical_at(out, model, *d);
+    out->load = load;
+    return true;
+}
+
+void statistical_full(struct contact_point *out, const struct statistical *model)
+{
+    statistical_at(out, model, model->full_d);
+    out->load = model->full_load;
+    out->area_ratio = 1;
+    out->adjusted_m = 0;
+    double *resistances[] = {&out->ecr_ohm_m2, &out->tcr_K_m2_per_W, &out->tcr_sd_K_m2_per_W};
+    for (int i = 0; i < 3; i++)
+        if (!isnan(*resistances[i]))
+            *resistances[i] = 0;
+}
+
+double statistical_beta_multiscale(const double *separation_m, const double *multiscale_m, size_t count,
+                                   double sigma_m)
+{
+    /* delta/2 + beta sigma/4 = H in the mean square: beta is the mean of 4 (H - delta/2)/sigma */
+    double sum = 0;
+    for (size_t i = 0; i < count; i++)
+        sum += 4 * (multiscale_m[i] - separation_m[i] / 2) / sigma_m;
+    return count > 0 ? sum / (double)count : NAN;
+}

@@ -1,0 +1,52 @@
+/* The statistical models: asperities of one radius with Gaussian heights against a flat at height d (physics §5-§7;
+ * thesis 4.25, 4.26, 4.29, 4.43-4.46, 4.54). One asperity law gives GW (Hertz), the other JG (Jackson and Green). */
+#ifndef CONTACT_STATISTICAL_H
+#define CONTACT_STATISTICAL_H
+
+#include "contact/asperity.h"
+#include "contact/panels.h"
+#include "contact/point.h"
+#include "resistance/spot.h"
+#include "spectrum/roughness.h"
+#include <stdbool.h>
+#include <stdint.h>
+
+/** One surface in one law, ready for any separation. Owned: statistical_free(). */
+struct statistical {
+    struct asperities surface;
+    struct asperity asperity;
+    enum asperity_law_id law;
+    struct spot spot;
+    unsigned wanted;         /* enum contact_quantity bits to compute */
+    double tolerance;        /* relative, of every integral */
+    struct panels panels;    /* the law at the quadrature nodes; empty where closed forms do */
+    double full_d;           /* d/sigma_s at which A = A_n */
+    double full_load;        /* P/(A_n E') there */
+    double beta;             /* -2 delta_full/sigma: makes delta_ADJ = 0 at A = A_n (4.54) */
+};
+
+/** Prepares the model for separations d >= `lowest_d` sigma_s and always down to its full contact (pass INFINITY for
+ * just that). Counts law evaluations. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code statistical_make(struct statistical *out, const struct asperities *surface,
+                                             const struct material_pair *pair, enum asperity_law_id law,
+                                             unsigned wanted, double tolerance, double lowest_d,
+                                             uint64_t *evaluations, struct status *status);
+void statistical_free(struct statistical *model);
+
+/** Contact with the flat at d = `d` sigma_s. Below full contact (A > A_n) the area ratio exceeds 1 and the resistances
+ * are 0. `outside` is the share of the load on asperities with a/R > 0.41 (JG). */
+void statistical_at(struct contact_point *out, const struct statistical *model, double d);
+
+/** Contact at P/(A_n E') = load. Returns false, with nothing written, beyond the model's full contact.
+ * `*d` is the first guess and becomes d/sigma_s of the solution (any finite value to start). */
+bool statistical_solve(struct contact_point *out, const struct statistical *model, double load, double *d);
+
+/** The point of complete contact: area ratio 1, adjusted separation and resistances 0. */
+void statistical_full(struct contact_point *out, const struct statistical *model);
+
+/** The other estimate of beta (physics §6): the one that brings delta_ADJ(P) closest, in the mean square over `count`
+ * common loads, to the multiscale separations. Arrays in metres. */
+double statistical_beta_multiscale(const double *separation_m, const double *multiscale_m, size_t count,
+                                   double sigma_m);
+
+#endif

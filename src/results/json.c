@@ -1,0 +1,192 @@
+/* results.json: everything, streamed surface by surface so that memory does not grow with their number. */
+#include "results/tables.h"
+
+#include "base/version.h"
+#include <errno.h>
+#include <jansson.h>
+#include <math.h>
+#include <string.h>
+
+static json_t *real(double value)
+{
+    return isfinite(value) ? json_real(value) : json_null();
+}
+
+/** Text that may not be UTF-8 (a file name): bytes outside ASCII are then shown as '?'. */
+static json_t *string(const char *value)
+{
+    json_t *json = json_string(value);
+    if (json)
+        return json;
+    char ascii[1024];
+    size_t n = 0;
+    for (; value[n] && n + 1 < sizeof ascii; n++)
+        ascii[n] = (unsigned char)value[n] < 0x80 ? value[n] : '?';
+    ascii[n] = '\0';
+    return json_string(ascii);
+}
+
+static json_t *material_json(const struct material *material)
+{
+    json_t *json = json_pack("{s:o}", "name", string(material->name));
+    for (size_t i = 0; i < material_property_count; i++)
+        json_object_set_new(json, material_properties[i].key, real(material_value(material, &material_properties[i])));
+    json_object_set_new(json, "source", string(material->source));
+    return json;
+}
+
+static json_t *scene_json(const struct results *results)
+{
+    const struct scene *scene = results->scene;
+    json_t *effects = json_object(), *loads = json_array(), *models = json_array();
+    for (int e = 0; e < EFFECT_COUNT; e++) {
+        const struct plan_effect *effect = &results->plan->effects[e];
+        json_object_set_new(effects, effect_rows[e].name,
+                            json_pack("{s:b, s:s}", "runs", effect->runs, "reason", effect->reason));
+    }
+    for (size_t i = 0; i < results->load_count; i++)
+        json_array_append_new(loads, real(results->loads[i]));
+    if (scene->models & SCENE_MODEL_MULTISCALE)
+        json_array_append_new(models, json_string("multiscale"));
+    if (scene->models & SCENE_MODEL_STATISTICAL)
+        json_array_append_new(models, json_string("statistical"));
+    json_t *json = json_pack("{s:o, s:o, s:o, s:o}", "title", string(scene->title), "models", models, "effects", effects,
+                             "material", material_json(&scene->material));
+    bool elastic = scene->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC;
+    json_object_set_new(json, "counterface", elastic ? material_json(&scene->counterface) : json_string("rigid"));
+    json_object_set_new(json, "nominal_area_m2", real(scene->nominal_area_m2));
+    json_object_set_new(json, "loads_over_AnEp", loads);
+    json_object_set_new(json, "effective_modulus_Pa", real(results->plan->pair.effective_modulus_Pa));
+    json_object_set_new(json, "tolerance", real(scene->tolerance));
+    json_object_set_new(json, "level", json_string(scene_level_names[scene->level]));
+    json_object_set_new(json, "window", json_string(scene_window_names[scene->window]));
+    json_object_set_new(json, "moments", json_string(scene_moments_names[scene->moments]));
+    json_object_set_new(json, "closure", json_string(scene_closure_names[scene->closure]));
+    json_object_set_new(json, "fit_band_m", json_pack("[o, o]", real(scene->fit_band_m[0]), real(scene->fit_band_m[1])));
+    const struct scene_convergence *study = &scene->convergence;
+    json_object_set_new(json, "convergence",
+                        json_pack("{s:o, s:o, s:o, s:o, s:I}", "alpha", real(study->alpha), "gamma", real(study->gamma),
+                                  "load", real(study->load), "scan_length_m", real(study->scan_length_m), "scales",
+                                  (json_int_t)study->scales));
+    return json;
+}
+
+static json_t *curve_json(const struct model_curve *curve, const struct surface_model *model, unsigned wanted)
+{
+    static const struct {
+        const char *name;
+        size_t offset;
+        unsigned quantity;
+    } columns[] = {
+        {"load_over_AnEp", offsetof(struct contact_point, load), 0},
+        {"area_ratio", offsetof(struct contact_point, area_ratio), 0},
+        {"separation_m", offsetof(struct contact_point, separation_m), CONTACT_SEPARATION},
+        {"adjusted_separation_m", offsetof(struct contact_point, adjusted_m), CONTACT_SEPARATION},
+        {"ecr_ohm_m2", offsetof(struct contact_point, ecr_ohm_m2), CONTACT_ELECTRICAL},
+        {"tcr_K_m2_per_W", offsetof(struct contact_point, tcr_K_m2_per_W), CONTACT_THERMAL},
+        {"tcr_sd_K_m2_per_W", offsetof(struct contact_point, tcr_sd_K_m2_per_W), CONTACT_SCALE_DEPENDENT},
+    };
+    json_t *json = json_pack("{s:o, s:o, s:o, s:o, s:o, s:I}", "full_contact_load", real(model->full_load),
+                             "beta", real(model->beta), "beta_from_multiscale", real(model->beta_multiscale),
+                             "area_load_slope", real(model->area_slope), "largest_load_share_beyond_fit",
+                             real(model->most_outside), "evaluations", (json_int_t)model->evaluations);
+    for (size_t c = 0; c < sizeof columns / sizeof columns[0]; c++) {
+        if (columns[c].quantity && !(wanted & columns[c].quantity))
+            continue;
+        json_t *values = json_array();
+        for (size_t i = 0; i < curve->count; i++)
+            json_array_append_new(values, real(*(const double *)((const char *)&curve->points[i] + columns[c].offset)));
+        json_object_set_new(json, columns[c].name, values);
+    }
+    return json;
+}
+
+static json_t *lines_json(const char *lines)
+{
+    json_t *array = json_array();
+    while (lines && *lines) {
+        size_t length = strcspn(lines, "\n");
+        char line[1024];
+        snprintf(line, sizeof line, "%.*s", (int)length, lines);
+        json_array_append_new(array, string(line));
+        lines += length + (lines[length] == '\n');
+    }
+    return array;
+}
+
+static json_t *surface_json(const struct surface_record *record, const struct plan *plan)
+{
+    const struct surface_summary *s = &record->summary;
+    json_t *files = json_array(), *models = json_object();
+    for (size_t f = 0; f < s->scene->file_count; f++)
+        json_array_append_new(files, string(s->scene->files[f]));
+    for (int m = 0; m < MODEL_COUNT; m++)
+        if (s->models[m].exists)
+            json_object_set_new(models, model_rows[m].name, curve_json(&record->curves[m], &s->models[m], plan->wanted));
+    json_t *json = json_pack("{s:o, s:o, s:s, s:s, s:s}", "surface", string(s->scene->name), "files", files, "sha256",
+                             s->hash, "format", s->format, "units", s->units);
+    const struct {
+        const char *name;
+        double value;
+    } numbers[] = {
+        {"points", (double)s->points}, {"spacing_m", s->spacing_m}, {"scan_length_m", s->length_m},
+        {"rq_m", s->roughness.rq_m}, {"ra_m", s->roughness.ra_m}, {"pv_m", s->roughness.pv_m},
+        {"m0_m2", s->roughness.m0_m2}, {"m2", s->roughness.m2}, {"m4_per_m2", s->roughness.m4_per_m2},
+        {"nayak", s->asperities.nayak}, {"asperity_density_per_m2", s->asperities.density_per_m2},
+        {"asperity_radius_m", s->asperities.radius_m}, {"asperity_sigma_m", s->asperities.sigma_s_m},
+        {"asperity_offset_m", s->asperities.offset_m}, {"alpha_SI", s->law.alpha},
+        {"alpha_stderr", s->law.alpha_error}, {"gamma", s->law.gamma}, {"gamma_stderr", s->law.gamma_error},
+        {"fit_rms_decades", s->law.rms_decades}, {"end_jump_m", s->jump_m}, {"end_jump_share", s->jump_share},
+    };
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
+        json_object_set_new(json, numbers[i].name, real(numbers[i].value));
+    json_object_set_new(json, "notes", lines_json(s->notes));
+    json_object_set_new(json, "models", models);
+    return json;
+}
+
+/** Prints one value; takes it over. */
+static bool print(FILE *file, json_t *json)
+{
+    bool ok = json && json_dumpf(json, file, JSON_INDENT(1) | JSON_REAL_PRECISION(17)) == 0;
+    json_decref(json);
+    return ok;
+}
+
+enum status_code json_write(const struct results *results, const char *directory, struct status *status)
+{
+    struct text path = {0};
+    text_add(&path, "%s/results.json", directory);
+    FILE *file = fopen(text_string(&path), "w");
+    text_free(&path);
+    if (!file)
+        return status_fail(status, STATUS_IO, "cannot write results.json: %s", strerror(errno));
+    fprintf(file, "{\"program\": \"roughcontact\",\n\"version\": \"%s\",\n\"scene\": ", version_string());
+    bool ok = print(file, scene_json(results)), first = true;
+    fputs(",\n\"surfaces\": [", file);
+    for (size_t i = 0; i < results->spool->count && ok; i++) {
+        if (!results->spool->summaries[i].usable)
+            continue;
+        struct surface_record record;
+        ok = spool_get(&record, results->spool, i, status) == STATUS_OK;
+        fputs(first ? "\n" : ",\n", file);
+        first = false;
+        ok = ok && print(file, surface_json(&record, results->plan));
+        surface_record_free(&record, false);
+    }
+    fputs("],\n\"refused\": [", file);
+    first = true;
+    for (size_t i = 0; i < results->spool->count && ok; i++) {
+        const struct surface_summary *s = &results->spool->summaries[i];
+        if (s->usable)
+            continue;
+        fputs(first ? "\n" : ",\n", file);
+        first = false;
+        ok = print(file, json_pack("{s:o, s:o}", "surface", string(s->scene->name), "error", string(s->refusal)));
+    }
+    fputs("]}\n", file);
+    bool bad = ferror(file) || !ok;
+    if (fclose(file) != 0 || bad)
+        return status_fail(status, STATUS_IO, "cannot write results.json");
+    return STATUS_OK;
+}

@@ -1,0 +1,88 @@
+#include "results/spool.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum status_code spool_open(struct spool *out, const char *directory, size_t count, struct status *status)
+{
+    *out = (struct spool){.count = count, .lock = PTHREAD_MUTEX_INITIALIZER};
+    out->summaries = calloc(count, sizeof *out->summaries);
+    out->offsets = calloc(count, sizeof *out->offsets);
+    if (!out->summaries || !out->offsets)
+        return status_memory(status);
+    struct text path = {0};
+    text_add(&path, "%s/spool-XXXXXX", directory);
+    int descriptor = path.failed ? -1 : mkstemp(path.data);
+    if (descriptor >= 0) {
+        unlink(path.data);
+        out->file = fdopen(descriptor, "w+b");
+    }
+    text_free(&path);
+    if (!out->file)
+        return status_fail(status, STATUS_IO, "cannot write in '%s': %s", directory, strerror(errno));
+    return STATUS_OK;
+}
+
+void spool_close(struct spool *spool)
+{
+    for (size_t i = 0; spool->summaries && i < spool->count; i++) {
+        free(spool->summaries[i].refusal);
+        free(spool->summaries[i].notes);
+    }
+    free(spool->summaries);
+    free(spool->offsets);
+    if (spool->file)
+        fclose(spool->file);
+    *spool = (struct spool){0};
+}
+
+static bool put_arrays(FILE *file, const struct surface_record *record)
+{
+    size_t scales = record->spectrum.count;
+    bool ok = fwrite(record, sizeof *record, 1, file) == 1;
+    ok = ok && fwrite(record->spectrum.amplitude_m, sizeof(double), scales, file) == scales;
+    for (int m = 0; m < MODEL_COUNT; m++) {
+        size_t count = record->curves[m].count;
+        ok = ok && fwrite(record->curves[m].points, sizeof(struct contact_point), count, file) == count;
+    }
+    return ok;
+}
+
+enum status_code spool_put(struct spool *spool, size_t index, const struct surface_record *record,
+                           struct status *status)
+{
+    spool->summaries[index] = record->summary;
+    if (!record->summary.usable)
+        return STATUS_OK;
+    pthread_mutex_lock(&spool->lock);
+    bool ok = fseek(spool->file, 0, SEEK_END) == 0 && (spool->offsets[index] = ftell(spool->file)) >= 0;
+    ok = ok && put_arrays(spool->file, record);
+    int reason = errno;
+    pthread_mutex_unlock(&spool->lock);
+    return ok ? STATUS_OK : status_fail(status, STATUS_IO, "cannot write results: %s", strerror(reason));
+}
+
+static void *get_array(FILE *file, size_t size, size_t count, bool *ok)
+{
+    void *array = malloc(size * (count > 0 ? count : 1));
+    if (!array || fread(array, size, count, file) != count)
+        *ok = false;
+    return array;
+}
+
+enum status_code spool_get(struct surface_record *out, struct spool *spool, size_t index, struct status *status)
+{
+    bool ok = fseek(spool->file, spool->offsets[index], SEEK_SET) == 0 && fread(out, sizeof *out, 1, spool->file) == 1;
+    if (!ok)
+        memset(out, 0, sizeof *out);
+    out->summary = spool->summaries[index];
+    out->spectrum.amplitude_m = get_array(spool->file, sizeof(double), out->spectrum.count, &ok);
+    for (int m = 0; m < MODEL_COUNT; m++)
+        out->curves[m].points = get_array(spool->file, sizeof(struct contact_point), out->curves[m].count, &ok);
+    if (ok)
+        return STATUS_OK;
+    surface_record_free(out, false);
+    return status_fail(status, STATUS_IO, "cannot read the results back");
+}

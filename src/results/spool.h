@@ -1,0 +1,30 @@
+/* The surfaces' arrays on disk between evaluation and report, so that memory does not grow with their number.
+ * Summaries stay in memory; spectra, curves and previews go to an unnamed temporary file. */
+#ifndef RESULTS_SPOOL_H
+#define RESULTS_SPOOL_H
+
+#include "results/surface.h"
+#include <pthread.h>
+#include <stdio.h>
+
+struct spool {
+    struct surface_summary *summaries; /* one a surface of the scene, in its order */
+    long *offsets;                     /* of its arrays in `file` */
+    size_t count;
+    FILE *file;
+    pthread_mutex_t lock;
+};
+
+/** `directory` is where the temporary file goes (it is unlinked at once). Owned: spool_close().
+ * Errors: STATUS_IO, STATUS_MEMORY. */
+MUST_CHECK enum status_code spool_open(struct spool *out, const char *directory, size_t count, struct status *status);
+void spool_close(struct spool *spool);
+
+/** Stores surface `index`; may be called from several threads. Error: STATUS_IO. */
+MUST_CHECK enum status_code spool_put(struct spool *spool, size_t index, const struct surface_record *record,
+                                      struct status *status);
+/** Reads it back; end it with surface_record_free(record, false). Errors: STATUS_IO, STATUS_MEMORY. */
+MUST_CHECK enum status_code spool_get(struct surface_record *out, struct spool *spool, size_t index,
+                                      struct status *status);
+
+#endif

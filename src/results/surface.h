@@ -1,0 +1,78 @@
+/* One surface from its scans to its curves: the pipeline scan -> profile -> spectrum + roughness -> contact. */
+#ifndef RESULTS_SURFACE_H
+#define RESULTS_SURFACE_H
+
+#include "base/text.h"
+#include "contact/convergence.h"
+#include "contact/model.h"
+#include "profile/profile.h"
+#include "scene/plan.h"
+#include "spectrum/powerlaw.h"
+
+enum { SURFACE_PREVIEW = 1500 }; /* points of a profile kept for the chart */
+
+/** Where a run's time goes, by stage [s]. */
+struct surface_times {
+    double read, prepare, spectrum, models[MODEL_COUNT], convergence;
+};
+
+/** What is kept of a model for every surface: small, so that ten thousand surfaces fit. */
+struct surface_model {
+    bool exists;
+    double full_load, closed_load, beta, beta_multiscale;
+    double area_slope;        /* d ln A/d ln P, least squares over A/A_n < 0.1 */
+    double area_slope_rms;    /* decades */
+    double elbow_load;        /* where |d ln ECR/d ln P| first exceeds 2; NaN: nowhere */
+    double sd_least, sd_most; /* TCR_sd/TCR - 1 over the curve */
+    double invalid_area_load; /* statistical: first load with A/A_n > 0.1; NaN: none */
+    double invalid_fit_load;  /* JG: first load with over 10 % of it beyond a/R = 0.41; NaN: none */
+    double most_outside;      /* largest share of the load beyond a/R = 0.41 */
+    double gap_at_full;       /* separation/sigma at the load of A = A_n (adjusted for the statistical models) */
+    double area_low;          /* A/A_n at the lowest load */
+    size_t yielding_scales;
+    uint64_t evaluations;
+    struct convergence_extension extension; /* multiscale, when the effect convergence runs */
+};
+
+struct surface_summary {
+    const struct scene_surface *scene; /* name and files */
+    bool usable;                  /* false: refused, see `refusal` */
+    char *refusal;                /* one line; owned */
+    char *notes;                  /* one line a warning; owned, NULL: none */
+    char hash[65];                /* SHA-256 of the first file (of all of them one after another), hexadecimal */
+    char format[32];
+    char units[40];               /* "x mm, z um" as read */
+    size_t scans;                 /* averaged */
+    size_t points;                /* of the first */
+    double spacing_m, length_m;
+    enum profile_spacing grid;
+    double tilt;
+    double jump_m;                /* largest end-to-end jump of the scans */
+    double jump_share;            /* amplitude that jump leaks at the short end of the fit band / fitted amplitude there */
+    struct roughness roughness;
+    struct asperities asperities;
+    bool has_asperities;          /* a statistical model exists */
+    struct powerlaw law;
+    size_t harmonics;
+    struct surface_model models[MODEL_COUNT];
+    struct surface_times times;
+};
+
+/** Everything of one surface; `points`, `spectrum` and the preview live as long as the record. */
+struct surface_record {
+    struct surface_summary summary;
+    struct spectrum spectrum;
+    struct model_curve curves[MODEL_COUNT];
+    double preview_x_m[SURFACE_PREVIEW], preview_z_m[SURFACE_PREVIEW];
+    size_t preview_points;
+};
+
+/** Reads and evaluates one surface. What is wrong with its files is no error: then summary.usable is false and
+ * summary.refusal says why in one line. Error: STATUS_MEMORY. Owned: surface_record_free(). */
+MUST_CHECK enum status_code surface_evaluate(struct surface_record *out, const struct scene *scene,
+                                             const struct plan *plan, const double *loads, size_t load_count,
+                                             const struct scene_surface *surface, struct status *status);
+/** Frees the arrays of a record; the summary's texts too when `with_texts`. */
+void surface_record_free(struct surface_record *record, bool with_texts);
+
+#endif

@@ -1,0 +1,72 @@
+#include "spectrum/roughness.h"
+
+#include <math.h>
+
+static const double summit_variance = 3.717e-4; /* McCool 1986, thesis (4.24) */
+static const double summit_offset = 0.045944;   /* Front, thesis (4.30) */
+
+struct roughness roughness_of_heights(const double *height_m, size_t points, double spacing_m)
+{
+    double square = 0, absolute = 0, lowest = height_m[0], highest = height_m[0], slope_square = 0, curve_square = 0;
+    for (size_t i = 0; i < points; i++) {
+        square += height_m[i] * height_m[i];
+        absolute += fabs(height_m[i]);
+        lowest = fmin(lowest, height_m[i]);
+        highest = fmax(highest, height_m[i]);
+    }
+    for (size_t i = 1; i + 1 < points; i++) {
+        double slope = (height_m[i + 1] - height_m[i - 1]) / (2 * spacing_m);
+        double curvature = (height_m[i + 1] - 2 * height_m[i] + height_m[i - 1]) / spacing_m / spacing_m;
+        slope_square += slope * slope;
+        curve_square += curvature * curvature;
+    }
+    double count = (double)points;
+    return (struct roughness){
+        .rq_m = sqrt(square / count),
+        .ra_m = absolute / count,
+        .pv_m = highest - lowest,
+        .m0_m2 = square / count,
+        .m2 = slope_square / (count - 2),
+        .m4_per_m2 = curve_square / (count - 2),
+    };
+}
+
+void roughness_from_spectrum(struct roughness *roughness, const struct spectrum *spectrum)
+{
+    roughness->m0_m2 = spectrum_moment(spectrum, 0);
+    roughness->m2 = spectrum_moment(spectrum, 1);
+    roughness->m4_per_m2 = spectrum_moment(spectrum, 2);
+}
+
+void roughness_average(struct roughness *mean, const struct roughness *other, size_t so_far)
+{
+    double weight = 1 / (double)(so_far + 1);
+    mean->ra_m += weight * (other->ra_m - mean->ra_m);
+    mean->m0_m2 += weight * (other->m0_m2 - mean->m0_m2);
+    mean->m2 += weight * (other->m2 - mean->m2);
+    mean->m4_per_m2 += weight * (other->m4_per_m2 - mean->m4_per_m2);
+    mean->rq_m = sqrt(mean->m0_m2);
+    mean->pv_m = fmax(mean->pv_m, other->pv_m);
+}
+
+enum status_code roughness_asperities(struct asperities *out, const struct roughness *roughness,
+                                      struct status *status)
+{
+    double m0 = roughness->m0_m2, m2 = roughness->m2, m4 = roughness->m4_per_m2;
+    *out = (struct asperities){NAN, NAN, NAN, NAN, NAN, sqrt(m0)};
+    if (!(m0 > 0 && m2 > 0 && m4 > 0))
+        return status_fail(status, STATUS_MODEL, "the profile is flat: no asperities to count");
+    out->nayak = m0 / m2 * (m4 / m2);
+    out->density_per_m2 = m4 / m2 / (6 * M_PI * sqrt(3));
+    out->radius_m = 0.375 * sqrt(M_PI / m4);
+    double density_radius = out->density_per_m2 * out->radius_m;
+    out->offset_m = summit_offset / density_radius;
+    double variance = m0 - summit_variance / (density_radius * density_radius);
+    if (variance <= 0)
+        return status_fail(status, STATUS_MODEL,
+                           "Nayak parameter %.4g is below 0.8968, so the summit height variance is not positive and no "
+                           "statistical model exists; sample the surface more finely, or use models: [multiscale]",
+                           out->nayak);
+    out->sigma_s_m = sqrt(variance);
+    return STATUS_OK;
+}

@@ -1,0 +1,42 @@
+/* Statistical parameters of a levelled profile (physics §5; thesis 4.19-4.24, 4.29-4.30). */
+#ifndef SPECTRUM_ROUGHNESS_H
+#define SPECTRUM_ROUGHNESS_H
+
+#include "spectrum/spectrum.h"
+
+/** Of the profile itself. */
+struct roughness {
+    double rq_m;       /* root mean square height */
+    double ra_m;       /* mean absolute height */
+    double pv_m;       /* highest minus lowest */
+    double m0_m2;      /* mean square height */
+    double m2;         /* mean square slope */
+    double m4_per_m2;  /* mean square curvature */
+};
+
+/** Heights (`points` >= 3, levelled, spacing h): m2 by central differences, m4 by the 3-point second difference, over
+ * the inner points (4.19, 4.20). */
+struct roughness roughness_of_heights(const double *height_m, size_t points, double spacing_m);
+
+/** m0, m2, m4 of the spectrum instead; the other fields are left as they are in `roughness`. */
+void roughness_from_spectrum(struct roughness *roughness, const struct spectrum *spectrum);
+
+/** Mean over scans: m0, m2, m4, Ra averaged, Rq from m0, PV the largest. `so_far` is how many `mean` holds. */
+void roughness_average(struct roughness *mean, const struct roughness *other, size_t so_far);
+
+/** The rough surface as the statistical models see it: asperities of one radius, Gaussian heights. */
+struct asperities {
+    double nayak;          /* m0 m4/m2² */
+    double density_per_m2; /* eta = (m4/m2)/(6 pi sqrt3) (4.21) */
+    double radius_m;       /* R = 0.375 sqrt(pi/m4) (4.22) */
+    double sigma_s_m;      /* sqrt(m0 - 3.717e-4/(eta R)²) (4.24) */
+    double offset_m;       /* y_s = 0.045944/(eta R) (4.30) */
+    double sigma_m;        /* sqrt(m0) */
+};
+
+/** Error: STATUS_MODEL when no statistical model exists: a flat profile, or a Nayak parameter below about 0.8968, for
+ * which sigma_s² <= 0. What could be computed is in `out` either way (sigma_s NaN). */
+MUST_CHECK enum status_code roughness_asperities(struct asperities *out, const struct roughness *roughness,
+                                                 struct status *status);
+
+#endif

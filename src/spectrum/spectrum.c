@@ -1,0 +1,117 @@
+#include "spectrum/spectrum.h"
+
+#include <fftw3.h>
+#include <math.h>
+#include <pthread.h>
+#include <stdlib.h>
+
+/* FFTW's planner is the one part of it that is not thread-safe. */
+static pthread_mutex_t planner = PTHREAD_MUTEX_INITIALIZER;
+
+static double mean_of(const double *values, size_t count)
+{
+    double sum = 0;
+    for (size_t i = 0; i < count; i++)
+        sum += values[i];
+    return sum / (double)count;
+}
+
+static double mean_square_about(const double *values, size_t count, double mean)
+{
+    double sum = 0;
+    for (size_t i = 0; i < count; i++)
+        sum += (values[i] - mean) * (values[i] - mean);
+    return sum / (double)count;
+}
+
+/** Copies the heights without their mean; with a Hann window, scaled so that their mean square stays. */
+static void prepare(double *record, const double *height_m, size_t points, enum scene_window window)
+{
+    double mean = mean_of(height_m, points);
+    for (size_t i = 0; i < points; i++)
+        record[i] = height_m[i] - mean;
+    if (window == SCENE_WINDOW_NONE)
+        return;
+    double before = mean_square_about(height_m, points, mean);
+    for (size_t i = 0; i < points; i++)
+        record[i] *= 0.5 * (1 - cos(2 * M_PI * ((double)i + 0.5) / (double)points));
+    mean = mean_of(record, points);
+    double after = mean_square_about(record, points, mean);
+    double scale = after > 0 ? sqrt(before / after) : 1;
+    for (size_t i = 0; i < points; i++)
+        record[i] = (record[i] - mean) * scale;
+}
+
+enum status_code spectrum_compute(struct spectrum *out, const double *height_m, size_t points, double spacing_m,
+                                  enum scene_window window, struct status *status)
+{
+    size_t count = points / 2;
+    *out = (struct spectrum){.count = count, .length_m = (double)points * spacing_m, .has_nyquist = points % 2 == 0};
+    double *record = fftw_alloc_real(points);
+    fftw_complex *transform = fftw_alloc_complex(count + 1);
+    out->amplitude_m = malloc(count * sizeof *out->amplitude_m);
+    if (!record || !transform || !out->amplitude_m) {
+        fftw_free(record);
+        fftw_free(transform);
+        return status_memory(status);
+    }
+    pthread_mutex_lock(&planner);
+    fftw_plan plan = fftw_plan_dft_r2c_1d((int)points, record, transform, FFTW_ESTIMATE);
+    pthread_mutex_unlock(&planner);
+
+    prepare(record, height_m, points, window);
+    fftw_execute(plan);
+    for (size_t n = 1; n <= count; n++)
+        out->amplitude_m[n - 1] = 2 * hypot(transform[n][0], transform[n][1]) / (double)points;
+    if (out->has_nyquist)
+        out->amplitude_m[count - 1] /= 2;
+
+    pthread_mutex_lock(&planner);
+    fftw_destroy_plan(plan);
+    pthread_mutex_unlock(&planner);
+    fftw_free(record);
+    fftw_free(transform);
+    return STATUS_OK;
+}
+
+void spectrum_average(struct spectrum *mean, const struct spectrum *other, size_t so_far)
+{
+    if (other->count < mean->count) {
+        mean->count = other->count;
+        mean->has_nyquist = other->has_nyquist;
+    }
+    double weight = 1 / (double)(so_far + 1);
+    for (size_t i = 0; i < mean->count; i++) {
+        double power = (1 - weight) * mean->amplitude_m[i] * mean->amplitude_m[i] +
+                       weight * other->amplitude_m[i] * other->amplitude_m[i];
+        mean->amplitude_m[i] = sqrt(power);
+    }
+}
+
+void spectrum_free(struct spectrum *spectrum)
+{
+    free(spectrum->amplitude_m);
+    *spectrum = (struct spectrum){0};
+}
+
+double spectrum_frequency(const struct spectrum *spectrum, size_t i)
+{
+    return (double)(i + 1) / spectrum->length_m;
+}
+
+double spectrum_power(const struct spectrum *spectrum, size_t i)
+{
+    double square = spectrum->amplitude_m[i] * spectrum->amplitude_m[i];
+    return spectrum->has_nyquist && i + 1 == spectrum->count ? square : square / 2;
+}
+
+double spectrum_moment(const struct spectrum *spectrum, int k)
+{
+    double sum = 0;
+    for (size_t i = 0; i < spectrum->count; i++) {
+        double wave_number = 2 * M_PI * spectrum_frequency(spectrum, i);
+        double factor = k == 0 ? 1 : k == 1 ? wave_number * wave_number : pow(wave_number, 4);
+        sum += factor * spectrum_power(spectrum, i);
+    }
+    return sum;
+}

@@ -1,0 +1,37 @@
+/* From heights to harmonics (physics §1). */
+#ifndef SPECTRUM_SPECTRUM_H
+#define SPECTRUM_SPECTRUM_H
+
+#include "base/status.h"
+#include "scene/scene.h"
+#include <stdbool.h>
+#include <stddef.h>
+
+/** Amplitudes of the harmonics n = 1 ... count of a record of length L = N h. Owned: spectrum_free(). */
+struct spectrum {
+    double *amplitude_m; /* Delta_n at index n - 1 */
+    size_t count;
+    double length_m;     /* L: harmonic n has wavelength L/n */
+    bool has_nyquist;    /* the last harmonic is the Nyquist one: its mean square is Delta², not Delta²/2 */
+};
+
+/** Delta_n = 2|Z_n|/N, n = 1 ... ceil(N/2)-1, and |Z_{N/2}|/N at the Nyquist bin of an even N, of `points` >= 3 heights
+ * at `spacing_m`. The mean is taken out first. The Hann window is scaled to keep the mean square.
+ * Errors: STATUS_MEMORY. */
+MUST_CHECK enum status_code spectrum_compute(struct spectrum *out, const double *height_m, size_t points,
+                                             double spacing_m, enum scene_window window, struct status *status);
+
+/** Adds another scan's spectrum to a mean over scans: powers averaged harmonic by harmonic; the mean keeps the fewest
+ * harmonics and the first scan's length. `so_far` is how many scans `mean` holds. */
+void spectrum_average(struct spectrum *mean, const struct spectrum *other, size_t so_far);
+
+void spectrum_free(struct spectrum *spectrum);
+
+/** f of index i (harmonic i + 1) [1/m]. */
+double spectrum_frequency(const struct spectrum *spectrum, size_t i);
+/** Mean square height of index i: half the squared amplitude, the whole at the Nyquist bin [m²]. */
+double spectrum_power(const struct spectrum *spectrum, size_t i);
+/** Spectral moment m_{2k} = sum (2 pi f)^{2k} power [m^(2-2k)], k = 0, 1, 2. */
+double spectrum_moment(const struct spectrum *spectrum, int k);
+
+#endif

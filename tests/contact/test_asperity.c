@@ -1,0 +1,68 @@
+#include "contact/asperity.h"
+#include "support.h"
+
+static struct material_pair tin(void)
+{
+    return material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
+}
+
+static void matches_reference(void **state)
+{
+    (void)state;
+    struct table table = table_read("golden/asperity.csv");
+    struct material_pair pair = tin();
+    for (size_t i = 0; i < table.rows; i++) {
+        double radius = table_number(&table, i, "radius_m"), interference = table_number(&table, i, "interference_m");
+        struct asperity_contact contact;
+        struct asperity elastic = asperity_make(radius, &pair, ASPERITY_HERTZ);
+        asperity_laws[ASPERITY_HERTZ].press(&contact, &elastic, interference);
+        assert_near(contact.area_m2, table_number(&table, i, "area_m2_hertz"), 1e-10);
+        assert_near(contact.load_N, table_number(&table, i, "load_N_hertz"), 1e-10);
+        struct asperity plastic = asperity_make(radius, &pair, ASPERITY_JG);
+        asperity_laws[ASPERITY_JG].press(&contact, &plastic, interference);
+        assert_near(contact.area_m2, table_number(&table, i, "area_m2_jg"), 1e-10);
+        assert_near(contact.load_N, table_number(&table, i, "load_N_jg"), 1e-10);
+        assert_near(contact.radius_m, table_number(&table, i, "contact_radius_m_jg"), 1e-10);
+    }
+    table_free(&table);
+}
+
+/** At 1.9 omega_c the area is continuous and the published load steps down by 0.75 % for tin. */
+static void step_at_yield_onset(void **state)
+{
+    (void)state;
+    struct material_pair pair = tin();
+    struct asperity asperity = asperity_make(5e-6, &pair, ASPERITY_JG);
+    double onset = asperity_yield_onset * asperity.critical_interference_m;
+    struct asperity_contact below, above;
+    asperity_laws[ASPERITY_JG].press(&below, &asperity, onset * (1 - 1e-12));
+    asperity_laws[ASPERITY_JG].press(&above, &asperity, onset * (1 + 1e-12));
+    assert_true(above.area_m2 >= below.area_m2);
+    assert_near(above.area_m2, below.area_m2, 1e-11);
+    assert_within(above.load_N / below.load_N - 1, -0.0075, 2e-4);
+}
+
+static void interference_at_inverts_the_radius(void **state)
+{
+    (void)state;
+    struct material_pair pair = tin();
+    struct asperity asperity = asperity_make(2e-5, &pair, ASPERITY_JG);
+    static const double ratios[] = {0.05, 0.41, 1};
+    for (int i = 0; i < 3; i++) {
+        struct asperity_contact contact;
+        asperity_laws[ASPERITY_JG].press(&contact, &asperity, asperity_interference_at(&asperity, ratios[i]));
+        assert_near(contact.radius_m / asperity.radius_m, ratios[i], 1e-13);
+    }
+    struct asperity elastic = asperity_make(2e-5, &pair, ASPERITY_HERTZ);
+    assert_true(isinf(asperity_interference_at(&elastic, 1)));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(matches_reference),
+        cmocka_unit_test(step_at_yield_onset),
+        cmocka_unit_test(interference_at_inverts_the_radius),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,65 @@
+#include "contact/gaussian.h"
+#include "support.h"
+
+static void matches_reference(void **state)
+{
+    (void)state;
+    struct table table = table_read("golden/gaussian_integrals.csv");
+    for (size_t i = 0; i < table.rows; i++) {
+        struct gaussian_integrals f = gaussian_integrals(table_number(&table, i, "h"));
+        double factor = exp(f.log_factor);
+        assert_near(f.half * factor, table_number(&table, i, "F_half"), 1e-12);
+        assert_near(f.one * factor, table_number(&table, i, "F_one"), 1e-12);
+        assert_near(f.three_halves * factor, table_number(&table, i, "F_three_halves"), 1e-12);
+    }
+    table_free(&table);
+}
+
+/** The three ways meet where they hand over: values just below and above agree to the slope times the step. */
+static void methods_meet(void **state)
+{
+    (void)state;
+    static const double seams[] = {-8, 2};
+    for (int i = 0; i < 2; i++) {
+        double step = 1e-9, h = seams[i];
+        struct gaussian_integrals a = gaussian_integrals(h - step), b = gaussian_integrals(h + step);
+        double fa = exp(a.log_factor), fb = exp(b.log_factor);
+        assert_near(a.three_halves * fa - 3 * step * 0.5 * (a.half * fa + b.half * fb), b.three_halves * fb, 1e-12);
+        assert_near(a.one * fa - 2 * step * 0.5 * (a.zero * fa + b.zero * fb), b.one * fb, 1e-12);
+    }
+}
+
+/** F_1 = phi(h) - h F_0, and (n+1) F... : the recurrence F_3/2 = F_{-1/2}/2 - h F_1/2 gives back a positive F_{-1/2}. */
+static void recurrences_hold(void **state)
+{
+    (void)state;
+    for (double h = -7.9; h < 0; h += 0.37) {
+        struct gaussian_integrals f = gaussian_integrals(h);
+        assert_near(f.one, exp(-h * h / 2) / sqrt(2 * M_PI) - h * f.zero, 1e-13);
+    }
+}
+
+/** Far out the ratios stay right though the integrals are below 10^-300: F_{3/2}/F_{1/2} -> 1.5/h (1 - 3/h² ...). */
+static void ratios_survive_underflow(void **state)
+{
+    (void)state;
+    for (double h = 20; h < 1e4; h *= 1.7) {
+        struct gaussian_integrals f = gaussian_integrals(h);
+        double x = 1 / (h * h);
+        /* int u^n e^{-u - u² x/2} du to third order in x, n = 3/2 over n = 1/2 */
+        double upper = 1 - 35.0 / 8 * x + 3465.0 / 128 * x * x, lower = 1 - 15.0 / 8 * x + 945.0 / 128 * x * x;
+        assert_near(f.three_halves / f.half * h, 1.5 * upper / lower, 400 * x * x * x + 1e-13);
+        assert_true(f.log_factor == -h * h / 2);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(matches_reference),
+        cmocka_unit_test(methods_meet),
+        cmocka_unit_test(recurrences_hold),
+        cmocka_unit_test(ratios_survive_underflow),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

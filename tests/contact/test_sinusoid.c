@@ -1,0 +1,173 @@
+#include "contact/sinusoid.h"
+#include "support.h"
+
+static struct material_pair tin(void)
+{
+    return material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
+}
+
+static const struct sinusoid_closure *thesis = &sinusoid_closures[SCENE_CLOSURE_THESIS];
+
+static void elastic_matches_reference(void **state)
+{
+    (void)state;
+    struct table table = table_read("golden/sinusoid_elastic.csv");
+    for (size_t i = 0; i < table.rows; i++) {
+        struct sinusoid_cell cell = {0};
+        double x = table_number(&table, i, "p_over_pstar");
+        thesis->area(&cell, x);
+        assert_near(cell.area_ratio, table_number(&table, i, "area_ratio"), 1e-10);
+        assert_near(thesis->gap(x), table_number(&table, i, "gap_over_amplitude"), 1e-10);
+    }
+    table_free(&table);
+}
+
+static void plastic_matches_reference(void **state)
+{
+    (void)state;
+    struct table table = table_read("golden/sinusoid_plastic.csv");
+    struct material_pair pair = tin();
+    for (size_t i = 0; i < table.rows; i++) {
+        double amplitude = table_number(&table, i, "amplitude_m"), frequency = table_number(&table, i, "frequency_per_m");
+        double pressure = table_number(&table, i, "mean_pressure_Pa");
+        for (int plastic = 0; plastic < 2; plastic++) {
+            struct sinusoid_scale scale = sinusoid_scale(amplitude, frequency, &pair, plastic);
+            struct sinusoid_cell cell;
+            sinusoid_press(&cell, &scale, thesis, pressure, true);
+            assert_near(cell.area_ratio, table_number(&table, i, plastic ? "area_ratio_plastic" : "area_ratio_elastic"),
+                        1e-10);
+            assert_near(cell.gap_ratio * amplitude, table_number(&table, i, plastic ? "gap_m_plastic" : "gap_m_elastic"),
+                        1e-10);
+        }
+    }
+    table_free(&table);
+}
+
+/** Both closures against the direct solution, within the errors their rows claim, and no tighter claim than needed. */
+static void closures_keep_their_stated_error(void **state)
+{
+    (void)state;
+    struct table table = table_read("golden/sinusoid_bem.csv");
+    for (int c = 0; c < SCENE_CLOSURE_COUNT; c++) {
+        const struct sinusoid_closure *closure = &sinusoid_closures[c];
+        double area_error = 0, gap_error = 0;
+        for (size_t i = 0; i < table.rows; i++) {
+            double x = table_number(&table, i, "p_over_pstar");
+            double area = table_number(&table, i, "area_ratio"), gap = table_number(&table, i, "gap_over_amplitude");
+            struct sinusoid_cell cell = {0};
+            closure->area(&cell, x);
+            area_error = fmax(area_error, fabs(cell.area_ratio / area - 1));
+            if (x <= 0.55)
+                gap_error = fmax(gap_error, fabs(closure->gap(x) / gap - 1));
+        }
+        assert_true(area_error <= closure->area_error);
+        assert_true(gap_error <= closure->gap_error);
+        if (c == SCENE_CLOSURE_THESIS) {
+            assert_true(area_error > 0.9 * closure->area_error);
+            assert_true(gap_error > 0.9 * closure->gap_error);
+        }
+    }
+    table_free(&table);
+}
+
+/** Leaving out every second node of the table, `numeric` still predicts it: the interpolation is smooth enough. */
+static void numeric_closure_has_its_limits(void **state)
+{
+    (void)state;
+    const struct sinusoid_closure *numeric = &sinusoid_closures[SCENE_CLOSURE_NUMERIC];
+    struct sinusoid_cell low = {0}, high = {0};
+    numeric->area(&low, 1e-9);
+    thesis->area(&high, 1e-9);
+    assert_near(low.area_ratio, high.area_ratio, 2e-3); /* both are Hertz there */
+    numeric->area(&high, 1);
+    assert_near(high.area_ratio, 1, 0);
+    assert_within(numeric->gap(1), 0, 0);
+    assert_near(numeric->gap(1e-9), 1, 1e-5);
+    double last_area = 0, last_gap = 1;
+    for (double x = 1e-8; x < 1; x *= 1.003) {
+        numeric->area(&low, x);
+        assert_true(low.area_ratio >= last_area && low.area_ratio <= 1);
+        assert_true(numeric->gap(x) <= last_gap);
+        last_area = low.area_ratio;
+        last_gap = numeric->gap(x);
+    }
+}
+
+/** 1 - a keeps its digits as a -> 1: against the linear law of (4.4) and, plastic, against the sum in long double. */
+static void complement_does_not_cancel(void **state)
+{
+    (void)state;
+    struct sinusoid_cell cell = {0};
+    for (double rest = 1e-2; rest > 1e-12; rest /= 10) {
+        thesis->area(&cell, 1 - rest);
+        assert_near(cell.area_complement, 3 / (2 * M_PI) * (1 - (1 - rest)), 1e-14);
+    }
+    struct material_pair pair = tin();
+    struct sinusoid_scale scale = sinusoid_scale(1e-6, 1e5, &pair, true);
+    long double pp = scale.plastic_full_pressure_Pa;
+    for (double rest = 1e-2; rest > 1e-10; rest /= 10) {
+        double pressure = scale.plastic_full_pressure_Pa * (1 - rest);
+        sinusoid_press(&cell, &scale, thesis, pressure, false);
+        long double x = pressure / pp;
+        long double low = expl(scale.plastic_area_log + scale.plastic_area_exponent * logl((long double)pressure));
+        long double area = low * (1 - powl(x, 1.51L)) + (1 - 3 / (2 * 3.14159265358979323846L) * (1 - x)) * powl(x, 1.04L);
+        if (area < 1)
+            assert_near(cell.area_complement, (double)(1 - area), 1e-6);
+        else
+            assert_within(cell.area_complement, 0, 0);
+    }
+}
+
+/** The step at p_c, as physics.md states it: area up, gap down, sizes nearly independent of the material. */
+static void step_at_critical_pressure(void **state)
+{
+    (void)state;
+    static const struct {
+        double ratio, area_step;
+    } stated[] = {{1.05, 0.010}, {1.3, 0.023}, {2, 0.054}, {5, 0.078}, {30, 0.055}, {1000, 0.012}};
+    struct material_pair pair = tin();
+    double frequency = 1e5, critical = sinusoid_critical_amplitude(frequency, &pair);
+    for (size_t i = 0; i < sizeof stated / sizeof stated[0]; i++) {
+        struct sinusoid_scale scale = sinusoid_scale(stated[i].ratio * critical, frequency, &pair, true);
+        struct sinusoid_cell below, above;
+        assert_false(sinusoid_press(&below, &scale, thesis, scale.critical_pressure_Pa * (1 - 1e-12), true));
+        assert_true(sinusoid_press(&above, &scale, thesis, scale.critical_pressure_Pa * (1 + 1e-12), true));
+        assert_within(above.area_ratio / below.area_ratio - 1, stated[i].area_step, 0.002);
+        assert_true(above.gap_ratio <= below.gap_ratio);
+    }
+}
+
+/** Complete contact is reached exactly at sinusoid_closed_pressure(), also where p_c > p_p. */
+static void complete_pressure_is_sharp(void **state)
+{
+    (void)state;
+    struct material_pair pair = tin();
+    double frequency = 1e5, critical = sinusoid_critical_amplitude(frequency, &pair);
+    for (double ratio = 0.5; ratio < 2000; ratio *= 1.01) {
+        struct sinusoid_scale scale = sinusoid_scale(ratio * critical, frequency, &pair, true);
+        double complete = sinusoid_closed_pressure(&scale);
+        struct sinusoid_cell cell;
+        sinusoid_press(&cell, &scale, thesis, complete * (1 + 1e-12), true);
+        assert_near(cell.area_ratio, 1, 0);
+        assert_within(cell.gap_ratio, 0, 0);
+        sinusoid_press(&cell, &scale, thesis, complete * (1 - 1e-3), true);
+        assert_true(cell.gap_ratio > 0);
+        double full = sinusoid_full_area_pressure(&scale);
+        assert_true(full <= complete);
+        sinusoid_press(&cell, &scale, thesis, full, true);
+        assert_true(cell.area_complement == 0);
+        sinusoid_press(&cell, &scale, thesis, full * (1 - 1e-6), true);
+        assert_true(cell.area_complement > 0);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(elastic_matches_reference),        cmocka_unit_test(plastic_matches_reference),
+        cmocka_unit_test(closures_keep_their_stated_error), cmocka_unit_test(numeric_closure_has_its_limits),
+        cmocka_unit_test(complement_does_not_cancel),       cmocka_unit_test(step_at_critical_pressure),
+        cmocka_unit_test(complete_pressure_is_sharp),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

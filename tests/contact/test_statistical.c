@@ -1,0 +1,173 @@
+#include "contact/statistical.h"
+#include "support.h"
+
+#include <gsl/gsl_integration.h>
+
+static struct material_pair tin(void)
+{
+    return material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
+}
+
+enum { EVERYTHING = CONTACT_SEPARATION | CONTACT_ELECTRICAL | CONTACT_THERMAL | CONTACT_SCALE_DEPENDENT };
+
+static struct statistical make(double m0, double m2, double m4, enum asperity_law_id law, double tolerance, double lowest)
+{
+    struct roughness roughness = {.m0_m2 = m0, .m2 = m2, .m4_per_m2 = m4};
+    struct asperities surface;
+    struct status status = {0};
+    struct statistical model;
+    struct material_pair pair = tin();
+    uint64_t evaluations = 0;
+    assert_int_equal(roughness_asperities(&surface, &roughness, &status), STATUS_OK);
+    assert_int_equal(statistical_make(&model, &surface, &pair, law, EVERYTHING, tolerance, lowest, &evaluations, &status),
+                     STATUS_OK);
+    return model;
+}
+
+static enum asperity_law_id law_of(const char *name)
+{
+    return strcmp(name, "gw") == 0 ? ASPERITY_HERTZ : ASPERITY_JG;
+}
+
+static void check_reference(double tolerance, double allowed)
+{
+    struct table table = table_read("golden/statistical.csv");
+    for (size_t i = 0; i < table.rows; i++) {
+        double d = table_number(&table, i, "d_over_sigma_s");
+        struct statistical model = make(table_number(&table, i, "m0_m2"), table_number(&table, i, "m2"),
+                                        table_number(&table, i, "m4_per_m2"), law_of(table_text(&table, i, "model")),
+                                        tolerance, d);
+        struct contact_point point;
+        statistical_at(&point, &model, d);
+        assert_near(point.area_ratio, table_number(&table, i, "area_ratio"), allowed);
+        assert_near(point.load, table_number(&table, i, "load_over_AnEp"), allowed);
+        assert_near(point.ecr_ohm_m2, table_number(&table, i, "ecr_ohm_m2"), allowed);
+        assert_near(point.tcr_K_m2_per_W, table_number(&table, i, "tcr_K_m2_per_W"), allowed);
+        assert_near(point.tcr_sd_K_m2_per_W, table_number(&table, i, "tcr_sd_K_m2_per_W"), allowed);
+        assert_near(point.separation_m / model.surface.sigma_m, table_number(&table, i, "separation_over_sigma"), 1e-10);
+        statistical_free(&model);
+    }
+    table_free(&table);
+}
+
+static void matches_reference(void **state)
+{
+    (void)state;
+    check_reference(1e-10, 1e-10);
+}
+
+static void keeps_a_loose_tolerance(void **state)
+{
+    (void)state;
+    check_reference(1e-3, 1e-3);
+    check_reference(1e-6, 1e-6);
+}
+
+static void beta_matches_reference(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *name;
+        double m0, m2, m4;
+    } sets[] = {{"moderate", 1.156e-13, 0.0012, 4.5e8},
+                {"narrow-band", 1e-12, 0.0098696044, 1.2e8},
+                {"broad-band", 3.3872e-11, 0.02, 2.4e10}};
+    struct table table = table_read("golden/beta.csv");
+    for (size_t i = 0; i < table.rows; i++)
+        for (int s = 0; s < 3; s++) {
+            if (strcmp(table_text(&table, i, "set"), sets[s].name) != 0)
+                continue;
+            struct statistical model =
+                make(sets[s].m0, sets[s].m2, sets[s].m4, law_of(table_text(&table, i, "model")), 1e-10, INFINITY);
+            assert_near(model.surface.density_per_m2, table_number(&table, i, "eta_per_m2"), 1e-10);
+            assert_near(model.surface.radius_m, table_number(&table, i, "radius_m"), 1e-10);
+            assert_near(model.surface.sigma_s_m, table_number(&table, i, "sigma_s_m"), 1e-10);
+            assert_near(model.surface.offset_m, table_number(&table, i, "y_s_m"), 1e-10);
+            assert_near(model.beta, table_number(&table, i, "beta"), 1e-10);
+            struct contact_point full;
+            statistical_full(&full, &model);
+            assert_near(full.area_ratio, 1, 0);
+            assert_within(full.adjusted_m, 0, 0);
+            statistical_free(&model);
+        }
+    table_free(&table);
+}
+
+/** solve() undoes at(): loads over thirty decades come back, and the curve ends at full contact. */
+static void solve_inverts_at(void **state)
+{
+    (void)state;
+    for (int law = 0; law < ASPERITY_LAW_COUNT; law++) {
+        struct statistical model = make(1.156e-13, 0.0012, 4.5e8, (enum asperity_law_id)law, 1e-10, INFINITY);
+        double d = 0, previous = INFINITY;
+        for (double load = 1e-30; load < model.full_load; load *= 7) {
+            struct contact_point found, again;
+            assert_true(statistical_solve(&found, &model, load, &d));
+            statistical_at(&again, &model, d);
+            assert_near(again.load, load, 1e-10);
+            assert_true(d < previous && found.area_ratio <= 1 + 1e-12);
+            previous = d;
+        }
+        struct contact_point unused;
+        assert_false(statistical_solve(&unused, &model, model.full_load * (1 + 1e-12), &d));
+        statistical_free(&model);
+    }
+}
+
+/** The share beyond a/R = 0.41 by an independent adaptive integration. */
+struct integrand {
+    const struct statistical *model;
+    double d;
+};
+
+static double load_density(double u, void *context)
+{
+    const struct integrand *in = context;
+    struct asperity_contact contact;
+    asperity_laws[ASPERITY_JG].press(&contact, &in->model->asperity, u * in->model->surface.sigma_s_m);
+    return contact.load_N * exp(-(u + in->d) * (u + in->d) / 2);
+}
+
+static void outside_share_matches_adaptive_integration(void **state)
+{
+    (void)state;
+    struct statistical model = make(3.3872e-11, 0.02, 2.4e10, ASPERITY_JG, 1e-10, INFINITY);
+    gsl_integration_workspace *workspace = gsl_integration_workspace_alloc(2000);
+    double border = asperity_interference_at(&model.asperity, 0.41) / model.surface.sigma_s_m;
+    for (double d = 1.4; d < 4; d += 0.6) {
+        struct integrand in = {&model, d};
+        gsl_function f = {load_density, &in};
+        double inside, outside, error;
+        gsl_integration_qag(&f, 0, border, 0, 1e-10, 2000, GSL_INTEG_GAUSS41, workspace, &inside, &error);
+        gsl_integration_qag(&f, border, 12, 0, 1e-10, 2000, GSL_INTEG_GAUSS41, workspace, &outside, &error);
+        struct contact_point point;
+        statistical_at(&point, &model, d);
+        assert_near(point.outside, outside / (inside + outside), 1e-8);
+    }
+    gsl_integration_workspace_free(workspace);
+    statistical_free(&model);
+}
+
+/** A beta made up of a known answer: separations that the formula maps onto each other give it back. */
+static void second_beta_is_a_least_squares_fit(void **state)
+{
+    (void)state;
+    double sigma = 2e-7, delta[] = {3e-7, 1e-7, -2e-7}, high[3];
+    for (int i = 0; i < 3; i++)
+        high[i] = (delta[i] + 0.5 * 5.2 * sigma) / 2;
+    assert_near(statistical_beta_multiscale(delta, high, 3, sigma), 5.2, 1e-14);
+    assert_true(isnan(statistical_beta_multiscale(delta, high, 0, sigma)));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(matches_reference),
+        cmocka_unit_test(keeps_a_loose_tolerance),
+        cmocka_unit_test(beta_matches_reference),
+        cmocka_unit_test(solve_inverts_at),
+        cmocka_unit_test(outside_share_matches_adaptive_integration),
+        cmocka_unit_test(second_beta_is_a_least_squares_fit),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
