@@ -1,0 +1,393 @@
+#include "chart/figure.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static const double touching_area = 0.1, outside_share = 0.1; /* beyond them a statistical curve is dashed */
+
+#define SURFACES(number, x, y, model, terminal, title)                                                                 \
+    {number, FIGURE_SURFACES, x, y, model, CONVERGENCE_ALPHA, terminal, title}
+#define MODELS(number, x, y, terminal, title)                                                                          \
+    {number, FIGURE_MODELS, x, y, MODEL_COUNT, CONVERGENCE_ALPHA, terminal, title}
+#define SWEEP(number, model, sweep, title)                                                                             \
+    {number, FIGURE_SWEEP, FIGURE_WAVELENGTH, FIGURE_AREA, model, sweep, false, title}
+
+const struct figure_row figure_rows[] = {
+    SWEEP("6-01", MODEL_MULTISCALE_ELASTIC, CONVERGENCE_ALPHA, "Area against wavelength, α varied, elastic"),
+    SWEEP("6-02", MODEL_MULTISCALE_PLASTIC, CONVERGENCE_ALPHA, "Area against wavelength, α varied, elastic-plastic"),
+    SWEEP("6-03", MODEL_MULTISCALE_ELASTIC, CONVERGENCE_GAMMA, "Area against wavelength, γ varied, elastic"),
+    SWEEP("6-04", MODEL_MULTISCALE_PLASTIC, CONVERGENCE_GAMMA, "Area against wavelength, γ varied, elastic-plastic"),
+    MODELS("6-05", FIGURE_LOAD, FIGURE_AREA, true, "Real contact area against load"),
+    MODELS("6-06", FIGURE_AREA, FIGURE_SEPARATION, false, "Separation against area"),
+    MODELS("6-07", FIGURE_LOAD, FIGURE_SEPARATION, true, "Separation against load"),
+    MODELS("6-08", FIGURE_LOAD, FIGURE_ECR, true, "Electrical contact resistance"),
+    MODELS("6-09", FIGURE_LOAD, FIGURE_TCR, false, "Thermal contact resistance"),
+    {"6-10", FIGURE_PROFILES, FIGURE_LOAD, FIGURE_AREA, MODEL_COUNT, CONVERGENCE_ALPHA, false, "Surface profiles"},
+    SURFACES("6-11", FIGURE_LOAD, FIGURE_AREA, MODEL_MULTISCALE_PLASTIC, true, "Area, multiscale elastic-plastic"),
+    SURFACES("6-12", FIGURE_LOAD, FIGURE_AREA, MODEL_MULTISCALE_ELASTIC, false, "Area, multiscale elastic"),
+    SURFACES("6-13", FIGURE_LOAD, FIGURE_AREA, MODEL_JG, false, "Area, JG"),
+    SURFACES("6-14", FIGURE_LOAD, FIGURE_AREA, MODEL_GW, false, "Area, GW"),
+    SURFACES("6-15", FIGURE_LOAD, FIGURE_SEPARATION, MODEL_MULTISCALE_PLASTIC, true,
+             "Separation, multiscale elastic-plastic"),
+    SURFACES("6-16", FIGURE_LOAD, FIGURE_SEPARATION, MODEL_MULTISCALE_ELASTIC, false, "Separation, multiscale elastic"),
+    SURFACES("6-17", FIGURE_LOAD, FIGURE_SEPARATION, MODEL_JG, false, "Adjusted separation, JG"),
+    SURFACES("6-18", FIGURE_LOAD, FIGURE_SEPARATION, MODEL_GW, false, "Adjusted separation, GW"),
+    SURFACES("6-19", FIGURE_AREA, FIGURE_SEPARATION, MODEL_MULTISCALE_PLASTIC, false,
+             "Separation, multiscale elastic-plastic"),
+    SURFACES("6-20", FIGURE_AREA, FIGURE_SEPARATION, MODEL_MULTISCALE_ELASTIC, false, "Separation, multiscale elastic"),
+    SURFACES("6-21", FIGURE_AREA, FIGURE_SEPARATION, MODEL_JG, false, "Adjusted separation, JG"),
+    SURFACES("6-22", FIGURE_AREA, FIGURE_SEPARATION, MODEL_GW, false, "Adjusted separation, GW"),
+    SURFACES("6-23", FIGURE_LOAD, FIGURE_ECR, MODEL_MULTISCALE_PLASTIC, false, "ECR, multiscale elastic-plastic"),
+    SURFACES("6-24", FIGURE_LOAD, FIGURE_ECR, MODEL_MULTISCALE_ELASTIC, false, "ECR, multiscale elastic"),
+    SURFACES("6-25", FIGURE_LOAD, FIGURE_ECR, MODEL_JG, false, "ECR, JG"),
+    SURFACES("6-26", FIGURE_LOAD, FIGURE_ECR, MODEL_GW, false, "ECR, GW"),
+    SURFACES("6-27", FIGURE_LOAD, FIGURE_TCR, MODEL_MULTISCALE_PLASTIC, false, "TCR, multiscale elastic-plastic"),
+    SURFACES("6-28", FIGURE_LOAD, FIGURE_TCR, MODEL_MULTISCALE_ELASTIC, false, "TCR, multiscale elastic"),
+    SURFACES("6-29", FIGURE_LOAD, FIGURE_TCR, MODEL_JG, false, "TCR, JG"),
+    SURFACES("6-30", FIGURE_LOAD, FIGURE_TCR, MODEL_GW, false, "TCR, GW"),
+    {"spectra", FIGURE_SPECTRA, FIGURE_WAVELENGTH, FIGURE_AREA, MODEL_COUNT, CONVERGENCE_ALPHA, false,
+     "Spectra and their power laws"},
+};
+const size_t figure_count = sizeof figure_rows / sizeof figure_rows[0];
+
+/** One row an axis: its label, whether it is logarithmic, the effect its quantity needs, and how to get it. */
+static const struct axis_row {
+    const char *label;
+    bool logarithmic;
+    unsigned effect;
+} axes[] = {
+    [FIGURE_LOAD] = {"load P/(Aₙ E′)", true, 0},
+    [FIGURE_AREA] = {"area ratio A/Aₙ", true, 0},
+    [FIGURE_SEPARATION] = {"separation / σ", false, EFFECT_BIT(EFFECT_SEPARATION)},
+    [FIGURE_ECR] = {"ECR·Aₙ (Ω m²)", true, EFFECT_BIT(EFFECT_ELECTRICAL)},
+    [FIGURE_TCR] = {"TCR·Aₙ (K m²/W)", true, EFFECT_BIT(EFFECT_THERMAL)},
+    [FIGURE_WAVELENGTH] = {"shortest wavelength included (m)", true, 0},
+};
+
+const struct figure_row *figure_find(const char *number)
+{
+    for (size_t i = 0; i < figure_count; i++)
+        if (strcmp(figure_rows[i].number, number) == 0)
+            return &figure_rows[i];
+    return NULL;
+}
+
+bool figure_present(const struct figure_row *row, const struct results *results)
+{
+    const struct plan *plan = results->plan;
+    unsigned needs = axes[row->x].effect | axes[row->y].effect;
+    if ((plan->running & needs) != needs)
+        return false;
+    switch (row->kind) {
+    case FIGURE_SWEEP:
+        return results->convergence && model_called_for(row->model, SCENE_MODEL_MULTISCALE, plan->running);
+    case FIGURE_SURFACES:
+        return model_called_for(row->model, plan->families, plan->running);
+    case FIGURE_MODELS:
+    case FIGURE_PROFILES:
+    case FIGURE_SPECTRA:
+        return true;
+    }
+    return false;
+}
+
+/** A figure's data file being written, and the style words of its blocks. */
+struct figure_file {
+    FILE *file;
+    struct text styles;
+    const struct figure_row *row;
+    size_t blocks;
+};
+
+/** Starts a curve: legend text in the first row, double quotes and control characters replaced. */
+static void begin_block(struct figure_file *out, const char *style, const char *legend)
+{
+    fputs(out->blocks++ > 0 ? "\n\n\"" : "\"", out->file);
+    for (; *legend; legend++)
+        fputc(*legend == '"' ? '\'' : (unsigned char)*legend < 0x20 || *legend == 0x7f ? '?' : *legend, out->file);
+    fputs("\"\n", out->file);
+    text_add(&out->styles, "%s%s", out->styles.length > 0 ? " " : "", style);
+}
+
+/** One point, left out where a logarithmic axis cannot show it. */
+static void put_point(struct figure_file *out, double x, double y)
+{
+    if (!isfinite(x) || !isfinite(y) || (axes[out->row->x].logarithmic && x <= 0) ||
+        (axes[out->row->y].logarithmic && y <= 0))
+        return;
+    fprintf(out->file, "%.17g,%.17g\n", x, y);
+}
+
+enum variant { VARIANT_PLAIN, VARIANT_ADJUSTED, VARIANT_SCALE_DEPENDENT };
+
+static double coordinate(const struct contact_point *point, enum figure_axis axis, enum variant variant, double sigma_m)
+{
+    switch (axis) {
+    case FIGURE_LOAD:
+        return point->load;
+    case FIGURE_AREA:
+        return point->area_ratio;
+    case FIGURE_SEPARATION:
+        return (variant == VARIANT_ADJUSTED ? point->adjusted_m : point->separation_m) / sigma_m;
+    case FIGURE_ECR:
+        return point->ecr_ohm_m2;
+    case FIGURE_TCR:
+        return variant == VARIANT_SCALE_DEPENDENT ? point->tcr_sd_K_m2_per_W : point->tcr_K_m2_per_W;
+    case FIGURE_WAVELENGTH:
+        break;
+    }
+    return NAN;
+}
+
+/** First point of a curve that is outside the model's validity; `count` when all are inside. */
+static size_t first_outside(const struct model_curve *curve, const struct model_row *model)
+{
+    size_t i = 0;
+    if (model->family == SCENE_MODEL_STATISTICAL)
+        while (i < curve->count && curve->points[i].area_ratio <= touching_area &&
+               curve->points[i].outside <= outside_share)
+            i++;
+    else
+        i = curve->count;
+    return i;
+}
+
+/** A curve as two blocks: inside the model's validity, and (dashed, starting at the last valid point) outside. */
+static void put_curve(struct figure_file *out, const struct model_curve *curve, const struct model_row *model,
+                      enum variant variant, double sigma_m, const char *style, const char *legend)
+{
+    size_t border = first_outside(curve, model);
+    char outside_style[32];
+    snprintf(outside_style, sizeof outside_style, "%sx", style);
+    begin_block(out, style, legend);
+    for (size_t i = 0; i < border; i++)
+        put_point(out, coordinate(&curve->points[i], out->row->x, variant, sigma_m),
+                  coordinate(&curve->points[i], out->row->y, variant, sigma_m));
+    if (border == curve->count)
+        return;
+    begin_block(out, outside_style, legend);
+    for (size_t i = border > 0 ? border - 1 : 0; i < curve->count; i++)
+        put_point(out, coordinate(&curve->points[i], out->row->x, variant, sigma_m),
+                  coordinate(&curve->points[i], out->row->y, variant, sigma_m));
+}
+
+static void put_models(struct figure_file *out, const struct surface_record *record, const struct plan *plan)
+{
+    double sigma_m = record->summary.asperities.sigma_m;
+    for (int m = 0; m < MODEL_COUNT; m++) {
+        const struct model_curve *curve = &record->curves[m];
+        const struct model_row *model = &model_rows[m];
+        char style[32], legend[80];
+        if (!curve->exists)
+            continue;
+        put_curve(out, curve, model, VARIANT_PLAIN, sigma_m, model->style, model->label);
+        if (out->row->y == FIGURE_SEPARATION && model->family == SCENE_MODEL_STATISTICAL) {
+            snprintf(style, sizeof style, "%sa", model->style);
+            snprintf(legend, sizeof legend, "%s, adjusted", model->label);
+            put_curve(out, curve, model, VARIANT_ADJUSTED, sigma_m, style, legend);
+        }
+        if (out->row->y == FIGURE_TCR && plan_runs(plan, EFFECT_SCALE_DEPENDENT)) {
+            snprintf(style, sizeof style, "%sS", model->style);
+            snprintf(legend, sizeof legend, "%s, scale-dependent", model->label);
+            put_curve(out, curve, model, VARIANT_SCALE_DEPENDENT, sigma_m, style, legend);
+        }
+    }
+}
+
+static void surface_legend(char *legend, size_t size, const struct surface_summary *summary)
+{
+    snprintf(legend, size, "%s, Rq %.3g µm", summary->scene->name, summary->roughness.rq_m * 1e6);
+}
+
+/** Spectrum of one surface: points (thinned evenly in log wavelength), the fit over its band, the fit beyond. */
+static void put_spectrum(struct figure_file *out, const struct surface_record *record, const char *style,
+                         const char *legend)
+{
+    enum { MOST = 700 };
+    size_t index[MOST], count = results_sweep_scales(index, MOST, record->spectrum.count);
+    const struct powerlaw *law = &record->summary.law;
+    double longest = record->spectrum.length_m, shortest = longest / (double)record->spectrum.count;
+    begin_block(out, style, legend);
+    for (size_t k = 0; k < count; k++)
+        put_point(out, 1 / spectrum_frequency(&record->spectrum, index[k]), record->spectrum.amplitude_m[index[k]]);
+    char fit[80] = "no power law";
+    if (isfinite(law->gamma))
+        snprintf(fit, sizeof fit, "α %.3g, γ %.2f ± %.2f", law->alpha, law->gamma, law->gamma_error);
+    begin_block(out, "fit", fit);
+    for (int i = 0; i < 2; i++)
+        put_point(out, law->band_m[i], powerlaw_amplitude(law, law->band_m[i]));
+    begin_block(out, "fitx", fit);
+    put_point(out, shortest, powerlaw_amplitude(law, shortest));
+    put_point(out, law->band_m[0], powerlaw_amplitude(law, law->band_m[0]));
+}
+
+static enum status_code put_surfaces(struct figure_file *out, const struct results *results, struct status *status)
+{
+    for (size_t k = 0; k < results->shown_count; k++) {
+        struct surface_record record;
+        if (spool_get(&record, results->spool, results->shown[k], status) != STATUS_OK)
+            return status->code;
+        const struct figure_row *row = out->row;
+        char legend[200], style[16];
+        surface_legend(legend, sizeof legend, &record.summary);
+        snprintf(style, sizeof style, "s%zu", k + 1);
+        if (row->kind == FIGURE_PROFILES) {
+            begin_block(out, style, legend);
+            for (size_t i = 0; i < record.preview_points; i++)
+                fprintf(out->file, "%.9g,%.9g\n", record.preview_x_m[i] * 1e3, record.preview_z_m[i] * 1e6);
+        } else if (row->kind == FIGURE_SPECTRA) {
+            put_spectrum(out, &record, style, legend);
+        } else {
+            const struct model_row *model = &model_rows[row->model];
+            enum variant variant = model->family == SCENE_MODEL_STATISTICAL ? VARIANT_ADJUSTED : VARIANT_PLAIN;
+            put_curve(out, &record.curves[row->model], model, variant, record.summary.asperities.sigma_m, style, legend);
+        }
+        surface_record_free(&record, false);
+    }
+    return STATUS_OK;
+}
+
+static void put_sweep(struct figure_file *out, const struct results *results)
+{
+    enum { MOST = 150 };
+    const struct scene_convergence *study = &results->scene->convergence;
+    const struct convergence_sweep_row *sweep = &convergence_sweeps[out->row->sweep];
+    size_t index[MOST], count = results_sweep_scales(index, MOST, study->scales);
+    for (size_t v = 0; v < sweep->count; v++) {
+        char legend[40], style[16];
+        snprintf(legend, sizeof legend, "%s = %g", out->row->sweep == CONVERGENCE_ALPHA ? "α" : "γ", sweep->values[v]);
+        snprintf(style, sizeof style, "r%zu", v + 1);
+        begin_block(out, style, legend);
+        const double *area = results_sweep(results, out->row->sweep, model_rows[out->row->model].plastic, v);
+        for (size_t k = 0; k < count; k++)
+            put_point(out, study->scan_length_m / (double)(index[k] + 1), area[index[k]]);
+    }
+}
+
+/** NUMBER.gp: what draws the figure, for this program and for anyone in that directory. */
+static enum status_code write_script(const struct figure_file *out, const char *directory, struct status *status)
+{
+    const struct figure_row *row = out->row;
+    struct text script = {0}, path = {0};
+    const char *number = row->number;
+    text_add(&script, "# draws figure %s from %s.csv: gnuplot %s.gp\n", number, number, number);
+    bool panels = row->kind == FIGURE_PROFILES || row->kind == FIGURE_SPECTRA;
+    const char *template = row->kind == FIGURE_PROFILES ? "profiles.gp" : panels ? "spectra.gp" : "curves.gp";
+    text_add(&script, "call '%s' '%s.csv' ('%s' . (exists('dumb_size') ? '.txt' : '.svg')) '%s'", template, number,
+             number, row->title);
+    if (!panels)
+        text_add(&script, " '%s' '%s' '%s'", axes[row->x].label, axes[row->y].label,
+                 axes[row->x].logarithmic ? axes[row->y].logarithmic ? "xy" : "x" : "y");
+    text_add(&script, " '%s'\n", text_string(&out->styles));
+    text_add(&path, "%s/figures/%s.gp", directory, number);
+    enum status_code rc = script.failed || path.failed
+                              ? status_memory(status)
+                              : text_write_file(text_string(&path), script.data, script.length, status);
+    text_free(&script);
+    text_free(&path);
+    return rc;
+}
+
+static enum status_code write_figure(const struct figure_row *row, const struct results *results,
+                                     const struct surface_record *baseline, const char *directory,
+                                     struct status *status)
+{
+    struct figure_file out = {.row = row};
+    struct text path = {0};
+    text_add(&path, "%s/figures/%s.csv", directory, row->number);
+    out.file = fopen(text_string(&path), "w");
+    text_free(&path);
+    if (!out.file)
+        return status_fail(status, STATUS_IO, "cannot write figure %s: %s", row->number, strerror(errno));
+    enum status_code rc = STATUS_OK;
+    if (row->kind == FIGURE_SWEEP)
+        put_sweep(&out, results);
+    else if (row->kind == FIGURE_MODELS)
+        put_models(&out, baseline, results->plan);
+    else
+        rc = put_surfaces(&out, results, status);
+    bool bad = ferror(out.file);
+    if (fclose(out.file) != 0 || bad)
+        rc = status_fail(status, STATUS_IO, "cannot write figure %s: %s", row->number, strerror(errno));
+    if (rc == STATUS_OK)
+        rc = write_script(&out, directory, status);
+    text_free(&out.styles);
+    return rc;
+}
+
+static enum status_code copy_template(const char *name, const char *templates, const char *directory,
+                                      struct status *status)
+{
+    struct text from = {0}, to = {0}, content = {0};
+    text_add(&from, "%s/%s", templates, name);
+    text_add(&to, "%s/figures/%s", directory, name);
+    enum status_code rc = text_read_file(&content, text_string(&from), status);
+    if (rc == STATUS_OK)
+        rc = text_write_file(text_string(&to), content.data, content.length, status);
+    text_free(&from);
+    text_free(&to);
+    text_free(&content);
+    return rc;
+}
+
+enum status_code figure_write_all(const struct results *results, const char *directory, const char *templates,
+                                  struct status *status)
+{
+    static const char *const files[] = {"style.gp",  "blocks.gp", "axis.gp",    "legend.gp",
+                                        "curves.gp", "profiles.gp", "spectra.gp"};
+    for (size_t i = 0; i < sizeof files / sizeof files[0]; i++)
+        if (copy_template(files[i], templates, directory, status) != STATUS_OK)
+            return status->code;
+    struct surface_record baseline;
+    if (spool_get(&baseline, results->spool, results->baseline, status) != STATUS_OK)
+        return status->code;
+    enum status_code rc = STATUS_OK;
+    for (size_t i = 0; i < figure_count && rc == STATUS_OK; i++)
+        if (figure_present(&figure_rows[i], results))
+            rc = write_figure(&figure_rows[i], results, &baseline, directory, status);
+    surface_record_free(&baseline, false);
+    return rc;
+}
+
+/** Moves the text charts from their files into `out`. */
+static enum status_code collect_text(struct text *out, const struct results *results, const char *directory,
+                                     struct status *status)
+{
+    enum status_code rc = STATUS_OK;
+    for (size_t i = 0; i < figure_count && rc == STATUS_OK; i++) {
+        if (!figure_rows[i].terminal || !figure_present(&figure_rows[i], results))
+            continue;
+        struct text path = {0};
+        text_add(&path, "%s/figures/%s.txt", directory, figure_rows[i].number);
+        rc = text_read_file(out, text_string(&path), status);
+        unlink(text_string(&path));
+        text_free(&path);
+    }
+    return rc;
+}
+
+enum status_code figure_draw_all(const struct results *results, const char *directory, const char *terminal_size,
+                                 struct text *terminal_text, double *seconds, struct status *status)
+{
+    struct text path = {0};
+    struct gnuplot gnuplot;
+    text_add(&path, "%s/figures", directory);
+    enum status_code rc = gnuplot_start(&gnuplot, text_string(&path), status);
+    text_free(&path);
+    if (rc != STATUS_OK)
+        return rc;
+    for (size_t i = 0; i < figure_count; i++)
+        if (figure_present(&figure_rows[i], results))
+            gnuplot_send(&gnuplot, "load '%s.gp'", figure_rows[i].number);
+    if (terminal_size)
+        gnuplot_send(&gnuplot, "dumb_size = '%s'", terminal_size);
+    for (size_t i = 0; terminal_size && i < figure_count; i++)
+        if (figure_rows[i].terminal && figure_present(&figure_rows[i], results))
+            gnuplot_send(&gnuplot, "load '%s.gp'", figure_rows[i].number);
+    rc = gnuplot_finish(&gnuplot, status);
+    *seconds = gnuplot.seconds;
+    return rc == STATUS_OK && terminal_size ? collect_text(terminal_text, results, directory, status) : rc;
+}
