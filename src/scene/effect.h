@@ -19,10 +19,10 @@ enum effect {
 #define EFFECT_BIT(effect) (1u << (effect))
 
 struct effect_row {
-    const char *name;           /* scene spelling */
-    const char *adds;           /* what the report gains */
-    const char *properties[5];  /* material keys it needs besides E_Pa and nu, NULL-terminated */
-    unsigned needs_effects;     /* effects it builds on (bits) */
+    const char *name;          /* scene spelling */
+    const char *adds;          /* what the report gains */
+    const char *properties[5]; /* material keys it needs besides E_Pa and nu, NULL-terminated */
+    unsigned needs_effects;    /* effects it builds on (bits) */
 };
 
 extern const struct effect_row effect_rows[EFFECT_COUNT];

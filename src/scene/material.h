@@ -8,15 +8,15 @@
 /** One metal. A property that is not known is NaN. */
 struct material {
     char name[64];
-    double youngs_modulus_Pa;        /* E */
-    double poisson_ratio;            /* nu */
-    double yield_strength_Pa;        /* S_y */
-    double resistivity_ohm_m;        /* rho_L */
-    double conductivity_W_per_mK;    /* k */
-    double density_kg_per_m3;        /* rho */
-    double specific_heat_J_per_kgK;  /* c_p, per unit mass */
-    double sound_speed_m_per_s;      /* v_s */
-    char source[256];                /* where the numbers are from */
+    double youngs_modulus_Pa;       /* E */
+    double poisson_ratio;           /* nu */
+    double yield_strength_Pa;       /* S_y */
+    double resistivity_ohm_m;       /* rho_L */
+    double conductivity_W_per_mK;   /* k */
+    double density_kg_per_m3;       /* rho */
+    double specific_heat_J_per_kgK; /* c_p, per unit mass */
+    double sound_speed_m_per_s;     /* v_s */
+    char source[256];               /* where the numbers are from */
 };
 
 /** One row a property: drives the scene's keys, the `materials` command and the range checks. */
@@ -48,13 +48,13 @@ enum material_counterface {
 
 /** What the models need of the two bodies together. A quantity whose properties are missing is NaN. */
 struct material_pair {
-    double effective_modulus_Pa;      /* E': E/(1-nu²), or 1/E' = (1-nu1²)/E1 + (1-nu2²)/E2 */
-    double yield_strength_Pa;         /* S_y of the softer body */
-    double poisson_ratio;             /* nu of the softer body */
-    double yield_coefficient;         /* C = 1.295 exp(0.736 nu) */
-    double resistivity_ohm_m;         /* (rho1 + rho2)/2 */
-    double conductivity_W_per_mK;     /* 2 k1 k2/(k1 + k2) */
-    double mean_free_path_m[2];       /* lambda_mfp = 3k/(density v_s c_p) of each side (4.52) */
+    double effective_modulus_Pa;  /* E': E/(1-nu²), or 1/E' = (1-nu1²)/E1 + (1-nu2²)/E2 */
+    double yield_strength_Pa;     /* S_y of the softer body */
+    double poisson_ratio;         /* nu of the softer body */
+    double yield_coefficient;     /* C = 1.295 exp(0.736 nu) */
+    double resistivity_ohm_m;     /* (rho1 + rho2)/2 */
+    double conductivity_W_per_mK; /* 2 k1 k2/(k1 + k2) */
+    double mean_free_path_m[2];   /* lambda_mfp = 3k/(density v_s c_p) of each side (4.52) */
     double side_conductivity_W_per_mK[2];
 };
 

@@ -22,47 +22,47 @@ extern const char *const scene_closure_names[SCENE_CLOSURE_COUNT];
 
 /** One surface to report: one scan file, or repeated scans of it. */
 struct scene_surface {
-    char *name;       /* as printed; hostile until escaped */
-    char **files;     /* file_count paths relative to the scene's directory */
+    char *name;   /* as printed; hostile until escaped */
+    char **files; /* file_count paths as given: see scene_file_path() */
     size_t file_count;
-    char x_unit[16];  /* "" when the scene gives none */
+    char x_unit[16]; /* "" when the scene gives none */
     char z_unit[16];
 };
 
 /** Loads as given; scene_loads() turns them into P/(A_n E'). */
 struct scene_load {
-    double from, to;    /* used when values is NULL */
-    size_t points;      /* >= 1 */
-    double *values;     /* count `points`, or NULL */
-    bool in_pascal;     /* else dimensionless P/(A_n E') */
+    double from, to; /* used when values is NULL */
+    size_t points;   /* >= 1 */
+    double *values;  /* count `points`, or NULL */
+    bool in_pascal;  /* else dimensionless P/(A_n E') */
 };
 
 struct scene_convergence {
-    double alpha, gamma;   /* benchmark power law; alpha in m^(1-gamma) */
-    double load;           /* P/(A_n E') */
+    double alpha, gamma; /* benchmark power law; alpha in m^(1-gamma) */
+    double load;         /* P/(A_n E') */
     double scan_length_m;
     size_t scales;
 };
 
 struct scene {
-    char *directory;             /* DIR as given */
-    char *path;                  /* of scene.yaml, NULL when there is none */
+    char *directory; /* DIR as given */
+    char *path;      /* of scene.yaml, NULL when there is none */
     char *title;
-    unsigned models;             /* bits of enum scene_model */
+    unsigned models; /* bits of enum scene_model */
     bool effects_auto;
-    unsigned effects;            /* EFFECT_BITs asked for when !effects_auto */
+    unsigned effects; /* EFFECT_BITs asked for, and those they build on, when !effects_auto */
     struct material material;
     enum material_counterface counterface_kind;
     struct material counterface;
-    double nominal_area_m2;      /* NaN: resistances stay per area */
+    double nominal_area_m2; /* NaN: resistances stay per area */
     struct scene_load load;
-    double tolerance;            /* relative */
+    double tolerance; /* relative */
     enum scene_level level;
     enum scene_window window;
-    double fit_band_m[2];        /* shortest, longest wavelength; 0, INFINITY: all */
+    double fit_band_m[2]; /* shortest, longest wavelength; 0, INFINITY: all */
     enum scene_moments moments;
     enum scene_closure closure;
-    char *baseline;              /* surface name, NULL: the second smoothest */
+    char *baseline; /* surface name, NULL: the second smoothest */
     struct scene_convergence convergence;
     struct scene_surface *surfaces;
     size_t surface_count;
@@ -70,22 +70,26 @@ struct scene {
 
 /** Overrides from the command line; NULL, or 0 for tolerance, means not given. */
 struct scene_overrides {
-    const char *material;   /* built-in name */
-    const char *effects;    /* "auto" or names separated by commas or blanks */
+    const char *material; /* built-in name */
+    const char *effects;  /* "auto" or names separated by commas or blanks */
     double tolerance;
     const char *x_unit, *z_unit; /* for every surface */
 };
 
-/** Reads `directory`/scene.yaml when there is one, applies the overrides and lists the surfaces: those of the scene, else
- * every regular file of the directory that is not hidden and not scene.yaml, one surface each, named by its file
+/** Reads `directory`/scene.yaml when there is one, applies the overrides and lists the surfaces: those of the scene,
+ * else every regular file of the directory that is not hidden and not scene.yaml, one surface each, named by its file
  * name without the ending (with it, where two would be alike), ordered by name (digits by value: 2 before 10).
  * `out` is to be freed with scene_free() whatever comes back.
  * Errors: STATUS_SCENE (file, line, key, remedy): not YAML, unknown or doubled key, wrong type, value out of range,
  * effect whose material property is missing, unknown material, listed surface without file, two surfaces with one
- * name, baseline that is no surface; STATUS_IO: no such directory. An empty directory gives surface_count = 0. */
-MUST_CHECK enum status_code scene_read(struct scene *out, const char *directory, const struct scene_overrides *overrides,
-                                       struct status *status);
+ * name, baseline that is no surface; STATUS_USAGE: an override that is no material, effect, tolerance or unit;
+ * STATUS_IO: no such directory. An empty directory gives surface_count = 0. */
+MUST_CHECK enum status_code scene_read(struct scene *out, const char *directory,
+                                       const struct scene_overrides *overrides, struct status *status);
 void scene_free(struct scene *scene);
+
+/** Where a surface's file is: `file` if absolute, else below the scene's directory. malloc'ed; NULL: out of memory. */
+char *scene_file_path(const struct scene *scene, const char *file);
 
 /** The scene's loads as P/(A_n E'), ascending, without duplicates: malloc'ed array in *loads, *count of them.
  * effective_modulus_Pa is E'. Errors: STATUS_MEMORY. */

@@ -1,0 +1,240 @@
+#include "scene/scene_keys.h"
+#include "scene/scene_material.h"
+#include "scene/scene_surfaces.h"
+#include "scene/scene_value.h"
+#include "scene/scene_words.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#define COUNT(array) (sizeof(array) / sizeof *(array))
+
+const char *const scene_level_names[SCENE_LEVEL_COUNT] = {"none", "mean", "line", "parabola"};
+const char *const scene_window_names[SCENE_WINDOW_COUNT] = {"none", "hann"};
+const char *const scene_moments_names[SCENE_MOMENTS_COUNT] = {"difference", "spectral"};
+const char *const scene_closure_names[SCENE_CLOSURE_COUNT] = {"thesis", "numeric"};
+static const char *const model_names[] = {"multiscale", "statistical"};
+enum { COUNTERFACE_RIGID, COUNTERFACE_SAME, COUNTERFACE_COUNT };
+static const char *const counterface_names[COUNTERFACE_COUNT] = {"rigid", "same"}; /* besides materials */
+static const char *const load_unit_names[] = {"dimensionless", "Pa"};
+
+/* Loads, in Pa or P/(A_n E'): any that keeps its distance from the ends of double. */
+#define LOAD_LEAST       1e-100
+#define LOAD_MOST        1e100
+#define LOAD_POINTS_MOST 100000
+
+/* Parts of a key's row; offset 0 stands for the whole struct. */
+#define RANGE(type, member, low, high)  .offset = offsetof(type, member), .least = (low), .most = (high)
+#define NUMBER(type, member, low, high) scene_value_number, RANGE(type, member, low, high)
+#define WHOLE(type, member, low, high)  scene_value_count, RANGE(type, member, low, high)
+#define CHOICES(type, member, spellings)                                                                               \
+    .offset = offsetof(type, member), .choices = (spellings), .choice_count = COUNT(spellings)
+
+void scene_keys_effect_names(const char *names[EFFECT_COUNT])
+{
+    for (int i = 0; i < EFFECT_COUNT; i++)
+        names[i] = effect_rows[i].name;
+}
+
+unsigned scene_keys_with_needed(unsigned effects)
+{
+    for (int i = 0; i < EFFECT_COUNT; i++)
+        if (effects & EFFECT_BIT(i))
+            effects |= effect_rows[i].needs_effects;
+    return effects;
+}
+
+/* One or more words out of `names`, as a list or as one text: a bit for each in `bits`, its line in `lines`. */
+static enum status_code read_set(struct scene_source *source, const struct scene_key *key, const char *what,
+                                 const yaml_node_t *value, const char *const *names, size_t count, unsigned *bits,
+                                 size_t *lines)
+{
+    *bits = 0;
+    for (size_t i = 0; i < scene_source_item_count(value); i++) {
+        const yaml_node_t *item = scene_source_item(source, value, i);
+        if (item->type != YAML_SCALAR_NODE)
+            return scene_source_wrong_type(source, item, key->name, "a list of names");
+        const char *rest = (const char *)item->data.scalar.value, *word;
+        for (size_t length; (word = scene_words_next(&rest, &length));) {
+            size_t n = scene_words_find(word, length, names, count);
+            if (n == count)
+                return scene_source_unknown(source, item, what, names, count);
+            *bits |= 1u << n;
+            lines[n] = scene_source_line(item);
+        }
+    }
+    return STATUS_OK;
+}
+
+static enum status_code read_models(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
+                                    void *field)
+{
+    struct scene *scene = field;
+    size_t lines[COUNT(model_names)];
+    enum status_code code =
+        read_set(source, key, "model", value, model_names, COUNT(model_names), &scene->models, lines);
+    if (code == STATUS_OK && scene->models == 0)
+        return scene_source_fail(source, scene_source_line(value), "'models' names none; remove the line for both");
+    return code;
+}
+
+static enum status_code read_effects(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
+                                     void *field)
+{
+    struct scene *scene = field;
+    if (scene_source_is(value, "auto"))
+        return STATUS_OK;
+    const char *names[EFFECT_COUNT];
+    scene_keys_effect_names(names);
+    scene->effects_auto = false;
+    enum status_code code =
+        read_set(source, key, "effect", value, names, EFFECT_COUNT, &scene->effects, source->effect_line);
+    scene->effects = scene_keys_with_needed(scene->effects);
+    for (int i = 0; i < EFFECT_COUNT; i++)
+        for (int needed = 0; needed < EFFECT_COUNT; needed++)
+            if ((effect_rows[i].needs_effects & EFFECT_BIT(needed)) && source->effect_line[needed] == 0)
+                source->effect_line[needed] = source->effect_line[i];
+    return code;
+}
+
+static enum status_code read_counterface(struct scene_source *source, const struct scene_key *key,
+                                         const yaml_node_t *value, void *field)
+{
+    if (scene_source_is(value, counterface_names[COUNTERFACE_RIGID]))
+        return STATUS_OK;
+    source->counterface_elastic = true;
+    source->counterface_same = scene_source_is(value, counterface_names[COUNTERFACE_SAME]);
+    return source->counterface_same ? STATUS_OK : scene_material_read(source, key, value, field);
+}
+
+static enum status_code read_fit_band(struct scene_source *source, const struct scene_key *key,
+                                      const yaml_node_t *value, void *field)
+{
+    double *band = field;
+    if (scene_source_is(value, key->word))
+        return STATUS_OK;
+    if (value->type != YAML_SEQUENCE_NODE || scene_source_item_count(value) != 2)
+        return scene_source_wrong_type(source, value, key->name, "two wavelengths [shortest, longest] in m");
+    for (size_t i = 0; i < 2; i++) {
+        enum status_code code = scene_value_number(source, key, scene_source_item(source, value, i), &band[i]);
+        if (code != STATUS_OK)
+            return code;
+    }
+    if (!(band[0] < band[1]))
+        return scene_source_fail(source, scene_source_line(value),
+                                 "'%s' is [%g, %g]; give the shorter wavelength first", key->name, band[0], band[1]);
+    return STATUS_OK;
+}
+
+static enum status_code read_load_values(struct scene_source *source, const struct scene_key *key,
+                                         const yaml_node_t *value, void *field)
+{
+    struct scene_load *load = field;
+    size_t count = scene_source_item_count(value);
+    if (count == 0 || count > LOAD_POINTS_MOST)
+        return scene_source_fail(source, scene_source_line(value), "'values' holds %zu loads; allowed is 1 to %d",
+                                 count, LOAD_POINTS_MOST);
+    load->values = malloc(count * sizeof *load->values);
+    if (!load->values)
+        return status_memory(source->status);
+    load->points = count;
+    struct scene_key number = {.name = key->name, .least = LOAD_LEAST, .most = LOAD_MOST};
+    enum status_code code = STATUS_OK;
+    for (size_t i = 0; code == STATUS_OK && i < count; i++)
+        code = scene_value_number(source, &number, scene_source_item(source, value, i), &load->values[i]);
+    return code;
+}
+
+static enum status_code read_load_unit(struct scene_source *source, const struct scene_key *key,
+                                       const yaml_node_t *value, void *field)
+{
+    unsigned unit = 0;
+    enum status_code code = scene_value_choice(source, key, value, &unit);
+    *(bool *)field = unit == 1;
+    return code;
+}
+
+enum { LOAD_FROM, LOAD_TO, LOAD_POINTS, LOAD_VALUES, LOAD_UNIT };
+
+static enum status_code read_load(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
+                                  void *field)
+{
+    static const struct scene_key keys[] = {
+        [LOAD_FROM] = {"from", NUMBER(struct scene_load, from, LOAD_LEAST, LOAD_MOST)},
+        [LOAD_TO] = {"to", NUMBER(struct scene_load, to, LOAD_LEAST, LOAD_MOST)},
+        [LOAD_POINTS] = {"points", WHOLE(struct scene_load, points, 1, LOAD_POINTS_MOST)},
+        [LOAD_VALUES] = {"values", read_load_values, .offset = 0},
+        [LOAD_UNIT] = {"unit", read_load_unit, CHOICES(struct scene_load, in_pascal, load_unit_names)},
+    };
+    struct scene_load *load = field;
+    size_t lines[COUNT(keys)];
+    enum status_code code = scene_source_mapping(source, value, key->name, keys, COUNT(keys), load, lines);
+    if (code != STATUS_OK)
+        return code;
+    if (lines[LOAD_VALUES]) {
+        for (int k = LOAD_FROM; k <= LOAD_POINTS; k++)
+            if (lines[k])
+                return scene_source_fail(source, lines[k], "'%s' stands beside 'values'; remove one of them",
+                                         keys[k].name);
+        return STATUS_OK;
+    }
+    if (load->in_pascal && !(lines[LOAD_FROM] && lines[LOAD_TO]))
+        return scene_source_fail(source, lines[LOAD_UNIT],
+                                 "'unit: Pa' leaves the default loads without meaning; "
+                                 "add 'from' and 'to', or 'values'");
+    size_t line = lines[LOAD_TO] ? lines[LOAD_TO] : lines[LOAD_FROM];
+    if (load->from > load->to)
+        return scene_source_fail(source, line, "'from' is %g, above 'to', %g; exchange them", load->from, load->to);
+    if (load->points == 1 && load->from < load->to)
+        return scene_source_fail(source, lines[LOAD_POINTS],
+                                 "'points' is 1, too few from %g to %g; give 2 or more, or 'values'", load->from,
+                                 load->to);
+    return STATUS_OK;
+}
+
+static enum status_code read_convergence(struct scene_source *source, const struct scene_key *key,
+                                         const yaml_node_t *value, void *field)
+{
+    static const struct scene_key keys[] = {
+        {"alpha", NUMBER(struct scene_convergence, alpha, 1e-12, 1e12)},
+        {"gamma", NUMBER(struct scene_convergence, gamma, 0.0, 5.0)},
+        {"load", NUMBER(struct scene_convergence, load, LOAD_LEAST, LOAD_MOST)},
+        {"scan_length_m", NUMBER(struct scene_convergence, scan_length_m, 1e-9, 1e3)},
+        {"scales", WHOLE(struct scene_convergence, scales, 1, 1e6)},
+    };
+    size_t lines[COUNT(keys)];
+    return scene_source_mapping(source, value, key->name, keys, COUNT(keys), field, lines);
+}
+
+static enum status_code read_baseline(struct scene_source *source, const struct scene_key *key,
+                                      const yaml_node_t *value, void *field)
+{
+    source->baseline_line = scene_source_line(value);
+    return scene_value_text(source, key, value, field);
+}
+
+static const struct scene_key scene_keys[] = {
+    {"title", scene_value_text, .offset = offsetof(struct scene, title)},
+    {"models", read_models, .offset = 0},
+    {"effects", read_effects, .offset = 0},
+    {"material", scene_material_read, .offset = offsetof(struct scene, material)},
+    {"counterface", read_counterface, CHOICES(struct scene, counterface, counterface_names)},
+    {"nominal_area_m2", NUMBER(struct scene, nominal_area_m2, 1e-18, 1e6), .word = "none"},
+    {"load", read_load, .offset = offsetof(struct scene, load)},
+    {"tolerance", NUMBER(struct scene, tolerance, SCENE_KEYS_TOLERANCE_LEAST, SCENE_KEYS_TOLERANCE_MOST)},
+    {"level", scene_value_choice, CHOICES(struct scene, level, scene_level_names)},
+    {"window", scene_value_choice, CHOICES(struct scene, window, scene_window_names)},
+    {"fit_band_m", read_fit_band, RANGE(struct scene, fit_band_m, 1e-12, 1e3), .word = "all"},
+    {"moments", scene_value_choice, CHOICES(struct scene, moments, scene_moments_names)},
+    {"closure", scene_value_choice, CHOICES(struct scene, closure, scene_closure_names)},
+    {"baseline", read_baseline, .offset = offsetof(struct scene, baseline)},
+    {"convergence", read_convergence, .offset = offsetof(struct scene, convergence)},
+    {"surfaces", scene_surfaces_read, .offset = 0},
+};
+
+enum status_code scene_keys_read(struct scene *scene, struct scene_source *source)
+{
+    const yaml_node_t *root = scene_source_root(source);
+    size_t lines[COUNT(scene_keys)];
+    return root ? scene_source_mapping(source, root, "scene", scene_keys, COUNT(scene_keys), scene, lines) : STATUS_OK;
+}

@@ -1,0 +1,11 @@
+/* Surfaces from the files of a directory, for a scene that lists none. Private to src/scene. */
+#ifndef SCENE_SCENE_LISTING_H
+#define SCENE_SCENE_LISTING_H
+
+#include "scene/scene.h"
+
+/** Adds to a scene without surfaces one for each regular file of its directory that is not hidden and not
+ * scene.yaml; names and order as scene_read() says. Errors: STATUS_IO, STATUS_MEMORY. */
+MUST_CHECK enum status_code scene_listing_read(struct scene *scene, struct status *status);
+
+#endif

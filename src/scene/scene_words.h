@@ -1,0 +1,26 @@
+/* Names in messages: hostile text made printable, and the nearest known name for one that is unknown. */
+#ifndef SCENE_SCENE_WORDS_H
+#define SCENE_SCENE_WORDS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/** Text fit for a one-line message: control characters as '?', the end of a long one as "...". */
+struct scene_words_shown {
+    char text[84];
+};
+struct scene_words_shown scene_words_show(const char *text, size_t length);
+
+/** "did you mean 'x'?" when one of the `count` names is near `word`, else "allowed: a, b, c". */
+struct scene_words_hint {
+    char text[400];
+};
+struct scene_words_hint scene_words_hint(const char *word, const char *const *names, size_t count);
+
+/** The next word of a list separated by commas or blanks, advancing `*rest`: its start, or NULL at the end. */
+const char *scene_words_next(const char **rest, size_t *length);
+
+/** Index of the name that is the `length` bytes at `word`, or `count` when none is. */
+size_t scene_words_find(const char *word, size_t length, const char *const *names, size_t count);
+
+#endif

@@ -1,0 +1,61 @@
+/* Scene directories made for one test, and reading them. */
+#ifndef TEST_SCENE_DIRECTORY_H
+#define TEST_SCENE_DIRECTORY_H
+
+#include "base/text.h"
+#include "scene/scene.h"
+#include "support.h"
+
+#include <ftw.h>
+#include <stdio.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+struct scene_directory {
+    char path[64];
+};
+
+static inline struct scene_directory scene_directory_make(void)
+{
+    struct scene_directory directory = {"/tmp/roughcontact-scene-XXXXXX"};
+    assert_non_null(mkdtemp(directory.path));
+    return directory;
+}
+
+static inline void scene_directory_write(const struct scene_directory *directory, const char *file, const char *bytes,
+                                         size_t length)
+{
+    char path[512];
+    struct status status = {0};
+    snprintf(path, sizeof path, "%s/%s", directory->path, file);
+    assert_int_equal(text_write_file(path, bytes, length, &status), STATUS_OK);
+}
+
+/* A file with something in it. */
+static inline void scene_directory_add(const struct scene_directory *directory, const char *file)
+{
+    scene_directory_write(directory, file, "0 1\n", 4);
+}
+
+static inline int scene_directory_unlink(const char *path, const struct stat *info, int kind, struct FTW *walk)
+{
+    (void)info, (void)kind, (void)walk;
+    return remove(path);
+}
+
+static inline void scene_directory_remove(const struct scene_directory *directory)
+{
+    assert_int_equal(nftw(directory->path, scene_directory_unlink, 8, FTW_DEPTH | FTW_PHYS), 0);
+}
+
+/* Reads a scene that has to be valid. */
+static inline struct scene scene_directory_read(const char *path, const struct scene_overrides *overrides)
+{
+    struct scene scene;
+    struct status status = {0};
+    if (scene_read(&scene, path, overrides, &status) != STATUS_OK)
+        fail_msg("%s", status.message);
+    return scene;
+}
+
+#endif

@@ -1,0 +1,381 @@
+#include "scene_directory.h"
+
+#include <locale.h>
+
+#define DATA(name) TEST_DATA "/scene/" name
+
+static void check_defaults(const struct scene *scene)
+{
+    assert_int_equal(scene->models, SCENE_MODEL_MULTISCALE | SCENE_MODEL_STATISTICAL);
+    assert_true(scene->effects_auto);
+    assert_string_equal(scene->material.name, "tin");
+    assert_int_equal(scene->counterface_kind, MATERIAL_COUNTERFACE_RIGID);
+    assert_true(isnan(scene->nominal_area_m2));
+    assert_near(scene->load.from, 1e-6, 0);
+    assert_near(scene->load.to, 0.1, 0);
+    assert_int_equal(scene->load.points, 121);
+    assert_null(scene->load.values);
+    assert_false(scene->load.in_pascal);
+    assert_near(scene->tolerance, 1e-6, 0);
+    assert_int_equal(scene->level, SCENE_LEVEL_LINE);
+    assert_int_equal(scene->window, SCENE_WINDOW_NONE);
+    assert_true(scene->fit_band_m[0] == 0 && isinf(scene->fit_band_m[1]));
+    assert_int_equal(scene->moments, SCENE_MOMENTS_DIFFERENCE);
+    assert_int_equal(scene->closure, SCENE_CLOSURE_THESIS);
+    assert_null(scene->baseline);
+    assert_near(scene->convergence.alpha, 0.085, 0);
+    assert_near(scene->convergence.gamma, 1.5, 0);
+    assert_near(scene->convergence.load, 1e-3, 0);
+    assert_near(scene->convergence.scan_length_m, 3e-4, 0);
+    assert_int_equal(scene->convergence.scales, 4096);
+}
+
+static void test_defaults_without_scene(void **state)
+{
+    (void)state;
+    struct scene scene = scene_directory_read(DATA("bare"), NULL);
+    check_defaults(&scene);
+    assert_null(scene.path);
+    assert_string_equal(scene.directory, DATA("bare"));
+    assert_string_equal(scene.title, "bare");
+    scene_free(&scene);
+}
+
+static void test_defaults_of_texts_that_say_nothing(void **state)
+{
+    (void)state;
+    static const char *const texts[] = {"", "\n", "# only a comment\n", "---\n", "---\n...\n", "{}", "~\n", "load: {}"};
+    struct scene_directory directory = scene_directory_make();
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+        scene_directory_write(&directory, "scene.yaml", texts[i], strlen(texts[i]));
+        struct scene scene = scene_directory_read(directory.path, NULL);
+        check_defaults(&scene);
+        assert_non_null(scene.path);
+        assert_int_equal(scene.surface_count, 0); /* scene.yaml is no scan */
+        scene_free(&scene);
+    }
+    scene_directory_remove(&directory);
+}
+
+static void check_full_material(const struct material *material)
+{
+    assert_string_equal(material->name, "CuZn39Pb3");
+    assert_near(material->youngs_modulus_Pa, 97e9, 0);
+    assert_near(material->poisson_ratio, 0.34, 0);
+    assert_near(material->yield_strength_Pa, 250e6, 0);
+    assert_near(material->resistivity_ohm_m, 6.8e-8, 0);
+    assert_near(material->conductivity_W_per_mK, 113, 0);
+    assert_near(material->density_kg_per_m3, 8460, 0);
+    assert_near(material->specific_heat_J_per_kgK, 377, 0);
+    assert_near(material->sound_speed_m_per_s, 4400, 0);
+}
+
+static void check_full_surfaces(const struct scene *scene)
+{
+    assert_int_equal(scene->surface_count, 2);
+    const struct scene_surface *first = &scene->surfaces[0], *second = &scene->surfaces[1];
+    assert_string_equal(first->name, "1");
+    assert_int_equal(first->file_count, 1);
+    assert_string_equal(first->files[0], "surface-1.csv");
+    assert_string_equal(first->x_unit, "");
+    assert_string_equal(first->z_unit, "");
+    assert_string_equal(second->name, "2");
+    assert_int_equal(second->file_count, 2);
+    assert_string_equal(second->files[0], "a.csv");
+    assert_string_equal(second->files[1], "../full/b.csv");
+    assert_string_equal(second->x_unit, "mm");
+    assert_string_equal(second->z_unit, "um");
+}
+
+static void test_every_key(void **state)
+{
+    (void)state;
+    struct scene scene = scene_directory_read(DATA("full"), NULL);
+    assert_string_equal(scene.path, DATA("full") "/scene.yaml");
+    assert_string_equal(scene.title, "Two brass blanks");
+    assert_int_equal(scene.models, SCENE_MODEL_MULTISCALE);
+    assert_false(scene.effects_auto);
+    assert_int_equal(scene.effects,
+                     EFFECT_BIT(EFFECT_ELECTRICAL) | EFFECT_BIT(EFFECT_THERMAL) | EFFECT_BIT(EFFECT_SCALE_DEPENDENT));
+    check_full_material(&scene.material);
+    assert_int_equal(scene.counterface_kind, MATERIAL_COUNTERFACE_RIGID);
+    assert_near(scene.nominal_area_m2, 1e-6, 0);
+    assert_near(scene.load.from, 1e-5, 0);
+    assert_near(scene.load.to, 1e-2, 0);
+    assert_int_equal(scene.load.points, 31);
+    assert_near(scene.tolerance, 1e-9, 0);
+    assert_int_equal(scene.level, SCENE_LEVEL_PARABOLA);
+    assert_int_equal(scene.window, SCENE_WINDOW_HANN);
+    assert_near(scene.fit_band_m[0], 8e-6, 0);
+    assert_near(scene.fit_band_m[1], 3e-4, 0);
+    assert_int_equal(scene.moments, SCENE_MOMENTS_SPECTRAL);
+    assert_int_equal(scene.closure, SCENE_CLOSURE_NUMERIC);
+    assert_string_equal(scene.baseline, "2");
+    assert_near(scene.convergence.alpha, 0.1, 0);
+    assert_near(scene.convergence.gamma, 1.25, 0);
+    assert_near(scene.convergence.load, 2e-3, 0);
+    assert_near(scene.convergence.scan_length_m, 4e-4, 0);
+    assert_int_equal(scene.convergence.scales, 512);
+    check_full_surfaces(&scene);
+    scene_free(&scene);
+}
+
+static void test_two_metals_and_listed_loads(void **state)
+{
+    (void)state;
+    struct scene scene = scene_directory_read(DATA("connector"), NULL);
+    assert_int_equal(scene.effects, EFFECT_BIT(EFFECT_PLASTICITY) | EFFECT_BIT(EFFECT_ELECTRICAL));
+    assert_string_equal(scene.material.name, "bronze");
+    assert_int_equal(scene.counterface_kind, MATERIAL_COUNTERFACE_ELASTIC);
+    assert_string_equal(scene.counterface.name, "gold");
+    assert_int_equal(scene.surface_count, 1);
+
+    double *loads;
+    size_t count;
+    struct status status = {0};
+    assert_int_equal(scene_loads(&loads, &count, &scene, 1e11, &status), STATUS_OK);
+    static const double expected[] = {1e-5, 3e-4, 1e-3}; /* ascending, one of each */
+    assert_int_equal(count, 3);
+    for (size_t i = 0; i < count; i++)
+        assert_near(loads[i], expected[i], 0);
+    free(loads);
+    scene_free(&scene);
+}
+
+static void test_same_metal_and_pressures(void **state)
+{
+    (void)state;
+    struct scene scene = scene_directory_read(DATA("same"), NULL);
+    assert_int_equal(scene.counterface_kind, MATERIAL_COUNTERFACE_ELASTIC);
+    assert_string_equal(scene.counterface.name, "copper");
+    assert_true(scene.load.in_pascal);
+    double *loads;
+    size_t count;
+    struct status status = {0};
+    assert_int_equal(scene_loads(&loads, &count, &scene, 5e10, &status), STATUS_OK);
+    assert_int_equal(count, 5);
+    for (size_t i = 0; i < count; i++)
+        assert_near(loads[i], pow(10, (double)i) * 1e5 / 5e10, 1e-15);
+    free(loads);
+    scene_free(&scene);
+
+    struct scene_overrides overrides = {.material = "nickel"};
+    scene = scene_directory_read(DATA("same"), &overrides);
+    assert_string_equal(scene.material.name, "nickel");
+    assert_string_equal(scene.counterface.name, "nickel"); /* the same as whatever the material is */
+    scene_free(&scene);
+}
+
+static void test_a_material_may_know_little(void **state)
+{
+    (void)state;
+    struct scene scene = scene_directory_read(DATA("elastic"), NULL);
+    assert_true(scene.effects_auto);
+    assert_string_equal(scene.material.name, "custom");
+    assert_near(scene.material.youngs_modulus_Pa, 70e9, 0);
+    assert_near(scene.counterface.poisson_ratio, 0.3, 0); /* through the alias */
+    assert_true(isnan(scene.material.yield_strength_Pa) && isnan(scene.material.sound_speed_m_per_s));
+    assert_true(isnan(scene.nominal_area_m2));
+    assert_true(isinf(scene.fit_band_m[1]));
+    scene_free(&scene);
+}
+
+static void test_spellings_that_are_allowed(void **state)
+{
+    (void)state;
+    static const char *const texts[] = {
+        "effects: []\r\ntolerance: \"1E-3\"\r\n",
+        "\xef\xbb\xbf{effects: [], tolerance: +.001}",
+        "effects: [ ]\ntolerance: 00.1e-2 # a comment\n",
+        "effects: []\nbaseline: 01\ntolerance: !!float 1.e-3\nsurfaces: [{name: 01, file: a}, {name: 1, file: a}]\n",
+    };
+    struct scene_directory directory = scene_directory_make();
+    scene_directory_add(&directory, "a");
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+        scene_directory_write(&directory, "scene.yaml", texts[i], strlen(texts[i]));
+        struct scene scene = scene_directory_read(directory.path, NULL);
+        assert_false(scene.effects_auto); /* none at all */
+        assert_int_equal(scene.effects, 0);
+        assert_near(scene.tolerance, 1e-3, 0);
+        scene_free(&scene);
+    }
+    scene_directory_remove(&directory);
+}
+
+static void test_absolute_file(void **state)
+{
+    (void)state;
+    static const char text[] = "surfaces: [{file: " DATA("full/a.csv") "}]\n";
+    struct scene_directory directory = scene_directory_make();
+    scene_directory_write(&directory, "scene.yaml", text, strlen(text));
+    struct scene scene = scene_directory_read(directory.path, NULL);
+    assert_int_equal(scene.surface_count, 1);
+    assert_string_equal(scene.surfaces[0].name, "a"); /* named by its file */
+    char *path = scene_file_path(&scene, scene.surfaces[0].files[0]);
+    assert_string_equal(path, DATA("full/a.csv"));
+    free(path);
+    scene_free(&scene);
+    scene_directory_remove(&directory);
+}
+
+static void test_default_loads(void **state)
+{
+    (void)state;
+    struct scene scene = scene_directory_read(DATA("bare"), NULL);
+    double *loads;
+    size_t count;
+    struct status status = {0};
+    assert_int_equal(scene_loads(&loads, &count, &scene, 1e11, &status), STATUS_OK);
+    assert_int_equal(count, 121);
+    assert_near(loads[0], 1e-6, 0);
+    assert_near(loads[120], 0.1, 0);
+    for (size_t i = 0; i < count; i++) /* 24 a decade, whole decades exactly */
+        assert_near(loads[i], pow(10, -6 + (double)i / 24), i % 24 == 0 ? 1e-16 : 1e-14);
+    for (size_t i = 1; i < count; i++)
+        assert_true(loads[i] > loads[i - 1]);
+    free(loads);
+
+    scene.load.from = scene.load.to = 0.3;
+    assert_int_equal(scene_loads(&loads, &count, &scene, 1e11, &status), STATUS_OK);
+    assert_int_equal(count, 1);
+    assert_near(loads[0], 0.3, 0);
+    free(loads);
+    scene_free(&scene);
+}
+
+static void test_the_command_line_wins(void **state)
+{
+    (void)state;
+    struct scene_overrides overrides = {
+        .material = "Silver", .effects = "plasticity, separation", .tolerance = 1e-3, .x_unit = "nm", .z_unit = "pm"};
+    struct scene scene = scene_directory_read(DATA("full"), &overrides);
+    assert_string_equal(scene.material.name, "silver");
+    assert_int_equal(scene.effects, EFFECT_BIT(EFFECT_PLASTICITY) | EFFECT_BIT(EFFECT_SEPARATION));
+    assert_near(scene.tolerance, 1e-3, 0);
+    for (size_t i = 0; i < scene.surface_count; i++) {
+        assert_string_equal(scene.surfaces[i].x_unit, "nm");
+        assert_string_equal(scene.surfaces[i].z_unit, "pm");
+    }
+    assert_string_equal(scene.title, "Two brass blanks"); /* the rest stays */
+    scene_free(&scene);
+
+    overrides = (struct scene_overrides){.effects = "auto"};
+    scene = scene_directory_read(DATA("full"), &overrides);
+    assert_true(scene.effects_auto);
+    assert_int_equal(scene.effects, 0);
+    scene_free(&scene);
+
+    overrides = (struct scene_overrides){.effects = "scale-dependent", .x_unit = "um"};
+    scene = scene_directory_read(DATA("bare"), &overrides);
+    assert_int_equal(scene.effects, EFFECT_BIT(EFFECT_SCALE_DEPENDENT) | EFFECT_BIT(EFFECT_THERMAL));
+    assert_string_equal(scene.surfaces[0].x_unit, "um");
+    assert_string_equal(scene.surfaces[0].z_unit, "");
+    scene_free(&scene);
+}
+
+static void check_wrong_override(const char *directory, struct scene_overrides overrides, enum status_code code,
+                                 const char *message)
+{
+    struct scene scene;
+    struct status status = {0};
+    assert_int_equal(scene_read(&scene, directory, &overrides, &status), code);
+    assert_string_equal(status.message, message);
+    scene_free(&scene);
+}
+
+static void test_wrong_overrides(void **state)
+{
+    (void)state;
+    check_wrong_override(DATA("bare"), (struct scene_overrides){.material = "aluminum"}, STATUS_USAGE,
+                         "--material: unknown material 'aluminum'; did you mean 'aluminium'?");
+    check_wrong_override(DATA("bare"), (struct scene_overrides){.effects = "thermal,elctrical"}, STATUS_USAGE,
+                         "--effects: unknown effect 'elctrical'; did you mean 'electrical'?");
+    check_wrong_override(DATA("bare"), (struct scene_overrides){.effects = " ,"}, STATUS_USAGE,
+                         "--effects names none; give 'auto' or names such as 'electrical,thermal'");
+    check_wrong_override(DATA("bare"), (struct scene_overrides){.tolerance = 0.5}, STATUS_USAGE,
+                         "--tolerance is 0.5; allowed is 1e-14 to 0.1");
+    check_wrong_override(DATA("bare"), (struct scene_overrides){.tolerance = (double)NAN}, STATUS_USAGE,
+                         "--tolerance is nan; allowed is 1e-14 to 0.1");
+    check_wrong_override(DATA("bare"), (struct scene_overrides){.x_unit = "a very long unit"}, STATUS_USAGE,
+                         "--x-unit is 'a very long unit'; give a unit of length such as mm or um");
+    check_wrong_override(
+        DATA("elastic"), (struct scene_overrides){.effects = "electrical"}, STATUS_SCENE,
+        "--effects: 'electrical' needs 'resistivity_ohm_m'; add it to 'material' in '" DATA("elastic") "/scene.yaml'");
+}
+
+static void test_titles(void **state)
+{
+    (void)state;
+    char *before = getcwd(NULL, 0);
+    assert_int_equal(chdir(DATA("full/..")), 0);
+    static const char *const paths[][2] = {{"bare", "bare"},
+                                           {"bare/", "bare"},
+                                           {"bare///", "bare"},
+                                           {"./bare/.", "bare"},
+                                           {"full/../same/../bare", "bare"},
+                                           {"../scene/bare/..", "scene"},
+                                           {".", "scene"},
+                                           {"./", "scene"},
+                                           {"/", "/"}};
+    for (size_t i = 0; i < sizeof paths / sizeof *paths; i++) {
+        struct scene scene = scene_directory_read(paths[i][0], NULL);
+        assert_string_equal(scene.title, paths[i][1]);
+        scene_free(&scene);
+    }
+    assert_int_equal(chdir(before), 0);
+    free(before);
+}
+
+static void test_file_paths(void **state)
+{
+    (void)state;
+    struct scene scene = {.directory = (char *)"some/where"};
+    char *path = scene_file_path(&scene, "a.csv");
+    assert_string_equal(path, "some/where/a.csv");
+    free(path);
+    scene.directory = (char *)"some/";
+    path = scene_file_path(&scene, "../a.csv");
+    assert_string_equal(path, "some/../a.csv");
+    free(path);
+    path = scene_file_path(&scene, "/data/a.csv");
+    assert_string_equal(path, "/data/a.csv");
+    free(path);
+}
+
+static void test_numbers_in_another_locale(void **state)
+{
+    (void)state;
+    static const char *const locales[] = {"de_DE.UTF-8", "de_DE.utf8", "de_DE", "fr_FR.UTF-8", "fr_FR.utf8"};
+    const char *chosen = NULL;
+    for (size_t i = 0; !chosen && i < sizeof locales / sizeof *locales; i++)
+        chosen = setlocale(LC_ALL, locales[i]);
+    if (!chosen) {
+        print_message("no locale with a decimal comma is installed\n");
+        skip();
+    }
+    struct scene scene = scene_directory_read(DATA("full"), NULL);
+    assert_near(scene.material.poisson_ratio, 0.34, 0);
+    scene_free(&scene);
+    setlocale(LC_ALL, "C");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_defaults_without_scene),
+        cmocka_unit_test(test_defaults_of_texts_that_say_nothing),
+        cmocka_unit_test(test_every_key),
+        cmocka_unit_test(test_two_metals_and_listed_loads),
+        cmocka_unit_test(test_same_metal_and_pressures),
+        cmocka_unit_test(test_a_material_may_know_little),
+        cmocka_unit_test(test_spellings_that_are_allowed),
+        cmocka_unit_test(test_absolute_file),
+        cmocka_unit_test(test_default_loads),
+        cmocka_unit_test(test_the_command_line_wins),
+        cmocka_unit_test(test_wrong_overrides),
+        cmocka_unit_test(test_titles),
+        cmocka_unit_test(test_file_paths),
+        cmocka_unit_test(test_numbers_in_another_locale),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

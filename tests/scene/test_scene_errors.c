@@ -1,0 +1,308 @@
+/* Every way a scene can be wrong: the message names file, line and key, and what to do. */
+#include "scene_directory.h"
+
+struct wrong {
+    const char *text;     /* of scene.yaml */
+    size_t line;          /* that the message has to name */
+    const char *expected; /* the message after "file:line: " */
+};
+
+static void check_wrong(const struct wrong *rows, size_t count)
+{
+    struct scene_directory directory = scene_directory_make();
+    scene_directory_add(&directory, "a.csv");
+    scene_directory_add(&directory, "b.csv");
+    for (size_t i = 0; i < count; i++) {
+        scene_directory_write(&directory, "scene.yaml", rows[i].text, strlen(rows[i].text));
+        struct scene scene;
+        struct status status = {0};
+        char expected[sizeof status.message];
+        snprintf(expected, sizeof expected, "%s/scene.yaml:%zu: %s", directory.path, rows[i].line, rows[i].expected);
+        enum status_code code = scene_read(&scene, directory.path, NULL, &status);
+        if (code != STATUS_SCENE)
+            print_error("accepted: %s\n", rows[i].text);
+        assert_string_equal(status.message, expected);
+        assert_int_equal(code, STATUS_SCENE);
+        scene_free(&scene);
+    }
+    scene_directory_remove(&directory);
+}
+
+#define CHECK_WRONG(rows) check_wrong(rows, sizeof(rows) / sizeof *(rows))
+
+static void test_yaml(void **state)
+{
+    (void)state;
+    static const struct wrong rows[] = {
+        {"title: [a\nlevel: line\n", 2,
+         "not valid YAML: did not find expected ',' or ']'; check brackets, quotes and indentation"},
+        {"title: a\n\ttolerance: 1\n", 2,
+         "not valid YAML: found a tab character that violates indentation; check brackets, quotes and indentation"},
+        {"title: a\nlevel: \xff\n", 2,
+         "not valid YAML: invalid leading UTF-8 octet; check brackets, quotes and indentation"},
+        {"title: *nobody\n", 1, "not valid YAML: found undefined alias; check brackets, quotes and indentation"},
+        {"title: a\n---\ntitle: b\n", 2, "a second document starts here; a scene is one, remove the '---'"},
+        {"title: [[[[[[[[[[[[[[[[[[[[", 1, "nested too deep; a scene needs at most 4 levels"},
+        {"just a text\n", 1, "'scene' is 'just a text'; give 'key: value' pairs"},
+        {"- title: a\n", 1, "'scene' is a list; give 'key: value' pairs"},
+        {"title: a\n[x, y]: 1\n", 2, "a key of 'scene' is no text; write 'key: value'"},
+        {"&s\ntitle: a\nconvergence: *s\n", 2,
+         "unknown key 'title'; allowed: alpha, gamma, load, scan_length_m, scales"},
+        {"surfaces: &s [*s]\n", 1, "'surfaces' is a list; give 'key: value' pairs"},
+    };
+    CHECK_WRONG(rows);
+}
+
+static void test_keys(void **state)
+{
+    (void)state;
+    static const struct wrong rows[] = {
+        {"title: a\ntolerence: 1\n", 2, "unknown key 'tolerence'; did you mean 'tolerance'?"},
+        {"Level: line\n", 1, "unknown key 'Level'; did you mean 'level'?"},
+        {"foo: 1\n", 1,
+         "unknown key 'foo'; allowed: title, models, effects, material, counterface, nominal_area_m2, load, tolerance, "
+         "level, window, fit_band_m, moments, closure, baseline, convergence, surfaces"},
+        {"tip_radius_m: 2e-6\n", 1,
+         "unknown key 'tip_radius_m'; allowed: title, models, effects, material, counterface, nominal_area_m2, load, "
+         "tolerance, level, window, fit_band_m, moments, closure, baseline, convergence, surfaces"},
+        {"level: line\ntitle: a\nlevel: mean\n", 3, "'level' is given twice, first in line 1; remove one"},
+        {"title: a\ntolerance:\nlevel: line\n", 2, "'tolerance' has no value; give one or remove the line"},
+        {"baseline: ~\n", 1, "'baseline' has no value; give one or remove the line"},
+        {"title: ''\n", 1, "'title' is empty; give a text or remove the line"},
+        {"title: \"a\\0b\"\n", 1, "'title' has a line end or control character inside; remove it"},
+        {"title: [a]\n", 1, "'title' is a list; give text"},
+        {"load:\n  from: 1e-6\n  too: 1\n", 3, "unknown key 'too'; did you mean 'to'?"},
+        {"convergence: {alfa: 1}\n", 1, "unknown key 'alfa'; did you mean 'alpha'?"},
+        {"material:\n  E_pa: 1e9\n", 2, "unknown key 'E_pa'; did you mean 'E_Pa'?"},
+        {"counterface:\n  E_Pa: 1e9\n  mu: 0.3\n", 3, "unknown key 'mu'; did you mean 'nu'?"},
+        {"surfaces:\n  - file: a.csv\n    x_units: mm\n", 3, "unknown key 'x_units'; did you mean 'x_unit'?"},
+        {"\"ti\\ntle\\e\": 1\n", 1, "unknown key 'ti?tle?'; did you mean 'title'?"},
+    };
+    CHECK_WRONG(rows);
+}
+
+static void test_numbers(void **state)
+{
+    (void)state;
+    static const struct wrong rows[] = {
+        {"tolerance: abc\n", 1, "'tolerance' is 'abc'; give a number such as 1.5e-6"},
+        {"tolerance: [1e-3]\n", 1, "'tolerance' is a list; give a number such as 1.5e-6"},
+        {"tolerance: {a: 1}\n", 1, "'tolerance' is a mapping; give a number such as 1.5e-6"},
+        {"tolerance: .nan\n", 1, "'tolerance' is '.nan'; give a number such as 1.5e-6"},
+        {"tolerance: .inf\n", 1, "'tolerance' is '.inf'; give a number such as 1.5e-6"},
+        {"tolerance: nan\n", 1, "'tolerance' is 'nan'; give a number such as 1.5e-6"},
+        {"tolerance: 0x1p-9\n", 1, "'tolerance' is '0x1p-9'; give a number such as 1.5e-6"},
+        {"tolerance: 1_0e-3\n", 1, "'tolerance' is '1_0e-3'; give a number such as 1.5e-6"},
+        {"tolerance: 0,001\n", 1, "'tolerance' is '0,001'; give a number such as 1.5e-6"},
+        {"tolerance: 1e\n", 1, "'tolerance' is '1e'; give a number such as 1.5e-6"},
+        {"tolerance: .\n", 1, "'tolerance' is '.'; give a number such as 1.5e-6"},
+        {"tolerance: 1e-3 m\n", 1, "'tolerance' is '1e-3 m'; give a number such as 1.5e-6"},
+        {"tolerance: 0\n", 1, "'tolerance' is 0; allowed is 1e-14 to 0.1"},
+        {"tolerance: 0.11\n", 1, "'tolerance' is 0.11; allowed is 1e-14 to 0.1"},
+        {"nominal_area_m2: -1\n", 1, "'nominal_area_m2' is -1; allowed is 1e-18 to 1e+06"},
+        {"nominal_area_m2: 1e999\n", 1, "'nominal_area_m2' is 1e999; allowed is 1e-18 to 1e+06"},
+        {"nominal_area_m2: 1e-999\n", 1, "'nominal_area_m2' is 1e-999; allowed is 1e-18 to 1e+06"},
+        {"convergence: {gamma: -0.1}\n", 1, "'gamma' is -0.1; allowed is 0 to 5"},
+        {"convergence: {scales: 0}\n", 1, "'scales' is 0; allowed is 1 to 1e+06"},
+        {"convergence: {scales: 1.5}\n", 1, "'scales' is '1.5'; give a whole number"},
+        {"convergence: 5\n", 1, "'convergence' is '5'; give 'key: value' pairs"},
+        {"fit_band_m: [1e-5]\n", 1, "'fit_band_m' is a list; give two wavelengths [shortest, longest] in m"},
+        {"fit_band_m: 1e-5\n", 1, "'fit_band_m' is '1e-5'; give two wavelengths [shortest, longest] in m"},
+        {"fit_band_m:\n- 3e-4\n- 8e-6\n", 2, "'fit_band_m' is [0.0003, 8e-06]; give the shorter wavelength first"},
+        {"fit_band_m: [0, 1]\n", 1, "'fit_band_m' is 0; allowed is 1e-12 to 1000"},
+    };
+    CHECK_WRONG(rows);
+}
+
+static void test_choices(void **state)
+{
+    (void)state;
+    static const struct wrong rows[] = {
+        {"level: lines\n", 1, "unknown level 'lines'; did you mean 'line'?"},
+        {"window: hamming\n", 1, "unknown window 'hamming'; allowed: none, hann"},
+        {"moments: [spectral]\n", 1, "'moments' is a list; give one word"},
+        {"closure: bem\n", 1, "unknown closure 'bem'; allowed: thesis, numeric"},
+        {"models: [multiscale,\n  greenwood]\n", 2, "unknown model 'greenwood'; allowed: multiscale, statistical"},
+        {"models: []\n", 1, "'models' names none; remove the line for both"},
+        {"effects:\n  - thermal\n  - electric\n", 3, "unknown effect 'electric'; did you mean 'electrical'?"},
+        {"effects: [auto]\n", 1,
+         "unknown effect 'auto'; allowed: plasticity, separation, electrical, thermal, scale-dependent, convergence"},
+        {"effects: {thermal: yes}\n", 1, "'effects' is a mapping; give a list of names"},
+        {"baseline: c\n", 1, "'baseline' is 'c', no surface's name; the first is 'a'"},
+    };
+    CHECK_WRONG(rows);
+}
+
+static void test_loads(void **state)
+{
+    (void)state;
+    static const struct wrong rows[] = {
+        {"load: 1e-3\n", 1, "'load' is '1e-3'; give 'key: value' pairs"},
+        {"load: {from: 0}\n", 1, "'from' is 0; allowed is 1e-100 to 1e+100"},
+        {"load:\n  from: 1e-2\n  to: 1e-3\n", 3, "'from' is 0.01, above 'to', 0.001; exchange them"},
+        {"load:\n  from: 1\n", 2, "'from' is 1, above 'to', 0.1; exchange them"},
+        {"load: {points: 100001}\n", 1, "'points' is 100001; allowed is 1 to 100000"},
+        {"load: {points: 1}\n", 1, "'points' is 1, too few from 1e-06 to 0.1; give 2 or more, or 'values'"},
+        {"load: {unit: bar}\n", 1, "unknown unit 'bar'; allowed: dimensionless, Pa"},
+        {"load:\n  unit: Pa\n  from: 1e5\n", 2,
+         "'unit: Pa' leaves the default loads without meaning; add 'from' and 'to', or 'values'"},
+        {"load: {values: []}\n", 1, "'values' holds 0 loads; allowed is 1 to 100000"},
+        {"load:\n  values:\n  - 1e-3\n  - -1e-3\n", 4, "'values' is -1e-3; allowed is 1e-100 to 1e+100"},
+        {"load: {values: [1, [2]]}\n", 1, "'values' is a list; give a number such as 1.5e-6"},
+        {"load:\n  values: [1e-3]\n  points: 7\n", 3, "'points' stands beside 'values'; remove one of them"},
+    };
+    CHECK_WRONG(rows);
+}
+
+static void test_materials(void **state)
+{
+    (void)state;
+    static const struct wrong rows[] = {
+        {"material: tim\n", 1, "unknown material 'tim'; did you mean 'tin'?"},
+        {"title: a\ncounterface: unobtainium\n", 2,
+         "unknown counterface 'unobtainium'; allowed: rigid, same, tin, copper, brass, bronze, gold, silver, nickel, "
+         "aluminium, steel"},
+        {"counterface: rigit\n", 1, "unknown counterface 'rigit'; did you mean 'rigid'?"},
+        {"material: rigid\n", 1,
+         "unknown material 'rigid'; allowed: tin, copper, brass, bronze, gold, silver, nickel, aluminium, steel"},
+        {"material: [tin]\n", 1, "'material' is a list; give a name or a mapping of properties"},
+        {"title: a\nmaterial: {}\n", 2, "'material' has no 'E_Pa'; add it"},
+        {"title: a\nmaterial:\n  E_Pa: 1e9\n", 3, "'material' has no 'nu'; add it"},
+        {"counterface: {nu: 0.3}\n", 1, "'counterface' has no 'E_Pa'; add it"},
+        {"material: {E_Pa: 70, nu: 0.3}\n", 1, "'E_Pa' is 70; allowed is 1e+06 to 1e+13"},
+        {"material: {E_Pa: 70e9, nu: 0.6}\n", 1, "'nu' is 0.6; allowed is 0 to 0.5"},
+        {"material: {E_Pa: 70e9, nu: , Sy_Pa: 1e6}\n", 1, "'nu' has no value; give one or remove the line"},
+        {"material:\n  E_Pa: 70e9\n  name: 0123456789012345678901234567890123456789012345678901234567890123\n", 3,
+         "'name' is longer than 63 bytes; shorten it"},
+    };
+    CHECK_WRONG(rows);
+}
+
+static void test_effects_without_their_property(void **state)
+{
+    (void)state;
+#define DULL "material: {E_Pa: 70e9, nu: 0.3}\n"
+    static const struct wrong rows[] = {
+        {DULL "effects: plasticity\n", 2,
+         "effect 'plasticity' needs 'Sy_Pa'; add it to 'material' or leave the effect out"},
+        {"effects:\n- separation\n- electrical\n" DULL, 3,
+         "effect 'electrical' needs 'resistivity_ohm_m'; add it to 'material' or leave the effect out"},
+        {"effects: [thermal]\ncounterface: {E_Pa: 70e9, nu: 0.3}\n", 1,
+         "effect 'thermal' needs 'conductivity_W_per_mK'; add it to 'counterface' or leave the effect out"},
+        {"effects: [separation,\n scale-dependent]\nmaterial: {E_Pa: 70e9, nu: 0.3, conductivity_W_per_mK: 9, "
+         "density_kg_per_m3: 9, sound_speed_m_per_s: 9}\n",
+         2, "effect 'scale-dependent' needs 'specific_heat_J_per_kgK'; add it to 'material' or leave the effect out"},
+        {"effects: [separation,\n scale-dependent]\n" DULL, 2,
+         "effect 'thermal' needs 'conductivity_W_per_mK'; add it to 'material' or leave the effect out"},
+    };
+    CHECK_WRONG(rows);
+}
+
+static void test_surfaces(void **state)
+{
+    (void)state;
+    static const struct wrong rows[] = {
+        {"surfaces: a.csv\n", 1, "'surfaces' is 'a.csv'; give a list of '- {name: ..., file: ...}'"},
+        {"surfaces: []\n", 1, "'surfaces' lists none; remove it to report every file of the directory"},
+        {"surfaces:\n  - a.csv\n", 2, "'surfaces' is 'a.csv'; give 'key: value' pairs"},
+        {"surfaces:\n  - {file: a.csv}\n  - {name: b}\n", 3, "a surface has no 'file'; add one"},
+        {"surfaces:\n  - {file: []}\n", 2, "'file' lists none; name one or more scans"},
+        {"surfaces:\n  - {file: {a: b}}\n", 2, "'file' is a mapping; give text"},
+        {"surfaces:\n  - file:\n    - a.csv\n    - c.csv\n", 4,
+         "cannot find surface file 'c.csv': No such file or directory; paths start at the scene's directory"},
+        {"surfaces:\n  - {name: x, file: ..}\n", 2, "surface file '..' is no regular file; name a scan"},
+        {"surfaces:\n  - {name: 1, file: a.csv}\n  - {name: 2, file: a.csv}\n  - {name: \"1\", file: b.csv}\n", 4,
+         "two surfaces are named '1', the first in line 2; give each its own 'name'"},
+        {"surfaces:\n  - {file: a.csv}\n  - {file: a.csv}\n", 3,
+         "two surfaces are named 'a', the first in line 2; give each its own 'name'"},
+        {"surfaces:\n  - {file: a.csv, z_unit: micrometremicrometre}\n", 2,
+         "'z_unit' is longer than 15 bytes; shorten it"},
+        {"surfaces:\n  - {file: a.csv}\n\nbaseline: b\n", 4, "'baseline' is 'b', no surface's name; the first is 'a'"},
+    };
+    CHECK_WRONG(rows);
+}
+
+/* Texts too large to write down: `count` times `part` between `start` and `end`. */
+static void check_large(const char *start, const char *part, size_t count, const char *end, const char *expected)
+{
+    struct scene_directory directory = scene_directory_make();
+    scene_directory_add(&directory, "a");
+    struct text text = {0};
+    text_add(&text, "%s", start);
+    for (size_t i = 0; i < count; i++)
+        text_add(&text, "%s", part);
+    text_add(&text, "%s", end);
+    scene_directory_write(&directory, "scene.yaml", text.data, text.length);
+    struct scene scene;
+    struct status status = {0};
+    assert_int_equal(scene_read(&scene, directory.path, NULL, &status), STATUS_SCENE);
+    assert_non_null(strstr(status.message, expected));
+    scene_free(&scene);
+    text_free(&text);
+    scene_directory_remove(&directory);
+}
+
+static void test_sizes(void **state)
+{
+    (void)state;
+    check_large("", "# nothing\n", 110000, "", "/scene.yaml' is larger than 1 MiB; a scene is a few lines of text");
+    check_large("a: ", "[", 1000000, "", "/scene.yaml:1: nested too deep; a scene needs at most 4 levels");
+    check_large("", "- ", 500000, "", "/scene.yaml:1: nested too deep; a scene needs at most 4 levels");
+    check_large("title: [&a b, ", "*a, ", 200000, "]",
+                "/scene.yaml:1: more than 1000 anchors and aliases; write the values out");
+    check_large("surfaces:\n- {file: [", "a, ", 100001, "]}\n",
+                "/scene.yaml:2: more than 100000 files in one scene; split it");
+    check_large("foo", "o", 900, ": 1\n", "/scene.yaml:1: unknown key 'fooooooooooo");
+}
+
+static void test_aliases_do_not_multiply(void **state)
+{
+    (void)state;
+    struct text end = {0};
+    text_add(&end, "]}\n");
+    for (int i = 1; i < 500; i++)
+        text_add(&end, "- {name: n%d, file: *f}\n", i);
+    check_large("surfaces:\n- {file: &f [", "a, ", 50000, text_string(&end),
+                "/scene.yaml:2: more than 100000 files in one scene; split it");
+    text_free(&end);
+}
+
+static void test_scene_that_is_no_file(void **state)
+{
+    (void)state;
+    struct scene_directory directory = scene_directory_make();
+    struct scene scene;
+    struct status status = {0};
+    char path[512];
+    snprintf(path, sizeof path, "%s/scene.yaml", directory.path);
+    assert_int_equal(symlink("nowhere", path), 0);
+    assert_int_equal(scene_read(&scene, directory.path, NULL, &status), STATUS_IO);
+    assert_non_null(strstr(status.message, "/scene.yaml': No such file or directory"));
+    scene_free(&scene);
+
+    assert_int_equal(unlink(path), 0);
+    assert_int_equal(mkfifo(path, 0600), 0); /* reading it would wait for ever */
+    status = (struct status){0};
+    assert_int_equal(scene_read(&scene, directory.path, NULL, &status), STATUS_SCENE);
+    assert_non_null(strstr(status.message, "/scene.yaml' is no regular file; remove it"));
+    scene_free(&scene);
+    scene_directory_remove(&directory);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_yaml),
+        cmocka_unit_test(test_keys),
+        cmocka_unit_test(test_numbers),
+        cmocka_unit_test(test_choices),
+        cmocka_unit_test(test_loads),
+        cmocka_unit_test(test_materials),
+        cmocka_unit_test(test_effects_without_their_property),
+        cmocka_unit_test(test_surfaces),
+        cmocka_unit_test(test_sizes),
+        cmocka_unit_test(test_aliases_do_not_multiply),
+        cmocka_unit_test(test_scene_that_is_no_file),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

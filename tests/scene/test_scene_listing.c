@@ -1,0 +1,147 @@
+#include "scene_directory.h"
+
+static void check_names(const char *const *files, size_t count, const char *const (*expected)[2], size_t surfaces)
+{
+    struct scene_directory directory = scene_directory_make();
+    for (size_t i = 0; i < count; i++)
+        scene_directory_add(&directory, files[i]);
+    struct scene scene = scene_directory_read(directory.path, NULL);
+    assert_int_equal(scene.surface_count, surfaces);
+    for (size_t i = 0; i < surfaces; i++) {
+        assert_string_equal(scene.surfaces[i].name, expected[i][0]);
+        assert_int_equal(scene.surfaces[i].file_count, 1);
+        assert_string_equal(scene.surfaces[i].files[0], expected[i][1]);
+        assert_string_equal(scene.surfaces[i].x_unit, "");
+    }
+    scene_free(&scene);
+    scene_directory_remove(&directory);
+}
+
+#define COUNT(array)                 (sizeof(array) / sizeof *(array))
+#define CHECK_NAMES(files, surfaces) check_names(files, COUNT(files), surfaces, COUNT(surfaces))
+
+static void test_natural_order(void **state)
+{
+    (void)state;
+    static const char *const files[] = {"s10.csv",   "s2.csv",   "s1.csv", "s02.csv",
+                                        "s2b10.csv", "s2b9.csv", "S3.csv", "s18446744073709551617.csv",
+                                        "t.csv",     "10.csv",   "9.csv",  "s18446744073709551616.csv"};
+    static const char *const expected[][2] = {{"9", "9.csv"},
+                                              {"10", "10.csv"},
+                                              {"S3", "S3.csv"},
+                                              {"s1", "s1.csv"},
+                                              {"s02", "s02.csv"},
+                                              {"s2", "s2.csv"},
+                                              {"s2b9", "s2b9.csv"},
+                                              {"s2b10", "s2b10.csv"},
+                                              {"s10", "s10.csv"},
+                                              {"s18446744073709551616", "s18446744073709551616.csv"},
+                                              {"s18446744073709551617", "s18446744073709551617.csv"},
+                                              {"t", "t.csv"}};
+    CHECK_NAMES(files, expected);
+}
+
+static void test_same_stems_keep_their_endings(void **state)
+{
+    (void)state;
+    static const char *const files[] = {"a.csv", "a.txt", "b.csv", "c", "c.x", "c.x.y", "d.", "e.tar.gz"};
+    static const char *const expected[][2] = {{"a.csv", "a.csv"}, {"a.txt", "a.txt"},   {"b", "b.csv"},
+                                              {"c", "c"},         {"c.x", "c.x"},       {"c.x.y", "c.x.y"},
+                                              {"d", "d."},        {"e.tar", "e.tar.gz"}};
+    CHECK_NAMES(files, expected);
+}
+
+static void test_hostile_names(void **state)
+{
+    (void)state;
+    static const char *const files[] = {"a b.csv", "\n.csv", "\xff\xfe.csv", "$(x).csv", "scene.yaml.bak", "-o.csv"};
+    static const char *const expected[][2] = {{"\n", "\n.csv"},
+                                              {"$(x)", "$(x).csv"},
+                                              {"-o", "-o.csv"},
+                                              {"a b", "a b.csv"},
+                                              {"scene.yaml", "scene.yaml.bak"},
+                                              {"\xff\xfe", "\xff\xfe.csv"}};
+    CHECK_NAMES(files, expected);
+}
+
+static void test_what_is_no_scan(void **state)
+{
+    (void)state;
+    struct scene_directory directory = scene_directory_make();
+    char path[512], target[512];
+    scene_directory_add(&directory, "scan.csv");
+    scene_directory_add(&directory, ".hidden.csv");
+    scene_directory_write(&directory, "scene.yaml", "{}", 2);
+    snprintf(path, sizeof path, "%s/folder.csv", directory.path);
+    assert_int_equal(mkdir(path, 0700), 0);
+    snprintf(path, sizeof path, "%s/pipe.csv", directory.path);
+    assert_int_equal(mkfifo(path, 0600), 0);
+    snprintf(path, sizeof path, "%s/dangling.csv", directory.path);
+    assert_int_equal(symlink("nowhere", path), 0);
+    snprintf(path, sizeof path, "%s/link.csv", directory.path);
+    snprintf(target, sizeof target, "%s/.hidden.csv", directory.path);
+    assert_int_equal(symlink(target, path), 0); /* a link to a file is as good as the file */
+
+    struct scene scene = scene_directory_read(directory.path, NULL);
+    assert_int_equal(scene.surface_count, 2);
+    assert_string_equal(scene.surfaces[0].name, "link");
+    assert_string_equal(scene.surfaces[1].name, "scan");
+    scene_free(&scene);
+    scene_directory_remove(&directory);
+}
+
+static void test_empty_directory(void **state)
+{
+    (void)state;
+    struct scene_directory directory = scene_directory_make();
+    struct scene scene = scene_directory_read(directory.path, NULL);
+    assert_int_equal(scene.surface_count, 0);
+    scene_free(&scene);
+    scene_directory_remove(&directory);
+}
+
+static void test_many_files(void **state)
+{
+    (void)state;
+    struct scene_directory directory = scene_directory_make();
+    enum { MANY = 1000 };
+    char name[32];
+    for (int i = MANY; i > 0; i--) {
+        snprintf(name, sizeof name, "%d.csv", i);
+        scene_directory_add(&directory, name);
+    }
+    struct scene scene = scene_directory_read(directory.path, NULL);
+    assert_int_equal(scene.surface_count, MANY);
+    for (int i = 0; i < MANY; i++)
+        assert_int_equal(atoi(scene.surfaces[i].name), i + 1);
+    scene_free(&scene);
+    scene_directory_remove(&directory);
+}
+
+static void test_no_directory(void **state)
+{
+    (void)state;
+    static const char *const paths[][2] = {
+        {"/nowhere/at/all", "cannot open directory '/nowhere/at/all': No such file or directory"},
+        {"", "cannot open directory '': No such file or directory"},
+        {TEST_DATA "/scene/bare/left.csv",
+         "'" TEST_DATA "/scene/bare/left.csv' is no directory; name the one that holds the scans"}};
+    for (size_t i = 0; i < COUNT(paths); i++) {
+        struct scene scene;
+        struct status status = {0};
+        assert_int_equal(scene_read(&scene, paths[i][0], NULL, &status), STATUS_IO);
+        assert_string_equal(status.message, paths[i][1]);
+        scene_free(&scene);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_natural_order),   cmocka_unit_test(test_same_stems_keep_their_endings),
+        cmocka_unit_test(test_hostile_names),   cmocka_unit_test(test_what_is_no_scan),
+        cmocka_unit_test(test_empty_directory), cmocka_unit_test(test_many_files),
+        cmocka_unit_test(test_no_directory),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
