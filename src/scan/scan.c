@@ -1,0 +1,194 @@
+#include "scan/scan.h"
+#include "base/text.h"
+#include "scan/reader.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+const struct scan_reader scan_readers[] = {
+    {"text", "columns of numbers: x and z, or z with a spacing; comma, semicolon, tab or blanks", scan_text_sniff,
+     scan_text_read},
+};
+const size_t scan_reader_count = sizeof scan_readers / sizeof *scan_readers;
+
+enum { SCAN_POINTS = 3 };
+
+static void replace_control(char *string)
+{
+    for (; *string; string++)
+        if ((unsigned char)*string < 0x20 || *string == 0x7f)
+            *string = '?';
+}
+
+void scan_warn(struct scan *scan, const char *format, ...)
+{
+    char *last = scan->warnings[SCAN_WARNINGS - 1];
+    if (scan->warning_count == SCAN_WARNINGS) {
+        size_t more = 1;
+        (void)sscanf(last, "and %zu more", &more);
+        snprintf(last, SCAN_WARNING_LENGTH, "and %zu more warnings", more + 1);
+        return;
+    }
+    va_list args;
+    va_start(args, format);
+    vsnprintf(scan->warnings[scan->warning_count], SCAN_WARNING_LENGTH, format, args);
+    va_end(args);
+    replace_control(scan->warnings[scan->warning_count++]);
+}
+
+enum status_code scan_fail(struct status *status, const struct scan_bytes *file, size_t line, const char *format, ...)
+{
+    char message[512];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(message, sizeof message, format, args);
+    va_end(args);
+    if (line > 0)
+        status_fail(status, STATUS_SCAN, "%.440s:%zu: %s", file->path, line, message);
+    else
+        status_fail(status, STATUS_SCAN, "%.440s: %s", file->path, message);
+    replace_control(status->message);
+    return status->code;
+}
+
+struct scan_quote scan_quote(struct span span)
+{
+    struct scan_quote quote = {""};
+    size_t length = span_length(span), shown = length > 24 ? 24 : length;
+    for (size_t i = 0; i < shown; i++)
+        quote.text[i] = span.start[i] >= 0x20 && span.start[i] < 0x7f ? span.start[i] : '?';
+    if (length > shown)
+        memcpy(quote.text + shown, "...", 4);
+    return quote;
+}
+
+double scan_unit_choose(char name[16], const char *named, const char *scene)
+{
+    if (!named || !*named)
+        named = scene;
+    if (!named || !*named)
+        return 0.0;
+    const char *known = scan_unit_name(named, strlen(named));
+    snprintf(name, 16, "%s", known ? known : "");
+    return scan_unit_m(named, strlen(named));
+}
+
+size_t scan_disorder(const double *x, size_t n)
+{
+    if (n < 2)
+        return n;
+    bool up = x[1] > x[0];
+    for (size_t i = 0; i < n; i++) {
+        if (!isfinite(x[i]))
+            return i;
+        if (i > 0 && !(up ? x[i] > x[i - 1] : x[i] < x[i - 1]))
+            return i;
+    }
+    return n;
+}
+
+static void reverse(double *values, size_t n)
+{
+    for (size_t i = 0, k = n; i + 1 < k; i++) {
+        double keep = values[i];
+        values[i] = values[--k];
+        values[k] = keep;
+    }
+}
+
+static enum status_code check_positions(struct scan *scan, const struct scan_bytes *file, struct status *status)
+{
+    if (scan->x_m) {
+        size_t bad = scan_disorder(scan->x_m, scan->nx);
+        if (bad < scan->nx)
+            return scan_fail(status, file, 0,
+                             "x of point %zu does not go on from the point before; sort the points by x", bad + 1);
+        if (scan->x_m[1] < scan->x_m[0]) {
+            reverse(scan->x_m, scan->nx);
+            for (size_t row = 0; row < scan->ny; row++)
+                reverse(scan->z_m + row * scan->nx, scan->nx);
+            scan_warn(scan, "x descends: the scan was reversed");
+        }
+        scan->dx_m = (scan->x_m[scan->nx - 1] - scan->x_m[0]) / (double)(scan->nx - 1);
+    }
+    if (!(scan->dx_m > 0 && isfinite(scan->dx_m)))
+        return scan_fail(status, file, 0, "a spacing of %g m is no spacing", scan->dx_m);
+    if (scan->kind == SCAN_AREAL && !(scan->dy_m > 0 && isfinite(scan->dy_m)))
+        return scan_fail(status, file, 0, "a row spacing of %g m is no spacing", scan->dy_m);
+    return STATUS_OK;
+}
+
+/* What scan.h promises about every scan, whichever reader made it. */
+static enum status_code check(struct scan *scan, const struct scan_bytes *file, struct status *status)
+{
+    size_t points = scan->nx * scan->ny;
+    if (scan->nx < SCAN_POINTS || points < SCAN_POINTS)
+        return scan_fail(status, file, 0, "only %zu points in a row; a scan needs at least %d", scan->nx, SCAN_POINTS);
+    if (check_positions(scan, file, status) != STATUS_OK)
+        return status->code;
+    scan->missing = 0;
+    for (size_t i = 0; i < points; i++) {
+        if (isinf(scan->z_m[i]))
+            return scan_fail(status, file, 0, "the height of point %zu is infinite", i + 1);
+        scan->missing += isnan(scan->z_m[i]) ? 1 : 0;
+    }
+    if (points - scan->missing < SCAN_POINTS)
+        return scan_fail(status, file, 0, "%zu of %zu heights are missing", scan->missing, points);
+    return STATUS_OK;
+}
+
+static void warn_unit(struct scan *scan, char axis, const char *named, const char *scene)
+{
+    double used = scan_unit_m(named, strlen(named));
+    if (scene && *scene && used > 0 && scan_unit_m(scene, strlen(scene)) != used)
+        scan_warn(scan, "the file names its %c unit, %s: the scene's %c_unit is not used", axis, named, axis);
+}
+
+enum status_code scan_read_bytes(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
+                                 struct status *status)
+{
+    *out = (struct scan){.ny = 1};
+    if (file->length == 0)
+        return scan_fail(status, file, 0, "the file is empty");
+    for (size_t i = 0; i < scan_reader_count; i++) {
+        if (!scan_readers[i].sniff(file))
+            continue;
+        out->format = scan_readers[i].name;
+        if (scan_readers[i].read(out, file, options, status) != STATUS_OK || check(out, file, status) != STATUS_OK)
+            return status->code;
+        warn_unit(out, 'x', out->x_unit, options->x_unit);
+        warn_unit(out, 'z', out->z_unit, options->z_unit);
+        return STATUS_OK;
+    }
+    return scan_fail(status, file, 0, "binary data in no format known here: not a scan");
+}
+
+enum status_code scan_read(struct scan *out, const char *path, const struct scan_options *options,
+                           struct status *status)
+{
+    *out = (struct scan){.ny = 1};
+    struct stat info;
+    /* opening a pipe would wait for ever, and the size of a directory means nothing */
+    if (stat(path, &info) == 0 && !S_ISREG(info.st_mode))
+        return status_fail(status, STATUS_IO, "'%.440s' is %s, not a scan file", path,
+                           S_ISDIR(info.st_mode) ? "a directory" : "no regular file");
+    struct text text = {0};
+    enum status_code code = text_read_file(&text, path, status);
+    if (code == STATUS_OK) {
+        struct scan_bytes file = {text_string(&text), text.length, path};
+        code = scan_read_bytes(out, &file, options, status);
+    }
+    text_free(&text);
+    return code;
+}
+
+void scan_free(struct scan *scan)
+{
+    free(scan->x_m);
+    free(scan->z_m);
+    *scan = (struct scan){0};
+}

@@ -1,0 +1,195 @@
+/* Shared by the tests of the readers: reading from text in memory, figures of a scan, mutations, the real scans. */
+#ifndef TEST_SCAN_SUPPORT_H
+#define TEST_SCAN_SUPPORT_H
+
+#include "scan/scan.h"
+#include "support.h"
+
+#include <stdio.h>
+#include <sys/stat.h>
+
+static const struct scan_options no_units = {"", ""};
+
+/* A copy on the heap, so that AddressSanitizer sees every read beyond bytes[length]. */
+static inline struct scan_bytes bytes_copy(const char *bytes, size_t length)
+{
+    char *copy = malloc(length + 1);
+    assert_non_null(copy);
+    memcpy(copy, bytes, length);
+    copy[length] = '\0';
+    return (struct scan_bytes){copy, length, "file"};
+}
+
+static inline enum status_code read_bytes(struct scan *scan, const char *bytes, size_t length,
+                                          const struct scan_options *options, struct status *status)
+{
+    struct scan_bytes file = bytes_copy(bytes, length);
+    enum status_code code = scan_read_bytes(scan, &file, options, status);
+    free((char *)file.bytes);
+    return code;
+}
+
+/* Reads text that has to be a scan. */
+static inline struct scan read_good(const char *text, const char *x_unit, const char *z_unit)
+{
+    struct scan scan;
+    struct status status = {0};
+    struct scan_options options = {x_unit, z_unit};
+    if (read_bytes(&scan, text, strlen(text), &options, &status) != STATUS_OK)
+        fail_msg("refused: %s", status.message);
+    return scan;
+}
+
+/* Reads bytes that have to be refused as no scan with a message that holds `expected`. */
+static inline void assert_refused_bytes(const char *bytes, size_t length, const struct scan_options *options,
+                                        const char *expected)
+{
+    struct scan scan;
+    struct status status = {0};
+    assert_int_equal(read_bytes(&scan, bytes, length, options, &status), STATUS_SCAN);
+    if (!strstr(status.message, expected) || strchr(status.message, '\n'))
+        fail_msg("message '%s' should hold '%s' in one line", status.message, expected);
+    scan_free(&scan);
+}
+
+static inline void assert_refused(const char *text, const char *expected)
+{
+    struct scan_options options = {"mm", "um"};
+    assert_refused_bytes(text, strlen(text), &options, expected);
+}
+
+/* What scan.h promises about a scan that was read. */
+static inline void assert_sound(const struct scan *scan)
+{
+    assert_non_null(scan->format);
+    assert_true(scan->nx >= 3 && scan->ny >= 1);
+    assert_true(isfinite(scan->dx_m) && scan->dx_m > 0);
+    for (size_t i = 1; scan->x_m && i < scan->nx; i++)
+        assert_true(isfinite(scan->x_m[i]) && scan->x_m[i] > scan->x_m[i - 1]);
+    size_t missing = 0;
+    for (size_t i = 0; i < scan->nx * scan->ny; i++) {
+        assert_true(!isinf(scan->z_m[i]));
+        missing += isnan(scan->z_m[i]) ? 1U : 0U;
+    }
+    assert_int_equal(missing, scan->missing);
+    assert_true(scan->warning_count <= SCAN_WARNINGS);
+}
+
+static inline double scan_x(const struct scan *scan, size_t i)
+{
+    return scan->x_m ? scan->x_m[i] : (double)i * scan->dx_m;
+}
+
+/* Rq in metres after the least-squares line over the points that are not missing; 1/n. */
+static inline double rq_of_profile(const struct scan *scan)
+{
+    double n = 0, x = 0, z = 0, xx = 0, xz = 0, sum = 0;
+    for (size_t i = 0; i < scan->nx; i++) {
+        if (isnan(scan->z_m[i]))
+            continue;
+        n++, x += scan_x(scan, i), z += scan->z_m[i];
+    }
+    x /= n, z /= n;
+    for (size_t i = 0; i < scan->nx; i++) {
+        if (isnan(scan->z_m[i]))
+            continue;
+        double dx = scan_x(scan, i) - x;
+        xx += dx * dx, xz += dx * (scan->z_m[i] - z);
+    }
+    for (size_t i = 0; i < scan->nx; i++) {
+        if (isnan(scan->z_m[i]))
+            continue;
+        double r = scan->z_m[i] - z - xz / xx * (scan_x(scan, i) - x);
+        sum += r * r;
+    }
+    return sqrt(sum / n);
+}
+
+static inline void range_of(const struct scan *scan, double *low, double *high)
+{
+    *low = INFINITY, *high = -INFINITY;
+    for (size_t i = 0; i < scan->nx * scan->ny; i++) {
+        *low = fmin(*low, scan->z_m[i]);
+        *high = fmax(*high, scan->z_m[i]);
+    }
+}
+
+/* A small generator of our own: the same mutations everywhere (splitmix64). */
+static inline uint64_t random_next(uint64_t *state)
+{
+    uint64_t z = *state += 0x9E3779B97F4A7C15u;
+    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
+    z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
+    return z ^ (z >> 31);
+}
+
+/* Reads `rounds` mutations of a sample: bytes changed, a piece cut out, doubled or the end cut off. Each is either a
+ * sound scan or refused with one line; the sanitizers watch the rest. */
+static inline void fuzz(const char *sample, size_t length, size_t rounds, uint64_t seed)
+{
+    static const char interesting[] = "0123456789.,;-+eE \t\r\n\0\xff\x7f#*[]<>\"nN";
+    for (size_t round = 0; round < rounds; round++) {
+        char *copy = malloc(2 * length + 1);
+        assert_non_null(copy);
+        memcpy(copy, sample, length);
+        size_t size = length;
+        for (size_t edits = 1 + random_next(&seed) % 4; edits > 0 && size > 0; edits--) {
+            size_t at = random_next(&seed) % size, span = 1 + random_next(&seed) % 16;
+            span = span > size - at ? size - at : span;
+            switch (random_next(&seed) % 6) {
+            case 0:
+                copy[at] = (char)random_next(&seed);
+                break;
+            case 1:
+                copy[at] = interesting[random_next(&seed) % (sizeof interesting - 1)];
+                break;
+            case 2:
+                memmove(copy + at, copy + at + span, size - at - span);
+                size -= span;
+                break;
+            case 3:
+                if (size + span > 2 * length)
+                    break;
+                memmove(copy + at + span, copy + at, size - at);
+                size += span;
+                break;
+            case 4:
+                size = at;
+                break;
+            default:
+                memset(copy + at, (int)(random_next(&seed) % 256), span);
+                break;
+            }
+        }
+        struct scan scan;
+        struct status status = {0};
+        struct scan_options options = {"mm", "um"};
+        if (read_bytes(&scan, copy, size, &options, &status) == STATUS_OK) {
+            assert_sound(&scan);
+        } else {
+            assert_int_equal(status.code, STATUS_SCAN);
+            assert_null(strchr(status.message, '\n'));
+        }
+        scan_free(&scan);
+        free(copy);
+    }
+}
+
+#define REAL_SCANS PROJECT_SOURCE "/../shared/scans"
+
+static inline bool real_scans_exist(void)
+{
+    struct stat info;
+    return stat(REAL_SCANS, &info) == 0;
+}
+
+/* Leaves the test, visibly, where the collection of real scans is not beside the project. */
+#define NEED_REAL_SCANS()                                                                                              \
+    do {                                                                                                               \
+        if (!real_scans_exist()) {                                                                                     \
+            print_message("skipped: no real scans at %s\n", REAL_SCANS);                                               \
+            skip();                                                                                                    \
+        }                                                                                                              \
+    } while (0)
+
+#endif

@@ -1,0 +1,164 @@
+#include "scan/number.h"
+#include "scan/scan.h"
+#include "support.h"
+
+#include <locale.h>
+#include <stdio.h>
+
+static void assert_scans(const char *text, unsigned allowed, double expected, const char *rest)
+{
+    double value = NAN;
+    const char *end = number_scan((struct span){text, text + strlen(text)}, allowed, NULL, &value);
+    assert_non_null(end);
+    if (value != expected || signbit(value) != signbit(expected))
+        fail_msg("'%s' read as %.17g, expected %.17g", text, value, expected);
+    assert_string_equal(end, rest);
+}
+
+static void test_forms(void **state)
+{
+    (void)state;
+    assert_scans("0", 3, 0.0, "");
+    assert_scans("-0.0", 3, -0.0, "");
+    assert_scans("+1.5e-3x", 3, 1.5e-3, "x");
+    assert_scans("1.", 3, 1.0, "");
+    assert_scans(".25", 3, 0.25, "");
+    assert_scans("1D2", 3, 100.0, "");
+    assert_scans("1e", 3, 1.0, "e");
+    assert_scans("1e+", 3, 1.0, "e+");
+    assert_scans("0,5", NUMBER_COMMA, 0.5, "");
+    assert_scans("0,5", NUMBER_POINT, 0.0, ",5");
+    assert_scans("0.5", NUMBER_COMMA, 0.0, ".5");
+    assert_scans("1e400", 3, INFINITY, "");
+    assert_scans("1e-400", 3, 0.0, "");
+    assert_scans("0e999999999999", 3, 0.0, "");
+    assert_scans("1e99999999999999999999", 3, INFINITY, "");
+    assert_scans("0.000000000000000000000000000001e30", 3, 1.0, "");
+    static const char *const none[] = {"", "-", "+", ".", "e5", "nan", "inf", "x", ",5", "5,", "--1", " 1"};
+    for (size_t i = 0; i < sizeof none / sizeof *none; i++) {
+        double value;
+        assert_null(
+            number_scan((struct span){none[i], none[i] + strlen(none[i])}, NUMBER_POINT | NUMBER_COMMA, NULL, &value));
+    }
+}
+
+/* strtod of the C library is the reference: it rounds correctly. */
+static void test_against_strtod(void **state)
+{
+    (void)state;
+    uint64_t seed = 5;
+    for (int i = 0; i < 300000; i++) {
+        seed = seed * 6364136223846793005u + 1442695040888963407u;
+        char text[64];
+        int digits = (int)(seed >> 40 & 31) + 1;
+        uint64_t bits = seed ^ seed >> 29;
+        double value;
+        if (i % 2) { /* any double */
+            memcpy(&value, &bits, sizeof value);
+            if (!isfinite(value))
+                continue;
+            snprintf(text, sizeof text, "%.*g", digits > 20 ? 17 : digits, value);
+        } else { /* what scans hold */
+            snprintf(text, sizeof text, "%s%d.%0*llu", seed & 1 ? "-" : "", (int)(seed >> 50),
+                     digits > 18 ? 18 : digits, (unsigned long long)(bits % 1000000000000000000u));
+        }
+        assert_scans(text, NUMBER_POINT, strtod(text, NULL), "");
+    }
+}
+
+/* Half-way cases between two doubles, with up to 800 digits. */
+static void test_halfway(void **state)
+{
+    (void)state;
+    static const char *const cases[] = {
+        "9007199254740993",
+        "9007199254740993.0000000000000000000000000001",
+        "9007199254740995",
+        "900719925474099.3",
+        "1152921504606847104",
+        "1152921504606847105",
+        "2.2250738585072011e-308",
+        "4.9406564584124654e-324",
+        "2.4703282292062327208e-324",
+        "1.7976931348623158e308",
+        "123456789012345678901234567890",
+        "0.1000000000000000055511151231257827021181583404541015625",
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        assert_scans(cases[i], NUMBER_POINT, strtod(cases[i], NULL), "");
+    /* 1 + 2^-53 exactly, then something behind 1000 zeros */
+    char text[1200];
+    strcpy(text, "1.00000000000000011102230246251565404236316680908203125");
+    assert_scans(text, NUMBER_POINT, 1.0, "");
+    size_t length = strlen(text);
+    memset(text + length, '0', 1000);
+    text[length + 1000] = '\0';
+    assert_scans(text, NUMBER_POINT, 1.0, "");
+    text[length + 999] = '1';
+    assert_scans(text, NUMBER_POINT, 1.0 + 0x1p-52, "");
+}
+
+static void test_locale(void **state)
+{
+    (void)state;
+    /* without such a locale installed the test still holds, just says less */
+    (void)setlocale(LC_ALL, "de_DE.UTF-8");
+    assert_scans("0.1234567890123456789012", NUMBER_POINT, 0.1234567890123456789012, "");
+    setlocale(LC_ALL, "C");
+}
+
+static void test_units(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *name;
+        double metres;
+    } units[] = {
+        {"m", 1},
+        {"mm", 1e-3},
+        {"MM", 1e-3},
+        {"um", 1e-6},
+        {"UM", 1e-6},
+        {"\xC2\xB5m", 1e-6},
+        {"\xCE\xBCm", 1e-6},
+        {"\xB5m", 1e-6},
+        {"\xB5", 1e-6},
+        {"micron", 1e-6},
+        {"microns", 1e-6},
+        {"Micrometer", 1e-6},
+        {"nm", 1e-9},
+        {"pm", 1e-12},
+        {"A", 1e-10},
+        {"\xC3\x85", 1e-10},
+        {"\xC5", 1e-10},
+        {"Angstroms", 1e-10},
+        {"in", 0.0254},
+        {"inches", 0.0254},
+        {"mil", 2.54e-5},
+        {"mils", 2.54e-5},
+        {"uin", 2.54e-8},
+        {"\xC2\xB5in", 2.54e-8},
+        {"microinches", 2.54e-8},
+        {"cm", 1e-2},
+        {"metres", 1},
+        {"", 0},
+        {"a", 0},
+        {"V", 0},
+        {"deg", 0},
+        {"micrometerss", 0},
+        {"averyveryverylongword", 0},
+    };
+    for (size_t i = 0; i < sizeof units / sizeof *units; i++)
+        if (scan_unit_m(units[i].name, strlen(units[i].name)) != units[i].metres)
+            fail_msg("unit '%s' is %g m, expected %g", units[i].name, scan_unit_m(units[i].name, strlen(units[i].name)),
+                     units[i].metres);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_forms),  cmocka_unit_test(test_against_strtod), cmocka_unit_test(test_halfway),
+        cmocka_unit_test(test_locale), cmocka_unit_test(test_units),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,241 @@
+#include "scan_support.h"
+
+/* Every dialect below holds x = 0, 1, 2, 3 mm and these heights in um. */
+static const double heights_um[] = {0.5, -1.25, 2.75, 0.125};
+
+static void assert_four_points(const char *text, const char *x_unit, const char *z_unit)
+{
+    struct scan scan = read_good(text, x_unit, z_unit);
+    assert_string_equal(scan.format, "text");
+    assert_int_equal(scan.kind, SCAN_PROFILE);
+    assert_int_equal(scan.nx, 4);
+    assert_int_equal(scan.ny, 1);
+    for (size_t i = 0; i < 4; i++) {
+        assert_within(scan_x(&scan, i), 1e-3 * (double)i, 1e-18);
+        assert_near(scan.z_m[i], heights_um[i] * 1e-6, 1e-15);
+    }
+    assert_near(scan.dx_m, 1e-3, 1e-15);
+    assert_int_equal(scan.missing, 0);
+    assert_sound(&scan);
+    scan_free(&scan);
+}
+
+static void test_delimiters(void **state)
+{
+    (void)state;
+    static const char *const texts[] = {
+        "x [mm],z [um]\n0,0.5\n1,-1.25\n2,2.75\n3,0.125\n",
+        "x [mm];z [um]\r\n0;0.5\r\n1;-1.25\r\n2;2.75\r\n3;0.125\r\n",
+        "x [mm]\tz [um]\r0\t0.5\r1\t-1.25\r2\t2.75\r3\t0.125\r",
+        "x [mm] z [um]\n0 0.5\n1 -1.25\n2   2.75\n 3 0.125   ",
+        "x [mm] z [um]\n0 0,5\n1 -1,25\n2   2,75\n 3 0,125",
+        "x (mm);z (um)\n0;0,5\n1,0;-1,25\n2;2,75\n3;0,125\n",
+        "x [mm],z [um]\n0, 0.5\n1, -1.25\n2, 2.75\n3, 0.125\n",
+        "x [mm],z [um],\n0,0.5,,\n1,-1.25,,\n2,2.75,,\n3,0.125,,\n\r\r\n",
+        "x [mm]\tz [um]\t\n0\t0,5\t\n1\t-1,25\t\n2\t2,75\t\n3\t1,25e-1\t\n\n\n",
+    };
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
+        assert_four_points(texts[i], "", "");
+}
+
+#define POINTS "0,0.5\n1,-1.25\n2,2.75\n3,0.125\n"
+
+static void test_units_in_header(void **state)
+{
+    (void)state;
+    static const char *const texts[] = {
+        "X (mm),Z (um)\n" POINTS,
+        "\"X (mm)\",\"Z (um)\"\n" POINTS,
+        "x_mm,z_um\n" POINTS,
+        "x/mm,z/um\n" POINTS,
+        "x in mm,z in um\n" POINTS,
+        "X [millimetres],Z [microns]\n" POINTS,
+        "Lateral mm,Raw Micrometer,\n" POINTS,
+        "x [mm],z [\xC2\xB5m]\n" POINTS,
+        "x [mm],z [\xCE\xBCm]\n" POINTS,
+        "x [mm],z [\xB5m]\n" POINTS,
+        "\xEF\xBB\xBFx [mm],z [um]\n" POINTS,
+        "x,z\n[mm],[um]\n" POINTS,
+        "x,z\nmm,um\n\n" POINTS,
+        "# x [mm], z [um]\n" POINTS,
+        "X 1 (mm),Profile 1 (um)\n" POINTS,
+        "# x [mm] z [um]\n" POINTS,
+        "// X (mm);Z (um)\n" POINTS,
+        "Operator,Tom\nLength,1500.0 nm\nDate,1.2.2003\nx [mm],z [um]\n" POINTS,
+    };
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
+        assert_four_points(texts[i], "", "");
+}
+
+static void test_units_of_scene(void **state)
+{
+    (void)state;
+    assert_four_points(POINTS, "mm", "um");
+    assert_four_points("x,z\n" POINTS, "mm", "um");
+    assert_four_points("x [mm],z\n" POINTS, "", "um");
+    assert_four_points("x,z [um]\n" POINTS, "mm", "");
+    /* "A" and "in" are words unless brackets say otherwise, and a length among the remarks is no unit of a column */
+    assert_four_points("channel in,channel A\n" POINTS, "mm", "um");
+    assert_four_points("Length,1500.0 nm\n" POINTS, "mm", "um");
+    assert_four_points("# a\n% b\n; c\n// d\n0 0.5\n# between\n1 -1.25\n2 2.75\n3 0.125\n# end\n", "mm", "um");
+    /* the file's unit wins, and the scan says so */
+    struct scan scan = read_good("x [mm],z [um]\n" POINTS, "nm", "um");
+    assert_int_equal(scan.warning_count, 1);
+    assert_non_null(strstr(scan.warnings[0], "x_unit"));
+    assert_string_equal(scan.x_unit, "mm");
+    assert_string_equal(scan.z_unit, "um");
+    assert_near(scan.x_m[3], 3e-3, 1e-15);
+    scan_free(&scan);
+}
+
+static void test_one_column(void **state)
+{
+    (void)state;
+    static const char *const texts[] = {
+        "# spacing 1 mm\n# z [um]\n0.5\n-1.25\n2.75\n0.125\n",
+        "dx=1mm\nz (um)\n0.5\n-1.25\n2.75\n0.125\n",
+        "dx = 1000 um\nz (um)\n0.5\n-1.25\n2.75\n0.125\n",
+        "Resolution,1000 um/sample\nz_um\n0.5\n-1.25\n2.75\n0.125\n",
+        "Step (mm): 1\nz_um\n0.5\n-1.25\n2.75\n0.125\n",
+        "sampling interval\t1 mm\nY step\t3 um\nz_um\n0.5\n-1.25\n2.75\n0.125\n",
+    };
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
+        assert_four_points(texts[i], "", "");
+    assert_four_points("spacing: 1\nz_um\n0.5\n-1.25\n2.75\n0.125\n", "mm", "");
+}
+
+static void test_descending(void **state)
+{
+    (void)state;
+    struct scan scan = read_good("x [mm],z [um]\n3,30\n2,20\n0,0\n", "", "");
+    assert_near(scan.x_m[2], 3e-3, 1e-15);
+    assert_near(scan.z_m[2], 30e-6, 1e-15);
+    assert_true(scan.x_m[0] == 0.0 && scan.z_m[0] == 0.0);
+    assert_near(scan.dx_m, 1.5e-3, 1e-15);
+    assert_int_equal(scan.warning_count, 1);
+    assert_non_null(strstr(scan.warnings[0], "reversed"));
+    scan_free(&scan);
+}
+
+static void test_refusals(void **state)
+{
+    (void)state;
+    assert_refused("", "file: the file is empty");
+    assert_refused("\n\n\n", "file: no line of numbers");
+    assert_refused("{\n \"LENGTH\": 0.11,\n \"NAME\": null\n}\n", "file: no line of numbers in it: not a scan");
+    assert_refused("0,1\n1,2\n", "file:2: only 2 points");
+    assert_refused("x,z\n0,1\n1,nan\n2,3\n", "file:3: 'nan' in a column of numbers; correct or remove this line");
+    assert_refused("0,1\n1,inf\n2,3\n", "file:2: 'inf'");
+    assert_refused("0,1\n1,1e999\n2,3\n", "file:2: '1e999'");
+    assert_refused("x;z\r\n0;1\r\n1;2\r\n2;bad\x7f one\r\n", "file:4: 'bad? one'");
+    assert_refused("0 1\n\n1 2\n2 3 4\n", "file:4: 3 columns where line 1 has 2");
+    assert_refused("0,1\n1\n2,3\n", "file:2: 1 columns where line 1 has 2");
+    assert_refused("0,1\n1,\n2,3\n", "file:2: 1 columns where line 1 has 2");
+    assert_refused("0,1\n,2\n2,3\n", "file:2: '2'");
+    assert_refused("0,1\n1,2\n2,3\nend\n", "file:4: 'end'");
+    assert_refused("0;1\n1;2\n;x\n", "file:3: 'x'");
+    assert_refused("# a\n0 1\n# b\n\n1 2\n1 3\n2 4\n", "file:6: x is that of the point before");
+    assert_refused("0,1\n2,2\n1,3\n", "file:3: x turns back");
+    assert_refused("0,4771\n0,4783\n0,4790\n", "separate the columns by semicolons if the commas are decimal signs");
+    assert_refused("0;1.5\n1;2,5\n2;3.5\n", "file:2: both '.' and ','");
+    assert_refused("spacing 1 um\n1\n2\n\n3\n", "file:4: a blank line among the heights");
+    assert_refused("1\n2\n3\n", "file:1: one column is heights only: no spacing; add a line `spacing");
+    assert_refused("0 1 2\n1 2 3\n2 3 4\n", "file:1: 3 columns");
+    assert_refused("0,1\n1,2\n2,3\n\x80\x80", "file:4: '\?\?'");
+}
+
+static void test_missing_units(void **state)
+{
+    (void)state;
+    const char *text = "0,1\n1,2\n2,3\n";
+    assert_refused_bytes(text, strlen(text), &no_units, "add `x_unit: mm` and `z_unit: um`");
+    assert_refused_bytes(text, strlen(text), &no_units, "--x-unit mm --z-unit um");
+    struct scan_options x_only = {"mm", ""}, z_only = {"", "um"}, wrong = {"mm", "volt"};
+    assert_refused_bytes(text, strlen(text), &x_only, "no unit for z; add `z_unit: um`");
+    assert_refused_bytes(text, strlen(text), &z_only, "no unit for x; add `x_unit: mm`");
+    assert_refused_bytes(text, strlen(text), &wrong, "no unit for z");
+}
+
+static void test_binary(void **state)
+{
+    (void)state;
+    static const char png[] = "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\x20";
+    assert_refused_bytes(png, sizeof png - 1, &no_units, "binary data in no format known here: not a scan");
+    char noise[4096];
+    uint64_t seed = 3;
+    for (size_t i = 0; i < sizeof noise; i++)
+        noise[i] = (char)random_next(&seed);
+    assert_refused_bytes(noise, sizeof noise, &no_units, "not a scan");
+}
+
+static void test_no_file(void **state)
+{
+    (void)state;
+    struct scan scan;
+    struct status status = {0};
+    assert_int_equal(scan_read(&scan, "/", &no_units, &status), STATUS_IO);
+    assert_non_null(strstr(status.message, "is a directory"));
+    scan_free(&scan);
+    status = (struct status){0};
+    assert_int_equal(scan_read(&scan, TEST_DATA "/no such file", &no_units, &status), STATUS_IO);
+    assert_non_null(strstr(status.message, "no such file"));
+    scan_free(&scan);
+    status = (struct status){0};
+    assert_int_equal(scan_read(&scan, "/dev/null", &no_units, &status), STATUS_IO);
+    scan_free(&scan);
+}
+
+static void test_hostile_name(void **state)
+{
+    (void)state;
+    struct scan scan;
+    struct status status = {0};
+    char name[3000];
+    memset(name, 'n', sizeof name - 1);
+    name[sizeof name - 1] = '\0';
+    name[3] = '\n', name[4] = '%';
+    struct scan_bytes file = {"0,1\n1,x\n", 8, name};
+    assert_int_equal(scan_read_bytes(&scan, &file, &no_units, &status), STATUS_SCAN);
+    assert_null(strchr(status.message, '\n'));
+    assert_non_null(strstr(status.message, ":2: 'x' in a column"));
+    scan_free(&scan);
+}
+
+static void test_warnings_overflow(void **state)
+{
+    (void)state;
+    struct scan scan = {0};
+    for (int i = 1; i <= 12; i++)
+        scan_warn(&scan, "number\n%d", i);
+    assert_int_equal(scan.warning_count, SCAN_WARNINGS);
+    assert_string_equal(scan.warnings[6], "number?7");
+    assert_string_equal(scan.warnings[7], "and 5 more warnings");
+}
+
+static void test_mutations(void **state)
+{
+    (void)state;
+    static const char *const samples[] = {
+        "x [mm],z [um]\r\n0,0.5\r\n1,-1.25\r\n2,2.75\r\n3,0.125\r\n4,1e-3\r\n",
+        "\xEF\xBB\xBFx (mm);z (\xC2\xB5m)\n[mm];[um]\n0;0,5\n1,5;-1,25\n2;2,75\n3;0,125\n\n\n",
+        "# spacing 0.5 um\n% z [um]\n0.5\n-1.25\n2.75\n0.12345678901234567\n",
+        "Scan Type,Standard\nResolution,0.156 um/sample\n\nLateral um,Raw "
+        "Micrometer,\n0.0,-0.5,,\n0.2,0.4,,\n0.3,1,,\n",
+        "0 1\t2\n0\t1\n1\t2\n2\t3\n3\t4\n",
+    };
+    for (size_t i = 0; i < sizeof samples / sizeof *samples; i++)
+        fuzz(samples[i], strlen(samples[i]), 2000, 17 + i);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_delimiters),        cmocka_unit_test(test_units_in_header),
+        cmocka_unit_test(test_units_of_scene),    cmocka_unit_test(test_one_column),
+        cmocka_unit_test(test_descending),        cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_missing_units),     cmocka_unit_test(test_binary),
+        cmocka_unit_test(test_no_file),           cmocka_unit_test(test_hostile_name),
+        cmocka_unit_test(test_warnings_overflow), cmocka_unit_test(test_mutations),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
