@@ -25,44 +25,34 @@ struct element {
 };
 
 static const struct element root_element = {"svg", false};
-
 static const struct element elements[] = {
-    {"g", false},       {"defs", false},    {"path", false},           {"rect", false},        {"circle", false},
-    {"ellipse", false}, {"line", false},    {"polyline", false},       {"polygon", false},     {"use", false},
-    {"text", true},     {"tspan", true},    {"title", true},           {"pattern", false},     {"clipPath", false},
-    {"filter", false},  {"feFlood", false}, {"linearGradient", false}, {"feComposite", false}, {"stop", false},
+    {"g", false},       {"defs", false},   {"path", false},    {"rect", false},        {"circle", false},
+    {"polygon", false}, {"use", false},    {"text", true},     {"tspan", true},        {"title", true},
+    {"pattern", false}, {"filter", false}, {"feFlood", false}, {"feComposite", false},
 };
 
 /* attributes whose value is copied if it is made of VALUE_CHARS, each between blanks */
 static const char plain_attributes[] =
-    " class d points transform x y dx dy x1 y1 x2 y2 cx cy r rx ry width height opacity fill-opacity fill-rule"
-    " stroke-width stroke-opacity stroke-dasharray stroke-linecap stroke-linejoin shape-rendering font-family"
-    " font-size font-style font-weight text-anchor xml:space clip-path clipPathUnits patternUnits gradientUnits"
-    " offset filter filterUnits flood-opacity in in2 operator result ";
+    " class d points transform x y dx dy cx cy r width height opacity fill-opacity fill-rule stroke-width"
+    " stroke-opacity stroke-dasharray stroke-linecap stroke-linejoin shape-rendering font-family font-size"
+    " font-style font-weight text-anchor xml:space clip-path patternUnits filter filterUnits flood-opacity in"
+    " in2 operator result ";
 
-enum attribute_kind {
-    ATTRIBUTE_DROPPED,
-    ATTRIBUTE_PLAIN,
-    ATTRIBUTE_COLOUR,
-    ATTRIBUTE_ID,
-    ATTRIBUTE_REFERENCE,
-    ATTRIBUTE_STYLE
-};
+enum attribute_kind { SVG_DROPPED, SVG_PLAIN, SVG_COLOUR, SVG_ID, SVG_REFERENCE, SVG_STYLE };
 
 /* and those whose value is changed */
 static const struct {
     const char *name;
     enum attribute_kind kind;
 } special_attributes[] = {
-    {"id", ATTRIBUTE_ID},        {"href", ATTRIBUTE_REFERENCE},     {"xlink:href", ATTRIBUTE_REFERENCE},
-    {"style", ATTRIBUTE_STYLE},  {"fill", ATTRIBUTE_COLOUR},        {"stroke", ATTRIBUTE_COLOUR},
-    {"color", ATTRIBUTE_COLOUR}, {"flood-color", ATTRIBUTE_COLOUR}, {"stop-color", ATTRIBUTE_COLOUR},
+    {"id", SVG_ID},       {"href", SVG_REFERENCE}, {"xlink:href", SVG_REFERENCE}, {"style", SVG_STYLE},
+    {"fill", SVG_COLOUR}, {"stroke", SVG_COLOUR},  {"color", SVG_COLOUR},         {"flood-color", SVG_COLOUR},
 };
 
 #define PAPER "var(--paper)"
 #define INK   "var(--ink)"
 
-/* colours of the paper print, lower case without blanks, and what they are on the page */
+/* colours of the paper print, without blanks, and what they are on the page */
 static const struct {
     const char *colour, *page;
 } page_colours[] = {
@@ -72,6 +62,7 @@ static const struct {
 
 struct drawing {
     struct text *out;
+    size_t before;          /* length of `out` before the drawing */
     const char *start, *at; /* NUL-terminated */
     const char *path, *label;
     unsigned number;
@@ -120,10 +111,11 @@ static bool slice_made_of(struct slice slice, const char *allowed)
     return strspn(slice.data, allowed) >= slice.length;
 }
 
-static void take(struct drawing *drawing, const char *chars, struct slice *out)
+static struct slice take(struct drawing *drawing, const char *chars)
 {
-    *out = (struct slice){drawing->at, strspn(drawing->at, chars)};
-    drawing->at += out->length;
+    struct slice taken = {drawing->at, strspn(drawing->at, chars)};
+    drawing->at += taken.length;
+    return taken;
 }
 
 static const struct element *find_element(struct slice name)
@@ -137,18 +129,13 @@ static const struct element *find_element(struct slice name)
 /* The page's colour for one of the print's, or NULL. */
 static const char *page_colour(struct slice value)
 {
-    char colour[24];
+    char colour[24] = ""; /* longer than any of them */
     size_t length = 0;
-    for (size_t i = 0; i < value.length; i++) {
-        if (strchr(SPACE_CHARS, value.data[i]))
-            continue;
-        if (length + 1 >= sizeof colour)
-            return NULL;
-        colour[length++] = (char)tolower((unsigned char)value.data[i]);
-    }
-    colour[length] = '\0';
+    for (size_t i = 0; i < value.length && length + 1 < sizeof colour; i++)
+        if (!strchr(SPACE_CHARS, value.data[i]))
+            colour[length++] = value.data[i];
     for (size_t i = 0; i < sizeof page_colours / sizeof *page_colours; i++)
-        if (strcmp(colour, page_colours[i].colour) == 0)
+        if (strcasecmp(colour, page_colours[i].colour) == 0)
             return page_colours[i].page;
     return NULL;
 }
@@ -160,8 +147,8 @@ static enum attribute_kind attribute_kind(struct slice name)
             return special_attributes[i].kind;
     for (const char *at = plain_attributes; at[1] != '\0'; at += strcspn(at + 1, " ") + 1)
         if (slice_equal(name, (struct slice){at + 1, strcspn(at + 1, " ")}))
-            return ATTRIBUTE_PLAIN;
-    return ATTRIBUTE_DROPPED;
+            return SVG_PLAIN;
+    return SVG_DROPPED;
 }
 
 static const struct attribute *find_attribute(const struct attribute *attributes, size_t count, const char *name)
@@ -201,7 +188,7 @@ static void write_value(const struct drawing *drawing, enum attribute_kind kind,
         write_reference(drawing, name, value, "url(#", ")");
         return;
     }
-    const char *colour = kind == ATTRIBUTE_COLOUR ? page_colour(value) : NULL;
+    const char *colour = kind == SVG_COLOUR ? page_colour(value) : NULL;
     if (colour)
         value = (struct slice){colour, strlen(colour)};
     else if (!slice_made_of(value, VALUE_CHARS))
@@ -215,16 +202,27 @@ static void write_style(const struct drawing *drawing, struct slice style)
     const char *at = style.data, *end = style.data + style.length;
     while (at < end) {
         const char *stop = memchr(at, ';', (size_t)(end - at));
-        if (!stop)
-            stop = end;
+        stop = stop ? stop : end;
         const char *colon = memchr(at, ':', (size_t)(stop - at));
         if (colon) {
             struct slice name = slice_trimmed((struct slice){at, (size_t)(colon - at)});
             enum attribute_kind kind = attribute_kind(name);
-            if (kind == ATTRIBUTE_PLAIN || kind == ATTRIBUTE_COLOUR)
+            if (kind == SVG_PLAIN || kind == SVG_COLOUR)
                 write_value(drawing, kind, name, (struct slice){colon + 1, (size_t)(stop - colon - 1)});
         }
         at = stop + 1;
+    }
+}
+
+/* The first of its name only: gnuplot repeats those of the curves when it draws an opaque key. */
+static void write_id(const struct drawing *drawing, const struct attribute *id)
+{
+    struct text *out = drawing->out;
+    size_t end = out->length;
+    write_reference(drawing, id->name, id->value, "", "");
+    if (out->length > end && strstr(out->data + drawing->before, out->data + end) < out->data + end) {
+        out->length = end;
+        text_add_bytes(out, "", 0);
     }
 }
 
@@ -232,32 +230,31 @@ static void write_attribute(const struct drawing *drawing, const struct attribut
 {
     static const struct slice href = {"href", 4}; /* xlink: is not needed any more */
     enum attribute_kind kind = attribute_kind(attribute->name);
-    if (kind == ATTRIBUTE_STYLE)
+    if (kind == SVG_STYLE)
         write_style(drawing, attribute->value);
-    else if (kind == ATTRIBUTE_ID)
-        write_reference(drawing, attribute->name, attribute->value, "", "");
-    else if (kind == ATTRIBUTE_REFERENCE)
+    else if (kind == SVG_ID)
+        write_id(drawing, attribute);
+    else if (kind == SVG_REFERENCE)
         write_reference(drawing, href, attribute->value, "#", "");
-    else if (kind != ATTRIBUTE_DROPPED)
+    else if (kind != SVG_DROPPED)
         write_value(drawing, kind, attribute->name, attribute->value);
 }
 
 static enum status_code read_attributes(struct drawing *drawing, struct attribute *attributes, size_t *count)
 {
-    struct slice space;
     for (*count = 0;; (*count)++) {
-        take(drawing, SPACE_CHARS, &space);
+        struct slice space = take(drawing, SPACE_CHARS);
         if (*drawing->at == '>' || *drawing->at == '/')
             return STATUS_OK;
         if (space.length == 0 || *count == SVG_ATTRIBUTES)
             return malformed(drawing, space.length == 0 ? "a tag does not end" : "too many attributes");
         struct attribute *attribute = &attributes[*count];
-        take(drawing, NAME_CHARS, &attribute->name);
-        take(drawing, SPACE_CHARS, &space);
+        attribute->name = take(drawing, NAME_CHARS);
+        take(drawing, SPACE_CHARS);
         if (attribute->name.length == 0 || *drawing->at != '=')
             return malformed(drawing, "an attribute has no name or no value");
         drawing->at++;
-        take(drawing, SPACE_CHARS, &space);
+        take(drawing, SPACE_CHARS);
         const char quote[] = {*drawing->at, '<', '\0'};
         if (quote[0] != '"' && quote[0] != '\'')
             return malformed(drawing, "a value is not quoted");
@@ -295,11 +292,10 @@ static const struct element *kept_element(const struct drawing *drawing, struct 
 
 static enum status_code start_tag(struct drawing *drawing)
 {
-    struct slice name;
     struct attribute attributes[SVG_ATTRIBUTES];
     size_t count;
     drawing->at++;
-    take(drawing, NAME_CHARS, &name);
+    struct slice name = take(drawing, NAME_CHARS);
     if (name.length == 0 || drawing->done)
         return malformed(drawing, name.length == 0 ? "a tag has no name" : "something follows the drawing");
     if (read_attributes(drawing, attributes, &count) != STATUS_OK)
@@ -334,10 +330,9 @@ static enum status_code start_tag(struct drawing *drawing)
 
 static enum status_code end_tag(struct drawing *drawing)
 {
-    struct slice name, space;
     drawing->at += 2;
-    take(drawing, NAME_CHARS, &name);
-    take(drawing, SPACE_CHARS, &space);
+    struct slice name = take(drawing, NAME_CHARS);
+    take(drawing, SPACE_CHARS);
     if (*drawing->at != '>' || drawing->depth == 0)
         return malformed(drawing, "an end tag without its start");
     if (!slice_equal(name, drawing->open[--drawing->depth].name))
@@ -385,9 +380,14 @@ static void write_text(struct drawing *drawing, size_t length)
 enum status_code svg_inline(struct text *out, const struct text *svg, const char *path, unsigned number,
                             const char *label, struct status *status)
 {
-    struct drawing drawing = {
-        .out = out, .path = path, .label = label, .number = number, .status = status, .start = text_string(svg)};
-    drawing.at = drawing.start;
+    struct drawing drawing = {.out = out,
+                              .before = out->length,
+                              .path = path,
+                              .label = label,
+                              .number = number,
+                              .status = status,
+                              .start = text_string(svg),
+                              .at = text_string(svg)};
     while (*drawing.at != '\0') {
         write_text(&drawing, strcspn(drawing.at, "<"));
         if (*drawing.at == '<' && markup(&drawing) != STATUS_OK)
