@@ -1,0 +1,297 @@
+/* The page: structure, contents, charts, and that nothing in it acts or leads away. */
+#include "report/html.h"
+#include "support.h"
+
+#define TEMPLATES PROJECT_SOURCE "/templates"
+#define DIRECTORY TEST_DATA "/report"
+
+static struct text rendered(const char *markdown)
+{
+    struct text out = {0};
+    struct status status = {0};
+    enum status_code code = html_render(&out, markdown, "A title", DIRECTORY, TEMPLATES, &status);
+    if (code != STATUS_OK)
+        fail_msg("%s", status.message);
+    return out;
+}
+
+static const char *body_of(const struct text *page)
+{
+    const char *body = strstr(text_string(page), "<main");
+    assert_non_null(body);
+    return body;
+}
+
+static size_t count(const char *text, const char *string)
+{
+    size_t times = 0;
+    for (const char *at = strstr(text, string); at; at = strstr(at + 1, string))
+        times++;
+    return times;
+}
+
+/* `markdown` gives a body that holds `expected`. */
+static void assert_body(const char *markdown, const char *expected)
+{
+    struct text page = rendered(markdown);
+    if (!strstr(body_of(&page), expected))
+        fail_msg("no '%s' in '%s'", expected, body_of(&page));
+    text_free(&page);
+}
+
+static void assert_not_in_page(const char *markdown, const char *unwanted)
+{
+    struct text page = rendered(markdown);
+    const char *found = strstr(text_string(&page), unwanted);
+    if (found)
+        fail_msg("'%s' in the page: '%.80s'", unwanted, found);
+    text_free(&page);
+}
+
+static void headings_and_contents(void **state)
+{
+    (void)state;
+    struct text page =
+        rendered("# Report\n\n## One *part*\n\n### A & B: `x<y>`\n\n### A & B: `x<y>`\n\n## Två γ_1\n\n## !\n");
+    const char *text = text_string(&page);
+    static const char contents[] = "<ul>\n<li><a href=\"#one-part\">One part</a>\n<ul>\n"
+                                   "<li><a href=\"#a--b-xy\">A &amp; B: x&lt;y&gt;</a></li>\n"
+                                   "<li><a href=\"#a--b-xy-1\">A &amp; B: x&lt;y&gt;</a></li>\n</ul></li>\n"
+                                   "<li><a href=\"#två-γ_1\">Två γ_1</a></li>\n"
+                                   "<li><a href=\"#section\">!</a></li>\n</ul>";
+    assert_int_equal(count(text, contents), 2); /* beside the text, and above it on narrow screens */
+    assert_non_null(strstr(text, "<h1 id=\"report\">Report</h1>"));
+    assert_non_null(strstr(text, "<h2 id=\"one-part\">One <em>part</em></h2>"));
+    assert_non_null(strstr(text, "<h3 id=\"a--b-xy-1\">A &amp; B: <code>x&lt;y&gt;</code></h3>"));
+    text_free(&page);
+}
+
+static void contents_without_sections(void **state)
+{
+    (void)state;
+    struct text page = rendered("### First\n\n### Second\n\n## Third\n");
+    assert_non_null(strstr(text_string(&page), "<ul>\n<li><a href=\"#first\">First</a>\n<ul>\n"
+                                               "<li><a href=\"#second\">Second</a></li>\n</ul></li>\n"
+                                               "<li><a href=\"#third\">Third</a></li>\n</ul>"));
+    text_free(&page);
+    page = rendered("words only\n");
+    assert_null(strstr(text_string(&page), "<li>"));
+    text_free(&page);
+}
+
+static void tables(void **state)
+{
+    (void)state;
+    assert_body("| a | b |\n|---|---:|\n| x | 1 |\n",
+                "<div class=\"table\" tabindex=\"0\"><table>\n<thead>\n<tr>\n<th>a</th>\n<th align=\"right\">b</th>");
+    assert_body("| a | b |\n|---|---:|\n| x | 1 |\n", "<td align=\"right\">1</td>\n</tr>\n</tbody>\n</table></div>\n");
+}
+
+/* All values of id="..." in the page. */
+static void assert_ids_unique(const char *page)
+{
+    size_t ids = 0;
+    for (const char *at = strstr(page, " id=\""); at; at = strstr(at + 1, " id=\"")) {
+        struct text id = {0};
+        text_add_bytes(&id, at, strcspn(at + 5, "\"") + 6);
+        assert_int_equal(count(page, text_string(&id)), 1);
+        text_free(&id);
+        ids++;
+    }
+    assert_true(ids > 0);
+}
+
+static void figures(void **state)
+{
+    (void)state;
+    struct text page = rendered("# gpPt5\n\n![Figure 6-05. Area *A* \"x\"](figures/chart.svg)\n\n"
+                                "![Again](figures/chart.svg)\n\ntext\n\n![Third](figures/chart.svg)\n"
+                                "![Fourth](figures/chart.svg)\n");
+    const char *body = body_of(&page);
+    assert_ids_unique(text_string(&page));
+    assert_int_equal(count(body, "<div class=\"figures\">"), 2);
+    assert_int_equal(count(body, "<figure>\n<svg viewBox=\"0 0 600 420\" role=\"img\" aria-label="), 4);
+    assert_int_equal(count(body, "</svg>\n<figcaption>"), 4);
+    assert_int_equal(count(body, "</figure>\n\n<figure>"), 1);
+    assert_non_null(strstr(body, "</figure>\n\n</div>\n<p>text</p>\n<div class=\"figures\">\n<figure>"));
+    assert_non_null(strstr(body, "</figure>\n\n</div>\n</main>"));
+    assert_non_null(strstr(body, "aria-label=\"Figure 6-05. Area A &quot;x&quot;\""));
+    assert_non_null(strstr(body, "<figcaption><b>Figure 6-05.</b> Area A &quot;x&quot;</figcaption>"));
+    assert_non_null(strstr(body, "<figcaption>Again</figcaption>"));
+    assert_non_null(strstr(body, "<use href=\"#fig2.gpPt6\""));
+    text_free(&page);
+}
+
+static void images_among_text(void **state)
+{
+    (void)state;
+    assert_body("see ![that](figures/chart.svg) one\n",
+                "<p>see <svg viewBox=\"0 0 600 420\" role=\"img\" aria-label=\"that\">");
+    assert_body("![that](figures/chart.svg) one\n", "</svg> one</p>");
+    assert_body("a ![photo \"x\"](photo.png)\n", "<p>a photo &quot;x&quot;</p>");
+    assert_body("![far](http://example.org/x.svg)\n", "<p>far</p>");
+}
+
+static void paths_stay_in_figures(void **state)
+{
+    (void)state;
+    assert_body("![words](figures/../secret.svg)\n", "<p>words</p>");
+    assert_body("![words](secret.svg)\n", "<p>words</p>");
+    assert_body("![words](figures/..%2fsecret.svg)\n", "<p>words</p>");
+    assert_body("![words](/figures/chart.svg)\n", "<p>words</p>");
+    assert_body("![words](figures/chart.svg?x)\n", "<p>words</p>");
+    assert_body("![words](figures/.svg)\n", "<p>words</p>");
+}
+
+static void raw_html_is_text(void **state)
+{
+    (void)state;
+    assert_body("<script>alert(1)</script>\n", "&lt;script&gt;alert(1)&lt;/script&gt;");
+    assert_body("a <b onclick=\"x\">b</b> &lt;i&gt; &#60;u>\n",
+                "a &lt;b onclick=&quot;x&quot;&gt;b&lt;/b&gt; &lt;i&gt; &lt;u&gt;");
+    assert_body("![<b>](figures/chart.svg)\n", "aria-label=\"&lt;b&gt;\"");
+    assert_not_in_page("<script>\n\n<table>\n\n<img src=x>\n", "<script");
+}
+
+static void links(void **state)
+{
+    (void)state;
+    assert_body("[a](https://example.org/?a=b&c) b\n", "<a href=\"https://example.org/?a=b&amp;c\">a</a> b");
+    assert_body("[a](data/contact.csv \"t\")\n", "<a href=\"data/contact.csv\" title=\"t\">a</a>");
+    assert_body("[a](#one:two)\n", "<a href=\"#one:two\">a</a>");
+    assert_body("[a](MAILTO:b@example.org)\n", "<a href=\"MAILTO:b@example.org\">a</a>");
+    assert_body("[*a*](javascript:b) [c](d)\n", "<p><em>a</em> <a href=\"d\">c</a></p>");
+    assert_body("[a](java&#115;cript:b)\n", "<p>a</p>");
+    assert_body("<DATA:text/html,x>\n", "<p>DATA:text/html,x</p>");
+    assert_body("[a](//example.org) [b](httpx:c) [d](:e)\n", "<p>a b d</p>");
+    assert_body("www.example.org ~~a~~\n", "<p>www.example.org ~~a~~</p>");
+}
+
+static void nothing_from_outside(void **state)
+{
+    (void)state;
+    static const char report[] = "# R\n\n![Figure 1. C](figures/chart.svg)\n\n![x](http://example.org/a.png)\n";
+    static const char *const unwanted[] = {"http:", "https:", " src=", "@import", "<link", "<script", "url(h", "{{"};
+    for (size_t i = 0; i < sizeof unwanted / sizeof *unwanted; i++)
+        assert_not_in_page(report, unwanted[i]);
+}
+
+static void title_is_escaped(void **state)
+{
+    (void)state;
+    struct text out = {0};
+    struct status status = {0};
+    assert_int_equal(html_render(&out, "{{title}}\n", "</title><b> & \"γ\" {{body}}", DIRECTORY, TEMPLATES, &status),
+                     STATUS_OK);
+    assert_non_null(strstr(text_string(&out), "<title>&lt;/title&gt;&lt;b&gt; &amp; &quot;γ&quot; {{body}}</title>"));
+    assert_non_null(strstr(body_of(&out), "<p>{{title}}</p>")); /* what was filled in is not filled in again */
+    text_free(&out);
+}
+
+static void assert_fails(const char *markdown, const char *templates, const char *message)
+{
+    struct text out = {0};
+    struct status status = {0};
+    assert_int_equal(html_render(&out, markdown, "t", DIRECTORY, templates, &status), STATUS_IO);
+    if (!strstr(status.message, message))
+        fail_msg("'%s' does not say '%s'", status.message, message);
+    text_free(&out);
+}
+
+static void failures(void **state)
+{
+    (void)state;
+    assert_fails("![a](figures/missing.svg)\n", TEMPLATES, "figures/missing.svg");
+    assert_fails("a ![a](figures/missing.svg)\n", TEMPLATES, "figures/missing.svg");
+    assert_fails("![a](figures/broken.svg)\n", TEMPLATES, "figures/broken.svg:4: not a well-formed SVG drawing");
+    assert_fails("a\n", DIRECTORY "/none", "none/page.html");
+    assert_fails("a\n", DIRECTORY, "report/page.html: unknown mark '{{contnts}}");
+}
+
+static void same_bytes_every_time(void **state)
+{
+    (void)state;
+    static const char report[] = "# R\n\n## S\n\n![C](figures/chart.svg)\n\n| a |\n|---|\n| b |\n";
+    struct text one = rendered(report), two = rendered(report);
+    assert_string_equal(text_string(&one), text_string(&two));
+    text_free(&one);
+    text_free(&two);
+}
+
+/* Fragments put together at random: the page keeps its tags in pairs and lets nothing through. */
+static void random_markdown(void **state)
+{
+    (void)state;
+    static const char *const parts[] = {"# ",
+                                        "\n## ",
+                                        "\n### ",
+                                        "\n\n",
+                                        "![a](figures/chart.svg)",
+                                        "![a",
+                                        "](figures/chart.svg)",
+                                        "[b](",
+                                        "c)",
+                                        "<b>",
+                                        "javascript:",
+                                        "| a | b |\n|---|---:|\n| c |",
+                                        "\n> ",
+                                        "\n- ",
+                                        "`",
+                                        "**",
+                                        "&lt;",
+                                        "&",
+                                        "<script>",
+                                        "\"",
+                                        "'",
+                                        "\\",
+                                        "\xc3\xa9",
+                                        "\xff",
+                                        "\n```\n",
+                                        "{{body}}",
+                                        "text ",
+                                        "<http://x>",
+                                        "![](x)",
+                                        "[![a](figures/chart.svg)](d)",
+                                        "    ",
+                                        "\n1. "};
+    static const char *const pairs[][2] = {
+        {"<a ", "</a>"}, {"<figure>", "</figure>"}, {"<div ", "</div>"}, {"<ul>", "</ul>"}, {"<svg ", "</svg>"}};
+    uint64_t seed = 7;
+    for (int round = 0; round < 1000; round++) {
+        struct text markdown = {0};
+        for (int i = 0; i < 30; i++) {
+            seed = seed * 6364136223846793005u + 1442695040888963407u;
+            text_add(&markdown, "%s", parts[(seed >> 33) % (sizeof parts / sizeof *parts)]);
+        }
+        struct text page = rendered(text_string(&markdown));
+        const char *text = text_string(&page);
+        assert_null(strstr(text, "<script"));
+        assert_null(strstr(text, "<img"));
+        assert_null(strstr(text, "href=\"javascript"));
+        for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++)
+            if (count(text, pairs[i][0]) != count(text, pairs[i][1]))
+                fail_msg("%s without %s: %s", pairs[i][0], pairs[i][1], text_string(&markdown));
+        text_free(&markdown);
+        text_free(&page);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(headings_and_contents),
+        cmocka_unit_test(contents_without_sections),
+        cmocka_unit_test(tables),
+        cmocka_unit_test(figures),
+        cmocka_unit_test(images_among_text),
+        cmocka_unit_test(paths_stay_in_figures),
+        cmocka_unit_test(raw_html_is_text),
+        cmocka_unit_test(links),
+        cmocka_unit_test(nothing_from_outside),
+        cmocka_unit_test(title_is_escaped),
+        cmocka_unit_test(failures),
+        cmocka_unit_test(same_bytes_every_time),
+        cmocka_unit_test(random_markdown),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,278 @@
+/* Drawings made inline: what is kept, what is changed, what must never come through. */
+#include "report/svg.h"
+#include "support.h"
+
+#include <stdio.h>
+
+static const char *const label = "Figure 1. A &quot;chart&quot;";
+
+static enum status_code inlined(struct text *out, const char *svg, struct status *status)
+{
+    struct text text = {0};
+    text_add_bytes(&text, svg, strlen(svg));
+    enum status_code code = svg_inline(out, &text, "figures/x.svg", 3, label, status);
+    text_free(&text);
+    return code;
+}
+
+/* `content` inside a drawing gives `expected` inside the page's. */
+static void assert_inlined(const char *content, const char *expected)
+{
+    struct text svg = {0}, out = {0}, page = {0};
+    struct status status = {0};
+    text_add(&svg, "<svg viewBox=\"0 0 6 4\">%s</svg>", content);
+    text_add(&page, "<svg viewBox=\"0 0 6 4\" role=\"img\" aria-label=\"%s\">%s</svg>", label, expected);
+    assert_int_equal(inlined(&out, text_string(&svg), &status), STATUS_OK);
+    assert_string_equal(text_string(&out), text_string(&page));
+    text_free(&svg);
+    text_free(&out);
+    text_free(&page);
+}
+
+static void assert_refused(const char *svg, const char *message)
+{
+    struct text out = {0};
+    struct status status = {0};
+    assert_int_equal(inlined(&out, svg, &status), STATUS_IO);
+    if (!strstr(status.message, message))
+        fail_msg("'%s' does not say '%s'", status.message, message);
+    text_free(&out);
+}
+
+static struct text read_chart(void)
+{
+    struct text chart = {0};
+    struct status status = {0};
+    assert_int_equal(text_read_file(&chart, TEST_DATA "/report/figures/chart.svg", &status), STATUS_OK);
+    return chart;
+}
+
+static void gnuplot_chart(void **state)
+{
+    (void)state;
+    static const char *const kept[] = {
+        "<svg viewBox=\"0 0 600 420\" role=\"img\" aria-label=\"Figure 1. A &quot;chart&quot;\">",
+        "<g id=\"fig3.gnuplot_canvas\">",
+        "<use href=\"#fig3.gpPt5\" id=\"fig3.gpPt6\" fill=\"currentColor\" stroke=\"none\"/>",
+        "<feFlood flood-color=\"var(--paper)\"",
+        "<g fill=\"none\" color=\"var(--ink)\" stroke=\"currentColor\" stroke-width=\"1.00\"",
+        "<path stroke=\"var(--ink)\" d=\"M53.84,299.26 L64.34,299.26\"/>",
+        "fill=\"var(--ink)\" font-family=\"sans-serif\"",
+        "filter=\"url(#fig3.textbox)\">",
+        "a &lt; b &amp; c &amp; d > e",
+        "<title>surface 1</title>",
+        "<path fill=\"none\" stroke=\"rgb(148,0,211)\"",
+        "<polygon fill=\"url(#fig3.gpPat1)\" points=\"53.84,211.94 58.23,214.76\"/>",
+        "color=\"#0072b2\"",
+    };
+    static const char *const gone[] = {"<rect", "Gnuplot", "GNUPLOT", "xmlns", "http", "<!", "<?", "xlink", "style="};
+    struct text chart = read_chart(), out = {0};
+    struct status status = {0};
+    assert_int_equal(svg_inline(&out, &chart, "figures/x.svg", 3, label, &status), STATUS_OK);
+    for (size_t i = 0; i < sizeof kept / sizeof *kept; i++)
+        if (!strstr(text_string(&out), kept[i]))
+            fail_msg("no %s in %s", kept[i], text_string(&out));
+    for (size_t i = 0; i < sizeof gone / sizeof *gone; i++)
+        if (strstr(text_string(&out), gone[i]))
+            fail_msg("%s in %s", gone[i], text_string(&out));
+    text_free(&chart);
+    text_free(&out);
+}
+
+static void elements(void **state)
+{
+    (void)state;
+    assert_inlined("<script>alert(1)</script><g/>", "<g/>");
+    assert_inlined("<script><![CDATA[ if (a < b) alert(1) ]]></script>", "");
+    assert_inlined("<SCRIPT>x</SCRIPT><style>g{}</style><image/><a><path/></a>", "");
+    assert_inlined("<foreignObject><g><text>x</text></g></foreignObject><g></g>", "<g></g>");
+    assert_inlined("<title>Gnuplot</title><g><title>a<g/>b</title></g>", "<g><title>ab</title></g>");
+    assert_inlined("<svg><g/></svg><set/><animate/>", "");
+    assert_inlined("loose<g> text </g><text>kept\n</text>", "<g></g><text>kept\n</text>");
+    assert_inlined("<text>&#60;b&gt; & &x; &;\x01</text>", "<text>&#60;b&gt; &amp; &x; &amp;;</text>");
+    assert_inlined("<rect fill='White'/><rect fill='rgb(255, 255, 255)'></rect><rect fill='red'/>",
+                   "<rect fill=\"red\"/>");
+}
+
+static void attributes(void **state)
+{
+    (void)state;
+    assert_inlined("<g onload='x()' onclick=\"y\" ONLOAD='z' tabindex='0' xmlns='a'/>", "<g/>");
+    assert_inlined("<use href='http://a/b.svg#c'/><use xlink:href='b.svg'/><use href='#'/>", "<use/><use/><use/>");
+    assert_inlined("<use href='#a\"b'/><use href='# a'/><use xlink:href='#a'/>", "<use/><use/><use href=\"#fig3.a\"/>");
+    assert_inlined("<g fill='url(http://a)' stroke='URL(b.png)' filter='url(#a) url(b)' clip-path=' url(#c) '/>",
+                   "<g clip-path=\"url(#fig3.c)\"/>");
+    assert_inlined("<g fill='u\\72l(a)' stroke='&#117;rl(a)' class='\"' d='a&quot;'/>", "<g/>");
+    assert_inlined("<g style='fill:url(x); stroke : #222222 ;id:a;style:b;onload:c; opacity:.5;x'/>",
+                   "<g stroke=\"var(--ink)\" opacity=\".5\"/>");
+    assert_inlined("<g fill='#222222' stroke='Black' color='rgb( 0,0,0 )' d='black'/>",
+                   "<g fill=\"var(--ink)\" stroke=\"var(--ink)\" color=\"var(--ink)\" d=\"black\"/>");
+    assert_inlined("<g id='a'/><g id='b'/><g id='a'/>", "<g id=\"fig3.a\"/><g id=\"fig3.b\"/><g/>");
+    assert_inlined("<g id='' class=''/><g id='a b'/><g id='a:b'/>", "<g class=\"\"/><g/><g id=\"fig3.a:b\"/>");
+}
+
+static void malformed(void **state)
+{
+    (void)state;
+    assert_refused("", "figures/x.svg:1: not a well-formed SVG drawing");
+    assert_refused("plain words", "breaks off");
+    assert_refused("<svg viewBox='0 0 1 1'>\n\n<g>", "figures/x.svg:3:");
+    assert_refused("<svg viewBox='0 0 1 1'><g></svg>", "does not match");
+    assert_refused("<html></html>", "does not begin with <svg>");
+    assert_refused("<svg/>", "no viewBox");
+    assert_refused("<svg viewBox='0 0 1 1\" onload=\"x'/>", "no viewBox");
+    assert_refused("<svg viewBox='0 0 1 1'/><svg viewBox='0 0 1 1'/>", "follows the drawing");
+    assert_refused("</svg>", "without its start");
+    assert_refused("<svg viewBox='0 0 1 1'><g a=b/></svg>", "not quoted");
+    assert_refused("<svg viewBox='0 0 1 1'><g a='b/></svg>", "value does not end");
+    assert_refused("<svg viewBox='0 0 1 1'><g a='1'b='2'/></svg>", "tag does not end");
+    assert_refused("<svg viewBox='0 0 1 1'><g a/></svg>", "no name or no value");
+    assert_refused("<svg viewBox='0 0 1 1'>< g/></svg>", "no name");
+    assert_refused("<svg viewBox='0 0 1 1'><!-- </svg>", "comment");
+}
+
+static void nul_byte(void **state)
+{
+    (void)state;
+    static const char svg[] = "<svg viewBox='0 0 1 1'/>\0<script>";
+    struct text text = {0}, out = {0};
+    struct status status = {0};
+    text_add_bytes(&text, svg, sizeof svg - 1);
+    assert_int_equal(svg_inline(&out, &text, "figures/x.svg", 1, "", &status), STATUS_IO);
+    text_free(&text);
+    text_free(&out);
+}
+
+static void too_deep_or_too_many(void **state)
+{
+    (void)state;
+    struct text deep = {0}, many = {0};
+    text_add(&deep, "<svg viewBox='0 0 1 1'>");
+    text_add(&many, "<svg viewBox='0 0 1 1'><g");
+    for (int i = 0; i < 100; i++) {
+        text_add(&deep, "<g>");
+        text_add(&many, " x%d=''", i);
+    }
+    text_add(&many, "/></svg>");
+    assert_refused(text_string(&deep), "nested too deep");
+    assert_refused(text_string(&many), "too many attributes");
+    text_free(&deep);
+    text_free(&many);
+}
+
+/* Whatever went in: tags balance, and no tag carries a handler, an outside reference or an unknown element. */
+static void assert_harmless(const char *html)
+{
+    static const char *const names[] = {"svg",    "g",       "defs",    "path",    "rect",
+                                        "circle", "use",     "polygon", "text",    "tspan",
+                                        "title",  "pattern", "filter",  "feFlood", "feComposite"};
+    int depth = 0;
+    for (const char *at = strchr(html, '<'); at; at = strchr(at, '<')) {
+        bool closing = at[1] == '/';
+        at += closing ? 2 : 1;
+        size_t length = strcspn(at, " />"), known = 0, count = sizeof names / sizeof *names;
+        while (known < count && !(strlen(names[known]) == length && strncmp(at, names[known], length) == 0))
+            known++;
+        assert_true(known < count);
+        size_t size = strcspn(at, ">");
+        assert_int_equal(at[size], '>');
+        struct text tag = {0};
+        text_add_bytes(&tag, at, size);
+        const char *attributes = text_string(&tag);
+        assert_null(strstr(attributes, " on"));
+        assert_null(strstr(attributes, "script"));
+        assert_null(strstr(attributes, "//"));
+        for (const char *url = strcasestr(attributes, "url"); url; url = strcasestr(url + 1, "url"))
+            assert_int_equal(strncmp(url, "url(#fig", 8), 0);
+        for (const char *href = strstr(attributes, "href"); href; href = strstr(href + 1, "href"))
+            assert_int_equal(strncmp(href, "href=\"#fig", 10), 0);
+        depth += closing ? -1 : at[size - 1] == '/' ? 0 : 1;
+        assert_true(depth >= 0);
+        text_free(&tag);
+    }
+    assert_int_equal(depth, 0);
+}
+
+static uint32_t next_random(uint64_t *seed)
+{
+    *seed = *seed * 6364136223846793005u + 1442695040888963407u;
+    return (uint32_t)(*seed >> 33);
+}
+
+static void mutate(struct text *out, const struct text *chart, uint64_t *seed)
+{
+    static const char *const insertions[] = {"<script>",
+                                             "</script>",
+                                             " onload=\"x\"",
+                                             " href='http://a'",
+                                             " fill='url(//a)'",
+                                             "<!--",
+                                             "-->",
+                                             "]]>",
+                                             "<![CDATA[",
+                                             "'",
+                                             "\"",
+                                             "<",
+                                             ">",
+                                             "/>",
+                                             "&#60;",
+                                             "=",
+                                             "\\",
+                                             "<g>",
+                                             "</g>",
+                                             "<title>",
+                                             " style='fill:url(//a);:;'",
+                                             "<svg>",
+                                             "url(",
+                                             "\t",
+                                             "#"};
+    size_t copied = 0, changes = 1 + next_random(seed) % 4;
+    for (size_t i = 0; i < changes; i++) {
+        size_t place = next_random(seed) % (chart->length + 1), skipped = next_random(seed) % 8;
+        if (place < copied)
+            continue;
+        text_add_bytes(out, chart->data + copied, place - copied);
+        uint32_t choice = next_random(seed) % 48;
+        if (choice < sizeof insertions / sizeof *insertions)
+            text_add(out, "%s", insertions[choice]);
+        else
+            text_add_bytes(out, &(char){(char)next_random(seed)}, 1);
+        copied = place + skipped < chart->length ? place + skipped : chart->length;
+        if (next_random(seed) % 16 == 0)
+            return; /* cut off */
+    }
+    text_add_bytes(out, chart->data + copied, chart->length - copied);
+}
+
+static void mutations(void **state)
+{
+    (void)state;
+    struct text chart = read_chart();
+    uint64_t seed = 20240611;
+    size_t accepted = 0, rounds = 20000;
+    for (size_t i = 0; i < rounds; i++) {
+        struct text svg = {0}, out = {0};
+        struct status status = {0};
+        mutate(&svg, &chart, &seed);
+        enum status_code code = svg_inline(&out, &svg, "figures/x.svg", 7, label, &status);
+        if (code == STATUS_OK) {
+            assert_harmless(text_string(&out));
+            accepted++;
+        } else
+            assert_int_equal(code, STATUS_IO);
+        text_free(&svg);
+        text_free(&out);
+    }
+    assert_in_range(accepted, rounds / 20, rounds - rounds / 20); /* both ways were walked */
+    text_free(&chart);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(gnuplot_chart), cmocka_unit_test(elements), cmocka_unit_test(attributes),
+        cmocka_unit_test(malformed),     cmocka_unit_test(nul_byte), cmocka_unit_test(too_deep_or_too_many),
+        cmocka_unit_test(mutations),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
