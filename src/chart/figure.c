@@ -231,7 +231,7 @@ static enum status_code put_surfaces(struct figure_file *out, const struct resul
         if (spool_get(&record, results->spool, results->shown[k], status) != STATUS_OK)
             return status->code;
         const struct figure_row *row = out->row;
-        char legend[200], style[16];
+        char legend[200], style[24];
         surface_legend(legend, sizeof legend, &record.summary);
         snprintf(style, sizeof style, "s%zu", k + 1);
         if (row->kind == FIGURE_PROFILES) {
@@ -257,7 +257,7 @@ static void put_sweep(struct figure_file *out, const struct results *results)
     const struct convergence_sweep_row *sweep = &convergence_sweeps[out->row->sweep];
     size_t index[MOST], count = results_sweep_scales(index, MOST, study->scales);
     for (size_t v = 0; v < sweep->count; v++) {
-        char legend[40], style[16];
+        char legend[40], style[24];
         snprintf(legend, sizeof legend, "%s = %g", out->row->sweep == CONVERGENCE_ALPHA ? "α" : "γ", sweep->values[v]);
         snprintf(style, sizeof style, "r%zu", v + 1);
         begin_block(out, style, legend);

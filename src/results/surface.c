@@ -127,14 +127,16 @@ static enum status_code read_file(struct surface_record *record, const struct sc
                                   struct status *status)
 {
     struct surface_summary *summary = &record->summary;
-    struct text path = {0}, bytes = {0};
+    struct text bytes = {0};
     struct scan scan = {0};
     struct profile profile = {0};
-    text_add(&path, file[0] == '/' ? "%.0s%s" : "%s/%s", scene->directory, file);
+    char *path = scene_file_path(scene, file);
+    if (!path)
+        return status_memory(status);
     struct scan_options options = {surface->x_unit, surface->z_unit};
 
     double started = clock_seconds();
-    enum status_code rc = text_read_file(&bytes, text_string(&path), status);
+    enum status_code rc = text_read_file(&bytes, path, status);
     if (rc == STATUS_OK) {
         hash_add(hash, bytes.data, bytes.length);
         struct scan_bytes content = {bytes.data, bytes.length, file};
@@ -161,7 +163,7 @@ static enum status_code read_file(struct surface_record *record, const struct sc
     }
     profile_free(&profile);
     scan_free(&scan);
-    text_free(&path);
+    free(path);
     return rc;
 }
 

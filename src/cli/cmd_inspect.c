@@ -1,0 +1,266 @@
+#include "chart/gnuplot.h"
+#include "cli/command.h"
+#include "profile/profile.h"
+#include "scan/scan.h"
+#include "spectrum/powerlaw.h"
+#include "spectrum/roughness.h"
+
+#include <argp.h>
+#include <jansson.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+struct arguments {
+    struct scan_options units;
+    bool json, no_chart;
+    char **files;
+    int file_count;
+};
+
+enum { KEY_X_UNIT = 0x100, KEY_Z_UNIT, KEY_JSON, KEY_NO_CHART };
+
+static const struct argp_option options[] = {
+    {"json", KEY_JSON, 0, 0, "print an array of objects, one a file", 0},
+    {"no-chart", KEY_NO_CHART, 0, 0, "leave the charts out", 0},
+    {"x-unit", KEY_X_UNIT, "UNIT", 0, "unit of x where the file names none", 0},
+    {"z-unit", KEY_Z_UNIT, "UNIT", 0, "unit of z where the file names none", 0},
+    {0},
+};
+
+static error_t parse(int key, char *value, struct argp_state *state)
+{
+    struct arguments *arguments = state->input;
+    switch (key) {
+    case KEY_JSON:
+        arguments->json = true;
+        return 0;
+    case KEY_NO_CHART:
+        arguments->no_chart = true;
+        return 0;
+    case KEY_X_UNIT:
+        arguments->units.x_unit = value;
+        return 0;
+    case KEY_Z_UNIT:
+        arguments->units.z_unit = value;
+        return 0;
+    case ARGP_KEY_ARGS:
+        arguments->files = state->argv + state->next;
+        arguments->file_count = state->argc - state->next;
+        return 0;
+    case ARGP_KEY_NO_ARGS:
+        argp_error(state, "which file?");
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+/** What one file says. */
+struct finding {
+    struct scan scan;
+    struct profile profile;
+    struct spectrum spectrum;
+    struct roughness roughness;
+    struct powerlaw law;
+};
+
+static enum status_code look(struct finding *out, const char *path, const struct scan_options *units,
+                             struct status *status)
+{
+    static const double all[2] = {0, INFINITY};
+    *out = (struct finding){0};
+    if (scan_read(&out->scan, path, units, status) != STATUS_OK)
+        return status->code;
+    if (out->scan.kind == SCAN_AREAL)
+        return status_fail(status, STATUS_SCAN, "%s: an areal map; export a profile from it", path);
+    if (profile_make(&out->profile, &out->scan, 0, SCENE_LEVEL_LINE, status) != STATUS_OK)
+        return status_prefix(status, "%s", path);
+    const struct profile *profile = &out->profile;
+    out->roughness = roughness_of_heights(profile->height_m, profile->points, profile->spacing_m);
+    if (spectrum_compute(&out->spectrum, profile->height_m, profile->points, profile->spacing_m, SCENE_WINDOW_NONE,
+                         status) != STATUS_OK)
+        return status->code;
+    out->law = powerlaw_fit(&out->spectrum, all);
+    return STATUS_OK;
+}
+
+static void finding_free(struct finding *finding)
+{
+    spectrum_free(&finding->spectrum);
+    profile_free(&finding->profile);
+    scan_free(&finding->scan);
+}
+
+static json_t *real(double value)
+{
+    return isfinite(value) ? json_real(value) : json_null();
+}
+
+static json_t *finding_json(const char *path, const struct finding *f)
+{
+    json_t *warnings = json_array(), *name = json_string(path);
+    for (size_t w = 0; w < f->scan.warning_count; w++)
+        json_array_append_new(warnings, json_string(f->scan.warnings[w]));
+    json_t *json = json_pack("{s:o, s:s, s:s, s:I, s:o, s:o, s:s, s:s, s:I}", "file", name ? name : json_null(), "format",
+                             f->scan.format, "kind", "profile", "points", (json_int_t)f->scan.nx, "spacing_m",
+                             real(f->profile.spacing_m), "length_m", real((double)(f->scan.nx - 1) * f->profile.spacing_m),
+                             "x_unit", f->scan.x_unit, "z_unit", f->scan.z_unit, "missing", (json_int_t)f->scan.missing);
+    const struct {
+        const char *key;
+        double value;
+    } numbers[] = {{"rq_m", f->roughness.rq_m}, {"ra_m", f->roughness.ra_m}, {"pv_m", f->roughness.pv_m},
+                   {"m2", f->roughness.m2}, {"m4_per_m2", f->roughness.m4_per_m2}, {"alpha_SI", f->law.alpha},
+                   {"gamma", f->law.gamma}};
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
+        json_object_set_new(json, numbers[i].key, real(numbers[i].value));
+    json_object_set_new(json, "warnings", warnings);
+    return json;
+}
+
+static void print_finding(const char *path, const struct finding *f)
+{
+    const struct roughness *r = &f->roughness;
+    static const char *const grids[] = {"uniform", "rounded x, mean spacing used", "uneven x, interpolated"};
+    printf("%s\n", path);
+    printf("  format      %s, x in %s, z in %s\n", f->scan.format, f->scan.x_unit, f->scan.z_unit);
+    printf("  points      %zu, spacing %.6g um (%s), length %.6g mm\n", f->scan.nx, f->profile.spacing_m * 1e6,
+           grids[f->profile.grid], (double)(f->scan.nx - 1) * f->profile.spacing_m * 1e3);
+    printf("  line out    tilt %.4g um/mm, end-to-end jump left %.4g um\n", f->profile.tilt * 1e3,
+           f->profile.end_jump_m * 1e6);
+    printf("  roughness   Rq %.6g um, Ra %.6g um, peak to valley %.6g um\n", r->rq_m * 1e6, r->ra_m * 1e6, r->pv_m * 1e6);
+    printf("  moments     m2 %.6g, m4 %.6g /um2, Nayak %.4g\n", r->m2, r->m4_per_m2 * 1e-12, r->m0_m2 / r->m2 * (r->m4_per_m2 / r->m2));
+    printf("  power law   alpha %.4g +- %.2g, gamma %.3f +- %.3f, scatter %.3f decades\n", f->law.alpha, f->law.alpha_error,
+           f->law.gamma, f->law.gamma_error, f->law.rms_decades);
+    for (size_t w = 0; w < f->scan.warning_count; w++)
+        printf("  note        %s\n", f->scan.warnings[w]);
+}
+
+/** Thins `count` points to what a terminal can show; `at` maps an index to a point. */
+static void write_points(FILE *file, const struct finding *f, bool spectrum)
+{
+    enum { MOST = 400 };
+    size_t count = spectrum ? f->spectrum.count : f->profile.points, last = SIZE_MAX;
+    fprintf(file, "\"%s\"\n", spectrum ? "amplitude" : "height");
+    for (size_t k = 0; k < MOST; k++) {
+        double share = (double)k / (MOST - 1);
+        size_t i = spectrum ? (size_t)lround(pow((double)count, share)) - 1 : (size_t)lround(share * (double)(count - 1));
+        if (i == last)
+            continue;
+        last = i;
+        if (!spectrum)
+            fprintf(file, "%.9g,%.9g\n", (double)i * f->profile.spacing_m * 1e3, f->profile.height_m[i] * 1e6);
+        else if (f->spectrum.amplitude_m[i] > 0)
+            fprintf(file, "%.9g,%.9g\n", 1e6 / spectrum_frequency(&f->spectrum, i), f->spectrum.amplitude_m[i] * 1e6);
+    }
+}
+
+static enum status_code write_chart_data(const char *directory, const char *name, const struct finding *f, bool spectrum,
+                                         struct status *status)
+{
+    struct text path = {0};
+    text_add(&path, "%s/%s", directory, name);
+    FILE *file = fopen(text_string(&path), "w");
+    text_free(&path);
+    if (!file)
+        return status_fail(status, STATUS_IO, "cannot write in '%s'", directory);
+    write_points(file, f, spectrum);
+    return fclose(file) == 0 ? STATUS_OK : status_fail(status, STATUS_IO, "cannot write in '%s'", directory);
+}
+
+/** Prints a text file and removes it. */
+static void show_and_remove(const char *directory, const char *name)
+{
+    struct text path = {0}, content = {0};
+    struct status ignored = {0};
+    text_add(&path, "%s/%s", directory, name);
+    if (text_read_file(&content, text_string(&path), &ignored) == STATUS_OK)
+        fwrite(content.data, 1, content.length, stdout);
+    unlink(text_string(&path));
+    text_free(&path);
+    text_free(&content);
+}
+
+/** Draws profile and spectrum as text, sized to the terminal. */
+static enum status_code draw(const struct finding *f, struct status *status)
+{
+    struct text templates = {0};
+    struct gnuplot gnuplot;
+    const char *base = getenv("TMPDIR");
+    char directory[512], quoted[600];
+    int columns, rows;
+    command_terminal_size(&columns, &rows);
+    snprintf(directory, sizeof directory, "%s/roughcontact-XXXXXX", base && strlen(base) < 400 ? base : P_tmpdir);
+    if (command_templates(&templates, status) != STATUS_OK)
+        return status->code;
+    if (!mkdtemp(directory))
+        return status_fail(status, STATUS_IO, "cannot make a directory like '%s'", directory);
+    enum status_code rc = write_chart_data(directory, "profile.csv", f, false, status);
+    if (rc == STATUS_OK)
+        rc = write_chart_data(directory, "spectrum.csv", f, true, status);
+    if (rc == STATUS_OK && (rc = gnuplot_start(&gnuplot, directory, status)) == STATUS_OK) {
+        gnuplot_quote(quoted, sizeof quoted, text_string(&templates));
+        gnuplot_send(&gnuplot, "set loadpath %s", quoted);
+        gnuplot_send(&gnuplot, "dumb_size = '%d,%d'", columns, rows > 24 ? 24 : rows - 1);
+        gnuplot_send(&gnuplot, "call 'curves.gp' 'profile.csv' 'profile.txt' 'profile' 'x (mm)' 'z (um)' '' 's1'");
+        gnuplot_send(&gnuplot, "call 'curves.gp' 'spectrum.csv' 'spectrum.txt' 'spectrum' 'wavelength (um)' "
+                               "'amplitude (um)' 'xy' 's1'");
+        rc = gnuplot_finish(&gnuplot, status);
+    }
+    static const char *const outputs[] = {"profile.txt", "spectrum.txt"}, *const inputs[] = {"profile.csv", "spectrum.csv"};
+    for (int i = 0; i < 2; i++) {
+        char path[600];
+        show_and_remove(directory, outputs[i]);
+        snprintf(path, sizeof path, "%s/%s", directory, inputs[i]);
+        unlink(path);
+    }
+    rmdir(directory);
+    text_free(&templates);
+    return rc;
+}
+
+static json_t *error_json(const char *path, const char *message)
+{
+    json_t *name = json_string(path), *text = json_string(message);
+    return json_pack("{s:o, s:o}", "file", name ? name : json_null(), "error", text ? text : json_null());
+}
+
+int command_inspect(int argc, char **argv)
+{
+    static const struct argp argp = {options, parse, "FILE...",
+                                     "Says what is in each scan: format, points, spacing, units, roughness, power law.", NULL,
+                                     NULL, NULL};
+    struct arguments arguments = {.units = {"", ""}};
+    argp_parse(&argp, argc, argv, 0, NULL, &arguments);
+    json_t *all = json_array();
+    int refused = 0;
+    for (int i = 0; i < arguments.file_count; i++) {
+        struct status status = {0}, chart = {0};
+        struct finding finding;
+        const char *path = arguments.files[i];
+        if (look(&finding, path, &arguments.units, &status) != STATUS_OK) {
+            refused++;
+            if (arguments.json)
+                json_array_append_new(all, error_json(path, status.message));
+            else
+                fprintf(stderr, "roughcontact: %s\n", status.message);
+        } else if (arguments.json) {
+            json_array_append_new(all, finding_json(path, &finding));
+        } else {
+            print_finding(path, &finding);
+            if (!arguments.no_chart && draw(&finding, &chart) != STATUS_OK)
+                fprintf(stderr, "roughcontact: no charts: %s\n", chart.message);
+        }
+        finding_free(&finding);
+    }
+    if (arguments.json) {
+        json_dumpf(all, stdout, JSON_INDENT(1) | JSON_REAL_PRECISION(17));
+        printf("\n");
+    }
+    json_decref(all);
+    int exit_status = refused == 0 ? COMMAND_DONE : refused == arguments.file_count ? COMMAND_NOTHING : COMMAND_REFUSED;
+    return command_finish(exit_status);
+}

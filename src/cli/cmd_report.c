@@ -1,0 +1,157 @@
+#include "cli/command.h"
+#include "cli/scene_options.h"
+#include "contact/model.h"
+#include "run/run.h"
+
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+struct arguments {
+    const char *directory;
+    struct scene_overrides overrides;
+    struct run_options run;
+    bool show, verbose;
+};
+
+static const struct argp_option options[] = {
+    {"output", 'o', "OUT", 0, "where the report goes (default: out/<name of DIR>)", 0},
+    {"jobs", 'j', "N", 0, "threads, 1 to 64 (default: one a processor)", 0},
+    {"show", 's', 0, 0, "also draw the main charts as text", 0},
+    {"verbose", 'v', 0, 0, "end with where the time went", 0},
+    {0},
+};
+
+static error_t parse(int key, char *value, struct argp_state *state)
+{
+    struct arguments *arguments = state->input;
+    char *end;
+    switch (key) {
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = &arguments->overrides;
+        return 0;
+    case 'o':
+        arguments->run.output = value;
+        return 0;
+    case 'j':
+        arguments->run.jobs = (unsigned)strtoul(value, &end, 10);
+        if (*end != '\0' || arguments->run.jobs < 1 || arguments->run.jobs > 64)
+            argp_error(state, "--jobs must be 1 to 64, not '%s'", value);
+        return 0;
+    case 's':
+        arguments->show = true;
+        return 0;
+    case 'v':
+        arguments->verbose = true;
+        return 0;
+    case ARGP_KEY_ARG:
+        if (arguments->directory)
+            argp_error(state, "one directory at a time: '%s' is too many", value);
+        arguments->directory = value;
+        return 0;
+    case ARGP_KEY_END:
+        if (!arguments->directory)
+            argp_error(state, "which directory of scans?");
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static volatile sig_atomic_t stop; /* a signal handler can reach nothing but a global */
+
+static void ask_to_stop(int signal_number)
+{
+    (void)signal_number;
+    stop = 1;
+}
+
+static void progress(size_t done, size_t total, const char *name)
+{
+    fprintf(stderr, "\r\033[K%zu of %zu  %.40s%s", done, total, name, done == total ? "\r\033[K" : "");
+    fflush(stderr);
+}
+
+static void print_times(const struct run_times *times)
+{
+    const struct {
+        const char *stage;
+        double seconds;
+    } rows[] = {
+        {"read scans", times->read}, {"level", times->prepare}, {"spectra", times->spectrum},
+        {model_rows[0].label, times->models[0]}, {model_rows[1].label, times->models[1]},
+        {model_rows[2].label, times->models[2]}, {model_rows[3].label, times->models[3]},
+        {"convergence", times->convergence}, {"tables and json", times->tables}, {"chart data", times->figures},
+        {"gnuplot", times->gnuplot}, {"report", times->report}, {"total", times->total},
+        {"total without gnuplot", times->total - times->gnuplot},
+    };
+    struct rusage usage;
+    fprintf(stderr, "\n%-28s %10s\n", "stage", "seconds");
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++)
+        fprintf(stderr, "%-28s %10.4f\n", rows[i].stage, rows[i].seconds);
+    if (getrusage(RUSAGE_SELF, &usage) == 0)
+        fprintf(stderr, "%-28s %7.1f MB\n", "largest memory", (double)usage.ru_maxrss / 1024);
+}
+
+static void catch_signals(void)
+{
+    struct sigaction action = {.sa_handler = ask_to_stop};
+    static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
+    for (int i = 0; i < 3; i++)
+        sigaction(signals[i], &action, NULL);
+}
+
+static int report(struct arguments *arguments, struct scene *scene, struct status *status)
+{
+    struct text templates = {0};
+    struct run_outcome outcome = {0};
+    char size[32];
+    int columns, rows, exit_status = COMMAND_DONE;
+    command_terminal_size(&columns, &rows);
+    snprintf(size, sizeof size, "%d,%d", columns, rows > 34 ? 34 : rows - 1);
+    if (command_templates(&templates, status) != STATUS_OK)
+        return command_fail(status);
+    arguments->run.templates = text_string(&templates);
+    arguments->run.terminal_size = arguments->show ? size : NULL;
+    arguments->run.stop = &stop;
+    arguments->run.progress = isatty(STDERR_FILENO) ? progress : NULL;
+    catch_signals();
+    enum status_code rc = run_report(&outcome, scene, &arguments->run, status);
+    fputs(text_string(&outcome.messages), stderr);
+    if (rc != STATUS_OK) {
+        exit_status = command_fail(status);
+    } else {
+        fputs(text_string(&outcome.charts), stdout);
+        printf("%s\n%s\n", text_string(&outcome.table), outcome.path);
+        if (outcome.refused > 0)
+            exit_status = COMMAND_REFUSED;
+        if (arguments->verbose)
+            print_times(&outcome.times);
+    }
+    run_outcome_free(&outcome);
+    text_free(&templates);
+    return exit_status;
+}
+
+int command_report(int argc, char **argv)
+{
+    static const struct argp_child children[] = {{&scene_options_argp, 0, "What the scene says, overridden:", 1}, {0}};
+    static const struct argp argp = {options, parse, "DIR",
+                                     "Reads the scans in DIR (with DIR/scene.yaml, if there is one), runs the contact "
+                                     "models and writes report.md, report.html, figures, data and results.json.",
+                                     children, NULL, NULL};
+    struct arguments arguments = {0};
+    struct status status = {0};
+    struct scene scene = {0};
+    argp_parse(&argp, argc, argv, 0, NULL, &arguments);
+    int exit_status;
+    if (scene_read(&scene, arguments.directory, &arguments.overrides, &status) != STATUS_OK)
+        exit_status = command_fail(&status);
+    else
+        exit_status = report(&arguments, &scene, &status);
+    scene_free(&scene);
+    return command_finish(exit_status);
+}

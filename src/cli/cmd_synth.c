@@ -1,0 +1,126 @@
+#include "cli/command.h"
+#include "profile/synth.h"
+#include "scan/scan.h"
+
+#include <argp.h>
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct arguments {
+    struct synth_def def;
+    const char *output;
+};
+
+enum { KEY_GAMMA = 0x100, KEY_SCATTER };
+
+static const struct argp_option options[] = {
+    {"alpha", 'a', "SI", 0, "alpha of amplitude = alpha lambda^gamma, in m^(1-gamma) (default 0.085)", 0},
+    {"gamma", 'g', "G", 0, "gamma (default 1.5)", 0},
+    {"rq", 'r', "LENGTH", 0, "root mean square height to reach (default: what alpha and gamma give)", 0},
+    {"length", 'l', "LENGTH", 0, "scan length (default 0.3mm)", 0},
+    {"points", 'n', "N", 0, "points (default 1200)", 0},
+    {"scatter", 'c', "DECADES", 0, "RMS scatter of the amplitudes about the law (default 0.2785, a Gaussian surface's)", 0},
+    {"lambda-s", 's', "LENGTH", 0, "short-wavelength cut-off, as stylus instruments apply one (default: none)", 0},
+    {"seed", 'd', "N", 0, "of the random numbers (default 1)", 0},
+    {"output", 'o', "FILE", 0, "where to write (default: standard output)", 0},
+    {0},
+};
+
+static double number(const char *value, const char *name, struct argp_state *state)
+{
+    char *end;
+    double result = strtod(value, &end);
+    if (end == value || *end != '\0' || !isfinite(result))
+        argp_error(state, "--%s must be a number, not '%s'", name, value);
+    return result;
+}
+
+/** A length with its unit, such as 0.31mm or 8um; metres without one. */
+static double length(const char *value, const char *name, struct argp_state *state)
+{
+    char *end;
+    double result = strtod(value, &end), unit = *end ? scan_unit_m(end, strlen(end)) : 1;
+    if (end == value || unit == 0 || !isfinite(result))
+        argp_error(state, "--%s must be a length such as 0.31mm, not '%s'", name, value);
+    return result * unit;
+}
+
+static error_t parse(int key, char *value, struct argp_state *state)
+{
+    struct arguments *arguments = state->input;
+    struct synth_def *def = &arguments->def;
+    switch (key) {
+    case 'a':
+        def->alpha = number(value, "alpha", state);
+        return 0;
+    case 'g':
+        def->gamma = number(value, "gamma", state);
+        return 0;
+    case 'r':
+        def->rq_m = length(value, "rq", state);
+        return 0;
+    case 'l':
+        def->length_m = length(value, "length", state);
+        return 0;
+    case 'n':
+        def->points = (size_t)fmax(0, fmin(1e9, number(value, "points", state)));
+        return 0;
+    case 'c':
+        def->scatter_decades = number(value, "scatter", state);
+        return 0;
+    case 's':
+        def->lambda_s_m = length(value, "lambda-s", state);
+        return 0;
+    case 'd':
+        def->seed = (unsigned long)fmax(0, fmin(4294967295.0, number(value, "seed", state)));
+        return 0;
+    case 'o':
+        arguments->output = value;
+        return 0;
+    case ARGP_KEY_ARG:
+        argp_error(state, "no argument is taken, but there is '%s'", value);
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static enum status_code write_scan(const struct arguments *arguments, const double *height_m, struct status *status)
+{
+    const struct synth_def *def = &arguments->def;
+    struct text csv = {0};
+    text_add(&csv, "x [um],z [um]\n");
+    double spacing_um = def->length_m / (double)def->points * 1e6;
+    for (size_t i = 0; i < def->points; i++)
+        text_add(&csv, "%.10g,%.6f\n", (double)i * spacing_um, height_m[i] * 1e6); /* heights to the picometre */
+    enum status_code rc = STATUS_OK;
+    if (csv.failed)
+        rc = status_memory(status);
+    else if (arguments->output)
+        rc = text_write_file(arguments->output, csv.data, csv.length, status);
+    else
+        fwrite(csv.data, 1, csv.length, stdout);
+    text_free(&csv);
+    return rc;
+}
+
+int command_synth(int argc, char **argv)
+{
+    static const struct argp argp = {
+        options, parse, NULL,
+        "Writes a scan whose harmonics obey amplitude = alpha lambda^gamma about which they scatter, with random phases. "
+        "The power law fitted above --lambda-s gives alpha, gamma and the scatter back; the profile is level.",
+        NULL, NULL, NULL};
+    struct arguments arguments = {.def = synth_def_default()};
+    struct status status = {0};
+    argp_parse(&argp, argc, argv, 0, NULL, &arguments);
+    double *height_m = calloc(arguments.def.points + 1, sizeof *height_m);
+    enum status_code rc = height_m ? synth_profile(height_m, &arguments.def, &status) : status_memory(&status);
+    if (rc == STATUS_OK)
+        rc = write_scan(&arguments, height_m, &status);
+    free(height_m);
+    return command_finish(rc == STATUS_OK ? COMMAND_DONE : command_fail(&status));
+}

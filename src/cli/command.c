@@ -1,0 +1,76 @@
+#include "cli/command.h"
+
+#include <errno.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+int command_fail(const struct status *status)
+{
+    fprintf(stderr, "roughcontact: %s\n", status->message);
+    switch (status->code) {
+    case STATUS_USAGE:
+        return COMMAND_USAGE;
+    case STATUS_SCENE:
+        return COMMAND_SCENE;
+    case STATUS_OK:
+    case STATUS_MEMORY:
+    case STATUS_IO:
+    case STATUS_SCAN:
+    case STATUS_MODEL:
+    case STATUS_CHART:
+    case STATUS_INTERRUPTED:
+        break;
+    }
+    return COMMAND_NOTHING;
+}
+
+enum status_code command_templates(struct text *out, struct status *status)
+{
+    char program[PATH_MAX];
+    ssize_t length = readlink("/proc/self/exe", program, sizeof program - 1);
+    if (length < 0)
+        return status_fail(status, STATUS_IO, "cannot find the program's own place: %s", strerror(errno));
+    program[length] = '\0';
+    for (int level = 0; level < 2; level++) { /* .../bin/roughcontact -> ... */
+        char *slash = strrchr(program, '/');
+        if (slash)
+            *slash = '\0';
+    }
+    text_add(out, "%s/share/roughcontact/templates", program);
+    if (access(text_string(out), R_OK) != 0)
+        return status_fail(status, STATUS_IO, "no templates in '%s'; install the program with cmake --install",
+                           text_string(out));
+    return STATUS_OK;
+}
+
+static int from_environment(const char *name, int otherwise)
+{
+    const char *value = getenv(name);
+    long number = value ? strtol(value, NULL, 10) : 0;
+    return number >= 20 && number <= 1000 ? (int)number : otherwise;
+}
+
+void command_terminal_size(int *columns, int *rows)
+{
+    struct winsize size;
+    if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col >= 40 && size.ws_row >= 12) {
+        *columns = size.ws_col;
+        *rows = size.ws_row;
+        return;
+    }
+    *columns = from_environment("COLUMNS", 100);
+    *rows = from_environment("LINES", 30);
+}
+
+int command_finish(int exit_status)
+{
+    if (fflush(stdout) != 0 || ferror(stdout)) {
+        fprintf(stderr, "roughcontact: cannot write to standard output: %s\n", strerror(errno));
+        return COMMAND_NOTHING;
+    }
+    return exit_status;
+}

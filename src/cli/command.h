@@ -1,0 +1,43 @@
+/* The program's commands: one row each. A command parses its own arguments, prints, and returns the exit status. */
+#ifndef CLI_COMMAND_H
+#define CLI_COMMAND_H
+
+#include "base/status.h"
+#include "base/text.h"
+
+/** Exit statuses of every command (documented in the README). */
+enum command_exit {
+    COMMAND_DONE = 0,
+    COMMAND_REFUSED = 1, /* a report was written, but some scan was refused */
+    COMMAND_USAGE = 2,
+    COMMAND_SCENE = 3,
+    COMMAND_NOTHING = 4, /* nothing could be reported */
+};
+
+struct command_row {
+    const char *name;
+    const char *arguments;
+    const char *summary;
+    int (*run)(int argc, char **argv); /* argv[0] is "roughcontact NAME" */
+};
+
+int command_report(int argc, char **argv);
+int command_plan(int argc, char **argv);
+int command_inspect(int argc, char **argv);
+int command_synth(int argc, char **argv);
+int command_models(int argc, char **argv);
+int command_materials(int argc, char **argv);
+
+/** Prints "roughcontact: message" on stderr and returns the exit status that goes with the code. */
+int command_fail(const struct status *status);
+
+/** Directory of the templates: share/roughcontact/templates beside the program's bin. Error: STATUS_IO. */
+MUST_CHECK enum status_code command_templates(struct text *out, struct status *status);
+
+/** Columns and rows of the terminal on stdout, else of $COLUMNS and $LINES, else 100 x 30. */
+void command_terminal_size(int *columns, int *rows);
+
+/** Flushes stdout and says whether everything was written. */
+int command_finish(int exit_status);
+
+#endif

@@ -1,0 +1,39 @@
+/* The main job: from a directory of scans to a report. run.c reads as the program's architecture. */
+#ifndef RUN_RUN_H
+#define RUN_RUN_H
+
+#include "base/text.h"
+#include "scene/scene.h"
+#include <signal.h>
+
+struct run_options {
+    const char *output;        /* OUT, NULL: out/<name of DIR> */
+    const char *templates;     /* directory of the templates */
+    const char *terminal_size; /* "columns,rows" to draw the main charts as text, NULL: not */
+    unsigned jobs;             /* threads; 0: one a processor */
+    const volatile sig_atomic_t *stop; /* becomes non-zero when the run is to end early; NULL: never */
+    void (*progress)(size_t done, size_t total, const char *name); /* NULL: none; called from several threads, one at a time */
+};
+
+/** Wall time by stage [s], the threads' own stages summed. */
+struct run_times {
+    double read, prepare, spectrum, models[4], convergence, tables, figures, gnuplot, report, total;
+};
+
+struct run_outcome {
+    size_t surfaces, refused;
+    struct text messages; /* one line a refused surface and a warning */
+    struct text table;    /* the compact table for a terminal */
+    struct text charts;   /* when terminal_size was given */
+    char *path;           /* of report.html */
+    struct run_times times;
+};
+
+/** Runs `scene` and writes the report. `out` is to be freed with run_outcome_free() whatever comes back.
+ * Errors: STATUS_SCAN when no surface could be read (out->messages says why), STATUS_CHART, STATUS_IO, STATUS_MEMORY,
+ * STATUS_INTERRUPTED; then OUT is as it was. */
+MUST_CHECK enum status_code run_report(struct run_outcome *out, const struct scene *scene,
+                                       const struct run_options *options, struct status *status);
+void run_outcome_free(struct run_outcome *outcome);
+
+#endif

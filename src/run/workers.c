@@ -1,0 +1,83 @@
+#include "run/workers.h"
+
+#include <pthread.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+enum { WORKERS_MOST = 64 };
+
+/** What the threads share; `lock` guards next, done and status. */
+struct pool {
+    const struct results *results;
+    const struct run_options *options;
+    pthread_mutex_t lock;
+    size_t next, done;
+    struct status status;
+};
+
+/** The next surface to do; false when there is none, one failed, or the run is to stop. */
+static bool take(struct pool *pool, size_t *index)
+{
+    pthread_mutex_lock(&pool->lock);
+    if (pool->options->stop && *pool->options->stop)
+        (void)status_fail(&pool->status, STATUS_INTERRUPTED, "stopped");
+    bool more = pool->status.code == STATUS_OK && pool->next < pool->results->spool->count;
+    if (more)
+        *index = pool->next++;
+    pthread_mutex_unlock(&pool->lock);
+    return more;
+}
+
+static void finish(struct pool *pool, size_t index, const struct status *problem)
+{
+    const struct scene *scene = pool->results->scene;
+    pthread_mutex_lock(&pool->lock);
+    if (problem->code != STATUS_OK)
+        (void)status_fail(&pool->status, problem->code, "%s", problem->message);
+    pool->done++;
+    if (pool->options->progress)
+        pool->options->progress(pool->done, pool->results->spool->count, scene->surfaces[index].name);
+    pthread_mutex_unlock(&pool->lock);
+}
+
+static void *work(void *context)
+{
+    struct pool *pool = context;
+    const struct results *results = pool->results;
+    struct surface_record *record = malloc(sizeof *record);
+    for (size_t index; record && take(pool, &index);) {
+        struct status problem = {0};
+        *record = (struct surface_record){0};
+        enum status_code rc = surface_evaluate(record, results->scene, results->plan, results->loads,
+                                               results->load_count, &results->scene->surfaces[index], &problem);
+        if (rc == STATUS_OK)
+            rc = spool_put(results->spool, index, record, &problem);
+        surface_record_free(record, rc != STATUS_OK); /* the spool took the summary's texts over */
+        finish(pool, index, &problem);
+    }
+    free(record);
+    return record ? NULL : context;
+}
+
+enum status_code workers_evaluate(const struct results *results, const struct run_options *options,
+                                  struct status *status)
+{
+    struct pool pool = {.results = results, .options = options, .lock = PTHREAD_MUTEX_INITIALIZER};
+    pthread_t threads[WORKERS_MOST];
+    long processors = sysconf(_SC_NPROCESSORS_ONLN);
+    size_t wanted = options->jobs ? options->jobs : processors > 0 ? (size_t)processors : 1, started = 0;
+    if (wanted > results->spool->count)
+        wanted = results->spool->count;
+    if (wanted > WORKERS_MOST)
+        wanted = WORKERS_MOST;
+    while (started + 1 < wanted && pthread_create(&threads[started], NULL, work, &pool) == 0)
+        started++;
+    if (work(&pool))
+        (void)status_fail(&pool.status, STATUS_MEMORY, "out of memory");
+    for (size_t i = 0; i < started; i++)
+        pthread_join(threads[i], NULL);
+    pthread_mutex_destroy(&pool.lock);
+    if (pool.status.code != STATUS_OK)
+        return status_fail(status, pool.status.code, "%s", pool.status.message);
+    return STATUS_OK;
+}
