@@ -1,7 +1,8 @@
 # What accuracy costs: largest relative error against time, one line a method, the chosen setting ringed.
-#   call 'cost.gp' DATA OUTPUT TITLE XLABEL YLABEL STYLES
+#   call 'cost.gp' DATA OUTPUT TITLE STYLES
 # STYLES: one word a block of DATA: c1..c9 methods, choice the chosen settings.
-data = ARG1; output = ARG2; title_text = ARG3; x_label = ARG4; y_label = ARG5; style_words = ARG6
+data = ARG1; output = ARG2; title_text = ARG3; style_words = ARG4
+x_label = 'time in s'; y_label = 'largest relative error'
 load 'style.gp'
 log_x = 1; log_y = 1
 load 'blocks.gp'

@@ -1,7 +1,9 @@
 # The profiles, one panel a surface, all on one length axis; each panel has the height range of its own profile.
-#   call 'profiles.gp' DATA OUTPUT TITLE XLABEL YLABEL STYLES
-# STYLES: one word a block of DATA, s1..s8. The legend text of a block heads its panel. At most 1500 points a block.
-data = ARG1; output = ARG2; title_text = ARG3; x_label = ARG4; y_label = ARG5; style_words = ARG6
+#   call 'profiles.gp' DATA OUTPUT TITLE STYLES
+# STYLES: one word a block of DATA, s1..s8. The legend text of a block heads its panel. Rows are
+# mm,µm; some 1000 a block are enough.
+data = ARG1; output = ARG2; title_text = ARG3; style_words = ARG4
+x_label = 'position in mm'; y_label = 'height in µm'
 load 'style.gp'
 log_x = 0; log_y = 0
 load 'blocks.gp'

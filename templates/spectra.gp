@@ -1,9 +1,10 @@
 # Amplitude against wavelength, one panel a surface on common axes, with the power law fitted to it.
-#   call 'spectra.gp' DATA OUTPUT TITLE XLABEL YLABEL STYLES
+#   call 'spectra.gp' DATA OUTPUT TITLE STYLES
 # STYLES: one word a block of DATA: s1..s8 the points of a spectrum, which begin a panel headed by their legend text; fit
-# the law over the fitted band, whose legend text stands in the panel; fitx the law outside the band. At most 400 points a
-# block.
-data = ARG1; output = ARG2; title_text = ARG3; x_label = ARG4; y_label = ARG5; style_words = ARG6
+# the law over the fitted band, whose legend text stands in the panel; fitx the law outside the band. Rows are m,m; some 400
+# points a block are enough.
+data = ARG1; output = ARG2; title_text = ARG3; style_words = ARG4
+x_label = 'wavelength in m'; y_label = 'amplitude in m'
 load 'style.gp'
 log_x = 1; log_y = 1
 load 'blocks.gp'

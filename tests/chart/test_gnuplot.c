@@ -165,10 +165,9 @@ static const struct sample {
     {"models-tcr", "curves", "'load' 'TCR·A_n in K m^2/W' 'xy' 'me meS mp mpS gw gwS jg jgS'", 1 + 8 + 8 + 8,
      "multiscale elastic, scale-dependent"},
     {"sweep", "curves", "'wavelength in m' 'A/A_n' 'xy' 'r1 r2 r3 r4 r5 r6 r7 r8 r9'", 1 + 9 + 9, "γ = 1.75"},
-    {"profiles", "profiles", "'position in mm' 'height in µm' 's1 s2 s3 s4'", 4, "surface 4, Rq 5.82 µm"},
-    {"spectra", "spectra", "'wavelength in µm' 'amplitude in µm' 's1 fit fitx s2 fit fitx s3 fit fitx s4 fit fitx'",
-     4 * (1 + 3), "surface 3, Rq 1.05 µm"},
-    {"cost", "cost", "'time in s' 'largest relative error' 'c1 c2 c3 c4 choice'", 1 + 4 + 2, "Gauss–Legendre panels"},
+    {"profiles", "profiles", "'s1 s2 s3 s4'", 4, "surface 4, Rq 5.82 µm"},
+    {"spectra", "spectra", "'s1 fit fitx s2 fit fitx s3 fit fitx s4 fit fitx'", 4 * (1 + 3), "surface 3, Rq 1.05 µm"},
+    {"cost", "cost", "'c1 c2 c3 c4 choice'", 1 + 4 + 2, "Gauss–Legendre panels"},
 };
 enum { SAMPLES = sizeof samples / sizeof *samples };
 
@@ -263,10 +262,10 @@ static void test_empty_blocks_and_single_points_are_drawn_silently(void **state)
     write_file(*state, "none.csv", "\"a\"\n\n\n\"b\"\n1,0\n2,nan\n\n\n\"\"\n");
     write_file(*state, "few.csv", "\"a\"\n1e-4,0.5\n\n\n\"b\"\n\n\n\"c\"\n1e-4,1\n1e-3,0\n1e-2,2\n\n3e-2,3\n4e-2,4\n");
     run_well(*state, "call 'curves.gp' 'none.csv' 'curves.svg' '' 'x' 'y' 'xy' 's1 s2 s2x'\n"
-                     "call 'profiles.gp' 'few.csv' 'profiles.svg' '' 'x' 'y' 's1 s2 s3'\n"
-                     "call 'spectra.gp' 'none.csv' 'spectra.svg' '' 'x' 'y' 's1 fit fitx'\n"
-                     "call 'cost.gp' 'none.csv' 'cost.svg' '' 'x' 'y' 'c1 c2 choice'\n"
-                     "call 'spectra.gp' 'few.csv' 'few-spectra.svg' '' 'x' 'y' 's1 s2 fit'\n"
+                     "call 'profiles.gp' 'few.csv' 'profiles.svg' '' 's1 s2 s3'\n"
+                     "call 'spectra.gp' 'none.csv' 'spectra.svg' '' 's1 fit fitx'\n"
+                     "call 'cost.gp' 'none.csv' 'cost.svg' '' 'c1 c2 choice'\n"
+                     "call 'spectra.gp' 'few.csv' 'few-spectra.svg' '' 's1 s2 fit'\n"
                      "call 'curves.gp' 'few.csv' 'few.svg' '' 'x' 'y' 'xy' 's1 s2 s3'\n"
                      "dumb_size = '60,20'\n"
                      "call 'curves.gp' 'none.csv' 'curves.txt' '' 'x' 'y' 'xy' 's1 s2 s2x'");
@@ -289,7 +288,7 @@ static void test_the_smallest_and_largest_numbers_have_axes(void **state)
     run_well(*state, "call 'curves.gp' 'wide.csv' 'wide.svg' '' 'x' 'y' 'xy' 's1'\n"
                      "call 'curves.gp' 'narrow.csv' 'narrow.svg' '' 'x' 'y' 'xy' 's1'\n"
                      "call 'curves.gp' 'narrow.csv' 'linear.svg' '' 'x' 'y' '' 's1'\n"
-                     "call 'profiles.gp' 'narrow.csv' 'profile.svg' '' 'x' 'y' 's1'");
+                     "call 'profiles.gp' 'narrow.csv' 'profile.svg' '' 's1'");
     struct text wide = read_file(*state, "wide.svg");
     assert_int_equal(count(text_string(&wide), "<path stroke='rgb( 18,  87, 208)'"), 2); /* the line and its sample */
     assert_in_range(count(wide.data, "<tspan"), 10, 60);
@@ -313,9 +312,9 @@ static void test_hostile_names_are_only_text(void **state)
     struct status status = {0};
     assert_int_equal(gnuplot_start(&gnuplot, ((struct place *)*state)->directory, &status), STATUS_OK);
     gnuplot_send(&gnuplot, "call 'curves.gp' 'hostile.csv' 'h1.svg' %s 'x' 'y' 'xy' 's1 s2'", quoted);
-    gnuplot_send(&gnuplot, "call 'profiles.gp' 'hostile.csv' 'h2.svg' %s 'x' 'y' 's1 s2'", quoted);
-    gnuplot_send(&gnuplot, "call 'spectra.gp' 'hostile.csv' 'h3.svg' %s 'x' 'y' 's1 fit'", quoted);
-    gnuplot_send(&gnuplot, "call 'cost.gp' 'hostile.csv' 'h4.svg' %s 'x' 'y' 'c1 choice'", quoted);
+    gnuplot_send(&gnuplot, "call 'profiles.gp' 'hostile.csv' 'h2.svg' %s 's1 s2'", quoted);
+    gnuplot_send(&gnuplot, "call 'spectra.gp' 'hostile.csv' 'h3.svg' %s 's1 fit'", quoted);
+    gnuplot_send(&gnuplot, "call 'cost.gp' 'hostile.csv' 'h4.svg' %s 'c1 choice'", quoted);
     gnuplot_send(&gnuplot, "dumb_size = '120,30'");
     gnuplot_send(&gnuplot, "call 'curves.gp' 'hostile.csv' 'h5.txt' %s 'x' 'y' 'xy' 's1 s2'", quoted);
     if (gnuplot_finish(&gnuplot, &status) != STATUS_OK)
@@ -402,9 +401,9 @@ static const struct complaint {
     {"call 'curves.gp' 'missing.csv' 'x.svg' '' 'x' 'y' '' 's1'", "missing.csv"},
     {"call 'curves.gp' 'ecr.csv' 'x.svg' '' 'x' 'y' '' 's1 s2'", "ecr.csv has 4 blocks, but 2 style words were given"},
     {"call 'curves.gp' 'ecr.csv' 'x.svg' '' 'x' 'y' '' 's1 s2 s3 s9'", "'s9' is not a style word"},
-    {"call 'cost.gp' 'ecr.csv' 'x.svg' '' 'x' 'y' 'c1 c2 c3 fit'", "'fit' is not a style word"},
-    {"call 'spectra.gp' 'ecr.csv' 'x.svg' '' 'x' 'y' 'fit s1 s2 s3'", "'fit' is not a style word"},
-    {"call 'profiles.gp' 'ecr.csv' 'x.svg' '' 'x' 'y' 's1 s2 s3 me4'", "'me4' is not a style word"},
+    {"call 'cost.gp' 'ecr.csv' 'x.svg' '' 'c1 c2 c3 fit'", "'fit' is not a style word"},
+    {"call 'spectra.gp' 'ecr.csv' 'x.svg' '' 'fit s1 s2 s3'", "'fit' is not a style word"},
+    {"call 'profiles.gp' 'ecr.csv' 'x.svg' '' 's1 s2 s3 me4'", "'me4' is not a style word"},
     {"set terminal dumb\nset output 'x'\nplot [0:1] [0:1] 'none.csv'",
      "warning: Skipping data file with no valid points"},
     {"print 'a word'", "gnuplot: a word"},
