@@ -8,9 +8,9 @@
 
 struct gnuplot {
     pid_t process;
-    FILE *commands;      /* its standard input */
-    FILE *complaints;    /* unnamed file that takes its stderr and stdout */
-    double seconds;      /* wall time from the first command to its end, set by gnuplot_finish() */
+    FILE *commands;   /* its standard input */
+    FILE *complaints; /* unnamed file that takes its stderr and stdout */
+    double seconds;   /* wall time from the first command to its end, set by gnuplot_finish() */
 };
 
 /** Is there a gnuplot in PATH? Error: STATUS_CHART with the package to install. */
@@ -20,15 +20,21 @@ MUST_CHECK enum status_code gnuplot_check(struct status *status);
  * Errors: STATUS_CHART (not installed: names the package), STATUS_IO. */
 MUST_CHECK enum status_code gnuplot_start(struct gnuplot *out, const char *directory, struct status *status);
 
-/** Sends one line, e.g. gnuplot_send(g, "load %s", quoted). A dead process is reported by gnuplot_finish(). */
+/** Sends one line, e.g. gnuplot_send(g, "load %s", quoted). A dead process is reported by gnuplot_finish() and raises
+ * no SIGPIPE. */
 void gnuplot_send(struct gnuplot *gnuplot, const char *format, ...) PRINTF_LIKE(2, 3);
 
 /** Ends the input, waits, and checks: any exit status but 0 and any word on stderr is a failure.
  * Error: STATUS_CHART with the first complaint. Always releases the process. */
 MUST_CHECK enum status_code gnuplot_finish(struct gnuplot *gnuplot, struct status *status);
 
-/** Writes `string` as a gnuplot single-quoted string (quotes doubled, control characters as '?') into `out`, cut to fit
- * at a UTF-8 border. */
+/** Writes `string` as a gnuplot single-quoted string into `out`, cut to fit at a UTF-8 border: control characters and
+ * bytes that are no UTF-8 as '?', single quotes as U+2019 (doubled ones do not survive `call`). For texts, then, and
+ * for file names without quotes. */
 void gnuplot_quote(char *out, size_t size, const char *string);
+
+/** The same for a legend text in a data file: one double-quoted field, double quotes as single ones, backslashes
+ * doubled (gnuplot reads escapes there). */
+void gnuplot_field(char *out, size_t size, const char *string);
 
 #endif

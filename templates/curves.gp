@@ -1,0 +1,80 @@
+# Curves against a load, an area or a wavelength.
+#   call 'curves.gp' DATA OUTPUT TITLE XLABEL YLABEL LOGARITHMIC STYLES
+# LOGARITHMIC: 'xy', 'x', 'y' or ''. STYLES: one word a block of DATA: s1..s8 surfaces, me mp gw jg models, gwa jga adjusted
+# separation, meS mpS gwS jgS scale-dependent, r1..r9 steps of a sweep; with x at its end the part of that curve outside
+# its range of validity, which gets no legend entry.
+data = ARG1; output = ARG2; title_text = ARG3; x_label = ARG4; y_label = ARG5; logarithmic = ARG6; style_words = ARG7
+load 'style.gp'
+log_x = strstrt(logarithmic, 'x') > 0
+log_y = strstrt(logarithmic, 'y') > 0
+load 'blocks.gp'
+
+# NUMBER counts the curves, one for a stem: their letter in text mode, the stagger of their markers otherwise.
+array NUMBER[64]
+solid = ''; dashed = ''; marked = ''; entries = ''; stems = ' '; numbers = 0
+do for [i = 1:BLOCKS] {
+    w = word(style_words, i)
+    if (!known(w)) { exit error sprintf("'%s' is not a style word", w) }
+    NUMBER[i] = 0
+    do for [j = 1:i - 1] { if (stem(word(style_words, j)) eq stem(w)) { NUMBER[i] = NUMBER[j] } }
+    if (NUMBER[i] == 0) { numbers = numbers + 1; NUMBER[i] = numbers }
+    if (ROWS[i] > 1 && outside(w)) { dashed = dashed . sprintf(' %d', i) }
+    if (ROWS[i] > 1 && !outside(w)) { solid = solid . sprintf(' %d', i) }
+    if (ROWS[i] > 0) { stems = stems . stem(w) . ' ' }
+}
+both = 0 # are there adjusted curves? then the plain statistical ones step back
+do for [i = 1:BLOCKS] { both = both || adjusted(word(style_words, i)) }
+steps_back(w) = both && (base(w) eq 'gw' || base(w) eq 'jg') && !adjusted(w)
+width(w) = scaled(w) ? 0.8 : steps_back(w) ? 1 : adjusted(w) ? 2.6 : 2
+shape(w) = scaled(w) ? (base(w) eq 'me' || base(w) eq 'gw' ? 1 : 2) : steps_back(w) ? -1 : marker(w)
+size(w) = scaled(w) ? 0.6 : shape(w) < 0 ? 0.1 : shape(w) % 2 ? 0.75 : 0.9
+longest = 1; count = 0
+do for [i = 1:BLOCKS] {
+    w = word(style_words, i)
+    LEGEND[i] = short(LEGEND[i], 60)
+    if (!outside(w) && strstrt(stems, ' ' . w . ' ')) {
+        entries = entries . sprintf(' %d', i); count = count + 1; longest = most(longest, strlen(LEGEND[i]))
+    }
+    if (ROWS[i] > 1 && !outside(w) && shape(w) > 0) { marked = marked . sprintf(' %d', i) }
+}
+note_outside = 'outside the range of validity'
+if (strlen(dashed)) { count = count + 1; longest = most(longest, strlen(note_outside)) }
+load 'legend.gp'
+low = x_low; high = x_high
+call 'axis.gp' 'x' (log_x ? 'log' : 'zero') '0' (text_mode ? '6' : '8')
+low = y_low; high = y_high
+call 'axis.gp' 'y' (log_y ? 'log' : 'zero') '0.04' (text_mode ? '5' : '7')
+if (!log_y && !text_mode) { set xzeroaxis lc rgb quiet lw 0.7 lt 1 }
+
+# The plot is put together from parts because gnuplot runs a loop over an empty list once. The parts name variables only.
+interval(i) = int(most(1, ceil(ROWS[i] / (scaled(word(style_words, i)) ? 14.0 : 9.0))))
+offset(i) = int(interval(i) * (NUMBER[i] % 4) / 4.0)
+hue(i) = colour(word(style_words, i))
+command = 'plot NaN notitle'
+if (text_mode) {
+    if (strlen(solid)) { command = command . \
+        ', for [i in solid] data index int(i) - 1 using 1:2 with points pt NUMBER[int(i)] notitle' }
+    if (strlen(dashed)) { command = command . \
+        ', for [i in dashed] data index int(i) - 1 every 4::1 using 1:2 with points pt NUMBER[int(i)] notitle' }
+    if (strlen(in_points)) { command = command . \
+        ', for [i in in_points] data index int(i) - 1 using 1:2 with points pt NUMBER[int(i)] notitle' }
+    if (strlen(entries)) { command = command . \
+        ', for [i in entries] keyentry with points pt NUMBER[int(i)] title LEGEND[int(i)]' }
+} else {
+    if (strlen(dashed)) { command = command . \
+        ', for [i in dashed] data index int(i) - 1 using 1:2 with lines dt (7,4) lw 1.3 lc rgb hue(int(i)) notitle' }
+    if (strlen(solid)) { command = command . \
+        ', for [i in solid] data index int(i) - 1 using 1:2 with lines lw width(word(style_words, int(i))) lc rgb hue(int(i)) notitle' }
+    if (strlen(marked)) { command = command . \
+        ', for [i in marked] data index int(i) - 1 every interval(int(i))::1 + offset(int(i)) using 1:2 with points ' . \
+        'pt shape(word(style_words, int(i))) ps size(word(style_words, int(i))) lw 1.3 lc rgb hue(int(i)) notitle' }
+    if (strlen(in_points)) { command = command . \
+        ', for [i in in_points] data index int(i) - 1 using 1:2 with points pt 7 ps 0.5 lc rgb hue(int(i)) notitle' }
+    if (strlen(entries)) { command = command . \
+        ', for [i in entries] keyentry with linespoints lw width(word(style_words, int(i))) lc rgb hue(int(i)) ' . \
+        'pt shape(word(style_words, int(i))) ps size(word(style_words, int(i))) title LEGEND[int(i)]' }
+    if (strlen(dashed)) { command = command . \
+        ', keyentry with lines dt (7,4) lw 1.3 lc rgb quiet title note_outside' }
+}
+eval command
+set output

@@ -1,0 +1,67 @@
+# The look all charts share. Every template loads it first and then opens its canvas with eval canvas(width, height).
+#
+# Text charts: with dumb_size defined before (dumb_size = '100,30': columns, rows) the same templates draw with letters.
+reset
+set encoding utf8
+set datafile separator ','
+text_mode = exists('dumb_size')
+
+# The ink is this one colour everywhere, so that a page can replace it; the grid is translucent, fit for any background.
+ink = '#222222'
+quiet = '#808080'
+font = 'Helvetica, Arial, sans-serif'
+
+# Surfaces: Okabe and Ito's hues with their lightness moved until each stands out from white and from #16181d, and any
+# two still differ for deuteranopes and protanopes.
+colour_s1 = '#1257D0'; colour_s2 = '#CC5500'; colour_s3 = '#1FB380'; colour_s4 = '#A8366A'
+colour_s5 = '#EE9400'; colour_s6 = '#4FA6F0'; colour_s7 = '#85858F'; colour_s8 = '#734CA4'
+# Models: one hue a family, light and open for elastic contact, dark and filled for plastic; circles multiscale, squares
+# statistical. Dashes are not free for this: they mean outside the range of validity.
+colour_me = '#3F9BE0'; colour_mp = '#1560B4'; colour_gw = '#E58A1F'; colour_jg = '#B8400A'
+marker_me = 6; marker_mp = 7; marker_gw = 4; marker_jg = 5
+# Sweeps: a ramp through one order of hues, at a lightness for both backgrounds.
+colour_r1 = '#7E4CB8'; colour_r2 = '#6459C6'; colour_r3 = '#466ECB'; colour_r4 = '#2C86C4'; colour_r5 = '#1E99B0'
+colour_r6 = '#1FA88C'; colour_r7 = '#4DB05F'; colour_r8 = '#86AE35'; colour_r9 = '#B9A31E'
+# Methods: the surfaces' colours, each with a marker.
+colour_c1 = colour_s1; colour_c2 = colour_s2; colour_c3 = colour_s3; colour_c4 = colour_s4; colour_c5 = colour_s5
+colour_c6 = colour_s6; colour_c7 = colour_s7; colour_c8 = colour_s8; colour_c9 = '#8A6D1B'
+marker_c1 = 7; marker_c2 = 5; marker_c3 = 9; marker_c4 = 13; marker_c5 = 11
+marker_c6 = 6; marker_c7 = 4; marker_c8 = 8; marker_c9 = 12
+
+# A style word is a name of the tables above, then perhaps `a` (adjusted) or `S` (scale-dependent), then perhaps `x`
+# (outside the range of validity).
+outside(w) = strlen(w) > 1 && w[strlen(w):*] eq 'x'
+stem(w) = outside(w) ? w[1:strlen(w) - 1] : w
+adjusted(w) = strlen(stem(w)) == 3 && stem(w)[3:3] eq 'a'
+scaled(w) = strlen(stem(w)) == 3 && stem(w)[3:3] eq 'S'
+base(w) = adjusted(w) || scaled(w) ? stem(w)[1:2] : stem(w)
+known(w) = exists('colour_' . base(w))
+colour(w) = value('colour_' . base(w))
+marker(w) = exists('marker_' . base(w)) ? value('marker_' . base(w)) : -1
+
+# Text from outside: never evaluated, never enhanced, cut to what fits.
+short(s, n) = strlen(s) > n ? s[1:n - 1] . '…' : s
+# Axis labels come from the program and may hold _{} and ^{}; a terminal shows them without the braces.
+cut(s, i) = i == 0 ? s : s[1:i - 1] . s[i + 1:*]
+unbrace(s) = strstrt(s, '{') ? unbrace(cut(s, strstrt(s, '{'))) : strstrt(s, '}') ? unbrace(cut(s, strstrt(s, '}'))) : s
+axis_label(s) = text_mode ? unbrace(s) : s
+power(k) = text_mode ? sprintf('1e%d', k) : k == 0 ? '1' : k == 1 ? '10' : sprintf('10^{%s%d}', k < 0 ? '−' : '', abs(k))
+
+text_columns = text_mode ? int(dumb_size[1:strstrt(dumb_size, ',') - 1] + 0) : 0
+canvas(w, h) = text_mode ? sprintf("set terminal dumb size %s noenhanced mono", dumb_size) : \
+    sprintf("set terminal svg size %d,%d dynamic enhanced font '%s,15' background rgb '#ffffff'", w, h, font)
+
+set border 3 lc rgb ink lw 1
+set tics nomirror out scale 0.5 textcolor rgb ink
+set xlabel textcolor rgb ink offset 0, 0.3
+set ylabel textcolor rgb ink
+set title textcolor rgb ink offset 0, -0.5
+set key textcolor rgb ink noenhanced Left reverse samplen 2.2 spacing 1.1
+set grid lc rgb '#B0808080' lw 0.7 lt 1
+if (text_mode) {
+    unset grid
+    set border 15
+    set tics scale 1
+    set xlabel offset 0, 0
+    set title offset 0, 0
+}
