@@ -48,7 +48,7 @@ const struct figure_row figure_rows[] = {
     SURFACES("6-28", FIGURE_LOAD, FIGURE_TCR, MODEL_MULTISCALE_ELASTIC, false, "TCR, multiscale elastic"),
     SURFACES("6-29", FIGURE_LOAD, FIGURE_TCR, MODEL_JG, false, "TCR, JG"),
     SURFACES("6-30", FIGURE_LOAD, FIGURE_TCR, MODEL_GW, false, "TCR, GW"),
-    {"spectra", FIGURE_SPECTRA, FIGURE_WAVELENGTH, FIGURE_AREA, MODEL_COUNT, CONVERGENCE_ALPHA, false,
+    {"power-law", FIGURE_SPECTRA, FIGURE_WAVELENGTH, FIGURE_AREA, MODEL_COUNT, CONVERGENCE_ALPHA, false,
      "Spectra and their power laws"},
 };
 const size_t figure_count = sizeof figure_rows / sizeof figure_rows[0];
@@ -102,13 +102,12 @@ struct figure_file {
     size_t blocks;
 };
 
-/** Starts a curve: legend text in the first row, double quotes and control characters replaced. */
+/** Starts a curve: its first row is the legend. */
 static void begin_block(struct figure_file *out, const char *style, const char *legend)
 {
-    fputs(out->blocks++ > 0 ? "\n\n\"" : "\"", out->file);
-    for (; *legend; legend++)
-        fputc(*legend == '"' ? '\'' : (unsigned char)*legend < 0x20 || *legend == 0x7f ? '?' : *legend, out->file);
-    fputs("\"\n", out->file);
+    char field[256];
+    gnuplot_field(field, sizeof field, legend);
+    fprintf(out->file, "%s%s\n", out->blocks++ > 0 ? "\n\n" : "", field);
     text_add(&out->styles, "%s%s", out->styles.length > 0 ? " " : "", style);
 }
 
@@ -206,7 +205,7 @@ static void surface_legend(char *legend, size_t size, const struct surface_summa
 static void put_spectrum(struct figure_file *out, const struct surface_record *record, const char *style,
                          const char *legend)
 {
-    enum { MOST = 700 };
+    enum { MOST = 400 };
     size_t index[MOST], count = results_sweep_scales(index, MOST, record->spectrum.count);
     const struct powerlaw *law = &record->summary.law;
     double longest = record->spectrum.length_m, shortest = longest / (double)record->spectrum.count;

@@ -9,7 +9,7 @@
 #include "scene/plan.h"
 #include "spectrum/powerlaw.h"
 
-enum { SURFACE_PREVIEW = 1500 }; /* points of a profile kept for the chart */
+enum { SURFACE_PREVIEW = 1000 }; /* points of a profile kept for the chart */
 
 /** Where a run's time goes, by stage [s]. */
 struct surface_times {
