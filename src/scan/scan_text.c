@@ -21,28 +21,6 @@ bool scan_text_sniff(const struct scan_bytes *file)
     return true;
 }
 
-/* Metres per unit of both axes, or one message that names every line the scene lacks. */
-static enum status_code choose_units(struct scan *out, double *x_unit, double *z_unit, const char *x_named,
-                                     const char *z_named, const struct scan_bytes *file,
-                                     const struct scan_options *options, struct status *status)
-{
-    *x_unit = scan_unit_choose(out->x_unit, x_named, options->x_unit);
-    *z_unit = scan_unit_choose(out->z_unit, z_named, options->z_unit);
-    if (*x_unit > 0 && *z_unit > 0)
-        return STATUS_OK;
-    if (*x_unit > 0)
-        return scan_fail(status, file, 0,
-                         "no unit for z; add `z_unit: um` (or mm, nm, ...) to this surface in scene.yaml, or give "
-                         "--z-unit um");
-    if (*z_unit > 0)
-        return scan_fail(status, file, 0,
-                         "no unit for x; add `x_unit: mm` (or um, nm, ...) to this surface in scene.yaml, or give "
-                         "--x-unit mm");
-    return scan_fail(status, file, 0,
-                     "no unit for x nor for z; add `x_unit: mm` and `z_unit: um` (or what they are in) to this surface "
-                     "in scene.yaml, or give --x-unit mm --z-unit um");
-}
-
 static enum status_code take_heights(struct scan *out, struct text_table *table, const struct text_header *header,
                                      const struct scan_bytes *file, const struct scan_options *options,
                                      struct status *status)
@@ -52,7 +30,7 @@ static enum status_code take_heights(struct scan *out, struct text_table *table,
         return scan_fail(status, file, table->first_line,
                          "one column is heights only: no spacing; add a line `spacing 0.5 um` above the numbers, or a "
                          "column x");
-    if (choose_units(out, &x_unit, &z_unit, header->spacing_unit, header->unit[0], file, options, status) != STATUS_OK)
+    if (scan_units(out, header->spacing_unit, header->unit[0], &x_unit, &z_unit, file, options, status) != STATUS_OK)
         return status->code;
     out->dx_m = header->spacing * x_unit;
     for (size_t i = 0; i < table->rows; i++)
@@ -65,7 +43,7 @@ static enum status_code take_points(struct scan *out, struct text_table *table, 
                                     struct status *status)
 {
     double x_unit, z_unit;
-    if (choose_units(out, &x_unit, &z_unit, header->unit[0], header->unit[1], file, options, status) != STATUS_OK)
+    if (scan_units(out, header->unit[0], header->unit[1], &x_unit, &z_unit, file, options, status) != STATUS_OK)
         return status->code;
     out->x_m = malloc(table->rows * sizeof *out->x_m);
     if (!out->x_m)
