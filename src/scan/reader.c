@@ -124,6 +124,11 @@ size_t scan_line(const struct scan_bytes *file, const char *at)
     return lines.number;
 }
 
+bool scan_is_missing(struct span cell)
+{
+    return span_equals(cell, "NaN") || span_equals(cell, "BAD");
+}
+
 enum status_code scan_fill(struct scan *out, struct span *text, double z_m, const struct scan_bytes *file,
                            struct status *status)
 {
@@ -136,7 +141,7 @@ enum status_code scan_fill(struct scan *out, struct span *text, double z_m, cons
         double value;
         if (number_scan(word, NUMBER_POINT, NULL, &value) == word.end && isfinite(value))
             out->z_m[i] = value * z_m;
-        else if (span_equals(word, "BAD") || span_equals(word, "NaN") || span_equals(word, "---"))
+        else if (scan_is_missing(word))
             out->z_m[i] = NAN;
         else
             return scan_fail(status, file, scan_line(file, word.start), "'%s' among the heights; correct or remove it",

@@ -37,8 +37,11 @@ void scan_set_units(struct scan *out, const char *x_unit, const char *z_unit);
 MUST_CHECK enum status_code scan_reserve(struct scan *out, size_t nx, size_t ny, size_t room,
                                          const struct scan_bytes *file, struct status *status);
 
-/** Fills the heights that scan_reserve() made from `text`, numbers between blanks or line ends; BAD, NaN and --- are
- * missing points. Moves text->start behind the last. Error: STATUS_SCAN with the line: too few, or no number. */
+/** Is `cell` what instruments write where they measured nothing: BAD or NaN? */
+bool scan_is_missing(struct span cell);
+
+/** Fills the heights that scan_reserve() made from `text`, numbers between blanks or line ends, or missing points.
+ * Moves text->start behind the last. Error: STATUS_SCAN with the line: too few, or no number. */
 MUST_CHECK enum status_code scan_fill(struct scan *out, struct span *text, double z_m, const struct scan_bytes *file,
                                       struct status *status);
 

@@ -1,6 +1,7 @@
 #include "scan/scan.h"
 #include "base/text.h"
 #include "scan/reader.h"
+#include "scan/utf16.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -105,12 +106,26 @@ static void warn_unit(struct scan *scan, char axis, const char *named, const cha
         scan_warn(scan, "the file names its %c unit, %s: the scene's %c_unit is not used", axis, named, axis);
 }
 
+/* The same file in UTF-8. */
+static enum status_code read_utf16(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
+                                   struct status *status)
+{
+    struct text text = {0};
+    utf16_convert(&text, file);
+    struct scan_bytes utf8 = {text_string(&text), text.length, file->path};
+    enum status_code code = text.failed ? status_memory(status) : scan_read_bytes(out, &utf8, options, status);
+    text_free(&text);
+    return code;
+}
+
 enum status_code scan_read_bytes(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
                                  struct status *status)
 {
     *out = (struct scan){.ny = 1};
     if (file->length == 0)
         return scan_fail(status, file, 0, "the file is empty");
+    if (utf16_sniff(file))
+        return read_utf16(out, file, options, status);
     for (size_t i = 0; i < scan_reader_count; i++) {
         if (!scan_readers[i].sniff(file))
             continue;
