@@ -46,17 +46,19 @@ static void mark_sentinels(struct scan *out)
             continue;
         for (size_t i = 0; i < points; i++)
             out->z_m[i] = is_mark(out->z_m[i], mark) ? NAN : out->z_m[i];
-        scan_warn(out, "%zu heights of %g %s stand for missing points", found, sentinels[k], out->z_unit);
+        scan_warn(out, "a height of %g %s stands for a missing point, %zu times", sentinels[k], out->z_unit, found);
     }
 }
 
 /* Hands the table's first `rows` numbers, the heights by now, over to the scan. */
 static void keep_heights(struct scan *out, struct text_table *table, size_t rows)
 {
-    double *heights = realloc(table->cell, rows * sizeof *heights);
-    out->z_m = heights ? heights : table->cell;
-    table->cell = NULL;
+    out->z_m = table->cell;
     out->nx = rows;
+    table->cell = NULL;
+    double *fitted = realloc(out->z_m, rows * sizeof *fitted);
+    if (fitted)
+        out->z_m = fitted;
 }
 
 /* Accretech and Surfcom write the length in mm and the number of heights above the heights in um. */

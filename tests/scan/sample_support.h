@@ -10,10 +10,13 @@ enum { SAMPLE_POINTS = 6, SAMPLE_COLUMNS = 3, SAMPLE_ROWS = 2 };
 
 static const double sample_um[SAMPLE_POINTS] = {0.5, -1.25, 2.75, 0.125, 8.0, -3.5};
 
+/* The `count` lowest bytes of `value`, little-endian. */
 static inline void put_bytes(struct text *text, uint64_t value, size_t count)
 {
-    for (size_t i = 0; i < count; i++)
-        text_add_bytes(text, &(char){(char)(value >> 8 * i)}, 1);
+    for (; count > 0; count--, value >>= 8) {
+        char byte = (char)(value & 0xff);
+        text_add_bytes(text, &byte, 1);
+    }
 }
 
 static inline void put_f32(struct text *text, double value)

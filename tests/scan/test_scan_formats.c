@@ -137,7 +137,7 @@ static void test_columns(void **state)
     scan_free(&scan);
     scan = read_good("x_unit: mm\nz_unit: um\n0 5\n1 -25400\n2 6\n3 5\n", "", "");
     assert_int_equal(scan.missing, 1);
-    assert_non_null(strstr(scan.warnings[0], "1 heights of -25400 um stand for missing points"));
+    assert_non_null(strstr(scan.warnings[0], "a height of -25400 um stands for a missing point, 1 times"));
     scan_free(&scan);
     /* but where heights of that size are usual, it is one */
     scan = read_good("x_unit: mm\nz_unit: nm\n0 5\n1 -25400\n2 -20000\n3 5\n", "", "");
