@@ -1,6 +1,7 @@
 #include "scan/scan.h"
 #include "base/text.h"
 #include "scan/reader.h"
+#include "scan/utf16.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -9,20 +10,28 @@
 #include <string.h>
 #include <sys/stat.h>
 
+/* The order matters where one format looks like another: text takes what no other reader knows. */
 const struct scan_reader scan_readers[] = {
-    {"text", "columns of numbers: x and z, or z with a spacing; comma, semicolon, tab or blanks", scan_text_sniff,
-     scan_text_read},
+    {"x3p", "ISO 25178-72 X3P: profiles and areal maps", scan_x3p_sniff, scan_x3p_read},
+    {"zip", "a zip archive that holds one scan of any other format", scan_zip_sniff, scan_zip_read},
+    {"mahr-prf", "Mahr MarWin binary PRF", scan_mahr_prf_sniff, scan_mahr_prf_read},
+    {"sur", "Digital Surf SUR and PRO, compressed or not", scan_sur_sniff, scan_sur_read},
+    {"al3d", "Alicona AL3D", scan_al3d_sniff, scan_al3d_read},
+    {"sdf", "ISO 25178-71 SDF, text or binary", scan_sdf_sniff, scan_sdf_read},
+    {"gsf", "Gwyddion simple field", scan_gsf_sniff, scan_gsf_read},
+    {"surfer", "Golden Software Surfer grid: DSAA, DSBB, DSRB", scan_surfer_sniff, scan_surfer_read},
+    {"mahr-text", "Mahr MarWin text", scan_mahr_text_sniff, scan_mahr_text_read},
+    {"npl-prf", "NPL and Taylor Hobson text PRF", scan_npl_prf_sniff, scan_npl_prf_read},
+    {"smd", "ISO 5436-2 SMD", scan_smd_sniff, scan_smd_read},
+    {"nist-xml", "NIST surface metrology database XML", scan_nist_xml_sniff, scan_nist_xml_read},
+    {"dektak", "Bruker Dektak CSV", scan_dektak_sniff, scan_text_read},
+    {"hommel", "Hommel text: X, Y and whether the point is valid", scan_hommel_sniff, scan_text_read},
+    {"text", "columns of numbers: x and z, heights with a spacing, x y z on a grid, a matrix with its pixel size",
+     scan_text_sniff, scan_text_read},
 };
 const size_t scan_reader_count = sizeof scan_readers / sizeof *scan_readers;
 
 enum { SCAN_POINTS = 3 };
-
-static void replace_control(char *string)
-{
-    for (; *string; string++)
-        if ((unsigned char)*string < 0x20 || *string == 0x7f)
-            *string = '?';
-}
 
 void scan_warn(struct scan *scan, const char *format, ...)
 {
@@ -37,58 +46,7 @@ void scan_warn(struct scan *scan, const char *format, ...)
     va_start(args, format);
     vsnprintf(scan->warnings[scan->warning_count], SCAN_WARNING_LENGTH, format, args);
     va_end(args);
-    replace_control(scan->warnings[scan->warning_count++]);
-}
-
-enum status_code scan_fail(struct status *status, const struct scan_bytes *file, size_t line, const char *format, ...)
-{
-    char message[512];
-    va_list args;
-    va_start(args, format);
-    vsnprintf(message, sizeof message, format, args);
-    va_end(args);
-    if (line > 0)
-        status_fail(status, STATUS_SCAN, "%.440s:%zu: %s", file->path, line, message);
-    else
-        status_fail(status, STATUS_SCAN, "%.440s: %s", file->path, message);
-    replace_control(status->message);
-    return status->code;
-}
-
-struct scan_quote scan_quote(struct span span)
-{
-    struct scan_quote quote = {""};
-    size_t length = span_length(span), shown = length > 24 ? 24 : length;
-    for (size_t i = 0; i < shown; i++)
-        quote.text[i] = span.start[i] >= 0x20 && span.start[i] < 0x7f ? span.start[i] : '?';
-    if (length > shown)
-        memcpy(quote.text + shown, "...", 4);
-    return quote;
-}
-
-double scan_unit_choose(char name[16], const char *named, const char *scene)
-{
-    if (!named || !*named)
-        named = scene;
-    if (!named || !*named)
-        return 0.0;
-    const char *known = scan_unit_name(named, strlen(named));
-    snprintf(name, 16, "%s", known ? known : "");
-    return scan_unit_m(named, strlen(named));
-}
-
-size_t scan_disorder(const double *x, size_t n)
-{
-    if (n < 2)
-        return n;
-    bool up = x[1] > x[0];
-    for (size_t i = 0; i < n; i++) {
-        if (!isfinite(x[i]))
-            return i;
-        if (i > 0 && !(up ? x[i] > x[i - 1] : x[i] < x[i - 1]))
-            return i;
-    }
-    return n;
+    scan_printable(scan->warnings[scan->warning_count++]);
 }
 
 static void reverse(double *values, size_t n)
@@ -148,12 +106,26 @@ static void warn_unit(struct scan *scan, char axis, const char *named, const cha
         scan_warn(scan, "the file names its %c unit, %s: the scene's %c_unit is not used", axis, named, axis);
 }
 
+/* The same file in UTF-8. */
+static enum status_code read_utf16(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
+                                   struct status *status)
+{
+    struct text text = {0};
+    utf16_convert(&text, file);
+    struct scan_bytes utf8 = {text_string(&text), text.length, file->path};
+    enum status_code code = text.failed ? status_memory(status) : scan_read_bytes(out, &utf8, options, status);
+    text_free(&text);
+    return code;
+}
+
 enum status_code scan_read_bytes(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
                                  struct status *status)
 {
     *out = (struct scan){.ny = 1};
     if (file->length == 0)
         return scan_fail(status, file, 0, "the file is empty");
+    if (utf16_sniff(file))
+        return read_utf16(out, file, options, status);
     for (size_t i = 0; i < scan_reader_count; i++) {
         if (!scan_readers[i].sniff(file))
             continue;

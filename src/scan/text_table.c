@@ -12,9 +12,11 @@ enum { TEXT_COLUMNS = 65536 }; /* wider than any areal map; bounds the first row
 struct row {
     double *cell; /* room for `room` numbers, or NULL just to count */
     size_t room;
-    size_t count;     /* cells met, trailing empty ones aside */
-    unsigned decimal; /* decimal signs met */
-    struct span bad;  /* the first cell that is no finite number */
+    size_t count;        /* cells met, trailing empty ones aside */
+    unsigned decimal;    /* decimal signs met */
+    struct span bad;     /* the first cell that is no finite number */
+    struct span missing; /* the first cell that says that nothing was measured */
+    size_t numbers;      /* cells that are numbers */
 };
 
 /* Reads the cells of `line`; false at the first that is no number. */
@@ -27,9 +29,15 @@ static bool row_read(struct row *row, struct span line, char delimiter)
     for (struct span cell; cell_next(&line, delimiter, &cell); cells++) {
         if (cell.start == cell.end)
             continue;
-        double value;
-        bool good = cells == row->count && number_scan(cell, allowed, &row->decimal, &value) == cell.end;
-        if (!good || !isfinite(value)) {
+        double value = NAN;
+        bool good = number_scan(cell, allowed, &row->decimal, &value) == cell.end && isfinite(value);
+        row->numbers += good ? 1 : 0;
+        if (!good && scan_is_missing(cell)) {
+            row->missing = row->missing.start ? row->missing : cell;
+            value = NAN;
+            good = true;
+        }
+        if (!good || cells != row->count) {
             row->bad = cell;
             return false;
         }
@@ -53,7 +61,7 @@ static char find_delimiter(struct span line, size_t *columns)
         if (delimiter != ' ' && !memchr(line.start, delimiter, span_length(line)))
             continue;
         struct row row = {0};
-        if (row_read(&row, line, delimiter) && row.count >= ways[i].least) {
+        if (row_read(&row, line, delimiter) && row.count >= ways[i].least && (row.numbers > 0 || row.count > 2)) {
             *columns = row.count;
             return delimiter;
         }
@@ -124,24 +132,50 @@ static enum status_code read_rows(struct text_table *table, struct lines lines, 
         if (decimal == (NUMBER_POINT | NUMBER_COMMA))
             return scan_fail(status, file, lines.number,
                              "both '.' and ',' as decimal signs; use one of them, and no thousands separator");
+        if (row.missing.start && table->missing_line == 0) {
+            table->missing = row.missing;
+            table->missing_line = lines.number;
+        }
         table->last_line = lines.number;
         table->rows++;
     }
     return STATUS_OK;
 }
 
+/* Is `line`, which stands right above the first row, a row with a damaged cell? It begins with a number, unlike titles
+ * and keys. Between blanks anything may stand there (`4000 points`). */
+static bool is_damaged_row(const struct text_table *table, struct span line, struct row *row)
+{
+    struct span rest = line, cell;
+    size_t cells = 0;
+    double value;
+    if (table->delimiter == ' ' || !cell_next(&rest, table->delimiter, &cell) || !number_read(cell, &value))
+        return false;
+    for (rest = line; cell_next(&rest, table->delimiter, &cell);)
+        cells++;
+    return cells == table->columns && table->columns > 1 && !row_read(row, line, table->delimiter);
+}
+
 enum status_code text_table_read(struct text_table *out, const struct scan_bytes *file, struct status *status)
 {
     *out = (struct text_table){.text = text_of(file)};
     struct lines lines = lines_begin(out->text), before = lines;
+    struct span above = {NULL, NULL};
+    size_t above_line = 0;
     for (struct span line; lines_next(&lines, &line); before = lines) {
         bool comment;
         struct span content = text_header_uncomment(line, &comment);
         if (comment || content.start == content.end)
             continue;
         out->delimiter = find_delimiter(line, &out->columns);
-        if (!out->delimiter)
+        if (!out->delimiter) {
+            above = line;
+            above_line = lines.number;
             continue;
+        }
+        struct row row = {0};
+        if (above_line > 0 && above_line == lines.number - 1 && is_damaged_row(out, above, &row))
+            return fail_row(out, &row, file, above_line, status);
         if (out->columns > TEXT_COLUMNS)
             return scan_fail(status, file, lines.number, "%zu columns; at most %d can be read", out->columns,
                              TEXT_COLUMNS);

@@ -11,6 +11,8 @@ struct text_table {
     size_t rows, columns;
     double *cell;                 /* rows x columns */
     size_t first_line, last_line; /* where the rows are, counted from 1 */
+    struct span missing;          /* the first cell that says NaN or BAD, which `cell` has as NaN */
+    size_t missing_line;          /* and its line, 0 when there is none */
 };
 
 /** Finds the first line that is a row of numbers and reads from there to the end; comments and, with two columns or

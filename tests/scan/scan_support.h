@@ -105,6 +105,32 @@ static inline double rq_of_profile(const struct scan *scan)
     return sqrt(sum / n);
 }
 
+/* Sq in metres after the least-squares plane over the points that are not missing; 1/n. */
+static inline double sq_of_map(const struct scan *scan)
+{
+    double n = 0, mean[3] = {0}, a[2][2] = {{0}}, b[2] = {0}, sum = 0;
+    for (int pass = 0; pass < 3; pass++) {
+        double det = a[0][0] * a[1][1] - a[0][1] * a[0][1];
+        double p = pass == 2 ? (b[0] * a[1][1] - b[1] * a[0][1]) / det : 0;
+        double q = pass == 2 ? (b[1] * a[0][0] - b[0] * a[0][1]) / det : 0;
+        for (size_t i = 0; i < scan->nx * scan->ny; i++) {
+            double x = (double)(i % scan->nx), y = (double)(i / scan->nx), z = scan->z_m[i];
+            if (isnan(z))
+                continue;
+            if (pass == 0) {
+                n++, mean[0] += x, mean[1] += y, mean[2] += z;
+                continue;
+            }
+            x -= mean[0] / n, y -= mean[1] / n, z -= mean[2] / n;
+            if (pass == 1)
+                a[0][0] += x * x, a[0][1] += x * y, a[1][1] += y * y, b[0] += x * z, b[1] += y * z;
+            else
+                sum += (z - p * x - q * y) * (z - p * x - q * y);
+        }
+    }
+    return sqrt(sum / n);
+}
+
 static inline void range_of(const struct scan *scan, double *low, double *high)
 {
     *low = INFINITY, *high = -INFINITY;

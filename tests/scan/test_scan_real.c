@@ -1,5 +1,32 @@
-/* The collection of real scans against independently computed figures (tests/data/scan/profiles.csv). */
+/* The collection of real scans against independently computed figures (tests/data/scan). */
 #include "scan_support.h"
+
+static struct scan read_real(const char *name, const char *x_unit, const char *z_unit)
+{
+    char path[4096];
+    snprintf(path, sizeof path, "%s/%s", REAL_SCANS, name);
+    struct scan_options options = {x_unit, z_unit};
+    struct scan scan;
+    struct status status = {0};
+    if (scan_read(&scan, path, &options, &status) != STATUS_OK)
+        fail_msg("%s", status.message);
+    assert_sound(&scan);
+    return scan;
+}
+
+static struct scan read_row(const struct table *table, size_t row)
+{
+    const char *name = table_text(table, row, "file");
+    print_message("%s\n", name);
+    struct scan scan = read_real(name, table_text(table, row, "x_unit"), table_text(table, row, "z_unit"));
+    assert_string_equal(scan.format, table_text(table, row, "format"));
+    assert_int_equal(scan.missing, (size_t)table_number(table, row, "missing"));
+    double low, high;
+    range_of(&scan, &low, &high);
+    assert_near(low, table_number(table, row, "zmin_um") * 1e-6, 1e-12);
+    assert_near(high, table_number(table, row, "zmax_um") * 1e-6, 1e-12);
+    return scan;
+}
 
 static void test_profiles(void **state)
 {
@@ -7,35 +34,107 @@ static void test_profiles(void **state)
     NEED_REAL_SCANS();
     struct table table = table_read("scan/profiles.csv");
     for (size_t row = 0; row < table.rows; row++) {
-        const char *name = table_text(&table, row, "file");
-        print_message("%s\n", name);
-        char path[4096];
-        snprintf(path, sizeof path, "%s/%s", REAL_SCANS, name);
-        struct scan_options options = {table_text(&table, row, "x_unit"), table_text(&table, row, "z_unit")};
-        struct scan scan;
-        struct status status = {0};
-        if (scan_read(&scan, path, &options, &status) != STATUS_OK)
-            fail_msg("%s", status.message);
-        assert_sound(&scan);
+        struct scan scan = read_row(&table, row);
         assert_int_equal(scan.kind, SCAN_PROFILE);
         assert_int_equal(scan.nx, (size_t)table_number(&table, row, "n"));
-        assert_int_equal(scan.missing, (size_t)table_number(&table, row, "missing"));
-        double length = table_number(&table, row, "len_um") * 1e-6, low, high;
-        range_of(&scan, &low, &high);
+        double length = table_number(&table, row, "len_um") * 1e-6;
         assert_near(scan_x(&scan, scan.nx - 1) - scan_x(&scan, 0), length, 1e-12);
         assert_near(scan.dx_m, length / (double)(scan.nx - 1), 1e-12);
         if (scan.x_m)
             assert_within(scan.x_m[0], table_number(&table, row, "x0_um") * 1e-6, 1e-15);
-        assert_near(low, table_number(&table, row, "zmin_um") * 1e-6, 1e-12);
-        assert_near(high, table_number(&table, row, "zmax_um") * 1e-6, 1e-12);
         assert_near(rq_of_profile(&scan), table_number(&table, row, "rq_um") * 1e-6, 1e-9);
         scan_free(&scan);
     }
     table_free(&table);
 }
 
+static void test_maps(void **state)
+{
+    (void)state;
+    NEED_REAL_SCANS();
+    struct table table = table_read("scan/maps.csv");
+    for (size_t row = 0; row < table.rows; row++) {
+        struct scan scan = read_row(&table, row);
+        assert_int_equal(scan.kind, SCAN_AREAL);
+        assert_int_equal(scan.nx, (size_t)table_number(&table, row, "nx"));
+        assert_int_equal(scan.ny, (size_t)table_number(&table, row, "ny"));
+        assert_near(scan.dx_m, table_number(&table, row, "dx_um") * 1e-6, 1e-12);
+        assert_near(scan.dy_m, table_number(&table, row, "dy_um") * 1e-6, 1e-12);
+        assert_near(sq_of_map(&scan), table_number(&table, row, "sq_um") * 1e-6, 1e-9);
+        scan_free(&scan);
+    }
+    table_free(&table);
+}
+
+/* One measurement in three containers: text, binary and X3P, the last without the 3 mm the others start at. */
+static void test_containers(void **state)
+{
+    (void)state;
+    NEED_REAL_SCANS();
+    struct scan text = read_real("mahr_gd25_m1.txt", "", ""), binary = read_real("mahr_gd25_m1.prf", "", ""),
+                x3p = read_real("mahr_gd25_m1.x3p", "", "");
+    assert_int_equal(binary.nx, text.nx);
+    assert_int_equal(x3p.nx, text.nx);
+    for (size_t i = 0; i < text.nx; i++) {
+        assert_within(binary.x_m[i], text.x_m[i], 1e-17);
+        assert_within(binary.z_m[i], text.z_m[i], 1e-17);
+        assert_within(x3p.x_m[i], text.x_m[i], 1e-17);
+        assert_within(x3p.z_m[i] + 3e-3, text.z_m[i], 1e-17);
+    }
+    scan_free(&text);
+    scan_free(&binary);
+    scan_free(&x3p);
+}
+
+/* The same points in the list of main.xml and in a binary file with a mask. */
+static void test_x3p_forms(void **state)
+{
+    (void)state;
+    NEED_REAL_SCANS();
+    static const char *const pairs[][2] = {
+        {"openGPS_ISO5436-sample1.x3p", "openGPS_ISO5436-sample1_bin.x3p"},
+        {"openGPS_ISO5436-sample4.x3p", "openGPS_ISO5436-sample4_bin.x3p"},
+    };
+    for (size_t k = 0; k < 2; k++) {
+        struct scan list = read_real(pairs[k][0], "", ""), binary = read_real(pairs[k][1], "", "");
+        for (size_t i = 0; i < 16; i++) {
+            assert_int_equal(isnan(list.z_m[i]) != 0, isnan(binary.z_m[i]) != 0);
+            assert_true(isnan(list.z_m[i]) || list.z_m[i] == binary.z_m[i]);
+        }
+        assert_int_equal(list.warning_count + binary.warning_count, 0);
+        scan_free(&list);
+        scan_free(&binary);
+    }
+}
+
+/* What lies beside scans and is none, and a scan whose units nobody says. */
+static void test_refused(void **state)
+{
+    (void)state;
+    NEED_REAL_SCANS();
+    static const char *const files[][2] = {
+        {"dabam-013.txt", "not a scan"},
+        {"MANIFEST.md", "not a scan"},
+        {"reference.json", "not a scan"},
+        {"WAAM Profile.txt", "`x_unit: mm` and `z_unit: um`"},
+    };
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
+        char path[4096];
+        snprintf(path, sizeof path, "%s/%s", REAL_SCANS, files[i][0]);
+        struct scan scan;
+        struct status status = {0};
+        assert_int_equal(scan_read(&scan, path, &no_units, &status), STATUS_SCAN);
+        assert_non_null(strstr(status.message, files[i][1]));
+        assert_null(strchr(status.message, '\n'));
+        scan_free(&scan);
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_profiles)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_profiles),  cmocka_unit_test(test_maps),    cmocka_unit_test(test_containers),
+        cmocka_unit_test(test_x3p_forms), cmocka_unit_test(test_refused),
+    };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -140,7 +140,8 @@ static void test_refusals(void **state)
     assert_refused("0;1.5\n1;2,5\n2;3.5\n", "file:2: both '.' and ','");
     assert_refused("spacing 1 um\n1\n2\n\n3\n", "file:4: a blank line among the heights");
     assert_refused("1\n2\n3\n", "file:1: one column is heights only: no spacing; add a line `spacing");
-    assert_refused("0 1 2\n1 2 3\n2 3 4\n", "file:1: 3 columns");
+    assert_refused("x,z\n0,err\n1,2\n2,3\n4,5\n", "file:2: 'err'");
+    assert_refused("x;z\r\n0;nan\r\n1;2\r\n2;3\r\n", "file:2: 'nan'");
     assert_refused("0,1\n1,2\n2,3\n\x80\x80", "file:4: '\?\?'");
 }
 

@@ -1,0 +1,71 @@
+/* Alicona AL3D: a magic, tags of 52 bytes (key 20, value 30, CRLF) of which the second, TagCount, says how many follow,
+ * and at DepthImageOffset rows of little-endian floats in metres, each row filled up to a multiple of 8 bytes. */
+#include "scan/bytes.h"
+#include "scan/number.h"
+#include "scan/reader.h"
+
+#include <math.h>
+#include <string.h>
+
+static const char magic[] = "AliconaImaging\0\r\n";
+enum { AL3D_MAGIC = sizeof magic - 1, AL3D_KEY = 20, AL3D_VALUE = 30, AL3D_TAGS = 1000 };
+
+struct al3d_header {
+    double tags, nx, ny, offset, dx, dy, invalid;
+};
+
+bool scan_al3d_sniff(const struct scan_bytes *file)
+{
+    return file->length >= AL3D_MAGIC && memcmp(file->bytes, magic, AL3D_MAGIC) == 0;
+}
+
+static void read_header(struct al3d_header *header, struct bytes *bytes)
+{
+    struct {
+        const char *key;
+        double *number;
+    } keys[] = {{"TagCount", &header->tags},
+                {"Cols", &header->nx},
+                {"Rows", &header->ny},
+                {"DepthImageOffset", &header->offset},
+                {"PixelSizeXMeter", &header->dx},
+                {"PixelSizeYMeter", &header->dy},
+                {"InvalidPixelValue", &header->invalid}};
+    for (double tag = 0; tag < header->tags + 2 && tag < AL3D_TAGS && !bytes->overrun; tag++) {
+        struct span key = bytes_text(bytes, AL3D_KEY), value = bytes_text(bytes, AL3D_VALUE);
+        bytes_skip(bytes, 2);
+        for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
+            if (span_equals(key, keys[i].key))
+                (void)number_read(value, keys[i].number); /* else it stays 0, which is refused below */
+    }
+}
+
+enum status_code scan_al3d_read(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
+                                struct status *status)
+{
+    (void)options;
+    struct al3d_header header = {.invalid = NAN};
+    struct bytes bytes = bytes_begin(file, AL3D_MAGIC);
+    read_header(&header, &bytes);
+    if (!(header.nx >= 1 && header.nx <= UINT32_MAX && header.ny >= 1 && header.ny <= UINT32_MAX))
+        return scan_fail(status, file, 0, "no numbers of points in the tags Cols and Rows");
+    if (!(header.offset >= AL3D_MAGIC && header.offset <= (double)file->length))
+        return scan_fail(status, file, 0, "no depth image in the file (DepthImageOffset); export the scan with it");
+    size_t nx = (size_t)header.nx, ny = (size_t)header.ny, stride = (nx * sizeof(float) + 7) / 8 * 8;
+    bytes = bytes_begin(file, (size_t)header.offset);
+    if (scan_reserve(out, nx, ny, bytes_left(&bytes) / stride * nx, file, status) != STATUS_OK)
+        return status->code;
+    for (size_t row = 0; row < ny; row++) {
+        for (size_t i = 0; i < nx; i++) {
+            double value = (double)bytes_f32(&bytes);
+            /* the tag has fewer digits than the number it stands for */
+            bool invalid = fabs(value - header.invalid) <= 1e-6 * fabs(header.invalid) || !isfinite(value);
+            out->z_m[row * nx + i] = invalid ? NAN : value;
+        }
+        bytes_skip(&bytes, stride - nx * sizeof(float));
+    }
+    out->dx_m = fabs(header.dx);
+    out->dy_m = out->kind == SCAN_AREAL ? fabs(header.dy) : 0.0;
+    scan_set_units(out, "m", "m");
+    return STATUS_OK;
+}

@@ -1,0 +1,71 @@
+/* Gwyddion simple field: `Gwyddion Simple Field 1.0`, `Key = value` lines, 1 to 4 NUL up to a multiple of 4 bytes, then
+ * XRes x YRes little-endian floats; NaN is missing. */
+#include "scan/bytes.h"
+#include "scan/number.h"
+#include "scan/reader.h"
+
+#include <string.h>
+
+static const char magic[] = "Gwyddion Simple Field 1.0\n";
+
+struct gsf_header {
+    size_t nx, ny;
+    double width, height;
+    char xy_unit[16], z_unit[16];
+};
+
+bool scan_gsf_sniff(const struct scan_bytes *file)
+{
+    return file->length >= strlen(magic) && memcmp(file->bytes, magic, strlen(magic)) == 0;
+}
+
+static enum status_code read_header(struct gsf_header *header, struct span text, const struct scan_bytes *file,
+                                    struct status *status)
+{
+    struct {
+        const char *key;
+        size_t *count;
+        double *number;
+        char *unit;
+    } keys[] = {{"XRes", &header->nx, NULL, NULL},        {"YRes", &header->ny, NULL, NULL},
+                {"XReal", NULL, &header->width, NULL},    {"YReal", NULL, &header->height, NULL},
+                {"XYUnits", NULL, NULL, header->xy_unit}, {"ZUnits", NULL, NULL, header->z_unit}};
+    struct lines lines = lines_begin(text);
+    for (struct span line; lines_next(&lines, &line);) {
+        const char *equals = memchr(line.start, '=', span_length(line));
+        struct span key = span_trim((struct span){line.start, equals ? equals : line.start});
+        struct span value = span_trim((struct span){equals ? equals + 1 : line.end, line.end});
+        for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
+            if (!span_equals(key, keys[i].key))
+                continue;
+            if (keys[i].unit)
+                scan_copy(keys[i].unit, sizeof header->z_unit, value);
+            else if (!(keys[i].count ? number_read_size(value, keys[i].count) : number_read(value, keys[i].number)))
+                return scan_fail(status, file, lines.number, "%s = '%s' is no number it can have", keys[i].key,
+                                 scan_quote(value).text);
+        }
+    }
+    return STATUS_OK;
+}
+
+enum status_code scan_gsf_read(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
+                               struct status *status)
+{
+    struct gsf_header header = {0};
+    double x_m, z_m;
+    const char *stop = memchr(file->bytes, '\0', file->length);
+    if (!stop)
+        return scan_fail(status, file, 0, "no NUL behind the header: the file is cut off");
+    size_t length = (size_t)(stop - file->bytes);
+    if (read_header(&header, (struct span){file->bytes, stop}, file, status) != STATUS_OK ||
+        scan_units(out, header.xy_unit, header.z_unit, &x_m, &z_m, file, options, status) != STATUS_OK)
+        return status->code;
+    struct bytes bytes = bytes_begin(file, length + 4 - length % 4);
+    if (scan_reserve(out, header.nx, header.ny, bytes_left(&bytes) / sizeof(float), file, status) != STATUS_OK)
+        return status->code;
+    for (size_t i = 0; i < header.nx * header.ny; i++)
+        out->z_m[i] = (double)bytes_f32(&bytes) * z_m;
+    out->dx_m = header.width / (double)header.nx * x_m;
+    out->dy_m = out->kind == SCAN_AREAL ? header.height / (double)header.ny * x_m : 0.0;
+    return STATUS_OK;
+}

@@ -1,0 +1,84 @@
+/* Mahr MarWin text: sections in brackets, `NO_POINTS=n`, then below [PROFILE_VALUES] one line a point,
+ * `index=x y z c lock` in millimetres. */
+#include "scan/number.h"
+#include "scan/reader.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double mahr_unit_m = 1e-3;
+enum { MAHR_SHORTEST = 8 }; /* bytes of the shortest line of a point, `0=1 2 3` and its end */
+
+bool scan_mahr_text_sniff(const struct scan_bytes *file)
+{
+    return span_starts(scan_span(file), "[PROFILE_HEADER]");
+}
+
+/* Reads `index=x y z ...`; false when the line is not of that form. */
+static bool read_point(struct span line, double *x, double *z)
+{
+    const char *equals = memchr(line.start, '=', span_length(line));
+    if (!equals)
+        return false;
+    line.start = equals + 1;
+    double value[3];
+    for (size_t i = 0; i < 3; i++) {
+        struct span word;
+        if (!scan_word(&line, &word) || !number_read(word, &value[i]))
+            return false;
+    }
+    *x = value[0] * mahr_unit_m;
+    *z = value[2] * mahr_unit_m;
+    return true;
+}
+
+/* The points from `lines` on, until a section begins or the file ends. */
+static enum status_code read_points(struct scan *out, struct lines lines, const struct scan_bytes *file,
+                                    struct status *status)
+{
+    size_t n = 0;
+    for (struct span line; lines_next(&lines, &line);) {
+        line = span_trim(line);
+        if (line.start == line.end || span_starts(line, "//"))
+            continue;
+        if (*line.start == '[')
+            break;
+        if (n == out->nx)
+            return scan_fail(status, file, lines.number, "more points than NO_POINTS says, %zu; export the scan again",
+                             out->nx);
+        if (!read_point(line, &out->x_m[n], &out->z_m[n]))
+            return scan_fail(status, file, lines.number, "'%s' is no line `index=x y z ...`; correct or remove it",
+                             scan_quote(line).text);
+        n++;
+    }
+    if (n < out->nx)
+        return scan_fail(status, file, lines.number, "the points end after %zu of %zu; export the scan again", n,
+                         out->nx);
+    return STATUS_OK;
+}
+
+enum status_code scan_mahr_text_read(struct scan *out, const struct scan_bytes *file,
+                                     const struct scan_options *options, struct status *status)
+{
+    (void)options;
+    size_t n = 0;
+    struct lines lines = lines_begin(scan_span(file));
+    for (struct span line; lines_next(&lines, &line);) {
+        line = span_trim(line);
+        if (span_starts(line, "NO_POINTS=") &&
+            !number_read_size((struct span){line.start + strlen("NO_POINTS="), line.end}, &n))
+            return scan_fail(status, file, lines.number, "NO_POINTS is no number of points");
+        if (!span_equals(line, "[PROFILE_VALUES]"))
+            continue;
+        size_t room = (size_t)(lines.end - lines.next + 1) / MAHR_SHORTEST;
+        if (scan_reserve(out, n, 1, room, file, status) != STATUS_OK)
+            return status->code;
+        out->x_m = malloc(n * sizeof *out->x_m);
+        if (!out->x_m)
+            return status_memory(status);
+        scan_set_units(out, "mm", "mm");
+        return read_points(out, lines, file, status);
+    }
+    return scan_fail(status, file, lines.number, "no section [PROFILE_VALUES]; export the scan with its profile");
+}

@@ -1,0 +1,73 @@
+/* NIST surface metrology database XML: <UNITS>, <NUMPOINTS>, <SPACING> and blocks of heights, one a line: the profile
+ * as measured, and perhaps filtered to roughness or waviness. */
+#include "scan/number.h"
+#include "scan/reader.h"
+
+#include <string.h>
+
+enum { NIST_SNIFF = 65536 };
+
+/* The first block with heights in it is taken; the format's name says which. */
+static const struct {
+    const char *tag, *format;
+} nist_blocks[] = {
+    {"DATA_POINT_VALUES", "nist-xml (DATA_POINT_VALUES)"},
+    {"ROUGHNESS_DATA_POINT_VALUES", "nist-xml (ROUGHNESS_DATA_POINT_VALUES)"},
+    {"WAVINESS_DATA_POINT_VALUES", "nist-xml (WAVINESS_DATA_POINT_VALUES)"},
+};
+
+bool scan_nist_xml_sniff(const struct scan_bytes *file)
+{
+    size_t length = file->length < NIST_SNIFF ? file->length : NIST_SNIFF;
+    return span_starts(scan_span(file), "<") && memmem(file->bytes, length, "<DATAFILE>", 10) != NULL &&
+           memmem(file->bytes, length, "DATA_POINT_VALUES", 17) != NULL;
+}
+
+static const char *find(struct span text, const char *what)
+{
+    return memmem(text.start, span_length(text), what, strlen(what));
+}
+
+/* What stands between <tag> and </tag>, the first time in `text`; empty when there is none. */
+static struct span element(struct span text, const char *tag)
+{
+    char open[64] = "<", close[64] = "</";
+    strcat(strcat(open, tag), ">");
+    strcat(strcat(close, tag), ">");
+    const char *start = find(text, open);
+    if (!start)
+        return (struct span){text.end, text.end};
+    struct span rest = {start + strlen(open), text.end};
+    const char *stop = find(rest, close);
+    return span_trim((struct span){rest.start, stop ? stop : rest.start});
+}
+
+enum status_code scan_nist_xml_read(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
+                                    struct status *status)
+{
+    struct span text = scan_span(file), data = {text.end, text.end}, word;
+    text.start = find(text, "<DATAFILE>");
+    for (size_t i = 0; i < sizeof nist_blocks / sizeof *nist_blocks && !scan_word(&data, &word); i++) {
+        data = element(text, nist_blocks[i].tag);
+        out->format = nist_blocks[i].format;
+    }
+    if (word.start == word.end)
+        return scan_fail(status, file, 0, "no heights in <DATA_POINT_VALUES>");
+    data.start = word.start;
+    size_t n;
+    double spacing, x_m, z_m;
+    if (!number_read_size(element(text, "NUMPOINTS"), &n))
+        return scan_fail(status, file, 0, "no number of points in <NUMPOINTS>");
+    if (!number_read(element(text, "SPACING"), &spacing))
+        return scan_fail(status, file, 0, "no spacing in <SPACING>");
+    char unit[16];
+    scan_copy(unit, sizeof unit, element(text, "UNITS"));
+    if (scan_units(out, unit, unit, &x_m, &z_m, file, options, status) != STATUS_OK ||
+        scan_reserve(out, n, 1, (span_length(data) + 1) / 2, file, status) != STATUS_OK ||
+        scan_fill(out, &data, z_m, file, status) != STATUS_OK)
+        return status->code;
+    if (scan_word(&data, &word))
+        return scan_fail(status, file, scan_line(file, word.start), "more heights than <NUMPOINTS> says, %zu", n);
+    out->dx_m = spacing * x_m;
+    return STATUS_OK;
+}

@@ -1,0 +1,137 @@
+/* ISO 25178-71 SDF and its forerunners: magic 'a' (text) or 'b' (binary) and a version. Scales are metres per step, and
+ * metres per unit of height. Text: `Key = value` lines, `*`, heights, `*`, a trailer. Binary: 81 bytes, heights. */
+#include "scan/bytes.h"
+#include "scan/number.h"
+#include "scan/reader.h"
+
+#include <math.h>
+#include <string.h>
+
+static const char *const sdf_versions[] = {"ISO-", "BCR-", "BCR - ", "NPL-"};
+enum { SDF_BINARY_HEADER = 81, SDF_OLYMPUS_EXTRA = 8 };
+
+struct sdf_header {
+    size_t nx, ny, compression, type;
+    double x_scale, y_scale, z_scale;
+};
+
+bool scan_sdf_sniff(const struct scan_bytes *file)
+{
+    if (file->length < 8 || (file->bytes[0] != 'a' && file->bytes[0] != 'b'))
+        return false;
+    struct span version = {file->bytes + 1, file->bytes + file->length};
+    for (size_t i = 0; i < sizeof sdf_versions / sizeof *sdf_versions; i++)
+        if (span_starts(version, sdf_versions[i]))
+            return true;
+    return false;
+}
+
+static enum status_code take_header(struct scan *out, const struct sdf_header *header, size_t room,
+                                    const struct scan_bytes *file, struct status *status)
+{
+    if (header->compression != 0)
+        return scan_fail(status, file, 0, "compressed SDF (Compression = %zu) cannot be read; export it uncompressed",
+                         header->compression);
+    if (!isfinite(header->z_scale) || header->z_scale == 0)
+        return scan_fail(status, file, 0, "a Zscale of %g gives no heights", header->z_scale);
+    if (scan_reserve(out, header->nx, header->ny, room, file, status) != STATUS_OK)
+        return status->code;
+    out->dx_m = header->x_scale;
+    out->dy_m = out->kind == SCAN_AREAL ? header->y_scale : 0.0;
+    scan_set_units(out, "m", "m");
+    return STATUS_OK;
+}
+
+static enum status_code read_text_header(struct sdf_header *header, struct lines *lines, const struct scan_bytes *file,
+                                         struct status *status)
+{
+    struct {
+        const char *key;
+        size_t *count;
+        double *number;
+    } keys[] = {{"NumPoints", &header->nx, NULL},
+                {"NumProfiles", &header->ny, NULL},
+                {"Compression", &header->compression, NULL},
+                {"Xscale", NULL, &header->x_scale},
+                {"Yscale", NULL, &header->y_scale},
+                {"Zscale", NULL, &header->z_scale}};
+    struct span line;
+    lines_next(lines, &line); /* the version */
+    while (lines_next(lines, &line)) {
+        if (span_equals(span_trim(line), "*"))
+            return STATUS_OK;
+        const char *equals = memchr(line.start, '=', span_length(line));
+        struct span key = span_trim((struct span){line.start, equals ? equals : line.start});
+        struct span value = {equals ? equals + 1 : line.end, line.end};
+        for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
+            if (span_equals(key, keys[i].key) &&
+                !(keys[i].count ? number_read_size(value, keys[i].count) : number_read(value, keys[i].number)))
+                return scan_fail(status, file, lines->number, "%s = '%s' is no number it can have", keys[i].key,
+                                 scan_quote(span_trim(value)).text);
+    }
+    return scan_fail(status, file, lines->number, "no line `*` between header and heights");
+}
+
+static enum status_code read_text(struct scan *out, const struct scan_bytes *file, struct status *status)
+{
+    struct sdf_header header = {0};
+    struct lines lines = lines_begin(scan_span(file));
+    if (read_text_header(&header, &lines, file, status) != STATUS_OK)
+        return status->code;
+    struct span data = {lines.next, lines.end}, word;
+    if (take_header(out, &header, (span_length(data) + 1) / 2, file, status) != STATUS_OK ||
+        scan_fill(out, &data, header.z_scale, file, status) != STATUS_OK)
+        return status->code;
+    if (scan_word(&data, &word) && *word.start != '*')
+        return scan_fail(status, file, scan_line(file, word.start),
+                         "more heights than NumPoints x NumProfiles, %zu x %zu; export the scan again", header.nx,
+                         header.ny);
+    return STATUS_OK;
+}
+
+/* The value that marks a missing point: the largest unsigned, the smallest signed 16 or 32-bit integer; NaN (which is
+ * missing anyway) for the other types. */
+static double missing_mark(size_t type)
+{
+    static const double marks[BYTES_TYPES] = {NAN, UINT16_MAX, UINT32_MAX, NAN, NAN, INT16_MIN, INT32_MIN, NAN};
+    return marks[type];
+}
+
+static enum status_code read_binary(struct scan *out, const struct scan_bytes *file, struct status *status)
+{
+    struct bytes bytes = bytes_begin(file, 8 + 10 + 12 + 12); /* version, maker, two dates */
+    struct sdf_header header = {0};
+    header.nx = bytes_u16(&bytes);
+    header.ny = bytes_u16(&bytes);
+    header.x_scale = bytes_f64(&bytes);
+    header.y_scale = bytes_f64(&bytes);
+    header.z_scale = bytes_f64(&bytes);
+    (void)bytes_f64(&bytes); /* resolution */
+    header.compression = (size_t)bytes_number(&bytes, BYTES_U8);
+    header.type = (size_t)bytes_number(&bytes, BYTES_U8);
+    bytes_skip(&bytes, 1); /* kind of check sum */
+    if (bytes.overrun)
+        return scan_fail(status, file, 0, "the file ends within its header of %d bytes", SDF_BINARY_HEADER);
+    if (header.type >= BYTES_TYPES)
+        return scan_fail(status, file, 0, "data type %zu is none of ISO 25178-71", header.type);
+    enum bytes_type type = (enum bytes_type)header.type;
+    if (take_header(out, &header, bytes_left(&bytes) / bytes_size(type), file, status) != STATUS_OK)
+        return status->code;
+    /* Olympus writes 8 bytes more between header and heights */
+    size_t points = header.nx * header.ny;
+    if (bytes_left(&bytes) == points * bytes_size(type) + SDF_OLYMPUS_EXTRA)
+        bytes_skip(&bytes, SDF_OLYMPUS_EXTRA);
+    double mark = missing_mark(header.type);
+    for (size_t i = 0; i < points; i++) {
+        double value = bytes_number(&bytes, type);
+        out->z_m[i] = value == mark ? NAN : value * header.z_scale;
+    }
+    return STATUS_OK;
+}
+
+enum status_code scan_sdf_read(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
+                               struct status *status)
+{
+    (void)options;
+    return file->bytes[0] == 'a' ? read_text(out, file, status) : read_binary(out, file, status);
+}

@@ -1,0 +1,130 @@
+/* Golden Software Surfer grids: DSAA (text), DSBB (binary, version 6), DSRB (binary, version 7). They name no units;
+ * rows run from the lowest y on. Heights at or above the blanking value are missing. */
+#include "scan/bytes.h"
+#include "scan/number.h"
+#include "scan/reader.h"
+
+#include <math.h>
+#include <string.h>
+
+static const double surfer_blank = 1.70141e38;
+enum { SURFER_GRID = 0x44495247, SURFER_DATA = 0x41544144, SURFER_SECTIONS = 16 };
+
+struct surfer_grid {
+    size_t nx, ny;
+    double dx, dy, blank;
+};
+
+bool scan_surfer_sniff(const struct scan_bytes *file)
+{
+    struct span text = scan_span(file);
+    return span_starts(text, "DSAA") || span_starts(text, "DSBB") || span_starts(text, "DSRB");
+}
+
+static enum status_code take_grid(struct scan *out, const struct surfer_grid *grid, size_t room, double *z_m,
+                                  const struct scan_bytes *file, const struct scan_options *options,
+                                  struct status *status)
+{
+    double x_m;
+    if (scan_units(out, NULL, NULL, &x_m, z_m, file, options, status) != STATUS_OK ||
+        scan_reserve(out, grid->nx, grid->ny, room, file, status) != STATUS_OK)
+        return status->code;
+    out->dx_m = grid->dx * x_m;
+    out->dy_m = out->kind == SCAN_AREAL ? grid->dy * x_m : 0.0;
+    return STATUS_OK;
+}
+
+static void blank_out(struct scan *out, double blank, double z_m)
+{
+    for (size_t i = 0; i < out->nx * out->ny; i++)
+        out->z_m[i] = out->z_m[i] >= blank * (1 - 1e-6) ? NAN : out->z_m[i] * z_m;
+}
+
+static double step(double low, double high, size_t n)
+{
+    return n > 1 ? (high - low) / (double)(n - 1) : 0.0;
+}
+
+static enum status_code read_text(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
+                                  struct status *status)
+{
+    struct span text = {file->bytes + 4, file->bytes + file->length}, word;
+    double head[8], z_m; /* nx ny xlo xhi ylo yhi zlo zhi */
+    for (size_t i = 0; i < 8; i++)
+        if (!scan_word(&text, &word) || !number_read(word, &head[i]))
+            return scan_fail(status, file, scan_line(file, text.start), "'%s' in the header of the grid",
+                             scan_quote(word).text);
+    if (!(head[0] >= 1 && head[0] <= UINT32_MAX && head[1] >= 1 && head[1] <= UINT32_MAX))
+        return scan_fail(status, file, 2, "%g x %g points: nothing measured", head[0], head[1]);
+    struct surfer_grid grid = {(size_t)head[0], (size_t)head[1], 0, 0, surfer_blank};
+    grid.dx = step(head[2], head[3], grid.nx);
+    grid.dy = step(head[4], head[5], grid.ny);
+    if (take_grid(out, &grid, (span_length(text) + 1) / 2, &z_m, file, options, status) != STATUS_OK ||
+        scan_fill(out, &text, 1.0, file, status) != STATUS_OK)
+        return status->code;
+    blank_out(out, grid.blank, z_m);
+    if (scan_word(&text, &word))
+        return scan_fail(status, file, scan_line(file, word.start), "more heights than the header says");
+    return STATUS_OK;
+}
+
+static enum status_code read_values(struct scan *out, const struct surfer_grid *grid, struct bytes *bytes,
+                                    enum bytes_type type, const struct scan_bytes *file,
+                                    const struct scan_options *options, struct status *status)
+{
+    double z_m;
+    if (take_grid(out, grid, bytes_left(bytes) / bytes_size(type), &z_m, file, options, status) != STATUS_OK)
+        return status->code;
+    for (size_t i = 0; i < grid->nx * grid->ny; i++)
+        out->z_m[i] = bytes_number(bytes, type);
+    blank_out(out, grid->blank, z_m);
+    return STATUS_OK;
+}
+
+static enum status_code read_version6(struct scan *out, const struct scan_bytes *file,
+                                      const struct scan_options *options, struct status *status)
+{
+    struct bytes bytes = bytes_begin(file, 4);
+    struct surfer_grid grid = {.blank = surfer_blank};
+    grid.nx = bytes_u16(&bytes);
+    grid.ny = bytes_u16(&bytes);
+    double x_low = bytes_f64(&bytes), x_high = bytes_f64(&bytes);
+    double y_low = bytes_f64(&bytes), y_high = bytes_f64(&bytes);
+    bytes_skip(&bytes, 2 * sizeof(double)); /* range of z */
+    grid.dx = step(x_low, x_high, grid.nx);
+    grid.dy = step(y_low, y_high, grid.ny);
+    return read_values(out, &grid, &bytes, BYTES_F32, file, options, status);
+}
+
+static enum status_code read_version7(struct scan *out, const struct scan_bytes *file,
+                                      const struct scan_options *options, struct status *status)
+{
+    struct bytes bytes = bytes_begin(file, 0);
+    struct surfer_grid grid = {0};
+    for (size_t section = 0; section < SURFER_SECTIONS && !bytes.overrun; section++) {
+        uint32_t tag = bytes_u32(&bytes), size = bytes_u32(&bytes);
+        struct bytes inside = bytes;
+        bytes_skip(&bytes, size);
+        if (tag == SURFER_DATA && grid.nx > 0)
+            return read_values(out, &grid, &inside, BYTES_F64, file, options, status);
+        if (tag != SURFER_GRID)
+            continue;
+        grid.ny = bytes_u32(&inside);
+        grid.nx = bytes_u32(&inside);
+        bytes_skip(&inside, 2 * sizeof(double)); /* corner */
+        grid.dx = bytes_f64(&inside);
+        grid.dy = bytes_f64(&inside);
+        bytes_skip(&inside, 3 * sizeof(double)); /* range of z, rotation */
+        grid.blank = bytes_f64(&inside);
+    }
+    return scan_fail(status, file, 0, "no grid and data sections: the file is cut off");
+}
+
+enum status_code scan_surfer_read(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
+                                  struct status *status)
+{
+    if (span_starts(scan_span(file), "DSAA"))
+        return read_text(out, file, options, status);
+    return span_starts(scan_span(file), "DSBB") ? read_version6(out, file, options, status)
+                                                : read_version7(out, file, options, status);
+}

@@ -1,0 +1,320 @@
+/* X3P and other scans in zip archives. */
+#include "sample_support.h"
+#include "scan/md5.h"
+
+#include <zlib.h>
+
+struct member {
+    const char *name;
+    const char *bytes;
+    size_t length;
+};
+
+/* A zip archive of the members up to the first without a name, stored or deflated. */
+static struct text zip(const struct member *members, bool deflated)
+{
+    struct text text = {0}, directory = {0};
+    size_t count = 0;
+    for (; members[count].name; count++) {
+        const struct member *member = &members[count];
+        Bytef packed[8192];
+        z_stream stream = {.next_in = (Bytef *)(uintptr_t)member->bytes,
+                           .avail_in = (uInt)member->length,
+                           .next_out = packed,
+                           .avail_out = sizeof packed};
+        assert_int_equal(deflateInit2(&stream, 9, Z_DEFLATED, -15, 8, Z_DEFAULT_STRATEGY), Z_OK);
+        assert_int_equal(deflate(&stream, Z_FINISH), Z_STREAM_END);
+        size_t size = deflated ? stream.total_out : member->length, offset = text.length;
+        deflateEnd(&stream);
+        struct text common = {0}; /* what local header and directory share */
+        put_bytes(&common, deflated ? 8 : 0, 2);
+        put_bytes(&common, 0, 4);
+        put_bytes(&common, crc32(0, (const Bytef *)member->bytes, (uInt)member->length), 4);
+        put_bytes(&common, size, 4);
+        put_bytes(&common, member->length, 4);
+        put_bytes(&common, strlen(member->name), 2);
+        put_bytes(&common, 0, 2);
+        put_bytes(&text, 0x04034b50, 4);
+        put_bytes(&text, 20, 2);
+        put_bytes(&text, 0, 2);
+        put_copy(&text, &common);
+        put_field(&text, member->name, strlen(member->name));
+        text_add_bytes(&text, deflated ? (const char *)packed : member->bytes, size);
+        put_bytes(&directory, 0x02014b50, 4);
+        put_bytes(&directory, 20, 2);
+        put_bytes(&directory, 20, 2);
+        put_bytes(&directory, 0, 2);
+        put_copy(&directory, &common);
+        put_bytes(&directory, 0, 10);
+        put_bytes(&directory, offset, 4);
+        put_field(&directory, member->name, strlen(member->name));
+        text_free(&common);
+    }
+    size_t start = text.length;
+    put_copy(&text, &directory);
+    put_bytes(&text, 0x06054b50, 4);
+    put_bytes(&text, 0, 4);
+    put_bytes(&text, count, 2);
+    put_bytes(&text, count, 2);
+    put_bytes(&text, directory.length, 4);
+    put_bytes(&text, start, 4);
+    put_bytes(&text, 0, 2);
+    text_free(&directory);
+    return text;
+}
+
+#define AXIS(name, kind, type, increment, offset)                                                                      \
+    "<" name "><AxisType>" kind "</AxisType><DataType>" type "</DataType>" increment offset "</" name ">"
+#define INCREMENT(value) "<Increment>" value "</Increment>"
+#define OFFSET(value)    "<Offset>" value "</Offset>"
+#define MAIN(feature, axes, record3)                                                                                   \
+    "\xEF\xBB\xBF<?xml version=\"1.0\"?>\n<!-- x --><p:ISO5436_2 xmlns:p=\"http://www.opengps.eu/2008/ISO5436_2\">"    \
+    "<Record1><FeatureType>" feature "</FeatureType><Axes>" axes "</Axes></Record1>"                                   \
+    "<Record3>" record3 "</Record3></p:ISO5436_2>\n"
+#define MATRIX(x, y, z)                                                                                                \
+    "<MatrixDimension><SizeX>" x "</SizeX><SizeY>" y "</SizeY><SizeZ>" z "</SizeZ></MatrixDimension>"
+#define GRID AXIS("CX", "I", "D", INCREMENT("0.5E-6"), "") AXIS("CY", "I", "D", INCREMENT("2e-6"), OFFSET("0"))
+#define LINK "<DataLink><PointDataLink>bindata/data.bin</PointDataLink></DataLink>"
+#define VALID_LINK                                                                                                     \
+    "<DataLink><PointDataLink>bindata/data.bin</PointDataLink><ValidPointsLink>valid.bin</ValidPointsLink></DataLink>"
+
+/* The sample's heights as data.bin has them: type letter, integers in steps of 0.125 um; with x in between. */
+static struct text points(char type, bool with_x)
+{
+    struct text text = {0};
+    for (size_t i = 0; i < SAMPLE_POINTS; i++) {
+        if (with_x)
+            put_f64(&text, 0.5e-6 * (double)i);
+        if (type == 'D')
+            put_f64(&text, sample_um[i] * 1e-6);
+        else if (type == 'F')
+            put_f32(&text, i == 1 ? INFINITY : sample_um[i] * 1e-6);
+        else
+            put_bytes(&text, (uint64_t)(int64_t)(sample_um[i] * 8), type == 'I' ? 2 : 4);
+    }
+    return text;
+}
+
+static const struct {
+    const char *main, *main_name;
+    char type;
+    bool with_x, valid;
+    enum scan_kind kind;
+    size_t missing;
+} samples[] = {
+    {MAIN("SUR", GRID AXIS("CZ", "A", "D", "", ""), MATRIX("3", "2", "1") LINK), "main.xml", 'D', false, false,
+     SCAN_AREAL, SAMPLE_POINTS},
+    {MAIN("SUR", GRID AXIS("CZ", "A", "F", "<Increment/>", "<Offset></Offset>"), MATRIX("3", "2", "1") LINK),
+     "main.xml", 'F', false, false, SCAN_AREAL, 1},
+    {MAIN("SUR", GRID AXIS("CZ", "A", "I", INCREMENT("0.125e-6"), OFFSET("0")), MATRIX("3", "2", "1") VALID_LINK),
+     "folder/main.xml", 'I', false, true, SCAN_AREAL, 3},
+    {MAIN("PRF",
+          AXIS("CX", "A", "D", INCREMENT("1"), OFFSET("0")) AXIS("CY", "I", "D", "", "")
+              AXIS("CZ", "A", "L", INCREMENT("0.125e-6"), ""),
+          MATRIX("6", "1", "1") LINK),
+     "main.xml", 'L', true, false, SCAN_PROFILE, SAMPLE_POINTS},
+    {MAIN("PRF", GRID AXIS("CZ", "A", "D", "", ""), "<ListDimension>6</ListDimension>" LINK), "main.xml", 'D', false,
+     false, SCAN_PROFILE, SAMPLE_POINTS},
+};
+enum { X3P_SAMPLES = sizeof samples / sizeof *samples };
+
+static struct text x3p(size_t k, bool deflated)
+{
+    struct text data = points(samples[k].type, samples[k].with_x);
+    bool folder = strchr(samples[k].main_name, '/') != NULL;
+    const struct member members[] = {
+        {folder ? "folder/bindata/data.bin" : "bindata/data.bin", data.data, data.length},
+        {samples[k].main_name, samples[k].main, strlen(samples[k].main)},
+        {folder ? "folder/valid.bin" : "valid.bin", "\x37", 1},
+        {NULL, NULL, 0},
+    };
+    struct text text = zip(members, deflated);
+    text_free(&data);
+    return text;
+}
+
+static void test_x3p(void **state)
+{
+    (void)state;
+    for (size_t k = 0; k < X3P_SAMPLES; k++) {
+        for (int deflated = 0; deflated < 2; deflated++) {
+            struct text text = x3p(k, deflated);
+            assert_sample(&text, "x3p", samples[k].kind, samples[k].missing, &no_units);
+            fuzz_sample(&text, 300 + 2 * k + (size_t)deflated);
+            text_free(&text);
+        }
+    }
+}
+
+static void test_x3p_list(void **state)
+{
+    (void)state;
+    static const char map[] =
+        MAIN("SUR", GRID AXIS("CZ", "A", "I", INCREMENT("0.125e-6"), OFFSET("0")),
+             MATRIX("3", "2", "1") "<DataList><Datum>4</Datum><Datum>-10</Datum>\n<Datum/><Datum> 1 </Datum><Datum>64"
+                                   "</Datum><Datum>-28</Datum></DataList>");
+    static const char profile[] = MAIN(
+        "PRF", AXIS("CX", "A", "D", "", "") AXIS("CZ", "A", "D", INCREMENT("1e-6"), ""),
+        MATRIX("6", "1", "1") "<DataList><Datum>0;0.5</Datum><Datum>0.5e-6;-1.25</Datum><Datum>1e-6;2.75</Datum>"
+                              "<Datum>1.5e-6;0.125</Datum><Datum>2e-6;8</Datum><Datum>2.5e-6;-3.5</Datum></DataList>");
+    const struct member maps[] = {{"main.xml", map, sizeof map - 1}, {NULL, NULL, 0}};
+    const struct member profiles[] = {{"main.xml", profile, sizeof profile - 1}, {NULL, NULL, 0}};
+    struct text text = zip(maps, true);
+    assert_sample(&text, "x3p", SCAN_AREAL, 2, &no_units);
+    text_free(&text);
+    text = zip(profiles, true);
+    assert_sample(&text, "x3p", SCAN_PROFILE, SAMPLE_POINTS, &no_units);
+    text_free(&text);
+}
+
+static void assert_main_refused(const char *main, const char *expected)
+{
+    struct text data = points('D', false);
+    const struct member members[] = {
+        {"main.xml", main, strlen(main)}, {"bindata/data.bin", data.data, data.length}, {NULL, NULL, 0}};
+    struct text text = zip(members, false);
+    assert_refused_bytes(text_string(&text), text.length, &no_units, expected);
+    text_free(&text);
+    text_free(&data);
+}
+
+#define CZ AXIS("CZ", "A", "D", "", "")
+
+static void test_x3p_refusals(void **state)
+{
+    (void)state;
+    assert_main_refused(MAIN("PCL", GRID CZ, MATRIX("3", "2", "1") LINK), "feature type 'PCL' is neither profile");
+    assert_main_refused(MAIN("SUR", GRID CZ, MATRIX("3", "2", "4") LINK),
+                        "3 x 2 x 4 points are no surface of one layer");
+    assert_main_refused(MAIN("PRF", GRID CZ, MATRIX("3", "2", "1") LINK), "3 x 2 x 1 points are no profile");
+    assert_main_refused(MAIN("SUR", GRID CZ, MATRIX("1000000", "1000000", "1") LINK), "the file ends after 6");
+    assert_main_refused(MAIN("SUR", GRID CZ, MATRIX("x", "2", "1") LINK), "main.xml, line 2: text where a number");
+    assert_main_refused(MAIN("SUR", GRID CZ, MATRIX("3", "2", "1") "<DataList><Datum>x</Datum></DataList>"),
+                        "a <Datum> that is no number");
+    assert_main_refused(MAIN("SUR", GRID CZ, MATRIX("3", "2", "1") "<DataList><Datum>1</Datum></DataList>"),
+                        "the header says 3 x 2 points, the file ends after 1");
+    assert_main_refused(MAIN("SUR", GRID AXIS("CZ", "A", "Q", "", ""), MATRIX("3", "2", "1") LINK), "data type 'Q'");
+    assert_main_refused(MAIN("SUR", GRID AXIS("CZ", "I", "D", "", ""), MATRIX("3", "2", "1") LINK), "no heights");
+    assert_main_refused(MAIN("SUR", AXIS("CX", "A", "D", "", "") CZ, MATRIX("3", "2", "1") LINK), "on a grid");
+    assert_main_refused(MAIN("SUR", GRID CZ, MATRIX("3", "2", "1") VALID_LINK), "no 'valid.bin' in the archive");
+    assert_main_refused("<x><y></x>", "main.xml, line 1: mismatched tag");
+    assert_main_refused("<!DOCTYPE x [<!ENTITY a \"aaaa\"><!ENTITY b \"&a;&a;\">]><x>&b;</x>", "an entity declaration");
+}
+
+static void test_checksums(void **state)
+{
+    (void)state;
+    assert_string_equal(md5("", 0).text, "d41d8cd98f00b204e9800998ecf8427e");
+    assert_string_equal(md5("abc", 3).text, "900150983cd24fb0d6963f7d28e17f72");
+    const char *digits = "12345678901234567890123456789012345678901234567890123456789012345678901234567890";
+    assert_string_equal(md5(digits, 80).text, "57edf4a22be3c955ac49da2e2107b67a");
+    struct text data = points('D', false);
+    char good[64];
+    snprintf(good, sizeof good, "%s *main.xml\n", md5(samples[0].main, strlen(samples[0].main)).text);
+    for (int spoil = 0; spoil < 2; spoil++) {
+        good[3] = spoil ? '?' : good[3];
+        const struct member members[] = {{"main.xml", samples[0].main, strlen(samples[0].main)},
+                                         {"bindata/data.bin", data.data, data.length},
+                                         {"md5checksum.hex", good, strlen(good)},
+                                         {NULL, NULL, 0}};
+        struct text text = zip(members, false);
+        struct scan scan;
+        struct status status = {0};
+        assert_int_equal(read_bytes(&scan, text_string(&text), text.length, &no_units, &status), STATUS_OK);
+        assert_int_equal(scan.warning_count, spoil);
+        scan_free(&scan);
+        text_free(&text);
+    }
+    text_free(&data);
+}
+
+/* main.xml and data.bin changed before they are packed, so that no checksum of the archive is in the way. */
+static void test_inner_mutations(void **state)
+{
+    (void)state;
+    uint64_t seed = 77;
+    for (size_t round = 0; round < 4000; round++) {
+        size_t k = round % X3P_SAMPLES;
+        struct text data = points(samples[k].type, samples[k].with_x);
+        char *main = strdup(samples[k].main);
+        assert_non_null(main);
+        for (size_t edits = 1 + random_next(&seed) % 3; edits > 0; edits--) {
+            main[random_next(&seed) % strlen(main)] = "0123456789<>/AIFDLe-&; x"[random_next(&seed) % 24];
+            data.data[random_next(&seed) % data.length] = (char)random_next(&seed);
+        }
+        const struct member members[] = {{samples[k].main_name, main, strlen(main)},
+                                         {"bindata/data.bin", data.data, data.length - random_next(&seed) % 3},
+                                         {"valid.bin", "\x37", 1},
+                                         {NULL, NULL, 0}};
+        struct text text = zip(members, false);
+        struct scan scan;
+        struct status status = {0};
+        if (read_bytes(&scan, text_string(&text), text.length, &no_units, &status) == STATUS_OK)
+            assert_sound(&scan);
+        else
+            assert_int_equal(status.code, STATUS_SCAN);
+        scan_free(&scan);
+        text_free(&text);
+        text_free(&data);
+        free(main);
+    }
+}
+
+static void test_zip(void **state)
+{
+    (void)state;
+    static const char scan_text[] = "x [um],z [um]\n0,0.5\n0.5,-1.25\n1,2.75\n1.5,0.125\n2,8\n2.5,-3.5\n";
+    static const char sdf[] = "aISO-1.0\nNumPoints=6\nNumProfiles=1\nXscale=0.5e-6\nYscale=0\nZscale=1e-6\n*\n"
+                              "0.5 -1.25 2.75 0.125 8 -3.5\n*\n";
+    const struct member members[] = {
+        {"folder/", "", 0}, {"readme.txt", "hello\n", 6}, {"scan.sdf", sdf, sizeof sdf - 1}, {NULL, NULL, 0}};
+    const struct member only_text[] = {
+        {"readme.txt", "hello\n", 6}, {"a.csv", scan_text, sizeof scan_text - 1}, {NULL, NULL, 0}};
+    const struct member nothing[] = {{"readme.txt", "hello\n", 6}, {NULL, NULL, 0}};
+    const struct member png[] = {{"a.png", "\x89PNG\r\n\x1a\n\0", 9}, {NULL, NULL, 0}};
+    struct text text = zip(members, true);
+    assert_sample(&text, "sdf", SCAN_PROFILE, SAMPLE_POINTS, &no_units);
+    fuzz_sample(&text, 400);
+    const struct member nested[] = {{"inner.zip", text.data, text.length}, {NULL, NULL, 0}};
+    struct text outer = zip(nested, false);
+    assert_refused_bytes(text_string(&outer), outer.length, &no_units, "no scan in this zip archive");
+    text_free(&outer);
+    text_free(&text);
+    text = zip(only_text, true);
+    assert_sample(&text, "text", SCAN_PROFILE, SAMPLE_POINTS, &no_units);
+    text_free(&text);
+    text = zip(nothing, true);
+    assert_refused_bytes(text_string(&text), text.length, &no_units, "file(readme.txt): no line of numbers");
+    assert_refused_bytes(text_string(&text), text.length - 30, &no_units, "damaged zip archive");
+    text_free(&text);
+    text = zip(png, true);
+    assert_refused_bytes(text_string(&text), text.length, &no_units, "no scan in this zip archive");
+    text_free(&text);
+}
+
+/* A member that claims far more than deflate can have made of its bytes. */
+static void test_bomb(void **state)
+{
+    (void)state;
+    char *zeros = calloc(1, 6000);
+    assert_non_null(zeros);
+    const struct member members[] = {{"main.xml", zeros, 6000}, {NULL, NULL, 0}};
+    struct text text = zip(members, true);
+    static const char size[] = {0x70, 0x17, 0, 0}; /* 6000 */
+    for (size_t i = 0; i + 4 < text.length; i++)
+        if (memcmp(text.data + i, size, 4) == 0)
+            text.data[i + 3] = 0x7f;
+    assert_refused_bytes(text_string(&text), text.length, &no_units, "claims 2130712432 bytes: damaged");
+    text_free(&text);
+    free(zeros);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_x3p),       cmocka_unit_test(test_x3p_list),        cmocka_unit_test(test_x3p_refusals),
+        cmocka_unit_test(test_checksums), cmocka_unit_test(test_inner_mutations), cmocka_unit_test(test_zip),
+        cmocka_unit_test(test_bomb),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

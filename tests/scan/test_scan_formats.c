@@ -1,0 +1,249 @@
+/* Instrument formats that are text. */
+#include "sample_support.h"
+
+#define MAHR_HEAD                                                                                                      \
+    "[PROFILE_HEADER]\r\nNAME=c:\\x.prf\r\nINTERVAL_LIN=0.0005\r\nNO_POINTS=6\r\n[PROFILE_VALUES]\r\n// "              \
+    "X,Y,Z,C,Lock\r\n"
+#define MAHR_POINTS                                                                                                    \
+    "0=0.0000 0 0.0005 0 0\r\n1=0.0005 0 -0.00125 0 0\r\n2=0.0010 0 0.00275 0 0\r\n3=0.0015 0 0.000125 0 0\r\n"        \
+    "4=0.0020 0 0.008 0 0\r\n"
+#define MAHR_LAST "5=0.0025 0 -0.0035 0 0\r\n"
+
+#define NPL_HEAD                                                                                                       \
+    "1 2\r\nSAMPLE 0 PRF\r\nCX M 6.0e+000 MM 1.0e+000 D\r\nCZ M 6.0e+000 UM 1.0e-003 L\r\nEOR\r\n"                     \
+    "STYLUS_RADIUS 0 MM\r\nSPACING CX 5.0e-004\r\nEOR\r\n"
+#define NPL_POINTS "500\r\n-1250\r\n2750\r\n125\r\n8000\r\n-3500\r\n"
+
+#define SDF_HEAD(points, profiles)                                                                                     \
+    "aISO-1.0\nManufacID = X\nNumPoints = " points "\nNumProfiles = " profiles                                         \
+    "\nXscale = 0.5E-6\nYscale = 2.0E-6\nZscale = 1.0E-6\nCompression = 0\nDataType = 7\nCheckType = 0\n*\n"
+
+#define NIST(block)                                                                                                    \
+    "<?xml version='1.0'?>\n<DATA>\n<DATAFILE>\n<UNITS>um</UNITS>\n<NUMPOINTS>6</NUMPOINTS>\n<SPACING>0.5</SPACING>\n" \
+    "<DATA_POINT_VALUES>" block "</DATA_POINT_VALUES>\n</DATAFILE><WAVINESS><UNITS/></WAVINESS></DATA>\n"
+#define POINTS "0.5\n-1.25\n2.75\n0.125\n8.0\n-3.5\n"
+
+/* SMD fields end in NUL, records in ETX; a string literal cannot be cut at a NUL, so they are set here as '@' and '$'.
+ */
+#define SMD_HEAD                                                                                                       \
+    "ISO 5436-2:2012@x@\r\nPRF@ 1 ISO5436@\r\nCX@ I@ 6 mm@ 1.0e0 D@ 5.0e-4 \r\nCZ@ A@ 6 um@ 1.0e0 D@\r\n$\r\n"         \
+    "DATE: today@\r\n$\r\n"
+
+static struct text smd(const char *pattern)
+{
+    struct text text = {0};
+    for (; *pattern; pattern++)
+        text_add_bytes(&text, *pattern == '@' ? "\0" : *pattern == '$' ? "\3" : pattern, 1);
+    return text;
+}
+
+static void test_profiles(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *format, *text;
+        size_t missing;
+    } samples[] = {
+        {"mahr-text", MAHR_HEAD MAHR_POINTS MAHR_LAST, SAMPLE_POINTS},
+        {"mahr-text", MAHR_HEAD MAHR_POINTS MAHR_LAST "[END]\r\nx\r\n", SAMPLE_POINTS},
+        {"npl-prf", NPL_HEAD NPL_POINTS "EOR\r\nEOF\r\n", SAMPLE_POINTS},
+        {"sdf", SDF_HEAD("6", "1") "0.5 -1.25\n2.75 0.125 8.0 -3.5\n*\n< a > b\n*\n", SAMPLE_POINTS},
+        {"sdf", SDF_HEAD("6", "1") POINTS, SAMPLE_POINTS},
+        {"sdf", SDF_HEAD("6", "1") "0.5 BAD 2.75 0.125 8.0 -3.5\n*\n", 1},
+        {"nist-xml (DATA_POINT_VALUES)", NIST(POINTS), SAMPLE_POINTS},
+        {"dektak",
+         "Scan Parameters\r\r\nScan Type,Standard\r\r\nStylus,Radius: 2.5 \xB5m\r\nResolution,0.5 um/sample\r\n\r\r\n"
+         "Scan Data\r\r\nLateral um,Raw "
+         "Micrometer,\r\n0.0,0.5,,\r\n0.5,-1.25,,\r\n1.0,2.75,,\r\n1.5,0.125,,\r\n2.0,8,,\r\n"
+         "2.5,-3.5,,\r\n\r\r\n",
+         SAMPLE_POINTS},
+        {"hommel",
+         "X;Y;valid\n[mm];[mm];[1/0]\n0;0.0005;1\n0.0005;-0.00125;1\n0.001;0.00275;1\n0.0015;77;0\n0.002;0.008;1\n"
+         "0.0025;-0.0035;1\n",
+         3},
+        {"accretech", "0.0025\n6\n" POINTS, SAMPLE_POINTS},
+    };
+    for (size_t i = 0; i < sizeof samples / sizeof *samples; i++)
+        assert_text_sample(samples[i].text, samples[i].format, SCAN_PROFILE, samples[i].missing, &no_units);
+    struct text text = smd(SMD_HEAD "0.5\r\n-1.25\r\nBAD\r\n0.125\r\n8.0\r\n-3.5\r\n$\r\n1234\r\n$\r\n\x1a");
+    assert_sample(&text, "smd", SCAN_PROFILE, 2, &no_units);
+    text_free(&text);
+}
+
+static void test_maps(void **state)
+{
+    (void)state;
+    struct scan_options um = {"um", "um"}, z_um = {"", "um"};
+    assert_text_sample(SDF_HEAD("3", "2") "0.5 -1.25 2.75\n0.125 NaN -3.5\n*\n*\n", "sdf", SCAN_AREAL, 4, &no_units);
+    assert_text_sample("DSAA\n3 2\n10 11\n5 7\n-4 8\n0.5 -1.25 1.70141e+038\n\n0.125 8.0 -3.5\n", "surfer", SCAN_AREAL,
+                       2, &um);
+    /* x y z point by point: along x, along y, and from the far corner */
+    assert_text_sample("0,0,0.5\n0.5,0,-1.25\n1,0,2.75\n\n0,2,0.125\n0.5,2,8\n1,2,-3.5\n\n\n", "text", SCAN_AREAL,
+                       SAMPLE_POINTS, &um);
+    assert_text_sample("x [um] y [um] z [um]\n0 0 0.5\n0 2 0.125\n0.5 0 -1.25\n0.5 2 8\n1 0 NaN\n1 2 -3.5\n", "text",
+                       SCAN_AREAL, 2, &no_units);
+    assert_text_sample("1 2 -3.5\n0.5 2 8\n0 2 0.125\n1 0 2.75\n0.5 0 -1.25\n0 0 0.5\n", "text", SCAN_AREAL,
+                       SAMPLE_POINTS, &um);
+    /* one run of such points is a profile */
+    assert_text_sample("0 7 0.5\n0.5 7 -1.25\n1 7 2.75\n1.5 7 0.125\n2 7 8\n2.5 7 -3.5\n", "text", SCAN_PROFILE,
+                       SAMPLE_POINTS, &um);
+    struct scan scan = read_good("# pixel size = 0.5 um\n# value units: um\n1 2 3 4\n5 BAD 7 -9999\n9 8 7 6\n", "", "");
+    assert_int_equal(scan.kind, SCAN_AREAL);
+    assert_int_equal(scan.nx * 10 + scan.ny, 43);
+    assert_near(scan.dx_m, 0.5e-6, 1e-12);
+    assert_near(scan.dy_m, 0.5e-6, 1e-12);
+    assert_int_equal(scan.missing, 2);
+    assert_int_equal(scan.warning_count, 1);
+    assert_near(scan.z_m[4], 5e-6, 1e-12);
+    scan_free(&scan);
+    scan = read_good("# Channel: Main\n# Width: 10 \xC2\xB5m\n# Height: 6 \xC2\xB5m\n# Value units: m\n"
+                     "1e-6\t3e-6\t2e-6\t4e-6\n5e-6\t6e-6\t7e-6\t8e-6\n",
+                     "", "");
+    assert_near(scan.dx_m, 2.5e-6, 1e-12);
+    assert_near(scan.dy_m, 3e-6, 1e-12);
+    assert_near(scan.z_m[7], 8e-6, 1e-12);
+    scan_free(&scan);
+    struct text text = {0};
+    text_add(&text, "w=4 h=3\npixel size = 2 um\nheight conversion factor (-> m) = 1e-9\n1 3 2 4\n5 5 5 5\n1 1 1 1\n");
+    scan = read_good(text_string(&text), "", "");
+    assert_near(scan.dy_m, 2e-6, 1e-12);
+    assert_near(scan.z_m[1], 3e-9, 1e-12);
+    scan_free(&scan);
+    text_free(&text);
+    assert_refused_bytes("1 3 2 4\n5 1 3 1\n1 1 1 1\n", 24, &z_um, "without its pixel size; add a line `pixel size");
+    assert_refused("w=5 h=3\npixel size = 2 um\n1 3 2 4\n5 5 5 5\n1 1 1 1\n",
+                   "file:3: 4 x 3 heights where the header says");
+    assert_refused("0 0 1\n1 0 2\n2 0 3\n0 1 4\n1 1 5\n2.5 1 6\n", "file:6: this point is not on the grid");
+    assert_refused("0 0 1\n1 0 2\n2 0 3\n0 1 4\n1 1 5\n", "file:5: the last row of points is not complete");
+}
+
+static void test_columns(void **state)
+{
+    (void)state;
+    struct scan_options um = {"um", "um"};
+    /* an index before x, a time before x, columns behind z, heights that repeat */
+    assert_text_sample("0\t0\t0.5\n1\t0.5\t-1.25\n2\t1\t2.75\n3\t1.5\t0.125\n4\t2\t8\n5\t2.5\t-3.5\n", "text",
+                       SCAN_PROFILE, SAMPLE_POINTS, &um);
+    assert_text_sample(
+        "t [s];X (um);Z (um)\n0,1;0;0,5\n0,2;0,5;-1,25\n0,3;1;2,75\n0,4;1,5;0,125\n0,5;2;8\n0,6;2,5;-3,5\n", "text",
+        SCAN_PROFILE, SAMPLE_POINTS, &no_units);
+    assert_text_sample("x (um)\tz (um)\tslope\tq\n0\t0.5\t1\t1\n0.5\t-1.25\t1\t1\n1\t2.75\t1\t1\n1.5\t0.125\t1\t1\n"
+                       "2\t8\t1\t1\n2.5\t-3.5\t1\t1\n",
+                       "text", SCAN_PROFILE, SAMPLE_POINTS, &no_units);
+    struct scan scan = read_good("0 5 1\n1 5 2\n2 6 1\n3 5 1\n", "um", "um");
+    assert_int_equal(scan.kind, SCAN_PROFILE);
+    assert_near(scan.z_m[2], 6e-6, 1e-12);
+    assert_non_null(strstr(scan.warnings[0], "3 columns: column 1 read as x, column 2 as z"));
+    scan_free(&scan);
+    scan = read_good("x_unit: mm\nz_unit: um\n0 5\n1 -25400\n2 6\n3 5\n", "", "");
+    assert_int_equal(scan.missing, 1);
+    assert_non_null(strstr(scan.warnings[0], "a height of -25400 um stands for a missing point, 1 times"));
+    scan_free(&scan);
+    /* but where heights of that size are usual, it is one */
+    scan = read_good("x_unit: mm\nz_unit: nm\n0 5\n1 -25400\n2 -20000\n3 5\n", "", "");
+    assert_int_equal(scan.missing, 0);
+    scan_free(&scan);
+}
+
+/* The sample text in UTF-16, the lower byte first or last. */
+static struct text utf16(const char *string, bool big)
+{
+    struct text text = {0};
+    text_add_bytes(&text, big ? "\xFE\xFF" : "\xFF\xFE", 2);
+    for (; *string; string++) {
+        char pair[2] = {big ? '\0' : *string, big ? *string : '\0'};
+        text_add_bytes(&text, pair, 2);
+    }
+    return text;
+}
+
+static void test_utf16(void **state)
+{
+    (void)state;
+    const char *string = "x (um);z (\xB5m)\r\n0;0,5\r\n0,5;-1,25\r\n1;2,75\r\n1,5;0,125\r\n2;8\r\n2,5;-3,5\r\n";
+    for (int big = 0; big < 2; big++) {
+        struct text text = utf16(string, big);
+        assert_sample(&text, "text", SCAN_PROFILE, SAMPLE_POINTS, &no_units);
+        fuzz_sample(&text, 5);
+        text_free(&text);
+    }
+}
+
+static void test_refusals(void **state)
+{
+    (void)state;
+    assert_refused(MAHR_HEAD MAHR_POINTS, "file:11: the points end after 5 of 6");
+    assert_refused(MAHR_HEAD MAHR_POINTS MAHR_LAST MAHR_LAST, "file:13: more points than NO_POINTS says, 6");
+    assert_refused(MAHR_HEAD "0=0.0000 0 nan 0 0\r\n" MAHR_POINTS, "file:7: '0=0.0000 0 nan 0 0' is no line");
+    assert_refused("[PROFILE_HEADER]\nNO_POINTS=1000000000000\n[PROFILE_VALUES]\n0=0 0 0 0 0\n",
+                   "the file ends after 1;");
+    assert_refused("[PROFILE_HEADER]\nNO_POINTS=x\n", "file:2: NO_POINTS is no number");
+    assert_refused("[PROFILE_HEADER]\nNO_POINTS=3\n", "no section [PROFILE_VALUES]");
+    assert_refused(NPL_HEAD "500\r\nx\r\n2750\r\n125\r\n8000\r\n-3500\r\n", "file:10: 'x' among the heights");
+    assert_refused(NPL_HEAD NPL_POINTS "7\r\nEOR\r\n", "file:15: '7' where the record should end");
+    assert_refused(NPL_HEAD "500\r\n", "the header says 6 x 1 points");
+    assert_refused("1 2\nx\nCX M 6 MM 1 D\nCZ M 6 UM 1 L\nEOR\nEOR\n1\n", "no CX, CZ or `SPACING CX`");
+    assert_refused("1 2\nx\nCX M 6 V 1 D\n", "file:3: 'CX M 6 V 1 D' is not as PRF has it");
+    assert_refused(SDF_HEAD("6", "1") "1 2 3 4 5 6 7\n", "file:12: more heights than NumPoints x NumProfiles, 6 x 1");
+    assert_refused(SDF_HEAD("6", "1") "1.00 2.00 3.00 4.00 5.00\n", "the heights end after 5 of 6");
+    assert_refused(SDF_HEAD("99999", "99999") "1 2\n", "the header says 99999 x 99999 points, the file ends after 2");
+    assert_refused(SDF_HEAD("6", "x") "1 2\n", "file:4: NumProfiles = 'x'");
+    assert_refused("aISO-1.0\nNumPoints = 6\n", "no line `*`");
+    assert_refused("aISO-1.0\nCompression = 1\nZscale=1\n*\n", "compressed SDF");
+    assert_refused(NIST("0.5\n-1.25\nx\n0.125\n8.0\n-3.5\n"), "file:9: 'x' among the heights");
+    assert_refused(NIST(POINTS "1\n"), "more heights than <NUMPOINTS> says, 6");
+    assert_refused(NIST(" \n "), "no heights in <DATA_POINT_VALUES>");
+    assert_refused("DSAA\n3 2\n10 11\n5 x\n", "file:4: 'x' in the header of the grid");
+    assert_refused("DSAA\n3 2\n10 11\n5 7\n0 1\n1 2 3 4 5 6 7\n", "more heights than the header says");
+    struct text text =
+        smd("ISO 5436-2:2012@x@\r\nPRF@ 1 ISO5436@\r\nCX@ A@ 6 mm@ 1.0e0 D@\r\nCZ@ A@ 6 um@ 1.0e0 D@\r\n$\r\n"
+            "$\r\n1 2 3 4 5 6$\r\n");
+    assert_refused_bytes(text_string(&text), text.length, &no_units, "positions stored point by point");
+    text_free(&text);
+}
+
+static void test_checksum(void **state)
+{
+    (void)state;
+    struct text text = smd(SMD_HEAD POINTS "$\r\n1\r\n$\r\n\x1a");
+    struct scan scan;
+    struct status status = {0};
+    assert_int_equal(read_bytes(&scan, text_string(&text), text.length, &no_units, &status), STATUS_OK);
+    assert_int_equal(scan.warning_count, 1);
+    assert_non_null(strstr(scan.warnings[0], "checksum"));
+    scan_free(&scan);
+    text_free(&text);
+}
+
+static void test_mutations(void **state)
+{
+    (void)state;
+    static const char *const samples[] = {
+        MAHR_HEAD MAHR_POINTS MAHR_LAST,
+        NPL_HEAD NPL_POINTS "EOR\r\nEOF\r\n",
+        SDF_HEAD("3", "2") "0.5 -1.25 2.75\n0.125 NaN -3.5\n*\n*\n",
+        NIST(POINTS),
+        "DSAA\n3 2\n10 11\n5 7\n-4 8\n0.5 -1.25 1.70141e+038\n0.125 8.0 -3.5\n",
+        "X;Y;valid\n[mm];[mm];[1/0]\n0;0.0005;1\n0.0005;-0.00125;1\n0.001;0.00275;1\n0.0015;77;0\n",
+        "x [um] y [um] z [um]\n0 0 0.5\n0 2 0.125\n0.5 0 -1.25\n0.5 2 8\n1 0 NaN\n1 2 -3.5\n",
+        "w=4 h=3\npixel size = 2 um\nheight conversion factor (-> m) = 1e-9\n1 3 2 4\n5 5 5 5\n1 1 1 1\n",
+        "0.0025\n6\n" POINTS,
+    };
+    for (size_t i = 0; i < sizeof samples / sizeof *samples; i++) {
+        struct text text = {(char *)samples[i], strlen(samples[i]), 0, false};
+        fuzz_sample(&text, 100 + i);
+    }
+    struct text text = smd(SMD_HEAD POINTS "$\r\n1234\r\n$\r\n\x1a");
+    fuzz_sample(&text, 200);
+    text_free(&text);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_profiles),  cmocka_unit_test(test_maps),     cmocka_unit_test(test_columns),
+        cmocka_unit_test(test_utf16),     cmocka_unit_test(test_refusals), cmocka_unit_test(test_checksum),
+        cmocka_unit_test(test_mutations),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
