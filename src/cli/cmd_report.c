@@ -129,6 +129,10 @@ static int report(struct arguments *arguments, struct scene *scene, struct statu
         if (outcome.refused > 0)
             exit_status = COMMAND_REFUSED;
         if (arguments->verbose)
+            fprintf(stderr, "\n%s", text_string(&outcome.work));
+        if (!outcome.work_agrees)
+            fputs("roughcontact: the evaluations done are not those predicted; please report this\n", stderr);
+        if (arguments->verbose)
             print_times(&outcome.times);
     }
     run_outcome_free(&outcome);

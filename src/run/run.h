@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "scene/scene.h"
 #include <signal.h>
+#include <stdbool.h>
 
 struct run_options {
     const char *output;        /* OUT, NULL: out/<name of DIR> */
@@ -26,6 +27,8 @@ struct run_outcome {
     struct text table;    /* the compact table for a terminal */
     struct text charts;   /* when terminal_size was given */
     char *path;           /* of report.html */
+    struct text work;     /* predicted against done, effect by effect */
+    bool work_agrees;     /* evaluation counts are as predicted */
     struct run_times times;
 };
 
