@@ -9,11 +9,13 @@
 static const double touching_area = 0.1, outside_share = 0.1; /* beyond them a statistical curve is dashed */
 
 #define SURFACES(number, x, y, model, terminal, title)                                                                 \
-    {number, FIGURE_SURFACES, x, y, model, CONVERGENCE_ALPHA, terminal, title}
+    {number, FIGURE_SURFACES, x, y, model, CONVERGENCE_ALPHA, terminal, title, COST_CHARTS}
 #define MODELS(number, x, y, terminal, title)                                                                          \
-    {number, FIGURE_MODELS, x, y, MODEL_COUNT, CONVERGENCE_ALPHA, terminal, title}
+    {number, FIGURE_MODELS, x, y, MODEL_COUNT, CONVERGENCE_ALPHA, terminal, title, COST_CHARTS}
 #define SWEEP(number, model, sweep, title)                                                                             \
-    {number, FIGURE_SWEEP, FIGURE_WAVELENGTH, FIGURE_AREA, model, sweep, false, title}
+    {number, FIGURE_SWEEP, FIGURE_WAVELENGTH, FIGURE_AREA, model, sweep, false, title, COST_CHARTS}
+#define OTHER(number, kind, cost, title)                                                                               \
+    {number, kind, FIGURE_WAVELENGTH, FIGURE_AREA, MODEL_COUNT, CONVERGENCE_ALPHA, false, title, cost}
 
 const struct figure_row figure_rows[] = {
     SWEEP("6-01", MODEL_MULTISCALE_ELASTIC, CONVERGENCE_ALPHA, "Area against wavelength, α varied, elastic"),
@@ -25,7 +27,7 @@ const struct figure_row figure_rows[] = {
     MODELS("6-07", FIGURE_LOAD, FIGURE_SEPARATION, true, "Separation against load"),
     MODELS("6-08", FIGURE_LOAD, FIGURE_ECR, true, "Electrical contact resistance"),
     MODELS("6-09", FIGURE_LOAD, FIGURE_TCR, false, "Thermal contact resistance"),
-    {"6-10", FIGURE_PROFILES, FIGURE_LOAD, FIGURE_AREA, MODEL_COUNT, CONVERGENCE_ALPHA, false, "Surface profiles"},
+    OTHER("6-10", FIGURE_PROFILES, COST_CHARTS, "Surface profiles"),
     SURFACES("6-11", FIGURE_LOAD, FIGURE_AREA, MODEL_MULTISCALE_PLASTIC, true, "Area, multiscale elastic-plastic"),
     SURFACES("6-12", FIGURE_LOAD, FIGURE_AREA, MODEL_MULTISCALE_ELASTIC, false, "Area, multiscale elastic"),
     SURFACES("6-13", FIGURE_LOAD, FIGURE_AREA, MODEL_JG, false, "Area, JG"),
@@ -48,8 +50,9 @@ const struct figure_row figure_rows[] = {
     SURFACES("6-28", FIGURE_LOAD, FIGURE_TCR, MODEL_MULTISCALE_ELASTIC, false, "TCR, multiscale elastic"),
     SURFACES("6-29", FIGURE_LOAD, FIGURE_TCR, MODEL_JG, false, "TCR, JG"),
     SURFACES("6-30", FIGURE_LOAD, FIGURE_TCR, MODEL_GW, false, "TCR, GW"),
-    {"power-law", FIGURE_SPECTRA, FIGURE_WAVELENGTH, FIGURE_AREA, MODEL_COUNT, CONVERGENCE_ALPHA, false,
-     "Spectra and their power laws"},
+    OTHER("power-law", FIGURE_SPECTRA, COST_CHARTS, "Spectra and their power laws"),
+    OTHER("cost-integrals", FIGURE_COST, COST_INTEGRALS, "Error against time, integrals of the statistical models"),
+    OTHER("cost-curves", FIGURE_COST, COST_CURVES, "Error against time, scales and loads left out"),
 };
 const size_t figure_count = sizeof figure_rows / sizeof figure_rows[0];
 
@@ -90,6 +93,11 @@ bool figure_present(const struct figure_row *row, const struct results *results)
     case FIGURE_PROFILES:
     case FIGURE_SPECTRA:
         return true;
+    case FIGURE_COST:
+        for (size_t i = 0; results->cost && i < results->cost->count; i++)
+            if (results->cost->rows[i].chart == row->cost)
+                return true;
+        return false;
     }
     return false;
 }
@@ -266,6 +274,32 @@ static void put_sweep(struct figure_file *out, const struct results *results)
     }
 }
 
+/** One line a study and method, and a ring round what the report uses. */
+static void put_cost(struct figure_file *out, const struct cost *cost)
+{
+    const double floor = 1e-17; /* an error of exactly 0 has no place on a logarithmic axis */
+    size_t methods = 0;
+    const struct cost_row *before = NULL;
+    for (size_t i = 0; i < cost->count; before = &cost->rows[i++]) {
+        const struct cost_row *row = &cost->rows[i];
+        if (row->chart != out->row->cost)
+            continue;
+        if (!before || strcmp(before->study, row->study) != 0 || strcmp(before->method, row->method) != 0) {
+            char legend[80], style[24];
+            bool integral = row->chart == COST_INTEGRALS;
+            snprintf(style, sizeof style, "c%zu", methods++ % 9 + 1);
+            snprintf(legend, sizeof legend, "%s, %s", integral ? (row->study[0] == 'g' ? "GW" : "JG") : row->method,
+                     integral ? row->method : row->study);
+            begin_block(out, style, legend);
+        }
+        fprintf(out->file, "%.17g,%.17g\n", row->seconds, fmax(row->error, floor));
+    }
+    begin_block(out, "choice", "used in this report");
+    for (size_t i = 0; i < cost->count; i++)
+        if (cost->rows[i].chart == out->row->cost && cost->rows[i].chosen)
+            fprintf(out->file, "%.17g,%.17g\n", cost->rows[i].seconds, fmax(cost->rows[i].error, floor));
+}
+
 /** NUMBER.gp: what draws the figure, for this program and for anyone in that directory. */
 static enum status_code write_script(const struct figure_file *out, const char *directory, struct status *status)
 {
@@ -273,11 +307,13 @@ static enum status_code write_script(const struct figure_file *out, const char *
     struct text script = {0}, path = {0};
     const char *number = row->number;
     text_add(&script, "# draws figure %s from %s.csv: gnuplot %s.gp\n", number, number, number);
-    bool panels = row->kind == FIGURE_PROFILES || row->kind == FIGURE_SPECTRA;
-    const char *template = row->kind == FIGURE_PROFILES ? "profiles.gp" : panels ? "spectra.gp" : "curves.gp";
+    const char *template = row->kind == FIGURE_PROFILES  ? "profiles.gp"
+                           : row->kind == FIGURE_SPECTRA ? "spectra.gp"
+                           : row->kind == FIGURE_COST    ? "cost.gp"
+                                                         : "curves.gp";
     text_add(&script, "call '%s' '%s.csv' ('%s' . (exists('dumb_size') ? '.txt' : '.svg')) '%s'", template, number,
              number, row->title);
-    if (!panels)
+    if (strcmp(template, "curves.gp") == 0) /* the others name their own axes */
         text_add(&script, " '%s' '%s' '%s'", axes[row->x].label, axes[row->y].label,
                  axes[row->x].logarithmic ? axes[row->y].logarithmic ? "xy" : "x" : "y");
     text_add(&script, " '%s'\n", text_string(&out->styles));
@@ -304,6 +340,8 @@ static enum status_code write_figure(const struct figure_row *row, const struct 
     enum status_code rc = STATUS_OK;
     if (row->kind == FIGURE_SWEEP)
         put_sweep(&out, results);
+    else if (row->kind == FIGURE_COST)
+        put_cost(&out, results->cost);
     else if (row->kind == FIGURE_MODELS)
         put_models(&out, baseline, results->plan);
     else
@@ -336,7 +374,7 @@ enum status_code figure_write_all(const struct results *results, const char *dir
                                   struct status *status)
 {
     static const char *const files[] = {"style.gp",  "blocks.gp", "axis.gp",    "legend.gp",
-                                        "curves.gp", "profiles.gp", "spectra.gp"};
+                                        "curves.gp", "profiles.gp", "spectra.gp", "cost.gp"};
     for (size_t i = 0; i < sizeof files / sizeof files[0]; i++)
         if (copy_template(files[i], templates, directory, status) != STATUS_OK)
             return status->code;

@@ -5,6 +5,8 @@
 #include "results/spool.h"
 #include "results/work.h"
 
+struct cost;
+
 /** Everything that the report is about, from here on read-only. */
 struct results {
     const struct scene *scene;
@@ -13,6 +15,7 @@ struct results {
     size_t load_count;
     struct spool *spool;
     struct work predicted, done;
+    const struct cost *cost;   /* what accuracy costs; NULL: left out */
     const double *convergence; /* the sweeps' area ratios, see results_sweep(); NULL when the effect is off */
     size_t *shown;          /* indices of the surfaces the charts show: all usable ones up to 8, else spread by Rq */
     size_t shown_count;

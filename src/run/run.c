@@ -2,6 +2,7 @@
 
 #include "base/clock.h"
 #include "chart/figure.h"
+#include "cost/cost.h"
 #include "report/report.h"
 #include "results/output.h"
 #include "run/prepare.h"
@@ -20,6 +21,7 @@ struct run {
     struct output output;
     struct prepared prepared;
     struct results *results; /* of `prepared` */
+    struct cost cost;
     double *sweeps;
     uint64_t sweep_scales;
 };
@@ -128,6 +130,11 @@ static enum status_code evaluate(struct run *run, struct run_outcome *out, struc
         rc = workers_run(run->results, workers_model, run->options, status);
     if (rc == STATUS_OK && plan_runs(&prepared->plan, EFFECT_CONVERGENCE))
         rc = run_sweeps(run, status);
+    if (rc == STATUS_OK && !run->options->no_cost) {
+        rc = cost_measure(&run->cost, run->results, status);
+        run->results->cost = &run->cost;
+        out->times.cost = run->cost.seconds;
+    }
     if (rc != STATUS_OK)
         return rc;
     struct work *done = &run->results->done;
@@ -145,6 +152,8 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
     const char *staging = run->output.staging;
     double last = clock_seconds();
     if (tables_write(run->results, staging, status) != STATUS_OK || json_write(run->results, staging, status) != STATUS_OK)
+        return status->code;
+    if (run->results->cost && cost_write(run->results->cost, staging, status) != STATUS_OK)
         return status->code;
     out->times.tables = lap(&last);
     if (figure_write_all(run->results, staging, options->templates, status) != STATUS_OK)
@@ -199,6 +208,7 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
     prepared_free(&run.prepared);
     output_abandon(&run.output);
     free(run.sweeps);
+    cost_free(&run.cost);
     out->times.total = clock_seconds() - started;
     return rc;
 }
