@@ -277,7 +277,7 @@ static void put_sweep(struct figure_file *out, const struct results *results)
 /** One line a study and method, and a ring round what the report uses. */
 static void put_cost(struct figure_file *out, const struct cost *cost)
 {
-    const double floor = 1e-17; /* an error of exactly 0 has no place on a logarithmic axis */
+    const double floor = 1e-16; /* an error of exactly 0 has no place on a logarithmic axis */
     size_t methods = 0;
     const struct cost_row *before = NULL;
     for (size_t i = 0; i < cost->count; before = &cost->rows[i++]) {

@@ -2,7 +2,6 @@
 
 #include "contact/gaussian.h"
 
-#include <float.h>
 #include <math.h>
 
 /** The integrals of thesis (4.25), (4.26), (4.43) at d, in closed form for GW, else from the panels. */
@@ -45,7 +44,7 @@ static double solve(const struct statistical *model, bool for_area, double log_t
         double value = for_area ? sums.area : sums.load, slope = for_area ? sums.area_slope : sums.load_slope;
         double step = (log_scale + log(value) + sums.log_factor - log_target) * value / slope;
         d -= step;
-        if (fabs(step) <= 4 * DBL_EPSILON * fmax(1, fabs(d)))
+        if (fabs(step) <= 1e-9 * fmax(1, fabs(d))) /* convergence is quadratic: the next step would be below rounding */
             break;
     }
     return d;
