@@ -17,16 +17,17 @@ struct results {
     struct work predicted, done;
     const struct cost *cost;   /* what accuracy costs; NULL: left out */
     const double *convergence; /* the sweeps' area ratios, see results_sweep(); NULL when the effect is off */
-    size_t *shown;          /* indices of the surfaces the charts show: all usable ones up to 8, else spread by Rq */
+    size_t *shown;             /* indices of the surfaces the charts show: all usable ones up to 8, else spread by Rq */
     size_t shown_count;
-    size_t *by_roughness;   /* indices of all usable surfaces, smoothest first */
+    size_t *by_roughness; /* indices of all usable surfaces, smoothest first */
     size_t usable_count;
-    size_t baseline;        /* index of the surface of the one-surface comparison */
+    size_t baseline; /* index of the surface of the one-surface comparison */
 };
 
 /** Area ratios of one curve of the sweeps: `scene->convergence.scales` values, longest wavelength first. */
 const double *results_sweep(const struct results *results, enum convergence_sweep sweep, bool plastic, size_t value);
-/** Scales worth writing and drawing, spread evenly in log wavelength: fills `index` (at most `most`), returns how many. */
+/** Scales worth writing and drawing, spread evenly in log wavelength: fills `index` (at most `most`), returns how many.
+ */
 size_t results_sweep_scales(size_t *index, size_t most, size_t scales);
 
 /** Writes data/surfaces.csv, spectrum.csv, contact.csv, convergence.csv below `directory` (data/ exists).

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <pthread.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* FFTW's planner is the one part of it that is not thread-safe. */
 static pthread_mutex_t planner = PTHREAD_MUTEX_INITIALIZER;
@@ -86,6 +87,16 @@ void spectrum_average(struct spectrum *mean, const struct spectrum *other, size_
                        weight * other->amplitude_m[i] * other->amplitude_m[i];
         mean->amplitude_m[i] = sqrt(power);
     }
+}
+
+enum status_code spectrum_copy(struct spectrum *out, const struct spectrum *in, struct status *status)
+{
+    *out = *in;
+    out->amplitude_m = malloc(in->count * sizeof *out->amplitude_m);
+    if (!out->amplitude_m)
+        return status_memory(status);
+    memcpy(out->amplitude_m, in->amplitude_m, in->count * sizeof *in->amplitude_m);
+    return STATUS_OK;
 }
 
 void spectrum_free(struct spectrum *spectrum)

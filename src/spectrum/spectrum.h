@@ -25,6 +25,9 @@ MUST_CHECK enum status_code spectrum_compute(struct spectrum *out, const double 
  * harmonics and the first scan's length. `so_far` is how many scans `mean` holds. */
 void spectrum_average(struct spectrum *mean, const struct spectrum *other, size_t so_far);
 
+/** A copy with amplitudes of its own. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code spectrum_copy(struct spectrum *out, const struct spectrum *in, struct status *status);
+
 void spectrum_free(struct spectrum *spectrum);
 
 /** f of index i (harmonic i + 1) [1/m]. */
