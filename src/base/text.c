@@ -130,6 +130,7 @@ enum status_code text_write_file(const char *path, const char *bytes, size_t len
     size_t written = fwrite(bytes, 1, length, file);
     int reason = errno;
     if (fclose(file) != 0 || written != length)
-        return status_fail(status, STATUS_IO, "cannot write '%s': %s", path, strerror(written != length ? reason : errno));
+        return status_fail(status, STATUS_IO, "cannot write '%s': %s", path,
+                           strerror(written != length ? reason : errno));
     return STATUS_OK;
 }

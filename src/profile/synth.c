@@ -16,9 +16,9 @@ struct synth_def synth_def_default(void)
 /** The harmonics being made; arrays of `count`, index n - 1. */
 struct synth {
     const struct synth_def *def;
-    size_t count;    /* up to the Nyquist harmonic, which stays zero */
-    size_t in_band;  /* harmonics with wavelength >= lambda_s: the first ones */
-    double *xi[2];   /* two directions of scatter, each of RMS 1 in the band and orthogonal to 1 and log lambda there */
+    size_t count;   /* up to the Nyquist harmonic, which stays zero */
+    size_t in_band; /* harmonics with wavelength >= lambda_s: the first ones */
+    double *xi[2];  /* two directions of scatter, each of RMS 1 in the band and orthogonal to 1 and log lambda there */
     double *amplitude;
     double *phase;
 };
@@ -99,7 +99,8 @@ static enum status_code meet_rq(struct synth *synth, struct status *status)
     if (target > 0)
         return status_fail(status, STATUS_USAGE,
                            "no scatter of %g decades with this seed gives an Rq of %g m (it can reach %.4g to %.4g); "
-                           "change --length, --alpha, --scatter or --seed", synth->def->scatter_decades, target, least, most);
+                           "change --length, --alpha, --scatter or --seed",
+                           synth->def->scatter_decades, target, least, most);
     return STATUS_OK;
 }
 
@@ -136,8 +137,9 @@ static enum status_code check(const struct synth_def *def, struct status *status
         return status_fail(status, STATUS_USAGE, "--points must be 8 to 100000000");
     if (!(def->alpha > 0 && def->length_m > 0 && def->scatter_decades >= 0 && def->rq_m >= 0 && def->lambda_s_m >= 0 &&
           isfinite(def->gamma) && isfinite(def->alpha) && isfinite(def->length_m)))
-        return status_fail(status, STATUS_USAGE, "--alpha and --length must be positive, --scatter, --rq and --lambda-s "
-                                                 "not negative");
+        return status_fail(status, STATUS_USAGE,
+                           "--alpha and --length must be positive, --scatter, --rq and --lambda-s "
+                           "not negative");
     if (def->scatter_decades > 2)
         return status_fail(status, STATUS_USAGE, "--scatter must be at most 2 decades");
     return STATUS_OK;
@@ -172,11 +174,12 @@ static enum status_code transform(double *height_m, const struct synth *synth, s
 static enum status_code fill(struct synth *synth, double *height_m, struct status *status)
 {
     const struct synth_def *def = synth->def;
-    while (synth->in_band < synth->count && def->length_m / (double)(synth->in_band + 1) >= def->lambda_s_m * (1 - 1e-12))
+    while (synth->in_band < synth->count &&
+           def->length_m / (double)(synth->in_band + 1) >= def->lambda_s_m * (1 - 1e-12))
         synth->in_band++;
     if (def->scatter_decades > 0 && synth->in_band < 6)
-        return status_fail(status, STATUS_USAGE, "only %zu harmonics are longer than --lambda-s; scatter needs at least 6",
-                           synth->in_band);
+        return status_fail(status, STATUS_USAGE,
+                           "only %zu harmonics are longer than --lambda-s; scatter needs at least 6", synth->in_band);
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
     if (!random)
         return status_memory(status);

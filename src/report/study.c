@@ -91,8 +91,7 @@ static void compare_families(struct study *study, const struct surface_record *r
 }
 
 /** Keeps the largest and smallest area at the middle load. */
-static void widen(double least[MODEL_COUNT], double most[MODEL_COUNT], const struct surface_record *record,
-                  double load)
+static void widen(double least[MODEL_COUNT], double most[MODEL_COUNT], const struct surface_record *record, double load)
 {
     for (int m = 0; m < MODEL_COUNT; m++)
         for (size_t i = 0; i < record->curves[m].count; i++)
@@ -105,8 +104,10 @@ static void widen(double least[MODEL_COUNT], double most[MODEL_COUNT], const str
 enum status_code study_make(struct study *out, const struct results *results, struct status *status)
 {
     double least[MODEL_COUNT] = {INFINITY, INFINITY, INFINITY, INFINITY}, most[MODEL_COUNT] = {0};
-    *out = (struct study){
-        .proportional_error = NAN, .area_gap = NAN, .ecr_gap = NAN, .middle_load = results->loads[results->load_count / 2]};
+    *out = (struct study){.proportional_error = NAN,
+                          .area_gap = NAN,
+                          .ecr_gap = NAN,
+                          .middle_load = results->loads[results->load_count / 2]};
     struct surface_record previous = {0};
     for (size_t k = 0; k < results->usable_count; k++) {
         struct surface_record record;

@@ -144,7 +144,8 @@ static enum status_code add_profile(struct surface_record *record, const struct 
     if (scene->moments == SCENE_MOMENTS_SPECTRAL)
         roughness_from_spectrum(&roughness, &spectrum);
     summary->times.spectrum += clock_seconds() - started;
-    summary->jump_m = fmax(summary->jump_m, fabs(profile->end_jump_m));
+    double jumps = (double)summary->scans * summary->jump_m * summary->jump_m + profile->end_jump_m * profile->end_jump_m;
+    summary->jump_m = sqrt(jumps / (double)(summary->scans + 1));
     enum status_code rc = STATUS_OK;
     if (summary->scans == 0) {
         rc = spectrum_copy(&record->spectrum, &spectrum, status);
@@ -182,6 +183,40 @@ static enum status_code describe_parts(struct surface_record *record, const stru
     return spread_laws(&record->summary.spread, record->parts, record->part_count, scene->fit_band_m, status);
 }
 
+/** Every row of a scan (a profile has one) into the surface. A row of a map that cannot be used (all missing, flat) is
+ * left out and counted; the map is refused when none is left. */
+static enum status_code add_rows(struct surface_record *record, const struct scan *scan, const struct scene *scene,
+                                 const char *file, struct status *status)
+{
+    struct surface_summary *summary = &record->summary;
+    size_t unusable = 0;
+    struct status first = {0};
+    for (size_t row = 0; row < scan->ny; row++) {
+        struct profile profile;
+        struct status problem = {0};
+        double started = clock_seconds();
+        enum status_code rc = profile_make(&profile, scan, row, scene->level, &problem);
+        summary->times.prepare += clock_seconds() - started;
+        if (rc == STATUS_OK && row == unusable) /* the first usable one speaks for all */
+            note_scan(summary, scan, &profile, file);
+        if (rc == STATUS_OK)
+            rc = add_profile(record, &profile, scene, &problem);
+        profile_free(&profile);
+        if (rc == STATUS_MEMORY)
+            return status_memory(status);
+        if (rc != STATUS_OK && unusable++ == 0)
+            first = problem;
+    }
+    if (unusable == scan->ny)
+        return status_fail(status, first.code, "%s: %s", file, first.message);
+    if (scan->kind == SCAN_AREAL)
+        note(summary, "%s: a map; its %zu %s were averaged as profiles", file, scan->ny - unusable,
+             scene->direction == SCENE_DIRECTION_X ? "rows" : "columns");
+    if (unusable > 0)
+        note(summary, "%s: %zu rows left out, the first because %s", file, unusable, first.message);
+    return STATUS_OK;
+}
+
 static enum status_code read_file(struct surface_record *record, const struct scene *scene,
                                   const struct scene_surface *surface, const char *file, struct hash *hash,
                                   struct status *status)
@@ -189,7 +224,6 @@ static enum status_code read_file(struct surface_record *record, const struct sc
     struct surface_summary *summary = &record->summary;
     struct text bytes = {0};
     struct scan scan = {0};
-    struct profile profile = {0};
     char *path = scene_file_path(scene, file);
     if (!path)
         return status_memory(status);
@@ -203,26 +237,34 @@ static enum status_code read_file(struct surface_record *record, const struct sc
         rc = scan_read_bytes(&scan, &content, &options, status);
     }
     text_free(&bytes);
+    if (rc == STATUS_OK && scan.kind == SCAN_AREAL && scene->direction == SCENE_DIRECTION_Y)
+        rc = scan_turn(&scan, status);
     summary->times.read += clock_seconds() - started;
-    if (rc == STATUS_OK && scan.kind == SCAN_AREAL)
-        rc = status_fail(status, STATUS_SCAN, "%s: an areal map; export a profile from it", file);
-    started = clock_seconds();
-    if (rc == STATUS_OK) {
-        rc = profile_make(&profile, &scan, 0, scene->level, status);
-        if (rc != STATUS_OK)
-            status_prefix(status, "%s", file);
-    }
-    summary->times.prepare += clock_seconds() - started;
     if (rc == STATUS_OK) {
         snprintf(summary->format, sizeof summary->format, "%s", scan.format);
         snprintf(summary->units, sizeof summary->units, "x %s, z %s", scan.x_unit, scan.z_unit);
-        note_scan(summary, &scan, &profile, file);
-        rc = add_profile(record, &profile, scene, status);
+        rc = add_rows(record, &scan, scene, file, status);
     }
-    profile_free(&profile);
     scan_free(&scan);
     free(path);
     return rc;
+}
+
+/** Two rough bodies: amplitudes and moments of the surface and of its counterface add as squares (physics §2). */
+static enum status_code pair_with(struct surface_record *record, const struct surface_record *counterface,
+                                  struct status *status)
+{
+    struct roughness *own = &record->summary.roughness;
+    double own_rq_m = own->rq_m;
+    roughness_add(own, &counterface->summary.roughness);
+    note(&record->summary, "pressed against a rough counterface: Rq %.4g um and %.4g um give %.4g um together",
+         own_rq_m * 1e6, counterface->summary.roughness.rq_m * 1e6, own->rq_m * 1e6);
+    for (size_t p = 0; p < record->part_count; p++) {
+        roughness_add(&record->parts[p].roughness, &counterface->summary.roughness);
+        if (grid_add(&record->parts[p].spectrum, &counterface->spectrum, status) != STATUS_OK)
+            return status->code;
+    }
+    return grid_add(&record->spectrum, &counterface->spectrum, status);
 }
 
 /** Power law, statistical parameters, and what the end-to-end jump may have leaked into them. */
@@ -353,7 +395,8 @@ enum status_code surface_run_models(struct surface_record *record, const struct 
 }
 
 enum status_code surface_describe(struct surface_record *out, const struct scene *scene,
-                                  const struct scene_surface *surface, struct status *status)
+                                  const struct scene_surface *surface, const struct surface_record *counterface,
+                                  struct status *status)
 {
     struct surface_summary *summary = &out->summary;
     struct status problem = {0};
@@ -370,6 +413,8 @@ enum status_code surface_describe(struct surface_record *out, const struct scene
         return summary->refusal ? STATUS_OK : status_memory(status);
     }
     summary->usable = true;
+    if (counterface && pair_with(out, counterface, status) != STATUS_OK)
+        return status->code;
     describe(out, scene);
     return describe_parts(out, scene, status);
 }

@@ -61,7 +61,7 @@ struct surface_summary {
     double spacing_m, length_m;
     enum profile_spacing grid;
     double tilt;
-    double jump_m;     /* largest end-to-end jump of the scans */
+    double jump_m;     /* end-to-end jump, root mean square over the scans */
     double jump_share; /* amplitude that jump leaks at the short end of the fit band / fitted amplitude there */
     struct roughness roughness;
     struct asperities asperities;
@@ -89,10 +89,12 @@ struct surface_record {
 };
 
 /** Reads and describes one surface: everything but the models. What is wrong with its files is no error: then
- * summary.usable is false and summary.refusal says why in one line. Error: STATUS_MEMORY. Owned: surface_record_free().
+ * summary.usable is false and summary.refusal says why in one line. `counterface` is the described rough
+ * counterface, NULL for a smooth one. Error: STATUS_MEMORY. Owned: surface_record_free().
  */
 MUST_CHECK enum status_code surface_describe(struct surface_record *out, const struct scene *scene,
-                                             const struct scene_surface *surface, struct status *status);
+                                             const struct scene_surface *surface,
+                                             const struct surface_record *counterface, struct status *status);
 
 /** What the models are asked of a described surface. */
 struct model_task surface_task(const struct surface_record *record, const struct scene *scene, const struct plan *plan,

@@ -6,6 +6,7 @@
 #include "results/work.h"
 
 struct cost;
+struct measured;
 
 /** Everything that the report is about, from here on read-only. */
 struct results {
@@ -15,7 +16,9 @@ struct results {
     size_t load_count;
     struct spool *spool;
     struct work predicted, done;
-    const struct cost *cost;   /* what accuracy costs; NULL: left out */
+    const struct surface_record *counterface; /* described; NULL: smooth */
+    const struct measured *measured;          /* NULL: none */
+    const struct cost *cost;                  /* what accuracy costs; NULL: left out */
     const double *convergence; /* the sweeps' area ratios, see results_sweep(); NULL when the effect is off */
     size_t *shown;             /* indices of the surfaces the charts show: all usable ones up to 8, else spread by Rq */
     size_t shown_count;

@@ -11,8 +11,8 @@
 struct spectrum {
     double *amplitude_m; /* Delta_n at index n - 1 */
     size_t count;
-    double length_m;     /* L: harmonic n has wavelength L/n */
-    bool has_nyquist;    /* the last harmonic is the Nyquist one: its mean square is Delta², not Delta²/2 */
+    double length_m;  /* L: harmonic n has wavelength L/n */
+    bool has_nyquist; /* the last harmonic is the Nyquist one: its mean square is Delta², not Delta²/2 */
 };
 
 /** Delta_n = 2|Z_n|/N, n = 1 ... ceil(N/2)-1, and |Z_{N/2}|/N at the Nyquist bin of an even N, of `points` >= 3 heights
