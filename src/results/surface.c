@@ -144,7 +144,8 @@ static enum status_code add_profile(struct surface_record *record, const struct 
     if (scene->moments == SCENE_MOMENTS_SPECTRAL)
         roughness_from_spectrum(&roughness, &spectrum);
     summary->times.spectrum += clock_seconds() - started;
-    double jumps = (double)summary->scans * summary->jump_m * summary->jump_m + profile->end_jump_m * profile->end_jump_m;
+    double jumps =
+        (double)summary->scans * summary->jump_m * summary->jump_m + profile->end_jump_m * profile->end_jump_m;
     summary->jump_m = sqrt(jumps / (double)(summary->scans + 1));
     enum status_code rc = STATUS_OK;
     if (summary->scans == 0) {

@@ -37,6 +37,12 @@ size_t results_sweep_scales(size_t *index, size_t most, size_t scales);
  * Columns and rows of effects that did not run are absent. Errors: STATUS_IO, STATUS_MEMORY. */
 MUST_CHECK enum status_code tables_write(const struct results *results, const char *directory, struct status *status);
 
+/** Has any surface several scans (or a map's rows), so that there is a spread to show? */
+bool results_repeated(const struct results *results);
+/** Writes data/spread.csv and data/bands.csv when results_repeated(). Errors: STATUS_IO, STATUS_MEMORY. */
+MUST_CHECK enum status_code tables_write_spread(const struct results *results, const char *directory,
+                                                struct status *status);
+
 /** Writes results.json. Errors: STATUS_IO, STATUS_MEMORY. */
 MUST_CHECK enum status_code json_write(const struct results *results, const char *directory, struct status *status);
 

@@ -152,6 +152,7 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
     const char *staging = run->output.staging;
     double last = clock_seconds();
     if (tables_write(run->results, staging, status) != STATUS_OK ||
+        tables_write_spread(run->results, staging, status) != STATUS_OK ||
         json_write(run->results, staging, status) != STATUS_OK)
         return status->code;
     if (run->results->cost && cost_write(run->results->cost, staging, status) != STATUS_OK)
