@@ -1,4 +1,4 @@
-#include "directory.h"
+#include "results/directory.h"
 #include "results/output.h"
 
 static int place_setup(void **state)

@@ -1,4 +1,4 @@
-#include "directory.h"
+#include "results/directory.h"
 #include "results/spool.h"
 
 enum { SURFACES = 7 };
