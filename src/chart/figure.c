@@ -210,6 +210,8 @@ static void put_models(struct figure_file *out, const struct surface_record *rec
             put_curve(out, curve, model, VARIANT_SCALE_DEPENDENT, sigma_m, style, legend);
         }
     }
+    if (out->blocks == 0) /* gnuplot complains of a file without any */
+        begin_block(out, model_rows[0].style, "no model exists for this surface");
 }
 
 static void surface_legend(char *legend, size_t size, const struct surface_summary *summary)

@@ -16,12 +16,18 @@ struct synth_def synth_def_default(void)
 /** The harmonics being made; arrays of `count`, index n - 1. */
 struct synth {
     const struct synth_def *def;
-    size_t count;   /* up to the Nyquist harmonic, which stays zero */
+    size_t count;   /* the last is the Nyquist harmonic when the points are even */
     size_t in_band; /* harmonics with wavelength >= lambda_s: the first ones */
     double *xi[2];  /* two directions of scatter, each of RMS 1 in the band and orthogonal to 1 and log lambda there */
     double *amplitude;
     double *phase;
 };
+
+/** The Nyquist harmonic has no sine part, and its mean square is the whole amplitude squared. */
+static bool is_nyquist(const struct synth *synth, size_t i)
+{
+    return 2 * (i + 1) == synth->def->points;
+}
 
 static double log_index(size_t i)
 {
@@ -67,7 +73,7 @@ static double set_amplitudes(struct synth *synth, double angle)
         if (wavelength < def->lambda_s_m) /* Gaussian filter of ISO 16610-21, one half at lambda_s, relative to that */
             amplitude *= exp(-M_LN2 * (pow(def->lambda_s_m / wavelength, 2) - 1));
         synth->amplitude[i] = amplitude;
-        power += amplitude * amplitude / 2;
+        power += amplitude * amplitude / (is_nyquist(synth, i) ? 1 : 2);
     }
     return sqrt(power);
 }
@@ -115,7 +121,7 @@ static double line_of_sine(size_t n, size_t points)
 static bool make_level(struct synth *synth)
 {
     size_t points = synth->def->points;
-    for (size_t m = 0; m < synth->count; m++) {
+    for (size_t m = 0; m < synth->count && !is_nyquist(synth, m); m++) {
         double rest = 0, cosine = -0.5 * (double)points, sine = -line_of_sine(m + 1, points);
         for (size_t i = 0; i < synth->count; i++)
             if (i != m)
@@ -159,8 +165,9 @@ static enum status_code transform(double *height_m, const struct synth *synth, s
     fftw_plan plan = fftw_plan_dft_c2r_1d((int)points, bins, record, FFTW_ESTIMATE);
     for (size_t n = 0; n <= points / 2; n++) {
         bool has = n > 0 && n <= synth->count;
-        bins[n][0] = has ? synth->amplitude[n - 1] / 2 * cos(synth->phase[n - 1]) : 0;
-        bins[n][1] = has ? synth->amplitude[n - 1] / 2 * sin(synth->phase[n - 1]) : 0;
+        double size = has ? synth->amplitude[n - 1] / (is_nyquist(synth, n - 1) ? 1 : 2) : 0;
+        bins[n][0] = has ? size * cos(synth->phase[n - 1]) : 0;
+        bins[n][1] = has ? size * sin(synth->phase[n - 1]) : 0;
     }
     fftw_execute(plan);
     for (size_t i = 0; i < points; i++)
@@ -184,11 +191,16 @@ static enum status_code fill(struct synth *synth, double *height_m, struct statu
     if (!random)
         return status_memory(status);
     gsl_rng_set(random, def->seed);
+    size_t last = synth->count - 1, ordinary = is_nyquist(synth, last) ? last : synth->count;
     for (int d = 0; d < 2; d++)
-        for (size_t i = 0; i < synth->count; i++)
+        for (size_t i = 0; i < ordinary; i++)
             synth->xi[d][i] = gsl_ran_gaussian_ziggurat(random, 1);
-    for (size_t i = 0; i < synth->count; i++)
+    for (size_t i = 0; i < ordinary; i++)
         synth->phase[i] = 2 * M_PI * gsl_rng_uniform(random);
+    for (int d = 0; d < 2 && ordinary == last; d++)
+        synth->xi[d][last] = gsl_ran_gaussian_ziggurat(random, 1);
+    if (ordinary == last)
+        synth->phase[last] = 0;
     gsl_rng_free(random);
     if (def->scatter_decades > 0) {
         make_orthogonal(synth->xi[0], synth->in_band, NULL);
@@ -205,7 +217,7 @@ enum status_code synth_profile(double *height_m, const struct synth_def *def, st
 {
     if (check(def, status) != STATUS_OK)
         return status->code;
-    struct synth synth = {.def = def, .count = (def->points - 1) / 2};
+    struct synth synth = {.def = def, .count = def->points / 2};
     double *block = malloc(4 * synth.count * sizeof *block);
     if (!block)
         return status_memory(status);

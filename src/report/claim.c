@@ -145,7 +145,7 @@ static enum claim_verdict check_spread(struct text *out, const struct results *r
         double plastic = study->area_spread[f == 0 ? MODEL_MULTISCALE_PLASTIC : MODEL_JG];
         if (isnan(elastic) || isnan(plastic))
             continue;
-        text_add(out, "%s%s elastic ", f == 0 ? ": " : "; ", f == 0 ? "multiscale" : "statistical");
+        text_add(out, "%s%s elastic ", tested == 0 ? ": " : "; ", f == 0 ? "multiscale" : "statistical");
         words_number(out, elastic, 3);
         text_add(out, ", plastic ");
         words_number(out, plastic, 3);

@@ -53,7 +53,10 @@ enum status_code workers_describe(struct surface_record *record, const struct re
     }
     if (record->summary.usable)
         bound_surface(record, scene, results->plan, results->loads, results->load_count);
-    return spool_put(results->spool, index, record, status);
+    enum status_code rc = spool_put(results->spool, index, record, status);
+    if (rc != STATUS_OK)
+        surface_record_free(record, true);
+    return rc;
 }
 
 enum status_code workers_model(struct surface_record *record, const struct results *results, size_t index,
