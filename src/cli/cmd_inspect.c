@@ -100,12 +100,22 @@ static json_t *real(double value)
     return isfinite(value) ? json_real(value) : json_null();
 }
 
+/** Text as it may be shown: JSON is UTF-8, a file name need not be. */
+static json_t *string(const char *value)
+{
+    struct text shown = {0};
+    text_add_shown(&shown, value);
+    json_t *json = json_string(text_string(&shown));
+    text_free(&shown);
+    return json;
+}
+
 static json_t *finding_json(const char *path, const struct finding *f)
 {
-    json_t *warnings = json_array(), *name = json_string(path);
+    json_t *warnings = json_array();
     for (size_t w = 0; w < f->scan.warning_count; w++)
-        json_array_append_new(warnings, json_string(f->scan.warnings[w]));
-    json_t *json = json_pack("{s:o, s:s, s:s, s:I, s:o, s:o, s:s, s:s, s:I}", "file", name ? name : json_null(), "format",
+        json_array_append_new(warnings, string(f->scan.warnings[w]));
+    json_t *json = json_pack("{s:o, s:s, s:s, s:I, s:o, s:o, s:s, s:s, s:I}", "file", string(path), "format",
                              f->scan.format, "kind", "profile", "points", (json_int_t)f->scan.nx, "spacing_m",
                              real(f->profile.spacing_m), "length_m", real((double)(f->scan.nx - 1) * f->profile.spacing_m),
                              "x_unit", f->scan.x_unit, "z_unit", f->scan.z_unit, "missing", (json_int_t)f->scan.missing);
@@ -125,7 +135,10 @@ static void print_finding(const char *path, const struct finding *f)
 {
     const struct roughness *r = &f->roughness;
     static const char *const grids[] = {"uniform", "rounded x, mean spacing used", "uneven x, interpolated"};
-    printf("%s\n", path);
+    struct text name = {0};
+    text_add_shown(&name, path);
+    printf("%s\n", text_string(&name));
+    text_free(&name);
     printf("  format      %s, x in %s, z in %s\n", f->scan.format, f->scan.x_unit, f->scan.z_unit);
     printf("  points      %zu, spacing %.6g um (%s), length %.6g mm\n", f->scan.nx, f->profile.spacing_m * 1e6,
            grids[f->profile.grid], (double)(f->scan.nx - 1) * f->profile.spacing_m * 1e3);
@@ -135,8 +148,12 @@ static void print_finding(const char *path, const struct finding *f)
     printf("  moments     m2 %.6g, m4 %.6g /um2, Nayak %.4g\n", r->m2, r->m4_per_m2 * 1e-12, r->m0_m2 / r->m2 * (r->m4_per_m2 / r->m2));
     printf("  power law   alpha %.4g +- %.2g, gamma %.3f +- %.3f, scatter %.3f decades\n", f->law.alpha, f->law.alpha_error,
            f->law.gamma, f->law.gamma_error, f->law.rms_decades);
-    for (size_t w = 0; w < f->scan.warning_count; w++)
-        printf("  note        %s\n", f->scan.warnings[w]);
+    for (size_t w = 0; w < f->scan.warning_count; w++) {
+        struct text note = {0};
+        text_add_shown(&note, f->scan.warnings[w]);
+        printf("  note        %s\n", text_string(&note));
+        text_free(&note);
+    }
 }
 
 /** Thins `count` points to what a terminal can show; `at` maps an index to a point. */
@@ -224,8 +241,7 @@ static enum status_code draw(const struct finding *f, struct status *status)
 
 static json_t *error_json(const char *path, const char *message)
 {
-    json_t *name = json_string(path), *text = json_string(message);
-    return json_pack("{s:o, s:o}", "file", name ? name : json_null(), "error", text ? text : json_null());
+    return json_pack("{s:o, s:o}", "file", string(path), "error", string(message));
 }
 
 int command_inspect(int argc, char **argv)
@@ -246,13 +262,13 @@ int command_inspect(int argc, char **argv)
             if (arguments.json)
                 json_array_append_new(all, error_json(path, status.message));
             else
-                fprintf(stderr, "roughcontact: %s\n", status.message);
+                command_complain("", status.message);
         } else if (arguments.json) {
             json_array_append_new(all, finding_json(path, &finding));
         } else {
             print_finding(path, &finding);
             if (!arguments.no_chart && draw(&finding, &chart) != STATUS_OK)
-                fprintf(stderr, "roughcontact: no charts: %s\n", chart.message);
+                command_complain("no charts: ", chart.message);
         }
         finding_free(&finding);
     }

@@ -71,8 +71,12 @@ static void ask_to_stop(int signal_number)
 
 static void progress(size_t done, size_t total, const char *name)
 {
-    fprintf(stderr, "\r\033[K%zu of %zu  %.40s%s", done, total, name, done == total ? "\r\033[K" : "");
+    struct text shown = {0};
+    text_add_shown(&shown, name);
+    fprintf(stderr, "\r\033[K%zu of %zu  %.40s%s", done, total, text_string(&shown),
+            done == total ? "\r\033[K" : "");
     fflush(stderr);
+    text_free(&shown);
 }
 
 static void print_times(const struct run_times *times)

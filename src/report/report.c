@@ -128,15 +128,13 @@ enum status_code report_write(const struct results *results, const char *directo
 /** Pads by characters, not bytes: names may be UTF-8. */
 static void padded(struct text *out, const char *string, int width)
 {
+    struct text shown = {0};
     int columns = 0;
-    for (const char *p = string; *p && columns < width; p++)
+    text_add_shown(&shown, string);
+    for (const char *p = text_string(&shown); *p; p++)
         columns += ((unsigned char)*p & 0xC0) != 0x80;
-    for (const char *p = string; *p; p++) {
-        unsigned char c = (unsigned char)*p;
-        text_add_bytes(out, c < 0x20 || c == 0x7f ? "?" : p, 1);
-    }
-    for (; columns < width; columns++)
-        text_add_bytes(out, " ", 1);
+    text_add(out, "%s%*s", text_string(&shown), columns < width ? width - columns : 0, "");
+    text_free(&shown);
 }
 
 void report_terminal_table(struct text *out, const struct results *results)
