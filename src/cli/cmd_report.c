@@ -20,8 +20,8 @@ struct arguments {
 static const struct argp_option options[] = {
     {"output", 'o', "OUT", 0, "where the report goes (default: out/<name of DIR>)", 0},
     {"jobs", 'j', "N", 0, "threads, 1 to 64 (default: one a processor)", 0},
-    {"show", 's', 0, 0, "also draw the main charts as text", 0},
-    {"verbose", 'v', 0, 0, "end with where the time went", 0},
+    {"show", 's', 0, 0, "also draw the main charts as text (default: not)", 0},
+    {"verbose", 'v', 0, 0, "end with where the time went (default: not)", 0},
     {0},
 };
 
@@ -102,7 +102,7 @@ static void print_times(const struct run_times *times)
 
 static void catch_signals(void)
 {
-    struct sigaction action = {.sa_handler = ask_to_stop};
+    struct sigaction action = {.sa_handler = ask_to_stop, .sa_flags = (int)SA_RESETHAND}; /* a second one ends at once */
     static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
     for (int i = 0; i < 3; i++)
         sigaction(signals[i], &action, NULL);

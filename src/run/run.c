@@ -162,6 +162,11 @@ static enum status_code evaluate(struct run *run, struct run_outcome *out, struc
     return rc != STATUS_OK ? rc : rank_surfaces(run, status);
 }
 
+static bool stopped(const struct run *run)
+{
+    return run->options->stop && *run->options->stop;
+}
+
 static enum status_code stages(struct run *run, struct run_outcome *out, struct status *status)
 {
     const struct run_options *options = run->options;
@@ -169,13 +174,15 @@ static enum status_code stages(struct run *run, struct run_outcome *out, struct 
     if (evaluate(run, out, status) != STATUS_OK)
         return status->code;
     double last = clock_seconds();
-    if (plan_runs(&run->plan, EFFECT_CONVERGENCE) && run_sweeps(run, status) != STATUS_OK)
+    if (!stopped(run) && plan_runs(&run->plan, EFFECT_CONVERGENCE) && run_sweeps(run, status) != STATUS_OK)
         return status->code;
     out->times.convergence += lap(&last);
-    if (tables_write(&run->results, staging, status) != STATUS_OK || json_write(&run->results, staging, status) != STATUS_OK)
+    if (stopped(run) || tables_write(&run->results, staging, status) != STATUS_OK)
+        return status->code;
+    if (stopped(run) || json_write(&run->results, staging, status) != STATUS_OK)
         return status->code;
     out->times.tables = lap(&last);
-    if (figure_write_all(&run->results, staging, options->templates, status) != STATUS_OK)
+    if (stopped(run) || figure_write_all(&run->results, staging, options->templates, status) != STATUS_OK)
         return status->code;
     out->times.figures = lap(&last);
     if (figure_draw_all(&run->results, staging, options->terminal_size, &out->charts, &out->times.gnuplot, status) !=
@@ -186,9 +193,7 @@ static enum status_code stages(struct run *run, struct run_outcome *out, struct 
         return status->code;
     report_terminal_table(&out->table, &run->results);
     out->times.report = lap(&last);
-    if (options->stop && *options->stop)
-        return status_fail(status, STATUS_INTERRUPTED, "stopped");
-    return output_commit(&run->output, status);
+    return stopped(run) ? status->code : output_commit(&run->output, status);
 }
 
 /** OUT as given, else out/<name of DIR>. */
@@ -219,6 +224,10 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
         rc = begin_output(&run, status);
     if (rc == STATUS_OK)
         rc = stages(&run, out, status);
+    if (run.output.staging[0] && stopped(&run)) { /* whatever else went wrong: Ctrl-C stops gnuplot too */
+        *status = (struct status){0};
+        rc = status_fail(status, STATUS_INTERRUPTED, "stopped by a signal; '%s' is as it was before", run.output.target);
+    }
     if (rc == STATUS_OK && asprintf(&out->path, "%s/report.html", run.output.target) < 0)
         rc = status_memory(status);
     spool_close(&run.spool);
