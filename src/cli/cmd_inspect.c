@@ -24,10 +24,10 @@ struct arguments {
 enum { KEY_X_UNIT = 0x100, KEY_Z_UNIT, KEY_JSON, KEY_NO_CHART };
 
 static const struct argp_option options[] = {
-    {"json", KEY_JSON, 0, 0, "print an array of objects, one a file", 0},
-    {"no-chart", KEY_NO_CHART, 0, 0, "leave the charts out", 0},
-    {"x-unit", KEY_X_UNIT, "UNIT", 0, "unit of x where the file names none", 0},
-    {"z-unit", KEY_Z_UNIT, "UNIT", 0, "unit of z where the file names none", 0},
+    {"json", KEY_JSON, 0, 0, "print an array of objects, one a file (default: text)", 0},
+    {"no-chart", KEY_NO_CHART, 0, 0, "leave the charts out (default: drawn to the terminal's size)", 0},
+    {"x-unit", KEY_X_UNIT, "UNIT", 0, "unit of x where the file names none (default: such a file is refused)", 0},
+    {"z-unit", KEY_Z_UNIT, "UNIT", 0, "unit of z where the file names none (default: such a file is refused)", 0},
     {0},
 };
 
