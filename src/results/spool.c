@@ -53,15 +53,19 @@ static bool put_arrays(FILE *file, const struct surface_record *record)
 enum status_code spool_put(struct spool *spool, size_t index, const struct surface_record *record,
                            struct status *status)
 {
-    spool->summaries[index] = record->summary;
-    if (!record->summary.usable)
+    if (!record->summary.usable) {
+        spool->summaries[index] = record->summary;
         return STATUS_OK;
+    }
     pthread_mutex_lock(&spool->lock);
     bool ok = fseek(spool->file, 0, SEEK_END) == 0 && (spool->offsets[index] = ftell(spool->file)) >= 0;
     ok = ok && put_arrays(spool->file, record);
     int reason = errno;
     pthread_mutex_unlock(&spool->lock);
-    return ok ? STATUS_OK : status_fail(status, STATUS_IO, "cannot write results: %s", strerror(reason));
+    if (!ok)
+        return status_fail(status, STATUS_IO, "cannot write results: %s", strerror(reason));
+    spool->summaries[index] = record->summary;
+    return STATUS_OK;
 }
 
 static void *get_array(FILE *file, size_t size, size_t count, bool *ok)

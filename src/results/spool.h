@@ -20,7 +20,8 @@ struct spool {
 MUST_CHECK enum status_code spool_open(struct spool *out, const char *directory, size_t count, struct status *status);
 void spool_close(struct spool *spool);
 
-/** Stores surface `index`; may be called from several threads. Error: STATUS_IO. */
+/** Stores surface `index` and takes its summary's texts over; may be called from several threads. Error: STATUS_IO; then
+ * they are still the record's. */
 MUST_CHECK enum status_code spool_put(struct spool *spool, size_t index, const struct surface_record *record,
                                       struct status *status);
 /** Reads it back; end it with surface_record_free(record, false). Errors: STATUS_IO, STATUS_MEMORY. */
