@@ -124,7 +124,8 @@ static int report(struct arguments *arguments, struct scene *scene, struct statu
     arguments->run.progress = isatty(STDERR_FILENO) ? progress : NULL;
     catch_signals();
     enum status_code rc = run_report(&outcome, scene, &arguments->run, status);
-    fputs(text_string(&outcome.messages), stderr);
+    if (rc != STATUS_INTERRUPTED)
+        fputs(text_string(&outcome.messages), stderr);
     if (rc != STATUS_OK) {
         exit_status = command_fail(status);
     } else {
