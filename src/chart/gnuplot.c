@@ -1,5 +1,4 @@
 #include "chart/gnuplot.h"
-#include "base/text.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -247,6 +246,23 @@ enum status_code gnuplot_finish(struct gnuplot *gnuplot, struct status *status)
     if (lost)
         return status_fail(status, STATUS_CHART, "gnuplot ended before it had read all commands");
     return STATUS_OK;
+}
+
+enum status_code gnuplot_take_text(struct text *out, const char *path, struct status *status)
+{
+    struct text drawn = {0};
+    enum status_code code = text_read_file(&drawn, path, status);
+    unlink(path);
+    for (const char *line = text_string(&drawn); *line;) {
+        size_t length = strcspn(line, "\n"), kept = length;
+        while (kept > 0 && line[kept - 1] == ' ')
+            kept--;
+        text_add_bytes(out, line, kept);
+        text_add_bytes(out, "\n", 1);
+        line += length + (line[length] == '\n');
+    }
+    text_free(&drawn);
+    return code == STATUS_OK && out->failed ? status_memory(status) : code;
 }
 
 /* `string` between two `mark`s; the characters `special` come out as `instead` at the same place. */

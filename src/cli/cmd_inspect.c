@@ -188,33 +188,20 @@ static enum status_code write_chart_data(const char *directory, const char *name
     return fclose(file) == 0 ? STATUS_OK : status_fail(status, STATUS_IO, "cannot write in '%s'", directory);
 }
 
-/** Prints a text file and removes it. */
-static void show_and_remove(const char *directory, const char *name)
-{
-    struct text path = {0}, content = {0};
-    struct status ignored = {0};
-    text_add(&path, "%s/%s", directory, name);
-    if (text_read_file(&content, text_string(&path), &ignored) == STATUS_OK)
-        fwrite(content.data, 1, content.length, stdout);
-    unlink(text_string(&path));
-    text_free(&path);
-    text_free(&content);
-}
-
 /** Draws profile and spectrum as text, sized to the terminal. */
 static enum status_code draw(const struct finding *f, struct status *status)
 {
-    struct text templates = {0};
+    struct text templates = {0}, charts = {0};
     struct gnuplot gnuplot;
     const char *base = getenv("TMPDIR");
     char directory[512], quoted[600];
     int columns, rows;
     command_terminal_size(&columns, &rows);
     snprintf(directory, sizeof directory, "%s/roughcontact-XXXXXX", base && strlen(base) < 400 ? base : P_tmpdir);
-    if (command_templates(&templates, status) != STATUS_OK)
-        return status->code;
-    if (!mkdtemp(directory))
+    if (command_templates(&templates, status) != STATUS_OK || !mkdtemp(directory)) {
+        text_free(&templates);
         return status_fail(status, STATUS_IO, "cannot make a directory like '%s'", directory);
+    }
     enum status_code rc = write_chart_data(directory, "profile.csv", f, false, status);
     if (rc == STATUS_OK)
         rc = write_chart_data(directory, "spectrum.csv", f, true, status);
@@ -227,14 +214,19 @@ static enum status_code draw(const struct finding *f, struct status *status)
                                "'amplitude (um)' 'xy' 's1'");
         rc = gnuplot_finish(&gnuplot, status);
     }
-    static const char *const outputs[] = {"profile.txt", "spectrum.txt"}, *const inputs[] = {"profile.csv", "spectrum.csv"};
+    static const char *const names[] = {"profile", "spectrum"};
     for (int i = 0; i < 2; i++) {
         char path[600];
-        show_and_remove(directory, outputs[i]);
-        snprintf(path, sizeof path, "%s/%s", directory, inputs[i]);
+        snprintf(path, sizeof path, "%s/%s.txt", directory, names[i]);
+        if (rc == STATUS_OK)
+            rc = gnuplot_take_text(&charts, path, status);
+        unlink(path);
+        snprintf(path, sizeof path, "%s/%s.csv", directory, names[i]);
         unlink(path);
     }
     rmdir(directory);
+    fputs(text_string(&charts), stdout);
+    text_free(&charts);
     text_free(&templates);
     return rc;
 }
