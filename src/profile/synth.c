@@ -16,8 +16,9 @@ struct synth_def synth_def_default(void)
 /** The harmonics being made; arrays of `count`, index n - 1. */
 struct synth {
     const struct synth_def *def;
-    size_t count;    /* up to the Nyquist harmonic, which stays zero */
-    size_t in_band;  /* harmonics with wavelength >= lambda_s: the first ones */
+    size_t count;    /* up to the Nyquist harmonic */
+    size_t drawn;    /* those with scatter and phase: all but the Nyquist harmonic, which lies on the law */
+    size_t in_band;  /* drawn harmonics with wavelength >= lambda_s: the first ones */
     double *xi[2];   /* two directions of scatter, each of RMS 1 in the band and orthogonal to 1 and log lambda there */
     double *amplitude;
     double *phase;
@@ -67,7 +68,7 @@ static double set_amplitudes(struct synth *synth, double angle)
         if (wavelength < def->lambda_s_m) /* Gaussian filter of ISO 16610-21, one half at lambda_s, relative to that */
             amplitude *= exp(-M_LN2 * (pow(def->lambda_s_m / wavelength, 2) - 1));
         synth->amplitude[i] = amplitude;
-        power += amplitude * amplitude / 2;
+        power += amplitude * amplitude / (i < synth->drawn ? 2 : 1);
     }
     return sqrt(power);
 }
@@ -114,7 +115,7 @@ static double line_of_sine(size_t n, size_t points)
 static bool make_level(struct synth *synth)
 {
     size_t points = synth->def->points;
-    for (size_t m = 0; m < synth->count; m++) {
+    for (size_t m = 0; m < synth->drawn; m++) {
         double rest = 0, cosine = -0.5 * (double)points, sine = -line_of_sine(m + 1, points);
         for (size_t i = 0; i < synth->count; i++)
             if (i != m)
@@ -157,8 +158,9 @@ static enum status_code transform(double *height_m, const struct synth *synth, s
     fftw_plan plan = fftw_plan_dft_c2r_1d((int)points, bins, record, FFTW_ESTIMATE);
     for (size_t n = 0; n <= points / 2; n++) {
         bool has = n > 0 && n <= synth->count;
-        bins[n][0] = has ? synth->amplitude[n - 1] / 2 * cos(synth->phase[n - 1]) : 0;
-        bins[n][1] = has ? synth->amplitude[n - 1] / 2 * sin(synth->phase[n - 1]) : 0;
+        double amplitude = has ? synth->amplitude[n - 1] / (n <= synth->drawn ? 2 : 1) : 0;
+        bins[n][0] = has ? amplitude * cos(synth->phase[n - 1]) : 0;
+        bins[n][1] = has ? amplitude * sin(synth->phase[n - 1]) : 0;
     }
     fftw_execute(plan);
     for (size_t i = 0; i < points; i++)
@@ -172,7 +174,7 @@ static enum status_code transform(double *height_m, const struct synth *synth, s
 static enum status_code fill(struct synth *synth, double *height_m, struct status *status)
 {
     const struct synth_def *def = synth->def;
-    while (synth->in_band < synth->count && def->length_m / (double)(synth->in_band + 1) >= def->lambda_s_m * (1 - 1e-12))
+    while (synth->in_band < synth->drawn && def->length_m / (double)(synth->in_band + 1) >= def->lambda_s_m * (1 - 1e-12))
         synth->in_band++;
     if (def->scatter_decades > 0 && synth->in_band < 6)
         return status_fail(status, STATUS_USAGE, "only %zu harmonics are longer than --lambda-s; scatter needs at least 6",
@@ -182,9 +184,9 @@ static enum status_code fill(struct synth *synth, double *height_m, struct statu
         return status_memory(status);
     gsl_rng_set(random, def->seed);
     for (int d = 0; d < 2; d++)
-        for (size_t i = 0; i < synth->count; i++)
+        for (size_t i = 0; i < synth->drawn; i++)
             synth->xi[d][i] = gsl_ran_gaussian_ziggurat(random, 1);
-    for (size_t i = 0; i < synth->count; i++)
+    for (size_t i = 0; i < synth->drawn; i++)
         synth->phase[i] = 2 * M_PI * gsl_rng_uniform(random);
     gsl_rng_free(random);
     if (def->scatter_decades > 0) {
@@ -202,8 +204,8 @@ enum status_code synth_profile(double *height_m, const struct synth_def *def, st
 {
     if (check(def, status) != STATUS_OK)
         return status->code;
-    struct synth synth = {.def = def, .count = (def->points - 1) / 2};
-    double *block = malloc(4 * synth.count * sizeof *block);
+    struct synth synth = {.def = def, .count = def->points / 2, .drawn = (def->points - 1) / 2};
+    double *block = calloc(4 * synth.count, sizeof *block);
     if (!block)
         return status_memory(status);
     synth.xi[0] = block;
