@@ -116,8 +116,10 @@ static int report(struct arguments *arguments, struct scene *scene, struct statu
     int columns, rows, exit_status = COMMAND_DONE;
     command_terminal_size(&columns, &rows);
     snprintf(size, sizeof size, "%d,%d", columns, rows > 34 ? 34 : rows - 1);
-    if (command_templates(&templates, status) != STATUS_OK)
+    if (command_templates(&templates, status) != STATUS_OK) {
+        text_free(&templates);
         return command_fail(status);
+    }
     arguments->run.templates = text_string(&templates);
     arguments->run.terminal_size = arguments->show ? size : NULL;
     arguments->run.stop = &stop;

@@ -45,7 +45,8 @@ static bool put_arrays(FILE *file, const struct surface_record *record)
     ok = ok && fwrite(record->spectrum.amplitude_m, sizeof(double), scales, file) == scales;
     for (int m = 0; m < MODEL_COUNT; m++) {
         size_t count = record->curves[m].count;
-        ok = ok && fwrite(record->curves[m].points, sizeof(struct contact_point), count, file) == count;
+        ok = ok && (count == 0 || /* a model that did not run has no array */
+                    fwrite(record->curves[m].points, sizeof(struct contact_point), count, file) == count);
     }
     return ok;
 }
