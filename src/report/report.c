@@ -125,52 +125,76 @@ enum status_code report_write(const struct results *results, const char *directo
     return rc;
 }
 
+/** Columns that `string` takes on a terminal: its characters. */
+static int columns_of(const char *string)
+{
+    int columns = 0;
+    for (; *string; string++)
+        columns += ((unsigned char)*string & 0xC0) != 0x80;
+    return columns;
+}
+
 /** Pads by characters, not bytes: names may be UTF-8. */
 static void padded(struct text *out, const char *string, int width)
 {
-    int columns = 0;
-    for (const char *p = string; *p && columns < width; p++)
-        columns += ((unsigned char)*p & 0xC0) != 0x80;
-    for (const char *p = string; *p; p++) {
-        unsigned char c = (unsigned char)*p;
-        text_add_bytes(out, c < 0x20 || c == 0x7f ? "?" : p, 1);
-    }
-    for (; columns < width; columns++)
-        text_add_bytes(out, " ", 1);
+    struct text shown = {0};
+    text_add_shown(&shown, string);
+    int columns = columns_of(text_string(&shown));
+    text_add(out, "%s%*s", text_string(&shown), columns < width ? width - columns : 0, "");
+    text_free(&shown);
+}
+
+static bool shows(const struct plan *plan, int model)
+{
+    return model_called_for((enum model_id)model, plan->families, plan->running);
+}
+
+/** Two lines: the second names the columns, the first what the last of them have in common. */
+static void terminal_head(struct text *out, const struct plan *plan, int width)
+{
+    static const char *const betas[MODEL_COUNT] = {[MODEL_GW] = "b_GW", [MODEL_JG] = "b_JG"};
+    static const char *const heads[MODEL_COUNT] = {"MS el.", "MS pl.", "GW", "JG"};
+    struct text names = {0};
+    int before = width + 32; /* the loads begin there */
+    for (int m = 0; m < MODEL_COUNT; m++)
+        if (betas[m] && shows(plan, m)) {
+            text_add(&names, " %4s", betas[m]);
+            before += 5;
+        }
+    for (int m = 0; m < MODEL_COUNT; m++)
+        if (shows(plan, m))
+            text_add(&names, " %7s", heads[m]);
+    text_add(out, "%*sP/(An E') at full contact\n%-*s Rq, um    alpha [SI]     gamma%s\n", before, "", width, "surface",
+             text_string(&names));
+    text_free(&names);
+}
+
+static void terminal_row(struct text *out, const struct plan *plan, const struct surface_summary *s, int width)
+{
+    char alpha[40], gamma[40];
+    snprintf(alpha, sizeof alpha, "%.2g±%.1g", s->law.alpha, s->law.alpha_error);
+    snprintf(gamma, sizeof gamma, "%.2f±%.2f", s->law.gamma, s->law.gamma_error);
+    padded(out, s->scene->name, width);
+    text_add(out, " %6.3g %*s%s %*s%s", s->roughness.rq_m * 1e6, 13 - columns_of(alpha), "", alpha,
+             9 - columns_of(gamma), "", gamma);
+    for (int m = MODEL_GW; m <= MODEL_JG; m++)
+        if (shows(plan, m))
+            text_add(out, s->models[m].exists ? " %4.1f" : "    -", s->models[m].beta);
+    for (int m = 0; m < MODEL_COUNT; m++)
+        if (shows(plan, m))
+            text_add(out, s->models[m].exists ? " %7.2g" : "       -", s->models[m].full_load);
+    text_add(out, "\n");
 }
 
 void report_terminal_table(struct text *out, const struct results *results)
 {
-    static const char *const heads[MODEL_COUNT] = {"MS elastic", "MS plastic", "GW", "JG"};
-    const struct plan *plan = results->plan;
     int width = 7;
     for (size_t k = 0; k < results->usable_count; k++) {
-        int length = (int)strlen(results->spool->summaries[results->by_roughness[k]].scene->name);
+        int length = columns_of(results->spool->summaries[results->by_roughness[k]].scene->name);
         width = length > width ? length > 28 ? 28 : length : width;
     }
-    text_add(out, "%*s", width + 72, "load to full contact, P/(An E')\n");
-    padded(out, "surface", width);
-    text_add(out, "  Rq [um]       alpha [SI]          gamma   b_GW   b_JG");
-    for (int m = 0; m < MODEL_COUNT; m++)
-        if (model_called_for((enum model_id)m, plan->families, plan->running))
-            text_add(out, " %10s", heads[m]);
-    text_add(out, "\n");
-    for (size_t i = 0; i < results->spool->count; i++) {
-        const struct surface_summary *s = &results->spool->summaries[i];
-        if (!s->usable)
-            continue;
-        char alpha[40], gamma[40], beta[2][16];
-        snprintf(alpha, sizeof alpha, "%.3g ± %.2g", s->law.alpha, s->law.alpha_error);
-        snprintf(gamma, sizeof gamma, "%.3f ± %.3f", s->law.gamma, s->law.gamma_error);
-        for (int b = 0; b < 2; b++) {
-            const struct surface_model *model = &s->models[b == 0 ? MODEL_GW : MODEL_JG];
-            snprintf(beta[b], sizeof beta[b], model->exists ? "%.2f" : "-", model->beta);
-        }
-        padded(out, s->scene->name, width);
-        text_add(out, "  %7.4g %17s %15s %6s %6s", s->roughness.rq_m * 1e6, alpha, gamma, beta[0], beta[1]);
-        for (int m = 0; m < MODEL_COUNT; m++)
-            if (model_called_for((enum model_id)m, plan->families, plan->running))
-                text_add(out, s->models[m].exists ? " %10.3g" : "          -", s->models[m].full_load);
-        text_add(out, "\n");
-    }
+    terminal_head(out, results->plan, width);
+    for (size_t i = 0; i < results->spool->count; i++)
+        if (results->spool->summaries[i].usable)
+            terminal_row(out, results->plan, &results->spool->summaries[i], width);
 }

@@ -47,9 +47,10 @@ static bool put_arrays(FILE *file, const struct surface_record *record)
     ok = ok && fwrite(record->spectrum.amplitude_m, sizeof(double), scales, file) == scales;
     for (int m = 0; m < MODEL_COUNT; m++) {
         size_t count = record->curves[m].count;
-        ok = ok && fwrite(record->curves[m].points, sizeof(struct contact_point), count, file) == count;
+        ok = ok && (count == 0 || /* a model that did not run has no array */
+                    fwrite(record->curves[m].points, sizeof(struct contact_point), count, file) == count);
         size_t bands = record->bands[m] ? record->band_count : 0;
-        ok = ok && fwrite(record->bands[m], sizeof(struct spread_band), bands, file) == bands;
+        ok = ok && (bands == 0 || fwrite(record->bands[m], sizeof(struct spread_band), bands, file) == bands);
     }
     for (size_t p = 0; p < record->part_count; p++) {
         const struct spectrum *part = &record->parts[p].spectrum;

@@ -113,7 +113,7 @@ static void assert_untouched(const struct directory *place, struct run_options o
     struct text text = directory_read(place, "out/report.md");
     assert_string_equal(text_string(&text), "before");
     text_free(&text);
-    assert_int_equal(directory_entries(place, "out"), 1);
+    assert_int_equal(directory_entries(place, "out"), 2);
 }
 
 static void test_a_run_that_fails_leaves_the_report_before(void **state)
@@ -123,6 +123,7 @@ static void test_a_run_that_fails_leaves_the_report_before(void **state)
     struct run_options options = options_to(NULL);
     mkdir(directory_path(place, "out"), 0777);
     directory_write(place, "out/report.md", "before");
+    directory_write(place, "out/results.json", "{}");
     options.stop = &stop;
     assert_untouched(place, options, STATUS_INTERRUPTED, "stopped");
     options = options_to(NULL);
@@ -157,6 +158,7 @@ static void test_a_signal_halfway_stops_the_run(void **state)
     struct run_options options = options_to(NULL);
     mkdir(directory_path(place, "out"), 0777);
     directory_write(place, "out/report.md", "before");
+    directory_write(place, "out/results.json", "{}");
     options.stop = &stop_soon;
     options.progress = ask_to_stop;
     stop_soon = 0;
