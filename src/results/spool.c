@@ -38,15 +38,18 @@ void spool_close(struct spool *spool)
     *spool = (struct spool){0};
 }
 
+/** An array of nothing may be NULL, which fwrite() must not be given. */
+static bool put_array(FILE *file, const void *array, size_t size, size_t count)
+{
+    return count == 0 || fwrite(array, size, count, file) == count;
+}
+
 static bool put_arrays(FILE *file, const struct surface_record *record)
 {
-    size_t scales = record->spectrum.count;
-    bool ok = fwrite(record, sizeof *record, 1, file) == 1;
-    ok = ok && fwrite(record->spectrum.amplitude_m, sizeof(double), scales, file) == scales;
-    for (int m = 0; m < MODEL_COUNT; m++) {
-        size_t count = record->curves[m].count;
-        ok = ok && fwrite(record->curves[m].points, sizeof(struct contact_point), count, file) == count;
-    }
+    bool ok = put_array(file, record, sizeof *record, 1);
+    ok = ok && put_array(file, record->spectrum.amplitude_m, sizeof(double), record->spectrum.count);
+    for (int m = 0; m < MODEL_COUNT; m++)
+        ok = ok && put_array(file, record->curves[m].points, sizeof(struct contact_point), record->curves[m].count);
     return ok;
 }
 
