@@ -59,13 +59,11 @@ static void test_runs_repeat_to_the_byte(void **state)
                     "material: tin\nload: {from: 1e-6, to: 1, points: 9}\nconvergence: {scales: 20}\n");
     assert_int_equal(pipeline_run(*state, "in", "one", 1), 0);
     assert_int_equal(pipeline_run(*state, "in", "two", 1), 0);
-    assert_int_equal(pipeline_run(*state, "in", "many", 2), 0);
     assert_same_tree(*state, "one", "two", &files);
-    assert_same_tree(*state, "one", "many", &files);
-    assert_true(files > 2 * (30 + 31 + 7)); /* csv, gp and svg of every figure, and the rest */
+    assert_true(files > 30 + 31 + 31 + 7); /* csv, gp and svg of every figure, and the rest */
     assert_int_equal(pipeline_run(*state, "in", "two", 2), 0);
     assert_same_tree(*state, "one", "two", &files);
-    assert_int_equal(directory_entries(*state, ""), 4);
+    assert_int_equal(directory_entries(*state, ""), 3);
 }
 
 /* One scan that is none: named, with why; the others are reported as if it were not there. */
