@@ -78,9 +78,12 @@ enum status_code spool_put(struct spool *spool, size_t index, const struct surfa
     return STATUS_OK;
 }
 
+/** The next array of the file, malloc'ed; NULL for one of nothing. */
 static void *get_array(FILE *file, size_t size, size_t count, bool *ok)
 {
-    void *array = malloc(size * (count > 0 ? count : 1));
+    if (count == 0)
+        return NULL;
+    void *array = malloc(size * count);
     if (!array || fread(array, size, count, file) != count)
         *ok = false;
     return array;
