@@ -95,8 +95,11 @@ static json_t *curve_json(const struct model_curve *curve, const struct surface_
         if (columns[c].quantity && !(wanted & columns[c].quantity))
             continue;
         json_t *values = json_array();
-        for (size_t i = 0; i < curve->count; i++)
-            json_array_append_new(values, real(*(const double *)((const char *)&curve->points[i] + columns[c].offset)));
+        for (size_t i = 0; i < curve->count; i++) {
+            double value;
+            memcpy(&value, (const char *)&curve->points[i] + columns[c].offset, sizeof value);
+            json_array_append_new(values, real(value));
+        }
         json_object_set_new(json, columns[c].name, values);
     }
     return json;

@@ -52,8 +52,8 @@ static bool put_arrays(FILE *file, const struct surface_record *record)
     ok = ok && put_array(file, record->spectrum.amplitude_m, sizeof(double), record->spectrum.count);
     for (int m = 0; m < MODEL_COUNT; m++) {
         ok = ok && put_array(file, record->curves[m].points, sizeof(struct contact_point), record->curves[m].count);
-        ok = ok && put_array(file, record->bands[m], sizeof(struct spread_band),
-                             record->bands[m] ? record->band_count : 0);
+        ok = ok &&
+             put_array(file, record->bands[m], sizeof(struct spread_band), record->bands[m] ? record->band_count : 0);
     }
     for (size_t p = 0; p < record->part_count; p++) {
         const struct spectrum *part = &record->parts[p].spectrum;
