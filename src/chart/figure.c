@@ -40,6 +40,11 @@ bool figure_present(const struct figure_row *row, const struct results *results)
     case FIGURE_PROFILES:
     case FIGURE_SPECTRA:
         return true;
+    case FIGURE_COST:
+        for (size_t i = 0; results->cost && i < results->cost->count; i++)
+            if (results->cost->rows[i].chart == row->cost)
+                return true;
+        return false;
     }
     return false;
 }
@@ -220,6 +225,32 @@ static void put_sweep(struct figure_file *out, const struct results *results)
     }
 }
 
+/** One line a study and method, and a ring round what the report uses. */
+static void put_cost(struct figure_file *out, const struct cost *cost)
+{
+    const double floor = 1e-16; /* an error of exactly 0 has no place on a logarithmic axis */
+    size_t methods = 0;
+    const struct cost_row *before = NULL;
+    for (size_t i = 0; i < cost->count; before = &cost->rows[i++]) {
+        const struct cost_row *row = &cost->rows[i];
+        if (row->chart != out->row->cost)
+            continue;
+        if (!before || strcmp(before->study, row->study) != 0 || strcmp(before->method, row->method) != 0) {
+            char legend[80], style[24];
+            bool integral = row->chart == COST_INTEGRALS;
+            snprintf(style, sizeof style, "c%zu", methods++ % 9 + 1);
+            snprintf(legend, sizeof legend, "%s, %s", integral ? (row->study[0] == 'g' ? "GW" : "JG") : row->method,
+                     integral ? row->method : row->study);
+            begin_block(out, style, legend);
+        }
+        fprintf(out->file, "%.17g,%.17g\n", row->seconds, fmax(row->error, floor));
+    }
+    begin_block(out, "choice", "used in this report");
+    for (size_t i = 0; i < cost->count; i++)
+        if (cost->rows[i].chart == out->row->cost && cost->rows[i].chosen)
+            fprintf(out->file, "%.17g,%.17g\n", cost->rows[i].seconds, fmax(cost->rows[i].error, floor));
+}
+
 /** NUMBER.gp: what draws the figure, for this program and for anyone in that directory. */
 static enum status_code write_script(const struct figure_file *out, const struct results *results,
                                      const char *directory, struct status *status)
@@ -228,16 +259,19 @@ static enum status_code write_script(const struct figure_file *out, const struct
     struct text script = {0}, path = {0};
     const char *number = row->number;
     text_add(&script, "# draws figure %s from %s.csv: gnuplot %s.gp\n", number, number, number);
-    bool panels = row->kind == FIGURE_PROFILES || row->kind == FIGURE_SPECTRA;
-    const char *template = row->kind == FIGURE_PROFILES ? "profiles.gp" : panels ? "spectra.gp" : "curves.gp";
+    const char *template = row->kind == FIGURE_PROFILES  ? "profiles.gp"
+                           : row->kind == FIGURE_SPECTRA ? "spectra.gp"
+                           : row->kind == FIGURE_COST    ? "cost.gp"
+                                                         : "curves.gp";
     text_add(&script, "call '%s' '%s.csv' ('%s' . (exists('dumb_size') ? '.txt' : '.svg')) '%s'", template, number,
              number, row->title);
-    if (!panels)
+    bool curves = strcmp(template, "curves.gp") == 0; /* the others name their own axes */
+    if (curves)
         text_add(&script, " '%s' '%s' '%s'", axes[row->x].label, axes[row->y].label,
                  axes[row->x].logarithmic ? axes[row->y].logarithmic ? "xy" : "x" : "y");
     text_add(&script, " '%s'", text_string(&out->styles));
     /* One load axis for all, so that they compare. gnuplot reads '1.0e-06' from a string, but not '1e-06'. */
-    if (!panels && row->x == FIGURE_LOAD)
+    if (curves && row->x == FIGURE_LOAD)
         text_add(&script, " '%.6e %.6e %.6e'", results->loads[0], results->loads[results->load_count - 1],
                  isfinite(out->floor) ? out->floor : 0);
     text_add(&script, "\n");
@@ -264,6 +298,8 @@ static enum status_code write_figure(const struct figure_row *row, const struct 
     enum status_code rc = STATUS_OK;
     if (row->kind == FIGURE_SWEEP)
         put_sweep(&out, results);
+    else if (row->kind == FIGURE_COST)
+        put_cost(&out, results->cost);
     else if (row->kind == FIGURE_MODELS)
         put_models(&out, baseline, results->plan);
     else
@@ -296,7 +332,7 @@ enum status_code figure_write_all(const struct results *results, const char *dir
                                   struct status *status)
 {
     static const char *const files[] = {"style.gp",  "blocks.gp", "axis.gp",    "legend.gp",
-                                        "curves.gp", "profiles.gp", "spectra.gp"};
+                                        "curves.gp", "profiles.gp", "spectra.gp", "cost.gp"};
     for (size_t i = 0; i < sizeof files / sizeof files[0]; i++)
         if (copy_template(files[i], templates, directory, status) != STATUS_OK)
             return status->code;

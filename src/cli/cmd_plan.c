@@ -1,10 +1,11 @@
 #include "cli/command.h"
 #include "cli/scene_options.h"
 #include "contact/model.h"
-#include "scene/plan.h"
+#include "results/work.h"
+#include "run/prepare.h"
 
 #include <stdio.h>
-#include <stdlib.h>
+#include <unistd.h>
 
 struct arguments {
     const char *directory;
@@ -32,43 +33,52 @@ static error_t parse(int key, char *value, struct argp_state *state)
     }
 }
 
-static void print_plan(const struct scene *scene, const struct plan *plan, size_t load_count)
+static void print_plan(const struct scene *scene, const struct prepared *prepared)
 {
-    printf("%-16s %-8s %s\n", "effect", "", "why");
-    for (int e = 0; e < EFFECT_COUNT; e++)
-        printf("%-16s %-8s %s\n", effect_rows[e].name, plan->effects[e].runs ? "run" : "skipped",
-               plan->effects[e].reason);
+    const struct plan *plan = &prepared->plan;
+    struct text table = {0};
+    prepare_table(&table, prepared, NULL);
+    fputs(text_string(&table), stdout);
+    text_free(&table);
     printf("\n%-28s %-8s %s\n", "model", "", "valid");
     for (int m = 0; m < MODEL_COUNT; m++)
         printf("%-28s %-8s %s\n", model_rows[m].label,
                model_called_for((enum model_id)m, plan->families, plan->running) ? "run" : "skipped", model_rows[m].valid);
-    printf("\n%zu surface%s, %zu loads, tolerance %g, closure %s\n", scene->surface_count,
-           scene->surface_count == 1 ? "" : "s", load_count, scene->tolerance, scene_closure_names[scene->closure]);
+    long processors = sysconf(_SC_NPROCESSORS_ONLN);
+    printf("\n%zu surface%s, %zu loads, tolerance %g, closure %s; about %.0f MB of memory\n", scene->surface_count,
+           scene->surface_count == 1 ? "" : "s", prepared->results.load_count, scene->tolerance,
+           scene_closure_names[scene->closure], work_memory(&prepared->spool, processors > 0 ? (unsigned)processors : 1) / 1e6);
 }
 
 int command_plan(int argc, char **argv)
 {
     static const struct argp_child children[] = {{&scene_options_argp, 0, "What the scene says, overridden:", 1}, {0}};
-    static const struct argp argp = {NULL, parse, "DIR", "Says what `report DIR` would simulate, and why. Runs nothing.",
-                                     children, NULL, NULL};
+    static const struct argp argp = {NULL, parse, "DIR",
+                                     "Says what `report DIR` would simulate, why, and at which cost. Reads the scans and "
+                                     "runs no model.", children, NULL, NULL};
     struct arguments arguments = {0};
     struct status status = {0};
     struct scene scene = {0};
-    struct plan plan;
-    double *loads = NULL;
-    size_t load_count = 0;
+    struct prepared prepared = {0};
+    struct run_options options = {0};
+    struct text messages = {0};
     argp_parse(&argp, argc, argv, 0, NULL, &arguments);
     int exit_status = COMMAND_DONE;
-    if (scene_read(&scene, arguments.directory, &arguments.overrides, &status) != STATUS_OK) {
+    enum status_code rc = scene_read(&scene, arguments.directory, &arguments.overrides, &status);
+    if (rc == STATUS_OK)
+        rc = prepare(&prepared, &scene, &options, NULL, &status);
+    size_t refused = prepare_messages(&messages, &prepared.spool);
+    fputs(text_string(&messages), stderr);
+    if (rc == STATUS_OK && refused == scene.surface_count)
+        rc = status_fail(&status, STATUS_SCAN, "no readable scan in '%s'", scene.directory);
+    if (rc != STATUS_OK)
         exit_status = command_fail(&status);
-    } else {
-        plan_make(&plan, &scene);
-        if (scene_loads(&loads, &load_count, &scene, plan.pair.effective_modulus_Pa, &status) != STATUS_OK)
-            exit_status = command_fail(&status);
-        else
-            print_plan(&scene, &plan, load_count);
-    }
-    free(loads);
+    else
+        print_plan(&scene, &prepared);
+    if (exit_status == COMMAND_DONE && refused > 0)
+        exit_status = COMMAND_REFUSED;
+    text_free(&messages);
+    prepared_free(&prepared);
     scene_free(&scene);
     return command_finish(exit_status);
 }

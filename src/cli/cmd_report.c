@@ -17,10 +17,13 @@ struct arguments {
     bool show, verbose;
 };
 
+enum { KEY_NO_COST = 0x200 };
+
 static const struct argp_option options[] = {
     {"output", 'o', "OUT", 0, "where the report goes (default: out/<name of DIR>)", 0},
     {"jobs", 'j', "N", 0, "threads, 1 to 64 (default: one a processor)", 0},
     {"show", 's', 0, 0, "also draw the main charts as text", 0},
+    {"no-cost", KEY_NO_COST, 0, 0, "leave out the section on what accuracy costs in time", 0},
     {"verbose", 'v', 0, 0, "end with where the time went", 0},
     {0},
 };
@@ -43,6 +46,9 @@ static error_t parse(int key, char *value, struct argp_state *state)
         return 0;
     case 's':
         arguments->show = true;
+        return 0;
+    case KEY_NO_COST:
+        arguments->run.no_cost = true;
         return 0;
     case 'v':
         arguments->verbose = true;
@@ -84,7 +90,7 @@ static void print_times(const struct run_times *times)
         {"read scans", times->read}, {"level", times->prepare}, {"spectra", times->spectrum},
         {model_rows[0].label, times->models[0]}, {model_rows[1].label, times->models[1]},
         {model_rows[2].label, times->models[2]}, {model_rows[3].label, times->models[3]},
-        {"convergence", times->convergence}, {"tables and json", times->tables}, {"chart data", times->figures},
+        {"convergence", times->convergence}, {"what accuracy costs", times->cost}, {"tables and json", times->tables}, {"chart data", times->figures},
         {"gnuplot", times->gnuplot}, {"report", times->report}, {"total", times->total},
         {"total without gnuplot", times->total - times->gnuplot},
     };
@@ -128,6 +134,10 @@ static int report(struct arguments *arguments, struct scene *scene, struct statu
         printf("%s\n%s\n", text_string(&outcome.table), outcome.path);
         if (outcome.refused > 0)
             exit_status = COMMAND_REFUSED;
+        if (arguments->verbose)
+            fprintf(stderr, "\n%s", text_string(&outcome.work));
+        if (!outcome.work_agrees)
+            fputs("roughcontact: the evaluations done are not those predicted; please report this\n", stderr);
         if (arguments->verbose)
             print_times(&outcome.times);
     }

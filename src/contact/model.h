@@ -22,6 +22,15 @@ struct model_task {
     enum scene_closure closure;
 };
 
+/** What answering took. A separation is one load of a statistical model, solved for; the rest are visits or law values. */
+struct model_work {
+    uint64_t scales;      /* area of a scale at a load */
+    uint64_t gaps;        /* gap of a scale at a load */
+    uint64_t spots;       /* resistance of a scale at a load */
+    uint64_t laws;        /* asperity laws at a quadrature node */
+    uint64_t separations; /* loads solved for a separation */
+};
+
 /** What it answers. `points` is the caller's, load_count + 1 long. */
 struct model_curve {
     bool exists;            /* false: the model was not run, or has no solution for this surface */
@@ -30,8 +39,10 @@ struct model_curve {
     double full_load;       /* P/(A_n E') at which A = A_n */
     double closed_load;     /* at which the (adjusted) separation is 0 */
     double beta;            /* statistical, else NaN */
+    struct contact_point full; /* at full_load itself */
     size_t yielding_scales; /* multiscale plastic: scales that can yield; else 0 */
-    uint64_t evaluations;   /* scales visited, or asperity laws evaluated */
+    uint64_t clamped;       /* multiscale plastic: visits in which the published area reached 1 before p_p */
+    struct model_work work;
 };
 
 struct model_row {
@@ -44,6 +55,8 @@ struct model_row {
     const char *source;
     const char *assumes;
     const char *valid;
+    /** What `run` will take, known before it runs. */
+    struct model_work (*work)(const struct model_row *row, const struct model_task *task);
     enum status_code (*run)(struct model_curve *curve, const struct model_row *row, const struct model_task *task,
                             struct status *status);
 };

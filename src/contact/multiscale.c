@@ -36,18 +36,21 @@ void multiscale_free(struct multiscale *stack)
     *stack = (struct multiscale){0};
 }
 
-void multiscale_solve(struct contact_point *out, const struct multiscale *stack, const struct spot *spot,
+size_t multiscale_solve(struct contact_point *out, const struct multiscale *stack, const struct spot *spot,
                       unsigned wanted, double load, uint64_t *evaluations)
 {
     bool with_gap = wanted & CONTACT_SEPARATION;
     bool conducts = wanted & (CONTACT_ELECTRICAL | CONTACT_THERMAL | CONTACT_SCALE_DEPENDENT);
     double nominal_Pa = load * stack->effective_modulus_Pa;
     double area = 1, separation = 0;
+    size_t clamped = 0;
     struct spot_sum sum = {0};
     for (size_t i = 0; i < stack->count; i++) {
         const struct sinusoid_scale *scale = &stack->scales[i];
         struct sinusoid_cell cell;
-        sinusoid_press(&cell, scale, stack->closure, nominal_Pa / area, with_gap);
+        double pressure_Pa = nominal_Pa / area;
+        bool plastic = sinusoid_press(&cell, scale, stack->closure, pressure_Pa, with_gap);
+        clamped += plastic && cell.area_complement == 0 && pressure_Pa < scale->plastic_full_pressure_Pa;
         if (with_gap)
             separation += scale->amplitude_m * cell.gap_ratio;
         if (conducts && cell.area_complement > 0)
@@ -64,6 +67,7 @@ void multiscale_solve(struct contact_point *out, const struct multiscale *stack,
         .tcr_K_m2_per_W = wanted & CONTACT_THERMAL ? spot_thermal(spot, &sum) : NAN,
         .tcr_sd_K_m2_per_W = wanted & CONTACT_SCALE_DEPENDENT ? spot_thermal_scale_dependent(spot, &sum) : NAN,
     };
+    return clamped;
 }
 
 void multiscale_areas(double *area_ratio, const struct multiscale *stack, double load, uint64_t *evaluations)

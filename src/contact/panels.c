@@ -54,6 +54,27 @@ static size_t borders(double *border, const struct asperity *asperity, double si
     return lay(border, count, top, count == 1 ? pole : 0);
 }
 
+/** Lays the panels; returns how many there are. */
+static size_t lay_panels(double *border, const struct asperity *asperity, double sigma_s_m, double knudsen_length_m,
+                         double lowest_d, double log_cut)
+{
+    return borders(border, asperity, sigma_s_m, knudsen_length_m, reach(fmin(lowest_d, 0), log_cut)) - 1;
+}
+
+/** exp(-log_cut) is what a term may be left out for. */
+static double log_cut_for(double tolerance)
+{
+    return 8 - log(tolerance);
+}
+
+size_t panels_count(const struct asperity *asperity, double sigma_s_m, double knudsen_length_m, double lowest_d,
+                    double tolerance)
+{
+    double border[PANELS_MOST];
+    return panel_order(tolerance) *
+           lay_panels(border, asperity, sigma_s_m, knudsen_length_m, lowest_d, log_cut_for(tolerance));
+}
+
 static enum status_code allocate(struct panels *panels, struct status *status)
 {
     double **arrays[] = {&panels->node, &panels->area, &panels->load, &panels->radius, &panels->radius_scale_dependent};
@@ -71,11 +92,11 @@ enum status_code panels_make(struct panels *out, const struct asperity *asperity
 {
     double border[PANELS_MOST];
     size_t order = panel_order(tolerance);
-    *out = (struct panels){.log_cut = 8 - log(tolerance)};
-    size_t panel_count = 
-        borders(border, asperity, sigma_s_m, knudsen_length_m, reach(fmin(lowest_d, 0), out->log_cut)) - 1;
+    *out = (struct panels){.log_cut = log_cut_for(tolerance)};
+    size_t panel_count = lay_panels(border, asperity, sigma_s_m, knudsen_length_m, lowest_d, out->log_cut);
     out->count = panel_count * order;
     out->outside = asperity_interference_at(asperity, asperity_fitted_radius_ratio) / sigma_s_m;
+    out->saturated = asperity_interference_at(asperity, 1) / sigma_s_m;
     gsl_integration_glfixed_table *rule = gsl_integration_glfixed_table_alloc(order);
     if (!rule)
         return status_memory(status);
@@ -126,6 +147,8 @@ void panels_sum(struct panels_sums *out, const struct panels *panels, double d)
         out->load_slope -= height * load;
         if (u > panels->outside)
             out->load_outside += load;
+        if (u > panels->saturated)
+            out->load_saturated += load;
         out->radius += weight * panels->radius[k];
         out->radius_scale_dependent += weight * panels->radius_scale_dependent[k];
     }

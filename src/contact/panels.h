@@ -18,6 +18,7 @@ struct panels {
     double *radius;   /* weight * a [m] */
     double *radius_scale_dependent; /* weight * a²/(a + knudsen length) [m] */
     double outside;   /* u from which a/R > 0.41 */
+    double saturated; /* u from which a/R is clamped to 1 */
     double log_cut;   /* terms exp(-log_cut) below the largest are left out */
 };
 
@@ -25,7 +26,7 @@ struct panels {
 struct panels_sums {
     double area, area_slope; /* slope: derivative of the integral with respect to d, same factor */
     double load, load_slope;
-    double load_outside;
+    double load_outside, load_saturated; /* on asperities with a/R > 0.41, and > 1 */
     double radius, radius_scale_dependent;
     double log_factor;
 };
@@ -37,6 +38,10 @@ MUST_CHECK enum status_code panels_make(struct panels *out, const struct asperit
                                         double sigma_s_m, double knudsen_length_m, double lowest_d, double tolerance,
                                         uint64_t *evaluations, struct status *status);
 void panels_free(struct panels *panels);
+
+/** How many nodes (law evaluations) panels_make() takes for the same arguments. */
+size_t panels_count(const struct asperity *asperity, double sigma_s_m, double knudsen_length_m, double lowest_d,
+                    double tolerance);
 
 /** All sums at separation d (in sigma_s), d >= the lowest_d of panels_make(). */
 void panels_sum(struct panels_sums *out, const struct panels *panels, double d);

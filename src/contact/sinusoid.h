@@ -60,4 +60,15 @@ double sinusoid_full_area_pressure(const struct sinusoid_scale *scale);
 bool sinusoid_press(struct sinusoid_cell *cell, const struct sinusoid_scale *scale,
                     const struct sinusoid_closure *closure, double pressure_Pa, bool with_gap);
 
+/** The direct numerical solution: x = p/p*, area ratio, gap/amplitude. */
+struct sinusoid_bem_row {
+    double x, area, gap;
+};
+extern const struct sinusoid_bem_row sinusoid_bem[];
+extern const size_t sinusoid_bem_count;
+
+/** Largest relative difference of a closure from the direct solution, in the gap (x <= 0.55) or in the area. `numeric`,
+ * which interpolates that solution, is tested at each row with the row itself left out. */
+double sinusoid_closure_error(enum scene_closure closure, bool gap);
+
 #endif

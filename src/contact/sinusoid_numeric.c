@@ -9,10 +9,8 @@
 void sinusoid_numeric_area(struct sinusoid_cell *cell, double x);
 double sinusoid_numeric_gap(double x);
 
-/** p/p*, area ratio, gap/amplitude: 1024 x 1024 grid, area within 3e-4, gap within 2e-6. */
-static const struct node {
-    double x, area, gap;
-} nodes[] = {
+/* 1024 x 1024 grid, area within 3e-4, gap within 2e-6 */
+const struct sinusoid_bem_row sinusoid_bem[] = {
     {0.0002, 0.002608, 0.98442297},
     {0.0005, 0.004811, 0.97183260},
     {0.001, 0.007654, 0.95611729},
@@ -51,12 +49,13 @@ static const struct node {
     {0.98, 0.990377, 0.00001131},
     {0.99, 0.995199, 0.00000199},
 };
-enum { NODES = sizeof nodes / sizeof nodes[0], POINTS = NODES + 2 };
+enum { NODES = sizeof sinusoid_bem / sizeof sinusoid_bem[0], POINTS = NODES + 2, KEEP_ALL = -1 };
+const size_t sinusoid_bem_count = NODES;
 
 /** The two interpolated quantities at point i, 0 and POINTS-1 being the exact limits. */
 static double point_t(int i)
 {
-    return i == 0 ? 0 : i == POINTS - 1 ? 1 : cbrt(nodes[i - 1].x);
+    return i == 0 ? 0 : i == POINTS - 1 ? 1 : cbrt(sinusoid_bem[i - 1].x);
 }
 
 static double point_area(int i)
@@ -64,7 +63,7 @@ static double point_area(int i)
     static const double hertz_factor = 0.7616184731724445; /* pi (3/(8 pi))^(2/3), from (4.3) */
     if (i == 0)
         return hertz_factor;
-    return i == POINTS - 1 ? 1 : nodes[i - 1].area / pow(nodes[i - 1].x, 2.0 / 3);
+    return i == POINTS - 1 ? 1 : sinusoid_bem[i - 1].area / pow(sinusoid_bem[i - 1].x, 2.0 / 3);
 }
 
 static double point_gap(int i)
@@ -72,7 +71,7 @@ static double point_gap(int i)
     static const double near_complete = 16 / (15 * M_PI * M_PI) * 1.8371173070873836; /* (4.9); (3/2)^(3/2) */
     if (i == 0)
         return 0;
-    return i == POINTS - 1 ? log(near_complete) : log(nodes[i - 1].gap) - 2.5 * log1p(-nodes[i - 1].x);
+    return i == POINTS - 1 ? log(near_complete) : log(sinusoid_bem[i - 1].gap) - 2.5 * log1p(-sinusoid_bem[i - 1].x);
 }
 
 /** Steffen's slope at the middle of three points: no overshoot between them. */
@@ -91,27 +90,27 @@ static double end_slope(double secant, double inner_slope)
     return slope * secant <= 0 ? 0 : copysign(fmin(fabs(slope), 2 * fabs(secant)), secant);
 }
 
-/** Cubic between the points around t = x^(1/3), 0 < t < 1. */
-static double interpolate(double (*value)(int), double x)
+/** Cubic between the points around t = x^(1/3), 0 < t < 1. `skip` is a point to do without, or KEEP_ALL. */
+static double interpolate(double (*value)(int), double x, int skip)
 {
-    int low = 0, high = POINTS - 1; /* nodes[low - 1].x <= x < nodes[high - 1].x */
+    int count = skip == KEEP_ALL ? POINTS : POINTS - 1, low = 0, high = count - 1;
     while (high - low > 1) {
-        int middle = (low + high) / 2;
-        if (nodes[middle - 1].x <= x)
+        int middle = (low + high) / 2, point = middle + (skip != KEEP_ALL && middle >= skip);
+        if (sinusoid_bem[point - 1].x <= x)
             low = middle;
         else
             high = middle;
     }
     double t[4], y[4]; /* points low-1 ... low+2, those that exist */
     for (int k = 0; k < 4; k++) {
-        int i = low - 1 + k;
-        bool exists = i >= 0 && i < POINTS;
-        t[k] = exists ? point_t(i) : 0;
-        y[k] = exists ? value(i) : 0;
+        int i = low - 1 + k, point = i + (skip != KEEP_ALL && i >= skip);
+        bool exists = i >= 0 && i < count;
+        t[k] = exists ? point_t(point) : 0;
+        y[k] = exists ? value(point) : 0;
     }
     double step = t[2] - t[1], secant = (y[2] - y[1]) / step;
     double slope_low = low > 0 ? steffen_slope(t, y) : 0;
-    double slope_high = high < POINTS - 1 ? steffen_slope(t + 1, y + 1) : end_slope(secant, slope_low);
+    double slope_high = high < count - 1 ? steffen_slope(t + 1, y + 1) : end_slope(secant, slope_low);
     if (low == 0)
         slope_low = end_slope(secant, slope_high);
     double u = cbrt(x) - t[1];
@@ -122,7 +121,7 @@ static double interpolate(double (*value)(int), double x)
 
 void sinusoid_numeric_area(struct sinusoid_cell *cell, double x)
 {
-    double area = x >= 1 ? 1 : fmin(1, interpolate(point_area, x) * pow(x, 2.0 / 3));
+    double area = x >= 1 ? 1 : fmin(1, interpolate(point_area, x, KEEP_ALL) * pow(x, 2.0 / 3));
     cell->area_ratio = area;
     cell->area_complement = 1 - area;
 }
@@ -131,7 +130,29 @@ double sinusoid_numeric_gap(double x)
 {
     if (x >= 1)
         return 0;
-    if (x < nodes[0].x) /* 1 - G ~ x^(2/3), thesis (4.8): the first node's value, carried on by that law */
-        return exp(log(nodes[0].gap) * pow(x / nodes[0].x, 2.0 / 3));
-    return exp(interpolate(point_gap, x) + 2.5 * log1p(-x));
+    if (x < sinusoid_bem[0].x) /* 1 - G ~ x^(2/3), thesis (4.8): the first node's value, carried on by that law */
+        return exp(log(sinusoid_bem[0].gap) * pow(x / sinusoid_bem[0].x, 2.0 / 3));
+    return exp(interpolate(point_gap, x, KEEP_ALL) + 2.5 * log1p(-x));
+}
+
+double sinusoid_closure_error(enum scene_closure closure, bool gap)
+{
+    const struct sinusoid_closure *row = &sinusoid_closures[closure];
+    double worst = 0;
+    for (int i = 0; i < NODES; i++) {
+        double x = sinusoid_bem[i].x, value;
+        struct sinusoid_cell cell = {0};
+        bool own = closure == SCENE_CLOSURE_NUMERIC;
+        if ((gap && x > 0.55) || (own && (i == 0 || i == NODES - 1)))
+            continue; /* beyond the first and last rows there is only a limit to go by */
+        row->area(&cell, x);
+        if (own && gap)
+            value = exp(interpolate(point_gap, x, i + 1) + 2.5 * log1p(-x));
+        else if (own)
+            value = interpolate(point_area, x, i + 1) * pow(x, 2.0 / 3);
+        else
+            value = gap ? row->gap(x) : cell.area_ratio;
+        worst = fmax(worst, fabs(value / (gap ? sinusoid_bem[i].gap : sinusoid_bem[i].area) - 1));
+    }
+    return worst;
 }

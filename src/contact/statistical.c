@@ -2,7 +2,6 @@
 
 #include "contact/gaussian.h"
 
-#include <float.h>
 #include <math.h>
 
 /** The integrals of thesis (4.25), (4.26), (4.43) at d, in closed form for GW, else from the panels. */
@@ -45,7 +44,7 @@ static double solve(const struct statistical *model, bool for_area, double log_t
         double value = for_area ? sums.area : sums.load, slope = for_area ? sums.area_slope : sums.load_slope;
         double step = (log_scale + log(value) + sums.log_factor - log_target) * value / slope;
         d -= step;
-        if (fabs(step) <= 4 * DBL_EPSILON * fmax(1, fabs(d)))
+        if (fabs(step) <= 1e-9 * fmax(1, fabs(d))) /* convergence is quadratic: the next step would be below rounding */
             break;
     }
     return d;
@@ -58,11 +57,17 @@ static double hertz_full_d(const struct statistical *model)
     return solve(&elastic, true, 0, 0);
 }
 
-enum status_code statistical_make(struct statistical *out, const struct asperities *surface,
-                                  const struct material_pair *pair, enum asperity_law_id law, unsigned wanted,
-                                  double tolerance, double lowest_d, uint64_t *evaluations, struct status *status)
+/** Do closed forms serve? They do for Hertz's law, but for the scale-dependent conductance. */
+static bool is_closed(enum asperity_law_id law, unsigned wanted)
 {
-    *out = (struct statistical){
+    return law == ASPERITY_HERTZ && !(wanted & CONTACT_SCALE_DEPENDENT);
+}
+
+/** A model without its panels. */
+static struct statistical outline(const struct asperities *surface, const struct material_pair *pair,
+                                  enum asperity_law_id law, unsigned wanted, double tolerance)
+{
+    struct statistical model = {
         .surface = *surface,
         .asperity = asperity_make(surface->radius_m, pair, law),
         .law = law,
@@ -70,14 +75,33 @@ enum status_code statistical_make(struct statistical *out, const struct asperiti
         .wanted = wanted,
         .tolerance = tolerance,
     };
-    out->full_d = hertz_full_d(out);
-    bool closed = law == ASPERITY_HERTZ && !(wanted & CONTACT_SCALE_DEPENDENT);
-    if (!closed) {
-        double knudsen_m = wanted & CONTACT_SCALE_DEPENDENT ? out->spot.knudsen_length_m : 0;
-        if (panels_make(&out->panels, &out->asperity, law, surface->sigma_s_m, knudsen_m,
-                        fmin(lowest_d, out->full_d), tolerance, evaluations, status) != STATUS_OK)
-            return status->code;
-    }
+    model.full_d = hertz_full_d(&model);
+    return model;
+}
+
+static double knudsen_length(const struct statistical *model)
+{
+    return model->wanted & CONTACT_SCALE_DEPENDENT ? model->spot.knudsen_length_m : 0;
+}
+
+size_t statistical_law_count(const struct asperities *surface, const struct material_pair *pair,
+                             enum asperity_law_id law, unsigned wanted, double tolerance)
+{
+    struct statistical model = outline(surface, pair, law, wanted, tolerance);
+    return is_closed(law, wanted) ? 0
+                                  : panels_count(&model.asperity, surface->sigma_s_m, knudsen_length(&model),
+                                                 model.full_d, tolerance);
+}
+
+enum status_code statistical_make(struct statistical *out, const struct asperities *surface,
+                                  const struct material_pair *pair, enum asperity_law_id law, unsigned wanted,
+                                  double tolerance, double lowest_d, uint64_t *evaluations, struct status *status)
+{
+    *out = outline(surface, pair, law, wanted, tolerance);
+    if (!is_closed(law, wanted) &&
+        panels_make(&out->panels, &out->asperity, law, surface->sigma_s_m, knudsen_length(out),
+                    fmin(lowest_d, out->full_d), tolerance, evaluations, status) != STATUS_OK)
+        return status->code;
     if (law != ASPERITY_HERTZ)
         out->full_d = solve(out, true, 0, out->full_d);
     struct contact_point full;
@@ -115,6 +139,7 @@ void statistical_at(struct contact_point *out, const struct statistical *model, 
         .tcr_K_m2_per_W = wanted & CONTACT_THERMAL ? spread / model->spot.conductivity_W_per_mK : NAN,
         .tcr_sd_K_m2_per_W = wanted & CONTACT_SCALE_DEPENDENT ? spread_sd / model->spot.conductivity_W_per_mK : NAN,
         .outside = sums.load > 0 ? sums.load_outside / sums.load : 0,
+        .saturated = sums.load > 0 ? sums.load_saturated / sums.load : 0,
     };
 }
 

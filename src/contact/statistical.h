@@ -31,6 +31,9 @@ MUST_CHECK enum status_code statistical_make(struct statistical *out, const stru
                                              const struct material_pair *pair, enum asperity_law_id law,
                                              unsigned wanted, double tolerance, double lowest_d,
                                              uint64_t *evaluations, struct status *status);
+/** Law evaluations that statistical_make() takes for the same arguments, lowest_d = INFINITY. */
+size_t statistical_law_count(const struct asperities *surface, const struct material_pair *pair, enum asperity_law_id law,
+                             unsigned wanted, double tolerance);
 void statistical_free(struct statistical *model);
 
 /** Contact with the flat at d = `d` sigma_s. Below full contact (A > A_n) the area ratio exceeds 1 and the resistances

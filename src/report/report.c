@@ -57,7 +57,7 @@ static bool figure(struct text *out, const char *number, const struct section_co
 static bool field(struct text *out, const char *name, void *data)
 {
     const struct section_context *context = data;
-    const struct section_row *lists[] = {section_tables, section_prose};
+    const struct section_row *lists[] = {section_tables, section_prose, section_cost};
     bool on;
     if (flag(name, context->results->plan, &on)) {
         if (on)
@@ -74,7 +74,7 @@ static bool field(struct text *out, const char *name, void *data)
     }
     if (strncmp(name, "figure ", 7) == 0)
         return figure(out, name + 7, context);
-    for (int l = 0; l < 2; l++)
+    for (size_t l = 0; l < sizeof lists / sizeof lists[0]; l++)
         for (const struct section_row *row = lists[l]; row->name; row++)
             if (strcmp(row->name, name) == 0) {
                 row->write(out, context);

@@ -19,5 +19,6 @@ struct section_row {
 /** Tables and lists of fields, each ended by a row without a name. */
 extern const struct section_row section_tables[];
 extern const struct section_row section_prose[];
+extern const struct section_row section_cost[];
 
 #endif

@@ -89,7 +89,8 @@ static json_t *curve_json(const struct model_curve *curve, const struct surface_
     json_t *json = json_pack("{s:o, s:o, s:o, s:o, s:o, s:I}", "full_contact_load", real(model->full_load),
                              "beta", real(model->beta), "beta_from_multiscale", real(model->beta_multiscale),
                              "area_load_slope", real(model->area_slope), "largest_load_share_beyond_fit",
-                             real(model->most_outside), "evaluations", (json_int_t)model->evaluations);
+                             real(model->most_outside), "evaluations",
+                             (json_int_t)(model->work.scales + model->work.laws + model->work.separations));
     for (size_t c = 0; c < sizeof columns / sizeof columns[0]; c++) {
         if (columns[c].quantity && !(wanted & columns[c].quantity))
             continue;

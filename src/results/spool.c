@@ -12,6 +12,8 @@ enum status_code spool_open(struct spool *out, const char *directory, size_t cou
     out->offsets = calloc(count, sizeof *out->offsets);
     if (!out->summaries || !out->offsets)
         return status_memory(status);
+    if (!directory)
+        return STATUS_OK;
     struct text path = {0};
     text_add(&path, "%s/spool-XXXXXX", directory);
     int descriptor = path.failed ? -1 : mkstemp(path.data);
@@ -54,7 +56,7 @@ enum status_code spool_put(struct spool *spool, size_t index, const struct surfa
                            struct status *status)
 {
     spool->summaries[index] = record->summary;
-    if (!record->summary.usable)
+    if (!record->summary.usable || !spool->file)
         return STATUS_OK;
     pthread_mutex_lock(&spool->lock);
     bool ok = fseek(spool->file, 0, SEEK_END) == 0 && (spool->offsets[index] = ftell(spool->file)) >= 0;
@@ -74,6 +76,7 @@ static void *get_array(FILE *file, size_t size, size_t count, bool *ok)
 
 enum status_code spool_get(struct surface_record *out, struct spool *spool, size_t index, struct status *status)
 {
+    pthread_mutex_lock(&spool->lock);
     bool ok = fseek(spool->file, spool->offsets[index], SEEK_SET) == 0 && fread(out, sizeof *out, 1, spool->file) == 1;
     if (!ok)
         memset(out, 0, sizeof *out);
@@ -81,6 +84,7 @@ enum status_code spool_get(struct surface_record *out, struct spool *spool, size
     out->spectrum.amplitude_m = get_array(spool->file, sizeof(double), out->spectrum.count, &ok);
     for (int m = 0; m < MODEL_COUNT; m++)
         out->curves[m].points = get_array(spool->file, sizeof(struct contact_point), out->curves[m].count, &ok);
+    pthread_mutex_unlock(&spool->lock);
     if (ok)
         return STATUS_OK;
     surface_record_free(out, false);

@@ -15,15 +15,17 @@ struct spool {
     pthread_mutex_t lock;
 };
 
-/** `directory` is where the temporary file goes (it is unlinked at once). Owned: spool_close().
+/** `directory` is where the temporary file goes (it is unlinked at once); NULL: only summaries are kept. Owned:
+ * spool_close().
  * Errors: STATUS_IO, STATUS_MEMORY. */
 MUST_CHECK enum status_code spool_open(struct spool *out, const char *directory, size_t count, struct status *status);
 void spool_close(struct spool *spool);
 
-/** Stores surface `index`; may be called from several threads. Error: STATUS_IO. */
+/** Stores surface `index`, in place of what was stored for it before; may be called from several threads. The summary's
+ * texts are the spool's from then on. Error: STATUS_IO. */
 MUST_CHECK enum status_code spool_put(struct spool *spool, size_t index, const struct surface_record *record,
                                       struct status *status);
-/** Reads it back; end it with surface_record_free(record, false). Errors: STATUS_IO, STATUS_MEMORY. */
+/** Reads it back, from any thread; end it with surface_record_free(record, false). Errors: STATUS_IO, STATUS_MEMORY. */
 MUST_CHECK enum status_code spool_get(struct surface_record *out, struct spool *spool, size_t index,
                                       struct status *status);
 

@@ -3,15 +3,12 @@
 #include "base/clock.h"
 #include "base/hash.h"
 #include "contact/statistical.h"
+#include "results/condense.h"
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-static const double outside_share = 0.1;  /* share of the load beyond the fitted range that dashes a curve */
-static const double touching_area = 0.1;  /* A/A_n up to which asperities may be taken as apart */
-static const double elbow_slope = 2;      /* |d ln ECR/d ln P| that counts as the elbow: twice the slope before it */
 
 static void note(struct surface_summary *summary, const char *format, ...) PRINTF_LIKE(2, 3);
 
@@ -168,14 +165,14 @@ static enum status_code read_file(struct surface_record *record, const struct sc
 }
 
 /** Power law, statistical parameters, and what the end-to-end jump may have leaked into them. */
-static void describe(struct surface_record *record, const struct scene *scene, const struct plan *plan)
+static void describe(struct surface_record *record, const struct scene *scene)
 {
     struct surface_summary *summary = &record->summary;
     summary->harmonics = record->spectrum.count;
     summary->law = powerlaw_fit(&record->spectrum, scene->fit_band_m);
     struct status status = {0};
     summary->has_asperities = roughness_asperities(&summary->asperities, &summary->roughness, &status) == STATUS_OK;
-    if (!summary->has_asperities && (plan->families & SCENE_MODEL_STATISTICAL))
+    if (!summary->has_asperities && (scene->models & SCENE_MODEL_STATISTICAL))
         note(summary, "no GW and JG: %s", status.message);
 
     const struct powerlaw *law = &summary->law;
@@ -198,85 +195,6 @@ static void describe(struct surface_record *record, const struct scene *scene, c
              law->gamma);
 }
 
-/** Least-squares slope of ln A over ln P where A/A_n < 0.1, and its RMS residual in decades. */
-static void fit_area_slope(struct surface_model *model, const struct model_curve *curve)
-{
-    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0, syy = 0;
-    for (size_t i = 0; i < curve->count; i++) {
-        const struct contact_point *point = &curve->points[i];
-        if (point->area_ratio >= touching_area || !(point->area_ratio > 0))
-            continue;
-        double x = log(point->load), y = log(point->area_ratio);
-        n += 1;
-        sx += x;
-        sy += y;
-        sxx += x * x;
-        sxy += x * y;
-        syy += y * y;
-    }
-    double spread = sxx - sx * sx / n, common = sxy - sx * sy / n;
-    model->area_slope = n >= 5 ? common / spread : NAN;
-    double residual = syy - sy * sy / n - common * common / spread;
-    model->area_slope_rms = n >= 5 ? sqrt(fmax(0, residual) / n) / M_LN10 : NAN;
-}
-
-/** Gap left at the load of A = A_n, between the neighbouring loads linear in ln P. */
-static double gap_at_full(const struct model_curve *curve, const struct model_row *row, double sigma_m)
-{
-    for (size_t i = 0; i < curve->count; i++) {
-        const struct contact_point *point = &curve->points[i];
-        if (point->load < curve->full_load)
-            continue;
-        double at = row->family == SCENE_MODEL_STATISTICAL ? point->adjusted_m : point->separation_m;
-        if (i == 0 || row->family == SCENE_MODEL_STATISTICAL)
-            return at / sigma_m;
-        double before = curve->points[i - 1].separation_m;
-        double share = log(curve->full_load / point[-1].load) / log(point->load / point[-1].load);
-        return (before + share * (at - before)) / sigma_m;
-    }
-    return NAN;
-}
-
-/** What a curve says, in a few numbers. */
-static void condense(struct surface_model *model, const struct model_curve *curve, const struct model_row *row,
-                     double sigma_m)
-{
-    *model = (struct surface_model){
-        .exists = curve->exists,
-        .full_load = curve->full_load,
-        .closed_load = curve->closed_load,
-        .beta = curve->beta,
-        .beta_multiscale = NAN,
-        .elbow_load = NAN,
-        .sd_least = INFINITY,
-        .sd_most = -INFINITY,
-        .invalid_area_load = NAN,
-        .invalid_fit_load = NAN,
-        .gap_at_full = gap_at_full(curve, row, sigma_m),
-        .area_low = curve->count > 0 ? curve->points[0].area_ratio : NAN,
-        .yielding_scales = curve->yielding_scales,
-        .evaluations = curve->evaluations,
-    };
-    fit_area_slope(model, curve);
-    bool statistical = row->family == SCENE_MODEL_STATISTICAL;
-    for (size_t i = 0; i < curve->count; i++) {
-        const struct contact_point *point = &curve->points[i], *before = i > 0 ? point - 1 : NULL;
-        if (statistical && isnan(model->invalid_area_load) && point->area_ratio > touching_area)
-            model->invalid_area_load = point->load;
-        if (statistical && isnan(model->invalid_fit_load) && point->outside > outside_share)
-            model->invalid_fit_load = point->load;
-        model->most_outside = fmax(model->most_outside, point->outside);
-        if (point->tcr_K_m2_per_W > 0 && !isnan(point->tcr_sd_K_m2_per_W)) {
-            model->sd_least = fmin(model->sd_least, point->tcr_sd_K_m2_per_W / point->tcr_K_m2_per_W - 1);
-            model->sd_most = fmax(model->sd_most, point->tcr_sd_K_m2_per_W / point->tcr_K_m2_per_W - 1);
-        }
-        /* a load where the resistance has gone to 0 ends the elbow too */
-        if (before && before->ecr_ohm_m2 > 0 && isnan(model->elbow_load) &&
-            !(log(before->ecr_ohm_m2 / point->ecr_ohm_m2) < elbow_slope * log(point->load / before->load)))
-            model->elbow_load = before->load;
-    }
-}
-
 /** The second estimate of beta, against the multiscale model of the same material law. */
 static void estimate_beta(struct surface_record *record, enum model_id statistical, enum model_id multiscale)
 {
@@ -293,13 +211,12 @@ static void estimate_beta(struct surface_record *record, enum model_id statistic
     record->summary.models[statistical].beta_multiscale = common > 0 ? sum / (double)common : NAN;
 }
 
-static enum status_code run_models(struct surface_record *record, const struct scene *scene, const struct plan *plan,
-                                   const double *loads, size_t load_count, struct status *status)
+struct model_task surface_task(const struct surface_record *record, const struct scene *scene, const struct plan *plan,
+                               const double *loads, size_t load_count)
 {
-    struct surface_summary *summary = &record->summary;
-    struct model_task task = {
+    return (struct model_task){
         .spectrum = &record->spectrum,
-        .asperities = summary->has_asperities ? &summary->asperities : NULL,
+        .asperities = record->summary.has_asperities ? &record->summary.asperities : NULL,
         .pair = &plan->pair,
         .loads = loads,
         .load_count = load_count,
@@ -307,6 +224,33 @@ static enum status_code run_models(struct surface_record *record, const struct s
         .tolerance = scene->tolerance,
         .closure = scene->closure,
     };
+}
+
+bool surface_extends(const struct surface_summary *summary, const struct scene *scene)
+{
+    return !isnan(summary->law.gamma) && !(scene->effects_auto && summary->bound.settled);
+}
+
+/** Carries the fitted law on below the sampling limit (twice the spacing), where that can change anything. */
+static void extend(struct surface_summary *summary, const struct scene *scene, const struct plan *plan)
+{
+    double started = clock_seconds();
+    for (int m = 0; m < MODEL_COUNT; m++) {
+        struct surface_model *model = &summary->models[m];
+        if (model_rows[m].family != SCENE_MODEL_MULTISCALE || !model->exists || !surface_extends(summary, scene))
+            continue;
+        model->extension = convergence_extend(&summary->law, summary->length_m, 2 * summary->spacing_m, &plan->pair,
+                                              model_rows[m].plastic, scene->convergence.load);
+        model->extended = true;
+    }
+    summary->times.convergence = clock_seconds() - started;
+}
+
+enum status_code surface_run_models(struct surface_record *record, const struct scene *scene, const struct plan *plan,
+                                    const double *loads, size_t load_count, struct status *status)
+{
+    struct surface_summary *summary = &record->summary;
+    struct model_task task = surface_task(record, scene, plan, loads, load_count);
     for (int m = 0; m < MODEL_COUNT; m++) {
         struct model_curve *curve = &record->curves[m];
         if (!model_called_for((enum model_id)m, plan->families, plan->running))
@@ -319,29 +263,19 @@ static enum status_code run_models(struct surface_record *record, const struct s
             return status->code;
         summary->times.models[m] = clock_seconds() - started;
         if (curve->exists)
-            condense(&summary->models[m], curve, &model_rows[m], summary->asperities.sigma_m);
+            condense_curve(&summary->models[m], curve, &model_rows[m], summary->asperities.sigma_m);
     }
     if (plan_runs(plan, EFFECT_SEPARATION)) {
         estimate_beta(record, MODEL_GW, MODEL_MULTISCALE_ELASTIC);
         estimate_beta(record, MODEL_JG, MODEL_MULTISCALE_PLASTIC);
     }
+    if (plan_runs(plan, EFFECT_CONVERGENCE))
+        extend(summary, scene, plan);
     return STATUS_OK;
 }
 
-static void extend(struct surface_summary *summary, const struct scene *scene, const struct plan *plan)
-{
-    double started = clock_seconds();
-    double shortest_m = 2 * summary->spacing_m;
-    for (int m = 0; m < MODEL_COUNT; m++)
-        if (model_rows[m].family == SCENE_MODEL_MULTISCALE && summary->models[m].exists && isfinite(summary->law.gamma))
-            summary->models[m].extension = convergence_extend(&summary->law, summary->length_m, shortest_m, &plan->pair,
-                                                              model_rows[m].plastic, scene->convergence.load);
-    summary->times.convergence = clock_seconds() - started;
-}
-
-enum status_code surface_evaluate(struct surface_record *out, const struct scene *scene, const struct plan *plan,
-                                  const double *loads, size_t load_count, const struct scene_surface *surface,
-                                  struct status *status)
+enum status_code surface_describe(struct surface_record *out, const struct scene *scene,
+                                  const struct scene_surface *surface, struct status *status)
 {
     struct surface_summary *summary = &out->summary;
     struct status problem = {0};
@@ -358,11 +292,7 @@ enum status_code surface_evaluate(struct surface_record *out, const struct scene
         return summary->refusal ? STATUS_OK : status_memory(status);
     }
     summary->usable = true;
-    describe(out, scene, plan);
-    if (run_models(out, scene, plan, loads, load_count, status) != STATUS_OK)
-        return status->code;
-    if (plan_runs(plan, EFFECT_CONVERGENCE))
-        extend(summary, scene, plan);
+    describe(out, scene);
     return STATUS_OK;
 }
 

@@ -30,8 +30,20 @@ struct surface_model {
     double gap_at_full;       /* separation/sigma at the load of A = A_n (adjusted for the statistical models) */
     double area_low;          /* A/A_n at the lowest load */
     size_t yielding_scales;
-    uint64_t evaluations;
-    struct convergence_extension extension; /* multiscale, when the effect convergence runs */
+    uint64_t clamped;         /* multiscale plastic: visits in which the published area was cut off at 1 */
+    double most_saturated;    /* JG: largest share of the load on asperities whose a/R is clamped to 1 */
+    struct model_work work;
+    bool extended;            /* multiscale: the fitted law was carried on below the sampling limit */
+    struct convergence_extension extension;
+};
+
+/** How far the surface could call for an effect, from bounds that cost next to nothing (bound.h). */
+struct surface_bound {
+    double yield;          /* largest p/p_c any scale can see; at most 1: no scale yields */
+    size_t above_critical; /* scales with Delta > Delta_c */
+    double jg_excess;      /* bound on JG's relative difference from GW over the loads */
+    double scale_dependent; /* bound on TCR_sd/TCR - 1 over the loads and models */
+    bool settled;          /* no scale below the sampling limit can take any area at the convergence study's load */
 };
 
 struct surface_summary {
@@ -54,6 +66,7 @@ struct surface_summary {
     bool has_asperities;          /* a statistical model exists */
     struct powerlaw law;
     size_t harmonics;
+    struct surface_bound bound;
     struct surface_model models[MODEL_COUNT];
     struct surface_times times;
 };
@@ -67,11 +80,22 @@ struct surface_record {
     size_t preview_points;
 };
 
-/** Reads and evaluates one surface. What is wrong with its files is no error: then summary.usable is false and
- * summary.refusal says why in one line. Error: STATUS_MEMORY. Owned: surface_record_free(). */
-MUST_CHECK enum status_code surface_evaluate(struct surface_record *out, const struct scene *scene,
-                                             const struct plan *plan, const double *loads, size_t load_count,
+/** Reads and describes one surface: everything but the models. What is wrong with its files is no error: then
+ * summary.usable is false and summary.refusal says why in one line. Error: STATUS_MEMORY. Owned: surface_record_free(). */
+MUST_CHECK enum status_code surface_describe(struct surface_record *out, const struct scene *scene,
                                              const struct scene_surface *surface, struct status *status);
+
+/** What the models are asked of a described surface. */
+struct model_task surface_task(const struct surface_record *record, const struct scene *scene, const struct plan *plan,
+                               const double *loads, size_t load_count);
+
+/** Runs the models that `plan` calls for on a described surface. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code surface_run_models(struct surface_record *record, const struct scene *scene,
+                                               const struct plan *plan, const double *loads, size_t load_count,
+                                               struct status *status);
+/** Will the fitted law of a described surface be carried on below its sampling limit, if the effect convergence runs? */
+bool surface_extends(const struct surface_summary *summary, const struct scene *scene);
+
 /** Frees the arrays of a record; the summary's texts too when `with_texts`. */
 void surface_record_free(struct surface_record *record, bool with_texts);
 

@@ -3,6 +3,9 @@
 #define RESULTS_TABLES_H
 
 #include "results/spool.h"
+#include "results/work.h"
+
+struct cost;
 
 /** Everything that the report is about, from here on read-only. */
 struct results {
@@ -11,6 +14,8 @@ struct results {
     const double *loads; /* P/(A_n E') */
     size_t load_count;
     struct spool *spool;
+    struct work predicted, done;
+    const struct cost *cost;   /* what accuracy costs; NULL: left out */
     const double *convergence; /* the sweeps' area ratios, see results_sweep(); NULL when the effect is off */
     size_t *shown;          /* indices of the surfaces the charts show: all usable ones up to 8, else spread by Rq */
     size_t shown_count;

@@ -2,8 +2,10 @@
 
 #include "base/clock.h"
 #include "chart/figure.h"
+#include "cost/cost.h"
 #include "report/report.h"
 #include "results/output.h"
+#include "run/prepare.h"
 #include "run/workers.h"
 #include <math.h>
 #include <stdio.h>
@@ -16,17 +18,17 @@ enum { SHOWN_MOST = 8 };
 struct run {
     const struct scene *scene;
     const struct run_options *options;
-    struct plan plan;
-    double *loads;
     struct output output;
-    struct spool spool;
-    struct results results;
+    struct prepared prepared;
+    struct results *results; /* of `prepared` */
+    struct cost cost;
     double *sweeps;
+    uint64_t sweep_scales;
 };
 
 static const struct surface_summary *summary_of(const struct run *run, size_t index)
 {
-    return &run->spool.summaries[index];
+    return &run->prepared.spool.summaries[index];
 }
 
 static int compare_roughness(const void *a, const void *b, void *context)
@@ -40,21 +42,22 @@ static int compare_roughness(const void *a, const void *b, void *context)
 /** Ranks the usable surfaces and chooses which the charts show and which is the baseline. */
 static enum status_code rank_surfaces(struct run *run, struct status *status)
 {
-    struct results *results = &run->results;
-    size_t usable = 0, *order = malloc((run->spool.count + SHOWN_MOST) * sizeof *order);
+    struct results *results = run->results;
+    const struct spool *spool = &run->prepared.spool;
+    size_t usable = 0, *order = malloc((spool->count + SHOWN_MOST) * sizeof *order);
     if (!order)
         return status_memory(status);
-    for (size_t i = 0; i < run->spool.count; i++)
+    for (size_t i = 0; i < spool->count; i++)
         if (summary_of(run, i)->usable)
             order[usable++] = i;
     results->by_roughness = order;
     results->usable_count = usable;
     if (usable == 0)
         return status_fail(status, STATUS_SCAN, "no readable scan in '%s'", run->scene->directory);
-    results->shown = order + run->spool.count;
+    results->shown = order + spool->count;
     results->shown_count = usable < SHOWN_MOST ? usable : SHOWN_MOST;
     memcpy(results->shown, order, results->shown_count * sizeof *order);
-    qsort_r(order, usable, sizeof *order, compare_roughness, run->spool.summaries);
+    qsort_r(order, usable, sizeof *order, compare_roughness, spool->summaries);
     for (size_t k = 0; usable > SHOWN_MOST && k < SHOWN_MOST; k++) /* from smoothest to roughest, evenly */
         results->shown[k] = order[k * (usable - 1) / (SHOWN_MOST - 1)];
     results->baseline = order[usable > 1 ? 1 : 0];
@@ -75,18 +78,18 @@ static enum status_code run_sweeps(struct run *run, struct status *status)
     run->sweeps = calloc(curves * study->scales, sizeof *run->sweeps);
     if (!run->sweeps)
         return status_memory(status);
-    run->results.convergence = run->sweeps;
-    uint64_t evaluations = 0;
+    run->results->convergence = run->sweeps;
     for (int s = 0; s < CONVERGENCE_SWEEP_COUNT; s++)
         for (size_t v = 0; v < convergence_sweeps[s].count; v++)
-            for (int plastic = 0; plastic <= (int)plan_runs(&run->plan, EFFECT_PLASTICITY); plastic++) {
+            for (int plastic = 0; plastic <= (int)plan_runs(&run->prepared.plan, EFFECT_PLASTICITY); plastic++) {
                 double value = convergence_sweeps[s].values[v];
                 struct convergence_law law = {study->alpha, study->gamma, study->scan_length_m, study->load,
                                               study->scales};
                 *(s == CONVERGENCE_ALPHA ? &law.alpha : &law.gamma) = value;
-                double *area = run->sweeps + (results_sweep(&run->results, (enum convergence_sweep)s, plastic, v) -
-                                              run->results.convergence);
-                if (convergence_areas(area, &law, &run->plan.pair, plastic, &evaluations, status) != STATUS_OK)
+                double *area = run->sweeps + (results_sweep(run->results, (enum convergence_sweep)s, plastic, v) -
+                                              run->results->convergence);
+                if (convergence_areas(area, &law, &run->prepared.plan.pair, plastic, &run->sweep_scales,
+                                      status) != STATUS_OK)
                     return status->code;
             }
     return STATUS_OK;
@@ -105,21 +108,6 @@ static void add_times(struct run_times *times, const struct spool *spool)
     }
 }
 
-/** Says what was refused and warned of, a line each. */
-static void add_messages(struct text *messages, const struct spool *spool)
-{
-    for (size_t i = 0; i < spool->count; i++) {
-        const struct surface_summary *summary = &spool->summaries[i];
-        if (summary->refusal)
-            text_add(messages, "surface '%s' refused: %s\n", summary->scene->name, summary->refusal);
-        for (const char *line = summary->notes; line && *line;) {
-            size_t length = strcspn(line, "\n");
-            text_add(messages, "surface '%s': %.*s\n", summary->scene->name, (int)length, line);
-            line += length + (line[length] == '\n');
-        }
-    }
-}
-
 /** A stage's wall time: from the last call to this one. */
 static double lap(double *last)
 {
@@ -128,51 +116,56 @@ static double lap(double *last)
     return passed;
 }
 
+/** Scans, effects, models. */
 static enum status_code evaluate(struct run *run, struct run_outcome *out, struct status *status)
 {
-    plan_make(&run->plan, run->scene);
-    size_t load_count = 0;
-    if (scene_loads(&run->loads, &load_count, run->scene, run->plan.pair.effective_modulus_Pa, status) != STATUS_OK)
-        return status->code;
-    run->results = (struct results){.scene = run->scene, .plan = &run->plan, .loads = run->loads,
-                                    .load_count = load_count, .spool = &run->spool};
-    if (run->scene->surface_count == 0)
-        return status_fail(status, STATUS_SCAN, "no scan in '%s': put the profilometer's text files there",
-                           run->scene->directory);
-    if (spool_open(&run->spool, run->output.staging, run->scene->surface_count, status) != STATUS_OK)
-        return status->code;
-    enum status_code rc = workers_evaluate(&run->results, run->options, status);
-    add_messages(&out->messages, &run->spool);
-    for (size_t i = 0; i < run->spool.count; i++)
-        out->refused += run->spool.summaries[i].refusal != NULL;
-    out->surfaces = run->spool.count - out->refused;
-    add_times(&out->times, &run->spool);
-    return rc != STATUS_OK ? rc : rank_surfaces(run, status);
+    struct prepared *prepared = &run->prepared;
+    enum status_code rc = prepare(prepared, run->scene, run->options, run->output.staging, status);
+    run->results = &prepared->results;
+    out->refused = prepare_messages(&out->messages, &prepared->spool);
+    out->surfaces = prepared->spool.count - out->refused;
+    if (rc == STATUS_OK)
+        rc = rank_surfaces(run, status);
+    if (rc == STATUS_OK)
+        rc = workers_run(run->results, workers_model, run->options, status);
+    if (rc == STATUS_OK && plan_runs(&prepared->plan, EFFECT_CONVERGENCE))
+        rc = run_sweeps(run, status);
+    if (rc == STATUS_OK && !run->options->no_cost) {
+        rc = cost_measure(&run->cost, run->results, status);
+        run->results->cost = &run->cost;
+        out->times.cost = run->cost.seconds;
+    }
+    if (rc != STATUS_OK)
+        return rc;
+    struct work *done = &run->results->done;
+    *done = work_done(&prepared->spool, run->sweep_scales);
+    out->work_agrees = memcmp(done, &run->results->predicted, sizeof *done) == 0;
+    prepare_table(&out->work, prepared, done);
+    add_times(&out->times, &prepared->spool);
+    return STATUS_OK;
 }
 
-static enum status_code stages(struct run *run, struct run_outcome *out, struct status *status)
+/** From the evaluated surfaces to the files of the report. */
+static enum status_code write_all(struct run *run, struct run_outcome *out, struct status *status)
 {
     const struct run_options *options = run->options;
     const char *staging = run->output.staging;
-    if (evaluate(run, out, status) != STATUS_OK)
-        return status->code;
     double last = clock_seconds();
-    if (plan_runs(&run->plan, EFFECT_CONVERGENCE) && run_sweeps(run, status) != STATUS_OK)
+    if (tables_write(run->results, staging, status) != STATUS_OK || json_write(run->results, staging, status) != STATUS_OK)
         return status->code;
-    out->times.convergence += lap(&last);
-    if (tables_write(&run->results, staging, status) != STATUS_OK || json_write(&run->results, staging, status) != STATUS_OK)
+    if (run->results->cost && cost_write(run->results->cost, staging, status) != STATUS_OK)
         return status->code;
     out->times.tables = lap(&last);
-    if (figure_write_all(&run->results, staging, options->templates, status) != STATUS_OK)
+    if (figure_write_all(run->results, staging, options->templates, status) != STATUS_OK)
         return status->code;
     out->times.figures = lap(&last);
-    if (figure_draw_all(&run->results, staging, options->terminal_size, &out->charts, &out->times.gnuplot, status) !=
+    if (figure_draw_all(run->results, staging, options->terminal_size, &out->charts, &out->times.gnuplot, status) !=
         STATUS_OK)
         return status->code;
     last = clock_seconds();
-    if (report_write(&run->results, staging, options->templates, status) != STATUS_OK)
+    if (report_write(run->results, staging, options->templates, status) != STATUS_OK)
         return status->code;
-    report_terminal_table(&out->table, &run->results);
+    report_terminal_table(&out->table, run->results);
     out->times.report = lap(&last);
     if (options->stop && *options->stop)
         return status_fail(status, STATUS_INTERRUPTED, "stopped");
@@ -206,14 +199,16 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
     if (rc == STATUS_OK)
         rc = begin_output(&run, status);
     if (rc == STATUS_OK)
-        rc = stages(&run, out, status);
+        rc = evaluate(&run, out, status);
+    if (rc == STATUS_OK)
+        rc = write_all(&run, out, status);
     if (rc == STATUS_OK && asprintf(&out->path, "%s/report.html", run.output.target) < 0)
         rc = status_memory(status);
-    spool_close(&run.spool);
+    free(run.prepared.results.by_roughness);
+    prepared_free(&run.prepared);
     output_abandon(&run.output);
-    free(run.results.by_roughness);
     free(run.sweeps);
-    free(run.loads);
+    cost_free(&run.cost);
     out->times.total = clock_seconds() - started;
     return rc;
 }
@@ -223,5 +218,6 @@ void run_outcome_free(struct run_outcome *outcome)
     text_free(&outcome->messages);
     text_free(&outcome->table);
     text_free(&outcome->charts);
+    text_free(&outcome->work);
     free(outcome->path);
 }

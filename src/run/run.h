@@ -5,11 +5,13 @@
 #include "base/text.h"
 #include "scene/scene.h"
 #include <signal.h>
+#include <stdbool.h>
 
 struct run_options {
     const char *output;        /* OUT, NULL: out/<name of DIR> */
     const char *templates;     /* directory of the templates */
     const char *terminal_size; /* "columns,rows" to draw the main charts as text, NULL: not */
+    bool no_cost;              /* leave out what accuracy costs */
     unsigned jobs;             /* threads; 0: one a processor */
     const volatile sig_atomic_t *stop; /* becomes non-zero when the run is to end early; NULL: never */
     void (*progress)(size_t done, size_t total, const char *name); /* NULL: none; called from several threads, one at a time */
@@ -17,7 +19,7 @@ struct run_options {
 
 /** Wall time by stage [s], the threads' own stages summed. */
 struct run_times {
-    double read, prepare, spectrum, models[4], convergence, tables, figures, gnuplot, report, total;
+    double read, prepare, spectrum, models[4], convergence, cost, tables, figures, gnuplot, report, total;
 };
 
 struct run_outcome {
@@ -26,6 +28,8 @@ struct run_outcome {
     struct text table;    /* the compact table for a terminal */
     struct text charts;   /* when terminal_size was given */
     char *path;           /* of report.html */
+    struct text work;     /* predicted against done, effect by effect */
+    bool work_agrees;     /* evaluation counts are as predicted */
     struct run_times times;
 };
 

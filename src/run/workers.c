@@ -1,5 +1,7 @@
 #include "run/workers.h"
 
+#include "results/bound.h"
+
 #include <pthread.h>
 #include <stdlib.h>
 #include <unistd.h>
@@ -10,6 +12,7 @@ enum { WORKERS_MOST = 64 };
 struct pool {
     const struct results *results;
     const struct run_options *options;
+    workers_task *task;
     pthread_mutex_t lock;
     size_t next, done;
     struct status status;
@@ -40,29 +43,49 @@ static void finish(struct pool *pool, size_t index, const struct status *problem
     pthread_mutex_unlock(&pool->lock);
 }
 
+enum status_code workers_describe(struct surface_record *record, const struct results *results, size_t index,
+                                  struct status *status)
+{
+    const struct scene *scene = results->scene;
+    if (surface_describe(record, scene, &scene->surfaces[index], status) != STATUS_OK) {
+        surface_record_free(record, true);
+        return status->code;
+    }
+    if (record->summary.usable)
+        bound_surface(record, scene, results->plan, results->loads, results->load_count);
+    return spool_put(results->spool, index, record, status);
+}
+
+enum status_code workers_model(struct surface_record *record, const struct results *results, size_t index,
+                               struct status *status)
+{
+    if (!results->spool->summaries[index].usable)
+        return STATUS_OK;
+    if (spool_get(record, results->spool, index, status) != STATUS_OK ||
+        surface_run_models(record, results->scene, results->plan, results->loads, results->load_count, status) != STATUS_OK)
+        return status->code;
+    return spool_put(results->spool, index, record, status);
+}
+
 static void *work(void *context)
 {
     struct pool *pool = context;
-    const struct results *results = pool->results;
     struct surface_record *record = malloc(sizeof *record);
     for (size_t index; record && take(pool, &index);) {
         struct status problem = {0};
         *record = (struct surface_record){0};
-        enum status_code rc = surface_evaluate(record, results->scene, results->plan, results->loads,
-                                               results->load_count, &results->scene->surfaces[index], &problem);
-        if (rc == STATUS_OK)
-            rc = spool_put(results->spool, index, record, &problem);
-        surface_record_free(record, rc != STATUS_OK); /* the spool took the summary's texts over */
+        (void)pool->task(record, pool->results, index, &problem);
+        surface_record_free(record, false);
         finish(pool, index, &problem);
     }
     free(record);
     return record ? NULL : context;
 }
 
-enum status_code workers_evaluate(const struct results *results, const struct run_options *options,
-                                  struct status *status)
+enum status_code workers_run(const struct results *results, workers_task *task, const struct run_options *options,
+                             struct status *status)
 {
-    struct pool pool = {.results = results, .options = options, .lock = PTHREAD_MUTEX_INITIALIZER};
+    struct pool pool = {.results = results, .options = options, .task = task, .lock = PTHREAD_MUTEX_INITIALIZER};
     pthread_t threads[WORKERS_MOST];
     long processors = sysconf(_SC_NPROCESSORS_ONLN);
     size_t wanted = options->jobs ? options->jobs : processors > 0 ? (size_t)processors : 1, started = 0;

@@ -1,0 +1,76 @@
+#include "run/prepare.h"
+
+#include "results/bound.h"
+#include "run/workers.h"
+#include <stdlib.h>
+#include <string.h>
+
+enum status_code prepare(struct prepared *out, const struct scene *scene, const struct run_options *options,
+                         const char *directory, struct status *status)
+{
+    *out = (struct prepared){0};
+    plan_make(&out->plan, scene);
+    size_t load_count = 0;
+    if (scene_loads(&out->loads, &load_count, scene, out->plan.pair.effective_modulus_Pa, status) != STATUS_OK)
+        return status->code;
+    out->results = (struct results){.scene = scene, .plan = &out->plan, .loads = out->loads, .load_count = load_count,
+                                    .spool = &out->spool};
+    if (scene->surface_count == 0)
+        return status_fail(status, STATUS_SCAN, "no scan in '%s': put the profilometer's files there", scene->directory);
+    if (spool_open(&out->spool, directory, scene->surface_count, status) != STATUS_OK ||
+        workers_run(&out->results, workers_describe, options, status) != STATUS_OK)
+        return status->code;
+    bound_plan(&out->plan, scene, &out->spool);
+    out->results.predicted = work_predict(&out->spool, scene, &out->plan, load_count);
+    return STATUS_OK;
+}
+
+void prepared_free(struct prepared *prepared)
+{
+    spool_close(&prepared->spool);
+    free(prepared->loads);
+    *prepared = (struct prepared){0};
+}
+
+size_t prepare_messages(struct text *messages, const struct spool *spool)
+{
+    size_t refused = 0;
+    for (size_t i = 0; i < spool->count; i++) {
+        const struct surface_summary *summary = &spool->summaries[i];
+        if (summary->refusal) {
+            text_add(messages, "surface '%s' refused: %s\n", summary->scene->name, summary->refusal);
+            refused++;
+        }
+        for (const char *line = summary->notes; line && *line;) {
+            size_t length = strcspn(line, "\n");
+            text_add(messages, "surface '%s': %.*s\n", summary->scene->name, (int)length, line);
+            line += length + (line[length] == '\n');
+        }
+    }
+    return refused;
+}
+
+void prepare_table(struct text *out, const struct prepared *prepared, const struct work *done)
+{
+    struct work_row predicted[WORK_ROWS], actual[WORK_ROWS];
+    uint64_t total = 0, total_done = 0;
+    double seconds = 0;
+    work_table(predicted, &prepared->results.predicted, &prepared->plan);
+    work_table(actual, done ? done : &prepared->results.predicted, &prepared->plan);
+    text_add(out, "%-16s %-8s %14s%s %10s  %s\n", "effect", "", "evaluations", done ? "           done" : "", "seconds",
+             "why; how");
+    for (int r = 0; r < WORK_ROWS; r++) {
+        const struct work_row *row = &predicted[r];
+        text_add(out, "%-16s %-8s %14llu", row->name, row->runs ? "run" : "skipped", (unsigned long long)row->evaluations);
+        if (done)
+            text_add(out, " %14llu", (unsigned long long)actual[r].evaluations);
+        text_add(out, " %10.4f  %s%s%s\n", row->seconds, row->reason, row->runs ? "; " : "", row->method);
+        total += row->evaluations;
+        total_done += actual[r].evaluations;
+        seconds += row->seconds;
+    }
+    text_add(out, "%-16s %-8s %14llu", "all", "", (unsigned long long)total);
+    if (done)
+        text_add(out, " %14llu", (unsigned long long)total_done);
+    text_add(out, " %10.4f\n", seconds);
+}

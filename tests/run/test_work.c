@@ -1,0 +1,190 @@
+/* Only what the scene calls for: each effect switched off removes exactly its work, the plan's counts are those done,
+ * and `auto` leaves out what cannot change a number. */
+#include "run/prepare.h"
+#include "support.h"
+
+#include <ftw.h>
+#include <stdio.h>
+#include <unistd.h>
+
+static char directory[256];
+
+static void write_scene(const char *text)
+{
+    char path[300];
+    struct status status = {0};
+    snprintf(path, sizeof path, "%s/scene.yaml", directory);
+    assert_int_equal(text_write_file(path, text, strlen(text), &status), STATUS_OK);
+}
+
+/** Predicts the scene's work; what a run then does has to be the same. */
+static struct work work_of(const char *scene_text, struct plan *plan)
+{
+    struct scene scene;
+    struct status status = {0};
+    struct prepared prepared;
+    struct run_outcome outcome;
+    char output[300];
+    snprintf(output, sizeof output, "%s/out", directory);
+    struct run_options options = {
+        .output = output, .templates = PROJECT_SOURCE "/templates", .jobs = 1, .no_cost = true};
+    write_scene(scene_text);
+    assert_int_equal(scene_read(&scene, directory, &(struct scene_overrides){0}, &status), STATUS_OK);
+    assert_int_equal(prepare(&prepared, &scene, &options, NULL, &status), STATUS_OK);
+    struct work work = prepared.results.predicted;
+    if (plan)
+        *plan = prepared.plan;
+    prepared_free(&prepared);
+    if (run_report(&outcome, &scene, &options, &status) != STATUS_OK)
+        fail_msg("%s", status.message);
+    assert_true(outcome.work_agrees);
+    run_outcome_free(&outcome);
+    scene_free(&scene);
+    return work;
+}
+
+#define SURFACES "surfaces: [{name: a, file: a.csv}, {name: b, file: b.csv}]\n"
+#define FILES    SURFACES "load: {from: 1e-6, to: 0.1, points: 31}\n"
+#define ALL      "plasticity, separation, electrical, thermal, scale-dependent, convergence"
+
+static uint64_t gaps(const struct work *work)
+{
+    uint64_t sum = 0;
+    for (int m = 0; m < MODEL_COUNT; m++)
+        sum += work->models[m].gaps;
+    return sum;
+}
+
+static uint64_t spots(const struct work *work)
+{
+    uint64_t sum = 0;
+    for (int m = 0; m < MODEL_COUNT; m++)
+        sum += work->models[m].spots;
+    return sum;
+}
+
+/** Asserts that two works differ in nothing but what the caller has already set equal. */
+static void assert_same(const struct work *a, const struct work *b)
+{
+    assert_memory_equal(a, b, sizeof *a);
+}
+
+static void each_effect_removes_its_own_work(void **state)
+{
+    (void)state;
+    struct work all = work_of(FILES "effects: [" ALL "]\n", NULL), less;
+    assert_true(gaps(&all) > 0 && spots(&all) > 0 && all.sweep_scales > 0 && all.extensions == 4);
+
+    less = work_of(FILES "effects: [plasticity, electrical, thermal, scale-dependent, convergence]\n", NULL);
+    assert_int_equal(gaps(&less), 0);
+    for (int m = 0; m < MODEL_COUNT; m++)
+        less.models[m].gaps = all.models[m].gaps;
+    assert_same(&less, &all);
+
+    less = work_of(FILES "effects: [separation, electrical, thermal, scale-dependent, convergence]\n", NULL);
+    for (int m = 0; m < MODEL_COUNT; m++)
+        if (model_rows[m].plastic) {
+            const struct model_work none = {0};
+            assert_memory_equal(&less.models[m], &none, sizeof none);
+            less.models[m] = all.models[m];
+        }
+    assert_int_equal(less.sweep_scales * 2, all.sweep_scales);
+    assert_int_equal(less.extensions * 2, all.extensions);
+    less.sweep_scales = all.sweep_scales;
+    less.extensions = all.extensions;
+    assert_same(&less, &all);
+
+    less = work_of(FILES "effects: [plasticity, separation, electrical, thermal, scale-dependent]\n", NULL);
+    assert_int_equal(less.sweep_scales + less.extensions, 0);
+    less.sweep_scales = all.sweep_scales;
+    less.extensions = all.extensions;
+    assert_same(&less, &all);
+
+    less = work_of(FILES "effects: [plasticity, separation, electrical, thermal, convergence]\n", NULL);
+    assert_int_equal(less.models[MODEL_GW].laws, 0); /* closed forms do */
+    assert_true(less.models[MODEL_JG].laws <= all.models[MODEL_JG].laws);
+    less.models[MODEL_GW].laws = all.models[MODEL_GW].laws;
+    less.models[MODEL_JG].laws = all.models[MODEL_JG].laws;
+    assert_same(&less, &all);
+
+    struct work thermal = work_of(FILES "effects: [plasticity, separation, thermal, convergence]\n", NULL);
+    struct work electrical = work_of(FILES "effects: [plasticity, separation, electrical, convergence]\n", NULL);
+    assert_same(&thermal, &electrical); /* the two share their sums over spots */
+    less = work_of(FILES "effects: [plasticity, separation, convergence]\n", NULL);
+    assert_int_equal(spots(&less), 0);
+    for (int m = 0; m < MODEL_COUNT; m++)
+        less.models[m].spots = electrical.models[m].spots;
+    assert_same(&less, &electrical);
+}
+
+static void families_remove_their_own_work(void **state)
+{
+    (void)state;
+    struct work all = work_of(FILES "effects: [plasticity]\n", NULL);
+    struct work multiscale = work_of(FILES "effects: [plasticity]\nmodels: [multiscale]\n", NULL);
+    struct work statistical = work_of(FILES "effects: [plasticity]\nmodels: [statistical]\n", NULL);
+    for (int m = 0; m < MODEL_COUNT; m++) {
+        const struct work *own = model_rows[m].family == SCENE_MODEL_MULTISCALE ? &multiscale : &statistical;
+        const struct work *other = own == &multiscale ? &statistical : &multiscale;
+        const struct model_work none = {0};
+        assert_memory_equal(&own->models[m], &all.models[m], sizeof none);
+        assert_memory_equal(&other->models[m], &none, sizeof none);
+    }
+}
+
+/** A metal so hard that nothing yields: auto skips plasticity, and the models it skips would have given the same area.
+ */
+static void auto_skips_what_cannot_matter(void **state)
+{
+    (void)state;
+    struct plan plan;
+    struct work work = work_of(SURFACES "material: {E_Pa: 1e9, nu: 0.3, Sy_Pa: 1e12}\n"
+                                        "load: {from: 1e-6, to: 1e-3, points: 31}\n",
+                               &plan);
+    assert_false(plan_runs(&plan, EFFECT_PLASTICITY));
+    assert_int_equal(work.models[MODEL_JG].separations + work.models[MODEL_MULTISCALE_PLASTIC].scales, 0);
+    assert_non_null(strstr(plan.effects[EFFECT_PLASTICITY].reason, "every scale"));
+    assert_false(plan_runs(&plan, EFFECT_ELECTRICAL));
+    assert_non_null(strstr(plan.effects[EFFECT_ELECTRICAL].reason, "resistivity_ohm_m"));
+
+    work_of(FILES "effects: auto\n", &plan);
+    assert_true(plan_runs(&plan, EFFECT_PLASTICITY) && plan_runs(&plan, EFFECT_SCALE_DEPENDENT));
+}
+
+static int set_up(void **state)
+{
+    (void)state;
+    const char *base = getenv("TMPDIR");
+    char a[300], b[300];
+    snprintf(directory, sizeof directory, "%s/test-work-XXXXXX", base ? base : "/tmp");
+    if (!mkdtemp(directory))
+        return -1;
+    snprintf(a, sizeof a, "%s/a.csv", directory);
+    snprintf(b, sizeof b, "%s/b.csv", directory);
+    return symlink(PROJECT_SOURCE "/surfaces/chapter6/surface-1.csv", a) |
+           symlink(PROJECT_SOURCE "/surfaces/chapter6/surface-4.csv", b);
+}
+
+static int remove_entry(const char *path, const struct stat *info, int type, struct FTW *level)
+{
+    (void)info;
+    (void)type;
+    (void)level;
+    return remove(path);
+}
+
+static int tear_down(void **state)
+{
+    (void)state;
+    return nftw(directory, remove_entry, 16, FTW_DEPTH | FTW_PHYS);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(each_effect_removes_its_own_work),
+        cmocka_unit_test(families_remove_their_own_work),
+        cmocka_unit_test(auto_skips_what_cannot_matter),
+    };
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}
