@@ -1,5 +1,6 @@
 #include "base/text.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -50,16 +51,30 @@ void text_add(struct text *text, const char *format, ...)
     va_end(again);
 }
 
+/** Does Markdown read something into the character there? Marks of lists and rules only count at the beginning, after
+ * digits at most; an underscore inside a word is a letter; a colon may make a link only before a slash. */
+static bool has_meaning(const char *string, size_t at)
+{
+    char c = string[at];
+    if (strchr("\\`*[]|~$#", c))
+        return true;
+    if (c == '_')
+        return at == 0 || !isalnum((unsigned char)string[at - 1]) || !isalnum((unsigned char)string[at + 1]);
+    if (c == ':')
+        return string[at + 1] == '/';
+    return strchr("+-=.)", c) && strspn(string, "0123456789+-=.) ") >= at;
+}
+
 void text_add_markdown(struct text *text, const char *string)
 {
-    for (; *string; string++) {
+    for (const char *start = string; *string; string++) {
         unsigned char c = (unsigned char)*string;
         if (c < 0x20 || c == 0x7f)
             text_add_bytes(text, "?", 1);
         else if (c == '<' || c == '>' || c == '&' || c == '"')
             text_add(text, "&#%d;", c);
         else {
-            if (strchr("\\`*_{}[]()#+-.!|~$^=:", c))
+            if (has_meaning(start, (size_t)(string - start)))
                 text_add_bytes(text, "\\", 1);
             text_add_bytes(text, string, 1);
         }
@@ -130,6 +145,7 @@ enum status_code text_write_file(const char *path, const char *bytes, size_t len
     size_t written = fwrite(bytes, 1, length, file);
     int reason = errno;
     if (fclose(file) != 0 || written != length)
-        return status_fail(status, STATUS_IO, "cannot write '%s': %s", path, strerror(written != length ? reason : errno));
+        return status_fail(status, STATUS_IO, "cannot write '%s': %s", path,
+                           strerror(written != length ? reason : errno));
     return STATUS_OK;
 }
