@@ -20,8 +20,8 @@ static const struct axis_row {
     [FIGURE_LOAD] = {"load P/(Aₙ E′)", true, 0},
     [FIGURE_AREA] = {"area ratio A/Aₙ", true, 0},
     [FIGURE_SEPARATION] = {"separation / σ", false, EFFECT_BIT(EFFECT_SEPARATION)},
-    [FIGURE_ECR] = {"ECR·Aₙ (Ω m²)", true, EFFECT_BIT(EFFECT_ELECTRICAL)},
-    [FIGURE_TCR] = {"TCR·Aₙ (K m²/W)", true, EFFECT_BIT(EFFECT_THERMAL)},
+    [FIGURE_ECR] = {"ECR·Aₙ (Ω·m²)", true, EFFECT_BIT(EFFECT_ELECTRICAL)},
+    [FIGURE_TCR] = {"TCR·Aₙ (K·m²/W)", true, EFFECT_BIT(EFFECT_THERMAL)},
     [FIGURE_WAVELENGTH] = {"shortest wavelength included (m)", true, 0},
 };
 

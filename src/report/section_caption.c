@@ -13,8 +13,8 @@ static const struct quantity_words {
 } quantities[] = {
     [STUDY_AREA] = {FIGURE_AREA, "A/Aₙ is ", ""},
     [STUDY_SEPARATION] = {FIGURE_SEPARATION, "the separation is ", " σ"},
-    [STUDY_ECR] = {FIGURE_ECR, "ECR·Aₙ is ", " Ω m²"},
-    [STUDY_TCR] = {FIGURE_TCR, "TCR·Aₙ is ", " K m²/W"},
+    [STUDY_ECR] = {FIGURE_ECR, "ECR·Aₙ is ", " Ω·m²"},
+    [STUDY_TCR] = {FIGURE_TCR, "TCR·Aₙ is ", " K·m²/W"},
 };
 
 static enum study_quantity quantity_of(const struct figure_row *row)
@@ -114,6 +114,15 @@ static void sweep_range(struct text *out, const struct section_context *context,
              sweep->count);
 }
 
+/** Does the chart hold a setting that the report uses? */
+static bool is_marked(const struct cost *cost, enum cost_chart chart)
+{
+    for (size_t i = 0; i < cost->count; i++)
+        if (cost->rows[i].chart == chart && cost->rows[i].chosen)
+            return true;
+    return false;
+}
+
 void section_caption(struct text *out, const struct section_context *context, const struct figure_row *row)
 {
     text_add(out, "%s", row->title);
@@ -142,7 +151,8 @@ void section_caption(struct text *out, const struct section_context *context, co
         text_add(out, " Solid: the law over the wavelengths it was fitted to; dashed: carried on beyond them.");
         break;
     case FIGURE_COST:
-        text_add(out, " Lower left is better; ringed: what this report uses.");
+        text_add(out, " Lower left is better%s.",
+                 is_marked(context->results->cost, row->cost) ? "; ringed: what this report uses" : "");
         break;
     }
 }

@@ -246,7 +246,7 @@ static void thermal_text(struct text *out, const struct section_context *context
     if (isfinite(context->study->proportional_error)) {
         const struct material_pair *pair = &context->results->plan->pair;
         words_add(out, "TCR is ECR times 1/(ρ k) = ", 1 / (pair->resistivity_ohm_m * pair->conductivity_W_per_mK), 4,
-                  " K/(W Ω) in every model, so the curves have the same shape. ");
+                  " K/(W·Ω) in every model, so the curves have the same shape. ");
     }
     double least, most;
     int at = 0;
@@ -329,7 +329,7 @@ static void validity_text(struct text *out, const struct section_context *contex
                  "to yield; the steps are the published model's and are not smoothed. ");
     text_add(out,
              "A jump between the ends of a record leaks amplitude J/(π n) into harmonic n, which looks like γ = 1: the "
-             "share is taken at the short end of the fit band.");
+             "share is taken at the short end of the fit band. Loads in the table are P/(Aₙ E′).");
 }
 
 static void settings_text(struct text *out, const struct section_context *context)

@@ -29,7 +29,7 @@ static void surfaces(struct text *out, const struct section_context *context)
     text_add(out, " MPa.\n");
 }
 
-/** ", ECR·Aₙ is … Ω m²" of the leading model over all surfaces. */
+/** ", ECR·Aₙ is … Ω·m²" of the leading model over all surfaces. */
 static void resistance(struct text *out, const struct study_extremes *extremes, const char *name, const char *unit)
 {
     if (extremes->count == 0)
@@ -53,7 +53,7 @@ static void at_middle(struct text *out, const struct section_context *context)
     text_add(out, "; %s) the real contact area is ", model_rows[study->leading].label);
     words_range(out, 100 * extremes[STUDY_AREA].least, 100 * extremes[STUDY_AREA].most, 3);
     text_add(out, " %% of the nominal one");
-    resistance(out, &extremes[STUDY_ECR], "ECR", "Ω m²");
+    resistance(out, &extremes[STUDY_ECR], "ECR", "Ω·m²");
     if (extremes[STUDY_ECR].count > 0 && isfinite(nominal_m2)) {
         text_add(out, " (");
         words_range(out, extremes[STUDY_ECR].least / nominal_m2, extremes[STUDY_ECR].most / nominal_m2, 3);
@@ -61,7 +61,7 @@ static void at_middle(struct text *out, const struct section_context *context)
         words_given(out, nominal_m2 * 1e6);
         text_add(out, " mm²)");
     }
-    resistance(out, &extremes[STUDY_TCR], "TCR", "K m²/W");
+    resistance(out, &extremes[STUDY_TCR], "TCR", "K·m²/W");
     text_add(out, ".\n");
 }
 
@@ -160,9 +160,9 @@ static void model_spread(struct text *out, const struct section_context *context
     words_named(out, "surface ", context->results, context->results->baseline);
     one_spread(out, context, STUDY_AREA, " at that load, the area is ", 100, " %");
     if (quantity == STUDY_ECR)
-        one_spread(out, context, quantity, ", ECR·Aₙ ", 1, " Ω m²");
+        one_spread(out, context, quantity, ", ECR·Aₙ ", 1, " Ω·m²");
     if (quantity == STUDY_TCR)
-        one_spread(out, context, quantity, ", TCR·Aₙ ", 1, " K m²/W");
+        one_spread(out, context, quantity, ", TCR·Aₙ ", 1, " K·m²/W");
     text_add(out, ".\n");
 }
 
@@ -243,8 +243,8 @@ static const struct key_column {
 } key_columns[] = {
     {"A/Aₙ (%)", 0, STUDY_AREA, 100},
     {"separation/σ", EFFECT_BIT(EFFECT_SEPARATION), STUDY_SEPARATION, 1},
-    {"ECR·Aₙ (Ω m²)", EFFECT_BIT(EFFECT_ELECTRICAL), STUDY_ECR, 1},
-    {"TCR·Aₙ (K m²/W)", EFFECT_BIT(EFFECT_THERMAL), STUDY_TCR, 1},
+    {"ECR·Aₙ (Ω·m²)", EFFECT_BIT(EFFECT_ELECTRICAL), STUDY_ECR, 1},
+    {"TCR·Aₙ (K·m²/W)", EFFECT_BIT(EFFECT_THERMAL), STUDY_TCR, 1},
 };
 enum { KEY_COLUMNS = sizeof key_columns / sizeof key_columns[0] };
 

@@ -162,8 +162,8 @@ static void baseline_table(struct text *out, const struct section_context *conte
     } columns[] = {
         {separation, "separation/σ"},
         {separation && statistical, "adjusted"},
-        {plan_runs(plan, EFFECT_ELECTRICAL), "ECR·Aₙ (Ω m²)"},
-        {plan_runs(plan, EFFECT_THERMAL), "TCR·Aₙ (K m²/W)"},
+        {plan_runs(plan, EFFECT_ELECTRICAL), "ECR·Aₙ (Ω·m²)"},
+        {plan_runs(plan, EFFECT_THERMAL), "TCR·Aₙ (K·m²/W)"},
         {plan_runs(plan, EFFECT_SCALE_DEPENDENT), "TCR·Aₙ, scale-dependent"},
         {plan_runs(plan, EFFECT_ELECTRICAL) && isfinite(results->scene->nominal_area_m2), "ECR (Ω)"},
     };

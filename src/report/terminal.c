@@ -7,11 +7,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { TERMINAL_COLUMNS = 10, TERMINAL_NAME = 28 };
+enum { TERMINAL_COLUMNS = 10, TERMINAL_NAME = 24 };
 
 /** A cell's text; one that does not fit is cut. */
 struct terminal_cell {
-    char text[64];
+    char text[128];
 };
 
 struct terminal_row {
@@ -27,16 +27,20 @@ static int width_of(const char *string)
     return width;
 }
 
-/** A name from outside: control characters as '?', at most TERMINAL_NAME characters. */
+/** A name from outside: control characters as '?'; one longer than TERMINAL_NAME is cut in its middle, as names often
+ * differ at their end. */
 static void put_name(struct terminal_cell *cell, const char *name)
 {
+    int width = width_of(name), at = 0;
     size_t length = 0;
-    int characters = 0;
-    for (; *name && length + 1 < sizeof cell->text; name++) {
+    for (; *name && length + 8 < sizeof cell->text; name++) {
         unsigned char c = (unsigned char)*name;
-        characters += (c & 0xC0) != 0x80;
-        if (characters > TERMINAL_NAME)
-            break;
+        at += (c & 0xC0) != 0x80;
+        if (width > TERMINAL_NAME && at > TERMINAL_NAME / 2 && at <= width - TERMINAL_NAME / 2 + 1) {
+            if (at == TERMINAL_NAME / 2 + 1 && (c & 0xC0) != 0x80)
+                length += (size_t)snprintf(cell->text + length, 4, "…");
+            continue;
+        }
         cell->text[length++] = c < 0x20 || c == 0x7f ? '?' : *name;
     }
     cell->text[length] = '\0';
@@ -50,18 +54,36 @@ static void put_uncertain(struct terminal_cell *cell, double value, double error
     text_free(&text);
 }
 
-/** Plain with `digits` significant digits, or as 1.23e-04 when there are to be none. */
-static void put_number(struct terminal_cell *cell, double value, int digits)
+/** Plain with three significant digits. */
+static void put_number(struct terminal_cell *cell, double value)
 {
     struct text text = {0};
-    if (!isfinite(value))
-        text_add(&text, "-");
-    else if (digits > 0)
-        words_number(&text, value, digits);
-    else
-        text_add(&text, "%.2e", value);
-    snprintf(cell->text, sizeof cell->text, "%s", text_string(&text));
+    if (isfinite(value))
+        words_number(&text, value, 3);
+    snprintf(cell->text, sizeof cell->text, "%s", text.length > 0 ? text_string(&text) : "-");
     text_free(&text);
+}
+
+/** As 1.23e-4. */
+static void put_load(struct terminal_cell *cell, double load)
+{
+    if (!(load > 0) || !isfinite(load)) {
+        snprintf(cell->text, sizeof cell->text, "-");
+        return;
+    }
+    char mantissa[32];
+    snprintf(mantissa, sizeof mantissa, "%.2e", load);
+    char *exponent = strchr(mantissa, 'e');
+    *exponent++ = '\0';
+    snprintf(cell->text, sizeof cell->text, "%se%ld", mantissa, strtol(exponent, NULL, 10));
+}
+
+static void put_beta(struct terminal_cell *cell, const struct surface_model *model)
+{
+    if (model->exists && isfinite(model->beta))
+        snprintf(cell->text, sizeof cell->text, "%.2f", model->beta);
+    else
+        snprintf(cell->text, sizeof cell->text, "-");
 }
 
 /** Has beta a meaning in this run? It belongs to the adjusted separation. */
@@ -74,7 +96,7 @@ static bool has_beta(const struct plan *plan, enum model_id model)
 /** The heads; returns how many columns there are. */
 static int put_heads(struct terminal_row *row, const struct plan *plan)
 {
-    static const char *const heads[MODEL_COUNT] = {"MS elast.", "MS plast.", "GW", "JG"};
+    static const char *const heads[MODEL_COUNT] = {"MS el.", "MS pl.", "GW", "JG"};
     static const char *const first[] = {"surface", "Rq/µm", "α (SI)", "γ"};
     int column = 0;
     for (; column < 4; column++)
@@ -92,15 +114,15 @@ static void put_surface(struct terminal_row *row, const struct surface_summary *
 {
     int column = 4;
     put_name(&row->cells[0], s->scene->name);
-    put_number(&row->cells[1], s->roughness.rq_m * 1e6, 3);
+    put_number(&row->cells[1], s->roughness.rq_m * 1e6);
     put_uncertain(&row->cells[2], s->law.alpha, s->law.alpha_error);
     put_uncertain(&row->cells[3], s->law.gamma, s->law.gamma_error);
     for (int m = 0; m < MODEL_COUNT; m++)
         if (has_beta(plan, (enum model_id)m))
-            put_number(&row->cells[column++], s->models[m].exists ? s->models[m].beta : NAN, 3);
+            put_beta(&row->cells[column++], &s->models[m]);
     for (int m = 0; m < MODEL_COUNT; m++)
         if (model_called_for((enum model_id)m, plan->families, plan->running))
-            put_number(&row->cells[column++], s->models[m].exists ? s->models[m].full_load : NAN, 0);
+            put_load(&row->cells[column++], s->models[m].exists ? s->models[m].full_load : NAN);
 }
 
 static void spaces(struct text *out, int count)
