@@ -228,20 +228,28 @@ static double largest_fall(const struct results *results)
     return fall;
 }
 
-/** gamma counts as 1 within its standard error: the thesis's roughest surface lies just there. */
+/** gamma counts as 1 within its standard error: the thesis's roughest surface lies just there. Where two slopes fit
+ * better than one law, it is the one at short wavelengths that decides. */
 enum claim_verdict claim_gamma(struct text *out, const struct results *results, const struct study *study)
 {
     (void)study;
-    size_t fitted = 0, converging = 0;
+    size_t fitted = 0, converging = 0, knees = 0;
     for (size_t k = 0; k < results->usable_count; k++) {
         const struct powerlaw *law = &claim_surface(results, k)->law;
+        bool knee = isfinite(law->knee_m);
         fitted += isfinite(law->gamma);
-        converging += law->gamma + law->gamma_error >= 1;
+        knees += knee;
+        converging += (knee ? law->gamma_below : law->gamma) + law->gamma_error >= 1;
     }
     text_add(out, "γ ≥ 1, within its standard error, for %zu of %zu surface%s", converging, fitted,
              fitted == 1 ? "" : "s");
+    if (knees > 0)
+        text_add(out,
+                 " (judged on %zu of them by the slope at short wavelengths, since two slopes fit better than one law)",
+                 knees);
     if (plan_runs(results->plan, EFFECT_CONVERGENCE)) {
-        words_add(out, "; scales from the sampling limit down to ", convergence_atom_m * 1e9, 1, " nm would take ");
+        words_add(out, "; scales of the one law from the sampling limit down to ", convergence_atom_m * 1e9, 1,
+                  " nm would take ");
         double fall = 100 * largest_fall(results);
         if (fall > 0)
             words_add(out, "at most ", fall, 2, " % of the area");
