@@ -153,6 +153,8 @@ static void put_models(struct figure_file *out, const struct surface_record *rec
             put_curve(out, curve, model, VARIANT_SCALE_DEPENDENT, sigma_m, style, legend);
         }
     }
+    if (out->blocks == 0) /* gnuplot complains of a file without any */
+        begin_block(out, model_rows[0].style, "no model exists for this surface");
 }
 
 static void surface_legend(char *legend, size_t size, const struct surface_summary *summary)
@@ -201,7 +203,8 @@ static enum status_code put_surfaces(struct figure_file *out, const struct resul
         } else {
             const struct model_row *model = &model_rows[row->model];
             enum variant variant = model->family == SCENE_MODEL_STATISTICAL ? VARIANT_ADJUSTED : VARIANT_PLAIN;
-            put_curve(out, &record.curves[row->model], model, variant, record.summary.asperities.sigma_m, style, legend);
+            put_curve(out, &record.curves[row->model], model, variant, record.summary.asperities.sigma_m, style,
+                      legend);
         }
         surface_record_free(&record, false);
     }
@@ -331,7 +334,7 @@ static enum status_code copy_template(const char *name, const char *templates, c
 enum status_code figure_write_all(const struct results *results, const char *directory, const char *templates,
                                   struct status *status)
 {
-    static const char *const files[] = {"style.gp",  "blocks.gp", "axis.gp",    "legend.gp",
+    static const char *const files[] = {"style.gp",  "blocks.gp",   "axis.gp",    "legend.gp",
                                         "curves.gp", "profiles.gp", "spectra.gp", "cost.gp"};
     for (size_t i = 0; i < sizeof files / sizeof files[0]; i++)
         if (copy_template(files[i], templates, directory, status) != STATUS_OK)

@@ -1,5 +1,6 @@
 #include "profile/profile.h"
 
+#include <float.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_spline.h>
 #include <math.h>
@@ -88,6 +89,16 @@ static enum status_code resample(struct profile *profile, const struct scan *sca
     return rc;
 }
 
+static double peak_to_valley(const double *height_m, size_t points)
+{
+    double highest = -INFINITY, lowest = INFINITY;
+    for (size_t i = 0; i < points; i++) {
+        highest = fmax(highest, height_m[i]);
+        lowest = fmin(lowest, height_m[i]);
+    }
+    return highest - lowest;
+}
+
 enum status_code profile_make(struct profile *out, const struct scan *scan, size_t row, enum scene_level level,
                               struct status *status)
 {
@@ -104,14 +115,16 @@ enum status_code profile_make(struct profile *out, const struct scan *scan, size
     else if (resample(out, scan, z_m, status) != STATUS_OK)
         return status->code;
 
-    double highest = -INFINITY, lowest = INFINITY;
-    for (size_t i = 0; i < out->points; i++) {
-        highest = fmax(highest, out->height_m[i]);
-        lowest = fmin(lowest, out->height_m[i]);
-    }
-    if (highest == lowest)
-        return status_fail(status, STATUS_SCAN, "the scan is flat: every height is %.9g m; check the column", highest);
+    double first_m = out->height_m[0], before_m = peak_to_valley(out->height_m, out->points);
+    if (before_m == 0)
+        return status_fail(status, STATUS_SCAN, "the scan is flat: every height is %.9g m; check the column", first_m);
     out->tilt = profile_level(out->height_m, out->points, level) / out->spacing_m;
+    /* a straight scan leaves what the subtraction rounds, in units of the last place of the heights */
+    if (peak_to_valley(out->height_m, out->points) <= 32 * DBL_EPSILON * (fabs(first_m) + before_m))
+        return status_fail(status, STATUS_SCAN,
+                           "the scan is flat: no roughness is left after level: %s; check the "
+                           "column",
+                           scene_level_names[level]);
     out->end_jump_m = out->height_m[out->points - 1] - out->height_m[0];
     return STATUS_OK;
 }

@@ -8,7 +8,7 @@
 enum profile_spacing { PROFILE_UNIFORM, PROFILE_ROUNDED, PROFILE_RESAMPLED };
 
 struct profile {
-    double *height_m;          /* `points` heights, spacing_m apart, levelled */
+    double *height_m; /* `points` heights, spacing_m apart, levelled */
     size_t points;
     double spacing_m;
     enum profile_spacing grid; /* as printed; rounded x, nominal spacing used; uneven x, interpolated */

@@ -67,8 +67,11 @@ enum claim_verdict claim_spread(struct text *out, const struct results *results,
             &study->extremes[f == 0 ? MODEL_MULTISCALE_PLASTIC : MODEL_JG][STUDY_AREA];
         if (elastic->count < 2 || plastic->count < elastic->count)
             continue;
-        words_add(out, f == 0 ? ": multiscale elastic " : "; statistical elastic ", elastic->most / elastic->least, 3,
-                  ", plastic ");
+        words_add(out,
+                  f == 0        ? ": multiscale elastic "
+                  : tested == 0 ? ": statistical elastic "
+                                : "; statistical elastic ",
+                  elastic->most / elastic->least, 3, ", plastic ");
         words_number(out, plastic->most / plastic->least, 3);
         tested++;
         narrower += plastic->most * elastic->least < elastic->most * plastic->least;

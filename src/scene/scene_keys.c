@@ -1,5 +1,6 @@
 #include "scene/scene_keys.h"
 #include "scene/scene_material.h"
+#include "scene/scene_pair.h"
 #include "scene/scene_surfaces.h"
 #include "scene/scene_value.h"
 #include "scene/scene_words.h"
@@ -12,10 +13,9 @@
 const char *const scene_level_names[SCENE_LEVEL_COUNT] = {"none", "mean", "line", "parabola"};
 const char *const scene_window_names[SCENE_WINDOW_COUNT] = {"none", "hann"};
 const char *const scene_moments_names[SCENE_MOMENTS_COUNT] = {"difference", "spectral"};
+const char *const scene_direction_names[SCENE_DIRECTION_COUNT] = {"x", "y"};
 const char *const scene_closure_names[SCENE_CLOSURE_COUNT] = {"thesis", "numeric"};
 static const char *const model_names[] = {"multiscale", "statistical"};
-enum { COUNTERFACE_RIGID, COUNTERFACE_SAME, COUNTERFACE_COUNT };
-static const char *const counterface_names[COUNTERFACE_COUNT] = {"rigid", "same"}; /* besides materials */
 static const char *const load_unit_names[] = {"dimensionless", "Pa"};
 
 /* Loads, in Pa or P/(A_n E'): any that keeps its distance from the ends of double. */
@@ -95,16 +95,6 @@ static enum status_code read_effects(struct scene_source *source, const struct s
             if ((effect_rows[i].needs_effects & EFFECT_BIT(needed)) && source->effect_line[needed] == 0)
                 source->effect_line[needed] = source->effect_line[i];
     return code;
-}
-
-static enum status_code read_counterface(struct scene_source *source, const struct scene_key *key,
-                                         const yaml_node_t *value, void *field)
-{
-    if (scene_source_is(value, counterface_names[COUNTERFACE_RIGID]))
-        return STATUS_OK;
-    source->counterface_elastic = true;
-    source->counterface_same = scene_source_is(value, counterface_names[COUNTERFACE_SAME]);
-    return source->counterface_same ? STATUS_OK : scene_material_read(source, key, value, field);
 }
 
 static enum status_code read_fit_band(struct scene_source *source, const struct scene_key *key,
@@ -218,7 +208,9 @@ static const struct scene_key scene_keys[] = {
     {"models", read_models, .offset = 0},
     {"effects", read_effects, .offset = 0},
     {"material", scene_material_read, .offset = offsetof(struct scene, material)},
-    {"counterface", read_counterface, CHOICES(struct scene, counterface, counterface_names)},
+    {"counterface", scene_pair_counterface, .offset = 0},
+    {"direction", scene_value_choice, CHOICES(struct scene, direction, scene_direction_names)},
+    {"measured", scene_pair_measured, .offset = offsetof(struct scene, measured)},
     {"nominal_area_m2", NUMBER(struct scene, nominal_area_m2, 1e-18, 1e6), .word = "none"},
     {"load", read_load, .offset = offsetof(struct scene, load)},
     {"tolerance", NUMBER(struct scene, tolerance, SCENE_KEYS_TOLERANCE_LEAST, SCENE_KEYS_TOLERANCE_MOST)},

@@ -1,0 +1,42 @@
+#include "spectrum/grid.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum status_code grid_spectrum(struct spectrum *out, const struct spectrum *in, double length_m, size_t count,
+                               struct status *status)
+{
+    *out =
+        (struct spectrum){.amplitude_m = calloc(count, sizeof *out->amplitude_m), .count = count, .length_m = length_m};
+    if (!out->amplitude_m)
+        return status_memory(status);
+    for (size_t i = 0; i < in->count; i++) {
+        /* band of harmonic i + 1 in units of the new grid's step; the Nyquist harmonic has only its lower half */
+        double scale = length_m / in->length_m, low = ((double)i + 0.5) * scale, high = ((double)i + 1.5) * scale;
+        if (in->has_nyquist && i + 1 == in->count)
+            high = ((double)i + 1) * scale;
+        double density = spectrum_power(in, i) / (high - low);
+        for (size_t n = (size_t)fmax(1, floor(low + 0.5)); n <= count && (double)n - 0.5 < high; n++) {
+            double from = fmax(low, (double)n - 0.5), to = fmin(high, (double)n + 0.5);
+            if (to > from)
+                out->amplitude_m[n - 1] += density * (to - from); /* power so far */
+        }
+    }
+    for (size_t n = 0; n < count; n++)
+        out->amplitude_m[n] = sqrt(2 * out->amplitude_m[n]);
+    return STATUS_OK;
+}
+
+enum status_code grid_add(struct spectrum *sum, const struct spectrum *other, struct status *status)
+{
+    struct spectrum same;
+    if (grid_spectrum(&same, other, sum->length_m, sum->count, status) != STATUS_OK)
+        return status->code;
+    for (size_t i = 0; i < sum->count; i++) {
+        double power = spectrum_power(sum, i) + spectrum_power(&same, i);
+        bool nyquist = sum->has_nyquist && i + 1 == sum->count;
+        sum->amplitude_m[i] = sqrt(nyquist ? power : 2 * power);
+    }
+    spectrum_free(&same);
+    return STATUS_OK;
+}

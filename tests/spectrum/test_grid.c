@@ -1,0 +1,72 @@
+#include "spectrum/grid.h"
+#include "support.h"
+
+static struct spectrum make(size_t count, double length, bool nyquist)
+{
+    struct spectrum spectrum = {malloc(count * sizeof(double)), count, length, nyquist};
+    for (size_t i = 0; i < count; i++)
+        spectrum.amplitude_m[i] = 1e-6 * pow((double)(i + 1), -1.5) * (1 + 0.3 * sin(7.0 * (double)i));
+    return spectrum;
+}
+
+/** The same grid gives the same spectrum back. */
+static void same_grid_is_the_identity(void **state)
+{
+    (void)state;
+    struct status status = {0};
+    struct spectrum in = make(50, 1e-3, false), out;
+    assert_int_equal(grid_spectrum(&out, &in, 1e-3, 50, &status), STATUS_OK);
+    for (size_t i = 0; i < 50; i++)
+        assert_near(out.amplitude_m[i], in.amplitude_m[i], 1e-12);
+    spectrum_free(&in);
+    spectrum_free(&out);
+}
+
+/** All power that lies within the new grid's bands arrives, whatever the lengths. */
+static void power_is_kept(void **state)
+{
+    (void)state;
+    struct status status = {0};
+    for (int nyquist = 0; nyquist < 2; nyquist++)
+        for (double length = 0.31e-3; length < 0.99e-3; length *= 1.17) {
+            struct spectrum in = make(400, 1e-3, nyquist), out;
+            size_t count = (size_t)(420 * length / 1e-3);
+            assert_int_equal(grid_spectrum(&out, &in, length, count, &status), STATUS_OK);
+            double first = 0.5 * 1e-3 / length; /* harmonics of `in` below the new grid's first band are out of it */
+            double expected = 0;
+            for (size_t i = 0; i < in.count; i++) {
+                double low = (double)i + 0.5, high = nyquist && i + 1 == in.count ? (double)i + 1 : (double)i + 1.5;
+                expected += spectrum_power(&in, i) * fmax(0, high - fmax(low, first)) / (high - low);
+            }
+            assert_near(spectrum_moment(&out, 0), expected, 1e-12);
+            spectrum_free(&in);
+            spectrum_free(&out);
+        }
+}
+
+/** A law on one grid is the same law on another: its power in a band is that of the other's harmonics there. */
+static void sum_of_two_adds_squares(void **state)
+{
+    (void)state;
+    struct status status = {0};
+    struct spectrum a = make(60, 1e-3, true), b = make(60, 1e-3, true), sum = make(60, 1e-3, true);
+    for (size_t i = 0; i < 60; i++)
+        b.amplitude_m[i] = 2e-7;
+    assert_int_equal(grid_add(&sum, &b, &status), STATUS_OK);
+    for (size_t i = 0; i + 2 < 60; i++) /* up to the Nyquist band, whose halves meet */
+        assert_near(sum.amplitude_m[i], hypot(a.amplitude_m[i], b.amplitude_m[i]), 1e-12);
+    assert_near(spectrum_moment(&sum, 0), spectrum_moment(&a, 0) + spectrum_moment(&b, 0), 1e-12);
+    spectrum_free(&a);
+    spectrum_free(&b);
+    spectrum_free(&sum);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(same_grid_is_the_identity),
+        cmocka_unit_test(power_is_kept),
+        cmocka_unit_test(sum_of_two_adds_squares),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
