@@ -1,5 +1,6 @@
 #include "base/text.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <stdarg.h>
 #include <stdint.h>
@@ -84,15 +85,30 @@ void text_add_shown(struct text *text, const char *string)
     }
 }
 
+/** Does Markdown read something into the character there? Marks of lists and rules only count at the beginning, after
+ * digits at most; an underscore inside a word is a letter; a colon may make a link only before a slash. */
+static bool has_meaning(const char *string, size_t at)
+{
+    char c = string[at];
+    if (strchr("\\`*[]|~$#", c))
+        return true;
+    if (c == '_')
+        return at == 0 || !isalnum((unsigned char)string[at - 1]) || !isalnum((unsigned char)string[at + 1]);
+    if (c == ':')
+        return string[at + 1] == '/';
+    return strchr("+-=.)", c) && strspn(string, "0123456789+-=.) ") >= at;
+}
+
 void text_add_markdown(struct text *text, const char *string)
 {
+    const char *start = string;
     for (size_t length; *string; string += length ? length : 1) {
         length = text_character(string);
         if (length == 1 && strchr("<>&\"", *string)) {
             text_add(text, "&#%d;", *string);
             continue;
         }
-        if (length == 1 && strchr("\\`*_{}[]()#+-.!|~$^=:", *string))
+        if (length == 1 && has_meaning(start, (size_t)(string - start)))
             text_add_bytes(text, "\\", 1);
         text_add_bytes(text, length ? string : "?", length ? length : 1);
     }

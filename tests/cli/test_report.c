@@ -156,12 +156,16 @@ static void test_terminal(void **state)
     assert_int_equal(setenv("COLUMNS", "80", 1), 0);
     struct process process = expect_exit(place, 0, "report", "d", "--show", "--verbose");
     assert_int_equal(unsetenv("COLUMNS"), 0);
-    static const char *const charts[] = {"Real contact area against load",         "Separation against load",
-                                         "Electrical contact resistance",          "Area, multiscale elastic-plastic",
-                                         "Separation, multiscale elastic-plastic", "surface Rq, um"};
+    static const char *const charts[] = {"Real contact area against load",
+                                         "Separation against load",
+                                         "Electrical contact resistance",
+                                         "Area against load, multiscale elastic-plastic",
+                                         "Separation against load, multiscale elastic-plastic",
+                                         "surface  Rq/µm"};
     for (size_t i = 0; i < sizeof charts / sizeof *charts; i++)
         expect_part(process.out, charts[i]);
-    for (const char *line = process.out; *line; line += strcspn(line, "\n") + 1) {
+    const char *table = strstr(process.out, "load to full contact"); /* the table is as wide as its columns */
+    for (const char *line = process.out; *line && line + strcspn(line, "\n") < table; line += strcspn(line, "\n") + 1) {
         size_t columns = 0, length = strcspn(line, "\n");
         for (size_t i = 0; i < length; i++)
             columns += ((unsigned char)line[i] & 0xc0) != 0x80;
