@@ -360,8 +360,7 @@ static enum status_code collect_text(struct text *out, const struct results *res
             continue;
         struct text path = {0};
         text_add(&path, "%s/figures/%s.txt", directory, figure_rows[i].number);
-        rc = text_read_file(out, text_string(&path), status);
-        unlink(text_string(&path));
+        rc = gnuplot_take_text(out, text_string(&path), status);
         text_free(&path);
     }
     return rc;

@@ -12,18 +12,17 @@ static json_t *real(double value)
     return isfinite(value) ? json_real(value) : json_null();
 }
 
-/** Text that may not be UTF-8 (a file name): bytes outside ASCII are then shown as '?'. */
+/** Text that may not be UTF-8 (a file name): it is then as the report shows it. */
 static json_t *string(const char *value)
 {
     json_t *json = json_string(value);
     if (json)
         return json;
-    char ascii[1024];
-    size_t n = 0;
-    for (; value[n] && n + 1 < sizeof ascii; n++)
-        ascii[n] = (unsigned char)value[n] < 0x80 ? value[n] : '?';
-    ascii[n] = '\0';
-    return json_string(ascii);
+    struct text shown = {0};
+    text_add_shown(&shown, value);
+    json = json_string(text_string(&shown));
+    text_free(&shown);
+    return json;
 }
 
 static json_t *material_json(const struct material *material)
