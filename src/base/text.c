@@ -101,16 +101,16 @@ static bool has_meaning(const char *string, size_t at)
 
 void text_add_markdown(struct text *text, const char *string)
 {
-    const char *start = string;
-    for (size_t length; *string; string += length ? length : 1) {
-        length = text_character(string);
-        if (length == 1 && strchr("<>&\"", *string)) {
-            text_add(text, "&#%d;", *string);
+    size_t length;
+    for (size_t at = 0; string[at]; at += length ? length : 1) {
+        length = text_character(string + at);
+        if (length == 1 && strchr("<>&\"", string[at])) {
+            text_add(text, "&#%d;", string[at]);
             continue;
         }
-        if (length == 1 && has_meaning(start, (size_t)(string - start)))
+        if (length == 1 && has_meaning(string, at))
             text_add_bytes(text, "\\", 1);
-        text_add_bytes(text, length ? string : "?", length ? length : 1);
+        text_add_bytes(text, length ? string + at : "?", length ? length : 1);
     }
 }
 

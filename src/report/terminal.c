@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { TERMINAL_COLUMNS = 10, TERMINAL_NAME = 24 };
+enum { TERMINAL_COLUMNS = 10, TERMINAL_WIDTH = 80, TERMINAL_NAME = 10 };
 
 /** A cell's text; one that does not fit is cut. */
 struct terminal_cell {
@@ -27,23 +27,22 @@ static int width_of(const char *string)
     return width;
 }
 
-/** A name from outside, shown safely; one longer than TERMINAL_NAME is cut in its middle, as names often differ at
- * their end. */
-static void put_name(struct terminal_cell *cell, const char *name)
+/** A name from outside, in at most `most` characters: a longer one is cut in its middle, as names often differ at their
+ * end. */
+static void put_name(struct terminal_cell *cell, const char *name, int most)
 {
     struct text shown = {0};
     text_add_shown(&shown, name);
     int width = width_of(text_string(&shown)), at = 0;
-    size_t length = 0;
-    for (const char *p = text_string(&shown); *p && length + 8 < sizeof cell->text; p++) {
-        bool starts = ((unsigned char)*p & 0xC0) != 0x80;
-        at += starts;
-        if (width > TERMINAL_NAME && at > TERMINAL_NAME / 2 && at <= width - TERMINAL_NAME / 2 + 1) {
-            if (at == TERMINAL_NAME / 2 + 1 && starts)
-                length += (size_t)snprintf(cell->text + length, 4, "…");
+    size_t length = 0, bytes;
+    for (const char *p = text_string(&shown); *p && length + 8 < sizeof cell->text; p += bytes, at++) {
+        bytes = text_character(p);
+        if (width > most && at == most / 2)
+            length += (size_t)snprintf(cell->text + length, 4, "…");
+        if (width > most && at >= most / 2 && at <= most / 2 + width - most)
             continue;
-        }
-        cell->text[length++] = *p;
+        memcpy(cell->text + length, p, bytes);
+        length += bytes;
     }
     cell->text[length] = '\0';
     text_free(&shown);
@@ -54,6 +53,12 @@ static void put_uncertain(struct terminal_cell *cell, double value, double error
     struct text text = {0};
     words_uncertain(&text, value, error);
     snprintf(cell->text, sizeof cell->text, "%s", text_string(&text));
+    char *sign = strstr(cell->text, " ± "); /* no room for the blanks */
+    if (sign) {
+        memmove(sign, sign + 1, strlen(sign));
+        sign += strlen("±");
+        memmove(sign, sign + 1, strlen(sign));
+    }
     text_free(&text);
 }
 
@@ -67,7 +72,7 @@ static void put_number(struct terminal_cell *cell, double value)
     text_free(&text);
 }
 
-/** As 1.23e-4. */
+/** As 1.2e-4. */
 static void put_load(struct terminal_cell *cell, double load)
 {
     if (!(load > 0) || !isfinite(load)) {
@@ -75,7 +80,7 @@ static void put_load(struct terminal_cell *cell, double load)
         return;
     }
     char mantissa[32];
-    snprintf(mantissa, sizeof mantissa, "%.2e", load);
+    snprintf(mantissa, sizeof mantissa, "%.1e", load);
     char *exponent = strchr(mantissa, 'e');
     *exponent++ = '\0';
     snprintf(cell->text, sizeof cell->text, "%se%ld", mantissa, strtol(exponent, NULL, 10));
@@ -116,7 +121,6 @@ static int put_heads(struct terminal_row *row, const struct plan *plan)
 static void put_surface(struct terminal_row *row, const struct surface_summary *s, const struct plan *plan)
 {
     int column = 4;
-    put_name(&row->cells[0], s->scene->name);
     put_number(&row->cells[1], s->roughness.rq_m * 1e6);
     put_uncertain(&row->cells[2], s->law.alpha, s->law.alpha_error);
     put_uncertain(&row->cells[3], s->law.gamma, s->law.gamma_error);
@@ -138,18 +142,27 @@ static void print_row(struct text *out, const struct terminal_row *row, const in
 {
     for (int c = 0; c < columns; c++) {
         int room = widths[c] - width_of(row->cells[c].text);
-        spaces(out, c > 0 ? 2 + room : 0);
+        spaces(out, c > 0 ? 1 + room : 0);
         text_add(out, "%s", row->cells[c].text);
         spaces(out, c > 0 ? 0 : room);
     }
     text_add(out, "\n");
 }
 
+/** Characters of a column's longest cell. */
+static int widest(const struct terminal_row *table, size_t rows, int column)
+{
+    int width = 0;
+    for (size_t r = 0; r < rows; r++)
+        width = width_of(table[r].cells[column].text) > width ? width_of(table[r].cells[column].text) : width;
+    return width;
+}
+
 void report_terminal_table(struct text *out, const struct results *results)
 {
     static const char above[] = "load to full contact, P/(An E')";
-    size_t rows = 1;
-    int widths[TERMINAL_COLUMNS] = {0}, total = 0;
+    size_t rows = 1, row = 1;
+    int widths[TERMINAL_COLUMNS] = {0}, numbers = 0;
     struct terminal_row *table = calloc(results->usable_count + 1, sizeof *table);
     if (!table) {
         out->failed = true;
@@ -159,12 +172,14 @@ void report_terminal_table(struct text *out, const struct results *results)
     for (size_t i = 0; i < results->spool->count; i++)
         if (results->spool->summaries[i].usable)
             put_surface(&table[rows++], &results->spool->summaries[i], results->plan);
-    for (size_t r = 0; r < rows; r++)
-        for (int c = 0; c < columns; c++)
-            widths[c] = width_of(table[r].cells[c].text) > widths[c] ? width_of(table[r].cells[c].text) : widths[c];
-    for (int c = 0; c < columns; c++)
-        total += widths[c] + (c > 0 ? 2 : 0);
-    spaces(out, total - (int)strlen(above)); /* it stands over the columns of loads, which come last */
+    for (int c = 1; c < columns; c++)
+        numbers += 1 + (widths[c] = widest(table, rows, c));
+    int room = TERMINAL_WIDTH - numbers > TERMINAL_NAME ? TERMINAL_WIDTH - numbers : TERMINAL_NAME;
+    for (size_t i = 0; i < results->spool->count; i++)
+        if (results->spool->summaries[i].usable)
+            put_name(&table[row++].cells[0], results->spool->summaries[i].scene->name, room);
+    widths[0] = widest(table, rows, 0);
+    spaces(out, widths[0] + numbers - (int)strlen(above)); /* it stands over the columns of loads, which come last */
     text_add(out, "%s\n", above);
     for (size_t r = 0; r < rows; r++)
         print_row(out, &table[r], widths, columns);

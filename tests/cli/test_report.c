@@ -161,11 +161,10 @@ static void test_terminal(void **state)
                                          "Electrical contact resistance",
                                          "Area against load, multiscale elastic-plastic",
                                          "Separation against load, multiscale elastic-plastic",
-                                         "surface  Rq/µm"};
+                                         "load to full contact"};
     for (size_t i = 0; i < sizeof charts / sizeof *charts; i++)
         expect_part(process.out, charts[i]);
-    const char *table = strstr(process.out, "load to full contact"); /* the table is as wide as its columns */
-    for (const char *line = process.out; *line && line + strcspn(line, "\n") < table; line += strcspn(line, "\n") + 1) {
+    for (const char *line = process.out; *line; line += strcspn(line, "\n") + 1) {
         size_t columns = 0, length = strcspn(line, "\n");
         for (size_t i = 0; i < length; i++)
             columns += ((unsigned char)line[i] & 0xc0) != 0x80;
@@ -198,7 +197,8 @@ static void test_table(void **state)
     workspace_write(place, "d/scene.yaml", "models: [multiscale]\neffects: [electrical]\n");
     struct process process = expect_exit(place, 0, "report", "d");
     expect_part(process.out, " MS el.\n");
-    expect_no_part(process.out, "b_GW");
+    expect_no_part(process.out, "β");
+    expect_no_part(process.out, "GW");
     expect_no_part(process.out, "MS pl.");
     process_free(&process);
 }
