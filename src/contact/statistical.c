@@ -35,6 +35,8 @@ static void integrate(struct panels_sums *sums, const struct statistical *model,
  * are log-concave), so that after one step the iterates close in from one side. */
 static double solve(const struct statistical *model, bool for_area, double log_target, double d)
 {
+    static const double highest_d = 40; /* exp(-d²/2) is below the smallest double */
+    d = fmin(d, highest_d);
     double log_scale = log(model->surface.density_per_m2);
     if (!for_area)
         log_scale -= log(model->asperity.effective_modulus_Pa);
@@ -151,6 +153,7 @@ bool statistical_solve(struct contact_point *out, const struct statistical *mode
     *d = fmax(*d, model->full_d);
     statistical_at(out, model, *d);
     out->load = load;
+    out->area_ratio = fmin(1, out->area_ratio); /* but for rounding it is */
     return true;
 }
 
