@@ -48,9 +48,8 @@ size_t multiscale_solve(struct contact_point *out, const struct multiscale *stac
     for (size_t i = 0; i < stack->count; i++) {
         const struct sinusoid_scale *scale = &stack->scales[i];
         struct sinusoid_cell cell;
-        double pressure_Pa = nominal_Pa / area;
-        bool plastic = sinusoid_press(&cell, scale, stack->closure, pressure_Pa, with_gap);
-        clamped += plastic && cell.area_complement == 0 && pressure_Pa < scale->plastic_full_pressure_Pa;
+        sinusoid_press(&cell, scale, stack->closure, nominal_Pa / area, with_gap);
+        clamped += cell.limited;
         if (with_gap)
             separation += scale->amplitude_m * cell.gap_ratio;
         if (conducts && cell.area_complement > 0)
