@@ -129,9 +129,10 @@ void statistical_at(struct contact_point *out, const struct statistical *model, 
     double full_m = model->full_d * surface->sigma_s_m + surface->offset_m;
     /* 1/R = (1/Psi) eta int g(a) phi: psi/(2 eta int a phi), per nominal area */
     double psi = area < 1 ? spot_alleviation(area, 1 - area) : 0;
-    double spread = psi > 0 ? psi / (2 * scale * sums.radius) : 0;
-    double spread_sd = psi > 0 ? psi / (2 * scale * sums.radius_scale_dependent) : 0;
     unsigned wanted = model->wanted;
+    double spread = psi > 0 ? psi / (2 * scale * sums.radius) : 0, spread_sd = 0;
+    if (psi > 0 && (wanted & CONTACT_SCALE_DEPENDENT)) /* else GW has no panels to sum it from: it would be psi/0 */
+        spread_sd = psi / (2 * scale * sums.radius_scale_dependent);
     *out = (struct contact_point){
         .load = scale * sums.load / model->asperity.effective_modulus_Pa,
         .area_ratio = area,

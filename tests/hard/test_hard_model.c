@@ -130,12 +130,55 @@ static void no_asperities(void **state)
     spectrum_free(&spectrum);
 }
 
+/** What is not wanted is NaN, needs no property of the material and changes nothing else. */
+static void every_choice_of_quantities(void **state)
+{
+    (void)state;
+    struct material_pair known = hard_tin(), bare = known;
+    bare.resistivity_ohm_m = bare.conductivity_W_per_mK = NAN;
+    bare.mean_free_path_m[0] = bare.mean_free_path_m[1] = NAN;
+    bare.side_conductivity_W_per_mK[0] = bare.side_conductivity_W_per_mK[1] = NAN;
+    struct spectrum spectrum = law_spectrum(0.085, 1.5);
+    struct roughness roughness = {0};
+    struct asperities surface;
+    struct status status = {0};
+    roughness_from_spectrum(&roughness, &spectrum);
+    assert_int_equal(roughness_asperities(&surface, &roughness, &status), STATUS_OK);
+    const double loads[] = {1e-30, 1e-9, 1e-6, 1e-3, 1e6};
+    for (int m = 0; m < MODEL_COUNT; m++)
+        for (unsigned wanted = 0; wanted <= EVERYTHING; wanted++) {
+            bool conducts = wanted & (CONTACT_ELECTRICAL | CONTACT_THERMAL | CONTACT_SCALE_DEPENDENT);
+            struct contact_point all[6], some[6];
+            struct model_curve reference = {.points = all}, curve = {.points = some};
+            struct model_task task = {&spectrum, &surface, &known, loads, 5, EVERYTHING, 1e-10, SCENE_CLOSURE_THESIS};
+            assert_int_equal(model_rows[m].run(&reference, &model_rows[m], &task, &status), STATUS_OK);
+            task.wanted = wanted;
+            task.pair = conducts ? &known : &bare;
+            assert_int_equal(model_rows[m].run(&curve, &model_rows[m], &task, &status), STATUS_OK);
+            assert_int_equal(curve.count, reference.count);
+            for (size_t i = 0; i < curve.count; i++) {
+                assert_near(some[i].area_ratio, all[i].area_ratio, 1e-9);
+                const double got[] = {some[i].ecr_ohm_m2, some[i].tcr_K_m2_per_W, some[i].tcr_sd_K_m2_per_W};
+                const double full[] = {all[i].ecr_ohm_m2, all[i].tcr_K_m2_per_W, all[i].tcr_sd_K_m2_per_W};
+                for (int k = 0; k < 3; k++)
+                    if (wanted & (CONTACT_ELECTRICAL << k))
+                        assert_near(got[k], full[k], 1e-9);
+                    else
+                        assert_true(isnan(got[k]));
+                assert_true((wanted & CONTACT_SEPARATION) || model_rows[m].family == SCENE_MODEL_STATISTICAL ||
+                            isnan(some[i].separation_m));
+            }
+        }
+    spectrum_free(&spectrum);
+}
+
 int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(loads_beyond_full_contact),
         cmocka_unit_test(nothing_but_full_contact),
         cmocka_unit_test(no_asperities),
+        cmocka_unit_test(every_choice_of_quantities),
     };
     hard_start(argc, argv);
     return cmocka_run_group_tests(tests, NULL, NULL);
