@@ -77,7 +77,7 @@ static enum status_code look(struct finding *out, const char *path, const struct
         return status->code;
     if (out->scan.kind == SCAN_AREAL)
         return status_fail(status, STATUS_SCAN, "%s: an areal map; export a profile from it", path);
-    if (profile_make(&out->profile, &out->scan, 0, SCENE_LEVEL_LINE, status) != STATUS_OK)
+    if (profile_make(&out->profile, &out->scan, 0, &profile_defaults, status) != STATUS_OK)
         return status_prefix(status, "%s", path);
     const struct profile *profile = &out->profile;
     out->roughness = roughness_of_heights(profile->height_m, profile->points, profile->spacing_m);

@@ -38,14 +38,8 @@ static void note_scan(struct surface_summary *summary, const struct scan *scan, 
 {
     for (size_t w = 0; w < scan->warning_count; w++)
         note(summary, "%s: %s", file, scan->warnings[w]);
-    if (profile->grid == PROFILE_ROUNDED)
-        note(summary, "%s: x is rounded to a few digits; its mean spacing of %.6g um was used", file,
-             profile->spacing_m * 1e6);
-    if (profile->grid == PROFILE_RESAMPLED)
-        note(summary, "%s: x is uneven; heights were interpolated (Steffen) to a uniform %.6g um", file,
-             profile->spacing_m * 1e6);
-    if (profile->points < 64)
-        note(summary, "%s: only %zu points; the spectrum has %zu harmonics", file, profile->points, profile->points / 2);
+    for (size_t n = 0; n < profile->note_count; n++)
+        note(summary, "%s: %s", file, profile->notes[n]);
 }
 
 /** The profile thinned for its chart: of every run of points the lowest and the highest, in their order. */
@@ -145,7 +139,8 @@ static enum status_code read_file(struct surface_record *record, const struct sc
         rc = status_fail(status, STATUS_SCAN, "%s: an areal map; export a profile from it", file);
     started = clock_seconds();
     if (rc == STATUS_OK) {
-        rc = profile_make(&profile, &scan, 0, scene->level, status);
+        struct profile_options how = profile_options_of(scene);
+        rc = profile_make(&profile, &scan, 0, &how, status);
         if (rc == STATUS_OK)
             rc = check_alike(summary, &profile, status);
         if (rc != STATUS_OK)

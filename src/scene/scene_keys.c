@@ -9,7 +9,7 @@
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
-const char *const scene_level_names[SCENE_LEVEL_COUNT] = {"none", "mean", "line", "parabola"};
+const char *const scene_level_names[SCENE_LEVEL_COUNT] = {"none", "mean", "line", "parabola", "circle", "robust"};
 const char *const scene_window_names[SCENE_WINDOW_COUNT] = {"none", "hann"};
 const char *const scene_moments_names[SCENE_MOMENTS_COUNT] = {"difference", "spectral"};
 const char *const scene_closure_names[SCENE_CLOSURE_COUNT] = {"thesis", "numeric"};
@@ -213,6 +213,8 @@ static enum status_code read_baseline(struct scene_source *source, const struct 
     return scene_value_text(source, key, value, field);
 }
 
+enum { KEY_FIT_BAND = 10, KEY_LAMBDA_S = 14, KEY_LAMBDA_C = 15 };
+
 static const struct scene_key scene_keys[] = {
     {"title", scene_value_text, .offset = offsetof(struct scene, title)},
     {"models", read_models, .offset = 0},
@@ -224,17 +226,39 @@ static const struct scene_key scene_keys[] = {
     {"tolerance", NUMBER(struct scene, tolerance, SCENE_KEYS_TOLERANCE_LEAST, SCENE_KEYS_TOLERANCE_MOST)},
     {"level", scene_value_choice, CHOICES(struct scene, level, scene_level_names)},
     {"window", scene_value_choice, CHOICES(struct scene, window, scene_window_names)},
-    {"fit_band_m", read_fit_band, RANGE(struct scene, fit_band_m, 1e-12, 1e3), .word = "all"},
+    [KEY_FIT_BAND] = {"fit_band_m", read_fit_band, RANGE(struct scene, fit_band_m, 1e-12, 1e3), .word = "all"},
     {"moments", scene_value_choice, CHOICES(struct scene, moments, scene_moments_names)},
     {"closure", scene_value_choice, CHOICES(struct scene, closure, scene_closure_names)},
+    {"max_missing", NUMBER(struct scene, max_missing, 0.0, 0.9)},
+    [KEY_LAMBDA_S] = {"lambda_s_m", NUMBER(struct scene, lambda_s_m, 1e-12, 1e3), .word = "none"},
+    [KEY_LAMBDA_C] = {"lambda_c_m", NUMBER(struct scene, lambda_c_m, 1e-12, 1e3), .word = "none"},
+    {"tip_radius_m", NUMBER(struct scene, tip_radius_m, 1e-12, 1.0), .word = "none"},
     {"baseline", read_baseline, .offset = offsetof(struct scene, baseline)},
     {"convergence", read_convergence, .offset = offsetof(struct scene, convergence)},
     {"surfaces", scene_surfaces_read, .offset = 0},
 };
 
+/* The two cut-offs of the filters against one another; a fit that no line asks for keeps to what they leave. */
+static enum status_code join_filters(struct scene *scene, struct scene_source *source, const size_t *lines)
+{
+    if (scene->lambda_s_m > 0 && scene->lambda_c_m > 0 && !(scene->lambda_s_m < scene->lambda_c_m))
+        return scene_source_fail(source, lines[KEY_LAMBDA_C],
+                                 "'lambda_c_m' is %g, not above 'lambda_s_m', %g; nothing would be left between them",
+                                 scene->lambda_c_m, scene->lambda_s_m);
+    if (lines[KEY_FIT_BAND])
+        return STATUS_OK;
+    scene->fit_band_m[0] = scene->lambda_s_m;
+    if (scene->lambda_c_m > 0)
+        scene->fit_band_m[1] = scene->lambda_c_m;
+    return STATUS_OK;
+}
+
 enum status_code scene_keys_read(struct scene *scene, struct scene_source *source)
 {
     const yaml_node_t *root = scene_source_root(source);
     size_t lines[COUNT(scene_keys)];
-    return root ? scene_source_mapping(source, root, "scene", scene_keys, COUNT(scene_keys), scene, lines) : STATUS_OK;
+    if (!root)
+        return STATUS_OK;
+    enum status_code code = scene_source_mapping(source, root, "scene", scene_keys, COUNT(scene_keys), scene, lines);
+    return code == STATUS_OK ? join_filters(scene, source, lines) : code;
 }

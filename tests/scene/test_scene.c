@@ -110,6 +110,10 @@ static void test_every_key(void **state)
     assert_near(scene.fit_band_m[1], 3e-4, 0);
     assert_int_equal(scene.moments, SCENE_MOMENTS_SPECTRAL);
     assert_int_equal(scene.closure, SCENE_CLOSURE_NUMERIC);
+    assert_near(scene.max_missing, 0.25, 0);
+    assert_near(scene.lambda_s_m, 2.5e-6, 0);
+    assert_near(scene.lambda_c_m, 8e-4, 0);
+    assert_near(scene.tip_radius_m, 2e-6, 0);
     assert_string_equal(scene.baseline, "2");
     assert_near(scene.convergence.alpha, 0.1, 0);
     assert_near(scene.convergence.gamma, 1.25, 0);
