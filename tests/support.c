@@ -25,6 +25,11 @@ struct table table_read(const char *name)
 {
     char path[4096];
     snprintf(path, sizeof path, "%s/%s", TEST_DATA, name);
+    return table_read_path(path);
+}
+
+struct table table_read_path(const char *path)
+{
     FILE *file = fopen(path, "r");
     if (!file)
         fail_msg("cannot open %s", path);

@@ -29,6 +29,8 @@ struct table {
 };
 
 struct table table_read(const char *name);
+/** The same of a file anywhere, such as one the program wrote (no quoted cells). */
+struct table table_read_path(const char *path);
 void table_free(struct table *table);
 /** Text of `column` in data row `row` (from 0); fails the test when there is no such column. */
 const char *table_text(const struct table *table, size_t row, const char *column);

@@ -2,14 +2,20 @@
 
 #include <errno.h>
 #include <stdarg.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 static bool text_reserve(struct text *text, size_t extra)
 {
     if (text->failed)
         return false;
+    if (extra >= SIZE_MAX / 2 - text->length) { /* doubling the capacity would overflow */
+        text->failed = true;
+        return false;
+    }
     size_t need = text->length + extra + 1;
     if (need <= text->capacity)
         return true;
@@ -97,12 +103,9 @@ enum status_code text_read_file(struct text *text, const char *path, struct stat
     FILE *file = fopen(path, "rb");
     if (!file)
         return status_fail(status, STATUS_IO, "cannot open '%s': %s", path, strerror(errno));
-    if (fseeko(file, 0, SEEK_END) == 0) {
-        off_t size = ftello(file);
-        if (size > 0)
-            text_reserve(text, (size_t)size + 1);
-        rewind(file);
-    }
+    struct stat info;
+    if (fstat(fileno(file), &info) == 0 && S_ISREG(info.st_mode))
+        text_reserve(text, (size_t)info.st_size + 1);
     for (;;) {
         if (!text_reserve(text, 65536)) {
             fclose(file);
@@ -130,6 +133,7 @@ enum status_code text_write_file(const char *path, const char *bytes, size_t len
     size_t written = fwrite(bytes, 1, length, file);
     int reason = errno;
     if (fclose(file) != 0 || written != length)
-        return status_fail(status, STATUS_IO, "cannot write '%s': %s", path, strerror(written != length ? reason : errno));
+        return status_fail(status, STATUS_IO, "cannot write '%s': %s", path,
+                           strerror(written != length ? reason : errno));
     return STATUS_OK;
 }

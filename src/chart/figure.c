@@ -9,13 +9,21 @@
 static const double touching_area = 0.1, outside_share = 0.1; /* beyond them a statistical curve is dashed */
 
 #define SURFACES(number, x, y, model, terminal, title)                                                                 \
-    {number, FIGURE_SURFACES, x, y, model, CONVERGENCE_ALPHA, terminal, title, COST_CHARTS}
+    {                                                                                                                  \
+        number, FIGURE_SURFACES, x, y, model, CONVERGENCE_ALPHA, terminal, title, COST_CHARTS                          \
+    }
 #define MODELS(number, x, y, terminal, title)                                                                          \
-    {number, FIGURE_MODELS, x, y, MODEL_COUNT, CONVERGENCE_ALPHA, terminal, title, COST_CHARTS}
+    {                                                                                                                  \
+        number, FIGURE_MODELS, x, y, MODEL_COUNT, CONVERGENCE_ALPHA, terminal, title, COST_CHARTS                      \
+    }
 #define SWEEP(number, model, sweep, title)                                                                             \
-    {number, FIGURE_SWEEP, FIGURE_WAVELENGTH, FIGURE_AREA, model, sweep, false, title, COST_CHARTS}
+    {                                                                                                                  \
+        number, FIGURE_SWEEP, FIGURE_WAVELENGTH, FIGURE_AREA, model, sweep, false, title, COST_CHARTS                  \
+    }
 #define OTHER(number, kind, cost, title)                                                                               \
-    {number, kind, FIGURE_WAVELENGTH, FIGURE_AREA, MODEL_COUNT, CONVERGENCE_ALPHA, false, title, cost}
+    {                                                                                                                  \
+        number, kind, FIGURE_WAVELENGTH, FIGURE_AREA, MODEL_COUNT, CONVERGENCE_ALPHA, false, title, cost               \
+    }
 
 const struct figure_row figure_rows[] = {
     SWEEP("6-01", MODEL_MULTISCALE_ELASTIC, CONVERGENCE_ALPHA, "Area against wavelength, α varied, elastic"),
@@ -202,6 +210,8 @@ static void put_models(struct figure_file *out, const struct surface_record *rec
             put_curve(out, curve, model, VARIANT_SCALE_DEPENDENT, sigma_m, style, legend);
         }
     }
+    if (out->blocks == 0) /* gnuplot complains of a file without any */
+        begin_block(out, model_rows[0].style, "no model exists for this surface");
 }
 
 static void surface_legend(char *legend, size_t size, const struct surface_summary *summary)
@@ -250,7 +260,8 @@ static enum status_code put_surfaces(struct figure_file *out, const struct resul
         } else {
             const struct model_row *model = &model_rows[row->model];
             enum variant variant = model->family == SCENE_MODEL_STATISTICAL ? VARIANT_ADJUSTED : VARIANT_PLAIN;
-            put_curve(out, &record.curves[row->model], model, variant, record.summary.asperities.sigma_m, style, legend);
+            put_curve(out, &record.curves[row->model], model, variant, record.summary.asperities.sigma_m, style,
+                      legend);
         }
         surface_record_free(&record, false);
     }
@@ -373,7 +384,7 @@ static enum status_code copy_template(const char *name, const char *templates, c
 enum status_code figure_write_all(const struct results *results, const char *directory, const char *templates,
                                   struct status *status)
 {
-    static const char *const files[] = {"style.gp",  "blocks.gp", "axis.gp",    "legend.gp",
+    static const char *const files[] = {"style.gp",  "blocks.gp",   "axis.gp",    "legend.gp",
                                         "curves.gp", "profiles.gp", "spectra.gp", "cost.gp"};
     for (size_t i = 0; i < sizeof files / sizeof files[0]; i++)
         if (copy_template(files[i], templates, directory, status) != STATUS_OK)

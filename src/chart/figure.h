@@ -13,7 +13,7 @@ enum figure_kind {
     FIGURE_SURFACES, /* one model, all surfaces */
     FIGURE_PROFILES,
     FIGURE_SPECTRA,
-    FIGURE_COST,     /* error against time */
+    FIGURE_COST, /* error against time */
 };
 
 enum figure_axis { FIGURE_LOAD, FIGURE_AREA, FIGURE_SEPARATION, FIGURE_ECR, FIGURE_TCR, FIGURE_WAVELENGTH };
@@ -26,7 +26,7 @@ struct figure_row {
     enum convergence_sweep sweep; /* FIGURE_SWEEP */
     bool terminal;                /* drawn by report --show */
     const char *title;
-    enum cost_chart cost;         /* FIGURE_COST */
+    enum cost_chart cost; /* FIGURE_COST */
 };
 
 extern const struct figure_row figure_rows[];

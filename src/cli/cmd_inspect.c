@@ -105,15 +105,16 @@ static json_t *finding_json(const char *path, const struct finding *f)
     json_t *warnings = json_array(), *name = json_string(path);
     for (size_t w = 0; w < f->scan.warning_count; w++)
         json_array_append_new(warnings, json_string(f->scan.warnings[w]));
-    json_t *json = json_pack("{s:o, s:s, s:s, s:I, s:o, s:o, s:s, s:s, s:I}", "file", name ? name : json_null(), "format",
-                             f->scan.format, "kind", "profile", "points", (json_int_t)f->scan.nx, "spacing_m",
-                             real(f->profile.spacing_m), "length_m", real((double)(f->scan.nx - 1) * f->profile.spacing_m),
-                             "x_unit", f->scan.x_unit, "z_unit", f->scan.z_unit, "missing", (json_int_t)f->scan.missing);
+    json_t *json =
+        json_pack("{s:o, s:s, s:s, s:I, s:o, s:o, s:s, s:s, s:I}", "file", name ? name : json_null(), "format",
+                  f->scan.format, "kind", "profile", "points", (json_int_t)f->scan.nx, "spacing_m",
+                  real(f->profile.spacing_m), "length_m", real((double)(f->scan.nx - 1) * f->profile.spacing_m),
+                  "x_unit", f->scan.x_unit, "z_unit", f->scan.z_unit, "missing", (json_int_t)f->scan.missing);
     const struct {
         const char *key;
         double value;
-    } numbers[] = {{"rq_m", f->roughness.rq_m}, {"ra_m", f->roughness.ra_m}, {"pv_m", f->roughness.pv_m},
-                   {"m2", f->roughness.m2}, {"m4_per_m2", f->roughness.m4_per_m2}, {"alpha_SI", f->law.alpha},
+    } numbers[] = {{"rq_m", f->roughness.rq_m}, {"ra_m", f->roughness.ra_m},           {"pv_m", f->roughness.pv_m},
+                   {"m2", f->roughness.m2},     {"m4_per_m2", f->roughness.m4_per_m2}, {"alpha_SI", f->law.alpha},
                    {"gamma", f->law.gamma}};
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
         json_object_set_new(json, numbers[i].key, real(numbers[i].value));
@@ -131,10 +132,12 @@ static void print_finding(const char *path, const struct finding *f)
            grids[f->profile.grid], (double)(f->scan.nx - 1) * f->profile.spacing_m * 1e3);
     printf("  line out    tilt %.4g um/mm, end-to-end jump left %.4g um\n", f->profile.tilt * 1e3,
            f->profile.end_jump_m * 1e6);
-    printf("  roughness   Rq %.6g um, Ra %.6g um, peak to valley %.6g um\n", r->rq_m * 1e6, r->ra_m * 1e6, r->pv_m * 1e6);
-    printf("  moments     m2 %.6g, m4 %.6g /um2, Nayak %.4g\n", r->m2, r->m4_per_m2 * 1e-12, r->m0_m2 / r->m2 * (r->m4_per_m2 / r->m2));
-    printf("  power law   alpha %.4g +- %.2g, gamma %.3f +- %.3f, scatter %.3f decades\n", f->law.alpha, f->law.alpha_error,
-           f->law.gamma, f->law.gamma_error, f->law.rms_decades);
+    printf("  roughness   Rq %.6g um, Ra %.6g um, peak to valley %.6g um\n", r->rq_m * 1e6, r->ra_m * 1e6,
+           r->pv_m * 1e6);
+    printf("  moments     m2 %.6g, m4 %.6g /um2, Nayak %.4g\n", r->m2, r->m4_per_m2 * 1e-12,
+           r->m0_m2 / r->m2 * (r->m4_per_m2 / r->m2));
+    printf("  power law   alpha %.4g +- %.2g, gamma %.3f +- %.3f, scatter %.3f decades\n", f->law.alpha,
+           f->law.alpha_error, f->law.gamma, f->law.gamma_error, f->law.rms_decades);
     for (size_t w = 0; w < f->scan.warning_count; w++)
         printf("  note        %s\n", f->scan.warnings[w]);
 }
@@ -147,7 +150,8 @@ static void write_points(FILE *file, const struct finding *f, bool spectrum)
     fprintf(file, "\"%s\"\n", spectrum ? "amplitude" : "height");
     for (size_t k = 0; k < MOST; k++) {
         double share = (double)k / (MOST - 1);
-        size_t i = spectrum ? (size_t)lround(pow((double)count, share)) - 1 : (size_t)lround(share * (double)(count - 1));
+        size_t i =
+            spectrum ? (size_t)lround(pow((double)count, share)) - 1 : (size_t)lround(share * (double)(count - 1));
         if (i == last)
             continue;
         last = i;
@@ -158,8 +162,8 @@ static void write_points(FILE *file, const struct finding *f, bool spectrum)
     }
 }
 
-static enum status_code write_chart_data(const char *directory, const char *name, const struct finding *f, bool spectrum,
-                                         struct status *status)
+static enum status_code write_chart_data(const char *directory, const char *name, const struct finding *f,
+                                         bool spectrum, struct status *status)
 {
     struct text path = {0};
     text_add(&path, "%s/%s", directory, name);
@@ -210,7 +214,8 @@ static enum status_code draw(const struct finding *f, struct status *status)
                                "'amplitude (um)' 'xy' 's1'");
         rc = gnuplot_finish(&gnuplot, status);
     }
-    static const char *const outputs[] = {"profile.txt", "spectrum.txt"}, *const inputs[] = {"profile.csv", "spectrum.csv"};
+    static const char *const outputs[] = {"profile.txt", "spectrum.txt"}, *const inputs[] = {"profile.csv",
+                                                                                             "spectrum.csv"};
     for (int i = 0; i < 2; i++) {
         char path[600];
         show_and_remove(directory, outputs[i]);
@@ -230,9 +235,9 @@ static json_t *error_json(const char *path, const char *message)
 
 int command_inspect(int argc, char **argv)
 {
-    static const struct argp argp = {options, parse, "FILE...",
-                                     "Says what is in each scan: format, points, spacing, units, roughness, power law.", NULL,
-                                     NULL, NULL};
+    static const struct argp argp = {
+        options, parse, "FILE...", "Says what is in each scan: format, points, spacing, units, roughness, power law.",
+        NULL,    NULL,  NULL};
     struct arguments arguments = {.units = {"", ""}};
     argp_parse(&argp, argc, argv, 0, NULL, &arguments);
     json_t *all = json_array();

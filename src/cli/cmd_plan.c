@@ -43,19 +43,27 @@ static void print_plan(const struct scene *scene, const struct prepared *prepare
     printf("\n%-28s %-8s %s\n", "model", "", "valid");
     for (int m = 0; m < MODEL_COUNT; m++)
         printf("%-28s %-8s %s\n", model_rows[m].label,
-               model_called_for((enum model_id)m, plan->families, plan->running) ? "run" : "skipped", model_rows[m].valid);
+               model_called_for((enum model_id)m, plan->families, plan->running) ? "run" : "skipped",
+               model_rows[m].valid);
     long processors = sysconf(_SC_NPROCESSORS_ONLN);
     printf("\n%zu surface%s, %zu loads, tolerance %g, closure %s; about %.0f MB of memory\n", scene->surface_count,
            scene->surface_count == 1 ? "" : "s", prepared->results.load_count, scene->tolerance,
-           scene_closure_names[scene->closure], work_memory(&prepared->spool, processors > 0 ? (unsigned)processors : 1) / 1e6);
+           scene_closure_names[scene->closure],
+           work_memory(&prepared->spool, processors > 0 ? (unsigned)processors : 1) / 1e6);
 }
 
 int command_plan(int argc, char **argv)
 {
     static const struct argp_child children[] = {{&scene_options_argp, 0, "What the scene says, overridden:", 1}, {0}};
-    static const struct argp argp = {NULL, parse, "DIR",
-                                     "Says what `report DIR` would simulate, why, and at which cost. Reads the scans and "
-                                     "runs no model.", children, NULL, NULL};
+    static const struct argp argp = {
+        NULL,
+        parse,
+        "DIR",
+        "Says what `report DIR` would simulate, why, and at which cost. Reads the scans and "
+        "runs no model.",
+        children,
+        NULL,
+        NULL};
     struct arguments arguments = {0};
     struct status status = {0};
     struct scene scene = {0};

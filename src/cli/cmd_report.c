@@ -87,11 +87,20 @@ static void print_times(const struct run_times *times)
         const char *stage;
         double seconds;
     } rows[] = {
-        {"read scans", times->read}, {"level", times->prepare}, {"spectra", times->spectrum},
-        {model_rows[0].label, times->models[0]}, {model_rows[1].label, times->models[1]},
-        {model_rows[2].label, times->models[2]}, {model_rows[3].label, times->models[3]},
-        {"convergence", times->convergence}, {"what accuracy costs", times->cost}, {"tables and json", times->tables}, {"chart data", times->figures},
-        {"gnuplot", times->gnuplot}, {"report", times->report}, {"total", times->total},
+        {"read scans", times->read},
+        {"level", times->prepare},
+        {"spectra", times->spectrum},
+        {model_rows[0].label, times->models[0]},
+        {model_rows[1].label, times->models[1]},
+        {model_rows[2].label, times->models[2]},
+        {model_rows[3].label, times->models[3]},
+        {"convergence", times->convergence},
+        {"what accuracy costs", times->cost},
+        {"tables and json", times->tables},
+        {"chart data", times->figures},
+        {"gnuplot", times->gnuplot},
+        {"report", times->report},
+        {"total", times->total},
         {"total without gnuplot", times->total - times->gnuplot},
     };
     struct rusage usage;
@@ -149,10 +158,14 @@ static int report(struct arguments *arguments, struct scene *scene, struct statu
 int command_report(int argc, char **argv)
 {
     static const struct argp_child children[] = {{&scene_options_argp, 0, "What the scene says, overridden:", 1}, {0}};
-    static const struct argp argp = {options, parse, "DIR",
+    static const struct argp argp = {options,
+                                     parse,
+                                     "DIR",
                                      "Reads the scans in DIR (with DIR/scene.yaml, if there is one), runs the contact "
                                      "models and writes report.md, report.html, figures, data and results.json.",
-                                     children, NULL, NULL};
+                                     children,
+                                     NULL,
+                                     NULL};
     struct arguments arguments = {0};
     struct status status = {0};
     struct scene scene = {0};

@@ -22,7 +22,8 @@ static const struct argp_option options[] = {
     {"rq", 'r', "LENGTH", 0, "root mean square height to reach (default: what alpha and gamma give)", 0},
     {"length", 'l', "LENGTH", 0, "scan length (default 0.3mm)", 0},
     {"points", 'n', "N", 0, "points (default 1200)", 0},
-    {"scatter", 'c', "DECADES", 0, "RMS scatter of the amplitudes about the law (default 0.2785, a Gaussian surface's)", 0},
+    {"scatter", 'c', "DECADES", 0, "RMS scatter of the amplitudes about the law (default 0.2785, a Gaussian surface's)",
+     0},
     {"lambda-s", 's', "LENGTH", 0, "short-wavelength cut-off, as stylus instruments apply one (default: none)", 0},
     {"seed", 'd', "N", 0, "of the random numbers (default 1)", 0},
     {"output", 'o', "FILE", 0, "where to write (default: standard output)", 0},
@@ -110,10 +111,15 @@ static enum status_code write_scan(const struct arguments *arguments, const doub
 int command_synth(int argc, char **argv)
 {
     static const struct argp argp = {
-        options, parse, NULL,
-        "Writes a scan whose harmonics obey amplitude = alpha lambda^gamma about which they scatter, with random phases. "
+        options,
+        parse,
+        NULL,
+        "Writes a scan whose harmonics obey amplitude = alpha lambda^gamma about which they scatter, with random "
+        "phases. "
         "The power law fitted above --lambda-s gives alpha, gamma and the scatter back; the profile is level.",
-        NULL, NULL, NULL};
+        NULL,
+        NULL,
+        NULL};
     struct arguments arguments = {.def = synth_def_default()};
     struct status status = {0};
     argp_parse(&argp, argc, argv, 0, NULL, &arguments);

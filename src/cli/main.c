@@ -19,11 +19,13 @@ enum { COMMANDS = sizeof commands / sizeof commands[0] };
 static void print_help(FILE *stream)
 {
     fputs("Usage: roughcontact COMMAND [OPTION...]\n"
-          "Contact of measured rough surfaces: area, separation, electrical and thermal resistance against load.\n\n", stream);
+          "Contact of measured rough surfaces: area, separation, electrical and thermal resistance against load.\n\n",
+          stream);
     for (int i = 0; i < COMMANDS; i++)
         fprintf(stream, "  roughcontact %-9s %-13s %s\n", commands[i].name, commands[i].arguments, commands[i].summary);
     fputs("\nEvery command has --help. Exit status: 0 done; 1 report written but some scan was refused; 2 usage;\n"
-          "3 scene invalid; 4 nothing could be reported.\n", stream);
+          "3 scene invalid; 4 nothing could be reported.\n",
+          stream);
 }
 
 int main(int argc, char **argv)

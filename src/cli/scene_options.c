@@ -6,9 +6,12 @@ enum { KEY_X_UNIT = 0x100, KEY_Z_UNIT };
 
 static const struct argp_option options[] = {
     {"material", 'm', "NAME", 0, "a built-in material (default: the scene's, else tin)", 1},
-    {"effects", 'e', "LIST", 0, "auto, or some of plasticity,separation,electrical,thermal,scale-dependent,convergence "
-     "(default: the scene's, else auto)", 1},
-    {"tolerance", 't', "REL", 0, "relative tolerance of every number, 1e-14 to 0.1 (default: the scene's, else 1e-6)", 1},
+    {"effects", 'e', "LIST", 0,
+     "auto, or some of plasticity,separation,electrical,thermal,scale-dependent,convergence "
+     "(default: the scene's, else auto)",
+     1},
+    {"tolerance", 't', "REL", 0, "relative tolerance of every number, 1e-14 to 0.1 (default: the scene's, else 1e-6)",
+     1},
     {"x-unit", KEY_X_UNIT, "UNIT", 0, "unit of x where a file names none (default: the scene's)", 1},
     {"z-unit", KEY_Z_UNIT, "UNIT", 0, "unit of z where a file names none (default: the scene's)", 1},
     {0},

@@ -13,7 +13,7 @@ struct asperity {
     double critical_load_N;         /* P_c (4.34) */
     double area_exponent;           /* B (4.35) */
     double yield_strength_Pa;
-    double yield_coefficient;       /* C */
+    double yield_coefficient; /* C */
 };
 
 struct asperity_contact {

@@ -38,7 +38,8 @@ struct convergence_extension convergence_extend(const struct powerlaw *law, doub
     bool rising = law->gamma < 1; /* p* ~ lambda^(gamma-1) (4.55) */
     for (double n = 1; length_m / n >= convergence_atom_m; n++) {
         double wavelength_m = length_m / n;
-        struct sinusoid_scale scale = sinusoid_scale(powerlaw_amplitude(law, wavelength_m), n / length_m, pair, plastic);
+        struct sinusoid_scale scale =
+            sinusoid_scale(powerlaw_amplitude(law, wavelength_m), n / length_m, pair, plastic);
         struct sinusoid_cell cell;
         sinusoid_press(&cell, &scale, closure, nominal_Pa / out.area_extended, false);
         out.scales++;

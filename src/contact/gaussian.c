@@ -31,7 +31,8 @@ static struct gaussian_integrals far_above(double h)
     };
 }
 
-/** exp(-h²/2) sum_k (-h)^k/k! 2^((n+k-1)/2) Gamma((n+k+1)/2)/sqrt(2 pi): even and odd k apart, each by its term ratio. */
+/** exp(-h²/2) sum_k (-h)^k/k! 2^((n+k-1)/2) Gamma((n+k+1)/2)/sqrt(2 pi): even and odd k apart, each by its term ratio.
+ */
 static double series(double n, double h)
 {
     double even = exp2((n - 1) / 2) * tgamma((n + 1) / 2) * inverse_sqrt_2pi;

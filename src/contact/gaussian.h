@@ -2,8 +2,8 @@
 #ifndef CONTACT_GAUSSIAN_H
 #define CONTACT_GAUSSIAN_H
 
-/** F_0, F_1/2, F_1 and F_3/2 at one h, without the factor exp(log_factor) that they share: their ratios keep every digit
- * where the integrals themselves underflow. */
+/** F_0, F_1/2, F_1 and F_3/2 at one h, without the factor exp(log_factor) that they share: their ratios keep every
+ * digit where the integrals themselves underflow. */
 struct gaussian_integrals {
     double zero, half, one, three_halves;
     double log_factor; /* F_n = value * exp(log_factor) */

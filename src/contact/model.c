@@ -87,35 +87,46 @@ static enum status_code run_statistical(struct model_curve *curve, const struct 
 }
 
 const struct model_row model_rows[MODEL_COUNT] = {
-    [MODEL_MULTISCALE_ELASTIC] =
-        {"multiscale-elastic", "multiscale elastic", "me", SCENE_MODEL_MULTISCALE, false, "4.1-4.11, 4.40-4.42",
-         "Jackson and Streator, Wear 261 (2006) 1337; Johnson, Greenwood and Higginson, Int. J. Mech. Sci. 27 (1985) 383; "
-         "Wilson, Auburn University (2008)",
-         "every harmonic is a scale of sinusoids on top of the longer ones; all asperities of a scale carry the same load; "
-         "no yield", "any area ratio; needs a spectrum that converges (gamma >= 1)", work_multiscale, run_multiscale},
+    [MODEL_MULTISCALE_ELASTIC] = {"multiscale-elastic", "multiscale elastic", "me", SCENE_MODEL_MULTISCALE, false,
+                                  "4.1-4.11, 4.40-4.42",
+                                  "Jackson and Streator, Wear 261 (2006) 1337; Johnson, Greenwood and Higginson, Int. "
+                                  "J. Mech. Sci. 27 (1985) 383; "
+                                  "Wilson, Auburn University (2008)",
+                                  "every harmonic is a scale of sinusoids on top of the longer ones; all asperities of "
+                                  "a scale carry the same load; "
+                                  "no yield",
+                                  "any area ratio; needs a spectrum that converges (gamma >= 1)", work_multiscale,
+                                  run_multiscale},
     [MODEL_MULTISCALE_PLASTIC] =
-        {"multiscale-plastic", "multiscale elastic-plastic", "mp", SCENE_MODEL_MULTISCALE, true,
-         "4.12-4.18, 4.40-4.42",
-         "Krithivasan and Jackson, Tribol. Lett. 27 (2007) 31; Jackson, Krithivasan and Wilson, Proc. IMechE J 222 (2008) "
+        {"multiscale-plastic", "multiscale elastic-plastic", "mp", SCENE_MODEL_MULTISCALE, true, "4.12-4.18, 4.40-4.42",
+         "Krithivasan and Jackson, Tribol. Lett. 27 (2007) 31; Jackson, Krithivasan and Wilson, Proc. IMechE J 222 "
+         "(2008) "
          "1; Wilson, Auburn University (2008)",
          "as multiscale elastic, with yield of every scale above its critical amplitude; no hardening",
-         "any area ratio; the area steps up by up to 8 % where a scale begins to yield", work_multiscale, run_multiscale},
-    [MODEL_GW] =
-        {"gw", "GW", "gw", SCENE_MODEL_STATISTICAL, false, "4.19-4.30, 4.43, 4.54",
-         "Greenwood and Williamson, Proc. R. Soc. A 295 (1966) 300; McCool, Wear 107 (1986) 37",
-         "asperities of one radius, Gaussian heights, no interaction, no yield",
-         "A/A_n up to 0.1: asperities must not touch each other", work_statistical,
-         run_statistical},
-    [MODEL_JG] =
-        {"jg", "JG", "jg", SCENE_MODEL_STATISTICAL, true, "4.31-4.38, 4.45-4.46, 4.54",
-         "Jackson and Green, J. Tribol. 127 (2005) 343; Jackson and Green, Tribol. Int. 39 (2006) 906",
-         "as GW, with Jackson and Green's elastic-plastic sphere",
-         "A/A_n up to 0.1; fitted for contact radius / asperity radius up to 0.41", work_statistical,
-         run_statistical},
+         "any area ratio; the area steps up by up to 8 % where a scale begins to yield", work_multiscale,
+         run_multiscale},
+    [MODEL_GW] = {"gw", "GW", "gw", SCENE_MODEL_STATISTICAL, false, "4.19-4.30, 4.43, 4.54",
+                  "Greenwood and Williamson, Proc. R. Soc. A 295 (1966) 300; McCool, Wear 107 (1986) 37",
+                  "asperities of one radius, Gaussian heights, no interaction, no yield",
+                  "A/A_n up to 0.1: asperities must not touch each other", work_statistical, run_statistical},
+    [MODEL_JG] = {"jg", "JG", "jg", SCENE_MODEL_STATISTICAL, true, "4.31-4.38, 4.45-4.46, 4.54",
+                  "Jackson and Green, J. Tribol. 127 (2005) 343; Jackson and Green, Tribol. Int. 39 (2006) 906",
+                  "as GW, with Jackson and Green's elastic-plastic sphere",
+                  "A/A_n up to 0.1; fitted for contact radius / asperity radius up to 0.41", work_statistical,
+                  run_statistical},
 };
 
 bool model_called_for(enum model_id model, unsigned families, unsigned effects)
 {
     const struct model_row *row = &model_rows[model];
     return (families & row->family) && (!row->plastic || (effects & EFFECT_BIT(EFFECT_PLASTICITY)));
+}
+
+void model_work_add(struct model_work *sum, const struct model_work *more)
+{
+    sum->scales += more->scales;
+    sum->gaps += more->gaps;
+    sum->spots += more->spots;
+    sum->laws += more->laws;
+    sum->separations += more->separations;
 }

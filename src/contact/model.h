@@ -15,14 +15,15 @@ struct model_task {
     const struct spectrum *spectrum;
     const struct asperities *asperities; /* NULL: no statistical model exists for this surface */
     const struct material_pair *pair;
-    const double *loads;                 /* P/(A_n E'), ascending */
+    const double *loads; /* P/(A_n E'), ascending */
     size_t load_count;
-    unsigned wanted;                     /* enum contact_quantity bits */
+    unsigned wanted; /* enum contact_quantity bits */
     double tolerance;
     enum scene_closure closure;
 };
 
-/** What answering took. A separation is one load of a statistical model, solved for; the rest are visits or law values. */
+/** What answering took. A separation is one load of a statistical model, solved for; the rest are visits or law values.
+ */
 struct model_work {
     uint64_t scales;      /* area of a scale at a load */
     uint64_t gaps;        /* gap of a scale at a load */
@@ -33,22 +34,22 @@ struct model_work {
 
 /** What it answers. `points` is the caller's, load_count + 1 long. */
 struct model_curve {
-    bool exists;            /* false: the model was not run, or has no solution for this surface */
+    bool exists; /* false: the model was not run, or has no solution for this surface */
     struct contact_point *points;
-    size_t count;           /* statistical: ends with the point of full contact, when the loads reach it */
-    double full_load;       /* P/(A_n E') at which A = A_n */
-    double closed_load;     /* at which the (adjusted) separation is 0 */
-    double beta;            /* statistical, else NaN */
+    size_t count;              /* statistical: ends with the point of full contact, when the loads reach it */
+    double full_load;          /* P/(A_n E') at which A = A_n */
+    double closed_load;        /* at which the (adjusted) separation is 0 */
+    double beta;               /* statistical, else NaN */
     struct contact_point full; /* at full_load itself */
-    size_t yielding_scales; /* multiscale plastic: scales that can yield; else 0 */
-    uint64_t clamped;       /* multiscale plastic: visits in which the published area reached 1 before p_p */
+    size_t yielding_scales;    /* multiscale plastic: scales that can yield; else 0 */
+    uint64_t clamped;          /* multiscale plastic: visits in which the published area reached 1 before p_p */
     struct model_work work;
 };
 
 struct model_row {
-    const char *name;      /* as in contact.csv */
-    const char *label;     /* as in charts and tables */
-    const char *style;     /* style word of templates/curves.gp */
+    const char *name;  /* as in contact.csv */
+    const char *label; /* as in charts and tables */
+    const char *style; /* style word of templates/curves.gp */
     enum scene_model family;
     bool plastic;
     const char *equations; /* of the thesis, as in physics.md */
@@ -62,6 +63,9 @@ struct model_row {
 };
 
 extern const struct model_row model_rows[MODEL_COUNT];
+
+/** Adds `more` to `sum`. */
+void model_work_add(struct model_work *sum, const struct model_work *more);
 
 /** May this model run: its family is asked for and, for a plastic one, the effect plasticity runs. */
 bool model_called_for(enum model_id model, unsigned families, unsigned effects);

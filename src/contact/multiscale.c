@@ -37,7 +37,7 @@ void multiscale_free(struct multiscale *stack)
 }
 
 size_t multiscale_solve(struct contact_point *out, const struct multiscale *stack, const struct spot *spot,
-                      unsigned wanted, double load, uint64_t *evaluations)
+                        unsigned wanted, double load, uint64_t *evaluations)
 {
     bool with_gap = wanted & CONTACT_SEPARATION;
     bool conducts = wanted & (CONTACT_ELECTRICAL | CONTACT_THERMAL | CONTACT_SCALE_DEPENDENT);

@@ -15,22 +15,22 @@ struct multiscale {
     size_t count;
     const struct sinusoid_closure *closure;
     double effective_modulus_Pa;
-    double full_load;              /* P/(A_n E') from which A = A_n: the largest over the scales */
-    double closed_load;            /* the same for no separation left */
-    size_t critical_scales;        /* scales with Delta > Delta_c: those that can yield */
+    double full_load;       /* P/(A_n E') from which A = A_n: the largest over the scales */
+    double closed_load;     /* the same for no separation left */
+    size_t critical_scales; /* scales with Delta > Delta_c: those that can yield */
 };
 
 /** Prepares the scales of `spectrum` for `pair`, elastic-plastic when `plastic`. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code multiscale_make(struct multiscale *out, const struct spectrum *spectrum,
-                                            const struct material_pair *pair, bool plastic,
-                                            enum scene_closure closure, struct status *status);
+                                            const struct material_pair *pair, bool plastic, enum scene_closure closure,
+                                            struct status *status);
 void multiscale_free(struct multiscale *stack);
 
 /** Contact at P/(A_n E') = load > 0: A_i = a_i A_{i-1} under p_i = P/A_{i-1}; H = sum Delta_i G_i; the resistances of
- * `spot`, only the quantities in `wanted` (others stay NaN). Adds the scales visited to *evaluations. Returns at how many
- * of them the published plastic area had to be cut off at 1 (4.17 exceeds it before p_p). */
+ * `spot`, only the quantities in `wanted` (others stay NaN). Adds the scales visited to *evaluations. Returns at how
+ * many of them the published plastic area had to be cut off at 1 (4.17 exceeds it before p_p). */
 size_t multiscale_solve(struct contact_point *out, const struct multiscale *stack, const struct spot *spot,
-                      unsigned wanted, double load, uint64_t *evaluations);
+                        unsigned wanted, double load, uint64_t *evaluations);
 
 /** Area ratio after each scale, stack->count values, at one load (the convergence study, physics §8). */
 void multiscale_areas(double *area_ratio, const struct multiscale *stack, double load, uint64_t *evaluations);

@@ -34,8 +34,8 @@ static size_t lay(double *border, size_t count, double end, double singular)
     return count;
 }
 
-/** All borders from 0 to sqrt(last), with breaks where the law changes. Below the first of them a = sqrt(R sigma_s) t, so
- * that a²/(a + knudsen length) has a pole at a = -(knudsen length); above, the law has fractional powers of u. */
+/** All borders from 0 to sqrt(last), with breaks where the law changes. Below the first of them a = sqrt(R sigma_s) t,
+ * so that a²/(a + knudsen length) has a pole at a = -(knudsen length); above, the law has fractional powers of u. */
 static size_t borders(double *border, const struct asperity *asperity, double sigma_s_m, double knudsen_length_m,
                       double last)
 {

@@ -3,8 +3,8 @@
 #ifndef CONTACT_PANELS_H
 #define CONTACT_PANELS_H
 
-#include "contact/asperity.h"
 #include "base/status.h"
+#include "contact/asperity.h"
 #include <stddef.h>
 #include <stdint.h>
 
@@ -12,14 +12,14 @@
  * included. Owned: panels_free(). */
 struct panels {
     size_t count;
-    double *node;     /* u */
-    double *area;     /* weight * area [m²] */
-    double *load;     /* weight * load [N] */
-    double *radius;   /* weight * a [m] */
+    double *node;                   /* u */
+    double *area;                   /* weight * area [m²] */
+    double *load;                   /* weight * load [N] */
+    double *radius;                 /* weight * a [m] */
     double *radius_scale_dependent; /* weight * a²/(a + knudsen length) [m] */
-    double outside;   /* u from which a/R > 0.41 */
-    double saturated; /* u from which a/R is clamped to 1 */
-    double log_cut;   /* terms exp(-log_cut) below the largest are left out */
+    double outside;                 /* u from which a/R > 0.41 */
+    double saturated;               /* u from which a/R is clamped to 1 */
+    double log_cut;                 /* terms exp(-log_cut) below the largest are left out */
 };
 
 /** int law(sigma_s u) phi(u + d) du of each quantity over u > 0, all without the factor exp(log_factor). */

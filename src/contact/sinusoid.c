@@ -2,10 +2,11 @@
 
 #include <math.h>
 
-static const double link_area_low = 1.51;     /* exponents of the linking equation (4.5) */
+static const double link_area_low = 1.51; /* exponents of the linking equation (4.5) */
 static const double link_area_high = 1.04;
-static const double link_switch = 0.8;        /* p/p* from which the near-complete asymptote holds alone (4.6) */
-static const double critical_strain = 2.0 / 3; /* exp(2 nu/3) in Delta_c; the thesis's form, see physics.md "Unsettled" */
+static const double link_switch = 0.8; /* p/p* from which the near-complete asymptote holds alone (4.6) */
+static const double critical_strain =
+    2.0 / 3; /* exp(2 nu/3) in Delta_c; the thesis's form, see physics.md "Unsettled" */
 
 /** a_1 = pi (3x/8pi)^(2/3), the Hertz limit (4.3); from ln x. */
 static double area_low(double ln_x)
@@ -72,10 +73,14 @@ void sinusoid_numeric_area(struct sinusoid_cell *cell, double x);
 double sinusoid_numeric_gap(double x);
 
 const struct sinusoid_closure sinusoid_closures[SCENE_CLOSURE_COUNT] = {
-    [SCENE_CLOSURE_THESIS] = {"thesis", "W. E. Wilson, Auburn University 2008, eq. 4.3-4.10; after Johnson, Greenwood "
-                              "and Higginson 1985, Jackson and Streator 2006", 0.12, 0.10, thesis_area, thesis_gap},
-    [SCENE_CLOSURE_NUMERIC] = {"numeric", "direct numerical solution of the elastic cell on a 1024 x 1024 grid, "
-                               "interpolated", 0.004, 0.002, sinusoid_numeric_area, sinusoid_numeric_gap},
+    [SCENE_CLOSURE_THESIS] = {"thesis",
+                              "W. E. Wilson, Auburn University 2008, eq. 4.3-4.10; after Johnson, Greenwood "
+                              "and Higginson 1985, Jackson and Streator 2006",
+                              0.12, 0.10, thesis_area, thesis_gap},
+    [SCENE_CLOSURE_NUMERIC] = {"numeric",
+                               "direct numerical solution of the elastic cell on a 1024 x 1024 grid, "
+                               "interpolated",
+                               0.004, 0.002, sinusoid_numeric_area, sinusoid_numeric_gap},
 };
 
 double sinusoid_full_pressure(double amplitude_m, double frequency_per_m, double effective_modulus_Pa)
@@ -104,7 +109,7 @@ struct sinusoid_scale sinusoid_scale(double amplitude_m, double frequency_per_m,
         return scale;
 
     double flow_Pa = pair->yield_coefficient * pair->yield_strength_Pa; /* C S_y */
-    double slope = amplitude_m * frequency_per_m;                      /* Delta f */
+    double slope = amplitude_m * frequency_per_m;                       /* Delta f */
     scale.critical_pressure_Pa = flow_Pa * flow_Pa * flow_Pa / (48 * M_PI * slope * modulus * slope * modulus);
     scale.plastic_full_pressure_Pa =
         scale.full_pressure_Pa * pow(11 / (4 * amplitude_m / critical_amplitude_m + 7), 3.0 / 5);

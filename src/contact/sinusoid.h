@@ -15,8 +15,8 @@ struct sinusoid_cell {
 
 /** A law for the elastic cell: x = mean pressure / p*. One row a closure. */
 struct sinusoid_closure {
-    const char *name;   /* scene spelling */
-    const char *source; /* where the formula or table is from */
+    const char *name;             /* scene spelling */
+    const char *source;           /* where the formula or table is from */
     double area_error, gap_error; /* largest relative difference from the direct numerical solution: area at any x, gap
                                      at x <= 0.55 (beyond, less than 4 % of the gap is left) */
     /** Area ratio and its complement at x > 0 (gap_ratio is left alone). */

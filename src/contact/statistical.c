@@ -88,9 +88,9 @@ size_t statistical_law_count(const struct asperities *surface, const struct mate
                              enum asperity_law_id law, unsigned wanted, double tolerance)
 {
     struct statistical model = outline(surface, pair, law, wanted, tolerance);
-    return is_closed(law, wanted) ? 0
-                                  : panels_count(&model.asperity, surface->sigma_s_m, knudsen_length(&model),
-                                                 model.full_d, tolerance);
+    return is_closed(law, wanted)
+               ? 0
+               : panels_count(&model.asperity, surface->sigma_s_m, knudsen_length(&model), model.full_d, tolerance);
 }
 
 enum status_code statistical_make(struct statistical *out, const struct asperities *surface,
@@ -166,8 +166,7 @@ void statistical_full(struct contact_point *out, const struct statistical *model
             *resistances[i] = 0;
 }
 
-double statistical_beta_multiscale(const double *separation_m, const double *multiscale_m, size_t count,
-                                   double sigma_m)
+double statistical_beta_multiscale(const double *separation_m, const double *multiscale_m, size_t count, double sigma_m)
 {
     /* delta/2 + beta sigma/4 = H in the mean square: beta is the mean of 4 (H - delta/2)/sigma */
     double sum = 0;

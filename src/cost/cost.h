@@ -9,7 +9,7 @@ enum cost_chart { COST_INTEGRALS, COST_CURVES, COST_CHARTS };
 
 /** One method at one setting. */
 struct cost_row {
-    const char *study;    /* what is computed, as in cost.csv */
+    const char *study; /* what is computed, as in cost.csv */
     const char *method;
     char setting[24];
     uint64_t evaluations; /* of the law or of scales; the same on every machine */

@@ -31,8 +31,10 @@ static enum status_code closures(struct cost *cost, const struct results *result
     for (int c = 0; c < SCENE_CLOSURE_COUNT; c++)
         for (int gap = 0; gap <= (int)gaps; gap++) {
             struct closure_attempt attempt = {.closure = &sinusoid_closures[c], .gap = gap};
-            struct cost_row row = {.study = gap ? "closure-gap" : "closure-area", .method = sinusoid_closures[c].name,
-                                   .evaluations = sinusoid_bem_count, .chosen = c == (int)results->scene->closure,
+            struct cost_row row = {.study = gap ? "closure-gap" : "closure-area",
+                                   .method = sinusoid_closures[c].name,
+                                   .evaluations = sinusoid_bem_count,
+                                   .chosen = c == (int)results->scene->closure,
                                    .chart = COST_CHARTS};
             row.seconds = cost_time(evaluate_closure, &attempt);
             row.error = sinusoid_closure_error((enum scene_closure)c, gap);
@@ -83,7 +85,8 @@ static enum status_code cut_off(struct cost *cost, const struct results *results
         if (attempt.stack.count == 0)
             continue;
         struct cost_row row = {.study = "cut-off", .method = model_rows[model].name, .chart = COST_CURVES};
-        snprintf(row.setting, sizeof row.setting, "%.3gum", 1e6 / spectrum_frequency(&baseline->spectrum, attempt.stack.count - 1));
+        snprintf(row.setting, sizeof row.setting, "%.3gum",
+                 1e6 / spectrum_frequency(&baseline->spectrum, attempt.stack.count - 1));
         row.seconds = cost_time(solve_cut, &attempt);
         row.evaluations = attempt.evaluations;
         for (size_t i = 0; i < loads; i++)
@@ -146,7 +149,9 @@ static enum status_code load_grid(struct cost *cost, const struct results *resul
         attempt.task = surface_task(baseline, results->scene, results->plan, loads, both);
         attempt.task.wanted = 0;
         solve_grid(&attempt);
-        struct cost_row row = {.study = "loads", .method = model_rows[model].name, .chart = COST_CURVES,
+        struct cost_row row = {.study = "loads",
+                               .method = model_rows[model].name,
+                               .chart = COST_CURVES,
                                .error = interpolation_error(&attempt.curve)};
         for (size_t i = 0; i < n; i++)
             loads[i] = first * pow(last / first, (double)i / (double)(n - 1));

@@ -1,4 +1,5 @@
-/* Methods for the integrals of the statistical models (thesis 4.25, 4.26, 4.43), over the separations the curves span. */
+/* Methods for the integrals of the statistical models (thesis 4.25, 4.26, 4.43), over the separations the curves span.
+ */
 #include "contact/gaussian.h"
 #include "contact/statistical.h"
 #include "cost/cost.h"
@@ -24,13 +25,13 @@ struct problem {
 /** One method at work on a problem. */
 struct attempt {
     const struct problem *problem;
-    size_t intervals;    /* Simpson */
-    double tolerance;    /* adaptive, panels */
-    bool split;          /* adaptive: split where the law changes */
+    size_t intervals; /* Simpson */
+    double tolerance; /* adaptive, panels */
+    bool split;       /* adaptive: split where the law changes */
     gsl_integration_workspace *workspace;
     uint64_t evaluations;
     double value[SEPARATIONS][QUANTITIES];
-    double d;            /* the separation being integrated, and the quantity, for the integrand */
+    double d; /* the separation being integrated, and the quantity, for the integrand */
     int quantity;
     bool failed;
 };
@@ -51,8 +52,8 @@ static void integrand(double value[QUANTITIES], const struct problem *problem, d
     value[AREA] = weight * contact.area_m2;
     value[LOAD] = weight * contact.load_N;
     value[RADIUS] = weight * contact.radius_m;
-    value[RADIUS_SCALE_DEPENDENT] = u > 0 ? weight * contact.radius_m * contact.radius_m / (contact.radius_m + problem->knudsen_m)
-                                          : 0;
+    value[RADIUS_SCALE_DEPENDENT] =
+        u > 0 ? weight * contact.radius_m * contact.radius_m / (contact.radius_m + problem->knudsen_m) : 0;
 }
 
 /** Composite Simpson over [0, last_u], as the thesis with its 1000 sub-intervals. */
@@ -123,8 +124,8 @@ static void panels(void *context)
     struct panels panels;
     struct status status = {0};
     attempt->evaluations = 0;
-    if (panels_make(&panels, &problem->asperity, problem->law, problem->sigma_s_m, problem->knudsen_m, problem->lowest_d,
-                    attempt->tolerance, &attempt->evaluations, &status) != STATUS_OK)
+    if (panels_make(&panels, &problem->asperity, problem->law, problem->sigma_s_m, problem->knudsen_m,
+                    problem->lowest_d, attempt->tolerance, &attempt->evaluations, &status) != STATUS_OK)
         attempt->failed = true;
     for (int s = 0; s < SEPARATIONS && !attempt->failed; s++) {
         struct panels_sums sums;
@@ -174,8 +175,8 @@ struct study {
     struct status *status;
 };
 
-static enum status_code add(const struct study *study, const char *method, const char *setting,
-                            void (*work)(void *), bool chosen)
+static enum status_code add(const struct study *study, const char *method, const char *setting, void (*work)(void *),
+                            bool chosen)
 {
     struct attempt *attempt = study->attempt;
     struct cost_row row = {.study = study->name, .method = method, .chosen = chosen, .chart = COST_INTEGRALS};
@@ -244,8 +245,8 @@ static enum status_code one_law(struct cost *cost, const struct results *results
     const struct plan *plan = results->plan;
     struct statistical model;
     uint64_t none = 0;
-    if (statistical_make(&model, &baseline->summary.asperities, &plan->pair, law, plan->wanted, results->scene->tolerance,
-                         INFINITY, &none, status) != STATUS_OK)
+    if (statistical_make(&model, &baseline->summary.asperities, &plan->pair, law, plan->wanted,
+                         results->scene->tolerance, INFINITY, &none, status) != STATUS_OK)
         return status->code;
     struct problem problem = {
         .asperity = model.asperity,
@@ -271,8 +272,8 @@ static enum status_code one_law(struct cost *cost, const struct results *results
     struct attempt by_panels = {.problem = &problem, .tolerance = 1e-14};
     adaptive(&by_adaptive);
     panels(&by_panels);
-    struct study study = {cost, law == ASPERITY_HERTZ ? "gw-integrals" : "jg-integrals", &attempt, &by_adaptive,
-                          &by_panels, status};
+    struct study study = {
+        cost, law == ASPERITY_HERTZ ? "gw-integrals" : "jg-integrals", &attempt, &by_adaptive, &by_panels, status};
     enum status_code rc = by_panels.failed ? status_memory(status)
                                            : add_methods(&study, results->scene->tolerance, law == ASPERITY_HERTZ);
     gsl_integration_workspace_free(workspace);

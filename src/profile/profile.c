@@ -5,6 +5,7 @@
 #include "profile/level.h"
 #include "profile/sanity.h"
 #include "profile/spacing.h"
+#include <float.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -29,17 +30,14 @@ void profile_note(struct profile *profile, const char *format, ...)
     va_end(args);
 }
 
-/** Is there anything in the heights? The difference of its highest and lowest. */
-static enum status_code check_range(const struct profile *profile, struct status *status)
+static double peak_to_valley(const struct profile *profile)
 {
     double highest = -INFINITY, lowest = INFINITY;
     for (size_t i = 0; i < profile->points; i++) {
         highest = fmax(highest, profile->height_m[i]);
         lowest = fmin(lowest, profile->height_m[i]);
     }
-    if (highest == lowest)
-        return status_fail(status, STATUS_SCAN, "the scan is flat: every height is %.9g m; check the column", highest);
-    return STATUS_OK;
+    return highest - lowest;
 }
 
 /** Keeps the measured points of an uneven scan, levelled, and puts its heights on a uniform grid. */
@@ -66,9 +64,17 @@ static enum status_code take_level(struct profile *profile, const struct profile
                                    struct status *status)
 {
     struct levelling levelling;
+    double first_m = profile->height_m[0], before_m = peak_to_valley(profile);
+    if (before_m == 0)
+        return status_fail(status, STATUS_SCAN, "the scan is flat: every height is %.9g m; check the column", first_m);
     if (level_remove(&levelling, profile->height_m, NULL, profile->points, profile->spacing_m, options->level,
                      status) != STATUS_OK)
         return status->code;
+    /* a straight scan leaves what the subtraction rounds, in units of the last place of the heights */
+    if (peak_to_valley(profile) <= 32 * DBL_EPSILON * (fabs(first_m) + before_m))
+        return status_fail(status, STATUS_SCAN,
+                           "the scan is flat: no roughness is left after level: %s; check the column",
+                           scene_level_names[options->level]);
     profile->tilt = levelling.tilt;
     profile->radius_m = levelling.radius_m;
     profile->outliers = levelling.outliers;
@@ -140,8 +146,7 @@ enum status_code profile_make(struct profile *out, const struct scan *scan, size
     memcpy(out->height_m, scan->z_m + row * scan->nx, out->points * sizeof *out->height_m);
 
     size_t first = 0;
-    if (gaps_close(out, &first, scan->x_m, options->max_missing, status) != STATUS_OK ||
-        check_range(out, status) != STATUS_OK)
+    if (gaps_close(out, &first, scan->x_m, options->max_missing, status) != STATUS_OK)
         return status->code;
     double digit_m = sanity_digitising(out->height_m, out->points);
     if (out->grid == PROFILE_ROUNDED)

@@ -16,12 +16,18 @@ struct synth_def synth_def_default(void)
 /** The harmonics being made; arrays of `count`, index n - 1. */
 struct synth {
     const struct synth_def *def;
-    size_t count;    /* up to the Nyquist harmonic, which stays zero */
-    size_t in_band;  /* harmonics with wavelength >= lambda_s: the first ones */
-    double *xi[2];   /* two directions of scatter, each of RMS 1 in the band and orthogonal to 1 and log lambda there */
+    size_t count;   /* the last is the Nyquist harmonic when the points are even */
+    size_t in_band; /* harmonics with wavelength >= lambda_s: the first ones */
+    double *xi[2];  /* two directions of scatter, each of RMS 1 in the band and orthogonal to 1 and log lambda there */
     double *amplitude;
     double *phase;
 };
+
+/** The Nyquist harmonic has no sine part, and its mean square is the whole amplitude squared. */
+static bool is_nyquist(const struct synth *synth, size_t i)
+{
+    return 2 * (i + 1) == synth->def->points;
+}
 
 static double log_index(size_t i)
 {
@@ -67,7 +73,7 @@ static double set_amplitudes(struct synth *synth, double angle)
         if (wavelength < def->lambda_s_m) /* Gaussian filter of ISO 16610-21, one half at lambda_s, relative to that */
             amplitude *= exp(-M_LN2 * (pow(def->lambda_s_m / wavelength, 2) - 1));
         synth->amplitude[i] = amplitude;
-        power += amplitude * amplitude / 2;
+        power += amplitude * amplitude / (is_nyquist(synth, i) ? 1 : 2);
     }
     return sqrt(power);
 }
@@ -99,7 +105,8 @@ static enum status_code meet_rq(struct synth *synth, struct status *status)
     if (target > 0)
         return status_fail(status, STATUS_USAGE,
                            "no scatter of %g decades with this seed gives an Rq of %g m (it can reach %.4g to %.4g); "
-                           "change --length, --alpha, --scatter or --seed", synth->def->scatter_decades, target, least, most);
+                           "change --length, --alpha, --scatter or --seed",
+                           synth->def->scatter_decades, target, least, most);
     return STATUS_OK;
 }
 
@@ -114,7 +121,7 @@ static double line_of_sine(size_t n, size_t points)
 static bool make_level(struct synth *synth)
 {
     size_t points = synth->def->points;
-    for (size_t m = 0; m < synth->count; m++) {
+    for (size_t m = 0; m < synth->count && !is_nyquist(synth, m); m++) {
         double rest = 0, cosine = -0.5 * (double)points, sine = -line_of_sine(m + 1, points);
         for (size_t i = 0; i < synth->count; i++)
             if (i != m)
@@ -136,8 +143,9 @@ static enum status_code check(const struct synth_def *def, struct status *status
         return status_fail(status, STATUS_USAGE, "--points must be 8 to 100000000");
     if (!(def->alpha > 0 && def->length_m > 0 && def->scatter_decades >= 0 && def->rq_m >= 0 && def->lambda_s_m >= 0 &&
           isfinite(def->gamma) && isfinite(def->alpha) && isfinite(def->length_m)))
-        return status_fail(status, STATUS_USAGE, "--alpha and --length must be positive, --scatter, --rq and --lambda-s "
-                                                 "not negative");
+        return status_fail(status, STATUS_USAGE,
+                           "--alpha and --length must be positive, --scatter, --rq and --lambda-s "
+                           "not negative");
     if (def->scatter_decades > 2)
         return status_fail(status, STATUS_USAGE, "--scatter must be at most 2 decades");
     return STATUS_OK;
@@ -157,8 +165,9 @@ static enum status_code transform(double *height_m, const struct synth *synth, s
     fftw_plan plan = fftw_plan_dft_c2r_1d((int)points, bins, record, FFTW_ESTIMATE);
     for (size_t n = 0; n <= points / 2; n++) {
         bool has = n > 0 && n <= synth->count;
-        bins[n][0] = has ? synth->amplitude[n - 1] / 2 * cos(synth->phase[n - 1]) : 0;
-        bins[n][1] = has ? synth->amplitude[n - 1] / 2 * sin(synth->phase[n - 1]) : 0;
+        double size = has ? synth->amplitude[n - 1] / (is_nyquist(synth, n - 1) ? 1 : 2) : 0;
+        bins[n][0] = has ? size * cos(synth->phase[n - 1]) : 0;
+        bins[n][1] = has ? size * sin(synth->phase[n - 1]) : 0;
     }
     fftw_execute(plan);
     for (size_t i = 0; i < points; i++)
@@ -172,20 +181,26 @@ static enum status_code transform(double *height_m, const struct synth *synth, s
 static enum status_code fill(struct synth *synth, double *height_m, struct status *status)
 {
     const struct synth_def *def = synth->def;
-    while (synth->in_band < synth->count && def->length_m / (double)(synth->in_band + 1) >= def->lambda_s_m * (1 - 1e-12))
+    while (synth->in_band < synth->count &&
+           def->length_m / (double)(synth->in_band + 1) >= def->lambda_s_m * (1 - 1e-12))
         synth->in_band++;
     if (def->scatter_decades > 0 && synth->in_band < 6)
-        return status_fail(status, STATUS_USAGE, "only %zu harmonics are longer than --lambda-s; scatter needs at least 6",
-                           synth->in_band);
+        return status_fail(status, STATUS_USAGE,
+                           "only %zu harmonics are longer than --lambda-s; scatter needs at least 6", synth->in_band);
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
     if (!random)
         return status_memory(status);
     gsl_rng_set(random, def->seed);
+    size_t last = synth->count - 1, ordinary = is_nyquist(synth, last) ? last : synth->count;
     for (int d = 0; d < 2; d++)
-        for (size_t i = 0; i < synth->count; i++)
+        for (size_t i = 0; i < ordinary; i++)
             synth->xi[d][i] = gsl_ran_gaussian_ziggurat(random, 1);
-    for (size_t i = 0; i < synth->count; i++)
+    for (size_t i = 0; i < ordinary; i++)
         synth->phase[i] = 2 * M_PI * gsl_rng_uniform(random);
+    for (int d = 0; d < 2 && ordinary == last; d++)
+        synth->xi[d][last] = gsl_ran_gaussian_ziggurat(random, 1);
+    if (ordinary == last)
+        synth->phase[last] = 0;
     gsl_rng_free(random);
     if (def->scatter_decades > 0) {
         make_orthogonal(synth->xi[0], synth->in_band, NULL);
@@ -202,7 +217,7 @@ enum status_code synth_profile(double *height_m, const struct synth_def *def, st
 {
     if (check(def, status) != STATUS_OK)
         return status->code;
-    struct synth synth = {.def = def, .count = (def->points - 1) / 2};
+    struct synth synth = {.def = def, .count = def->points / 2};
     double *block = malloc(4 * synth.count * sizeof *block);
     if (!block)
         return status_memory(status);

@@ -145,7 +145,7 @@ static enum claim_verdict check_spread(struct text *out, const struct results *r
         double plastic = study->area_spread[f == 0 ? MODEL_MULTISCALE_PLASTIC : MODEL_JG];
         if (isnan(elastic) || isnan(plastic))
             continue;
-        text_add(out, "%s%s elastic ", f == 0 ? ": " : "; ", f == 0 ? "multiscale" : "statistical");
+        text_add(out, "%s%s elastic ", tested == 0 ? ": " : "; ", f == 0 ? "multiscale" : "statistical");
         words_number(out, elastic, 3);
         text_add(out, ", plastic ");
         words_number(out, plastic, 3);
@@ -217,8 +217,7 @@ static enum claim_verdict check_families(struct text *out, const struct results 
     return study->ecr_gap <= study->area_gap ? CLAIM_HOLDS : CLAIM_FAILS;
 }
 
-static enum claim_verdict check_proportional(struct text *out, const struct results *results,
-                                             const struct study *study)
+static enum claim_verdict check_proportional(struct text *out, const struct results *results, const struct study *study)
 {
     (void)results;
     if (isnan(study->proportional_error))
@@ -307,7 +306,8 @@ static enum claim_verdict check_beta(struct text *out, const struct results *res
         }
     text_add(out, "; %zu of %zu lie in 4…12", inside, values);
     if (negative > 0)
-        text_add(out, ", %zu below 0: there the asperities fill the nominal area before the flat reaches the mean plane",
+        text_add(out,
+                 ", %zu below 0: there the asperities fill the nominal area before the flat reaches the mean plane",
                  negative);
     return values == 0 ? CLAIM_NOT_TESTED : verdict_of((double)inside / (double)values);
 }
@@ -356,7 +356,9 @@ const size_t claim_count = sizeof claim_rows / sizeof claim_rows[0];
 
 void claim_table(struct text *out, const struct results *results, const struct study *study)
 {
-    static const char *const verdicts[] = {[CLAIM_HOLDS] = "holds", [CLAIM_PARTLY] = "in part", [CLAIM_FAILS] = "fails",
+    static const char *const verdicts[] = {[CLAIM_HOLDS] = "holds",
+                                           [CLAIM_PARTLY] = "in part",
+                                           [CLAIM_FAILS] = "fails",
                                            [CLAIM_NOT_TESTED] = "not tested"};
     text_add(out, "| thesis | claim | here | evidence |\n|---|---|---|---|\n");
     for (size_t i = 0; i < claim_count; i++) {

@@ -7,11 +7,11 @@
 enum claim_verdict { CLAIM_HOLDS, CLAIM_PARTLY, CLAIM_FAILS, CLAIM_NOT_TESTED };
 
 struct claim_row {
-    const char *section;   /* of the thesis */
+    const char *section; /* of the thesis */
     const char *statement;
-    unsigned effects;      /* EFFECT_BITs it needs */
-    unsigned families;     /* enum scene_model bits it needs */
-    bool several;          /* needs at least two surfaces */
+    unsigned effects;  /* EFFECT_BITs it needs */
+    unsigned families; /* enum scene_model bits it needs */
+    bool several;      /* needs at least two surfaces */
     /** Adds the evidence, with its figures, and says how the claim fares. */
     enum claim_verdict (*check)(struct text *evidence, const struct results *results, const struct study *study);
 };

@@ -97,8 +97,11 @@ static void curves_text(struct text *out, const struct cost *cost)
     const struct cost_row *thesis = cost_find(cost, "closure-area", "thesis", "");
     const struct cost_row *numeric = cost_find(cost, "closure-area", "numeric", "");
     if (thesis && numeric) {
-        add(out, " The sinusoid's closure weighs more than any of this: against the direct numerical solution, `thesis` is off "
-            "by up to ", 100 * thesis->error, 2, " % in area, `numeric` by ");
+        add(out,
+            " The sinusoid's closure weighs more than any of this: against the direct numerical solution, `thesis` is "
+            "off "
+            "by up to ",
+            100 * thesis->error, 2, " % in area, `numeric` by ");
         add(out, "", 100 * numeric->error, 2, " %, at ");
         add(out, "", numeric->seconds / thesis->seconds, 2, " times the time.");
     }
@@ -123,8 +126,10 @@ static void cost_text(struct text *out, const struct section_context *context)
         return;
     text_add(out, "Surface ");
     words_surface(out, context->results, context->results->baseline);
-    text_add(out, ". Each method's largest relative error, against a better result by another method, and its time (the least "
-                  "of several runs; evaluations do not depend on the machine). ");
+    text_add(
+        out,
+        ". Each method's largest relative error, against a better result by another method, and its time (the least "
+        "of several runs; evaluations do not depend on the machine). ");
     integrals_text(out, cost);
     curves_text(out, cost);
 }

@@ -1,8 +1,8 @@
 /* The report's sentences: short, and every figure in them computed. */
 #include "report/section.h"
 
-#include "report/words.h"
 #include "contact/sinusoid.h"
+#include "report/words.h"
 #include <math.h>
 
 static const struct surface_summary *summary_at(const struct section_context *context, size_t index)
@@ -60,9 +60,10 @@ static void summary(struct text *out, const struct section_context *context)
     const struct contact_point *point = middle_point(context, model);
     text_add(out, "- %zu surface%s, Rq ", results->usable_count, results->usable_count == 1 ? "" : "s");
     words_range(out, smoothest(context)->roughness.rq_m * 1e6, roughest(context)->roughness.rq_m * 1e6, 3);
-    text_add(out, " µm, pressed against %s.\n", results->scene->counterface_kind == MATERIAL_COUNTERFACE_RIGID
-                                                     ? "a rigid flat that conducts like the material"
-                                                     : "an elastic counterface");
+    text_add(out, " µm, pressed against %s.\n",
+             results->scene->counterface_kind == MATERIAL_COUNTERFACE_RIGID
+                 ? "a rigid flat that conducts like the material"
+                 : "an elastic counterface");
     if (point) {
         text_add(out, "- At P/(Aₙ E′) = ");
         words_number(out, point->load, 2);
@@ -79,21 +80,24 @@ static void summary(struct text *out, const struct section_context *context)
         text_add(out, ".\n");
     }
     if (results->usable_count > 1 && isfinite(context->study->area_spread[model]))
-        add(out, "- At that load the areas of all surfaces lie within a factor of ", context->study->area_spread[model], 3,
-            ".\n");
+        add(out, "- At that load the areas of all surfaces lie within a factor of ", context->study->area_spread[model],
+            3, ".\n");
     size_t refused = 0;
     for (size_t i = 0; i < results->spool->count; i++)
         refused += !summary_at(context, i)->usable;
     if (refused > 0)
-        text_add(out, "- %zu surface%s refused: see the end of this report.\n", refused, refused == 1 ? " was" : "s were");
+        text_add(out, "- %zu surface%s refused: see the end of this report.\n", refused,
+                 refused == 1 ? " was" : "s were");
 }
 
 static void surfaces_text(struct text *out, const struct section_context *context)
 {
     const struct scene *scene = context->results->scene;
-    text_add(out, "Each profile was levelled (%s) and transformed%s; every harmonic is a scale of the multiscale models. "
-                  "The power law is the least-squares line of log Δ on log λ",
-             scene_level_names[scene->level], scene->window == SCENE_WINDOW_HANN ? " under a Hann window" : " without a window");
+    text_add(out,
+             "Each profile was levelled (%s) and transformed%s; every harmonic is a scale of the multiscale models. "
+             "The power law is the least-squares line of log Δ on log λ",
+             scene_level_names[scene->level],
+             scene->window == SCENE_WINDOW_HANN ? " under a Hann window" : " without a window");
     if (scene->fit_band_m[0] > 0 || isfinite(scene->fit_band_m[1])) {
         text_add(out, " for wavelengths ");
         if (scene->fit_band_m[0] > 0)
@@ -101,9 +105,9 @@ static void surfaces_text(struct text *out, const struct section_context *contex
         if (isfinite(scene->fit_band_m[1]))
             add(out, " up to ", scene->fit_band_m[1] * 1e6, 4, " µm");
     }
-    text_add(out, ". Moments are %s.", scene->moments == SCENE_MOMENTS_SPECTRAL
-                                           ? "those of the spectrum"
-                                           : "finite differences (slope: central, curvature: 3-point)");
+    text_add(out, ". Moments are %s.",
+             scene->moments == SCENE_MOMENTS_SPECTRAL ? "those of the spectrum"
+                                                      : "finite differences (slope: central, curvature: 3-point)");
 }
 
 static void gaussian_scatter(struct text *out, const struct section_context *context)
@@ -185,8 +189,10 @@ static void baseline_text(struct text *out, const struct section_context *contex
     const struct surface_summary *s = &context->baseline->summary;
     text_add(out, "Surface ");
     baseline(out, context);
-    text_add(out, " (%s), Rq ", results->scene->baseline ? "chosen in the scene"
-                                : results->usable_count > 1 ? "the second smoothest" : "the only one");
+    text_add(out, " (%s), Rq ",
+             results->scene->baseline    ? "chosen in the scene"
+             : results->usable_count > 1 ? "the second smoothest"
+                                         : "the only one");
     add(out, "", s->roughness.rq_m * 1e6, 3, " µm.");
     if (!s->has_asperities && (results->plan->families & SCENE_MODEL_STATISTICAL))
         text_add(out, " No statistical model exists for it: see the notes.");
@@ -246,7 +252,8 @@ static void electrical_text(struct text *out, const struct section_context *cont
             text_add(out, "no elbow within the loads. ");
     }
     if (isfinite(context->study->ecr_gap)) {
-        add(out, "Multiscale and statistical ECR differ by ", context->study->ecr_gap, 2, " decades on average, their areas by ");
+        add(out, "Multiscale and statistical ECR differ by ", context->study->ecr_gap, 2,
+            " decades on average, their areas by ");
         add(out, "", context->study->area_gap, 2, ".");
     }
 }
@@ -278,8 +285,10 @@ static void shown_text(struct text *out, const struct section_context *context)
 {
     const struct results *results = context->results;
     if (results->shown_count < results->usable_count)
-        text_add(out, "The charts show %zu of the %zu surfaces, spread evenly from the smoothest to the roughest; tables "
-                      "and data hold all of them. ", results->shown_count, results->usable_count);
+        text_add(out,
+                 "The charts show %zu of the %zu surfaces, spread evenly from the smoothest to the roughest; tables "
+                 "and data hold all of them. ",
+                 results->shown_count, results->usable_count);
     if (results->usable_count == 1)
         text_add(out, "There is one surface, so these charts show it alone.");
     else
@@ -316,8 +325,10 @@ static void beta_text(struct text *out, const struct section_context *context)
         text_add(out, " %zu between 0 and 4 (full contact within 2σ below the mean plane: many or blunt asperities);",
                  below);
     if (above > 0)
-        text_add(out, " %zu above 12 (full contact only below −6σ: few or sharp asperities, where GW's asperities no longer "
-                      "describe the surface);", above);
+        text_add(out,
+                 " %zu above 12 (full contact only below −6σ: few or sharp asperities, where GW's asperities no longer "
+                 "describe the surface);",
+                 above);
     out->length--; /* the last semicolon */
     text_add(out, ".");
 }
@@ -325,14 +336,19 @@ static void beta_text(struct text *out, const struct section_context *context)
 static void validity_text(struct text *out, const struct section_context *context)
 {
     if (context->results->plan->families & SCENE_MODEL_STATISTICAL)
-        text_add(out, "The statistical models take asperities as independent, which needs A ≪ Aₙ; their curves are dashed "
-                      "from A/Aₙ = 0.1%s. ", called_for(context, MODEL_JG) ? ", and JG's also where more than 10 % of the "
-                      "load rests on asperities beyond a/R = 0.41, the end of its fit" : "");
+        text_add(out,
+                 "The statistical models take asperities as independent, which needs A ≪ Aₙ; their curves are dashed "
+                 "from A/Aₙ = 0.1%s. ",
+                 called_for(context, MODEL_JG) ? ", and JG's also where more than 10 % of the "
+                                                 "load rests on asperities beyond a/R = 0.41, the end of its fit"
+                                               : "");
     if (called_for(context, MODEL_MULTISCALE_PLASTIC))
-        text_add(out, "The elastic-plastic sinusoid steps up in area (by at most 8 %%) and down in gap where a scale begins "
-                      "to yield; the steps are the published model's and are not smoothed. ");
-    text_add(out, "A jump between the ends of a record leaks amplitude J/(π n) into harmonic n, which looks like γ = 1: the "
-                  "share is taken at the short end of the fit band.");
+        text_add(out,
+                 "The elastic-plastic sinusoid steps up in area (by at most 8 %%) and down in gap where a scale begins "
+                 "to yield; the steps are the published model's and are not smoothed. ");
+    text_add(out,
+             "A jump between the ends of a record leaks amplitude J/(π n) into harmonic n, which looks like γ = 1: the "
+             "share is taken at the short end of the fit band.");
 }
 
 static void settings_text(struct text *out, const struct section_context *context)

@@ -71,8 +71,10 @@ static void surface_6_2(struct text *out, const struct section_context *context,
 
 static void table_6_2(struct text *out, const struct section_context *context)
 {
-    text_add(out, "| surface | Rq (µm) | Ra (µm) | length (mm) | spacing (µm) | points | α (SI) | γ | RMS of fit (decades) |\n"
-                  "|---|---:|---:|---:|---:|---:|---:|---:|---:|\n");
+    text_add(
+        out,
+        "| surface | Rq (µm) | Ra (µm) | length (mm) | spacing (µm) | points | α (SI) | γ | RMS of fit (decades) |\n"
+        "|---|---:|---:|---:|---:|---:|---:|---:|---:|\n");
     each_surface(out, context, surface_6_2);
 }
 
@@ -152,8 +154,10 @@ static void surface_6_3(struct text *out, const struct section_context *context,
 static void table_6_3(struct text *out, const struct section_context *context)
 {
     bool jg = plan_runs(context->results->plan, EFFECT_PLASTICITY);
-    text_add(out, jg ? "| surface | β GW | β JG | GW, nearest multiscale | JG, nearest multiscale |\n|---|---:|---:|---:|---:|\n"
-                     : "| surface | β GW | GW, nearest multiscale |\n|---|---:|---:|\n");
+    text_add(
+        out,
+        jg ? "| surface | β GW | β JG | GW, nearest multiscale | JG, nearest multiscale |\n|---|---:|---:|---:|---:|\n"
+           : "| surface | β GW | GW, nearest multiscale |\n|---|---:|---:|\n");
     each_surface(out, context, surface_6_3);
 }
 
@@ -208,8 +212,11 @@ static void baseline_table(struct text *out, const struct section_context *conte
                 const struct contact_point *p = &context->baseline->curves[m].points[i];
                 if (p->load != load)
                     continue;
-                const double values[] = {p->separation_m / sigma_m, p->adjusted_m / sigma_m, p->ecr_ohm_m2,
-                                         p->tcr_K_m2_per_W, p->tcr_sd_K_m2_per_W,
+                const double values[] = {p->separation_m / sigma_m,
+                                         p->adjusted_m / sigma_m,
+                                         p->ecr_ohm_m2,
+                                         p->tcr_K_m2_per_W,
+                                         p->tcr_sd_K_m2_per_W,
                                          p->ecr_ohm_m2 / results->scene->nominal_area_m2};
                 text_add(out, "| ");
                 words_number(out, load, 3);
@@ -244,8 +251,10 @@ static void extension_table(struct text *out, const struct section_context *cont
     bool plastic = plan_runs(context->results->plan, EFFECT_PLASTICITY);
     if (!(context->results->plan->families & SCENE_MODEL_MULTISCALE))
         return;
-    text_add(out, "| surface | γ | sampling limit (µm) | A/Aₙ elastic | would fall by (%%)%s |\n|---|---:|---:|---:|---:|%s\n",
-             plastic ? " | A/Aₙ plastic | would fall by (%)" : "", plastic ? "---:|---:|" : "");
+    text_add(
+        out,
+        "| surface | γ | sampling limit (µm) | A/Aₙ elastic | would fall by (%%)%s |\n|---|---:|---:|---:|---:|%s\n",
+        plastic ? " | A/Aₙ plastic | would fall by (%)" : "", plastic ? "---:|---:|" : "");
     each_surface(out, context, surface_extension);
 }
 
@@ -349,8 +358,8 @@ static void models_table(struct text *out, const struct section_context *context
     text_add(out, "| model | assumes | valid | equations | source |\n|---|---|---|---|---|\n");
     for (int m = 0; m < MODEL_COUNT; m++)
         if (model_called_for((enum model_id)m, plan->families, plan->running))
-            text_add(out, "| %s | %s | %s | %s | %s |\n", model_rows[m].label, model_rows[m].assumes, model_rows[m].valid,
-                     model_rows[m].equations, model_rows[m].source);
+            text_add(out, "| %s | %s | %s | %s | %s |\n", model_rows[m].label, model_rows[m].assumes,
+                     model_rows[m].valid, model_rows[m].equations, model_rows[m].source);
 }
 
 const struct section_row section_tables[] = {

@@ -90,23 +90,32 @@ static void compare_families(struct study *study, const struct surface_record *r
     }
 }
 
-/** Keeps the largest and smallest area at the middle load. */
-static void widen(double least[MODEL_COUNT], double most[MODEL_COUNT], const struct surface_record *record,
-                  double load)
+/** Areas of the surfaces at the middle load, in one model. */
+struct area_range {
+    size_t surfaces;
+    double least, most;
+};
+
+static void widen(struct area_range spreads[MODEL_COUNT], const struct surface_record *record, double load)
 {
     for (int m = 0; m < MODEL_COUNT; m++)
         for (size_t i = 0; i < record->curves[m].count; i++)
             if (record->curves[m].points[i].load == load) {
-                least[m] = fmin(least[m], record->curves[m].points[i].area_ratio);
-                most[m] = fmax(most[m], record->curves[m].points[i].area_ratio);
+                struct area_range *spread = &spreads[m];
+                double area = record->curves[m].points[i].area_ratio;
+                spread->least = spread->surfaces > 0 ? fmin(spread->least, area) : area;
+                spread->most = fmax(spread->most, area);
+                spread->surfaces++;
             }
 }
 
 enum status_code study_make(struct study *out, const struct results *results, struct status *status)
 {
-    double least[MODEL_COUNT] = {INFINITY, INFINITY, INFINITY, INFINITY}, most[MODEL_COUNT] = {0};
-    *out = (struct study){
-        .proportional_error = NAN, .area_gap = NAN, .ecr_gap = NAN, .middle_load = results->loads[results->load_count / 2]};
+    struct area_range spreads[MODEL_COUNT] = {0};
+    *out = (struct study){.proportional_error = NAN,
+                          .area_gap = NAN,
+                          .ecr_gap = NAN,
+                          .middle_load = results->loads[results->load_count / 2]};
     struct surface_record previous = {0};
     for (size_t k = 0; k < results->usable_count; k++) {
         struct surface_record record;
@@ -121,7 +130,7 @@ enum status_code study_make(struct study *out, const struct results *results, st
                      &record.curves[MODEL_MULTISCALE_PLASTIC]);
         compare_laws(&out->plastic[1], &record.curves[MODEL_GW], &record.curves[MODEL_JG]);
         check_proportion(out, &record, results->plan);
-        widen(least, most, &record, out->middle_load);
+        widen(spreads, &record, out->middle_load);
         if (index == results->baseline)
             compare_families(out, &record);
         surface_record_free(&previous, false);
@@ -129,6 +138,6 @@ enum status_code study_make(struct study *out, const struct results *results, st
     }
     surface_record_free(&previous, false);
     for (int m = 0; m < MODEL_COUNT; m++)
-        out->area_spread[m] = most[m] > least[m] ? most[m] / least[m] : NAN;
+        out->area_spread[m] = spreads[m].surfaces > 1 ? spreads[m].most / spreads[m].least : NAN;
     return STATUS_OK;
 }

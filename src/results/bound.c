@@ -48,8 +48,8 @@ static double elastic_d(const struct surface_record *record, const struct plan *
     struct status status = {0};
     uint64_t none = 0;
     double d = 3;
-    if (statistical_make(&model, &record->summary.asperities, &plan->pair, ASPERITY_HERTZ, 0, tolerance, INFINITY, &none,
-                         &status) != STATUS_OK)
+    if (statistical_make(&model, &record->summary.asperities, &plan->pair, ASPERITY_HERTZ, 0, tolerance, INFINITY,
+                         &none, &status) != STATUS_OK)
         return NAN; /* closed forms allocate nothing, so this does not happen */
     struct contact_point point;
     if (!statistical_solve(&point, &model, load, &d))
@@ -76,7 +76,8 @@ static void bound_statistical(struct surface_record *record, const struct scene 
     if (plan_runs(plan, EFFECT_SCALE_DEPENDENT)) {
         /* int a K/(a + K) phi <= K F_0, over int a phi = sqrt(R sigma_s) F_1/2 */
         struct gaussian_integrals f = gaussian_integrals(elastic_d(record, plan, scene->tolerance, lowest_load));
-        double least = spot_make(&plan->pair).knudsen_length_m * f.zero / (sqrt(surface->radius_m * sigma_s_m) * f.half);
+        double least =
+            spot_make(&plan->pair).knudsen_length_m * f.zero / (sqrt(surface->radius_m * sigma_s_m) * f.half);
         bound->scale_dependent = fmax(bound->scale_dependent, least);
     }
 }
@@ -91,6 +92,26 @@ static bool is_settled(const struct surface_summary *summary, const struct scene
     return scene->convergence.load * modulus >= full_Pa;
 }
 
+/** What the scans run alone will take in the statistical models. */
+static void count_parts(struct surface_record *record, const struct scene *scene, const struct plan *plan)
+{
+    struct surface_summary *summary = &record->summary;
+    for (size_t p = 0; p < record->part_count; p++) {
+        struct asperities asperities;
+        struct status none = {0};
+        if (roughness_asperities(&asperities, &record->parts[p].roughness, &none) != STATUS_OK)
+            continue;
+        summary->part_asperities++;
+        for (int plastic = 0; plastic < 2; plastic++)
+            for (int scale_dependent = 0; scale_dependent < 2; scale_dependent++)
+                if (plastic ? plan_runs(plan, EFFECT_PLASTICITY) : true)
+                    summary->part_laws[plastic][scale_dependent] += statistical_law_count(
+                        &asperities, &plan->pair, plastic ? ASPERITY_JG : ASPERITY_HERTZ,
+                        scale_dependent ? plan->wanted : plan->wanted & ~(unsigned)CONTACT_SCALE_DEPENDENT,
+                        scene->tolerance);
+    }
+}
+
 void bound_surface(struct surface_record *record, const struct scene *scene, const struct plan *plan,
                    const double *loads, size_t load_count)
 {
@@ -102,6 +123,8 @@ void bound_surface(struct surface_record *record, const struct scene *scene, con
         bound_multiscale_size(record, plan, scene, lowest);
     if ((plan->families & SCENE_MODEL_STATISTICAL) && summary->has_asperities)
         bound_statistical(record, scene, plan, lowest, highest);
+    if (plan->families & SCENE_MODEL_STATISTICAL)
+        count_parts(record, scene, plan);
     summary->bound.settled = is_settled(summary, scene, plan);
 }
 
@@ -122,8 +145,8 @@ static void decide_plasticity(struct plan *plan, double yield, double excess, si
     } else if (excess > tolerance) {
         snprintf(reason, size, "asperities beyond 1.9 ωc can change the area by up to %.2g", excess);
     } else if (above > 0) {
-        snprintf(reason, size, "no load reaches pc of a scale (at most %.2g of it) or moves JG from GW by over %.1g", yield,
-                 tolerance);
+        snprintf(reason, size, "no load reaches pc of a scale (at most %.2g of it) or moves JG from GW by over %.1g",
+                 yield, tolerance);
         switch_off(plan, EFFECT_PLASTICITY);
     } else {
         snprintf(reason, size, "Δ ≤ Δc at every scale, and JG stays within %.2g of GW", excess);
@@ -150,7 +173,8 @@ static void decide_convergence(struct plan *plan, size_t settled, size_t usable)
     if (settled == usable)
         snprintf(reason, size, "sweeps only: no scale below the sampling limit can take area from any surface");
     else
-        snprintf(reason, size, "%zu of %zu surfaces may lose area below their sampling limit", usable - settled, usable);
+        snprintf(reason, size, "%zu of %zu surfaces may lose area below their sampling limit", usable - settled,
+                 usable);
 }
 
 void bound_plan(struct plan *plan, const struct scene *scene, const struct spool *spool)

@@ -2,9 +2,9 @@
 
 #include <math.h>
 
-static const double outside_share = 0.1;  /* share of the load beyond the fitted range that dashes a curve */
-static const double touching_area = 0.1;  /* A/A_n up to which asperities may be taken as apart */
-static const double elbow_slope = 2;      /* |d ln ECR/d ln P| that counts as the elbow: twice the slope before it */
+static const double outside_share = 0.1; /* share of the load beyond the fitted range that dashes a curve */
+static const double touching_area = 0.1; /* A/A_n up to which asperities may be taken as apart */
+static const double elbow_slope = 2;     /* |d ln ECR/d ln P| that counts as the elbow: twice the slope before it */
 
 /** Least-squares slope of ln A over ln P where A/A_n < 0.1, and its RMS residual in decades. */
 static void fit_area_slope(struct surface_model *model, const struct model_curve *curve)
@@ -69,4 +69,3 @@ void condense_curve(struct surface_model *model, const struct model_curve *curve
             model->elbow_load = before->load;
     }
 }
-

@@ -50,8 +50,8 @@ static json_t *scene_json(const struct results *results)
         json_array_append_new(models, json_string("multiscale"));
     if (scene->models & SCENE_MODEL_STATISTICAL)
         json_array_append_new(models, json_string("statistical"));
-    json_t *json = json_pack("{s:o, s:o, s:o, s:o}", "title", string(scene->title), "models", models, "effects", effects,
-                             "material", material_json(&scene->material));
+    json_t *json = json_pack("{s:o, s:o, s:o, s:o}", "title", string(scene->title), "models", models, "effects",
+                             effects, "material", material_json(&scene->material));
     bool elastic = scene->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC;
     json_object_set_new(json, "counterface", elastic ? material_json(&scene->counterface) : json_string("rigid"));
     json_object_set_new(json, "nominal_area_m2", real(scene->nominal_area_m2));
@@ -62,7 +62,8 @@ static json_t *scene_json(const struct results *results)
     json_object_set_new(json, "window", json_string(scene_window_names[scene->window]));
     json_object_set_new(json, "moments", json_string(scene_moments_names[scene->moments]));
     json_object_set_new(json, "closure", json_string(scene_closure_names[scene->closure]));
-    json_object_set_new(json, "fit_band_m", json_pack("[o, o]", real(scene->fit_band_m[0]), real(scene->fit_band_m[1])));
+    json_object_set_new(json, "fit_band_m",
+                        json_pack("[o, o]", real(scene->fit_band_m[0]), real(scene->fit_band_m[1])));
     const struct scene_convergence *study = &scene->convergence;
     json_object_set_new(json, "convergence",
                         json_pack("{s:o, s:o, s:o, s:o, s:I}", "alpha", real(study->alpha), "gamma", real(study->gamma),
@@ -86,11 +87,11 @@ static json_t *curve_json(const struct model_curve *curve, const struct surface_
         {"tcr_K_m2_per_W", offsetof(struct contact_point, tcr_K_m2_per_W), CONTACT_THERMAL},
         {"tcr_sd_K_m2_per_W", offsetof(struct contact_point, tcr_sd_K_m2_per_W), CONTACT_SCALE_DEPENDENT},
     };
-    json_t *json = json_pack("{s:o, s:o, s:o, s:o, s:o, s:I}", "full_contact_load", real(model->full_load),
-                             "beta", real(model->beta), "beta_from_multiscale", real(model->beta_multiscale),
-                             "area_load_slope", real(model->area_slope), "largest_load_share_beyond_fit",
-                             real(model->most_outside), "evaluations",
-                             (json_int_t)(model->work.scales + model->work.laws + model->work.separations));
+    json_t *json =
+        json_pack("{s:o, s:o, s:o, s:o, s:o, s:I}", "full_contact_load", real(model->full_load), "beta",
+                  real(model->beta), "beta_from_multiscale", real(model->beta_multiscale), "area_load_slope",
+                  real(model->area_slope), "largest_load_share_beyond_fit", real(model->most_outside), "evaluations",
+                  (json_int_t)(model->work.scales + model->work.laws + model->work.separations));
     for (size_t c = 0; c < sizeof columns / sizeof columns[0]; c++) {
         if (columns[c].quantity && !(wanted & columns[c].quantity))
             continue;
@@ -123,21 +124,35 @@ static json_t *surface_json(const struct surface_record *record, const struct pl
         json_array_append_new(files, string(s->scene->files[f]));
     for (int m = 0; m < MODEL_COUNT; m++)
         if (s->models[m].exists)
-            json_object_set_new(models, model_rows[m].name, curve_json(&record->curves[m], &s->models[m], plan->wanted));
+            json_object_set_new(models, model_rows[m].name,
+                                curve_json(&record->curves[m], &s->models[m], plan->wanted));
     json_t *json = json_pack("{s:o, s:o, s:s, s:s, s:s}", "surface", string(s->scene->name), "files", files, "sha256",
                              s->hash, "format", s->format, "units", s->units);
     const struct {
         const char *name;
         double value;
     } numbers[] = {
-        {"points", (double)s->points}, {"spacing_m", s->spacing_m}, {"scan_length_m", s->length_m},
-        {"rq_m", s->roughness.rq_m}, {"ra_m", s->roughness.ra_m}, {"pv_m", s->roughness.pv_m},
-        {"m0_m2", s->roughness.m0_m2}, {"m2", s->roughness.m2}, {"m4_per_m2", s->roughness.m4_per_m2},
-        {"nayak", s->asperities.nayak}, {"asperity_density_per_m2", s->asperities.density_per_m2},
-        {"asperity_radius_m", s->asperities.radius_m}, {"asperity_sigma_m", s->asperities.sigma_s_m},
-        {"asperity_offset_m", s->asperities.offset_m}, {"alpha_SI", s->law.alpha},
-        {"alpha_stderr", s->law.alpha_error}, {"gamma", s->law.gamma}, {"gamma_stderr", s->law.gamma_error},
-        {"fit_rms_decades", s->law.rms_decades}, {"end_jump_m", s->jump_m}, {"end_jump_share", s->jump_share},
+        {"points", (double)s->points},
+        {"spacing_m", s->spacing_m},
+        {"scan_length_m", s->length_m},
+        {"rq_m", s->roughness.rq_m},
+        {"ra_m", s->roughness.ra_m},
+        {"pv_m", s->roughness.pv_m},
+        {"m0_m2", s->roughness.m0_m2},
+        {"m2", s->roughness.m2},
+        {"m4_per_m2", s->roughness.m4_per_m2},
+        {"nayak", s->asperities.nayak},
+        {"asperity_density_per_m2", s->asperities.density_per_m2},
+        {"asperity_radius_m", s->asperities.radius_m},
+        {"asperity_sigma_m", s->asperities.sigma_s_m},
+        {"asperity_offset_m", s->asperities.offset_m},
+        {"alpha_SI", s->law.alpha},
+        {"alpha_stderr", s->law.alpha_error},
+        {"gamma", s->law.gamma},
+        {"gamma_stderr", s->law.gamma_error},
+        {"fit_rms_decades", s->law.rms_decades},
+        {"end_jump_m", s->jump_m},
+        {"end_jump_share", s->jump_share},
     };
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
         json_object_set_new(json, numbers[i].name, real(numbers[i].value));

@@ -34,8 +34,10 @@ static enum status_code check_target(const char *target, struct status *status)
     enum status_code rc = STATUS_OK;
     for (struct dirent *entry; rc == STATUS_OK && (entry = readdir(directory));)
         if (!is_own(entry->d_name) && strcmp(entry->d_name, ".gitkeep") != 0)
-            rc = status_fail(status, STATUS_IO, "'%s' holds '%s', which is not part of a report; choose another "
-                             "directory with -o", target, entry->d_name);
+            rc = status_fail(status, STATUS_IO,
+                             "'%s' holds '%s', which is not part of a report; choose another "
+                             "directory with -o",
+                             target, entry->d_name);
     closedir(directory);
     return rc;
 }
@@ -114,9 +116,11 @@ enum status_code output_commit(struct output *out, struct status *status)
             if (rename(out->staging, out->target) != 0) {
                 int reason = errno;
                 if (rename(old, out->target) != 0)
-                    return status_fail(status, STATUS_IO, "cannot put the report at '%s' (%s); the one before is in '%s'",
-                                       out->target, strerror(reason), old);
-                return status_fail(status, STATUS_IO, "cannot put the report at '%s': %s", out->target, strerror(reason));
+                    return status_fail(status, STATUS_IO,
+                                       "cannot put the report at '%s' (%s); the one before is in '%s'", out->target,
+                                       strerror(reason), old);
+                return status_fail(status, STATUS_IO, "cannot put the report at '%s': %s", out->target,
+                                   strerror(reason));
             }
             remove_tree(old);
             out->staging[0] = '\0';

@@ -15,7 +15,8 @@ struct output {
  * user's is lost. Errors: STATUS_IO. */
 MUST_CHECK enum status_code output_begin(struct output *out, const char *target, struct status *status);
 
-/** Puts the finished report in place and removes the one before. Error: STATUS_IO; then the earlier report still stands. */
+/** Puts the finished report in place and removes the one before. Error: STATUS_IO; then the earlier report still
+ * stands. */
 MUST_CHECK enum status_code output_commit(struct output *out, struct status *status);
 
 /** Removes the staging directory, if it is still there. */

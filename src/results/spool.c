@@ -48,6 +48,12 @@ static bool put_arrays(FILE *file, const struct surface_record *record)
     for (int m = 0; m < MODEL_COUNT; m++) {
         size_t count = record->curves[m].count;
         ok = ok && fwrite(record->curves[m].points, sizeof(struct contact_point), count, file) == count;
+        size_t bands = record->bands[m] ? record->band_count : 0;
+        ok = ok && fwrite(record->bands[m], sizeof(struct spread_band), bands, file) == bands;
+    }
+    for (size_t p = 0; p < record->part_count; p++) {
+        const struct spectrum *part = &record->parts[p].spectrum;
+        ok = ok && fwrite(part->amplitude_m, sizeof(double), part->count, file) == part->count;
     }
     return ok;
 }
@@ -55,15 +61,17 @@ static bool put_arrays(FILE *file, const struct surface_record *record)
 enum status_code spool_put(struct spool *spool, size_t index, const struct surface_record *record,
                            struct status *status)
 {
+    if (record->summary.usable && spool->file) {
+        pthread_mutex_lock(&spool->lock);
+        bool ok = fseek(spool->file, 0, SEEK_END) == 0 && (spool->offsets[index] = ftell(spool->file)) >= 0;
+        ok = ok && put_arrays(spool->file, record);
+        int reason = errno;
+        pthread_mutex_unlock(&spool->lock);
+        if (!ok)
+            return status_fail(status, STATUS_IO, "cannot write results: %s", strerror(reason));
+    }
     spool->summaries[index] = record->summary;
-    if (!record->summary.usable || !spool->file)
-        return STATUS_OK;
-    pthread_mutex_lock(&spool->lock);
-    bool ok = fseek(spool->file, 0, SEEK_END) == 0 && (spool->offsets[index] = ftell(spool->file)) >= 0;
-    ok = ok && put_arrays(spool->file, record);
-    int reason = errno;
-    pthread_mutex_unlock(&spool->lock);
-    return ok ? STATUS_OK : status_fail(status, STATUS_IO, "cannot write results: %s", strerror(reason));
+    return STATUS_OK;
 }
 
 static void *get_array(FILE *file, size_t size, size_t count, bool *ok)
@@ -82,8 +90,13 @@ enum status_code spool_get(struct surface_record *out, struct spool *spool, size
         memset(out, 0, sizeof *out);
     out->summary = spool->summaries[index];
     out->spectrum.amplitude_m = get_array(spool->file, sizeof(double), out->spectrum.count, &ok);
-    for (int m = 0; m < MODEL_COUNT; m++)
+    for (int m = 0; m < MODEL_COUNT; m++) {
         out->curves[m].points = get_array(spool->file, sizeof(struct contact_point), out->curves[m].count, &ok);
+        if (out->bands[m])
+            out->bands[m] = get_array(spool->file, sizeof(struct spread_band), out->band_count, &ok);
+    }
+    for (size_t p = 0; p < out->part_count; p++)
+        out->parts[p].spectrum.amplitude_m = get_array(spool->file, sizeof(double), out->parts[p].spectrum.count, &ok);
     pthread_mutex_unlock(&spool->lock);
     if (ok)
         return STATUS_OK;

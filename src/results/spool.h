@@ -21,8 +21,8 @@ struct spool {
 MUST_CHECK enum status_code spool_open(struct spool *out, const char *directory, size_t count, struct status *status);
 void spool_close(struct spool *spool);
 
-/** Stores surface `index`, in place of what was stored for it before; may be called from several threads. The summary's
- * texts are the spool's from then on. Error: STATUS_IO. */
+/** Stores surface `index`, in place of what was stored for it before, and takes its summary's texts over; may be called
+ * from several threads. Error: STATUS_IO; then the texts are still the caller's. */
 MUST_CHECK enum status_code spool_put(struct spool *spool, size_t index, const struct surface_record *record,
                                       struct status *status);
 /** Reads it back, from any thread; end it with surface_record_free(record, false). Errors: STATUS_IO, STATUS_MEMORY. */

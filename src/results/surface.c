@@ -4,6 +4,7 @@
 #include "base/hash.h"
 #include "contact/statistical.h"
 #include "results/condense.h"
+#include "spectrum/grid.h"
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -31,6 +32,13 @@ static void note(struct surface_summary *summary, const char *format, ...)
     } else {
         free(line);
     }
+}
+
+static void record_free_parts(struct surface_record *record)
+{
+    for (size_t p = 0; p < record->part_count; p++)
+        spectrum_free(&record->parts[p].spectrum);
+    record->part_count = 0;
 }
 
 static void note_scan(struct surface_summary *summary, const struct scan *scan, const struct profile *profile,
@@ -63,6 +71,56 @@ static void keep_preview(struct surface_record *record, const struct profile *pr
     record->preview_points = n;
 }
 
+/** Averages `spectrum` into the record's mean, on the grid of the shorter record and of the lower Nyquist frequency. */
+static enum status_code average_spectrum(struct surface_record *record, const struct spectrum *spectrum,
+                                         struct status *status)
+{
+    struct spectrum *mean = &record->spectrum, same;
+    size_t so_far = record->summary.scans;
+    bool alike = fabs(spectrum->length_m / mean->length_m - 1) < 1e-6 && spectrum->has_nyquist == mean->has_nyquist &&
+                 spectrum->count == mean->count;
+    if (alike) {
+        spectrum_average(mean, spectrum, so_far);
+        return STATUS_OK;
+    }
+    double length_m = fmin(mean->length_m, spectrum->length_m);
+    double highest = fmin(spectrum_frequency(mean, mean->count - 1), spectrum_frequency(spectrum, spectrum->count - 1));
+    size_t count = (size_t)fmax(1, floor(length_m * highest * (1 + 1e-9)));
+    if (grid_spectrum(&same, mean, length_m, count, status) != STATUS_OK)
+        return status->code;
+    spectrum_free(mean);
+    *mean = same;
+    if (grid_spectrum(&same, spectrum, length_m, count, status) != STATUS_OK)
+        return status->code;
+    spectrum_average(mean, &same, so_far);
+    spectrum_free(&same);
+    return STATUS_OK;
+}
+
+/** Keeps the scan for a run of its own; when there are too many, every second one goes. Takes the spectrum over. */
+static void keep_part(struct surface_record *record, struct spectrum *spectrum, const struct roughness *roughness)
+{
+    record->part_stride = record->part_stride ? record->part_stride : 1;
+    if (record->summary.scans % record->part_stride != 0) {
+        spectrum_free(spectrum);
+        return;
+    }
+    if (record->part_count == SPREAD_PARTS) {
+        record->part_count = 0;
+        for (size_t p = 0; p < SPREAD_PARTS; p++)
+            if (p % 2 == 0)
+                record->parts[record->part_count++] = record->parts[p];
+            else
+                spectrum_free(&record->parts[p].spectrum);
+        record->part_stride *= 2;
+        if (record->summary.scans % record->part_stride != 0) {
+            spectrum_free(spectrum);
+            return;
+        }
+    }
+    record->parts[record->part_count++] = (struct spread_part){*spectrum, *roughness};
+}
+
 /** Adds one profile to the surface: averages its spectrum and moments into the record's. */
 static enum status_code add_profile(struct surface_record *record, const struct profile *profile,
                                     const struct scene *scene, struct status *status)
@@ -79,37 +137,78 @@ static enum status_code add_profile(struct surface_record *record, const struct 
     if (scene->moments == SCENE_MOMENTS_SPECTRAL)
         roughness_from_spectrum(&roughness, &spectrum);
     summary->times.spectrum += clock_seconds() - started;
-    summary->jump_m = fmax(summary->jump_m, fabs(profile->end_jump_m));
+    double jumps =
+        (double)summary->scans * summary->jump_m * summary->jump_m + profile->end_jump_m * profile->end_jump_m;
+    summary->jump_m = sqrt(jumps / (double)(summary->scans + 1));
+    enum status_code rc = STATUS_OK;
     if (summary->scans == 0) {
-        record->spectrum = spectrum;
+        rc = spectrum_copy(&record->spectrum, &spectrum, status);
         summary->roughness = roughness;
         summary->points = profile->points;
         summary->spacing_m = profile->spacing_m;
-        summary->length_m = spectrum.length_m;
         summary->grid = profile->grid;
         summary->tilt = profile->tilt;
         keep_preview(record, profile);
     } else {
-        spectrum_average(&record->spectrum, &spectrum, summary->scans);
+        rc = average_spectrum(record, &spectrum, status);
         roughness_average(&summary->roughness, &roughness, summary->scans);
-        spectrum_free(&spectrum);
     }
+    keep_part(record, &spectrum, &roughness);
+    summary->length_m = record->spectrum.length_m;
     summary->scans++;
-    return STATUS_OK;
+    return rc;
 }
 
-/** Scans of one surface can be averaged harmonic by harmonic when their lengths and spacings agree to 0.1 %. */
-static enum status_code check_alike(const struct surface_summary *summary, const struct profile *profile,
-                                    struct status *status)
+/** Puts the parts on the mean's grid and lets them say how far they differ. A single scan has no parts. */
+static enum status_code describe_parts(struct surface_record *record, const struct scene *scene, struct status *status)
 {
-    if (summary->scans == 0)
-        return STATUS_OK;
-    double length_m = (double)profile->points * profile->spacing_m;
-    if (fabs(length_m / summary->length_m - 1) > 1e-3 || fabs(profile->spacing_m / summary->spacing_m - 1) > 1e-3)
-        return status_fail(status, STATUS_SCAN,
-                           "%.6g mm at %.6g um spacing, but the surface's first scan has %.6g mm at %.6g um; list scans "
-                           "of another length or spacing as surfaces of their own",
-                           length_m * 1e3, profile->spacing_m * 1e6, summary->length_m * 1e3, summary->spacing_m * 1e6);
+    const struct spectrum *mean = &record->spectrum;
+    if (record->part_count < 2)
+        record_free_parts(record);
+    for (size_t p = 0; p < record->part_count; p++) {
+        struct spectrum *own = &record->parts[p].spectrum, same;
+        if (own->count == mean->count && fabs(own->length_m / mean->length_m - 1) < 1e-6)
+            continue;
+        if (grid_spectrum(&same, own, mean->length_m, mean->count, status) != STATUS_OK)
+            return status->code;
+        spectrum_free(own);
+        *own = same;
+    }
+    return spread_laws(&record->summary.spread, record->parts, record->part_count, scene->fit_band_m, status);
+}
+
+/** Every row of a scan (a profile has one) into the surface. A row of a map that cannot be used (all missing, flat) is
+ * left out and counted; the map is refused when none is left. */
+static enum status_code add_rows(struct surface_record *record, const struct scan *scan, const struct scene *scene,
+                                 const char *file, struct status *status)
+{
+    struct surface_summary *summary = &record->summary;
+    const struct profile_options how = profile_options_of(scene);
+    size_t unusable = 0;
+    struct status first = {0};
+    for (size_t row = 0; row < scan->ny; row++) {
+        struct profile profile;
+        struct status problem = {0};
+        double started = clock_seconds();
+        enum status_code rc = profile_make(&profile, scan, row, &how, &problem);
+        summary->times.prepare += clock_seconds() - started;
+        if (rc == STATUS_OK && row == unusable) /* the first usable one speaks for all */
+            note_scan(summary, scan, &profile, file);
+        if (rc == STATUS_OK)
+            rc = add_profile(record, &profile, scene, &problem);
+        profile_free(&profile);
+        if (rc == STATUS_MEMORY)
+            return status_memory(status);
+        if (rc != STATUS_OK && unusable++ == 0)
+            first = problem;
+    }
+    if (unusable == scan->ny)
+        return status_fail(status, first.code, "%s: %s", file, first.message);
+    if (scan->kind == SCAN_AREAL)
+        note(summary, "%s: a map; its %zu %s were averaged as profiles", file, scan->ny - unusable,
+             scene->direction == SCENE_DIRECTION_X ? "rows" : "columns");
+    if (unusable > 0)
+        note(summary, "%s: %zu rows left out, the first because %s", file, unusable, first.message);
     return STATUS_OK;
 }
 
@@ -120,7 +219,6 @@ static enum status_code read_file(struct surface_record *record, const struct sc
     struct surface_summary *summary = &record->summary;
     struct text bytes = {0};
     struct scan scan = {0};
-    struct profile profile = {0};
     char *path = scene_file_path(scene, file);
     if (!path)
         return status_memory(status);
@@ -134,29 +232,34 @@ static enum status_code read_file(struct surface_record *record, const struct sc
         rc = scan_read_bytes(&scan, &content, &options, status);
     }
     text_free(&bytes);
+    if (rc == STATUS_OK && scan.kind == SCAN_AREAL && scene->direction == SCENE_DIRECTION_Y)
+        rc = scan_turn(&scan, status);
     summary->times.read += clock_seconds() - started;
-    if (rc == STATUS_OK && scan.kind == SCAN_AREAL)
-        rc = status_fail(status, STATUS_SCAN, "%s: an areal map; export a profile from it", file);
-    started = clock_seconds();
-    if (rc == STATUS_OK) {
-        struct profile_options how = profile_options_of(scene);
-        rc = profile_make(&profile, &scan, 0, &how, status);
-        if (rc == STATUS_OK)
-            rc = check_alike(summary, &profile, status);
-        if (rc != STATUS_OK)
-            status_prefix(status, "%s", file);
-    }
-    summary->times.prepare += clock_seconds() - started;
     if (rc == STATUS_OK) {
         snprintf(summary->format, sizeof summary->format, "%s", scan.format);
         snprintf(summary->units, sizeof summary->units, "x %s, z %s", scan.x_unit, scan.z_unit);
-        note_scan(summary, &scan, &profile, file);
-        rc = add_profile(record, &profile, scene, status);
+        rc = add_rows(record, &scan, scene, file, status);
     }
-    profile_free(&profile);
     scan_free(&scan);
     free(path);
     return rc;
+}
+
+/** Two rough bodies: amplitudes and moments of the surface and of its counterface add as squares (physics §2). */
+static enum status_code pair_with(struct surface_record *record, const struct surface_record *counterface,
+                                  struct status *status)
+{
+    struct roughness *own = &record->summary.roughness;
+    double own_rq_m = own->rq_m;
+    roughness_add(own, &counterface->summary.roughness);
+    note(&record->summary, "pressed against a rough counterface: Rq %.4g um and %.4g um give %.4g um together",
+         own_rq_m * 1e6, counterface->summary.roughness.rq_m * 1e6, own->rq_m * 1e6);
+    for (size_t p = 0; p < record->part_count; p++) {
+        roughness_add(&record->parts[p].roughness, &counterface->summary.roughness);
+        if (grid_add(&record->parts[p].spectrum, &counterface->spectrum, status) != STATUS_OK)
+            return status->code;
+    }
+    return grid_add(&record->spectrum, &counterface->spectrum, status);
 }
 
 /** Power law, statistical parameters, and what the end-to-end jump may have leaked into them. */
@@ -179,9 +282,10 @@ static void describe(struct surface_record *record, const struct scene *scene)
     double shortest = law->band_m[0], leak_m = summary->jump_m * shortest / (M_PI * summary->length_m);
     summary->jump_share = scene->window == SCENE_WINDOW_HANN ? 0 : leak_m / powerlaw_amplitude(law, shortest);
     if (summary->jump_share > 0.5)
-        note(summary, "the ends of the record differ by %.3g um; that jump alone gives %.0f %% of the amplitude at %.3g um, "
-             "so gamma is drawn towards 1: try window: hann", summary->jump_m * 1e6, 100 * summary->jump_share,
-             shortest * 1e6);
+        note(summary,
+             "the ends of the record differ by %.3g um; that jump alone gives %.0f %% of the amplitude at %.3g um, "
+             "so gamma is drawn towards 1: try window: hann",
+             summary->jump_m * 1e6, 100 * summary->jump_share, shortest * 1e6);
     if (isfinite(law->knee_m))
         note(summary, "two slopes fit better than one: gamma %.2f above %.3g um, %.2f below; consider fit_band_m",
              law->gamma_above, law->knee_m * 1e6, law->gamma_below);
@@ -241,6 +345,20 @@ static void extend(struct surface_summary *summary, const struct scene *scene, c
     summary->times.convergence = clock_seconds() - started;
 }
 
+/** Every scan of the surface alone in one model. */
+static enum status_code run_parts(struct surface_record *record, enum model_id model, const struct model_task *task,
+                                  struct status *status)
+{
+    if (record->part_count < 2)
+        return STATUS_OK;
+    record->band_count = task->load_count;
+    record->bands[model] = calloc(task->load_count, sizeof *record->bands[model]);
+    if (!record->bands[model])
+        return status_memory(status);
+    return spread_model(&record->summary.spread, record->bands[model], record->parts, record->part_count, model, task,
+                        &record->summary.models[model].work, status);
+}
+
 enum status_code surface_run_models(struct surface_record *record, const struct scene *scene, const struct plan *plan,
                                     const double *loads, size_t load_count, struct status *status)
 {
@@ -259,6 +377,8 @@ enum status_code surface_run_models(struct surface_record *record, const struct 
         summary->times.models[m] = clock_seconds() - started;
         if (curve->exists)
             condense_curve(&summary->models[m], curve, &model_rows[m], summary->asperities.sigma_m);
+        if (run_parts(record, (enum model_id)m, &task, status) != STATUS_OK)
+            return status->code;
     }
     if (plan_runs(plan, EFFECT_SEPARATION)) {
         estimate_beta(record, MODEL_GW, MODEL_MULTISCALE_ELASTIC);
@@ -270,7 +390,8 @@ enum status_code surface_run_models(struct surface_record *record, const struct 
 }
 
 enum status_code surface_describe(struct surface_record *out, const struct scene *scene,
-                                  const struct scene_surface *surface, struct status *status)
+                                  const struct scene_surface *surface, const struct surface_record *counterface,
+                                  struct status *status)
 {
     struct surface_summary *summary = &out->summary;
     struct status problem = {0};
@@ -287,8 +408,10 @@ enum status_code surface_describe(struct surface_record *out, const struct scene
         return summary->refusal ? STATUS_OK : status_memory(status);
     }
     summary->usable = true;
+    if (counterface && pair_with(out, counterface, status) != STATUS_OK)
+        return status->code;
     describe(out, scene);
-    return STATUS_OK;
+    return describe_parts(out, scene, status);
 }
 
 void surface_record_free(struct surface_record *record, bool with_texts)
@@ -296,7 +419,11 @@ void surface_record_free(struct surface_record *record, bool with_texts)
     spectrum_free(&record->spectrum);
     for (int m = 0; m < MODEL_COUNT; m++)
         free(record->curves[m].points);
+    for (int m = 0; m < MODEL_COUNT; m++)
+        free(record->bands[m]);
     memset(record->curves, 0, sizeof record->curves);
+    memset(record->bands, 0, sizeof record->bands);
+    record_free_parts(record);
     if (with_texts) {
         free(record->summary.refusal);
         free(record->summary.notes);

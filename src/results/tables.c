@@ -30,8 +30,8 @@ size_t results_sweep_scales(size_t *index, size_t most, size_t scales)
 /** One column of a table: its name and, when not always there, the effect and the model family it needs. */
 struct column {
     const char *name;
-    unsigned effect;           /* EFFECT_BIT, 0: none needed */
-    enum scene_model family;   /* 0: none needed */
+    unsigned effect;         /* EFFECT_BIT, 0: none needed */
+    enum scene_model family; /* 0: none needed */
 };
 
 static bool column_present(const struct column *column, const struct plan *plan)
@@ -91,12 +91,28 @@ static enum status_code write_surfaces(const struct results *results, const char
     static const char name[] = "surfaces.csv";
     const unsigned plastic = EFFECT_BIT(EFFECT_PLASTICITY);
     const struct column columns[] = {
-        {"surface", 0, 0}, {"files", 0, 0}, {"points", 0, 0}, {"spacing_m", 0, 0}, {"scan_length_m", 0, 0},
-        {"rq_m", 0, 0}, {"ra_m", 0, 0}, {"m0_m2", 0, 0}, {"m2", 0, 0}, {"m4_per_m2", 0, 0}, {"nayak", 0, 0},
-        {"asperity_density_per_m2", 0, statistical}, {"asperity_radius_m", 0, statistical},
-        {"asperity_sigma_m", 0, statistical}, {"asperity_offset_m", 0, statistical}, {"alpha_SI", 0, 0},
-        {"alpha_stderr", 0, 0}, {"gamma", 0, 0}, {"gamma_stderr", 0, 0}, {"fit_rms_decades", 0, 0},
-        {"beta_gw", 0, statistical}, {"beta_jg", plastic, statistical},
+        {"surface", 0, 0},
+        {"files", 0, 0},
+        {"points", 0, 0},
+        {"spacing_m", 0, 0},
+        {"scan_length_m", 0, 0},
+        {"rq_m", 0, 0},
+        {"ra_m", 0, 0},
+        {"m0_m2", 0, 0},
+        {"m2", 0, 0},
+        {"m4_per_m2", 0, 0},
+        {"nayak", 0, 0},
+        {"asperity_density_per_m2", 0, statistical},
+        {"asperity_radius_m", 0, statistical},
+        {"asperity_sigma_m", 0, statistical},
+        {"asperity_offset_m", 0, statistical},
+        {"alpha_SI", 0, 0},
+        {"alpha_stderr", 0, 0},
+        {"gamma", 0, 0},
+        {"gamma_stderr", 0, 0},
+        {"fit_rms_decades", 0, 0},
+        {"beta_gw", 0, statistical},
+        {"beta_jg", plastic, statistical},
     };
     enum { COLUMNS = sizeof columns / sizeof columns[0], TEXTS = 3 };
     struct text row = {0};
@@ -110,10 +126,27 @@ static enum status_code write_surfaces(const struct results *results, const char
             continue;
         const struct surface_model *gw = &s->models[MODEL_GW], *jg = &s->models[MODEL_JG];
         const double values[COLUMNS] = {
-            0, 0, 0, s->spacing_m, s->length_m, s->roughness.rq_m, s->roughness.ra_m, s->roughness.m0_m2,
-            s->roughness.m2, s->roughness.m4_per_m2, s->asperities.nayak, s->asperities.density_per_m2,
-            s->asperities.radius_m, s->asperities.sigma_s_m, s->asperities.offset_m, s->law.alpha, s->law.alpha_error,
-            s->law.gamma, s->law.gamma_error, s->law.rms_decades, gw->exists ? gw->beta : NAN,
+            0,
+            0,
+            0,
+            s->spacing_m,
+            s->length_m,
+            s->roughness.rq_m,
+            s->roughness.ra_m,
+            s->roughness.m0_m2,
+            s->roughness.m2,
+            s->roughness.m4_per_m2,
+            s->asperities.nayak,
+            s->asperities.density_per_m2,
+            s->asperities.radius_m,
+            s->asperities.sigma_s_m,
+            s->asperities.offset_m,
+            s->law.alpha,
+            s->law.alpha_error,
+            s->law.gamma,
+            s->law.gamma_error,
+            s->law.rms_decades,
+            gw->exists ? gw->beta : NAN,
             jg->exists ? jg->beta : NAN,
         };
         text_add_csv(&row, s->scene->name);
@@ -152,9 +185,17 @@ static void put_contact(FILE *file, struct text *row, const struct surface_recor
     for (int m = 0; m < MODEL_COUNT; m++)
         for (size_t i = 0; i < record->curves[m].count; i++) {
             const struct contact_point *p = &record->curves[m].points[i];
-            const double values[] = {0, 0, p->load, p->load * plan->pair.effective_modulus_Pa, p->area_ratio,
-                                     p->separation_m, p->separation_m / sigma_m, p->adjusted_m / sigma_m,
-                                     p->ecr_ohm_m2, p->tcr_K_m2_per_W, p->tcr_sd_K_m2_per_W};
+            const double values[] = {0,
+                                     0,
+                                     p->load,
+                                     p->load * plan->pair.effective_modulus_Pa,
+                                     p->area_ratio,
+                                     p->separation_m,
+                                     p->separation_m / sigma_m,
+                                     p->adjusted_m / sigma_m,
+                                     p->ecr_ohm_m2,
+                                     p->tcr_K_m2_per_W,
+                                     p->tcr_sd_K_m2_per_W};
             text_add_csv(row, record->summary.scene->name);
             text_add(row, ",%s", model_rows[m].name);
             for (size_t c = 2; c < column_count; c++)
@@ -169,10 +210,16 @@ static enum status_code write_curves(const struct results *results, const char *
 {
     const unsigned separation = EFFECT_BIT(EFFECT_SEPARATION);
     const struct column columns[] = {
-        {"surface", 0, 0}, {"model", 0, 0}, {"load_over_AnEp", 0, 0}, {"pressure_Pa", 0, 0}, {"area_ratio", 0, 0},
-        {"separation_m", separation, 0}, {"separation_over_sigma", separation, 0},
+        {"surface", 0, 0},
+        {"model", 0, 0},
+        {"load_over_AnEp", 0, 0},
+        {"pressure_Pa", 0, 0},
+        {"area_ratio", 0, 0},
+        {"separation_m", separation, 0},
+        {"separation_over_sigma", separation, 0},
         {"adjusted_separation_over_sigma", separation, SCENE_MODEL_STATISTICAL},
-        {"ecr_ohm_m2", EFFECT_BIT(EFFECT_ELECTRICAL), 0}, {"tcr_K_m2_per_W", EFFECT_BIT(EFFECT_THERMAL), 0},
+        {"ecr_ohm_m2", EFFECT_BIT(EFFECT_ELECTRICAL), 0},
+        {"tcr_K_m2_per_W", EFFECT_BIT(EFFECT_THERMAL), 0},
         {"tcr_sd_K_m2_per_W", EFFECT_BIT(EFFECT_SCALE_DEPENDENT), 0},
     };
     enum { COLUMNS = sizeof columns / sizeof columns[0] };
@@ -233,7 +280,8 @@ static enum status_code write_convergence(const struct results *results, const c
 
 enum status_code tables_write(const struct results *results, const char *directory, struct status *status)
 {
-    if (write_surfaces(results, directory, status) != STATUS_OK || write_curves(results, directory, status) != STATUS_OK)
+    if (write_surfaces(results, directory, status) != STATUS_OK ||
+        write_curves(results, directory, status) != STATUS_OK)
         return status->code;
     if (results->convergence)
         return write_convergence(results, directory, status);

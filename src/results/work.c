@@ -7,13 +7,20 @@
 static const double scale_seconds = 20e-9, gap_seconds = 15e-9, spot_seconds = 8e-9, law_seconds = 120e-9,
                     separation_seconds = 8e-6, extension_seconds = 0.5e-3;
 
-static void add_models(struct model_work *sum, const struct model_work *more)
+/** Work of the scans of a surface that are run alone. */
+static struct model_work parts_work(const struct surface_summary *summary, enum model_id model,
+                                    const struct model_task *task)
 {
-    sum->scales += more->scales;
-    sum->gaps += more->gaps;
-    sum->spots += more->spots;
-    sum->laws += more->laws;
-    sum->separations += more->separations;
+    size_t parts = summary->spread.parts;
+    struct model_work work = model_rows[model].work(&model_rows[model], task);
+    if (model_rows[model].family == SCENE_MODEL_MULTISCALE)
+        return (struct model_work){
+            .scales = parts * work.scales, .gaps = parts * work.gaps, .spots = parts * work.spots};
+    bool scale_dependent = task->wanted & CONTACT_SCALE_DEPENDENT;
+    return (struct model_work){
+        .laws = summary->part_laws[model_rows[model].plastic][scale_dependent],
+        .separations = summary->part_asperities * task->load_count,
+    };
 }
 
 struct work work_predict(const struct spool *spool, const struct scene *scene, const struct plan *plan,
@@ -30,15 +37,17 @@ struct work work_predict(const struct spool *spool, const struct scene *scene, c
             if (!model_called_for((enum model_id)m, plan->families, plan->running))
                 continue;
             struct model_work more = model_rows[m].work(&model_rows[m], &task);
-            add_models(&work.models[m], &more);
+            model_work_add(&work.models[m], &more);
+            more = parts_work(&outline.summary, (enum model_id)m, &task);
+            model_work_add(&work.models[m], &more);
             work.extensions += model_rows[m].family == SCENE_MODEL_MULTISCALE && plan_runs(plan, EFFECT_CONVERGENCE) &&
                                surface_extends(&outline.summary, scene);
         }
     }
     if (plan_runs(plan, EFFECT_CONVERGENCE))
         for (int s = 0; s < CONVERGENCE_SWEEP_COUNT; s++)
-            work.sweep_scales += convergence_sweeps[s].count * scene->convergence.scales *
-                                 (plan_runs(plan, EFFECT_PLASTICITY) ? 2 : 1);
+            work.sweep_scales +=
+                convergence_sweeps[s].count * scene->convergence.scales * (plan_runs(plan, EFFECT_PLASTICITY) ? 2 : 1);
     return work;
 }
 
@@ -47,7 +56,7 @@ struct work work_done(const struct spool *spool, uint64_t sweep_scales)
     struct work work = {.sweep_scales = sweep_scales};
     for (size_t i = 0; i < spool->count; i++)
         for (int m = 0; m < MODEL_COUNT; m++) {
-            add_models(&work.models[m], &spool->summaries[i].models[m].work);
+            model_work_add(&work.models[m], &spool->summaries[i].models[m].work);
             work.extensions += spool->summaries[i].models[m].extended;
         }
     return work;
@@ -77,8 +86,8 @@ static uint64_t share(const struct work *work, const struct plan *plan, enum eff
             plastic_seconds += model_seconds(&work->models[m]);
         }
     }
-    bool first_conductor = effect == EFFECT_ELECTRICAL ||
-                           (effect == EFFECT_THERMAL && !plan_runs(plan, EFFECT_ELECTRICAL));
+    bool first_conductor =
+        effect == EFFECT_ELECTRICAL || (effect == EFFECT_THERMAL && !plan_runs(plan, EFFECT_ELECTRICAL));
     *seconds = 0;
     switch (effect) {
     case EFFECT_PLASTICITY:

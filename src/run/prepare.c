@@ -5,6 +5,23 @@
 #include <stdlib.h>
 #include <string.h>
 
+/** Reads the rough counterface, if the scene has one. It must be readable: no result would mean anything without it. */
+static enum status_code read_counterface(struct prepared *out, const struct scene *scene, struct status *status)
+{
+    if (scene->counterface_surface.file_count == 0)
+        return STATUS_OK;
+    out->counterface = calloc(1, sizeof *out->counterface);
+    if (!out->counterface)
+        return status_memory(status);
+    if (surface_describe(out->counterface, scene, &scene->counterface_surface, NULL, status) != STATUS_OK)
+        return status->code;
+    if (!out->counterface->summary.usable)
+        return status_fail(status, STATUS_SCENE, "the counterface cannot be read: %s",
+                           out->counterface->summary.refusal);
+    out->results.counterface = out->counterface;
+    return STATUS_OK;
+}
+
 enum status_code prepare(struct prepared *out, const struct scene *scene, const struct run_options *options,
                          const char *directory, struct status *status)
 {
@@ -13,14 +30,22 @@ enum status_code prepare(struct prepared *out, const struct scene *scene, const 
     size_t load_count = 0;
     if (scene_loads(&out->loads, &load_count, scene, out->plan.pair.effective_modulus_Pa, status) != STATUS_OK)
         return status->code;
-    out->results = (struct results){.scene = scene, .plan = &out->plan, .loads = out->loads, .load_count = load_count,
-                                    .spool = &out->spool};
+    out->results = (struct results){
+        .scene = scene, .plan = &out->plan, .loads = out->loads, .load_count = load_count, .spool = &out->spool};
     if (scene->surface_count == 0)
-        return status_fail(status, STATUS_SCAN, "no scan in '%s': put the profilometer's files there", scene->directory);
+        return status_fail(status, STATUS_SCAN, "no scan in '%s': put the profilometer's files there",
+                           scene->directory);
+    if (read_counterface(out, scene, status) != STATUS_OK)
+        return status->code;
     if (spool_open(&out->spool, directory, scene->surface_count, status) != STATUS_OK ||
         workers_run(&out->results, workers_describe, options, status) != STATUS_OK)
         return status->code;
     bound_plan(&out->plan, scene, &out->spool);
+    if (scene->measured.file) {
+        if (measured_read(&out->measured, scene, &out->plan, status) != STATUS_OK)
+            return status->code;
+        out->results.measured = &out->measured;
+    }
     out->results.predicted = work_predict(&out->spool, scene, &out->plan, load_count);
     return STATUS_OK;
 }
@@ -28,6 +53,10 @@ enum status_code prepare(struct prepared *out, const struct scene *scene, const 
 void prepared_free(struct prepared *prepared)
 {
     spool_close(&prepared->spool);
+    measured_free(&prepared->measured);
+    if (prepared->counterface)
+        surface_record_free(prepared->counterface, true);
+    free(prepared->counterface);
     free(prepared->loads);
     *prepared = (struct prepared){0};
 }
@@ -61,7 +90,8 @@ void prepare_table(struct text *out, const struct prepared *prepared, const stru
              "why; how");
     for (int r = 0; r < WORK_ROWS; r++) {
         const struct work_row *row = &predicted[r];
-        text_add(out, "%-16s %-8s %14llu", row->name, row->runs ? "run" : "skipped", (unsigned long long)row->evaluations);
+        text_add(out, "%-16s %-8s %14llu", row->name, row->runs ? "run" : "skipped",
+                 (unsigned long long)row->evaluations);
         if (done)
             text_add(out, " %14llu", (unsigned long long)actual[r].evaluations);
         text_add(out, " %10.4f  %s%s%s\n", row->seconds, row->reason, row->runs ? "; " : "", row->method);

@@ -2,6 +2,7 @@
 #ifndef RUN_PREPARE_H
 #define RUN_PREPARE_H
 
+#include "results/measured.h"
 #include "results/tables.h"
 #include "run/run.h"
 
@@ -10,11 +11,13 @@ struct prepared {
     struct plan plan;
     double *loads; /* P/(A_n E') */
     struct spool spool;
+    struct surface_record *counterface; /* NULL: smooth */
+    struct measured measured;
     struct results results;
 };
 
-/** Reads every surface of the scene; arrays go to a temporary file in `directory`, or nowhere when it is NULL. A surface
- * that cannot be read is marked in the spool. Errors: STATUS_SCAN when the scene has no surface; STATUS_IO,
+/** Reads every surface of the scene; arrays go to a temporary file in `directory`, or nowhere when it is NULL. A
+ * surface that cannot be read is marked in the spool. Errors: STATUS_SCAN when the scene has no surface; STATUS_IO,
  * STATUS_MEMORY, STATUS_INTERRUPTED. */
 MUST_CHECK enum status_code prepare(struct prepared *out, const struct scene *scene, const struct run_options *options,
                                     const char *directory, struct status *status);

@@ -88,8 +88,8 @@ static enum status_code run_sweeps(struct run *run, struct status *status)
                 *(s == CONVERGENCE_ALPHA ? &law.alpha : &law.gamma) = value;
                 double *area = run->sweeps + (results_sweep(run->results, (enum convergence_sweep)s, plastic, v) -
                                               run->results->convergence);
-                if (convergence_areas(area, &law, &run->prepared.plan.pair, plastic, &run->sweep_scales,
-                                      status) != STATUS_OK)
+                if (convergence_areas(area, &law, &run->prepared.plan.pair, plastic, &run->sweep_scales, status) !=
+                    STATUS_OK)
                     return status->code;
             }
     return STATUS_OK;
@@ -151,7 +151,9 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
     const struct run_options *options = run->options;
     const char *staging = run->output.staging;
     double last = clock_seconds();
-    if (tables_write(run->results, staging, status) != STATUS_OK || json_write(run->results, staging, status) != STATUS_OK)
+    if (tables_write(run->results, staging, status) != STATUS_OK ||
+        tables_write_spread(run->results, staging, status) != STATUS_OK ||
+        json_write(run->results, staging, status) != STATUS_OK)
         return status->code;
     if (run->results->cost && cost_write(run->results->cost, staging, status) != STATUS_OK)
         return status->code;

@@ -8,13 +8,14 @@
 #include <stdbool.h>
 
 struct run_options {
-    const char *output;        /* OUT, NULL: out/<name of DIR> */
-    const char *templates;     /* directory of the templates */
-    const char *terminal_size; /* "columns,rows" to draw the main charts as text, NULL: not */
-    bool no_cost;              /* leave out what accuracy costs */
-    unsigned jobs;             /* threads; 0: one a processor */
+    const char *output;                /* OUT, NULL: out/<name of DIR> */
+    const char *templates;             /* directory of the templates */
+    const char *terminal_size;         /* "columns,rows" to draw the main charts as text, NULL: not */
+    bool no_cost;                      /* leave out what accuracy costs */
+    unsigned jobs;                     /* threads; 0: one a processor */
     const volatile sig_atomic_t *stop; /* becomes non-zero when the run is to end early; NULL: never */
-    void (*progress)(size_t done, size_t total, const char *name); /* NULL: none; called from several threads, one at a time */
+    void (*progress)(size_t done, size_t total,
+                     const char *name); /* NULL: none; called from several threads, one at a time */
 };
 
 /** Wall time by stage [s], the threads' own stages summed. */

@@ -47,13 +47,16 @@ enum status_code workers_describe(struct surface_record *record, const struct re
                                   struct status *status)
 {
     const struct scene *scene = results->scene;
-    if (surface_describe(record, scene, &scene->surfaces[index], status) != STATUS_OK) {
+    if (surface_describe(record, scene, &scene->surfaces[index], results->counterface, status) != STATUS_OK) {
         surface_record_free(record, true);
         return status->code;
     }
     if (record->summary.usable)
         bound_surface(record, scene, results->plan, results->loads, results->load_count);
-    return spool_put(results->spool, index, record, status);
+    enum status_code rc = spool_put(results->spool, index, record, status);
+    if (rc != STATUS_OK)
+        surface_record_free(record, true);
+    return rc;
 }
 
 enum status_code workers_model(struct surface_record *record, const struct results *results, size_t index,
@@ -62,7 +65,8 @@ enum status_code workers_model(struct surface_record *record, const struct resul
     if (!results->spool->summaries[index].usable)
         return STATUS_OK;
     if (spool_get(record, results->spool, index, status) != STATUS_OK ||
-        surface_run_models(record, results->scene, results->plan, results->loads, results->load_count, status) != STATUS_OK)
+        surface_run_models(record, results->scene, results->plan, results->loads, results->load_count, status) !=
+            STATUS_OK)
         return status->code;
     return spool_put(results->spool, index, record, status);
 }

@@ -5,7 +5,8 @@
 #include "results/tables.h"
 #include "run/run.h"
 
-/** What is done with each surface: `record` is zeroed, and freed afterwards; what is to stay goes into results->spool. */
+/** What is done with each surface: `record` is zeroed, and freed afterwards; what is to stay goes into results->spool.
+ */
 typedef enum status_code workers_task(struct surface_record *record, const struct results *results, size_t index,
                                       struct status *status);
 

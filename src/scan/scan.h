@@ -12,14 +12,14 @@ enum { SCAN_WARNINGS = 8, SCAN_WARNING_LENGTH = 240 };
 
 /** What a file holds, as read: not levelled, not resampled. */
 struct scan {
-    const char *format;     /* the reader's name */
+    const char *format; /* the reader's name */
     enum scan_kind kind;
-    size_t nx, ny;          /* points a row, rows (ny = 1 for a profile) */
-    double *x_m;            /* nx positions, or NULL where the file gives a spacing only */
-    double dx_m, dy_m;      /* spacing; dx_m = (last - first)/(nx - 1) when x_m is given; dy_m 0 for a profile */
-    double nominal_dx_m;    /* spacing that the header names beside the positions x_m; 0: none */
-    double *z_m;            /* ny*nx heights, row after row; NaN where a point is missing */
-    size_t missing;         /* how many are */
+    size_t nx, ny;               /* points a row, rows (ny = 1 for a profile) */
+    double *x_m;                 /* nx positions, or NULL where the file gives a spacing only */
+    double dx_m, dy_m;           /* spacing; dx_m = (last - first)/(nx - 1) when x_m is given; dy_m 0 for a profile */
+    double nominal_dx_m;         /* spacing that the header names beside the positions x_m; 0: none */
+    double *z_m;                 /* ny*nx heights, row after row; NaN where a point is missing */
+    size_t missing;              /* how many are */
     char x_unit[16], z_unit[16]; /* as named by the file, else as given by the scene */
     char warnings[SCAN_WARNINGS][SCAN_WARNING_LENGTH]; /* each one line, lower case */
     size_t warning_count;
@@ -39,8 +39,8 @@ struct scan_bytes {
 
 /** One row a format. */
 struct scan_reader {
-    const char *name;        /* "text", "x3p", ... */
-    const char *description; /* for the table of formats */
+    const char *name;                             /* "text", "x3p", ... */
+    const char *description;                      /* for the table of formats */
     bool (*sniff)(const struct scan_bytes *file); /* do these bytes look like it? cheap */
     enum status_code (*read)(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
                              struct status *status);
@@ -59,6 +59,8 @@ MUST_CHECK enum status_code scan_read(struct scan *out, const char *path, const 
 MUST_CHECK enum status_code scan_read_bytes(struct scan *out, const struct scan_bytes *file,
                                             const struct scan_options *options, struct status *status);
 void scan_free(struct scan *scan);
+/** Exchanges rows and columns of a map, so that its columns can be taken as profiles. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code scan_turn(struct scan *scan, struct status *status);
 /** Notes a warning; beyond SCAN_WARNINGS the last says how many more there were. */
 void scan_warn(struct scan *scan, const char *format, ...) PRINTF_LIKE(2, 3);
 

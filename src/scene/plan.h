@@ -11,9 +11,9 @@ struct plan_effect {
 
 struct plan {
     struct plan_effect effects[EFFECT_COUNT];
-    unsigned running;           /* EFFECT_BITs of those that run */
-    unsigned wanted;            /* enum contact_quantity bits that follow */
-    unsigned families;          /* enum scene_model bits */
+    unsigned running;  /* EFFECT_BITs of those that run */
+    unsigned wanted;   /* enum contact_quantity bits that follow */
+    unsigned families; /* enum scene_model bits */
     struct material_pair pair;
 };
 

@@ -261,6 +261,8 @@ void scene_free(struct scene *scene)
     for (size_t i = 0; i < scene->surface_count; i++)
         scene_surfaces_free(&scene->surfaces[i]);
     free(scene->surfaces);
+    scene_surfaces_free(&scene->counterface_surface);
+    free(scene->measured.file);
     free(scene->load.values);
     free(scene->baseline);
     free(scene->title);

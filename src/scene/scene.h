@@ -52,6 +52,20 @@ struct scene_convergence {
     size_t scales;
 };
 
+enum scene_direction { SCENE_DIRECTION_X, SCENE_DIRECTION_Y, SCENE_DIRECTION_COUNT };
+extern const char *const scene_direction_names[SCENE_DIRECTION_COUNT];
+
+enum scene_measured_quantity { SCENE_MEASURED_ECR, SCENE_MEASURED_TCR, SCENE_MEASURED_QUANTITY_COUNT };
+enum scene_load_unit { SCENE_LOAD_DIMENSIONLESS, SCENE_LOAD_PASCAL, SCENE_LOAD_NEWTON, SCENE_LOAD_UNIT_COUNT };
+
+/** Measured contact resistance to hold the models against. */
+struct scene_measured {
+    char *file;                            /* path as given; NULL: none */
+    enum scene_measured_quantity quantity; /* resistance times nominal area (Ω·m², K·m²/W), or ohms/K per W with
+                                              nominal_area_m2 in the scene */
+    enum scene_load_unit load_unit;
+};
+
 struct scene {
     char *directory; /* DIR as given */
     char *path;      /* of scene.yaml, NULL when there is none */
@@ -76,6 +90,9 @@ struct scene {
     enum scene_closure closure;
     char *baseline; /* surface name, NULL: the second smoothest */
     struct scene_convergence convergence;
+    enum scene_direction direction;           /* of the profiles taken from an areal map */
+    struct scene_surface counterface_surface; /* file_count 0: the counterface is smooth */
+    struct scene_measured measured;
     struct scene_surface *surfaces;
     size_t surface_count;
 };

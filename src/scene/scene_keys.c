@@ -1,21 +1,22 @@
 #include "scene/scene_keys.h"
 #include "scene/scene_material.h"
+#include "scene/scene_pair.h"
 #include "scene/scene_surfaces.h"
 #include "scene/scene_value.h"
 #include "scene/scene_words.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
 const char *const scene_level_names[SCENE_LEVEL_COUNT] = {"none", "mean", "line", "parabola", "circle", "robust"};
 const char *const scene_window_names[SCENE_WINDOW_COUNT] = {"none", "hann"};
 const char *const scene_moments_names[SCENE_MOMENTS_COUNT] = {"difference", "spectral"};
+const char *const scene_direction_names[SCENE_DIRECTION_COUNT] = {"x", "y"};
 const char *const scene_closure_names[SCENE_CLOSURE_COUNT] = {"thesis", "numeric"};
 static const char *const model_names[] = {"multiscale", "statistical"};
-enum { COUNTERFACE_RIGID, COUNTERFACE_SAME, COUNTERFACE_COUNT };
-static const char *const counterface_names[COUNTERFACE_COUNT] = {"rigid", "same"}; /* besides materials */
 static const char *const load_unit_names[] = {"dimensionless", "Pa"};
 
 /* Loads, in Pa or P/(A_n E'): any that keeps its distance from the ends of double. */
@@ -95,16 +96,6 @@ static enum status_code read_effects(struct scene_source *source, const struct s
             if ((effect_rows[i].needs_effects & EFFECT_BIT(needed)) && source->effect_line[needed] == 0)
                 source->effect_line[needed] = source->effect_line[i];
     return code;
-}
-
-static enum status_code read_counterface(struct scene_source *source, const struct scene_key *key,
-                                         const yaml_node_t *value, void *field)
-{
-    if (scene_source_is(value, counterface_names[COUNTERFACE_RIGID]))
-        return STATUS_OK;
-    source->counterface_elastic = true;
-    source->counterface_same = scene_source_is(value, counterface_names[COUNTERFACE_SAME]);
-    return source->counterface_same ? STATUS_OK : scene_material_read(source, key, value, field);
 }
 
 static enum status_code read_fit_band(struct scene_source *source, const struct scene_key *key,
@@ -213,39 +204,48 @@ static enum status_code read_baseline(struct scene_source *source, const struct 
     return scene_value_text(source, key, value, field);
 }
 
-enum { KEY_FIT_BAND = 10, KEY_LAMBDA_S = 14, KEY_LAMBDA_C = 15 };
-
 static const struct scene_key scene_keys[] = {
     {"title", scene_value_text, .offset = offsetof(struct scene, title)},
     {"models", read_models, .offset = 0},
     {"effects", read_effects, .offset = 0},
     {"material", scene_material_read, .offset = offsetof(struct scene, material)},
-    {"counterface", read_counterface, CHOICES(struct scene, counterface, counterface_names)},
+    {"counterface", scene_pair_counterface, .offset = 0},
+    {"direction", scene_value_choice, CHOICES(struct scene, direction, scene_direction_names)},
+    {"measured", scene_pair_measured, .offset = offsetof(struct scene, measured)},
     {"nominal_area_m2", NUMBER(struct scene, nominal_area_m2, 1e-18, 1e6), .word = "none"},
     {"load", read_load, .offset = offsetof(struct scene, load)},
     {"tolerance", NUMBER(struct scene, tolerance, SCENE_KEYS_TOLERANCE_LEAST, SCENE_KEYS_TOLERANCE_MOST)},
     {"level", scene_value_choice, CHOICES(struct scene, level, scene_level_names)},
     {"window", scene_value_choice, CHOICES(struct scene, window, scene_window_names)},
-    [KEY_FIT_BAND] = {"fit_band_m", read_fit_band, RANGE(struct scene, fit_band_m, 1e-12, 1e3), .word = "all"},
+    {"fit_band_m", read_fit_band, RANGE(struct scene, fit_band_m, 1e-12, 1e3), .word = "all"},
     {"moments", scene_value_choice, CHOICES(struct scene, moments, scene_moments_names)},
     {"closure", scene_value_choice, CHOICES(struct scene, closure, scene_closure_names)},
     {"max_missing", NUMBER(struct scene, max_missing, 0.0, 0.9)},
-    [KEY_LAMBDA_S] = {"lambda_s_m", NUMBER(struct scene, lambda_s_m, 1e-12, 1e3), .word = "none"},
-    [KEY_LAMBDA_C] = {"lambda_c_m", NUMBER(struct scene, lambda_c_m, 1e-12, 1e3), .word = "none"},
+    {"lambda_s_m", NUMBER(struct scene, lambda_s_m, 1e-12, 1e3), .word = "none"},
+    {"lambda_c_m", NUMBER(struct scene, lambda_c_m, 1e-12, 1e3), .word = "none"},
     {"tip_radius_m", NUMBER(struct scene, tip_radius_m, 1e-12, 1.0), .word = "none"},
     {"baseline", read_baseline, .offset = offsetof(struct scene, baseline)},
     {"convergence", read_convergence, .offset = offsetof(struct scene, convergence)},
     {"surfaces", scene_surfaces_read, .offset = 0},
 };
 
+/* The line of a key of scene_keys, 0 where it is not given. */
+static size_t line_of(const size_t *lines, const char *name)
+{
+    size_t k = 0;
+    while (strcmp(scene_keys[k].name, name) != 0)
+        k++;
+    return lines[k];
+}
+
 /* The two cut-offs of the filters against one another; a fit that no line asks for keeps to what they leave. */
 static enum status_code join_filters(struct scene *scene, struct scene_source *source, const size_t *lines)
 {
     if (scene->lambda_s_m > 0 && scene->lambda_c_m > 0 && !(scene->lambda_s_m < scene->lambda_c_m))
-        return scene_source_fail(source, lines[KEY_LAMBDA_C],
+        return scene_source_fail(source, line_of(lines, "lambda_c_m"),
                                  "'lambda_c_m' is %g, not above 'lambda_s_m', %g; nothing would be left between them",
                                  scene->lambda_c_m, scene->lambda_s_m);
-    if (lines[KEY_FIT_BAND])
+    if (line_of(lines, "fit_band_m"))
         return STATUS_OK;
     scene->fit_band_m[0] = scene->lambda_s_m;
     if (scene->lambda_c_m > 0)

@@ -92,11 +92,20 @@ static enum status_code tell_apart(struct scene *scene, struct status *status)
     return STATUS_OK;
 }
 
-static bool is_candidate(int directory, const char *file)
+/* Is the file spoken for: the counterface's scan, or measurements? */
+static bool is_taken(const struct scene *scene, const char *file)
+{
+    for (size_t i = 0; i < scene->counterface_surface.file_count; i++)
+        if (strcmp(scene->counterface_surface.files[i], file) == 0)
+            return true;
+    return scene->measured.file && strcmp(scene->measured.file, file) == 0;
+}
+
+static bool is_candidate(const struct scene *scene, int directory, const char *file)
 {
     struct stat info;
-    return file[0] != '.' && strcmp(file, "scene.yaml") != 0 && fstatat(directory, file, &info, 0) == 0 &&
-           S_ISREG(info.st_mode);
+    return !is_taken(scene, file) && file[0] != '.' && strcmp(file, "scene.yaml") != 0 &&
+           fstatat(directory, file, &info, 0) == 0 && S_ISREG(info.st_mode);
 }
 
 enum status_code scene_listing_read(struct scene *scene, struct status *status)
@@ -114,7 +123,7 @@ enum status_code scene_listing_read(struct scene *scene, struct status *status)
                 code = status_fail(status, STATUS_IO, "cannot list '%s': %s", scene->directory, strerror(errno));
             break;
         }
-        if (is_candidate(dirfd(directory), entry->d_name))
+        if (is_candidate(scene, dirfd(directory), entry->d_name))
             code = add_surface(scene, &capacity, entry->d_name, status);
     }
     closedir(directory);

@@ -30,14 +30,15 @@ static enum status_code check_file(struct scene_source *source, const yaml_node_
     return STATUS_OK;
 }
 
-static enum status_code read_files(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
-                                   void *field)
+enum status_code scene_surfaces_files(struct scene_source *source, const struct scene_key *key,
+                                      const yaml_node_t *value, void *field)
 {
     struct scene_surface *surface = field;
     size_t count = scene_source_item_count(value);
     source->file_count += count;
     if (count == 0)
-        return scene_source_fail(source, scene_source_line(value), "'file' lists none; name one or more scans");
+        return scene_source_fail(source, scene_source_line(value), "'%s' lists none; name one or more scans",
+                                 key->name);
     if (source->file_count > MOST_FILES)
         return scene_source_fail(source, scene_source_line(value), "more than %d files in one scene; split it",
                                  MOST_FILES);
@@ -62,7 +63,7 @@ static enum status_code read_surface(struct scene_source *source, const yaml_nod
     enum { SURFACE_NAME, SURFACE_FILE, SURFACE_X_UNIT, SURFACE_Z_UNIT, SURFACE_KEYS };
     static const struct scene_key keys[SURFACE_KEYS] = {
         [SURFACE_NAME] = {"name", scene_value_text, .offset = offsetof(struct scene_surface, name)},
-        [SURFACE_FILE] = {"file", read_files, .offset = 0},
+        [SURFACE_FILE] = {"file", scene_surfaces_files, .offset = 0},
         [SURFACE_X_UNIT] = {"x_unit", scene_value_short_text, .offset = offsetof(struct scene_surface, x_unit),
                             .most = sizeof surface->x_unit},
         [SURFACE_Z_UNIT] = {"z_unit", scene_value_short_text, .offset = offsetof(struct scene_surface, z_unit),

@@ -17,4 +17,8 @@ char *scene_surfaces_path(const char *directory, const char *file);
 /** The name of a surface read from `file`: its last component, without the ending unless `ending`; malloc'ed. */
 char *scene_surfaces_name(const char *file, bool ending);
 
+/** Reads one file or a list of them, each checked to exist, into a struct scene_surface. */
+enum status_code scene_surfaces_files(struct scene_source *source, const struct scene_key *key,
+                                      const yaml_node_t *value, void *field);
+
 #endif

@@ -55,8 +55,8 @@ static void measure_heights(struct areal *out, const struct scan *scan, const st
     out->sz_m = highest - lowest;
 }
 
-/** Mean squares of slope and curvature where three neighbours are there; 0 where none are. */
-static void measure_slopes(struct roughness *row, const double *x_m, const double *z_m, size_t count, double spacing_m)
+/** Mean squares of slope and curvature over the points whose neighbours are there; whether there are any. */
+static bool measure_slopes(struct roughness *row, const double *x_m, const double *z_m, size_t count, double spacing_m)
 {
     size_t triples = 0;
     for (size_t i = 1; i + 1 < count; i++) {
@@ -68,8 +68,15 @@ static void measure_slopes(struct roughness *row, const double *x_m, const doubl
         row->m4_per_m2 += curvature * curvature;
         triples++;
     }
-    row->m2 /= triples > 0 ? (double)triples : 1;
-    row->m4_per_m2 /= triples > 0 ? (double)triples : 1;
+    row->m2 /= (double)triples;
+    row->m4_per_m2 /= (double)triples;
+    return triples > 0;
+}
+
+/** Takes one more value into a mean of `so_far`. */
+static void join(double *mean, double value, size_t so_far)
+{
+    *mean += (value - *mean) / (double)(so_far + 1);
 }
 
 /** Adds row `y` over its own least-squares line. x_m and z_m hold nx each. */
@@ -95,9 +102,14 @@ static enum status_code add_row(struct areal *out, const struct scan *scan, size
         highest = fmax(highest, z_m[i]);
         lowest = fmin(lowest, z_m[i]);
     }
-    row.pv_m = highest - lowest;
-    measure_slopes(&row, x_m, z_m, count, scan->dx_m);
-    roughness_average(&out->rows, &row, out->row_count++);
+    join(&out->rows.m0_m2, row.m0_m2, out->row_count);
+    join(&out->rows.ra_m, row.ra_m, out->row_count++);
+    out->rows.rq_m = sqrt(out->rows.m0_m2);
+    out->rows.pv_m = fmax(out->rows.pv_m, highest - lowest);
+    if (measure_slopes(&row, x_m, z_m, count, scan->dx_m)) {
+        join(&out->rows.m2, row.m2, out->slope_rows);
+        join(&out->rows.m4_per_m2, row.m4_per_m2, out->slope_rows++);
+    }
     return STATUS_OK;
 }
 
@@ -140,6 +152,8 @@ enum status_code areal_compute(struct areal *out, const struct scan *scan, struc
             code = add_spectrum(out, scan, y, status);
     }
     free(x_m);
+    if (code == STATUS_OK && out->slope_rows == 0)
+        return status_fail(status, STATUS_SCAN, "no row of the map has three heights side by side");
     return code;
 }
 

@@ -8,14 +8,15 @@
 
 struct areal {
     double sq_m, sa_m, sz_m;  /* root mean square, mean absolute, highest minus lowest: over the least-squares plane */
-    struct roughness rows;    /* each row over its own line, as roughness_average() joins them */
-    size_t row_count;         /* rows in `rows`: with 3 points or more */
+    struct roughness rows;    /* each row over its own line; m0, Ra, m2, m4 averaged, PV the largest */
+    size_t row_count;         /* rows whose heights are in `rows`: of 3 points or more */
+    size_t slope_rows;        /* rows whose m2 and m4 are: with 3 points side by side */
     struct spectrum spectrum; /* mean power of the rows */
     size_t spectrum_rows;     /* rows in it: complete, or with inner gaps of at most a tenth bridged; not flat */
 };
 
 /** Missing points are left out of every figure; a slope or curvature counts where all its points are there. Owned:
- * areal_free(), whatever comes back. Errors: STATUS_SCAN: too few points for a plane; STATUS_MEMORY. */
+ * areal_free(), whatever comes back. Errors: STATUS_SCAN: too few points; STATUS_MEMORY. */
 MUST_CHECK enum status_code areal_compute(struct areal *out, const struct scan *scan, struct status *status);
 void areal_free(struct areal *areal);
 

@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-const double powerlaw_gaussian_scatter_decades = 0.27848999773069996; /* pi/(sqrt(24) ln 10) */
+const double powerlaw_gaussian_scatter_decades = 0.27850215700262515; /* pi/(sqrt(24) ln 10) */
 
 /** Running sums of a straight-line fit y = intercept + slope x, about a fixed origin to keep digits. */
 struct sums {

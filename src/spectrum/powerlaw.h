@@ -9,14 +9,14 @@ extern const double powerlaw_gaussian_scatter_decades;
 
 /** Least squares of log10 Delta on log10 lambda, lambda in metres. A fit that cannot be made has gamma = NaN. */
 struct powerlaw {
-    double alpha;            /* m^(1-gamma) */
-    double alpha_error;      /* standard error, m^(1-gamma) */
+    double alpha;       /* m^(1-gamma) */
+    double alpha_error; /* standard error, m^(1-gamma) */
     double gamma;
-    double gamma_error;      /* standard error */
-    double rms_decades;      /* RMS residual of log10 Delta */
-    double band_m[2];        /* shortest and longest wavelength used */
-    size_t harmonics;        /* how many were used */
-    double knee_m;           /* wavelength at which two slopes fit clearly better than one; NaN: one will do */
+    double gamma_error;              /* standard error */
+    double rms_decades;              /* RMS residual of log10 Delta */
+    double band_m[2];                /* shortest and longest wavelength used */
+    size_t harmonics;                /* how many were used */
+    double knee_m;                   /* wavelength at which two slopes fit clearly better than one; NaN: one will do */
     double gamma_below, gamma_above; /* slopes on the short and the long side of the knee */
 };
 

@@ -68,8 +68,15 @@ void roughness_average(struct roughness *mean, const struct roughness *other, si
     mean->pv_m = fmax(mean->pv_m, other->pv_m);
 }
 
-enum status_code roughness_asperities(struct asperities *out, const struct roughness *roughness,
-                                      struct status *status)
+void roughness_add(struct roughness *sum, const struct roughness *other)
+{
+    sum->m0_m2 += other->m0_m2;
+    sum->m2 += other->m2;
+    sum->m4_per_m2 += other->m4_per_m2;
+    sum->rq_m = sqrt(sum->m0_m2);
+}
+
+enum status_code roughness_asperities(struct asperities *out, const struct roughness *roughness, struct status *status)
 {
     double m0 = roughness->m0_m2, m2 = roughness->m2, m4 = roughness->m4_per_m2;
     *out = (struct asperities){NAN, NAN, NAN, NAN, NAN, sqrt(m0)};

@@ -6,12 +6,12 @@
 
 /** Of the profile itself. */
 struct roughness {
-    double rq_m;       /* root mean square height */
-    double ra_m;       /* mean absolute height */
-    double pv_m;       /* highest minus lowest */
-    double m0_m2;      /* mean square height */
-    double m2;         /* mean square slope */
-    double m4_per_m2;  /* mean square curvature */
+    double rq_m;      /* root mean square height */
+    double ra_m;      /* mean absolute height */
+    double pv_m;      /* highest minus lowest */
+    double m0_m2;     /* mean square height */
+    double m2;        /* mean square slope */
+    double m4_per_m2; /* mean square curvature */
 };
 
 /** Heights (`points` >= 3, levelled, spacing h): m2 by central differences, m4 by the 3-point second difference, over
@@ -27,6 +27,9 @@ void roughness_from_spectrum(struct roughness *roughness, const struct spectrum 
 
 /** Mean over scans: m0, m2, m4, Ra averaged, Rq from m0, PV the largest. `so_far` is how many `mean` holds. */
 void roughness_average(struct roughness *mean, const struct roughness *other, size_t so_far);
+
+/** Two rough surfaces in contact: moments add, Rq follows; Ra and PV are left as they are. */
+void roughness_add(struct roughness *sum, const struct roughness *other);
 
 /** The rough surface as the statistical models see it: asperities of one radius, Gaussian heights. */
 struct asperities {

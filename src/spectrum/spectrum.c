@@ -3,6 +3,7 @@
 #include "base/fft.h"
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 static double mean_of(const double *values, size_t count)
 {
@@ -65,16 +66,27 @@ enum status_code spectrum_compute(struct spectrum *out, const double *height_m, 
 
 void spectrum_average(struct spectrum *mean, const struct spectrum *other, size_t so_far)
 {
-    if (other->count < mean->count) {
-        mean->count = other->count;
-        mean->has_nyquist = other->has_nyquist;
-    }
+    bool shorter = other->count < mean->count;
+    size_t count = shorter ? other->count : mean->count;
+    bool has_nyquist = shorter ? other->has_nyquist : mean->has_nyquist;
     double weight = 1 / (double)(so_far + 1);
-    for (size_t i = 0; i < mean->count; i++) {
-        double power = (1 - weight) * mean->amplitude_m[i] * mean->amplitude_m[i] +
-                       weight * other->amplitude_m[i] * other->amplitude_m[i];
-        mean->amplitude_m[i] = sqrt(power);
+    for (size_t i = 0; i < count; i++) {
+        /* powers, not squared amplitudes: the last harmonic may be the Nyquist one of one record only */
+        double power = (1 - weight) * spectrum_power(mean, i) + weight * spectrum_power(other, i);
+        mean->amplitude_m[i] = sqrt(has_nyquist && i + 1 == count ? power : 2 * power);
     }
+    mean->count = count;
+    mean->has_nyquist = has_nyquist;
+}
+
+enum status_code spectrum_copy(struct spectrum *out, const struct spectrum *in, struct status *status)
+{
+    *out = *in;
+    out->amplitude_m = malloc(in->count * sizeof *out->amplitude_m);
+    if (!out->amplitude_m)
+        return status_memory(status);
+    memcpy(out->amplitude_m, in->amplitude_m, in->count * sizeof *in->amplitude_m);
+    return STATUS_OK;
 }
 
 void spectrum_free(struct spectrum *spectrum)

@@ -11,8 +11,8 @@
 struct spectrum {
     double *amplitude_m; /* Delta_n at index n - 1 */
     size_t count;
-    double length_m;     /* L: harmonic n has wavelength L/n */
-    bool has_nyquist;    /* the last harmonic is the Nyquist one: its mean square is Delta², not Delta²/2 */
+    double length_m;  /* L: harmonic n has wavelength L/n */
+    bool has_nyquist; /* the last harmonic is the Nyquist one: its mean square is Delta², not Delta²/2 */
 };
 
 /** Delta_n = 2|Z_n|/N, n = 1 ... ceil(N/2)-1, and |Z_{N/2}|/N at the Nyquist bin of an even N, of `points` >= 3 heights
@@ -24,6 +24,9 @@ MUST_CHECK enum status_code spectrum_compute(struct spectrum *out, const double 
 /** Adds another scan's spectrum to a mean over scans: powers averaged harmonic by harmonic; the mean keeps the fewest
  * harmonics and the first scan's length. `so_far` is how many scans `mean` holds. */
 void spectrum_average(struct spectrum *mean, const struct spectrum *other, size_t so_far);
+
+/** A copy with amplitudes of its own. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code spectrum_copy(struct spectrum *out, const struct spectrum *in, struct status *status);
 
 void spectrum_free(struct spectrum *spectrum);
 

@@ -29,7 +29,8 @@ static void methods_meet(void **state)
     }
 }
 
-/** F_1 = phi(h) - h F_0, and (n+1) F... : the recurrence F_3/2 = F_{-1/2}/2 - h F_1/2 gives back a positive F_{-1/2}. */
+/** F_1 = phi(h) - h F_0, and (n+1) F... : the recurrence F_3/2 = F_{-1/2}/2 - h F_1/2 gives back a positive F_{-1/2}.
+ */
 static void recurrences_hold(void **state)
 {
     (void)state;

@@ -28,7 +28,8 @@ static void plastic_matches_reference(void **state)
     struct table table = table_read("golden/sinusoid_plastic.csv");
     struct material_pair pair = tin();
     for (size_t i = 0; i < table.rows; i++) {
-        double amplitude = table_number(&table, i, "amplitude_m"), frequency = table_number(&table, i, "frequency_per_m");
+        double amplitude = table_number(&table, i, "amplitude_m"),
+               frequency = table_number(&table, i, "frequency_per_m");
         double pressure = table_number(&table, i, "mean_pressure_Pa");
         for (int plastic = 0; plastic < 2; plastic++) {
             struct sinusoid_scale scale = sinusoid_scale(amplitude, frequency, &pair, plastic);
@@ -36,8 +37,8 @@ static void plastic_matches_reference(void **state)
             sinusoid_press(&cell, &scale, thesis, pressure, true);
             assert_near(cell.area_ratio, table_number(&table, i, plastic ? "area_ratio_plastic" : "area_ratio_elastic"),
                         1e-10);
-            assert_near(cell.gap_ratio * amplitude, table_number(&table, i, plastic ? "gap_m_plastic" : "gap_m_elastic"),
-                        1e-10);
+            assert_near(cell.gap_ratio * amplitude,
+                        table_number(&table, i, plastic ? "gap_m_plastic" : "gap_m_elastic"), 1e-10);
         }
     }
     table_free(&table);
@@ -110,7 +111,8 @@ static void complement_does_not_cancel(void **state)
         sinusoid_press(&cell, &scale, thesis, pressure, false);
         long double x = pressure / pp;
         long double low = expl(scale.plastic_area_log + scale.plastic_area_exponent * logl((long double)pressure));
-        long double area = low * (1 - powl(x, 1.51L)) + (1 - 3 / (2 * 3.14159265358979323846L) * (1 - x)) * powl(x, 1.04L);
+        long double area =
+            low * (1 - powl(x, 1.51L)) + (1 - 3 / (2 * 3.14159265358979323846L) * (1 - x)) * powl(x, 1.04L);
         if (area < 1)
             assert_near(cell.area_complement, (double)(1 - area), 1e-6);
         else

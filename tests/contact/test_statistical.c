@@ -10,7 +10,8 @@ static struct material_pair tin(void)
 
 enum { EVERYTHING = CONTACT_SEPARATION | CONTACT_ELECTRICAL | CONTACT_THERMAL | CONTACT_SCALE_DEPENDENT };
 
-static struct statistical make(double m0, double m2, double m4, enum asperity_law_id law, double tolerance, double lowest)
+static struct statistical make(double m0, double m2, double m4, enum asperity_law_id law, double tolerance,
+                               double lowest)
 {
     struct roughness roughness = {.m0_m2 = m0, .m2 = m2, .m4_per_m2 = m4};
     struct asperities surface;
@@ -19,8 +20,9 @@ static struct statistical make(double m0, double m2, double m4, enum asperity_la
     struct material_pair pair = tin();
     uint64_t evaluations = 0;
     assert_int_equal(roughness_asperities(&surface, &roughness, &status), STATUS_OK);
-    assert_int_equal(statistical_make(&model, &surface, &pair, law, EVERYTHING, tolerance, lowest, &evaluations, &status),
-                     STATUS_OK);
+    assert_int_equal(
+        statistical_make(&model, &surface, &pair, law, EVERYTHING, tolerance, lowest, &evaluations, &status),
+        STATUS_OK);
     return model;
 }
 
@@ -34,9 +36,9 @@ static void check_reference(double tolerance, double allowed)
     struct table table = table_read("golden/statistical.csv");
     for (size_t i = 0; i < table.rows; i++) {
         double d = table_number(&table, i, "d_over_sigma_s");
-        struct statistical model = make(table_number(&table, i, "m0_m2"), table_number(&table, i, "m2"),
-                                        table_number(&table, i, "m4_per_m2"), law_of(table_text(&table, i, "model")),
-                                        tolerance, d);
+        struct statistical model =
+            make(table_number(&table, i, "m0_m2"), table_number(&table, i, "m2"), table_number(&table, i, "m4_per_m2"),
+                 law_of(table_text(&table, i, "model")), tolerance, d);
         struct contact_point point;
         statistical_at(&point, &model, d);
         assert_near(point.area_ratio, table_number(&table, i, "area_ratio"), allowed);
@@ -44,7 +46,8 @@ static void check_reference(double tolerance, double allowed)
         assert_near(point.ecr_ohm_m2, table_number(&table, i, "ecr_ohm_m2"), allowed);
         assert_near(point.tcr_K_m2_per_W, table_number(&table, i, "tcr_K_m2_per_W"), allowed);
         assert_near(point.tcr_sd_K_m2_per_W, table_number(&table, i, "tcr_sd_K_m2_per_W"), allowed);
-        assert_near(point.separation_m / model.surface.sigma_m, table_number(&table, i, "separation_over_sigma"), 1e-10);
+        assert_near(point.separation_m / model.surface.sigma_m, table_number(&table, i, "separation_over_sigma"),
+                    1e-10);
         statistical_free(&model);
     }
     table_free(&table);

@@ -60,13 +60,15 @@ static void test_keys(void **state)
         {"title: a\ntolerence: 1\n", 2, "unknown key 'tolerence'; did you mean 'tolerance'?"},
         {"Level: line\n", 1, "unknown key 'Level'; did you mean 'level'?"},
         {"foo: 1\n", 1,
-         "unknown key 'foo'; allowed: title, models, effects, material, counterface, nominal_area_m2, load, tolerance, "
-         "level, window, fit_band_m, moments, closure, max_missing, lambda_s_m, "
-         "lambda_c_m, tip_radius_m, baseline, convergence, surfaces"},
+         "unknown key 'foo'; allowed: title, models, effects, material, counterface, direction, measured, "
+         "nominal_area_m2, load, tolerance, "
+         "level, window, fit_band_m, moments, closure, max_missing, "
+         "lambda_s_m, lambda_c_m, tip_radius_m, baseline, convergence, surfaces"},
         {"stylus: 2e-6\n", 1,
-         "unknown key 'stylus'; allowed: title, models, effects, material, counterface, nominal_area_m2, load, "
-         "tolerance, level, window, fit_band_m, moments, closure, max_missing, lambda_s_m, "
-         "lambda_c_m, tip_radius_m, baseline, convergence, surfaces"},
+         "unknown key 'stylus'; allowed: title, models, effects, material, counterface, direction, measured, "
+         "nominal_area_m2, load, "
+         "tolerance, level, window, fit_band_m, moments, closure, max_missing, "
+         "lambda_s_m, lambda_c_m, tip_radius_m, baseline, convergence, surfaces"},
         {"level: line\ntitle: a\nlevel: mean\n", 3, "'level' is given twice, first in line 1; remove one"},
         {"title: a\ntolerance:\nlevel: line\n", 2, "'tolerance' has no value; give one or remove the line"},
         {"baseline: ~\n", 1, "'baseline' has no value; give one or remove the line"},

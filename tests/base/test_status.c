@@ -1,0 +1,91 @@
+#include "base/status.h"
+#include "support.h"
+
+#include <stdio.h>
+
+static void test_a_failure_stores_its_code_and_message(void **state)
+{
+    (void)state;
+    struct status status = {0};
+    assert_int_equal(status_fail(&status, STATUS_SCAN, "line %d: no number in '%s'", 7, "x;y"), STATUS_SCAN);
+    assert_int_equal(status.code, STATUS_SCAN);
+    assert_string_equal(status.message, "line 7: no number in 'x;y'");
+}
+
+static void test_the_first_failure_stays(void **state)
+{
+    (void)state;
+    struct status status = {0};
+    assert_int_equal(status_fail(&status, STATUS_IO, "disk full"), STATUS_IO);
+    assert_int_equal(status_fail(&status, STATUS_SCENE, "something else"), STATUS_IO);
+    assert_int_equal(status_memory(&status), STATUS_IO);
+    assert_string_equal(status.message, "disk full");
+}
+
+static void test_memory(void **state)
+{
+    (void)state;
+    struct status status = {0};
+    assert_int_equal(status_memory(&status), STATUS_MEMORY);
+    assert_string_equal(status.message, "out of memory");
+}
+
+static void test_prefixes_stack_and_keep_the_code(void **state)
+{
+    (void)state;
+    struct status status = {0};
+    assert_int_equal(status_fail(&status, STATUS_SCAN, "flat"), STATUS_SCAN);
+    assert_int_equal(status_prefix(&status, "%s:%d", "a.csv", 3), STATUS_SCAN);
+    assert_int_equal(status_prefix(&status, "surface '%s'", "50 %s"), STATUS_SCAN);
+    assert_string_equal(status.message, "surface '50 %s': a.csv:3: flat");
+}
+
+/* Whatever the lengths of prefix and message, the result is a string that fits, cut at its end. */
+static void test_long_messages_are_cut_not_overrun(void **state)
+{
+    (void)state;
+    enum { SIZE = sizeof((struct status *)NULL)->message };
+    char longest[2 * SIZE];
+    memset(longest, 'm', sizeof longest - 1);
+    longest[sizeof longest - 1] = '\0';
+    for (int length = SIZE - 6; length <= SIZE + 6; length++)
+        for (int prefix = SIZE - 6; prefix <= SIZE + 6; prefix++) {
+            struct status status = {0};
+            assert_int_equal(status_fail(&status, STATUS_IO, "%.*s", length, longest), STATUS_IO);
+            assert_int_equal(strlen(status.message), length < SIZE ? length : SIZE - 1);
+            assert_int_equal(status_prefix(&status, "%.*s", prefix, longest), STATUS_IO);
+            assert_int_equal(strlen(status.message), SIZE - 1);
+        }
+    struct status status = {0};
+    assert_int_equal(status_fail(&status, STATUS_IO, "%.*s", 100, longest), STATUS_IO);
+    assert_int_equal(status_prefix(&status, "%.*s", SIZE - 12, longest), STATUS_IO);
+    assert_int_equal(strlen(status.message), SIZE - 1);
+    assert_string_equal(status.message + SIZE - 12, ": mmmmmmmmm");
+}
+
+static void test_every_code_has_a_meaning_of_its_own(void **state)
+{
+    (void)state;
+    static const char *const meanings[] = {
+#define MEANING(name, meaning) meaning,
+        STATUS_CODES(MEANING)
+#undef MEANING
+    };
+    assert_int_equal(STATUS_OK, 0);
+    for (size_t i = 0; i < sizeof meanings / sizeof *meanings; i++)
+        for (size_t j = 0; j < i; j++)
+            assert_string_not_equal(meanings[i], meanings[j]);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_a_failure_stores_its_code_and_message),
+        cmocka_unit_test(test_the_first_failure_stays),
+        cmocka_unit_test(test_memory),
+        cmocka_unit_test(test_prefixes_stack_and_keep_the_code),
+        cmocka_unit_test(test_long_messages_are_cut_not_overrun),
+        cmocka_unit_test(test_every_code_has_a_meaning_of_its_own),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

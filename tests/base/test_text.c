@@ -1,0 +1,193 @@
+#include "base/text.h"
+#include "support.h"
+
+#include <ctype.h>
+#include <stdio.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static void test_an_unused_text_is_an_empty_string(void **state)
+{
+    (void)state;
+    struct text text = {0};
+    assert_string_equal(text_string(&text), "");
+    text_free(&text);
+    text_add_bytes(&text, NULL, 0);
+    assert_string_equal(text_string(&text), "");
+    assert_int_equal(text.length, 0);
+    text_free(&text);
+}
+
+static void test_a_text_grows_and_keeps_every_byte(void **state)
+{
+    (void)state;
+    struct text text = {0};
+    char expected[6 * 3000 + 1];
+    for (int i = 0; i < 3000; i++) {
+        text_add(&text, "%05d;", i);
+        snprintf(expected + 6 * i, 7, "%05d;", i);
+    }
+    assert_int_equal(text.length, strlen(expected));
+    assert_string_equal(text_string(&text), expected);
+    assert_true(text.capacity > text.length);
+    assert_false(text.failed);
+    text_add_bytes(&text, "a\0b", 3);
+    assert_memory_equal(text.data + text.length - 3, "a\0b", 4);
+    text_free(&text);
+    assert_null(text.data);
+    assert_int_equal(text.length, 0);
+}
+
+static void test_more_than_memory_fails_and_stays_failed(void **state)
+{
+    (void)state;
+    struct text text = {0};
+    text_add(&text, "kept");
+    text_add_bytes(&text, "", SIZE_MAX / 2); /* no byte of it is read: there is no such room */
+    assert_true(text.failed);
+    text_add(&text, "dropped");
+    assert_string_equal(text_string(&text), "kept");
+    text_free(&text);
+    text_add_bytes(&text, "", SIZE_MAX - 4);
+    assert_true(text.failed);
+    text_free(&text);
+}
+
+/* Every ASCII punctuation mark that Markdown or HTML gives a meaning to is defused; the rest is left alone. */
+static void test_markdown(void **state)
+{
+    (void)state;
+    struct text text = {0};
+    text_add_markdown(&text, "a|b*c_d`e\\f[g](h)#i<j>&\"k\"\n\t\x7f"
+                             "Rq µm");
+    assert_string_equal(text_string(&text),
+                        "a\\|b\\*c\\_d\\`e\\\\f\\[g\\]\\(h\\)\\#i&#60;j&#62;&#38;&#34;k&#34;???Rq µm");
+    text_free(&text);
+    for (int c = 1; c < 128; c++) {
+        char string[2] = {(char)c, '\0'};
+        text_add_markdown(&text, string);
+        if (isalnum(c) || c == ' ')
+            assert_string_equal(text_string(&text), string);
+        else if (iscntrl(c))
+            assert_string_equal(text_string(&text), "?");
+        else if (strchr("<>&\"", c))
+            assert_true(strncmp(text_string(&text), "&#", 2) == 0);
+        else if (strchr("*_`[]()!#|\\~$:-+", c))
+            assert_true(text.length == 2 && text.data[0] == '\\' && text.data[1] == c);
+        text_free(&text);
+    }
+}
+
+/* Reads a CSV field back as RFC 4180 has it. */
+static void unquote(char *out, const char *field)
+{
+    if (*field != '"') {
+        strcpy(out, field);
+        return;
+    }
+    for (field++; *field; field++) {
+        if (*field == '"') {
+            field++;
+            if (*field != '"') {
+                assert_int_equal(*field, '\0');
+                break;
+            }
+        }
+        *out++ = *field;
+    }
+    *out = '\0';
+}
+
+static void test_csv(void **state)
+{
+    (void)state;
+    static const char *const fields[][2] = {
+        {"", ""},
+        {"plain text", "plain text"},
+        {"a,b", "\"a,b\""},
+        {"say \"x\"", "\"say \"\"x\"\"\""},
+        {"two\nlines", "\"two\nlines\""},
+        {"cr\r", "\"cr\r\""},
+        {"\"", "\"\"\"\""},
+        {",\",\"", "\",\"\",\"\"\""},
+    };
+    for (size_t i = 0; i < sizeof fields / sizeof *fields; i++) {
+        struct text text = {0};
+        char back[64];
+        text_add_csv(&text, fields[i][0]);
+        assert_string_equal(text_string(&text), fields[i][1]);
+        unquote(back, text_string(&text));
+        assert_string_equal(back, fields[i][0]);
+        text_free(&text);
+    }
+}
+
+static void test_files_come_back_byte_for_byte(void **state)
+{
+    (void)state;
+    enum { LENGTH = 300001 };
+    char path[] = "/tmp/roughcontact-text-XXXXXX", *bytes = malloc(LENGTH);
+    struct status status = {0};
+    close(mkstemp(path));
+    assert_non_null(bytes);
+    for (size_t i = 0; i < LENGTH; i++)
+        bytes[i] = (char)(i * i % 251); /* with NULs */
+    for (size_t length = 0; length <= LENGTH; length += LENGTH) {
+        struct text text = {0};
+        assert_int_equal(text_write_file(path, bytes, length, &status), STATUS_OK);
+        assert_int_equal(text_read_file(&text, path, &status), STATUS_OK);
+        assert_int_equal(text.length, length);
+        assert_memory_equal(text_string(&text), bytes, length);
+        assert_int_equal(text.data[length], '\0');
+        text_free(&text);
+    }
+    free(bytes);
+    unlink(path);
+}
+
+static void assert_unreadable(const char *path, const char *reason)
+{
+    struct status status = {0};
+    struct text text = {0};
+    assert_int_equal(text_read_file(&text, path, &status), STATUS_IO);
+    assert_non_null(strstr(status.message, path));
+    assert_non_null(strstr(status.message, reason));
+    text_free(&text);
+}
+
+static void test_what_cannot_be_read_is_named(void **state)
+{
+    (void)state;
+    assert_unreadable("/tmp/no such directory/scan.csv", "No such file");
+    assert_unreadable("/", "directory");     /* where seeking to the end gives an absurd size */
+    assert_unreadable("/proc", "directory"); /* and where it fails */
+}
+
+static void test_what_cannot_be_written_is_named(void **state)
+{
+    (void)state;
+    char lots[100000] = {0};
+    struct status status = {0};
+    assert_int_equal(text_write_file("/tmp/no such directory/x", "a", 1, &status), STATUS_IO);
+    assert_non_null(strstr(status.message, "/tmp/no such directory/x"));
+    for (size_t length = 1; length <= sizeof lots; length += sizeof lots - 1) { /* noticed at the end, or on the way */
+        status = (struct status){0};
+        assert_int_equal(text_write_file("/dev/full", lots, length, &status), STATUS_IO);
+        assert_non_null(strstr(status.message, "No space"));
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_an_unused_text_is_an_empty_string),
+        cmocka_unit_test(test_a_text_grows_and_keeps_every_byte),
+        cmocka_unit_test(test_more_than_memory_fails_and_stays_failed),
+        cmocka_unit_test(test_markdown),
+        cmocka_unit_test(test_csv),
+        cmocka_unit_test(test_files_come_back_byte_for_byte),
+        cmocka_unit_test(test_what_cannot_be_read_is_named),
+        cmocka_unit_test(test_what_cannot_be_written_is_named),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

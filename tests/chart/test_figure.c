@@ -1,0 +1,344 @@
+#include "chart/figure.h"
+#include "run/pipeline.h"
+
+enum { BLOCKS_MOST = 32, ROWS_MOST = 1100, SPIKE = 1234 };
+
+/* A quote, an end of line, commands, gnuplot's marks: YAML escapes, and what of it may reach a data file. */
+static const char hostile_yaml[] = "\"x'); system('touch pwned') #\\\"`touch pwned` @a $b %d \\\\n {c} µ, \"";
+static const char hostile_field[] = "\"x'); system('touch pwned') #'`touch pwned` @a $b %d \\\\n {c} µ, ";
+
+static int place_setup(void **state)
+{
+    static struct directory place;
+    struct text scene = {0};
+    place = directory_make();
+    mkdir(directory_path(&place, "in"), 0777);
+    pipeline_rough(&place, "in/a.csv", 120, 0.1, 1);
+    pipeline_rough(&place, "in/b.csv", 120, 1, 2);
+    double *height_m = calloc(3000, sizeof *height_m);
+    assert_non_null(height_m);
+    for (size_t i = 0; i < 3000; i++)
+        height_m[i] = 5e-6 * sin(0.01 * (double)i) + (i == SPIKE ? 3e-5 : 0);
+    pipeline_scan(&place, "in/c.csv", height_m, 3000);
+    free(height_m);
+    text_add(&scene,
+             "material: tin\neffects: [plasticity, separation, electrical, thermal, scale-dependent, convergence]\n"
+             "load: {from: 1e-6, to: 1, points: 25}\nconvergence: {scales: 30}\nsurfaces:\n"
+             "  - {name: a, file: a.csv}\n  - {name: %s, file: b.csv}\n  - {name: c, file: c.csv}\n",
+             hostile_yaml);
+    directory_write(&place, "in/scene.yaml", text_string(&scene));
+    text_free(&scene);
+    assert_int_equal(pipeline_run(&place, "in", "out", 1), 0);
+    *state = &place;
+    return 0;
+}
+
+static int place_teardown(void **state)
+{
+    directory_remove(*state);
+    return 0;
+}
+
+/* A figure's data as gnuplot sees it, with the style words its script gives to the blocks. */
+struct figure {
+    size_t blocks, rows[BLOCKS_MOST];
+    char legend[BLOCKS_MOST][300], style[BLOCKS_MOST][32];
+    double x[BLOCKS_MOST][ROWS_MOST], y[BLOCKS_MOST][ROWS_MOST];
+};
+
+static void read_styles(struct figure *figure, const struct directory *place, const char *number)
+{
+    char name[64], *word, *rest;
+    snprintf(name, sizeof name, "out/figures/%s.gp", number);
+    struct text script = directory_read(place, name);
+    char *end = strrchr(script.data, '\'');
+    assert_non_null(end);
+    assert_string_equal(end, "'\n");
+    *end = '\0';
+    char *start = strrchr(script.data, '\'');
+    assert_non_null(start);
+    size_t count = 0;
+    for (word = strtok_r(start + 1, " ", &rest); word; word = strtok_r(NULL, " ", &rest), count++) {
+        assert_true(count < BLOCKS_MOST);
+        snprintf(figure->style[count], sizeof figure->style[0], "%s", word);
+    }
+    assert_int_equal(count, figure->blocks);
+    text_free(&script);
+}
+
+static struct figure *read_figure(const struct directory *place, const char *number)
+{
+    struct figure *figure = calloc(1, sizeof *figure);
+    char name[64], *rest;
+    assert_non_null(figure);
+    snprintf(name, sizeof name, "out/figures/%s.csv", number);
+    struct text data = directory_read(place, name);
+    for (char *line = data.data, *next; line && *line; line = next) {
+        next = strchr(line, '\n');
+        assert_non_null(next);
+        *next++ = '\0';
+        if (*line == '\0')
+            continue;
+        if (*line == '"') { /* two empty lines stand between blocks, none before the first */
+            assert_true(figure->blocks < BLOCKS_MOST);
+            assert_true(line == data.data || (line[-1] == '\0' && line[-2] == '\0' && line[-3] == '\0'));
+            assert_int_equal(line[strlen(line) - 1], '"');
+            snprintf(figure->legend[figure->blocks++], sizeof figure->legend[0], "%s", line);
+            continue;
+        }
+        assert_true(figure->blocks > 0);
+        size_t block = figure->blocks - 1, row = figure->rows[block]++;
+        assert_true(row < ROWS_MOST);
+        figure->x[block][row] = strtod(line, &rest);
+        assert_int_equal(*rest, ',');
+        figure->y[block][row] = strtod(rest + 1, &rest);
+        assert_int_equal(*rest, '\0');
+        assert_true(isfinite(figure->x[block][row]) && isfinite(figure->y[block][row]));
+    }
+    text_free(&data);
+    read_styles(figure, place, number);
+    return figure;
+}
+
+static void test_every_number_exists_once(void **state)
+{
+    (void)state;
+    for (int n = 1; n <= 30; n++) {
+        char number[8];
+        size_t rows = 0;
+        snprintf(number, sizeof number, "6-%02d", n);
+        for (size_t i = 0; i < figure_count; i++)
+            rows += strcmp(figure_rows[i].number, number) == 0;
+        assert_int_equal(rows, 1);
+        assert_string_equal(figure_find(number)->number, number);
+    }
+    assert_int_equal(figure_count, 33);
+    assert_non_null(figure_find("cost-integrals"));
+    assert_non_null(figure_find("cost-curves"));
+    assert_non_null(figure_find("power-law"));
+    assert_null(figure_find("6-31"));
+    assert_null(figure_find("6-0"));
+    for (size_t i = 0; i < figure_count; i++)
+        assert_null(strpbrk(figure_rows[i].title, "'\"\\\n")); /* it stands in a gnuplot string */
+}
+
+/* The contract's list of figures: what each needs. */
+static bool is_called_for(int n, unsigned effects, unsigned families)
+{
+    static const enum model_id order[4] = {MODEL_MULTISCALE_PLASTIC, MODEL_MULTISCALE_ELASTIC, MODEL_JG, MODEL_GW};
+    bool plastic = effects & EFFECT_BIT(EFFECT_PLASTICITY), separation = effects & EFFECT_BIT(EFFECT_SEPARATION);
+    bool electrical = effects & EFFECT_BIT(EFFECT_ELECTRICAL), thermal = effects & EFFECT_BIT(EFFECT_THERMAL);
+    bool needed[] = {true, separation, separation, electrical, thermal}; /* 6-11, 6-15, 6-19, 6-23, 6-27 on */
+    if (n <= 4)
+        return (effects & EFFECT_BIT(EFFECT_CONVERGENCE)) && (n % 2 == 1 || plastic);
+    if (n <= 10)
+        return n == 5 || n == 10 || (n <= 7 && separation) || (n == 8 && electrical) || (n == 9 && thermal);
+    enum model_id model = order[(n - 11) % 4];
+    bool is_plastic = model == MODEL_MULTISCALE_PLASTIC || model == MODEL_JG;
+    unsigned family = model == MODEL_JG || model == MODEL_GW ? SCENE_MODEL_STATISTICAL : SCENE_MODEL_MULTISCALE;
+    return needed[(n - 11) / 4] && (!is_plastic || plastic) && (families & family);
+}
+
+static void test_effects_and_models_that_are_off_remove_their_figures(void **state)
+{
+    (void)state;
+    const double sweeps = 0;
+    struct cost_row row = {.chart = COST_CURVES};
+    const struct cost cost = {.rows = &row, .count = 1};
+    for (unsigned effects = 0; effects < 1u << EFFECT_COUNT; effects++)
+        for (unsigned families = 1; families <= 3; families++) {
+            struct plan plan = {.running = effects, .families = families};
+            struct results results = {.plan = &plan};
+            results.convergence = effects & EFFECT_BIT(EFFECT_CONVERGENCE) ? &sweeps : NULL;
+            for (int n = 1; n <= 30; n++) {
+                char number[8];
+                snprintf(number, sizeof number, "6-%02d", n);
+                if (figure_present(figure_find(number), &results) != is_called_for(n, effects, families))
+                    fail_msg("figure %s, effects %x, models %x", number, effects, families);
+            }
+            assert_true(figure_present(figure_find("power-law"), &results));
+            assert_false(figure_present(figure_find("cost-curves"), &results));
+            results.cost = &cost;
+            assert_true(figure_present(figure_find("cost-curves"), &results));
+            assert_false(figure_present(figure_find("cost-integrals"), &results));
+        }
+}
+
+/* A figure that is not called for leaves no file. */
+static void test_the_files_are_those_of_the_figures(void **state)
+{
+    const struct directory *place = *state;
+    mkdir(directory_path(place, "electrical"), 0777);
+    pipeline_rough(place, "electrical/a.csv", 64, 1, 1);
+    directory_write(place, "electrical/scene.yaml", "material: tin\neffects: [electrical]\n");
+    assert_int_equal(pipeline_run(place, "electrical", "out-electrical", 1), 0);
+    static const char *const outs[] = {"out", "out-electrical"}, *const endings[] = {"csv", "gp", "svg"};
+    static const unsigned effects[] = {(1u << EFFECT_COUNT) - 1, EFFECT_BIT(EFFECT_ELECTRICAL)};
+    for (size_t o = 0; o < 2; o++) {
+        size_t files = 0;
+        char name[64];
+        for (int n = 1; n <= 30; n++)
+            for (int e = 0; e < 3; e++) {
+                snprintf(name, sizeof name, "%s/figures/6-%02d.%s", outs[o], n, endings[e]);
+                assert_int_equal(directory_has(place, name), is_called_for(n, effects[o], 3));
+                files += directory_has(place, name);
+            }
+        snprintf(name, sizeof name, "%s/figures", outs[o]);
+        assert_int_equal(directory_entries(place, name), files + 3 + 8); /* power-law and the templates */
+    }
+}
+
+/* Every block has a style word, and rows that its axes can show. */
+static void test_every_data_file_fits_its_script(void **state)
+{
+    for (size_t i = 0; i < figure_count; i++) {
+        const struct figure_row *row = &figure_rows[i];
+        if (row->kind == FIGURE_COST)
+            continue; /* timings: not made here */
+        struct figure *figure = read_figure(*state, row->number);
+        size_t expected = row->kind == FIGURE_SWEEP      ? row->sweep == CONVERGENCE_ALPHA ? 7 : 9
+                          : row->kind == FIGURE_PROFILES ? 3
+                          : row->kind == FIGURE_SPECTRA  ? 9
+                                                         : 0;
+        if (expected)
+            assert_int_equal(figure->blocks, expected);
+        for (size_t b = 0; b < figure->blocks; b++)
+            for (size_t k = 0; k < figure->rows[b] && row->kind != FIGURE_PROFILES; k++) {
+                assert_true(figure->x[b][k] > 0);
+                assert_true(row->y == FIGURE_SEPARATION || figure->y[b][k] > 0);
+            }
+        free(figure);
+    }
+}
+
+static void test_a_hostile_name_is_only_a_legend(void **state)
+{
+    const struct directory *place = *state;
+    size_t seen = 0;
+    for (size_t i = 0; i < figure_count; i++) {
+        if (figure_rows[i].kind == FIGURE_COST)
+            continue;
+        char name[64];
+        snprintf(name, sizeof name, "out/figures/%s.gp", figure_rows[i].number);
+        struct text script = directory_read(place, name);
+        assert_null(strstr(script.data, "pwned"));
+        text_free(&script);
+        struct figure *figure = read_figure(place, figure_rows[i].number);
+        for (size_t b = 0; b < figure->blocks; b++)
+            seen += strncmp(figure->legend[b], hostile_field, strlen(hostile_field)) == 0;
+        free(figure);
+    }
+    assert_true(seen >= 20 + 2); /* 6-11 to 6-30, profiles, spectra */
+    assert_false(directory_has(place, "out/figures/pwned"));
+    assert_int_not_equal(access("pwned", F_OK), 0);
+}
+
+/* The rows of one surface and model in contact.csv, whose names here hold no comma. */
+static size_t read_curve(double *load, double *area, const struct directory *place, const char *model)
+{
+    struct text text = directory_read(place, "out/data/contact.csv");
+    char start[64];
+    size_t rows = 0;
+    snprintf(start, sizeof start, "\na,%s,", model);
+    for (const char *line = text.data; (line = strstr(line, start)); rows++) {
+        char *rest;
+        line += strlen(start);
+        load[rows] = strtod(line, &rest);
+        strtod(rest + 1, &rest); /* pressure */
+        area[rows] = strtod(rest + 1, &rest);
+    }
+    text_free(&text);
+    return rows;
+}
+
+/* Solid up to the last valid point, dashed from that same point on; together the whole curve. */
+static void assert_solid_then_dashed(const struct figure *figure, size_t block, const struct directory *place,
+                                     const char *model, double touching)
+{
+    double load[64], area[64];
+    size_t rows = read_curve(load, area, place, model), solid = figure->rows[block];
+    assert_int_equal(solid + figure->rows[block + 1] - 1, rows);
+    assert_true(solid > 1 && solid < rows);
+    for (size_t k = 0; k < rows; k++) {
+        size_t b = k < solid ? block : block + 1, row = k < solid ? k : k - solid + 1;
+        assert_near(figure->x[b][row], load[k], 0);
+        assert_near(figure->y[b][row], area[k], 0);
+        if (k < solid)
+            assert_true(area[k] <= 0.1);
+    }
+    assert_near(figure->x[block + 1][0], load[solid - 1], 0);
+    assert_near(figure->y[block + 1][0], area[solid - 1], 0);
+    if (touching > 0)
+        assert_true(area[solid] > touching);
+}
+
+static void test_dashed_curves_begin_at_the_last_valid_point(void **state)
+{
+    struct figure *gw = read_figure(*state, "6-14"), *jg = read_figure(*state, "6-13"),
+                  *elastic = read_figure(*state, "6-12");
+    assert_string_equal(gw->style[0], "s1");
+    assert_string_equal(gw->style[1], "s1x");
+    assert_string_equal(gw->legend[0], gw->legend[1]);
+    assert_solid_then_dashed(gw, 0, *state, "gw", 0.1); /* GW ends where asperities touch */
+    assert_string_equal(jg->style[1], "s1x");
+    assert_solid_then_dashed(jg, 0, *state, "jg", 0); /* JG there or where a/R leaves the fit */
+    for (size_t b = 0; b < elastic->blocks; b++)      /* multiscale models are valid at any area */
+        assert_null(strchr(elastic->style[b], 'x'));
+    free(gw);
+    free(jg);
+    free(elastic);
+}
+
+/* The chart of the baseline names its curves by model; adjusted and scale-dependent ones stand beside the plain. */
+static void test_the_models_of_the_baseline(void **state)
+{
+    static const struct {
+        const char *number, *styles;
+    } rows[] = {
+        {"6-05", "me mp gw gwx jg jgx "},
+        {"6-06", "me mp gw gwx gwa gwax jg jgx jga jgax "},
+        {"6-07", "me mp gw gwx gwa gwax jg jgx jga jgax "},
+        {"6-08", "me mp gw gwx jg jgx "},
+        {"6-09", "me meS mp mpS gw gwx gwS gwSx jg jgx jgS jgSx "},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        struct figure *figure = read_figure(*state, rows[i].number);
+        struct text styles = {0};
+        for (size_t b = 0; b < figure->blocks; b++)
+            text_add(&styles, "%s ", figure->style[b]);
+        assert_string_equal(text_string(&styles), rows[i].styles);
+        text_free(&styles);
+        free(figure);
+    }
+}
+
+/* A profile is thinned for its chart, but no peak is lost. */
+static void test_a_thinned_profile_keeps_its_spike(void **state)
+{
+    struct figure *figure = read_figure(*state, "6-10");
+    size_t block = 2, highest = 0;
+    assert_in_range(figure->rows[block], 500, 1000);
+    for (size_t k = 1; k < figure->rows[block]; k++) {
+        assert_true(figure->x[block][k] > figure->x[block][k - 1]);
+        highest = figure->y[block][k] > figure->y[block][highest] ? k : highest;
+    }
+    assert_near(figure->x[block][highest], SPIKE * 0.5e-3, 1e-6); /* mm */
+    assert_true(figure->y[block][highest] > 20);                  /* um */
+    assert_int_equal(figure->rows[0], 120);
+    free(figure);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_every_number_exists_once),
+        cmocka_unit_test(test_effects_and_models_that_are_off_remove_their_figures),
+        cmocka_unit_test(test_the_files_are_those_of_the_figures),
+        cmocka_unit_test(test_every_data_file_fits_its_script),
+        cmocka_unit_test(test_a_hostile_name_is_only_a_legend),
+        cmocka_unit_test(test_dashed_curves_begin_at_the_last_valid_point),
+        cmocka_unit_test(test_the_models_of_the_baseline),
+        cmocka_unit_test(test_a_thinned_profile_keeps_its_spike),
+    };
+    return cmocka_run_group_tests(tests, place_setup, place_teardown);
+}

@@ -1,0 +1,259 @@
+#include "profile/level.h"
+#include "profile/profile.h"
+#include "profile/synth.h"
+#include "scan/scan.h"
+#include "spectrum/powerlaw.h"
+#include "support.h"
+
+#include <stdio.h>
+
+static double *make(const struct synth_def *def)
+{
+    struct status status = {0};
+    double *height_m = malloc(def->points * sizeof *height_m);
+    assert_non_null(height_m);
+    if (synth_profile(height_m, def, &status) != STATUS_OK)
+        fail_msg("%s", status.message);
+    return height_m;
+}
+
+static double root_mean_square(const double *height_m, size_t points)
+{
+    long double sum = 0;
+    for (size_t i = 0; i < points; i++)
+        sum += (long double)height_m[i] * height_m[i];
+    return (double)sqrtl(sum / (long double)points);
+}
+
+/* The law, its scatter and Rq come back from the spectrum and the fit in the band; levelling changes nothing. */
+static void assert_comes_back(const struct synth_def *def)
+{
+    double *height_m = make(def), *levelled_m = make(def);
+    struct spectrum spectrum;
+    struct status status = {0};
+    assert_int_equal(spectrum_compute(&spectrum, height_m, def->points, def->length_m / (double)def->points,
+                                      SCENE_WINDOW_NONE, &status),
+                     STATUS_OK);
+    const double band_m[2] = {def->lambda_s_m, INFINITY};
+    struct powerlaw law = powerlaw_fit(&spectrum, band_m);
+    assert_near(law.alpha, def->alpha, 1e-9);
+    assert_within(law.gamma, def->gamma, 1e-9);
+    assert_within(law.rms_decades, def->scatter_decades, 1e-9);
+    double rq_m = root_mean_square(height_m, def->points);
+    if (def->rq_m > 0)
+        assert_near(rq_m, def->rq_m, 1e-9);
+    struct levelling line;
+    assert_int_equal(level_remove(&line, levelled_m, NULL, def->points, 1, SCENE_LEVEL_LINE, &status), STATUS_OK);
+    for (size_t i = 0; i < def->points; i++)
+        assert_within(levelled_m[i], height_m[i], 1e-12 * rq_m);
+    spectrum_free(&spectrum);
+    free(height_m);
+    free(levelled_m);
+}
+
+static void test_the_law_comes_back(void **state)
+{
+    (void)state;
+    static const struct synth_def defs[] = {
+        {.alpha = 0.085, .gamma = 1.5, .length_m = 3e-4, .points = 1200, .scatter_decades = 0.2785, .seed = 1},
+        {.alpha = 0.085, .gamma = 1.5, .length_m = 3e-4, .points = 1201, .scatter_decades = 0.2785, .seed = 1},
+        {.alpha = 0.085, .gamma = 1.5, .length_m = 3e-4, .points = 1200, .scatter_decades = 0, .seed = 2},
+        {.alpha = 1e-4, .gamma = 0.7, .length_m = 1e-3, .points = 999, .scatter_decades = 0.1, .seed = 3},
+        {.alpha = 50, .gamma = 2, .length_m = 1e-3, .points = 64, .scatter_decades = 0.5, .seed = 4294967295},
+        {.alpha = 0.01, .gamma = 1, .length_m = 1e-3, .points = 16, .scatter_decades = 0.2, .seed = 0},
+        {.alpha = 0.13,
+         .gamma = 1.6,
+         .rq_m = 2.4e-7,
+         .length_m = 3.1e-4,
+         .points = 1240,
+         .scatter_decades = 0.3322,
+         .lambda_s_m = 8e-6,
+         .seed = 3},
+        {.alpha = 0.006,
+         .gamma = 1,
+         .rq_m = 5.82e-6,
+         .length_m = 1.07e-3,
+         .points = 4280,
+         .scatter_decades = 0.0678,
+         .lambda_s_m = 8e-6,
+         .seed = 4},
+    };
+    for (size_t i = 0; i < sizeof defs / sizeof *defs; i++)
+        assert_comes_back(&defs[i]);
+}
+
+/* Above the cut-off every harmonic obeys the law; below it, the law times 2^(1 - (lambda_s/lambda)²). */
+static void test_the_cut_off(void **state)
+{
+    (void)state;
+    struct synth_def def = synth_def_default();
+    struct status status = {0};
+    def.scatter_decades = 0;
+    def.lambda_s_m = def.length_m / 40;
+    double *height_m = make(&def);
+    struct spectrum spectrum;
+    assert_int_equal(spectrum_compute(&spectrum, height_m, def.points, def.length_m / (double)def.points,
+                                      SCENE_WINDOW_NONE, &status),
+                     STATUS_OK);
+    for (size_t n = 1; n <= 80; n++) {
+        double law_m = def.alpha * pow(def.length_m / (double)n, def.gamma), ratio = (double)n / 40;
+        assert_near(spectrum.amplitude_m[n - 1], n <= 40 ? law_m : law_m * pow(2, 1 - ratio * ratio), 1e-10);
+    }
+    spectrum_free(&spectrum);
+    free(height_m);
+}
+
+static void test_a_seed_names_a_surface(void **state)
+{
+    (void)state;
+    struct synth_def def = synth_def_default();
+    double *first = make(&def), *again = make(&def);
+    assert_memory_equal(first, again, def.points * sizeof *first);
+    def.seed = 2;
+    double *other = make(&def);
+    assert_memory_not_equal(first, other, def.points * sizeof *first);
+    free(first);
+    free(again);
+    free(other);
+}
+
+static void assert_refused(const struct synth_def *def, const char *words)
+{
+    double height_m[2000];
+    struct status status = {0};
+    assert_int_equal(synth_profile(height_m, def, &status), STATUS_USAGE);
+    if (!strstr(status.message, words))
+        fail_msg("'%s' without '%s'", status.message, words);
+}
+
+static void test_what_cannot_be_made_is_refused(void **state)
+{
+    (void)state;
+    const struct synth_def good = synth_def_default();
+    struct synth_def def = good;
+    def.points = 7;
+    assert_refused(&def, "--points must be 8");
+    def.points = 100000001;
+    assert_refused(&def, "--points must be 8 to 100000000");
+    def = good;
+    def.rq_m = 1; /* a metre of roughness */
+    assert_refused(&def, "gives an Rq of 1 m (it can reach");
+    assert_refused(&def, "change --length");
+    def.rq_m = 1e-15;
+    assert_refused(&def, "change --length");
+    def = good;
+    def.scatter_decades = 2.01;
+    assert_refused(&def, "at most 2 decades");
+    def = good;
+    def.lambda_s_m = good.length_m / 5;
+    assert_refused(&def, "only 5 harmonics are longer than --lambda-s");
+    const size_t positive[] = {offsetof(struct synth_def, alpha), offsetof(struct synth_def, length_m)};
+    for (size_t i = 0; i < sizeof positive / sizeof *positive; i++)
+        for (int k = 0; k < 4; k++) {
+            def = good;
+            *(double *)((char *)&def + positive[i]) = (double[]){0, -1, NAN, INFINITY}[k];
+            assert_refused(&def, "must be positive");
+        }
+    const size_t not_negative[] = {offsetof(struct synth_def, rq_m), offsetof(struct synth_def, scatter_decades),
+                                   offsetof(struct synth_def, lambda_s_m)};
+    for (size_t i = 0; i < sizeof not_negative / sizeof *not_negative; i++)
+        for (int k = 0; k < 2; k++) {
+            def = good;
+            *(double *)((char *)&def + not_negative[i]) = (double[]){-1, NAN}[k];
+            assert_refused(&def, "not negative");
+        }
+}
+
+static double length_m(const char *value)
+{
+    char *unit;
+    double number = strtod(value, &unit);
+    double scale = scan_unit_m(unit, strlen(unit));
+    assert_true(scale > 0);
+    return number * scale;
+}
+
+/* One line of surfaces/make.sh into settings; returns the file it makes. */
+static const char *parse_synth_line(char *line, struct synth_def *def)
+{
+    const char *file = NULL;
+    *def = synth_def_default();
+    strtok(line, " \n");
+    for (const char *option; (option = strtok(NULL, " \n"));) {
+        const char *value = strtok(NULL, " \n");
+        assert_non_null(value);
+        if (strcmp(option, "--lambda-s") == 0)
+            def->lambda_s_m = length_m(value);
+        else if (strcmp(option, "--rq") == 0)
+            def->rq_m = length_m(value);
+        else if (strcmp(option, "--length") == 0)
+            def->length_m = length_m(value);
+        else if (strcmp(option, "--alpha") == 0)
+            def->alpha = strtod(value, NULL);
+        else if (strcmp(option, "--gamma") == 0)
+            def->gamma = strtod(value, NULL);
+        else if (strcmp(option, "--scatter") == 0)
+            def->scatter_decades = strtod(value, NULL);
+        else if (strcmp(option, "--seed") == 0)
+            def->seed = strtoul(value, NULL, 10);
+        else if (strcmp(option, "--points") == 0)
+            def->points = strtoul(value, NULL, 10);
+        else if (strcmp(option, "-o") == 0)
+            file = value;
+        else
+            fail_msg("option '%s' of surfaces/make.sh is not known here", option);
+    }
+    assert_non_null(file);
+    return file;
+}
+
+static void assert_file_holds(const char *file, const struct synth_def *def)
+{
+    char path[4096];
+    struct scan scan;
+    struct scan_options options = {"", ""};
+    struct status status = {0};
+    snprintf(path, sizeof path, "%s/surfaces/%s", PROJECT_SOURCE, file);
+    if (scan_read(&scan, path, &options, &status) != STATUS_OK)
+        fail_msg("%s", status.message);
+    double *height_m = make(def);
+    assert_int_equal(scan.nx, def->points);
+    assert_near(scan.dx_m, def->length_m / (double)def->points, 1e-9);
+    for (size_t i = 0; i < def->points; i++)
+        assert_within(scan.z_m[i], height_m[i], 2e-12);
+    free(height_m);
+    scan_free(&scan);
+}
+
+/* The committed scans are what surfaces/make.sh makes, to the picometre they are printed with. */
+static void test_the_sample_surfaces_are_what_make_sh_makes(void **state)
+{
+    (void)state;
+    char line[1024];
+    size_t files = 0;
+    FILE *script = fopen(PROJECT_SOURCE "/surfaces/make.sh", "r");
+    assert_non_null(script);
+    while (fgets(line, sizeof line, script)) {
+        if (strncmp(line, "synth -", 7) != 0)
+            continue;
+        struct synth_def def;
+        const char *file = parse_synth_line(line, &def);
+        assert_file_holds(file, &def);
+        assert_comes_back(&def);
+        files++;
+    }
+    fclose(script);
+    assert_true(files >= 9);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_the_law_comes_back),
+        cmocka_unit_test(test_the_cut_off),
+        cmocka_unit_test(test_a_seed_names_a_surface),
+        cmocka_unit_test(test_what_cannot_be_made_is_refused),
+        cmocka_unit_test(test_the_sample_surfaces_are_what_make_sh_makes),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

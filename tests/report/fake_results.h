@@ -1,0 +1,79 @@
+/* Results made up to order, without a run. */
+#ifndef TEST_FAKE_RESULTS_H
+#define TEST_FAKE_RESULTS_H
+
+#include "report/claim.h"
+#include "support.h"
+
+enum { SURFACES = 3 };
+
+/* Three surfaces made up to order, smoothest first, in all four models. */
+struct fake {
+    struct scene scene;
+    struct plan plan;
+    struct scene_surface names[SURFACES];
+    struct surface_summary summaries[SURFACES];
+    struct spool spool;
+    size_t order[SURFACES];
+    struct results results;
+    struct study study;
+};
+
+static inline void make_fake(struct fake *fake)
+{
+    static char names[SURFACES][8] = {"one", "two", "three"};
+    *fake = (struct fake){.scene = {.convergence = {.load = 1e-3}}, .plan = {.running = (1u << EFFECT_COUNT) - 1}};
+    fake->plan.families = SCENE_MODEL_MULTISCALE | SCENE_MODEL_STATISTICAL;
+    for (size_t k = 0; k < SURFACES; k++) {
+        fake->names[k].name = names[k];
+        fake->order[k] = k;
+        struct surface_summary *summary = &fake->summaries[k];
+        summary->scene = &fake->names[k];
+        summary->usable = true;
+        summary->law.gamma = 1.6 - 0.2 * (double)k;
+        for (int m = 0; m < MODEL_COUNT; m++)
+            summary->models[m] = (struct surface_model){.exists = true,
+                                                        .full_load = 0.1,
+                                                        .elbow_load = 0.05,
+                                                        .beta = 6,
+                                                        .area_slope = 0.95,
+                                                        .gap_at_full = 0,
+                                                        .sd_least = 0.001,
+                                                        .sd_most = 0.01};
+    }
+    for (int m = 0; m < MODEL_COUNT; m++) {
+        fake->study.rank[m] = (struct study_rank){100, 100, 40, 100, 100};
+        fake->study.area_spread[m] = model_rows[m].plastic ? 2 : 3;
+    }
+    for (int f = 0; f < 2; f++)
+        fake->study.plastic[f] = (struct study_plastic){100, 100, 1.1, 2, 3, 3};
+    fake->study.proportional_error = 1e-15;
+    fake->study.area_gap = 0.5;
+    fake->study.ecr_gap = 0.2;
+    fake->study.middle_load = 1e-3;
+    fake->spool = (struct spool){.summaries = fake->summaries, .count = SURFACES};
+    fake->results = (struct results){.scene = &fake->scene,
+                                     .plan = &fake->plan,
+                                     .spool = &fake->spool,
+                                     .by_roughness = fake->order,
+                                     .usable_count = SURFACES,
+                                     .baseline = 1};
+}
+
+static inline void assert_verdict(const struct fake *fake, const char *claim, enum claim_verdict expected,
+                                  const char *evidence)
+{
+    for (size_t i = 0; i < claim_count; i++)
+        if (strstr(claim_rows[i].statement, claim)) {
+            struct text text = {0};
+            assert_int_equal(claim_rows[i].check(&text, &fake->results, &fake->study), expected);
+            if (!strstr(text_string(&text), evidence))
+                fail_msg("'%s' without '%s'", text_string(&text), evidence);
+            assert_null(strpbrk(text_string(&text), "|\n")); /* it stands in a table's cell */
+            text_free(&text);
+            return;
+        }
+    fail_msg("no claim '%s'", claim);
+}
+
+#endif

@@ -1,0 +1,81 @@
+/* Temporary directories and the trees in them. */
+#ifndef TEST_DIRECTORY_H
+#define TEST_DIRECTORY_H
+
+#include "base/text.h"
+#include "support.h"
+
+#include <dirent.h>
+#include <ftw.h>
+#include <stdio.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+struct directory {
+    char path[128];
+};
+
+static inline struct directory directory_make(void)
+{
+    struct directory directory;
+    const char *temporary = getenv("TMPDIR");
+    snprintf(directory.path, sizeof directory.path, "%s/roughcontact-test-XXXXXX", temporary ? temporary : "/tmp");
+    assert_non_null(mkdtemp(directory.path));
+    return directory;
+}
+
+static inline int directory_unlink(const char *path, const struct stat *info, int kind, struct FTW *walk)
+{
+    (void)info, (void)kind, (void)walk;
+    return remove(path);
+}
+
+static inline void directory_remove(const struct directory *directory)
+{
+    assert_int_equal(nftw(directory->path, directory_unlink, 16, FTW_DEPTH | FTW_PHYS), 0);
+}
+
+/* Path of `name` below it; good until the next 8 calls. */
+static inline const char *directory_path(const struct directory *directory, const char *name)
+{
+    static char paths[8][4096];
+    static unsigned next;
+    char *path = paths[next++ % 8];
+    snprintf(path, sizeof paths[0], "%s/%s", directory->path, name);
+    return path;
+}
+
+static inline void directory_write(const struct directory *directory, const char *name, const char *content)
+{
+    struct status status = {0};
+    assert_int_equal(text_write_file(directory_path(directory, name), content, strlen(content), &status), STATUS_OK);
+}
+
+/* The file's text; fails the test when there is none. */
+static inline struct text directory_read(const struct directory *directory, const char *name)
+{
+    struct text text = {0};
+    struct status status = {0};
+    if (text_read_file(&text, directory_path(directory, name), &status) != STATUS_OK)
+        fail_msg("%s", status.message);
+    return text;
+}
+
+static inline bool directory_has(const struct directory *directory, const char *name)
+{
+    return access(directory_path(directory, name), F_OK) == 0;
+}
+
+/* How many entries `name` has, hidden ones too. */
+static inline size_t directory_entries(const struct directory *directory, const char *name)
+{
+    size_t entries = 0;
+    DIR *open = opendir(directory_path(directory, name));
+    assert_non_null(open);
+    for (const struct dirent *entry; (entry = readdir(open));)
+        entries += strcmp(entry->d_name, ".") != 0 && strcmp(entry->d_name, "..") != 0;
+    closedir(open);
+    return entries;
+}
+
+#endif

@@ -1,0 +1,196 @@
+#include "pipeline.h"
+
+static int place_setup(void **state)
+{
+    static struct directory place;
+    place = directory_make();
+    mkdir(directory_path(&place, "in"), 0777);
+    pipeline_rough(&place, "in/b.csv", 90, 0.1, 1);
+    pipeline_rough(&place, "in/a.csv", 91, 1, 2);
+    pipeline_rough(&place, "in/c.csv", 64, 20, 3);
+    *state = &place;
+    return 0;
+}
+
+static int place_teardown(void **state)
+{
+    directory_remove(*state);
+    return 0;
+}
+
+static struct run_options options_to(const char *target)
+{
+    return (struct run_options){.output = target, .templates = PROJECT_SOURCE "/templates", .jobs = 1, .no_cost = true};
+}
+
+/* Are the trees of two directories the same, names and bytes? */
+static void assert_same_tree(const struct directory *place, const char *a, const char *b, size_t *files)
+{
+    assert_int_equal(directory_entries(place, a), directory_entries(place, b));
+    DIR *open = opendir(directory_path(place, a));
+    assert_non_null(open);
+    for (const struct dirent *entry; (entry = readdir(open));) {
+        char one[512], two[512];
+        struct stat info;
+        if (entry->d_name[0] == '.')
+            continue;
+        snprintf(one, sizeof one, "%s/%s", a, entry->d_name);
+        snprintf(two, sizeof two, "%s/%s", b, entry->d_name);
+        assert_int_equal(stat(directory_path(place, one), &info), 0);
+        if (S_ISDIR(info.st_mode)) {
+            assert_same_tree(place, one, two, files);
+            continue;
+        }
+        struct text first = directory_read(place, one), second = directory_read(place, two);
+        if (first.length != second.length || memcmp(first.data, second.data, first.length) != 0)
+            fail_msg("%s and %s differ", one, two);
+        text_free(&first);
+        text_free(&second);
+        ++*files;
+    }
+    closedir(open);
+}
+
+/* Same input, same bytes; also with more threads, and with a report to replace. */
+static void test_runs_repeat_to_the_byte(void **state)
+{
+    size_t files = 0;
+    directory_write(*state, "in/scene.yaml",
+                    "material: tin\nload: {from: 1e-6, to: 1, points: 9}\nconvergence: {scales: 20}\n");
+    assert_int_equal(pipeline_run(*state, "in", "one", 1), 0);
+    assert_int_equal(pipeline_run(*state, "in", "two", 1), 0);
+    assert_int_equal(pipeline_run(*state, "in", "many", 2), 0);
+    assert_same_tree(*state, "one", "two", &files);
+    assert_same_tree(*state, "one", "many", &files);
+    assert_true(files > 2 * (30 + 31 + 7)); /* csv, gp and svg of every figure, and the rest */
+    assert_int_equal(pipeline_run(*state, "in", "two", 2), 0);
+    assert_same_tree(*state, "one", "two", &files);
+    assert_int_equal(directory_entries(*state, ""), 4);
+}
+
+/* One scan that is none: named, with why; the others are reported as if it were not there. */
+static void test_a_refused_scan_does_not_stop_the_others(void **state)
+{
+    struct run_outcome outcome;
+    struct status status = {0};
+    char target[4096];
+    directory_write(*state, "in/scene.yaml", "effects: [electrical]\nmaterial: tin\n");
+    assert_int_equal(pipeline_run(*state, "in", "without", 1), 0);
+    directory_write(*state, "in/aa.csv", "1,1\n2,1\n3,1\n4,1\n");
+    snprintf(target, sizeof target, "%s", directory_path(*state, "with"));
+    assert_int_equal(pipeline_try(&outcome, *state, "in", options_to(target), &status), STATUS_OK);
+    assert_int_equal(outcome.surfaces, 3);
+    assert_int_equal(outcome.refused, 1);
+    assert_non_null(strstr(text_string(&outcome.messages), "surface 'aa' refused: "));
+    assert_non_null(strstr(outcome.path, "/with/report.html"));
+    struct text with = directory_read(*state, "with/data/contact.csv"),
+                report = directory_read(*state, "with/report.md");
+    struct text without = directory_read(*state, "without/data/contact.csv");
+    assert_string_equal(text_string(&with), text_string(&without));
+    assert_non_null(strstr(text_string(&report), "aa"));
+    text_free(&with);
+    text_free(&without);
+    text_free(&report);
+    run_outcome_free(&outcome);
+}
+
+/* Runs that end early leave OUT and what is around it as they were. */
+static void assert_untouched(const struct directory *place, struct run_options options, enum status_code expected,
+                             const char *words)
+{
+    struct run_outcome outcome;
+    struct status status = {0};
+    char target[4096];
+    size_t entries = directory_entries(place, "");
+    snprintf(target, sizeof target, "%s", directory_path(place, "out"));
+    options.output = target;
+    assert_int_equal(pipeline_try(&outcome, place, "in", options, &status), expected);
+    if (!strstr(status.message, words))
+        fail_msg("'%s' without '%s'", status.message, words);
+    assert_null(outcome.path);
+    run_outcome_free(&outcome);
+    assert_int_equal(directory_entries(place, ""), entries);
+    struct text text = directory_read(place, "out/report.md");
+    assert_string_equal(text_string(&text), "before");
+    text_free(&text);
+    assert_int_equal(directory_entries(place, "out"), 1);
+}
+
+static void test_a_run_that_fails_leaves_the_report_before(void **state)
+{
+    const struct directory *place = *state;
+    const volatile sig_atomic_t stop = 1;
+    struct run_options options = options_to(NULL);
+    mkdir(directory_path(place, "out"), 0777);
+    directory_write(place, "out/report.md", "before");
+    options.stop = &stop;
+    assert_untouched(place, options, STATUS_INTERRUPTED, "stopped");
+    options = options_to(NULL);
+    options.templates = directory_path(place, "no templates here");
+    assert_untouched(place, options, STATUS_IO, "no templates here");
+    for (const char *name = "abc"; *name; name++) {
+        char file[16];
+        snprintf(file, sizeof file, "in/%c.csv", *name);
+        directory_write(place, file, "no numbers\n");
+    }
+    assert_untouched(place, options_to(NULL), STATUS_SCAN, "no readable scan");
+    for (const char *name = "abc"; *name; name++) {
+        char file[16];
+        snprintf(file, sizeof file, "in/%c.csv", *name);
+        unlink(directory_path(place, file));
+    }
+    assert_untouched(place, options_to(NULL), STATUS_SCAN, "no scan in");
+}
+
+/* The signal comes while surfaces are being evaluated. */
+static volatile sig_atomic_t stop_soon;
+
+static void ask_to_stop(size_t done, size_t total, const char *name)
+{
+    (void)total, (void)name;
+    stop_soon = done >= 1;
+}
+
+static void test_a_signal_halfway_stops_the_run(void **state)
+{
+    const struct directory *place = *state;
+    struct run_options options = options_to(NULL);
+    mkdir(directory_path(place, "out"), 0777);
+    directory_write(place, "out/report.md", "before");
+    options.stop = &stop_soon;
+    options.progress = ask_to_stop;
+    stop_soon = 0;
+    assert_untouched(place, options, STATUS_INTERRUPTED, "stopped");
+}
+
+static void test_the_baseline_and_the_order_do_not_depend_on_file_names(void **state)
+{
+    struct run_outcome outcome;
+    struct status status = {0};
+    char target[4096];
+    directory_write(*state, "in/scene.yaml", "material: tin\neffects: [electrical]\n");
+    snprintf(target, sizeof target, "%s", directory_path(*state, "out"));
+    assert_int_equal(pipeline_try(&outcome, *state, "in", options_to(target), &status), STATUS_OK);
+    struct text report = directory_read(*state, "out/report.md");
+    assert_non_null(strstr(text_string(&report), "One surface, every model: a\n")); /* the second smoothest */
+    text_free(&report);
+    run_outcome_free(&outcome);
+    directory_write(*state, "in/scene.yaml", "material: tin\neffects: [electrical]\nbaseline: c\n");
+    assert_int_equal(pipeline_run(*state, "in", "out", 1), 0);
+    report = directory_read(*state, "out/report.md");
+    assert_non_null(strstr(text_string(&report), "One surface, every model: c\n"));
+    text_free(&report);
+}
+
+int main(void)
+{
+#define TEST(function) cmocka_unit_test_setup_teardown(function, place_setup, place_teardown)
+    const struct CMUnitTest tests[] = {
+        TEST(test_runs_repeat_to_the_byte),
+        TEST(test_a_refused_scan_does_not_stop_the_others),
+        TEST(test_a_run_that_fails_leaves_the_report_before),
+        TEST(test_a_signal_halfway_stops_the_run),
+        TEST(test_the_baseline_and_the_order_do_not_depend_on_file_names),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,302 @@
+#include "profile/synth.h"
+#include "spectrum/spectrum.h"
+#include "support.h"
+
+#include <pthread.h>
+
+static const double spacing_m = 2.5e-7;
+
+/* cos(2 pi n j/N + phase) with the angle reduced in whole numbers first. */
+static double wave(size_t n, size_t j, size_t points, double phase)
+{
+    return cos(2 * M_PI * (double)(n * j % points) / (double)points + phase);
+}
+
+/* Uniform in -1...1, the same on every machine. */
+static double noise(uint64_t *seed)
+{
+    *seed = *seed * 6364136223846793005u + 1442695040888963407u;
+    return (double)(int64_t)*seed * 0x1p-63;
+}
+
+static struct spectrum compute(const double *height_m, size_t points, enum scene_window window)
+{
+    struct spectrum spectrum;
+    struct status status = {0};
+    assert_int_equal(spectrum_compute(&spectrum, height_m, points, spacing_m, window, &status), STATUS_OK);
+    assert_int_equal(spectrum.count, points / 2);
+    assert_int_equal(spectrum.has_nyquist, points % 2 == 0);
+    assert_near(spectrum.length_m, (double)points * spacing_m, 1e-15);
+    return spectrum;
+}
+
+static double total_power(const struct spectrum *spectrum)
+{
+    long double sum = 0;
+    for (size_t i = 0; i < spectrum->count; i++)
+        sum += spectrum_power(spectrum, i);
+    return (double)sum;
+}
+
+static double mean_square(const double *height_m, size_t points)
+{
+    long double mean = 0, sum = 0;
+    for (size_t i = 0; i < points; i++)
+        mean += (long double)height_m[i] / (long double)points;
+    for (size_t i = 0; i < points; i++)
+        sum += (height_m[i] - mean) * (height_m[i] - mean) / (long double)points;
+    return (double)sum;
+}
+
+/* Each harmonic by itself, at a phase of its own: its amplitude in its bin, nothing in the others. */
+static void test_single_harmonics(void **state)
+{
+    (void)state;
+    static const size_t lengths[] = {3, 4, 5, 6, 7, 16, 17, 101, 120};
+    const double amplitude_m = 3.7e-7;
+    double height_m[120];
+    for (size_t l = 0; l < sizeof lengths / sizeof *lengths; l++)
+        for (size_t n = 1; n <= lengths[l] / 2; n++) {
+            size_t points = lengths[l];
+            bool nyquist = 2 * n == points; /* only its cosine part can be sampled */
+            for (size_t j = 0; j < points; j++)
+                height_m[j] = 1e-6 + amplitude_m * wave(n, j, points, nyquist ? 0 : 0.1 + (double)n);
+            struct spectrum spectrum = compute(height_m, points, SCENE_WINDOW_NONE);
+            for (size_t i = 0; i < spectrum.count; i++)
+                assert_within(spectrum.amplitude_m[i], i + 1 == n ? amplitude_m : 0, 1e-13 * amplitude_m);
+            assert_near(spectrum_power(&spectrum, n - 1), amplitude_m * amplitude_m / (nyquist ? 1 : 2), 1e-12);
+            assert_near(spectrum_frequency(&spectrum, n - 1), (double)n / ((double)points * spacing_m), 1e-15);
+            spectrum_free(&spectrum);
+        }
+}
+
+/* Every harmonic at once, amplitudes over two decades, odd and even lengths. */
+static void test_many_harmonics(void **state)
+{
+    (void)state;
+    for (size_t points = 240; points <= 241; points++) {
+        double height_m[241] = {0};
+        for (size_t n = 1; n <= points / 2; n++)
+            for (size_t j = 0; j < points; j++)
+                height_m[j] += 1e-6 / (double)n * wave(n, j, points, 2 * n == points ? 0 : sin((double)n) * M_PI);
+        struct spectrum spectrum = compute(height_m, points, SCENE_WINDOW_NONE);
+        for (size_t n = 1; n <= points / 2; n++)
+            assert_within(spectrum.amplitude_m[n - 1], 1e-6 / (double)n, 1e-13 * 1e-6);
+        spectrum_free(&spectrum);
+    }
+}
+
+/* A ramp of step s has Delta_n = s/sin(pi n/N), and half of that at Nyquist: a geometric sum. */
+static void test_a_ramp(void **state)
+{
+    (void)state;
+    double height_m[1000];
+    for (size_t points = 999; points <= 1000; points++) {
+        for (size_t j = 0; j < points; j++)
+            height_m[j] = 1e-9 * (double)j;
+        struct spectrum spectrum = compute(height_m, points, SCENE_WINDOW_NONE);
+        for (size_t n = 1; n <= points / 2; n++)
+            assert_near(spectrum.amplitude_m[n - 1],
+                        1e-9 / sin(M_PI * (double)n / (double)points) / (2 * n == points ? 2 : 1), 1e-11);
+        struct spectrum hann = compute(height_m, points, SCENE_WINDOW_HANN);
+        for (size_t n = 50; n <= points / 2; n++) /* the window takes the tail away that the jump leaks */
+            assert_true(hann.amplitude_m[n - 1] < 1e-3 * spectrum.amplitude_m[n - 1]);
+        spectrum_free(&spectrum);
+        spectrum_free(&hann);
+    }
+}
+
+/* A prime length against the defining sum in long double. */
+static void test_against_the_defining_sum(void **state)
+{
+    (void)state;
+    enum { POINTS = 499 };
+    double height_m[POINTS];
+    uint64_t seed = 5;
+    for (size_t j = 0; j < POINTS; j++)
+        height_m[j] = 1e-6 * noise(&seed);
+    struct spectrum spectrum = compute(height_m, POINTS, SCENE_WINDOW_NONE);
+    for (size_t n = 1; n <= POINTS / 2; n++) {
+        long double real = 0, imaginary = 0;
+        for (size_t j = 0; j < POINTS; j++) {
+            long double angle = 2 * acosl(-1) * (long double)(n * j % POINTS) / POINTS;
+            real += height_m[j] * cosl(angle);
+            imaginary -= height_m[j] * sinl(angle);
+        }
+        assert_within(spectrum.amplitude_m[n - 1], (double)(2 * hypotl(real, imaginary) / POINTS), 1e-13 * 1e-6);
+    }
+    spectrum_free(&spectrum);
+}
+
+static void test_parseval(void **state)
+{
+    (void)state;
+    static const size_t lengths[] = {3, 4, 5, 1000, 1001, 1009};
+    uint64_t seed = 1;
+    double height_m[1009];
+    for (size_t l = 0; l < sizeof lengths / sizeof *lengths; l++) {
+        for (size_t j = 0; j < lengths[l]; j++)
+            height_m[j] = 1e-6 * noise(&seed);
+        for (int window = 0; window < SCENE_WINDOW_COUNT; window++) { /* Hann is scaled to keep it too */
+            struct spectrum spectrum = compute(height_m, lengths[l], (enum scene_window)window);
+            assert_near(total_power(&spectrum), mean_square(height_m, lengths[l]), 1e-13);
+            assert_near(spectrum_moment(&spectrum, 0), total_power(&spectrum), 1e-13);
+            spectrum_free(&spectrum);
+        }
+    }
+}
+
+static void test_parseval_of_a_long_surface(void **state)
+{
+    (void)state;
+    struct synth_def def = synth_def_default();
+    struct status status = {0};
+    def.points = 1000000;
+    double *height_m = malloc(def.points * sizeof *height_m);
+    assert_non_null(height_m);
+    assert_int_equal(synth_profile(height_m, &def, &status), STATUS_OK);
+    struct spectrum spectrum = compute(height_m, def.points, SCENE_WINDOW_NONE);
+    assert_near(total_power(&spectrum), mean_square(height_m, def.points), 1e-13);
+    spectrum_free(&spectrum);
+    free(height_m);
+}
+
+/* The sum of a constant and roughness rounds to half a unit of the last place, 7e-18 m here; nothing else may be lost.
+ */
+static void test_a_large_offset_keeps_the_amplitudes(void **state)
+{
+    (void)state;
+    enum { POINTS = 1000 };
+    const double offset_m = 0.1, amplitude_m = 1e-8;
+    double plain_m[POINTS], lifted_m[POINTS];
+    for (size_t j = 0; j < POINTS; j++) {
+        plain_m[j] = amplitude_m * (wave(1, j, POINTS, 1) + wave(7, j, POINTS, 2) + wave(133, j, POINTS, 3));
+        lifted_m[j] = offset_m + plain_m[j];
+    }
+    for (int window = 0; window < SCENE_WINDOW_COUNT; window++) {
+        struct spectrum plain = compute(plain_m, POINTS, (enum scene_window)window);
+        struct spectrum lifted = compute(lifted_m, POINTS, (enum scene_window)window);
+        for (size_t i = 0; i < plain.count; i++)
+            assert_within(lifted.amplitude_m[i], plain.amplitude_m[i], window == SCENE_WINDOW_NONE ? 2e-18 : 1e-15);
+        spectrum_free(&plain);
+        spectrum_free(&lifted);
+    }
+}
+
+/* Hann of a whole harmonic: main line and its two neighbours at half of it (Harris 1978), scaled to keep the power. */
+static void test_hann_lines(void **state)
+{
+    (void)state;
+    enum { POINTS = 256, LINE = 40 };
+    double height_m[POINTS];
+    for (size_t j = 0; j < POINTS; j++)
+        height_m[j] = 1e-6 * wave(LINE, j, POINTS, 0.3);
+    struct spectrum spectrum = compute(height_m, POINTS, SCENE_WINDOW_HANN);
+    double main_m = 1e-6 / sqrt(1.5); /* 1 + 2/4 of its square is the power kept */
+    for (size_t n = 1; n <= spectrum.count; n++)
+        assert_within(spectrum.amplitude_m[n - 1],
+                      n == LINE                        ? main_m
+                      : n == LINE - 1 || n == LINE + 1 ? main_m / 2
+                                                       : 0,
+                      1e-12 * 1e-6);
+    spectrum_free(&spectrum);
+}
+
+static void test_moments_of_a_sinusoid(void **state)
+{
+    (void)state;
+    enum { POINTS = 500, LINE = 12 };
+    double height_m[POINTS], amplitude_m = 4e-7;
+    for (size_t j = 0; j < POINTS; j++)
+        height_m[j] = amplitude_m * wave(LINE, j, POINTS, 0.7);
+    struct spectrum spectrum = compute(height_m, POINTS, SCENE_WINDOW_NONE);
+    double wave_number = 2 * M_PI * LINE / (POINTS * spacing_m), power = amplitude_m * amplitude_m / 2;
+    for (size_t i = 0; i < spectrum.count; i++) /* only rounding beside the line, but m4 would magnify it */
+        spectrum.amplitude_m[i] = spectrum.amplitude_m[i] < 1e-12 * amplitude_m ? 0 : spectrum.amplitude_m[i];
+    assert_near(spectrum_moment(&spectrum, 0), power, 1e-13);
+    assert_near(spectrum_moment(&spectrum, 1), power * pow(wave_number, 2), 1e-13);
+    assert_near(spectrum_moment(&spectrum, 2), power * pow(wave_number, 4), 1e-13);
+    spectrum_free(&spectrum);
+}
+
+static struct spectrum random_spectrum(size_t points, uint64_t seed)
+{
+    double height_m[2000];
+    assert_true(points <= sizeof height_m / sizeof *height_m);
+    for (size_t j = 0; j < points; j++)
+        height_m[j] = 1e-6 * noise(&seed);
+    return compute(height_m, points, SCENE_WINDOW_NONE);
+}
+
+/* The mean over scans is one of powers, also where one record has its Nyquist harmonic and the other an ordinary one.
+ */
+static void test_averages_are_means_of_powers(void **state)
+{
+    (void)state;
+    static const size_t lengths[][3] = {{1000, 1000, 1000}, {999, 999, 999},   {1000, 1001, 1001},
+                                        {1001, 1000, 1000}, {1002, 1000, 998}, {998, 1000, 1003}};
+    for (size_t l = 0; l < sizeof lengths / sizeof *lengths; l++) {
+        struct spectrum scans[3], mean = random_spectrum(lengths[l][0], 1);
+        size_t fewest = SIZE_MAX;
+        for (size_t k = 0; k < 3; k++) {
+            scans[k] = random_spectrum(lengths[l][k], k + 1);
+            fewest = scans[k].count < fewest ? scans[k].count : fewest;
+            if (k > 0)
+                spectrum_average(&mean, &scans[k], k);
+        }
+        assert_int_equal(mean.count, fewest);
+        assert_near(mean.length_m, scans[0].length_m, 0);
+        for (size_t i = 0; i < fewest; i++)
+            assert_near(spectrum_power(&mean, i),
+                        (spectrum_power(&scans[0], i) + spectrum_power(&scans[1], i) + spectrum_power(&scans[2], i)) /
+                            3,
+                        1e-13);
+        for (size_t k = 0; k < 3; k++)
+            spectrum_free(&scans[k]);
+        spectrum_free(&mean);
+    }
+}
+
+static void *compute_again(void *expected)
+{
+    for (int round = 0; round < 20; round++) {
+        struct spectrum spectrum = random_spectrum(1997, 3);
+        if (memcmp(spectrum.amplitude_m, expected, spectrum.count * sizeof(double)) != 0)
+            return expected;
+        spectrum_free(&spectrum);
+    }
+    return NULL;
+}
+
+static void test_threads_do_not_disturb_each_other(void **state)
+{
+    (void)state;
+    struct spectrum spectrum = random_spectrum(1997, 3);
+    pthread_t threads[4];
+    for (int t = 0; t < 4; t++)
+        assert_int_equal(pthread_create(&threads[t], NULL, compute_again, spectrum.amplitude_m), 0);
+    for (int t = 0; t < 4; t++) {
+        void *different;
+        pthread_join(threads[t], &different);
+        assert_null(different);
+    }
+    spectrum_free(&spectrum);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_single_harmonics),
+        cmocka_unit_test(test_many_harmonics),
+        cmocka_unit_test(test_a_ramp),
+        cmocka_unit_test(test_against_the_defining_sum),
+        cmocka_unit_test(test_parseval),
+        cmocka_unit_test(test_parseval_of_a_long_surface),
+        cmocka_unit_test(test_a_large_offset_keeps_the_amplitudes),
+        cmocka_unit_test(test_hann_lines),
+        cmocka_unit_test(test_moments_of_a_sinusoid),
+        cmocka_unit_test(test_averages_are_means_of_powers),
+        cmocka_unit_test(test_threads_do_not_disturb_each_other),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
