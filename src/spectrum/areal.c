@@ -2,6 +2,7 @@
 
 #include "profile/level.h"
 #include "profile/profile.h"
+#include "spectrum/grid.h"
 #include <math.h>
 #include <stdlib.h>
 
@@ -55,82 +56,101 @@ static void measure_heights(struct areal *out, const struct scan *scan, const st
     out->sz_m = highest - lowest;
 }
 
-/** Mean squares of slope and curvature over the points whose neighbours are there; whether there are any. */
-static bool measure_slopes(struct roughness *row, const double *x_m, const double *z_m, size_t count, double spacing_m)
+/** Mean square of the slope where both neighbours are there; NaN: nowhere. */
+static double mean_slope_square(const double *z_m, size_t points, double spacing_m)
 {
-    size_t triples = 0;
-    for (size_t i = 1; i + 1 < count; i++) {
-        if (x_m[i + 1] - x_m[i - 1] > 2.5 * spacing_m)
-            continue;
+    double sum = 0;
+    size_t count = 0;
+    for (size_t i = 1; i + 1 < points; i++) {
         double slope = (z_m[i + 1] - z_m[i - 1]) / (2 * spacing_m);
-        double curvature = (z_m[i + 1] - 2 * z_m[i] + z_m[i - 1]) / spacing_m / spacing_m;
-        row->m2 += slope * slope;
-        row->m4_per_m2 += curvature * curvature;
-        triples++;
+        if (!isnan(slope))
+            sum += slope * slope, count++;
     }
-    row->m2 /= (double)triples;
-    row->m4_per_m2 /= (double)triples;
-    return triples > 0;
+    return count > 0 ? sum / (double)count : NAN;
 }
 
-/** Takes one more value into a mean of `so_far`. */
-static void join(double *mean, double value, size_t so_far)
+/** Mean square of the curvature where the point and both neighbours are there; NaN: nowhere. */
+static double mean_curvature_square(const double *z_m, size_t points, double spacing_m)
 {
-    *mean += (value - *mean) / (double)(so_far + 1);
+    double sum = 0;
+    size_t count = 0;
+    for (size_t i = 1; i + 1 < points; i++) {
+        double curvature = (z_m[i + 1] - 2 * z_m[i] + z_m[i - 1]) / spacing_m / spacing_m;
+        if (!isnan(curvature))
+            sum += curvature * curvature, count++;
+    }
+    return count > 0 ? sum / (double)count : NAN;
 }
 
-/** Adds row `y` over its own least-squares line. x_m and z_m hold nx each. */
-static enum status_code add_row(struct areal *out, const struct scan *scan, size_t y, double *x_m, double *z_m,
-                                struct status *status)
+/** Mean over rows of something that not every row has. */
+struct row_mean {
+    double value;
+    size_t count;
+};
+
+static void join(struct row_mean *mean, double value)
 {
+    if (!isnan(value))
+        mean->value += (value - mean->value) / (double)++mean->count;
+}
+
+/** Figures of the rows so far, and room for the one that is being looked at. */
+struct rows {
+    struct row_mean m0, ra, m2, m4;
+    double pv_m;
+    double *x_m, *z_m; /* nx each: the points that are there */
+};
+
+/** Adds row `y` over its own least-squares line. */
+static enum status_code add_row(struct rows *rows, const struct scan *scan, size_t y, struct status *status)
+{
+    const double *row_m = scan->z_m + y * scan->nx;
+    double *x_m = rows->x_m, *z_m = rows->z_m, square = 0, absolute = 0, highest = -INFINITY, lowest = INFINITY;
     size_t count = 0;
     struct levelling line;
-    struct roughness row = {0};
     for (size_t i = 0; i < scan->nx; i++)
-        if (!isnan(scan->z_m[y * scan->nx + i])) {
+        if (!isnan(row_m[i])) {
             x_m[count] = (double)i * scan->dx_m;
-            z_m[count++] = scan->z_m[y * scan->nx + i];
+            z_m[count++] = row_m[i];
         }
     if (count < ROW_POINTS)
         return STATUS_OK;
     if (level_remove(&line, z_m, x_m, count, scan->dx_m, SCENE_LEVEL_LINE, status) != STATUS_OK)
         return status->code;
-    double highest = -INFINITY, lowest = INFINITY;
     for (size_t i = 0; i < count; i++) {
-        row.m0_m2 += z_m[i] * z_m[i] / (double)count;
-        row.ra_m += fabs(z_m[i]) / (double)count;
+        square += z_m[i] * z_m[i];
+        absolute += fabs(z_m[i]);
         highest = fmax(highest, z_m[i]);
         lowest = fmin(lowest, z_m[i]);
     }
-    join(&out->rows.m0_m2, row.m0_m2, out->row_count);
-    join(&out->rows.ra_m, row.ra_m, out->row_count++);
-    out->rows.rq_m = sqrt(out->rows.m0_m2);
-    out->rows.pv_m = fmax(out->rows.pv_m, highest - lowest);
-    if (measure_slopes(&row, x_m, z_m, count, scan->dx_m)) {
-        join(&out->rows.m2, row.m2, out->slope_rows);
-        join(&out->rows.m4_per_m2, row.m4_per_m2, out->slope_rows++);
-    }
+    join(&rows->m0, square / (double)count);
+    join(&rows->ra, absolute / (double)count);
+    rows->pv_m = fmax(rows->pv_m, highest - lowest);
+    for (size_t i = scan->nx; i-- > 0;) /* back to their places, from the last */
+        z_m[i] = isnan(row_m[i]) ? NAN : z_m[--count];
+    join(&rows->m2, mean_slope_square(z_m, scan->nx, scan->dx_m));
+    join(&rows->m4, mean_curvature_square(z_m, scan->nx, scan->dx_m));
     return STATUS_OK;
 }
 
-/** Adds the spectrum of row `y`, if the row can be a profile of the map's full width. */
+/** Averages the spectrum of row `y` into the map's, if the row can be a profile. */
 static enum status_code add_spectrum(struct areal *out, const struct scan *scan, size_t y, struct status *status)
 {
     struct profile profile;
     struct spectrum spectrum = {0};
     struct status refused = {0};
     enum status_code code = profile_make(&profile, scan, y, &profile_defaults, &refused);
-    if (code == STATUS_OK && profile.trimmed == 0) {
+    if (code == STATUS_OK)
         code = spectrum_compute(&spectrum, profile.height_m, profile.points, profile.spacing_m, SCENE_WINDOW_NONE,
                                 &refused);
-        if (code == STATUS_OK && out->spectrum_rows++ == 0) {
-            out->spectrum = spectrum;
-        } else {
-            if (code == STATUS_OK)
-                spectrum_average(&out->spectrum, &spectrum, out->spectrum_rows - 1);
-            spectrum_free(&spectrum);
-        }
+    if (code == STATUS_OK && out->spectrum_rows == 0) {
+        out->spectrum = spectrum;
+        spectrum = (struct spectrum){0};
+    } else if (code == STATUS_OK) {
+        code = grid_average(&out->spectrum, &spectrum, out->spectrum_rows, &refused);
     }
+    out->spectrum_rows += code == STATUS_OK ? 1 : 0;
+    spectrum_free(&spectrum);
     profile_free(&profile);
     return code == STATUS_MEMORY ? status_memory(status) : STATUS_OK;
 }
@@ -142,18 +162,21 @@ enum status_code areal_compute(struct areal *out, const struct scan *scan, struc
     if (fit_plane(&plane, scan, status) != STATUS_OK)
         return status->code;
     measure_heights(out, scan, &plane);
-    double *x_m = malloc(2 * scan->nx * sizeof *x_m);
-    if (!x_m)
+    struct rows rows = {.x_m = malloc(2 * scan->nx * sizeof *rows.x_m)};
+    if (!rows.x_m)
         return status_memory(status);
+    rows.z_m = rows.x_m + scan->nx;
     enum status_code code = STATUS_OK;
     for (size_t y = 0; code == STATUS_OK && y < scan->ny; y++) {
-        code = add_row(out, scan, y, x_m, x_m + scan->nx, status);
+        code = add_row(&rows, scan, y, status);
         if (code == STATUS_OK)
             code = add_spectrum(out, scan, y, status);
     }
-    free(x_m);
-    if (code == STATUS_OK && out->slope_rows == 0)
+    free(rows.x_m);
+    if (code == STATUS_OK && (rows.m2.count == 0 || rows.m4.count == 0))
         return status_fail(status, STATUS_SCAN, "no row of the map has three heights side by side");
+    out->rows =
+        (struct roughness){sqrt(rows.m0.value), rows.ra.value, rows.pv_m, rows.m0.value, rows.m2.value, rows.m4.value};
     return code;
 }
 

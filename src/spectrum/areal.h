@@ -8,11 +8,9 @@
 
 struct areal {
     double sq_m, sa_m, sz_m;  /* root mean square, mean absolute, highest minus lowest: over the least-squares plane */
-    struct roughness rows;    /* each row over its own line; m0, Ra, m2, m4 averaged, PV the largest */
-    size_t row_count;         /* rows whose heights are in `rows`: of 3 points or more */
-    size_t slope_rows;        /* rows whose m2 and m4 are: with 3 points side by side */
-    struct spectrum spectrum; /* mean power of the rows */
-    size_t spectrum_rows;     /* rows in it: complete, or with inner gaps of at most a tenth bridged; not flat */
+    struct roughness rows;    /* each row over its own line; m0, Ra, m2, m4 averaged over the rows, PV the largest */
+    struct spectrum spectrum; /* mean power of the rows, as grid_average() joins them */
+    size_t spectrum_rows;     /* rows in it: not flat, at most a tenth missing (ends cut off, gaps bridged) */
 };
 
 /** Missing points are left out of every figure; a slope or curvature counts where all its points are there. Owned:
