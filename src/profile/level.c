@@ -1,5 +1,6 @@
 #include "profile/level.h"
 
+#include <float.h>
 #include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <stdlib.h>
@@ -103,12 +104,12 @@ static struct polynomial first_line(const struct record *record, const double *z
     return p;
 }
 
-/** Tukey's weights of the residuals; how many are 0. `scale` of 0: every residual but 0 is an outlier. */
+/** Tukey's weights of the residuals; how many are 0: less than half, since half the residuals are below the scale. */
 static size_t weigh(double *weight, const double *residual, size_t points, double scale)
 {
     size_t outliers = 0;
     for (size_t i = 0; i < points; i++) {
-        double r = scale > 0 ? residual[i] / (tukey_tuning * scale) : residual[i] == 0 ? 0 : 1;
+        double r = residual[i] / (tukey_tuning * scale);
         weight[i] = fabs(r) < 1 ? (1 - r * r) * (1 - r * r) : 0;
         outliers += weight[i] == 0 ? 1 : 0;
     }
@@ -122,15 +123,16 @@ static enum status_code take_robust_line(struct levelling *out, const struct rec
     double *work = malloc(3 * n * sizeof *work);
     if (!work)
         return status_memory(status);
-    double *weight = work + n, *residual = work + 2 * n, last = INFINITY;
+    double *weight = work + n, *residual = work + 2 * n, last = INFINITY, largest = 0;
+    for (size_t i = 0; i < n; i++)
+        largest = fmax(largest, fabs(z[i]));
     struct polynomial line = first_line(record, z, work);
     for (int step = 0; step < ROBUST_STEPS; step++) {
         for (size_t i = 0; i < n; i++)
             residual[i] = z[i] - line.a[0] - line.a[1] * (place(record, i) - line.centre);
-        double scale = mad_to_deviation * median_size(residual, work, n);
+        /* never below what rounding leaves of points on one line */
+        double scale = fmax(mad_to_deviation * median_size(residual, work, n), 4 * DBL_EPSILON * largest);
         out->outliers = weigh(weight, residual, n, scale);
-        if (n - out->outliers < 3 || scale == 0)
-            break; /* more than half lie on one line: that is the line */
         line = fit(record, z, weight, 1);
         if (fabs(line.a[1] - last) <= 1e-12 * scale)
             break;

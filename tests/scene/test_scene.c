@@ -222,6 +222,33 @@ static void test_absolute_file(void **state)
     scene_directory_remove(&directory);
 }
 
+/* Filters bound the wavelengths that the fit uses, unless a line says otherwise. */
+static void test_filters_bound_the_fit(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text;
+        double shortest, longest;
+    } rows[] = {
+        {"lambda_s_m: 2.5e-6\n", 2.5e-6, INFINITY},
+        {"lambda_c_m: 8e-4\n", 0, 8e-4},
+        {"lambda_c_m: 8e-4\nlambda_s_m: 2.5e-6\n", 2.5e-6, 8e-4},
+        {"lambda_s_m: none\nlambda_c_m: none\n", 0, INFINITY},
+        {"lambda_c_m: 8e-4\nfit_band_m: all\n", 0, INFINITY},
+        {"lambda_c_m: 8e-4\nfit_band_m: [1e-5, 1e-4]\n", 1e-5, 1e-4},
+    };
+    struct scene_directory directory = scene_directory_make();
+    scene_directory_add(&directory, "a");
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        scene_directory_write(&directory, "scene.yaml", rows[i].text, strlen(rows[i].text));
+        struct scene scene = scene_directory_read(directory.path, NULL);
+        assert_true(scene.fit_band_m[0] == rows[i].shortest && scene.fit_band_m[1] == rows[i].longest);
+        assert_near(scene.max_missing, 0.1, 0);
+        scene_free(&scene);
+    }
+    scene_directory_remove(&directory);
+}
+
 static void test_default_loads(void **state)
 {
     (void)state;
@@ -374,6 +401,7 @@ int main(void)
         cmocka_unit_test(test_a_material_may_know_little),
         cmocka_unit_test(test_spellings_that_are_allowed),
         cmocka_unit_test(test_absolute_file),
+        cmocka_unit_test(test_filters_bound_the_fit),
         cmocka_unit_test(test_default_loads),
         cmocka_unit_test(test_the_command_line_wins),
         cmocka_unit_test(test_wrong_overrides),
