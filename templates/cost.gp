@@ -2,7 +2,7 @@
 #   call 'cost.gp' DATA OUTPUT TITLE STYLES
 # STYLES: one word a block of DATA: c1..c9 methods, choice the chosen settings.
 data = ARG1; output = ARG2; title_text = ARG3; style_words = ARG4
-x_label = 'time in s'; y_label = 'largest relative error'
+x_label = 'time (s)'; y_label = 'largest relative error'
 load 'style.gp'
 log_x = 1; log_y = 1
 load 'blocks.gp'

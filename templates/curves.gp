@@ -1,9 +1,11 @@
 # Curves against a load, an area or a wavelength.
-#   call 'curves.gp' DATA OUTPUT TITLE XLABEL YLABEL LOGARITHMIC STYLES
+#   call 'curves.gp' DATA OUTPUT TITLE XLABEL YLABEL LOGARITHMIC STYLES [AXES]
 # LOGARITHMIC: 'xy', 'x', 'y' or ''. STYLES: one word a block of DATA: s1..s8 surfaces, me mp gw jg models, gwa jga adjusted
 # separation, meS mpS gwS jgS scale-dependent, r1..r9 steps of a sweep; with x at its end the part of that curve outside
-# its range of validity, which gets no legend entry.
+# its range of validity, which gets no legend entry. AXES: 'A B C': the x axis holds at least A to B; the y axis ends a
+# little below C when the data go further down (0: it does not).
 data = ARG1; output = ARG2; title_text = ARG3; x_label = ARG4; y_label = ARG5; logarithmic = ARG6; style_words = ARG7
+axes = ARGC > 7 ? ARG8 : ''
 load 'style.gp'
 log_x = strstrt(logarithmic, 'x') > 0
 log_y = strstrt(logarithmic, 'y') > 0
@@ -40,6 +42,11 @@ do for [i = 1:BLOCKS] {
 note_outside = 'outside the range of validity'
 if (strlen(dashed)) { count = count + 1; longest = most(longest, strlen(note_outside)) }
 load 'legend.gp'
+if (words(axes) == 3 && !empty) {
+    x_low = least(x_low, word(axes, 1) + 0); x_high = most(x_high, word(axes, 2) + 0)
+    floor_y = word(axes, 3) + 0.0
+    if (floor_y > 0 && y_low < 0.3 * floor_y) { y_low = 0.3 * floor_y }
+}
 low = x_low; high = x_high
 call 'axis.gp' 'x' (log_x ? 'log' : 'zero') '0' (text_mode ? '6' : '8')
 low = y_low; high = y_high

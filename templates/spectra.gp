@@ -4,7 +4,7 @@
 # the law over the fitted band, whose legend text stands in the panel; fitx the law outside the band. Rows are m,m; some 400
 # points a block are enough.
 data = ARG1; output = ARG2; title_text = ARG3; style_words = ARG4
-x_label = 'wavelength in m'; y_label = 'amplitude in m'
+x_label = 'wavelength (m)'; y_label = 'amplitude (m)'
 load 'style.gp'
 log_x = 1; log_y = 1
 load 'blocks.gp'
@@ -53,7 +53,7 @@ do for [p = 1:panels] {
     call 'axis.gp' 'y' 'log' '0.04' (text_mode ? '4' : '6') (column ? 'bare' : '')
     set xlabel (x_bare ? '' : axis_label(x_label))
     b = FIRST[p]
-    set label 3 short(LEGEND[b], columns > 1 ? 38 : 80) at graph 0, graph 1 offset 0, (text_mode ? 1 : 0.7) left noenhanced textcolor rgb ink
+    set label 3 (columns > 1 ? both_ends(LEGEND[b], 36) : short(LEGEND[b], 80)) at graph 0, graph 1 offset 0, (text_mode ? 1 : 0.7) left noenhanced textcolor rgb ink
     unset label 4
     # A point is a square as long as it is wide: strokes of one path take a fifth of the bytes of as many markers.
     dot = 10**(1.2 / (680.0 * wide) * log10(x_high / x_low))
@@ -64,7 +64,7 @@ do for [p = 1:panels] {
         ', data index b - 1 using ($1/dot):2:($1*dot - $1/dot):(0) with vectors nohead lw 2.4 lc rgb faint notitle') }
     do for [i = b + 1:FIRST[p + 1] - 1] {
         inside = word(style_words, i) eq 'fit'
-        if (inside) { set label 4 short(LEGEND[i], 36) at graph 0.04, graph 0.92 left noenhanced textcolor rgb ink }
+        if (inside) { set label 4 short(LEGEND[i], 36) at graph 0.97, graph 0.07 right noenhanced textcolor rgb ink }
         if (ROWS[i] > 1) { command = command . sprintf(', data index %d using 1:2 with lines %s lc rgb ink notitle', i - 1, \
             inside ? 'lt 1 lw 1.6' : 'lt 1 lw 1.1 dt (7,4)') }
     }

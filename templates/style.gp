@@ -3,6 +3,7 @@
 # Text charts: with dumb_size defined before (dumb_size = '100,30': columns, rows) the same templates draw with letters.
 reset
 set encoding utf8
+set minussign
 set datafile separator ','
 text_mode = exists('dumb_size')
 
@@ -39,8 +40,10 @@ known(w) = exists('colour_' . base(w))
 colour(w) = value('colour_' . base(w))
 marker(w) = exists('marker_' . base(w)) ? value('marker_' . base(w)) : -1
 
-# Text from outside: never evaluated, never enhanced, cut to what fits.
+# Text from outside: never evaluated, never enhanced, cut to what fits; where there is little room in its middle, as names
+# often differ at their end.
 short(s, n) = strlen(s) > n ? s[1:n - 1] . '…' : s
+both_ends(s, n) = strlen(s) > n ? s[1:int(n / 2) - 1] . '…' . s[strlen(s) - (n - int(n / 2)) + 1:*] : s
 # Axis labels come from the program and may hold _{} and ^{}; a terminal shows them without the braces.
 cut(s, i) = i == 0 ? s : s[1:i - 1] . s[i + 1:*]
 unbrace(s) = strstrt(s, '{') ? unbrace(cut(s, strstrt(s, '{'))) : strstrt(s, '}') ? unbrace(cut(s, strstrt(s, '}'))) : s

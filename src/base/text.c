@@ -1,5 +1,6 @@
 #include "base/text.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <stdarg.h>
 #include <stdint.h>
@@ -56,19 +57,60 @@ void text_add(struct text *text, const char *format, ...)
     va_end(again);
 }
 
+size_t text_character(const char *s)
+{
+    static const uint32_t least[] = {0, 0xa0, 0x800, 0x10000}; /* U+0080 to U+009F are control characters */
+    unsigned char first = (unsigned char)*s;
+    if (first < 0x80)
+        return first >= 0x20 && first != 0x7f;
+    size_t more = first >= 0xf0 ? 3 : first >= 0xe0 ? 2 : first >= 0xc0 ? 1 : 0;
+    uint32_t code = more ? first & (0x3fu >> more) : 0;
+    if (!more || first >= 0xf8)
+        return 0;
+    for (size_t i = 1; i <= more; i++) {
+        if (((unsigned char)s[i] & 0xc0) != 0x80)
+            return 0;
+        code = code << 6 | ((unsigned char)s[i] & 0x3fu);
+    }
+    bool surrogate = code >= 0xd800 && code <= 0xdfff;
+    bool usable = code >= least[more] && code <= 0x10ffff && !surrogate && (code & 0xfffe) != 0xfffe;
+    return usable ? more + 1 : 0;
+}
+
+void text_add_shown(struct text *text, const char *string)
+{
+    for (size_t length; *string; string += length ? length : 1) {
+        length = text_character(string);
+        text_add_bytes(text, length ? string : "?", length ? length : 1);
+    }
+}
+
+/** Does Markdown read something into the character there? Marks of lists and rules only count at the beginning, after
+ * digits at most; an underscore inside a word is a letter; a colon may make a link only before a slash. */
+static bool has_meaning(const char *string, size_t at)
+{
+    char c = string[at];
+    if (strchr("\\`*[]|~$#", c))
+        return true;
+    if (c == '_')
+        return at == 0 || !isalnum((unsigned char)string[at - 1]) || !isalnum((unsigned char)string[at + 1]);
+    if (c == ':')
+        return string[at + 1] == '/';
+    return strchr("+-=.)", c) && strspn(string, "0123456789+-=.) ") >= at;
+}
+
 void text_add_markdown(struct text *text, const char *string)
 {
-    for (; *string; string++) {
-        unsigned char c = (unsigned char)*string;
-        if (c < 0x20 || c == 0x7f)
-            text_add_bytes(text, "?", 1);
-        else if (c == '<' || c == '>' || c == '&' || c == '"')
-            text_add(text, "&#%d;", c);
-        else {
-            if (strchr("\\`*_{}[]()#+-.!|~$^=:", c))
-                text_add_bytes(text, "\\", 1);
-            text_add_bytes(text, string, 1);
+    size_t length;
+    for (size_t at = 0; string[at]; at += length ? length : 1) {
+        length = text_character(string + at);
+        if (length == 1 && strchr("<>&\"", string[at])) {
+            text_add(text, "&#%d;", string[at]);
+            continue;
         }
+        if (length == 1 && has_meaning(string, at))
+            text_add_bytes(text, "\\", 1);
+        text_add_bytes(text, length ? string + at : "?", length ? length : 1);
     }
 }
 

@@ -15,7 +15,11 @@ struct text {
 
 void text_add(struct text *text, const char *format, ...) PRINTF_LIKE(2, 3);
 void text_add_bytes(struct text *text, const char *bytes, size_t length);
-/** Adds `string` with the characters that mean something in Markdown or HTML escaped, control characters as '?'. */
+/** Bytes of the character at `s` when it is valid UTF-8 that a terminal, HTML and XML may show, else 0. */
+size_t text_character(const char *s);
+/** Adds `string` as it may be shown: control characters and bytes that are no UTF-8 as '?'. */
+void text_add_shown(struct text *text, const char *string);
+/** The same, with the characters that mean something in Markdown or HTML escaped. */
 void text_add_markdown(struct text *text, const char *string);
 /** Adds `string` as one CSV field: quoted, with quotes doubled, when it holds a comma, a quote or a line end. */
 void text_add_csv(struct text *text, const char *string);

@@ -7,62 +7,9 @@
 #include <unistd.h>
 
 static const double touching_area = 0.1, outside_share = 0.1; /* beyond them a statistical curve is dashed */
-
-#define SURFACES(number, x, y, model, terminal, title)                                                                 \
-    {                                                                                                                  \
-        number, FIGURE_SURFACES, x, y, model, CONVERGENCE_ALPHA, terminal, title, COST_CHARTS                          \
-    }
-#define MODELS(number, x, y, terminal, title)                                                                          \
-    {                                                                                                                  \
-        number, FIGURE_MODELS, x, y, MODEL_COUNT, CONVERGENCE_ALPHA, terminal, title, COST_CHARTS                      \
-    }
-#define SWEEP(number, model, sweep, title)                                                                             \
-    {                                                                                                                  \
-        number, FIGURE_SWEEP, FIGURE_WAVELENGTH, FIGURE_AREA, model, sweep, false, title, COST_CHARTS                  \
-    }
-#define OTHER(number, kind, cost, title)                                                                               \
-    {                                                                                                                  \
-        number, kind, FIGURE_WAVELENGTH, FIGURE_AREA, MODEL_COUNT, CONVERGENCE_ALPHA, false, title, cost               \
-    }
-
-const struct figure_row figure_rows[] = {
-    SWEEP("6-01", MODEL_MULTISCALE_ELASTIC, CONVERGENCE_ALPHA, "Area against wavelength, α varied, elastic"),
-    SWEEP("6-02", MODEL_MULTISCALE_PLASTIC, CONVERGENCE_ALPHA, "Area against wavelength, α varied, elastic-plastic"),
-    SWEEP("6-03", MODEL_MULTISCALE_ELASTIC, CONVERGENCE_GAMMA, "Area against wavelength, γ varied, elastic"),
-    SWEEP("6-04", MODEL_MULTISCALE_PLASTIC, CONVERGENCE_GAMMA, "Area against wavelength, γ varied, elastic-plastic"),
-    MODELS("6-05", FIGURE_LOAD, FIGURE_AREA, true, "Real contact area against load"),
-    MODELS("6-06", FIGURE_AREA, FIGURE_SEPARATION, false, "Separation against area"),
-    MODELS("6-07", FIGURE_LOAD, FIGURE_SEPARATION, true, "Separation against load"),
-    MODELS("6-08", FIGURE_LOAD, FIGURE_ECR, true, "Electrical contact resistance"),
-    MODELS("6-09", FIGURE_LOAD, FIGURE_TCR, false, "Thermal contact resistance"),
-    OTHER("6-10", FIGURE_PROFILES, COST_CHARTS, "Surface profiles"),
-    SURFACES("6-11", FIGURE_LOAD, FIGURE_AREA, MODEL_MULTISCALE_PLASTIC, true, "Area, multiscale elastic-plastic"),
-    SURFACES("6-12", FIGURE_LOAD, FIGURE_AREA, MODEL_MULTISCALE_ELASTIC, false, "Area, multiscale elastic"),
-    SURFACES("6-13", FIGURE_LOAD, FIGURE_AREA, MODEL_JG, false, "Area, JG"),
-    SURFACES("6-14", FIGURE_LOAD, FIGURE_AREA, MODEL_GW, false, "Area, GW"),
-    SURFACES("6-15", FIGURE_LOAD, FIGURE_SEPARATION, MODEL_MULTISCALE_PLASTIC, true,
-             "Separation, multiscale elastic-plastic"),
-    SURFACES("6-16", FIGURE_LOAD, FIGURE_SEPARATION, MODEL_MULTISCALE_ELASTIC, false, "Separation, multiscale elastic"),
-    SURFACES("6-17", FIGURE_LOAD, FIGURE_SEPARATION, MODEL_JG, false, "Adjusted separation, JG"),
-    SURFACES("6-18", FIGURE_LOAD, FIGURE_SEPARATION, MODEL_GW, false, "Adjusted separation, GW"),
-    SURFACES("6-19", FIGURE_AREA, FIGURE_SEPARATION, MODEL_MULTISCALE_PLASTIC, false,
-             "Separation, multiscale elastic-plastic"),
-    SURFACES("6-20", FIGURE_AREA, FIGURE_SEPARATION, MODEL_MULTISCALE_ELASTIC, false, "Separation, multiscale elastic"),
-    SURFACES("6-21", FIGURE_AREA, FIGURE_SEPARATION, MODEL_JG, false, "Adjusted separation, JG"),
-    SURFACES("6-22", FIGURE_AREA, FIGURE_SEPARATION, MODEL_GW, false, "Adjusted separation, GW"),
-    SURFACES("6-23", FIGURE_LOAD, FIGURE_ECR, MODEL_MULTISCALE_PLASTIC, false, "ECR, multiscale elastic-plastic"),
-    SURFACES("6-24", FIGURE_LOAD, FIGURE_ECR, MODEL_MULTISCALE_ELASTIC, false, "ECR, multiscale elastic"),
-    SURFACES("6-25", FIGURE_LOAD, FIGURE_ECR, MODEL_JG, false, "ECR, JG"),
-    SURFACES("6-26", FIGURE_LOAD, FIGURE_ECR, MODEL_GW, false, "ECR, GW"),
-    SURFACES("6-27", FIGURE_LOAD, FIGURE_TCR, MODEL_MULTISCALE_PLASTIC, false, "TCR, multiscale elastic-plastic"),
-    SURFACES("6-28", FIGURE_LOAD, FIGURE_TCR, MODEL_MULTISCALE_ELASTIC, false, "TCR, multiscale elastic"),
-    SURFACES("6-29", FIGURE_LOAD, FIGURE_TCR, MODEL_JG, false, "TCR, JG"),
-    SURFACES("6-30", FIGURE_LOAD, FIGURE_TCR, MODEL_GW, false, "TCR, GW"),
-    OTHER("power-law", FIGURE_SPECTRA, COST_CHARTS, "Spectra and their power laws"),
-    OTHER("cost-integrals", FIGURE_COST, COST_INTEGRALS, "Error against time, integrals of the statistical models"),
-    OTHER("cost-curves", FIGURE_COST, COST_CURVES, "Error against time, scales and loads left out"),
-};
-const size_t figure_count = sizeof figure_rows / sizeof figure_rows[0];
+/* Resistance goes to 0 with the last per cent of the area, over as many decades as a load happens to come close to full
+ * contact: the axis ends where a curve's last point at or below this A/A_n stands. */
+static const double nearly_full_area = 0.99;
 
 /** One row an axis: its label, whether it is logarithmic, the effect its quantity needs, and how to get it. */
 static const struct axis_row {
@@ -73,18 +20,10 @@ static const struct axis_row {
     [FIGURE_LOAD] = {"load P/(Aₙ E′)", true, 0},
     [FIGURE_AREA] = {"area ratio A/Aₙ", true, 0},
     [FIGURE_SEPARATION] = {"separation / σ", false, EFFECT_BIT(EFFECT_SEPARATION)},
-    [FIGURE_ECR] = {"ECR·Aₙ (Ω m²)", true, EFFECT_BIT(EFFECT_ELECTRICAL)},
-    [FIGURE_TCR] = {"TCR·Aₙ (K m²/W)", true, EFFECT_BIT(EFFECT_THERMAL)},
+    [FIGURE_ECR] = {"ECR·Aₙ (Ω·m²)", true, EFFECT_BIT(EFFECT_ELECTRICAL)},
+    [FIGURE_TCR] = {"TCR·Aₙ (K·m²/W)", true, EFFECT_BIT(EFFECT_THERMAL)},
     [FIGURE_WAVELENGTH] = {"shortest wavelength included (m)", true, 0},
 };
-
-const struct figure_row *figure_find(const char *number)
-{
-    for (size_t i = 0; i < figure_count; i++)
-        if (strcmp(figure_rows[i].number, number) == 0)
-            return &figure_rows[i];
-    return NULL;
-}
 
 bool figure_present(const struct figure_row *row, const struct results *results)
 {
@@ -116,6 +55,7 @@ struct figure_file {
     struct text styles;
     const struct figure_row *row;
     size_t blocks;
+    double floor; /* least resistance up to nearly_full_area; INFINITY: none so far */
 };
 
 /** Starts a curve: its first row is the legend. */
@@ -175,6 +115,9 @@ static void put_curve(struct figure_file *out, const struct model_curve *curve, 
                       enum variant variant, double sigma_m, const char *style, const char *legend)
 {
     size_t border = first_outside(curve, model);
+    if (out->row->y == FIGURE_ECR || out->row->y == FIGURE_TCR)
+        for (size_t i = 0; i < curve->count && curve->points[i].area_ratio <= nearly_full_area; i++)
+            out->floor = fmin(out->floor, coordinate(&curve->points[i], out->row->y, variant, sigma_m));
     char outside_style[32];
     snprintf(outside_style, sizeof outside_style, "%sx", style);
     begin_block(out, style, legend);
@@ -232,7 +175,7 @@ static void put_spectrum(struct figure_file *out, const struct surface_record *r
         put_point(out, 1 / spectrum_frequency(&record->spectrum, index[k]), record->spectrum.amplitude_m[index[k]]);
     char fit[80] = "no power law";
     if (isfinite(law->gamma))
-        snprintf(fit, sizeof fit, "α %.3g, γ %.2f ± %.2f", law->alpha, law->gamma, law->gamma_error);
+        snprintf(fit, sizeof fit, "α %.3g, γ %.3f ± %.3f", law->alpha, law->gamma, law->gamma_error);
     begin_block(out, "fit", fit);
     for (int i = 0; i < 2; i++)
         put_point(out, law->band_m[i], powerlaw_amplitude(law, law->band_m[i]));
@@ -312,7 +255,8 @@ static void put_cost(struct figure_file *out, const struct cost *cost)
 }
 
 /** NUMBER.gp: what draws the figure, for this program and for anyone in that directory. */
-static enum status_code write_script(const struct figure_file *out, const char *directory, struct status *status)
+static enum status_code write_script(const struct figure_file *out, const struct results *results,
+                                     const char *directory, struct status *status)
 {
     const struct figure_row *row = out->row;
     struct text script = {0}, path = {0};
@@ -324,10 +268,16 @@ static enum status_code write_script(const struct figure_file *out, const char *
                                                          : "curves.gp";
     text_add(&script, "call '%s' '%s.csv' ('%s' . (exists('dumb_size') ? '.txt' : '.svg')) '%s'", template, number,
              number, row->title);
-    if (strcmp(template, "curves.gp") == 0) /* the others name their own axes */
+    bool curves = strcmp(template, "curves.gp") == 0; /* the others name their own axes */
+    if (curves)
         text_add(&script, " '%s' '%s' '%s'", axes[row->x].label, axes[row->y].label,
                  axes[row->x].logarithmic ? axes[row->y].logarithmic ? "xy" : "x" : "y");
-    text_add(&script, " '%s'\n", text_string(&out->styles));
+    text_add(&script, " '%s'", text_string(&out->styles));
+    /* One load axis for all, so that they compare. gnuplot reads '1.0e-06' from a string, but not '1e-06'. */
+    if (curves && row->x == FIGURE_LOAD)
+        text_add(&script, " '%.6e %.6e %.6e'", results->loads[0], results->loads[results->load_count - 1],
+                 isfinite(out->floor) ? out->floor : 0);
+    text_add(&script, "\n");
     text_add(&path, "%s/figures/%s.gp", directory, number);
     enum status_code rc = script.failed || path.failed
                               ? status_memory(status)
@@ -341,7 +291,7 @@ static enum status_code write_figure(const struct figure_row *row, const struct 
                                      const struct surface_record *baseline, const char *directory,
                                      struct status *status)
 {
-    struct figure_file out = {.row = row};
+    struct figure_file out = {.row = row, .floor = INFINITY};
     struct text path = {0};
     text_add(&path, "%s/figures/%s.csv", directory, row->number);
     out.file = fopen(text_string(&path), "w");
@@ -361,7 +311,7 @@ static enum status_code write_figure(const struct figure_row *row, const struct 
     if (fclose(out.file) != 0 || bad)
         rc = status_fail(status, STATUS_IO, "cannot write figure %s: %s", row->number, strerror(errno));
     if (rc == STATUS_OK)
-        rc = write_script(&out, directory, status);
+        rc = write_script(&out, results, directory, status);
     text_free(&out.styles);
     return rc;
 }
@@ -410,8 +360,7 @@ static enum status_code collect_text(struct text *out, const struct results *res
             continue;
         struct text path = {0};
         text_add(&path, "%s/figures/%s.txt", directory, figure_rows[i].number);
-        rc = text_read_file(out, text_string(&path), status);
-        unlink(text_string(&path));
+        rc = gnuplot_take_text(out, text_string(&path), status);
         text_free(&path);
     }
     return rc;

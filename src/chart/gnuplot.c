@@ -6,7 +6,6 @@
 #include <spawn.h>
 #include <stdarg.h>
 #include <stdbool.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
@@ -249,25 +248,21 @@ enum status_code gnuplot_finish(struct gnuplot *gnuplot, struct status *status)
     return STATUS_OK;
 }
 
-/* Bytes of the character at `s` when it is valid UTF-8 that a terminal and XML may show, else 0. */
-static size_t gnuplot_character(const char *s)
+enum status_code gnuplot_take_text(struct text *out, const char *path, struct status *status)
 {
-    static const uint32_t least[] = {0, 0xa0, 0x800, 0x10000}; /* U+0080 to U+009F are control characters */
-    unsigned char first = (unsigned char)*s;
-    if (first < 0x80)
-        return first >= 0x20 && first != 0x7f;
-    size_t more = first >= 0xf0 ? 3 : first >= 0xe0 ? 2 : first >= 0xc0 ? 1 : 0;
-    uint32_t code = more ? first & (0x3fu >> more) : 0;
-    if (!more || first >= 0xf8)
-        return 0;
-    for (size_t i = 1; i <= more; i++) {
-        if (((unsigned char)s[i] & 0xc0) != 0x80)
-            return 0;
-        code = code << 6 | ((unsigned char)s[i] & 0x3fu);
+    struct text drawn = {0};
+    enum status_code code = text_read_file(&drawn, path, status);
+    unlink(path);
+    for (const char *line = text_string(&drawn); *line;) {
+        size_t length = strcspn(line, "\n"), kept = length;
+        while (kept > 0 && line[kept - 1] == ' ')
+            kept--;
+        text_add_bytes(out, line, kept);
+        text_add_bytes(out, "\n", 1);
+        line += length + (line[length] == '\n');
     }
-    bool surrogate = code >= 0xd800 && code <= 0xdfff;
-    bool usable = code >= least[more] && code <= 0x10ffff && !surrogate && (code & 0xfffe) != 0xfffe;
-    return usable ? more + 1 : 0;
+    text_free(&drawn);
+    return code == STATUS_OK && out->failed ? status_memory(status) : code;
 }
 
 /* `string` between two `mark`s; the characters `special` come out as `instead` at the same place. */
@@ -282,7 +277,7 @@ static void gnuplot_enclose(char *out, size_t size, const char *string, char mar
     size_t used = 0;
     out[used++] = mark;
     while (*string) {
-        size_t length = gnuplot_character(string);
+        size_t length = text_character(string);
         const char *found = length == 1 ? strchr(special, *string) : NULL;
         const char *from = found ? instead[found - special] : length ? string : "?";
         size_t bytes = found ? strlen(from) : length ? length : 1;

@@ -2,7 +2,7 @@
 #ifndef CHART_GNUPLOT_H
 #define CHART_GNUPLOT_H
 
-#include "base/status.h"
+#include "base/text.h"
 #include <stdio.h>
 #include <sys/types.h>
 
@@ -27,6 +27,11 @@ void gnuplot_send(struct gnuplot *gnuplot, const char *format, ...) PRINTF_LIKE(
 /** Ends the input, waits, and checks: any exit status but 0 and any word on stderr is a failure.
  * Error: STATUS_CHART with the first complaint. Always releases the process. */
 MUST_CHECK enum status_code gnuplot_finish(struct gnuplot *gnuplot, struct status *status);
+
+/** Adds to `out` a chart that was drawn as text to the file `path`, without the blanks at the ends of its lines
+ * (gnuplot fills them up, and beyond the width where a line has letters of several bytes), and removes the file.
+ * Errors: STATUS_IO, STATUS_MEMORY. */
+MUST_CHECK enum status_code gnuplot_take_text(struct text *out, const char *path, struct status *status);
 
 /** Writes `string` as a gnuplot single-quoted string into `out`, cut to fit at a UTF-8 border: control characters and
  * bytes that are no UTF-8 as '?', single quotes as U+2019 (doubled ones do not survive `call`). For texts, then, and

@@ -22,10 +22,10 @@ struct arguments {
 enum { KEY_X_UNIT = 0x100, KEY_Z_UNIT, KEY_JSON, KEY_NO_CHART, KEY_LEVEL, KEY_LAMBDA_S, KEY_LAMBDA_C };
 
 static const struct argp_option options[] = {
-    {"json", KEY_JSON, 0, 0, "print an array of objects, one a file", 0},
-    {"no-chart", KEY_NO_CHART, 0, 0, "leave the charts out", 0},
-    {"x-unit", KEY_X_UNIT, "UNIT", 0, "unit of x where the file names none", 0},
-    {"z-unit", KEY_Z_UNIT, "UNIT", 0, "unit of z where the file names none", 0},
+    {"json", KEY_JSON, 0, 0, "print an array of objects, one a file (default: text)", 0},
+    {"no-chart", KEY_NO_CHART, 0, 0, "leave the charts out (default: drawn to the terminal's size)", 0},
+    {"x-unit", KEY_X_UNIT, "UNIT", 0, "unit of x where the file names none (default: such a file is refused)", 0},
+    {"z-unit", KEY_Z_UNIT, "UNIT", 0, "unit of z where the file names none (default: such a file is refused)", 0},
     {"level", KEY_LEVEL, "NAME", 0, "none, mean, line, parabola, circle or robust (default: line; maps: plane)", 0},
     {"lambda-s", KEY_LAMBDA_S, "METRES", 0, "cut-off of a Gaussian low-pass (default: none; profiles only)", 0},
     {"lambda-c", KEY_LAMBDA_C, "METRES", 0, "cut-off of a high-pass: R beside P parameters (default: none)", 0},
@@ -97,17 +97,27 @@ static json_t *real(double value)
     return isfinite(value) ? json_real(value) : json_null();
 }
 
+/** Text as it may be shown: JSON is UTF-8, a file name need not be. */
+static json_t *string(const char *value)
+{
+    struct text shown = {0};
+    text_add_shown(&shown, value);
+    json_t *json = json_string(text_string(&shown));
+    text_free(&shown);
+    return json;
+}
+
 static json_t *finding_json(const char *path, const struct finding *f)
 {
-    json_t *warnings = json_array(), *name = json_string(path);
+    json_t *warnings = json_array();
     const char *warning;
     for (size_t w = 0; (warning = finding_warning(f, w)); w++)
-        json_array_append_new(warnings, json_string(warning));
-    json_t *json =
-        json_pack("{s:o, s:s, s:s, s:I, s:o, s:o, s:s, s:s, s:I}", "file", name ? name : json_null(), "format",
-                  f->scan.format, "kind", "profile", "points", (json_int_t)f->scan.nx, "spacing_m",
-                  real(f->profile.spacing_m), "length_m", real((double)(f->scan.nx - 1) * f->profile.spacing_m),
-                  "x_unit", f->scan.x_unit, "z_unit", f->scan.z_unit, "missing", (json_int_t)f->scan.missing);
+        json_array_append_new(warnings, string(warning));
+    json_t *json = json_pack("{s:o, s:s, s:s, s:I, s:o, s:o, s:s, s:s, s:I}", "file", string(path), "format",
+                             f->scan.format, "kind", f->scan.kind == SCAN_AREAL ? "areal" : "profile", "points",
+                             (json_int_t)(f->scan.nx * f->scan.ny), "spacing_m", real(finding_spacing_m(f)), "length_m",
+                             real(finding_length_m(f)), "x_unit", f->scan.x_unit, "z_unit", f->scan.z_unit, "missing",
+                             (json_int_t)f->scan.missing);
     const struct {
         const char *key;
         double value;
@@ -127,7 +137,10 @@ static void print_finding(const char *path, const struct finding *f)
     static const char *const grids[] = {"uniform", "rounded x, nominal spacing used", "uneven x, interpolated"};
     static const char *const level_labels[SCENE_LEVEL_COUNT] = {"as it is",     "mean out", "line out",
                                                                 "parabola out", "arc out",  "robust line"};
-    printf("%s\n", path);
+    struct text name = {0};
+    text_add_shown(&name, path);
+    printf("%s\n", text_string(&name));
+    text_free(&name);
     printf("  format      %s, x in %s, z in %s\n", f->scan.format, f->scan.x_unit, f->scan.z_unit);
     if (f->scan.kind == SCAN_AREAL)
         printf("  points      %zu x %zu, spacing %.6g um x %.6g um, %zu missing\n", f->scan.nx, f->scan.ny,
@@ -146,8 +159,12 @@ static void print_finding(const char *path, const struct finding *f)
     printf("  power law   alpha %.4g +- %.2g, gamma %.3f +- %.3f, scatter %.3f decades\n", f->law.alpha,
            f->law.alpha_error, f->law.gamma, f->law.gamma_error, f->law.rms_decades);
     const char *warning;
-    for (size_t w = 0; (warning = finding_warning(f, w)); w++)
-        printf("  note        %s\n", warning);
+    for (size_t w = 0; (warning = finding_warning(f, w)); w++) {
+        struct text note = {0};
+        text_add_shown(&note, warning);
+        printf("  note        %s\n", text_string(&note));
+        text_free(&note);
+    }
 }
 
 /** Thins `count` points to what a terminal can show; `at` maps an index to a point. */
@@ -183,33 +200,20 @@ static enum status_code write_chart_data(const char *directory, const char *name
     return fclose(file) == 0 ? STATUS_OK : status_fail(status, STATUS_IO, "cannot write in '%s'", directory);
 }
 
-/** Prints a text file and removes it. */
-static void show_and_remove(const char *directory, const char *name)
-{
-    struct text path = {0}, content = {0};
-    struct status ignored = {0};
-    text_add(&path, "%s/%s", directory, name);
-    if (text_read_file(&content, text_string(&path), &ignored) == STATUS_OK)
-        fwrite(content.data, 1, content.length, stdout);
-    unlink(text_string(&path));
-    text_free(&path);
-    text_free(&content);
-}
-
 /** Draws profile and spectrum as text, sized to the terminal. */
 static enum status_code draw(const struct finding *f, struct status *status)
 {
-    struct text templates = {0};
+    struct text templates = {0}, charts = {0};
     struct gnuplot gnuplot;
     const char *base = getenv("TMPDIR");
     char directory[512], quoted[600];
     int columns, rows;
     command_terminal_size(&columns, &rows);
     snprintf(directory, sizeof directory, "%s/roughcontact-XXXXXX", base && strlen(base) < 400 ? base : P_tmpdir);
-    if (command_templates(&templates, status) != STATUS_OK)
-        return status->code;
-    if (!mkdtemp(directory))
+    if (command_templates(&templates, status) != STATUS_OK || !mkdtemp(directory)) {
+        text_free(&templates);
         return status_fail(status, STATUS_IO, "cannot make a directory like '%s'", directory);
+    }
     enum status_code rc = write_chart_data(directory, "profile.csv", f, false, status);
     if (rc == STATUS_OK)
         rc = write_chart_data(directory, "spectrum.csv", f, true, status);
@@ -222,23 +226,26 @@ static enum status_code draw(const struct finding *f, struct status *status)
                                "'amplitude (um)' 'xy' 's1'");
         rc = gnuplot_finish(&gnuplot, status);
     }
-    static const char *const outputs[] = {"profile.txt", "spectrum.txt"}, *const inputs[] = {"profile.csv",
-                                                                                             "spectrum.csv"};
+    static const char *const names[] = {"profile", "spectrum"};
     for (int i = 0; i < 2; i++) {
         char path[600];
-        show_and_remove(directory, outputs[i]);
-        snprintf(path, sizeof path, "%s/%s", directory, inputs[i]);
+        snprintf(path, sizeof path, "%s/%s.txt", directory, names[i]);
+        if (rc == STATUS_OK)
+            rc = gnuplot_take_text(&charts, path, status);
+        unlink(path);
+        snprintf(path, sizeof path, "%s/%s.csv", directory, names[i]);
         unlink(path);
     }
     rmdir(directory);
+    fputs(text_string(&charts), stdout);
+    text_free(&charts);
     text_free(&templates);
     return rc;
 }
 
 static json_t *error_json(const char *path, const char *message)
 {
-    json_t *name = json_string(path), *text = json_string(message);
-    return json_pack("{s:o, s:o}", "file", name ? name : json_null(), "error", text ? text : json_null());
+    return json_pack("{s:o, s:o}", "file", string(path), "error", string(message));
 }
 
 int command_inspect(int argc, char **argv)
@@ -259,14 +266,14 @@ int command_inspect(int argc, char **argv)
             if (arguments.json)
                 json_array_append_new(all, error_json(path, status.message));
             else
-                fprintf(stderr, "roughcontact: %s\n", status.message);
+                command_complain("", status.message);
         } else if (arguments.json) {
             json_array_append_new(all, finding_json(path, &finding));
         } else {
             print_finding(path, &finding);
             if (!arguments.no_chart && finding.profile.points > 0 && finding.spectrum.count > 0 &&
                 draw(&finding, &chart) != STATUS_OK)
-                fprintf(stderr, "roughcontact: no charts: %s\n", chart.message);
+                command_complain("no charts: ", chart.message);
         }
         finding_free(&finding);
     }

@@ -22,9 +22,9 @@ enum { KEY_NO_COST = 0x200 };
 static const struct argp_option options[] = {
     {"output", 'o', "OUT", 0, "where the report goes (default: out/<name of DIR>)", 0},
     {"jobs", 'j', "N", 0, "threads, 1 to 64 (default: one a processor)", 0},
-    {"show", 's', 0, 0, "also draw the main charts as text", 0},
-    {"no-cost", KEY_NO_COST, 0, 0, "leave out the section on what accuracy costs in time", 0},
-    {"verbose", 'v', 0, 0, "end with where the time went", 0},
+    {"show", 's', 0, 0, "also draw the main charts as text (default: not)", 0},
+    {"no-cost", KEY_NO_COST, 0, 0, "leave out the section on what accuracy costs in time (default: not)", 0},
+    {"verbose", 'v', 0, 0, "end with where the time went (default: not)", 0},
     {0},
 };
 
@@ -77,8 +77,11 @@ static void ask_to_stop(int signal_number)
 
 static void progress(size_t done, size_t total, const char *name)
 {
-    fprintf(stderr, "\r\033[K%zu of %zu  %.40s%s", done, total, name, done == total ? "\r\033[K" : "");
+    struct text shown = {0};
+    text_add_shown(&shown, name);
+    fprintf(stderr, "\r\033[K%zu of %zu  %.40s%s", done, total, text_string(&shown), done == total ? "\r\033[K" : "");
     fflush(stderr);
+    text_free(&shown);
 }
 
 static void print_times(const struct run_times *times)
@@ -113,7 +116,8 @@ static void print_times(const struct run_times *times)
 
 static void catch_signals(void)
 {
-    struct sigaction action = {.sa_handler = ask_to_stop};
+    struct sigaction action = {.sa_handler = ask_to_stop,
+                               .sa_flags = (int)SA_RESETHAND}; /* a second one ends at once */
     static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
     for (int i = 0; i < 3; i++)
         sigaction(signals[i], &action, NULL);
@@ -127,15 +131,18 @@ static int report(struct arguments *arguments, struct scene *scene, struct statu
     int columns, rows, exit_status = COMMAND_DONE;
     command_terminal_size(&columns, &rows);
     snprintf(size, sizeof size, "%d,%d", columns, rows > 34 ? 34 : rows - 1);
-    if (command_templates(&templates, status) != STATUS_OK)
+    if (command_templates(&templates, status) != STATUS_OK) {
+        text_free(&templates);
         return command_fail(status);
+    }
     arguments->run.templates = text_string(&templates);
     arguments->run.terminal_size = arguments->show ? size : NULL;
     arguments->run.stop = &stop;
     arguments->run.progress = isatty(STDERR_FILENO) ? progress : NULL;
     catch_signals();
     enum status_code rc = run_report(&outcome, scene, &arguments->run, status);
-    fputs(text_string(&outcome.messages), stderr);
+    if (rc != STATUS_INTERRUPTED)
+        fputs(text_string(&outcome.messages), stderr);
     if (rc != STATUS_OK) {
         exit_status = command_fail(status);
     } else {

@@ -39,6 +39,15 @@ static double number(const char *value, const char *name, struct argp_state *sta
     return result;
 }
 
+/** A whole number from 0 to `most`. */
+static double whole(const char *value, const char *name, double most, struct argp_state *state)
+{
+    double result = number(value, name, state);
+    if (!(result >= 0 && result <= most && floor(result) == result))
+        argp_error(state, "--%s must be a whole number from 0 to %.0f, not '%s'", name, most, value);
+    return result;
+}
+
 /** A length with its unit, such as 0.31mm or 8um; metres without one. */
 static double length(const char *value, const char *name, struct argp_state *state)
 {
@@ -67,7 +76,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
         def->length_m = length(value, "length", state);
         return 0;
     case 'n':
-        def->points = (size_t)fmax(0, fmin(1e9, number(value, "points", state)));
+        def->points = (size_t)whole(value, "points", 1e8, state);
         return 0;
     case 'c':
         def->scatter_decades = number(value, "scatter", state);
@@ -76,7 +85,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
         def->lambda_s_m = length(value, "lambda-s", state);
         return 0;
     case 'd':
-        def->seed = (unsigned long)fmax(0, fmin(4294967295.0, number(value, "seed", state)));
+        def->seed = (unsigned long)whole(value, "seed", 4294967295.0, state);
         return 0;
     case 'o':
         arguments->output = value;

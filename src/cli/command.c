@@ -8,9 +8,17 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+void command_complain(const char *what, const char *message)
+{
+    struct text line = {0};
+    text_add_shown(&line, message);
+    fprintf(stderr, "roughcontact: %s%s\n", what, text_string(&line));
+    text_free(&line);
+}
+
 int command_fail(const struct status *status)
 {
-    fprintf(stderr, "roughcontact: %s\n", status->message);
+    command_complain("", status->message);
     switch (status->code) {
     case STATUS_USAGE:
         return COMMAND_USAGE;

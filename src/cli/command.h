@@ -28,7 +28,10 @@ int command_synth(int argc, char **argv);
 int command_models(int argc, char **argv);
 int command_materials(int argc, char **argv);
 
-/** Prints "roughcontact: message" on stderr and returns the exit status that goes with the code. */
+/** Prints "roughcontact: `what``message`" as one line on stderr; what a terminal might act upon comes out as '?'. */
+void command_complain(const char *what, const char *message);
+
+/** Prints the message in the same way and returns the exit status that goes with the code. */
 int command_fail(const struct status *status);
 
 /** Directory of the templates: share/roughcontact/templates beside the program's bin. Error: STATUS_IO. */

@@ -1,5 +1,6 @@
 #include "base/version.h"
 #include "cli/command.h"
+#include "scene/scene_words.h"
 
 #include <argp.h>
 #include <gsl/gsl_errno.h>
@@ -28,6 +29,17 @@ static void print_help(FILE *stream)
           stream);
 }
 
+static int unknown_command(const char *name)
+{
+    const char *names[COMMANDS];
+    struct status status = {0};
+    for (int i = 0; i < COMMANDS; i++)
+        names[i] = commands[i].name;
+    (void)status_fail(&status, STATUS_USAGE, "unknown command '%s'; %s", scene_words_show(name, strlen(name)).text,
+                      scene_words_hint(name, names, COMMANDS).text);
+    return command_fail(&status);
+}
+
 int main(int argc, char **argv)
 {
     gsl_set_error_handler_off();
@@ -49,7 +61,7 @@ int main(int argc, char **argv)
             return commands[i].run(argc - 1, argv + 1);
         }
     if (argc > 1)
-        fprintf(stderr, "roughcontact: unknown command '%s'\n", name);
+        return unknown_command(name);
     print_help(stderr);
     return COMMAND_USAGE;
 }

@@ -1,6 +1,8 @@
 #include "cli/scene_options.h"
 
+#include "scan/scan.h"
 #include <stdlib.h>
+#include <string.h>
 
 enum { KEY_X_UNIT = 0x100, KEY_Z_UNIT };
 
@@ -16,6 +18,13 @@ static const struct argp_option options[] = {
     {"z-unit", KEY_Z_UNIT, "UNIT", 0, "unit of z where a file names none (default: the scene's)", 1},
     {0},
 };
+
+static const char *unit(const char *value, const char *name, struct argp_state *state)
+{
+    if (scan_unit_m(value, strlen(value)) == 0)
+        argp_error(state, "--%s must be a unit of length such as m, mm, um, nm or in, not '%s'", name, value);
+    return value;
+}
 
 static error_t parse(int key, char *value, struct argp_state *state)
 {
@@ -34,10 +43,10 @@ static error_t parse(int key, char *value, struct argp_state *state)
             argp_error(state, "--tolerance must be a number from 1e-14 to 0.1, not '%s'", value);
         return 0;
     case KEY_X_UNIT:
-        overrides->x_unit = value;
+        overrides->x_unit = unit(value, "x-unit", state);
         return 0;
     case KEY_Z_UNIT:
-        overrides->z_unit = value;
+        overrides->z_unit = unit(value, "z-unit", state);
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;

@@ -42,7 +42,7 @@ struct model_curve {
     double beta;               /* statistical, else NaN */
     struct contact_point full; /* at full_load itself */
     size_t yielding_scales;    /* multiscale plastic: scales that can yield; else 0 */
-    uint64_t clamped;          /* multiscale plastic: visits in which the published area reached 1 before p_p */
+    uint64_t clamped; /* multiscale plastic: visits in which the published area was limited: see multiscale_solve() */
     struct model_work work;
 };
 

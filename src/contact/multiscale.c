@@ -3,6 +3,16 @@
 #include <math.h>
 #include <stdlib.h>
 
+/** The load P/(A_n E') whose pressure is at least `pressure_Pa` through rounding: an ulp short of it contact is not
+ * full. */
+static double load_reaching(double pressure_Pa, double effective_modulus_Pa)
+{
+    double load = pressure_Pa / effective_modulus_Pa;
+    while (load * effective_modulus_Pa < pressure_Pa)
+        load = nextafter(load, INFINITY);
+    return load;
+}
+
 enum status_code multiscale_make(struct multiscale *out, const struct spectrum *spectrum,
                                  const struct material_pair *pair, bool plastic, enum scene_closure closure,
                                  struct status *status)
@@ -25,8 +35,8 @@ enum status_code multiscale_make(struct multiscale *out, const struct spectrum *
         if (closed > full_Pa) /* else this scale cannot be the last to fill */
             full_Pa = fmax(full_Pa, sinusoid_full_area_pressure(&out->scales[i]));
     }
-    out->full_load = full_Pa / pair->effective_modulus_Pa;
-    out->closed_load = closed_Pa / pair->effective_modulus_Pa;
+    out->full_load = load_reaching(full_Pa, pair->effective_modulus_Pa);
+    out->closed_load = load_reaching(closed_Pa, pair->effective_modulus_Pa);
     return STATUS_OK;
 }
 
@@ -48,9 +58,8 @@ size_t multiscale_solve(struct contact_point *out, const struct multiscale *stac
     for (size_t i = 0; i < stack->count; i++) {
         const struct sinusoid_scale *scale = &stack->scales[i];
         struct sinusoid_cell cell;
-        double pressure_Pa = nominal_Pa / area;
-        bool plastic = sinusoid_press(&cell, scale, stack->closure, pressure_Pa, with_gap);
-        clamped += plastic && cell.area_complement == 0 && pressure_Pa < scale->plastic_full_pressure_Pa;
+        sinusoid_press(&cell, scale, stack->closure, nominal_Pa / area, with_gap);
+        clamped += cell.limited;
         if (with_gap)
             separation += scale->amplitude_m * cell.gap_ratio;
         if (conducts && cell.area_complement > 0)

@@ -28,7 +28,8 @@ void multiscale_free(struct multiscale *stack);
 
 /** Contact at P/(A_n E') = load > 0: A_i = a_i A_{i-1} under p_i = P/A_{i-1}; H = sum Delta_i G_i; the resistances of
  * `spot`, only the quantities in `wanted` (others stay NaN). Adds the scales visited to *evaluations. Returns at how
- * many of them the published plastic area had to be cut off at 1 (4.17 exceeds it before p_p). */
+ * many of them the published plastic area had to be limited: cut off at 1 (4.17 exceeds it before p_p), or raised to
+ * the elastic area (closure numeric). */
 size_t multiscale_solve(struct contact_point *out, const struct multiscale *stack, const struct spot *spot,
                         unsigned wanted, double load, uint64_t *evaluations);
 

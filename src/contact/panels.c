@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 static const double inverse_sqrt_2pi = 0.39894228040143267794;
-enum { PANELS_MOST = 512 };
+enum { PANELS_MOST = 1024 };
 
 /** Number of Gauss-Legendre nodes a panel, calibrated so that every integral of tests/data meets the tolerance. */
 static size_t panel_order(double tolerance)
@@ -94,6 +94,10 @@ enum status_code panels_make(struct panels *out, const struct asperity *asperity
     size_t order = panel_order(tolerance);
     *out = (struct panels){.log_cut = log_cut_for(tolerance)};
     size_t panel_count = lay_panels(border, asperity, sigma_s_m, knudsen_length_m, lowest_d, out->log_cut);
+    if (panel_count + 1 == PANELS_MOST)
+        return status_fail(status, STATUS_MODEL,
+                           "separations down to %.4g sigma_s take more than %d panels; use models: [multiscale]",
+                           lowest_d, PANELS_MOST);
     out->count = panel_count * order;
     out->outside = asperity_interference_at(asperity, asperity_fitted_radius_ratio) / sigma_s_m;
     out->saturated = asperity_interference_at(asperity, 1) / sigma_s_m;

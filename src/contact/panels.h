@@ -33,7 +33,8 @@ struct panels_sums {
 
 /** Lays panels that break where the law changes (1.9 omega_c, a/R = 0.41, a/R = 1), in t = sqrt(u) so that the square
  * root at u = 0 does no harm, wide enough for d >= lowest_d (in sigma_s) and fine enough for `tolerance` (relative).
- * Adds the number of law evaluations to *evaluations. Error: STATUS_MEMORY. */
+ * Adds the number of law evaluations to *evaluations. Errors: STATUS_MEMORY; STATUS_MODEL when lowest_d is below about
+ * -2000. */
 MUST_CHECK enum status_code panels_make(struct panels *out, const struct asperity *asperity, enum asperity_law_id law,
                                         double sigma_s_m, double knudsen_length_m, double lowest_d, double tolerance,
                                         uint64_t *evaluations, struct status *status);

@@ -34,7 +34,8 @@ static void link_areas(struct sinusoid_cell *cell, double low, double x, double 
         cell->area_complement = fall_high + high_complement * (1 - fall_high) - low * fall_low;
         cell->area_ratio = 1 - cell->area_complement;
     }
-    if (cell->area_complement <= 0) {
+    cell->limited = cell->area_complement <= 0;
+    if (cell->limited) {
         cell->area_ratio = 1;
         cell->area_complement = 0;
     }
@@ -76,11 +77,11 @@ const struct sinusoid_closure sinusoid_closures[SCENE_CLOSURE_COUNT] = {
     [SCENE_CLOSURE_THESIS] = {"thesis",
                               "W. E. Wilson, Auburn University 2008, eq. 4.3-4.10; after Johnson, Greenwood "
                               "and Higginson 1985, Jackson and Streator 2006",
-                              0.12, 0.10, thesis_area, thesis_gap},
+                              false, 0.12, 0.10, thesis_area, thesis_gap},
     [SCENE_CLOSURE_NUMERIC] = {"numeric",
                                "direct numerical solution of the elastic cell on a 1024 x 1024 grid, "
                                "interpolated",
-                               0.004, 0.002, sinusoid_numeric_area, sinusoid_numeric_gap},
+                               true, 0.004, 0.002, sinusoid_numeric_area, sinusoid_numeric_gap},
 };
 
 double sinusoid_full_pressure(double amplitude_m, double frequency_per_m, double effective_modulus_Pa)
@@ -129,6 +130,19 @@ double sinusoid_closed_pressure(const struct sinusoid_scale *scale)
     return fmax(scale->plastic_full_pressure_Pa, scale->critical_pressure_Pa);
 }
 
+/** Below p_p <= p*, so that the elastic area is short of 1 too. */
+static void raise_to_elastic(struct sinusoid_cell *cell, const struct sinusoid_scale *scale,
+                             const struct sinusoid_closure *closure, double pressure_Pa)
+{
+    struct sinusoid_cell elastic;
+    closure->area(&elastic, pressure_Pa / scale->full_pressure_Pa);
+    if (elastic.area_ratio <= cell->area_ratio)
+        return;
+    cell->area_ratio = elastic.area_ratio;
+    cell->area_complement = elastic.area_complement;
+    cell->limited = true;
+}
+
 bool sinusoid_press(struct sinusoid_cell *cell, const struct sinusoid_scale *scale,
                     const struct sinusoid_closure *closure, double pressure_Pa, bool with_gap)
 {
@@ -143,7 +157,10 @@ bool sinusoid_press(struct sinusoid_cell *cell, const struct sinusoid_scale *sca
         double ln_x = log(x);
         double low = exp(scale->plastic_area_log + scale->plastic_area_exponent * log(pressure_Pa));
         link_areas(cell, low, x, ln_x);
+        if (closure->floors_plastic)
+            raise_to_elastic(cell, scale, closure, pressure_Pa);
     } else {
+        cell->limited = false;
         closure->area(cell, x);
     }
     if (with_gap)

@@ -11,12 +11,14 @@ struct sinusoid_cell {
     double area_ratio;      /* a */
     double area_complement; /* 1 - a, without cancellation as a -> 1 */
     double gap_ratio;       /* mean gap / amplitude G, 1...0 */
+    bool limited;           /* the published plastic area (4.17) was cut off at 1, or raised to the elastic area */
 };
 
 /** A law for the elastic cell: x = mean pressure / p*. One row a closure. */
 struct sinusoid_closure {
-    const char *name;             /* scene spelling */
-    const char *source;           /* where the formula or table is from */
+    const char *name;    /* scene spelling */
+    const char *source;  /* where the formula or table is from */
+    bool floors_plastic; /* (4.17) was made to meet closure thesis; it can fall short of this closure's elastic area */
     double area_error, gap_error; /* largest relative difference from the direct numerical solution: area at any x, gap
                                      at x <= 0.55 (beyond, less than 4 % of the gap is left) */
     /** Area ratio and its complement at x > 0 (gap_ratio is left alone). */
@@ -56,7 +58,9 @@ double sinusoid_closed_pressure(const struct sinusoid_scale *scale);
 double sinusoid_full_area_pressure(const struct sinusoid_scale *scale);
 
 /** Area (and, when `with_gap`, gap) of the scale at mean pressure p > 0 [Pa]. Returns whether it deformed plastically.
- * Elastic: thesis (4.5), (4.6), (4.10); plastic: (4.17) with p_p in place of p*. The area never falls with p. */
+ * Elastic: thesis (4.5), (4.6), (4.10); plastic: (4.17) with p_p in place of p*, cut off at 1 and, with closure
+ * `numeric`, not below the elastic area: yield only adds contact. The area never falls with p, but for the link of
+ * closure `thesis` at p/p* = 0.8 (by 0.05 %, as published). */
 bool sinusoid_press(struct sinusoid_cell *cell, const struct sinusoid_scale *scale,
                     const struct sinusoid_closure *closure, double pressure_Pa, bool with_gap);
 

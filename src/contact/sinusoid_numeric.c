@@ -66,8 +66,13 @@ static double end_slope(double secant, double inner_slope)
     return slope * secant <= 0 ? 0 : copysign(fmin(fabs(slope), 2 * fabs(secant)), secant);
 }
 
-/** Cubic between the points around t = x^(1/3), 0 < t < 1. `skip` is a point to do without, or KEEP_ALL. */
-static double interpolate(double (*value)(int), double x, int skip)
+/** The cubic between two points: values and slopes at its ends. */
+struct piece {
+    double start, step, low, high, slope_low, slope_high;
+};
+
+/** The piece around t = x^(1/3), 0 < t < 1. `skip` is a point to do without, or KEEP_ALL. */
+static struct piece piece_at(double (*value)(int), double x, int skip)
 {
     int count = skip == KEEP_ALL ? POINTS : POINTS - 1, low = 0, high = count - 1;
     while (high - low > 1) {
@@ -89,17 +94,45 @@ static double interpolate(double (*value)(int), double x, int skip)
     double slope_high = high < count - 1 ? steffen_slope(t + 1, y + 1) : end_slope(secant, slope_low);
     if (low == 0)
         slope_low = end_slope(secant, slope_high);
-    double u = cbrt(x) - t[1];
-    double cubic = (slope_low + slope_high - 2 * secant) / (step * step);
-    double square = (3 * secant - 2 * slope_low - slope_high) / step;
-    return y[1] + u * (slope_low + u * (square + u * cubic));
+    return (struct piece){t[1], step, y[1], y[2], slope_low, slope_high};
+}
+
+/** How far the cubic is above its low end's value, at `u` from that end. */
+static double piece_rise(const struct piece *piece, double u)
+{
+    double step = piece->step, secant = (piece->high - piece->low) / step;
+    double cubic = (piece->slope_low + piece->slope_high - 2 * secant) / (step * step);
+    double square = (3 * secant - 2 * piece->slope_low - piece->slope_high) / step;
+    return u * (piece->slope_low + u * (square + u * cubic));
+}
+
+/** How far it is below its high end's value, at `s` from that end: the same turned round. */
+static double piece_rest(const struct piece *piece, double s)
+{
+    struct piece turned = {0, piece->step, -piece->high, -piece->low, piece->slope_high, piece->slope_low};
+    return piece_rise(&turned, s);
+}
+
+static double interpolate(double (*value)(int), double x, int skip)
+{
+    struct piece piece = piece_at(value, x, skip);
+    return piece.low + piece_rise(&piece, cbrt(x) - piece.start);
 }
 
 void sinusoid_numeric_area(struct sinusoid_cell *cell, double x)
 {
-    double area = x >= 1 ? 1 : fmin(1, interpolate(point_area, x, KEEP_ALL) * pow(x, 2.0 / 3));
-    cell->area_ratio = area;
-    cell->area_complement = 1 - area;
+    if (x >= 1) {
+        cell->area_ratio = 1;
+        cell->area_complement = 0;
+    } else if (x < sinusoid_bem[NODES - 1].x) {
+        cell->area_ratio = interpolate(point_area, x, KEEP_ALL) * pow(x, 2.0 / 3);
+        cell->area_complement = 1 - cell->area_ratio;
+    } else { /* 1 - y x^(2/3) = 1 - y + y (1 - x^(2/3)) from small terms, so that 1 - sqrt(a) keeps its digits */
+        struct piece piece = piece_at(point_area, x, KEEP_ALL);
+        double rest = piece_rest(&piece, -expm1(log(x) / 3));
+        cell->area_complement = rest - (1 - rest) * expm1(2.0 / 3 * log(x));
+        cell->area_ratio = 1 - cell->area_complement;
+    }
 }
 
 double sinusoid_numeric_gap(double x)

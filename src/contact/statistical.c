@@ -35,6 +35,8 @@ static void integrate(struct panels_sums *sums, const struct statistical *model,
  * are log-concave), so that after one step the iterates close in from one side. */
 static double solve(const struct statistical *model, bool for_area, double log_target, double d)
 {
+    static const double highest_d = 40; /* exp(-d²/2) is below the smallest double */
+    d = fmin(d, highest_d);
     double log_scale = log(model->surface.density_per_m2);
     if (!for_area)
         log_scale -= log(model->asperity.effective_modulus_Pa);
@@ -127,9 +129,10 @@ void statistical_at(struct contact_point *out, const struct statistical *model, 
     double full_m = model->full_d * surface->sigma_s_m + surface->offset_m;
     /* 1/R = (1/Psi) eta int g(a) phi: psi/(2 eta int a phi), per nominal area */
     double psi = area < 1 ? spot_alleviation(area, 1 - area) : 0;
-    double spread = psi > 0 ? psi / (2 * scale * sums.radius) : 0;
-    double spread_sd = psi > 0 ? psi / (2 * scale * sums.radius_scale_dependent) : 0;
     unsigned wanted = model->wanted;
+    double spread = psi > 0 ? psi / (2 * scale * sums.radius) : 0, spread_sd = 0;
+    if (psi > 0 && (wanted & CONTACT_SCALE_DEPENDENT)) /* else GW has no panels to sum it from: it would be psi/0 */
+        spread_sd = psi / (2 * scale * sums.radius_scale_dependent);
     *out = (struct contact_point){
         .load = scale * sums.load / model->asperity.effective_modulus_Pa,
         .area_ratio = area,
@@ -151,6 +154,7 @@ bool statistical_solve(struct contact_point *out, const struct statistical *mode
     *d = fmax(*d, model->full_d);
     statistical_at(out, model, *d);
     out->load = load;
+    out->area_ratio = fmin(1, out->area_ratio); /* but for rounding it is */
     return true;
 }
 

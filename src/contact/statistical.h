@@ -26,7 +26,8 @@ struct statistical {
 };
 
 /** Prepares the model for separations d >= `lowest_d` sigma_s and always down to its full contact (pass INFINITY for
- * just that). Counts law evaluations. Error: STATUS_MEMORY. */
+ * just that). Counts law evaluations. Errors: STATUS_MEMORY; STATUS_MODEL when full contact or
+ * lowest_d is below about -2000 (no surface of roughness_asperities() is). */
 MUST_CHECK enum status_code statistical_make(struct statistical *out, const struct asperities *surface,
                                              const struct material_pair *pair, enum asperity_law_id law,
                                              unsigned wanted, double tolerance, double lowest_d, uint64_t *evaluations,

@@ -24,7 +24,9 @@ double sanity_digitising(const double *height_m, size_t points)
         if (d > nothing && d < 1.5 * least)
             sum += d, ones++;
     }
-    double step = ones > 0 ? sum / (double)ones : 0;
+    if (ones == 0)
+        return 0; /* no two heights differ */
+    double step = sum / (double)ones;
     for (size_t i = 1; i < points; i++) {
         double d = fabs(height_m[i] - height_m[i - 1]) / step;
         if (d * step <= nothing || d > 3.5)
@@ -36,7 +38,7 @@ double sanity_digitising(const double *height_m, size_t points)
     return seen ? step : 0;
 }
 
-/** Mean square of the second difference over `lag` points. */
+/** Mean square of the second difference over `lag` points; 0 where the profile is too short. */
 static double curvature(const struct profile *profile, size_t lag)
 {
     const double *z = profile->height_m;
@@ -46,7 +48,7 @@ static double curvature(const struct profile *profile, size_t lag)
         double c = (z[i + lag] - 2 * z[i] + z[i - lag]) / h / h;
         sum += c * c;
     }
-    return count > 0 ? sum / (double)count : NAN;
+    return count > 0 ? sum / (double)count : 0;
 }
 
 static void check_units(struct profile *profile, double rq_m)
@@ -73,14 +75,14 @@ static void check_curvature(struct profile *profile, double digit_m, const struc
             "heights come in steps of %.3g nm, whose rounding alone makes %.0f %% of m4: the statistical models "
             "follow the digitiser; give lambda_s_m",
             digit_m * 1e9, fmin(100, 100 * digit_m4 / m4));
-    else if (!filtered && m4 > sanity_noise_ratio * coarse)
+    else if (!filtered && coarse > 0 && m4 > sanity_noise_ratio * coarse)
         profile_note(
             profile,
             "m4 is noise of the shortest wavelengths: %.1f times smaller with every other point (white noise: 16); "
             "give lambda_s_m",
             m4 / coarse);
     double tip_m = options->tip_radius_m, shortest_m = fmax(2 * h, options->lambda_s_m);
-    if (tip_m > 0 && !filtered && 1 / sqrt(m4) < tip_m)
+    if (!filtered && m4 * tip_m * tip_m > 1)
         profile_note(profile,
                      "the RMS radius of curvature, %.3g um, is below the tip radius, %.3g um: the stylus cannot have "
                      "followed it; give lambda_s_m",

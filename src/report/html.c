@@ -45,12 +45,12 @@ static void collect(const MD_CHAR *bytes, MD_SIZE length, void *text)
 static void add_escaped(struct text *out, const char *string)
 {
     static const char *const escapes[128] = {['<'] = "&lt;", ['>'] = "&gt;", ['&'] = "&amp;", ['"'] = "&quot;"};
-    for (; *string; string++) {
-        const char *escape = (unsigned char)*string < 128 ? escapes[(unsigned char)*string] : NULL;
-        if (escape)
-            text_add(out, "%s", escape);
+    for (size_t length; *string; string += length ? length : 1) {
+        length = text_character(string);
+        if (length == 1 && escapes[(unsigned char)*string])
+            text_add(out, "%s", escapes[(unsigned char)*string]);
         else
-            text_add_bytes(out, string, 1);
+            text_add_bytes(out, length ? string : "?", length ? length : 1);
     }
 }
 

@@ -6,8 +6,6 @@
 #include "report/section.h"
 #include "report/template.h"
 #include "report/words.h"
-#include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 /** Sections of the template that stand or fall with what ran. */
@@ -45,19 +43,15 @@ static bool figure(struct text *out, const char *number, const struct section_co
     text_add(out, "![");
     if (number[0] >= '0' && number[0] <= '9')
         text_add(out, "Figure %s. ", number);
-    text_add(out, "%s", row->title);
-    if (row->kind == FIGURE_MODELS) {
-        text_add(out, ", surface ");
-        words_surface(out, context->results, context->results->baseline);
-    }
-    text_add(out, ".](figures/%s.svg)", number);
+    section_caption(out, context, row);
+    text_add(out, "](figures/%s.svg)", number);
     return true;
 }
 
 static bool field(struct text *out, const char *name, void *data)
 {
     const struct section_context *context = data;
-    const struct section_row *lists[] = {section_tables, section_prose, section_cost};
+    const struct section_row *lists[] = {section_summary, section_tables, section_prose, section_cost};
     bool on;
     if (flag(name, context->results->plan, &on)) {
         if (on)
@@ -95,10 +89,24 @@ static enum status_code write_file(const char *directory, const char *name, cons
     return rc;
 }
 
+/** Leaves one empty line where fields and figures that are absent left several. */
+static void squeeze(struct text *markdown)
+{
+    size_t kept = 0, run = 0;
+    for (size_t i = 0; i < markdown->length; i++) {
+        run = markdown->data[i] == '\n' ? run + 1 : 0;
+        if (run <= 2)
+            markdown->data[kept++] = markdown->data[i];
+    }
+    if (markdown->data)
+        markdown->data[kept] = '\0';
+    markdown->length = kept;
+}
+
 enum status_code report_write(const struct results *results, const char *directory, const char *templates,
                               struct status *status)
 {
-    struct study study;
+    struct study study = {0};
     struct surface_record baseline = {0};
     struct text path = {0}, template = {0}, markdown = {0}, html = {0};
     struct section_context context = {results, &study, &baseline};
@@ -111,6 +119,7 @@ enum status_code report_write(const struct results *results, const char *directo
         rc = text_read_file(&template, text_string(&path), status);
     if (rc == STATUS_OK)
         rc = template_render(&markdown, text_string(&template), text_string(&path), &source, status);
+    squeeze(&markdown);
     if (rc == STATUS_OK)
         rc = write_file(directory, "report.md", &markdown, status);
     if (rc == STATUS_OK)
@@ -118,59 +127,10 @@ enum status_code report_write(const struct results *results, const char *directo
     if (rc == STATUS_OK)
         rc = write_file(directory, "report.html", &html, status);
     surface_record_free(&baseline, false);
+    study_free(&study);
     text_free(&path);
     text_free(&template);
     text_free(&markdown);
     text_free(&html);
     return rc;
-}
-
-/** Pads by characters, not bytes: names may be UTF-8. */
-static void padded(struct text *out, const char *string, int width)
-{
-    int columns = 0;
-    for (const char *p = string; *p && columns < width; p++)
-        columns += ((unsigned char)*p & 0xC0) != 0x80;
-    for (const char *p = string; *p; p++) {
-        unsigned char c = (unsigned char)*p;
-        text_add_bytes(out, c < 0x20 || c == 0x7f ? "?" : p, 1);
-    }
-    for (; columns < width; columns++)
-        text_add_bytes(out, " ", 1);
-}
-
-void report_terminal_table(struct text *out, const struct results *results)
-{
-    static const char *const heads[MODEL_COUNT] = {"MS elastic", "MS plastic", "GW", "JG"};
-    const struct plan *plan = results->plan;
-    int width = 7;
-    for (size_t k = 0; k < results->usable_count; k++) {
-        int length = (int)strlen(results->spool->summaries[results->by_roughness[k]].scene->name);
-        width = length > width ? length > 28 ? 28 : length : width;
-    }
-    text_add(out, "%*s", width + 72, "load to full contact, P/(An E')\n");
-    padded(out, "surface", width);
-    text_add(out, "  Rq [um]       alpha [SI]          gamma   b_GW   b_JG");
-    for (int m = 0; m < MODEL_COUNT; m++)
-        if (model_called_for((enum model_id)m, plan->families, plan->running))
-            text_add(out, " %10s", heads[m]);
-    text_add(out, "\n");
-    for (size_t i = 0; i < results->spool->count; i++) {
-        const struct surface_summary *s = &results->spool->summaries[i];
-        if (!s->usable)
-            continue;
-        char alpha[40], gamma[40], beta[2][16];
-        snprintf(alpha, sizeof alpha, "%.3g ± %.2g", s->law.alpha, s->law.alpha_error);
-        snprintf(gamma, sizeof gamma, "%.3f ± %.3f", s->law.gamma, s->law.gamma_error);
-        for (int b = 0; b < 2; b++) {
-            const struct surface_model *model = &s->models[b == 0 ? MODEL_GW : MODEL_JG];
-            snprintf(beta[b], sizeof beta[b], model->exists ? "%.2f" : "-", model->beta);
-        }
-        padded(out, s->scene->name, width);
-        text_add(out, "  %7.4g %17s %15s %6s %6s", s->roughness.rq_m * 1e6, alpha, gamma, beta[0], beta[1]);
-        for (int m = 0; m < MODEL_COUNT; m++)
-            if (model_called_for((enum model_id)m, plan->families, plan->running))
-                text_add(out, s->models[m].exists ? " %10.3g" : "          -", s->models[m].full_load);
-        text_add(out, "\n");
-    }
 }

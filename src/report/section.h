@@ -16,9 +16,33 @@ struct section_row {
     void (*write)(struct text *out, const struct section_context *context);
 };
 
-/** Tables and lists of fields, each ended by a row without a name. */
-extern const struct section_row section_tables[];
+/** The fields, each list ended by a row without a name. */
+extern const struct section_row section_summary[];
 extern const struct section_row section_prose[];
+extern const struct section_row section_tables[];
 extern const struct section_row section_cost[];
+
+/** The caption's text of a figure: its title and one sentence on what is seen in it. */
+struct figure_row;
+void section_caption(struct text *out, const struct section_context *context, const struct figure_row *row);
+
+const struct surface_summary *section_surface(const struct section_context *context, size_t index);
+/** May this model run in this scene? */
+bool section_called_for(const struct section_context *context, enum model_id model);
+/** Point of the baseline's curve at the middle load; NULL: the model has none there. */
+const struct contact_point *section_middle(const struct section_context *context, enum model_id model);
+/** Adds the middle load as a pressure: "15.0 MPa". */
+void section_middle_pressure(struct text *out, const struct section_context *context);
+/** Smallest and largest value over the models of the baseline surface at the middle load; count 0: none has it. The
+ * extremes' `_at` are models. */
+struct study_extremes section_models(const struct section_context *context, enum study_quantity quantity);
+
+/** Calls `row` for every usable surface in the scene's order, between the name and the end of a table's row. */
+void section_each_surface(struct text *out, const struct section_context *context,
+                          void (*row)(struct text *out, const struct section_context *context, size_t index));
+/** One more cell of a row. */
+void section_cell(struct text *out, double value, int digits);
+/** The same for a load. */
+void section_load_cell(struct text *out, double load);
 
 #endif

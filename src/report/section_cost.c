@@ -124,8 +124,7 @@ static void cost_text(struct text *out, const struct section_context *context)
     const struct cost *cost = context->results->cost;
     if (!cost)
         return;
-    text_add(out, "Surface ");
-    words_surface(out, context->results, context->results->baseline);
+    words_named(out, "Surface ", context->results, context->results->baseline);
     text_add(
         out,
         ". Each method's largest relative error, against a better result by another method, and its time (the least "

@@ -5,109 +5,36 @@
 #include "report/words.h"
 #include <math.h>
 
-static const struct surface_summary *summary_at(const struct section_context *context, size_t index)
-{
-    return &context->results->spool->summaries[index];
-}
-
-static const struct surface_summary *smoothest(const struct section_context *context)
-{
-    return summary_at(context, context->results->by_roughness[0]);
-}
-
-static const struct surface_summary *roughest(const struct section_context *context)
-{
-    return summary_at(context, context->results->by_roughness[context->results->usable_count - 1]);
-}
-
-static void add(struct text *out, const char *before, double value, int digits, const char *after)
+/** A number of the scene, as it stands there, between two texts. */
+static void given(struct text *out, const char *before, double value, const char *after)
 {
     text_add(out, "%s", before);
-    words_number(out, value, digits);
+    words_given(out, value);
     text_add(out, "%s", after);
-}
-
-static bool called_for(const struct section_context *context, enum model_id model)
-{
-    const struct plan *plan = context->results->plan;
-    return model_called_for(model, plan->families, plan->running);
-}
-
-/** The model the summary speaks of: the first plastic one that ran, else the first that ran. */
-static enum model_id leading_model(const struct section_context *context)
-{
-    static const enum model_id order[] = {MODEL_MULTISCALE_PLASTIC, MODEL_MULTISCALE_ELASTIC, MODEL_JG, MODEL_GW};
-    for (int i = 0; i < 3; i++)
-        if (called_for(context, order[i]))
-            return order[i];
-    return MODEL_GW;
-}
-
-/** Point of the baseline's curve nearest the middle load, NULL when there is none. */
-static const struct contact_point *middle_point(const struct section_context *context, enum model_id model)
-{
-    const struct model_curve *curve = &context->baseline->curves[model];
-    for (size_t i = 0; i < curve->count; i++)
-        if (curve->points[i].load == context->study->middle_load)
-            return &curve->points[i];
-    return NULL;
-}
-
-static void summary(struct text *out, const struct section_context *context)
-{
-    const struct results *results = context->results;
-    enum model_id model = leading_model(context);
-    const struct contact_point *point = middle_point(context, model);
-    text_add(out, "- %zu surface%s, Rq ", results->usable_count, results->usable_count == 1 ? "" : "s");
-    words_range(out, smoothest(context)->roughness.rq_m * 1e6, roughest(context)->roughness.rq_m * 1e6, 3);
-    text_add(out, " µm, pressed against %s.\n",
-             results->scene->counterface_kind == MATERIAL_COUNTERFACE_RIGID
-                 ? "a rigid flat that conducts like the material"
-                 : "an elastic counterface");
-    if (point) {
-        text_add(out, "- At P/(Aₙ E′) = ");
-        words_number(out, point->load, 2);
-        add(out, " (", point->load * results->plan->pair.effective_modulus_Pa * 1e-6, 3, " MPa), surface ");
-        words_surface(out, results, results->baseline);
-        text_add(out, " touches over ");
-        words_number(out, 100 * point->area_ratio, 3);
-        text_add(out, " %% of the nominal area (%s)", model_rows[model].label);
-        if (!isnan(point->ecr_ohm_m2))
-            add(out, ", with ECR·Aₙ = ", point->ecr_ohm_m2, 3, " Ω m²");
-        if (!isnan(point->tcr_K_m2_per_W))
-            add(out, !isnan(point->ecr_ohm_m2) ? " and TCR·Aₙ = " : ", with TCR·Aₙ = ", point->tcr_K_m2_per_W, 3,
-                " K m²/W");
-        text_add(out, ".\n");
-    }
-    if (results->usable_count > 1 && isfinite(context->study->area_spread[model]))
-        add(out, "- At that load the areas of all surfaces lie within a factor of ", context->study->area_spread[model],
-            3, ".\n");
-    size_t refused = 0;
-    for (size_t i = 0; i < results->spool->count; i++)
-        refused += !summary_at(context, i)->usable;
-    if (refused > 0)
-        text_add(out, "- %zu surface%s refused: see the end of this report.\n", refused,
-                 refused == 1 ? " was" : "s were");
 }
 
 static void surfaces_text(struct text *out, const struct section_context *context)
 {
     const struct scene *scene = context->results->scene;
+    unsigned families = context->results->plan->families;
     text_add(out,
-             "Each profile was levelled (%s) and transformed%s; every harmonic is a scale of the multiscale models. "
-             "The power law is the least-squares line of log Δ on log λ",
+             "Each profile was levelled (%s) and transformed %s%s. The power law is the least-squares line of log Δ on "
+             "log λ",
              scene_level_names[scene->level],
-             scene->window == SCENE_WINDOW_HANN ? " under a Hann window" : " without a window");
+             scene->window == SCENE_WINDOW_HANN ? "under a Hann window" : "without a window",
+             families & SCENE_MODEL_MULTISCALE ? "; every harmonic is a scale of the multiscale models" : "");
     if (scene->fit_band_m[0] > 0 || isfinite(scene->fit_band_m[1])) {
         text_add(out, " for wavelengths ");
         if (scene->fit_band_m[0] > 0)
-            add(out, "from ", scene->fit_band_m[0] * 1e6, 3, " µm");
+            given(out, "from ", scene->fit_band_m[0] * 1e6, " µm");
         if (isfinite(scene->fit_band_m[1]))
-            add(out, " up to ", scene->fit_band_m[1] * 1e6, 4, " µm");
+            given(out, scene->fit_band_m[0] > 0 ? " to " : "up to ", scene->fit_band_m[1] * 1e6, " µm");
     }
-    text_add(out, ". Moments are %s.",
-             scene->moments == SCENE_MOMENTS_SPECTRAL ? "those of the spectrum"
-                                                      : "finite differences (slope: central, curvature: 3-point)");
+    text_add(out, ".");
+    if (families & SCENE_MODEL_STATISTICAL)
+        text_add(out, " Moments are %s.",
+                 scene->moments == SCENE_MOMENTS_SPECTRAL ? "those of the spectrum"
+                                                          : "finite differences (slope: central, curvature: 3-point)");
 }
 
 static void gaussian_scatter(struct text *out, const struct section_context *context)
@@ -120,185 +47,238 @@ static void material_text(struct text *out, const struct section_context *contex
 {
     const struct results *results = context->results;
     const struct material_pair *pair = &results->plan->pair;
-    add(out, "E′ = ", pair->effective_modulus_Pa * 1e-9, 4, " GPa");
+    words_add(out, "E′ = ", pair->effective_modulus_Pa * 1e-9, 4, " GPa");
     if (plan_runs(results->plan, EFFECT_PLASTICITY))
-        add(out, ", C = ", pair->yield_coefficient, 4, " (C Sᵧ is the mean pressure at which a spot yields)");
+        words_add(out, ", C = ", pair->yield_coefficient, 4, " (a spot yields at the mean pressure C·S_y)");
     if (plan_runs(results->plan, EFFECT_SCALE_DEPENDENT))
-        add(out, ", mean free path of the heat carriers ", pair->mean_free_path_m[0] * 1e9, 3, " nm");
+        words_add(out, ", mean free path of the heat carriers ", pair->mean_free_path_m[0] * 1e9, 3, " nm");
     text_add(out, ". %zu load%s, ", results->load_count, results->load_count == 1 ? "" : "s");
-    add(out, "P/(Aₙ E′) = ", results->loads[0], 3, "");
+    text_add(out, "P/(Aₙ E′) = ");
+    words_power(out, results->loads[0], 3);
+    if (results->load_count > 1) {
+        text_add(out, " to ");
+        words_power(out, results->loads[results->load_count - 1], 3);
+    }
+    words_add(out, ", that is ", results->loads[0] * pair->effective_modulus_Pa * 1e-6, 3, "");
     if (results->load_count > 1)
-        add(out, " to ", results->loads[results->load_count - 1], 3, "");
-    add(out, ", that is ", results->loads[0] * pair->effective_modulus_Pa * 1e-6, 3, "");
-    if (results->load_count > 1)
-        add(out, " to ", results->loads[results->load_count - 1] * pair->effective_modulus_Pa * 1e-6, 3, "");
+        words_add(out, " to ", results->loads[results->load_count - 1] * pair->effective_modulus_Pa * 1e-6, 3, "");
     text_add(out, " MPa of nominal pressure. Properties: ");
     text_add_markdown(out, results->scene->material.source[0] ? results->scene->material.source : "given in the scene");
     text_add(out, ".");
 }
 
-/** Does a sweep's curve settle: does the last halving of the wavelength still change the area by over 0.1 %? */
-static bool settles(const struct results *results, enum convergence_sweep sweep, bool plastic, size_t value)
+/** One law's line of the convergence study: for which α, and from which γ up, the area settles. */
+static void sweeps_text(struct text *out, const struct results *results, bool plastic)
 {
-    size_t scales = results->scene->convergence.scales;
-    const double *area = results_sweep(results, sweep, plastic, value);
-    return scales < 2 || area[scales - 1] >= 0.999 * area[scales / 2 - 1];
+    const struct convergence_sweep_row *alphas = &convergence_sweeps[CONVERGENCE_ALPHA];
+    const struct convergence_sweep_row *gammas = &convergence_sweeps[CONVERGENCE_GAMMA];
+    size_t settled = 0, from = gammas->count;
+    for (size_t v = 0; v < alphas->count; v++)
+        settled += study_settles(results, CONVERGENCE_ALPHA, plastic, v);
+    while (from > 0 && study_settles(results, CONVERGENCE_GAMMA, plastic, from - 1))
+        from--;
+    text_add(out, "- %s: for %zu of %zu α and for ", plastic ? "elastic-plastic" : "elastic", settled, alphas->count);
+    if (from == gammas->count)
+        text_add(out, "no γ.\n");
+    else
+        given(out, from == 0 ? "every γ from " : "γ from ", gammas->values[from], " up.\n");
 }
 
 static void convergence_text(struct text *out, const struct section_context *context)
 {
     const struct results *results = context->results;
     const struct scene_convergence *study = &results->scene->convergence;
-    text_add(out, "Synthetic spectra Δ = α·λ^γ of %zu scales, longest wavelength ", study->scales);
-    add(out, "", study->scan_length_m * 1e3, 3, " mm, at P/(Aₙ E′) = ");
-    add(out, "", study->load, 2, "; α is varied at γ = ");
-    add(out, "", study->gamma, 3, ", γ at α = ");
-    add(out, "", study->alpha, 3, ".");
-    for (int plastic = 0; plastic <= (int)plan_runs(results->plan, EFFECT_PLASTICITY); plastic++) {
-        size_t alpha = 0;
-        double least = NAN;
-        for (size_t v = 0; v < convergence_sweeps[CONVERGENCE_ALPHA].count; v++)
-            alpha += settles(results, CONVERGENCE_ALPHA, plastic, v);
-        for (size_t v = convergence_sweeps[CONVERGENCE_GAMMA].count; v-- > 0;)
-            if (settles(results, CONVERGENCE_GAMMA, plastic, v))
-                least = convergence_sweeps[CONVERGENCE_GAMMA].values[v];
-            else
-                break;
-        text_add(out, " %s: the last halving of the wavelength changes the area by less than 0.1 %% for %zu of %zu α",
-                 plastic ? "Elastic-plastic" : "Elastic", alpha, convergence_sweeps[CONVERGENCE_ALPHA].count);
-        add(out, ", and for every γ from ", least, 3, " up.");
-    }
+    text_add(out, "Synthetic spectra Δ = α·λᵞ of %zu scales", study->scales);
+    given(out, ", longest wavelength ", study->scan_length_m * 1e3, " mm");
+    given(out, ", at P/(Aₙ E′) = ", study->load, "");
+    given(out, "; α is varied at γ = ", study->gamma, "");
+    given(out, ", γ at α = ", study->alpha,
+          ". The area has settled, so that the last halving of the wavelength changes it ");
+    text_add(out, "by less than 0.1 %%:\n\n");
+    sweeps_text(out, results, false);
+    if (plan_runs(results->plan, EFFECT_PLASTICITY))
+        sweeps_text(out, results, true);
 }
 
 static void extension_text(struct text *out, const struct section_context *context)
 {
     if (!(context->results->plan->families & SCENE_MODEL_MULTISCALE))
         return;
-    text_add(out, "The measured surfaces: their fitted law carried on from the sampling limit (twice the spacing) to ");
-    add(out, "", convergence_atom_m * 1e9, 2, " nm, and by how much the area would still fall.");
+    text_add(out,
+             "The measured surfaces at that load: the area of their fitted laws down to the sampling limit (twice the "
+             "spacing), and by how much it would fall if the law went on ");
+    given(out, "to ", convergence_atom_m * 1e9, " nm.");
 }
 
 static void baseline(struct text *out, const struct section_context *context)
 {
-    words_surface(out, context->results, context->results->baseline);
+    words_named(out, "Surface ", context->results, context->results->baseline);
 }
 
 static void baseline_text(struct text *out, const struct section_context *context)
 {
     const struct results *results = context->results;
     const struct surface_summary *s = &context->baseline->summary;
-    text_add(out, "Surface ");
     baseline(out, context);
     text_add(out, " (%s), Rq ",
              results->scene->baseline    ? "chosen in the scene"
              : results->usable_count > 1 ? "the second smoothest"
                                          : "the only one");
-    add(out, "", s->roughness.rq_m * 1e6, 3, " µm.");
+    words_add(out, "", s->roughness.rq_m * 1e6, 3, " µm.");
     if (!s->has_asperities && (results->plan->families & SCENE_MODEL_STATISTICAL))
         text_add(out, " No statistical model exists for it: see the notes.");
-    if (called_for(context, MODEL_GW))
-        text_add(out, " Dashed parts of a curve lie outside its model's range of validity.");
+    else if (section_called_for(context, MODEL_GW))
+        text_add(out,
+                 " A statistical model's curve ends at its full contact; it is dashed outside its range of validity.");
+    text_add(out, " At the loads of the table:");
+}
+
+/** The smallest and largest of a number over the baseline's models. */
+static bool model_range(const struct section_context *context, double (*number)(const struct surface_model *),
+                        double *least, double *most, int *most_at)
+{
+    *least = INFINITY;
+    *most = -INFINITY;
+    for (int m = 0; m < MODEL_COUNT; m++) {
+        const struct surface_model *model = &context->baseline->summary.models[m];
+        double value = model->exists ? number(model) : NAN;
+        if (!isfinite(value))
+            continue;
+        *least = fmin(*least, value);
+        if (value > *most) {
+            *most = value;
+            *most_at = m;
+        }
+    }
+    return *least <= *most;
+}
+
+static double area_slope(const struct surface_model *model)
+{
+    return model->area_slope;
+}
+
+static double elbow_share(const struct surface_model *model)
+{
+    return model->elbow_load / model->full_load;
+}
+
+static double scale_dependence(const struct surface_model *model)
+{
+    return model->sd_most;
 }
 
 static void area_text(struct text *out, const struct section_context *context)
 {
-    for (int m = 0; m < MODEL_COUNT; m++) {
-        const struct surface_model *model = &context->baseline->summary.models[m];
-        if (!model->exists)
-            continue;
-        text_add(out, "%s%s: A ∝ P^", out->length > 0 && m > 0 ? " " : "", model_rows[m].label);
-        add(out, "", model->area_slope, 3, " below A/Aₙ = 0.1 (residual ");
-        add(out, "", model->area_slope_rms, 2, " decades), complete at P/(Aₙ E′) = ");
-        add(out, "", model->full_load, 3, ".");
+    static const enum model_id laws[2][2] = {{MODEL_MULTISCALE_ELASTIC, MODEL_MULTISCALE_PLASTIC},
+                                             {MODEL_GW, MODEL_JG}};
+    double least, most;
+    int unused;
+    if (model_range(context, area_slope, &least, &most, &unused)) {
+        text_add(out, "Up to A/Aₙ = 0.1 the area grows as Pⁿ with n = ");
+        words_range(out, least, most, 3);
+        text_add(out, ". ");
     }
+    bool first = true;
+    for (int f = 0; f < 2; f++) {
+        const struct contact_point *elastic = section_middle(context, laws[f][0]);
+        const struct contact_point *plastic = section_middle(context, laws[f][1]);
+        if (!elastic || !plastic)
+            continue;
+        if (first) {
+            text_add(out, "At ");
+            section_middle_pressure(out, context);
+            text_add(out, " yielding multiplies it by ");
+        }
+        words_add(out, first ? "" : " and by ", plastic->area_ratio / elastic->area_ratio, 3, "");
+        text_add(out, " (%s against %s)", model_rows[laws[f][1]].label, model_rows[laws[f][0]].label);
+        first = false;
+    }
+    text_add(out, "%s", first ? "" : ".");
 }
 
 static void separation_text(struct text *out, const struct section_context *context)
 {
     const struct surface_summary *s = &context->baseline->summary;
-    for (int m = 0; m < MODEL_COUNT; m++) {
-        const struct surface_model *model = &s->models[m];
-        const struct contact_point *point = middle_point(context, (enum model_id)m);
-        if (!model->exists || !point)
+    bool first = true;
+    for (int m = MODEL_GW; m <= MODEL_JG; m++) {
+        if (!s->models[m].exists)
             continue;
-        bool statistical = model_rows[m].family == SCENE_MODEL_STATISTICAL;
-        text_add(out, "%s: ", model_rows[m].label);
-        add(out, "", (statistical ? point->adjusted_m : point->separation_m) / s->asperities.sigma_m, 3, " σ");
-        text_add(out, "%s at P/(Aₙ E′) = ", statistical ? " (adjusted)" : "");
-        words_number(out, point->load, 2);
-        if (statistical)
-            add(out, "; its own separation at full contact is ", -model->beta / 2, 3, " σ. ");
-        else
-            add(out, "; closed at ", model->closed_load, 3, ". ");
+        words_add(out,
+                  first ? "Statistical separations are adjusted (4.54) to be 0 at full contact; before, they are there "
+                        : ", ",
+                  -s->models[m].beta / 2, 3, " σ");
+        text_add(out, " (%s)", model_rows[m].label);
+        first = false;
     }
+    text_add(out, "%s", first ? "" : ".");
+    const struct surface_model *plastic = &s->models[MODEL_MULTISCALE_PLASTIC];
+    if (plastic->exists && plastic->gap_at_full > 0.001)
+        words_add(out, first ? "" : " ", plastic->gap_at_full, 2,
+                  " σ are left where the elastic-plastic multiscale area first is complete.");
 }
 
-/** Where the resistance of each model of the baseline begins its steep fall. */
 static void electrical_text(struct text *out, const struct section_context *context)
 {
-    for (int m = 0; m < MODEL_COUNT; m++) {
-        const struct surface_model *model = &context->baseline->summary.models[m];
-        const struct contact_point *point = middle_point(context, (enum model_id)m);
-        if (!model->exists)
+    static const char *const laws[2] = {"elastic", "plastic"};
+    double least, most;
+    int unused;
+    if (model_range(context, elbow_share, &least, &most, &unused)) {
+        text_add(out, "The elbow, from which ECR falls faster than P⁻², lies at ");
+        words_range(out, 100 * least, 100 * most, 2);
+        text_add(out, " %% of the load to full contact. ");
+    }
+    bool first = true;
+    for (int law = 0; law < 2; law++) {
+        const struct study_gap *gap = &context->study->gap[law];
+        if (isnan(gap->ecr))
             continue;
-        text_add(out, "%s: ", model_rows[m].label);
-        if (point)
-            add(out, "", point->ecr_ohm_m2, 3, " Ω m² at P/(Aₙ E′) = ");
-        if (point)
-            add(out, "", point->load, 2, ", ");
-        if (isfinite(model->elbow_load))
-            add(out, "elbow at ", model->elbow_load, 2, ". ");
-        else
-            text_add(out, "no elbow within the loads. ");
+        words_add(out, first ? "Multiscale and statistical curves lie " : "; ", gap->ecr, 2, "");
+        words_add(out, first ? " decades apart in ECR and " : " and ", gap->area, 2, first ? " in area" : "");
+        text_add(out, " (%s)", laws[law]);
+        first = false;
     }
-    if (isfinite(context->study->ecr_gap)) {
-        add(out, "Multiscale and statistical ECR differ by ", context->study->ecr_gap, 2,
-            " decades on average, their areas by ");
-        add(out, "", context->study->area_gap, 2, ".");
-    }
+    text_add(out, "%s", first ? "" : ".");
 }
 
 static void thermal_text(struct text *out, const struct section_context *context)
 {
     if (isfinite(context->study->proportional_error)) {
         const struct material_pair *pair = &context->results->plan->pair;
-        add(out, "TCR is ECR times 1/(ρ k) = ", 1 / (pair->resistivity_ohm_m * pair->conductivity_W_per_mK), 4,
-            " K/(W Ω) in every model. ");
+        words_add(out, "TCR is ECR times 1/(ρ k) = ", 1 / (pair->resistivity_ohm_m * pair->conductivity_W_per_mK), 4,
+                  " K/(W·Ω) in every model, so the curves have the same shape. ");
     }
-    if (!plan_runs(context->results->plan, EFFECT_SCALE_DEPENDENT))
-        return;
-    text_add(out, "Scale dependence raises it by ");
-    bool first = true;
-    for (int m = 0; m < MODEL_COUNT; m++) {
-        const struct surface_model *model = &context->baseline->summary.models[m];
-        if (!model->exists || !(model->sd_most >= model->sd_least))
-            continue;
-        text_add(out, "%s", first ? "" : "; ");
-        words_range(out, 100 * model->sd_least, 100 * model->sd_most, 2);
-        text_add(out, " %% (%s)", model_rows[m].label);
-        first = false;
+    double least, most;
+    int at = 0;
+    if (plan_runs(context->results->plan, EFFECT_SCALE_DEPENDENT) &&
+        model_range(context, scale_dependence, &least, &most, &at)) {
+        words_add(out, "Scale dependence raises it by at most ", 100 * most, 2, " %");
+        text_add(out, " (%s).", model_rows[at].label);
     }
-    text_add(out, ".");
 }
 
 static void shown_text(struct text *out, const struct section_context *context)
 {
     const struct results *results = context->results;
+    if (results->usable_count == 1) {
+        text_add(out, "There is one surface, so these charts show it alone, model by model.");
+        return;
+    }
+    text_add(out, "A surface has the same colour in every chart.");
     if (results->shown_count < results->usable_count)
-        text_add(out,
-                 "The charts show %zu of the %zu surfaces, spread evenly from the smoothest to the roughest; tables "
-                 "and data hold all of them. ",
-                 results->shown_count, results->usable_count);
-    if (results->usable_count == 1)
-        text_add(out, "There is one surface, so these charts show it alone.");
-    else
-        text_add(out, "A surface has the same colour in every chart.");
+        text_add(
+            out,
+            " The charts show %zu of the %zu surfaces, spread evenly from the smoothest to the roughest; tables and "
+            "data hold all of them.",
+            results->shown_count, results->usable_count);
+    if (results->plan->running & (EFFECT_BIT(EFFECT_ELECTRICAL) | EFFECT_BIT(EFFECT_THERMAL)))
+        text_add(out, " Axes of resistance end where A/Aₙ passes 0.99: at full contact resistance is 0.");
 }
 
 static void full_contact_note(struct text *out, const struct section_context *context)
 {
-    if (called_for(context, MODEL_MULTISCALE_PLASTIC) && plan_runs(context->results->plan, EFFECT_SEPARATION))
-        text_add(out, " (the published elastic-plastic area reaches it before the last gap closes: see the checks)");
+    if (section_called_for(context, MODEL_MULTISCALE_PLASTIC) && plan_runs(context->results->plan, EFFECT_SEPARATION))
+        text_add(out, " (the published elastic-plastic area gets there before the last gap closes: see the checks)");
 }
 
 static void beta_text(struct text *out, const struct section_context *context)
@@ -306,7 +286,7 @@ static void beta_text(struct text *out, const struct section_context *context)
     size_t negative = 0, below = 0, above = 0;
     for (size_t k = 0; k < context->results->usable_count; k++)
         for (int m = MODEL_GW; m <= MODEL_JG; m++) {
-            const struct surface_model *model = &summary_at(context, context->results->by_roughness[k])->models[m];
+            const struct surface_model *model = &section_surface(context, context->results->by_roughness[k])->models[m];
             if (!model->exists)
                 continue;
             negative += model->beta < 0;
@@ -339,28 +319,30 @@ static void validity_text(struct text *out, const struct section_context *contex
         text_add(out,
                  "The statistical models take asperities as independent, which needs A ≪ Aₙ; their curves are dashed "
                  "from A/Aₙ = 0.1%s. ",
-                 called_for(context, MODEL_JG) ? ", and JG's also where more than 10 % of the "
-                                                 "load rests on asperities beyond a/R = 0.41, the end of its fit"
-                                               : "");
-    if (called_for(context, MODEL_MULTISCALE_PLASTIC))
+                 section_called_for(context, MODEL_JG)
+                     ? ", and JG's also where more than 10 % of the "
+                       "load rests on asperities beyond a/R = 0.41, the end of its fit"
+                     : "");
+    if (section_called_for(context, MODEL_MULTISCALE_PLASTIC))
         text_add(out,
                  "The elastic-plastic sinusoid steps up in area (by at most 8 %%) and down in gap where a scale begins "
                  "to yield; the steps are the published model's and are not smoothed. ");
     text_add(out,
              "A jump between the ends of a record leaks amplitude J/(π n) into harmonic n, which looks like γ = 1: the "
-             "share is taken at the short end of the fit band.");
+             "share is taken at the short end of the fit band. Loads in the table are P/(Aₙ E′).");
 }
 
 static void settings_text(struct text *out, const struct section_context *context)
 {
     const struct scene *scene = context->results->scene;
-    add(out, "Tolerance ", scene->tolerance, 2, "");
-    text_add(out, " (relative), sinusoid closure `%s`: %s.", scene_closure_names[scene->closure],
-             sinusoid_closures[scene->closure].source);
+    given(out, "Tolerance ", scene->tolerance, " (relative)");
+    if (context->results->plan->families & SCENE_MODEL_MULTISCALE)
+        text_add(out, ", sinusoid closure `%s`: %s", scene_closure_names[scene->closure],
+                 sinusoid_closures[scene->closure].source);
+    text_add(out, ".");
 }
 
 const struct section_row section_prose[] = {
-    {"summary", summary},
     {"surfaces_text", surfaces_text},
     {"gaussian_scatter", gaussian_scatter},
     {"material_text", material_text},

@@ -6,37 +6,10 @@
 #include <math.h>
 #include <string.h>
 
-static const struct surface_summary *summary_at(const struct section_context *context, size_t index)
-{
-    return &context->results->spool->summaries[index];
-}
-
-/** Calls `row` for every usable surface in the scene's order. */
-static void each_surface(struct text *out, const struct section_context *context,
-                         void (*row)(struct text *out, const struct section_context *context, size_t index))
-{
-    for (size_t i = 0; i < context->results->spool->count; i++)
-        if (summary_at(context, i)->usable) {
-            text_add(out, "| ");
-            words_surface(out, context->results, i);
-            row(out, context, i);
-            text_add(out, " |\n");
-        }
-}
-
-static void cell(struct text *out, double value, int digits)
+static void cell_error(struct text *out, double value, double error)
 {
     text_add(out, " | ");
-    words_number(out, value, digits);
-}
-
-static void cell_error(struct text *out, double value, double error, int digits)
-{
-    cell(out, value, digits);
-    if (isfinite(error)) {
-        text_add(out, " ± ");
-        words_number(out, error, 2);
-    }
+    words_uncertain(out, value, error);
 }
 
 /** A header cell a model that ran, then the rule below the header; `first` is the header's beginning. */
@@ -58,15 +31,15 @@ static void model_header(struct text *out, const struct section_context *context
 
 static void surface_6_2(struct text *out, const struct section_context *context, size_t index)
 {
-    const struct surface_summary *s = summary_at(context, index);
-    cell(out, s->roughness.rq_m * 1e6, 3);
-    cell(out, s->roughness.ra_m * 1e6, 3);
-    cell(out, s->length_m * 1e3, 3);
-    cell(out, s->spacing_m * 1e6, 3);
+    const struct surface_summary *s = section_surface(context, index);
+    section_cell(out, s->roughness.rq_m * 1e6, 3);
+    section_cell(out, s->roughness.ra_m * 1e6, 3);
+    section_cell(out, s->length_m * 1e3, 3);
+    section_cell(out, s->spacing_m * 1e6, 3);
     text_add(out, " | %zu", s->points);
-    cell_error(out, s->law.alpha, s->law.alpha_error, 3);
-    cell_error(out, s->law.gamma, s->law.gamma_error, 3);
-    cell(out, s->law.rms_decades, 3);
+    cell_error(out, s->law.alpha, s->law.alpha_error);
+    cell_error(out, s->law.gamma, s->law.gamma_error);
+    section_cell(out, s->law.rms_decades, 3);
 }
 
 static void table_6_2(struct text *out, const struct section_context *context)
@@ -75,47 +48,60 @@ static void table_6_2(struct text *out, const struct section_context *context)
         out,
         "| surface | Rq (µm) | Ra (µm) | length (mm) | spacing (µm) | points | α (SI) | γ | RMS of fit (decades) |\n"
         "|---|---:|---:|---:|---:|---:|---:|---:|---:|\n");
-    each_surface(out, context, surface_6_2);
+    section_each_surface(out, context, surface_6_2);
 }
 
 static void surface_asperities(struct text *out, const struct section_context *context, size_t index)
 {
-    const struct surface_summary *s = summary_at(context, index);
-    cell(out, s->roughness.m2, 3);
-    cell(out, s->roughness.m4_per_m2 * 1e-12, 3);
-    cell(out, s->asperities.nayak, 3);
-    cell(out, s->asperities.density_per_m2 * 1e-6, 3);
-    cell(out, s->asperities.radius_m * 1e6, 3);
-    cell(out, s->asperities.sigma_s_m * 1e6, 3);
-    cell(out, s->asperities.offset_m * 1e6, 3);
+    const struct surface_summary *s = section_surface(context, index);
+    section_cell(out, s->roughness.m2, 3);
+    section_cell(out, s->roughness.m4_per_m2 * 1e-12, 3);
+    section_cell(out, s->asperities.nayak, 3);
+    section_cell(out, s->asperities.density_per_m2 * 1e-6, 3);
+    section_cell(out, s->asperities.radius_m * 1e6, 3);
+    section_cell(out, s->asperities.sigma_s_m * 1e6, 3);
+    section_cell(out, s->asperities.offset_m * 1e6, 3);
 }
 
 static void asperity_table(struct text *out, const struct section_context *context)
 {
     text_add(out, "| surface | m₂ | m₄ (µm⁻²) | Nayak | η (mm⁻²) | R (µm) | σₛ (µm) | yₛ (µm) |\n"
                   "|---|---:|---:|---:|---:|---:|---:|---:|\n");
-    each_surface(out, context, surface_asperities);
+    section_each_surface(out, context, surface_asperities);
+}
+
+/** Is the property one that a model or an effect of this run needs? */
+static bool is_needed(const struct plan *plan, const char *key)
+{
+    bool needed = strcmp(key, "E_Pa") == 0 || strcmp(key, "nu") == 0;
+    for (int e = 0; e < EFFECT_COUNT; e++)
+        for (int k = 0; plan_runs(plan, (enum effect)e) && effect_rows[e].properties[k]; k++)
+            needed = needed || strcmp(effect_rows[e].properties[k], key) == 0;
+    return needed;
 }
 
 static void table_6_1(struct text *out, const struct section_context *context)
 {
     const struct scene *scene = context->results->scene;
-    bool two = scene->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC;
+    bool elastic = scene->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC;
+    bool two = elastic && strcmp(scene->material.name, scene->counterface.name) != 0;
     text_add(out, "| property | symbol | ");
     text_add_markdown(out, scene->material.name);
     if (two) {
         text_add(out, " | ");
         text_add_markdown(out, scene->counterface.name);
     }
-    text_add(out, " | unit |\n|---|---|---:|%s---|\n", two ? "---:|" : "");
+    text_add(out, "%s | unit |\n|---|---|---:|%s---|\n", elastic && !two ? ", both bodies" : "", two ? "---:|" : "");
     for (size_t i = 0; i < material_property_count; i++) {
         const struct material_property *property = &material_properties[i];
         double values[2] = {material_value(&scene->material, property), material_value(&scene->counterface, property)};
-        if (isnan(values[0]) && (!two || isnan(values[1])))
+        if (!is_needed(context->results->plan, property->key))
             continue;
         text_add(out, "| %s | %s", property->meaning, property->symbol);
-        for (int side = 0; side <= (int)two; side++)
-            cell(out, values[side], 5);
+        for (int side = 0; side <= (int)two; side++) {
+            text_add(out, " | ");
+            words_given(out, values[side]);
+        }
         text_add(out, " | %s |\n", property->unit);
     }
 }
@@ -125,15 +111,15 @@ static void surface_full(struct text *out, const struct section_context *context
     const struct plan *plan = context->results->plan;
     for (int m = 0; m < MODEL_COUNT; m++)
         if (model_called_for((enum model_id)m, plan->families, plan->running)) {
-            const struct surface_model *model = &summary_at(context, index)->models[m];
-            cell(out, model->exists ? model->full_load : NAN, 3);
+            const struct surface_model *model = &section_surface(context, index)->models[m];
+            section_load_cell(out, model->exists ? model->full_load : NAN);
         }
 }
 
 static void full_table(struct text *out, const struct section_context *context)
 {
     model_header(out, context, "surface", 1, context->results->plan->families, "");
-    each_surface(out, context, surface_full);
+    section_each_surface(out, context, surface_full);
 }
 
 static void surface_6_3(struct text *out, const struct section_context *context, size_t index)
@@ -141,13 +127,13 @@ static void surface_6_3(struct text *out, const struct section_context *context,
     const struct plan *plan = context->results->plan;
     for (int m = MODEL_GW; m <= MODEL_JG; m++)
         if (model_called_for((enum model_id)m, plan->families, plan->running)) {
-            const struct surface_model *model = &summary_at(context, index)->models[m];
-            cell(out, model->exists ? model->beta : NAN, 3);
+            const struct surface_model *model = &section_surface(context, index)->models[m];
+            section_cell(out, model->exists ? model->beta : NAN, 3);
         }
     for (int m = MODEL_GW; m <= MODEL_JG; m++)
         if (model_called_for((enum model_id)m, plan->families, plan->running)) {
-            const struct surface_model *model = &summary_at(context, index)->models[m];
-            cell(out, model->exists ? model->beta_multiscale : NAN, 3);
+            const struct surface_model *model = &section_surface(context, index)->models[m];
+            section_cell(out, model->exists ? model->beta_multiscale : NAN, 3);
         }
 }
 
@@ -158,21 +144,7 @@ static void table_6_3(struct text *out, const struct section_context *context)
         out,
         jg ? "| surface | β GW | β JG | GW, nearest multiscale | JG, nearest multiscale |\n|---|---:|---:|---:|---:|\n"
            : "| surface | β GW | GW, nearest multiscale |\n|---|---:|---:|\n");
-    each_surface(out, context, surface_6_3);
-}
-
-static void surface_key(struct text *out, const struct section_context *context, size_t index)
-{
-    const struct surface_summary *s = summary_at(context, index);
-    cell(out, s->roughness.rq_m * 1e6, 3);
-    cell(out, s->law.gamma, 3);
-    surface_full(out, context, index);
-}
-
-static void key_table(struct text *out, const struct section_context *context)
-{
-    model_header(out, context, "surface | Rq (µm) | γ", 3, context->results->plan->families, "full contact, ");
-    each_surface(out, context, surface_key);
+    section_each_surface(out, context, surface_6_3);
 }
 
 /** The baseline's quantities at three loads, a row a load and model. */
@@ -190,9 +162,9 @@ static void baseline_table(struct text *out, const struct section_context *conte
     } columns[] = {
         {separation, "separation/σ"},
         {separation && statistical, "adjusted"},
-        {plan_runs(plan, EFFECT_ELECTRICAL), "ECR·Aₙ (Ω m²)"},
-        {plan_runs(plan, EFFECT_THERMAL), "TCR·Aₙ (K m²/W)"},
-        {plan_runs(plan, EFFECT_SCALE_DEPENDENT), "scale-dependent"},
+        {plan_runs(plan, EFFECT_ELECTRICAL), "ECR·Aₙ (Ω·m²)"},
+        {plan_runs(plan, EFFECT_THERMAL), "TCR·Aₙ (K·m²/W)"},
+        {plan_runs(plan, EFFECT_SCALE_DEPENDENT), "TCR·Aₙ, scale-dependent"},
         {plan_runs(plan, EFFECT_ELECTRICAL) && isfinite(results->scene->nominal_area_m2), "ECR (Ω)"},
     };
     for (size_t c = 0; c < sizeof columns / sizeof columns[0]; c++)
@@ -219,13 +191,13 @@ static void baseline_table(struct text *out, const struct section_context *conte
                                          p->tcr_sd_K_m2_per_W,
                                          p->ecr_ohm_m2 / results->scene->nominal_area_m2};
                 text_add(out, "| ");
-                words_number(out, load, 3);
-                cell(out, load * plan->pair.effective_modulus_Pa * 1e-6, 3);
+                words_power(out, load, 3);
+                section_cell(out, load * plan->pair.effective_modulus_Pa * 1e-6, 3);
                 text_add(out, " | %s", model_rows[m].label);
-                cell(out, p->area_ratio, 3);
+                section_cell(out, p->area_ratio, 3);
                 for (size_t c = 0; c < sizeof columns / sizeof columns[0]; c++)
                     if (columns[c].present)
-                        cell(out, values[c], 3);
+                        section_cell(out, values[c], 3);
                 text_add(out, " |\n");
             }
     }
@@ -233,16 +205,16 @@ static void baseline_table(struct text *out, const struct section_context *conte
 
 static void surface_extension(struct text *out, const struct section_context *context, size_t index)
 {
-    const struct surface_summary *s = summary_at(context, index);
-    cell_error(out, s->law.gamma, s->law.gamma_error, 3);
-    cell(out, 2 * s->spacing_m * 1e6, 3);
+    const struct surface_summary *s = section_surface(context, index);
+    cell_error(out, s->law.gamma, s->law.gamma_error);
+    section_cell(out, 2 * s->spacing_m * 1e6, 3);
     for (int m = MODEL_MULTISCALE_ELASTIC; m <= MODEL_MULTISCALE_PLASTIC; m++) {
         const struct convergence_extension *extension = &s->models[m].extension;
         if (!model_called_for((enum model_id)m, SCENE_MODEL_MULTISCALE, context->results->plan->running))
             continue;
         bool known = s->models[m].exists && extension->scales > 0;
-        cell(out, known ? extension->area_measured : NAN, 3);
-        cell(out, known ? 100 * (1 - extension->area_extended / extension->area_measured) : NAN, 2);
+        section_cell(out, known ? extension->area_measured : NAN, 3);
+        section_cell(out, known ? 100 * (1 - extension->area_extended / extension->area_measured) : NAN, 2);
     }
 }
 
@@ -253,24 +225,25 @@ static void extension_table(struct text *out, const struct section_context *cont
         return;
     text_add(
         out,
-        "| surface | γ | sampling limit (µm) | A/Aₙ elastic | would fall by (%%)%s |\n|---|---:|---:|---:|---:|%s\n",
-        plastic ? " | A/Aₙ plastic | would fall by (%)" : "", plastic ? "---:|---:|" : "");
-    each_surface(out, context, surface_extension);
+        "| surface | γ | sampling limit (µm) | A/Aₙ elastic | further fall (%%)%s |\n|---|---:|---:|---:|---:|%s\n",
+        plastic ? " | A/Aₙ elastic-plastic | further fall (%)" : "", plastic ? "---:|---:|" : "");
+    section_each_surface(out, context, surface_extension);
 }
 
 static void surface_validity(struct text *out, const struct section_context *context, size_t index)
 {
-    const struct surface_summary *s = summary_at(context, index);
+    const struct surface_summary *s = section_surface(context, index);
     const struct plan *plan = context->results->plan;
     bool leaks = isfinite(s->jump_share);
-    cell(out, s->jump_m * 1e6, 3);
-    cell(out, leaks ? 100 * s->jump_share : NAN, 2);
+    section_cell(out, s->jump_m * 1e6, 3);
+    section_cell(out, leaks ? 100 * s->jump_share : NAN, 2);
     for (int m = MODEL_GW; m <= MODEL_JG; m++)
         if (model_called_for((enum model_id)m, plan->families, plan->running))
-            cell(out, s->models[m].exists ? s->models[m].invalid_area_load : NAN, 3);
+            section_load_cell(out, s->models[m].exists ? s->models[m].invalid_area_load : NAN);
     if (model_called_for(MODEL_JG, plan->families, plan->running)) {
-        cell(out, s->models[MODEL_JG].exists ? s->models[MODEL_JG].invalid_fit_load : NAN, 3);
-        cell(out, s->models[MODEL_JG].exists ? 100 * s->models[MODEL_JG].most_outside : NAN, 3);
+        section_load_cell(out, s->models[MODEL_JG].exists ? s->models[MODEL_JG].invalid_fit_load : NAN);
+        double outside = s->models[MODEL_JG].most_outside;
+        section_cell(out, s->models[MODEL_JG].exists ? outside < 1e-4 ? 0 : 100 * outside : NAN, 3);
     }
     if (model_called_for(MODEL_MULTISCALE_PLASTIC, plan->families, plan->running))
         text_add(out, " | %zu of %zu", s->models[MODEL_MULTISCALE_PLASTIC].yielding_scales, s->harmonics);
@@ -282,12 +255,12 @@ static void validity_table(struct text *out, const struct section_context *conte
     bool gw = model_called_for(MODEL_GW, plan->families, plan->running);
     bool jg = model_called_for(MODEL_JG, plan->families, plan->running);
     bool plastic = model_called_for(MODEL_MULTISCALE_PLASTIC, plan->families, plan->running);
-    text_add(out, "| surface | end-to-end jump (µm) | its leak / fit (%%)%s%s%s |\n|---|---:|---:|%s%s%s\n",
-             gw ? " | GW: A/Aₙ > 0.1 from load" : "",
-             jg ? " | JG: A/Aₙ > 0.1 from load | JG: a/R > 0.41 bears 10 % from load | most of the load there (%)" : "",
+    text_add(out, "| surface | end-to-end jump (µm) | its leak (%% of fit)%s%s%s |\n|---|---:|---:|%s%s%s\n",
+             gw ? " | GW: A/Aₙ > 0.1 from" : "",
+             jg ? " | JG: A/Aₙ > 0.1 from | JG: 10 % of load beyond a/R = 0.41 from | largest share beyond (%)" : "",
              plastic ? " | scales that can yield" : "", gw ? "---:|" : "", jg ? "---:|---:|---:|" : "",
              plastic ? "---:|" : "");
-    each_surface(out, context, surface_validity);
+    section_each_surface(out, context, surface_validity);
 }
 
 static void claims(struct text *out, const struct section_context *context)
@@ -295,19 +268,9 @@ static void claims(struct text *out, const struct section_context *context)
     claim_table(out, context->results, context->study);
 }
 
-static void effects_table(struct text *out, const struct section_context *context)
-{
-    text_add(out, "| effect | | why | adds |\n|---|---|---|---|\n");
-    for (int e = 0; e < EFFECT_COUNT; e++) {
-        const struct plan_effect *effect = &context->results->plan->effects[e];
-        text_add(out, "| %s | %s | %s | %s |\n", effect_rows[e].name, effect->runs ? "run" : "skipped", effect->reason,
-                 effect_rows[e].adds);
-    }
-}
-
 static void surface_inputs(struct text *out, const struct section_context *context, size_t index)
 {
-    const struct surface_summary *s = summary_at(context, index);
+    const struct surface_summary *s = section_surface(context, index);
     text_add(out, " | ");
     for (size_t f = 0; f < s->scene->file_count; f++) {
         text_add(out, "%s", f > 0 ? ", " : "");
@@ -321,13 +284,13 @@ static void surface_inputs(struct text *out, const struct section_context *conte
 static void inputs_table(struct text *out, const struct section_context *context)
 {
     text_add(out, "| surface | files | format | units | SHA-256 |\n|---|---|---|---|---|\n");
-    each_surface(out, context, surface_inputs);
+    section_each_surface(out, context, surface_inputs);
 }
 
 static void notes(struct text *out, const struct section_context *context)
 {
     for (size_t i = 0; i < context->results->spool->count; i++)
-        for (const char *line = summary_at(context, i)->notes; line && *line;) {
+        for (const char *line = section_surface(context, i)->notes; line && *line;) {
             char single[1200];
             size_t length = strcspn(line, "\n");
             snprintf(single, sizeof single, "%.*s", (int)length, line);
@@ -343,40 +306,66 @@ static void notes(struct text *out, const struct section_context *context)
 static void refused(struct text *out, const struct section_context *context)
 {
     for (size_t i = 0; i < context->results->spool->count; i++)
-        if (summary_at(context, i)->refusal) {
+        if (section_surface(context, i)->refusal) {
             text_add(out, "- ");
             words_surface(out, context->results, i);
             text_add(out, ": ");
-            text_add_markdown(out, summary_at(context, i)->refusal);
+            text_add_markdown(out, section_surface(context, i)->refusal);
             text_add(out, "\n");
         }
 }
 
-static void models_table(struct text *out, const struct section_context *context)
+/** What was learned of each model of the baseline: a row a model, a column an effect. */
+static void model_table(struct text *out, const struct section_context *context)
 {
-    const struct plan *plan = context->results->plan;
-    text_add(out, "| model | assumes | valid | equations | source |\n|---|---|---|---|---|\n");
+    const struct results *results = context->results;
+    bool separation = plan_runs(results->plan, EFFECT_SEPARATION);
+    bool electrical = plan_runs(results->plan, EFFECT_ELECTRICAL);
+    bool scale_dependent = plan_runs(results->plan, EFFECT_SCALE_DEPENDENT);
+    text_add(out, "| model | n in A ∝ Pⁿ | A = Aₙ at%s%s%s |\n|---|---:|---:|%s%s%s\n", separation ? " | gap 0 at" : "",
+             electrical ? " | ECR elbow at" : "", scale_dependent ? " | scale dependence adds (%)" : "",
+             separation ? "---:|" : "", electrical ? "---:|" : "", scale_dependent ? "---:|" : "");
+    for (int m = 0; m < MODEL_COUNT; m++) {
+        const struct surface_model *model = &context->baseline->summary.models[m];
+        if (!model->exists)
+            continue;
+        text_add(out, "| %s", model_rows[m].label);
+        section_cell(out, model->area_slope, 3);
+        section_load_cell(out, model->full_load);
+        if (separation)
+            section_load_cell(out, model->closed_load);
+        if (electrical)
+            section_load_cell(out, model->elbow_load);
+        if (scale_dependent) {
+            text_add(out, " | ");
+            words_range(out, 100 * model->sd_least, 100 * model->sd_most, 2);
+        }
+        text_add(out, " |\n");
+    }
+}
+
+static void models_list(struct text *out, const struct section_context *context)
+{
     for (int m = 0; m < MODEL_COUNT; m++)
-        if (model_called_for((enum model_id)m, plan->families, plan->running))
-            text_add(out, "| %s | %s | %s | %s | %s |\n", model_rows[m].label, model_rows[m].assumes,
-                     model_rows[m].valid, model_rows[m].equations, model_rows[m].source);
+        if (section_called_for(context, (enum model_id)m))
+            text_add(out, "- **%s** (eq. %s). Assumes: %s. Valid: %s. Source: %s.\n", model_rows[m].label,
+                     model_rows[m].equations, model_rows[m].assumes, model_rows[m].valid, model_rows[m].source);
 }
 
 const struct section_row section_tables[] = {
     {"table_6_1", table_6_1},
     {"table_6_2", table_6_2},
     {"table_6_3", table_6_3},
-    {"key_table", key_table},
     {"asperity_table", asperity_table},
     {"baseline_table", baseline_table},
     {"full_table", full_table},
     {"extension_table", extension_table},
     {"validity_table", validity_table},
     {"claims", claims},
-    {"effects_table", effects_table},
     {"inputs_table", inputs_table},
     {"notes", notes},
     {"refused", refused},
-    {"models_table", models_table},
+    {"models_list", models_list},
+    {"model_table", model_table},
     {NULL, NULL},
 };

@@ -1,6 +1,7 @@
 #include "report/study.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 /** Points of two curves that stand at the same loads. */
 static size_t common_points(const struct model_curve *a, const struct model_curve *b)
@@ -11,10 +12,29 @@ static size_t common_points(const struct model_curve *a, const struct model_curv
     return count;
 }
 
-/** Separation over sigma as the report compares it: adjusted for the statistical models. */
-static double separation(const struct contact_point *point, enum model_id model, double sigma_m)
+double study_value(const struct contact_point *point, enum study_quantity quantity, enum model_id model, double sigma_m)
 {
-    return (model_rows[model].family == SCENE_MODEL_STATISTICAL ? point->adjusted_m : point->separation_m) / sigma_m;
+    bool adjusted = model_rows[model].family == SCENE_MODEL_STATISTICAL;
+    switch (quantity) {
+    case STUDY_AREA:
+        return point->area_ratio;
+    case STUDY_SEPARATION:
+        return (adjusted ? point->adjusted_m : point->separation_m) / sigma_m;
+    case STUDY_ECR:
+        return point->ecr_ohm_m2;
+    case STUDY_TCR:
+        return point->tcr_K_m2_per_W;
+    case STUDY_QUANTITY_COUNT:
+        break;
+    }
+    return NAN;
+}
+
+bool study_settles(const struct results *results, enum convergence_sweep sweep, bool plastic, size_t value)
+{
+    size_t scales = results->scene->convergence.scales;
+    const double *area = results_sweep(results, sweep, plastic, value);
+    return scales < 2 || area[scales - 1] >= 0.999 * area[scales / 2 - 1];
 }
 
 static void compare_neighbours(struct study *study, const struct surface_record *smooth,
@@ -30,8 +50,9 @@ static void compare_neighbours(struct study *study, const struct surface_record 
                 continue; /* both full: nothing to rank */
             rank->pairs++;
             rank->area += p->area_ratio >= q->area_ratio;
-            rank->separation += separation(p, (enum model_id)m, smooth->summary.asperities.sigma_m) <=
-                                separation(q, (enum model_id)m, rough->summary.asperities.sigma_m);
+            rank->separation +=
+                study_value(p, STUDY_SEPARATION, (enum model_id)m, smooth->summary.asperities.sigma_m) <=
+                study_value(q, STUDY_SEPARATION, (enum model_id)m, rough->summary.asperities.sigma_m);
             rank->ecr += p->ecr_ohm_m2 <= q->ecr_ohm_m2;
             rank->tcr += p->tcr_K_m2_per_W <= q->tcr_K_m2_per_W;
         }
@@ -68,54 +89,91 @@ static void check_proportion(struct study *study, const struct surface_record *r
         }
 }
 
-/** Mean distance of the two families on the baseline surface, in decades. */
-static void compare_families(struct study *study, const struct surface_record *record)
+/** Mean distance of a multiscale and a statistical curve, in decades. */
+static struct study_gap gap_between(const struct model_curve *a, const struct model_curve *b)
 {
-    bool plastic = record->curves[MODEL_JG].exists && record->curves[MODEL_MULTISCALE_PLASTIC].exists;
-    const struct model_curve *a = &record->curves[plastic ? MODEL_MULTISCALE_PLASTIC : MODEL_MULTISCALE_ELASTIC];
-    const struct model_curve *b = &record->curves[plastic ? MODEL_JG : MODEL_GW];
     size_t count = a->exists && b->exists ? common_points(a, b) : 0, used = 0;
-    double area = 0, ecr = 0;
+    struct study_gap gap = {0, 0};
     for (size_t i = 0; i < count; i++) {
         const struct contact_point *p = &a->points[i], *q = &b->points[i];
         if (!(p->ecr_ohm_m2 > 0) || !(q->ecr_ohm_m2 > 0))
             continue;
-        area += fabs(log10(p->area_ratio / q->area_ratio));
-        ecr += fabs(log10(p->ecr_ohm_m2 / q->ecr_ohm_m2));
+        gap.area += fabs(log10(p->area_ratio / q->area_ratio));
+        gap.ecr += fabs(log10(p->ecr_ohm_m2 / q->ecr_ohm_m2));
         used++;
     }
-    if (used > 0) {
-        study->area_gap = area / (double)used;
-        study->ecr_gap = ecr / (double)used;
-    }
+    return used > 0 ? (struct study_gap){gap.area / (double)used, gap.ecr / (double)used}
+                    : (struct study_gap){NAN, NAN};
 }
 
-/** Areas of the surfaces at the middle load, in one model. */
-struct area_range {
-    size_t surfaces;
-    double least, most;
-};
-
-static void widen(struct area_range spreads[MODEL_COUNT], const struct surface_record *record, double load)
+/** Takes the surface's values at the middle load. */
+static void note_middle(struct study *study, const struct surface_record *record, size_t index)
 {
     for (int m = 0; m < MODEL_COUNT; m++)
-        for (size_t i = 0; i < record->curves[m].count; i++)
-            if (record->curves[m].points[i].load == load) {
-                struct area_range *spread = &spreads[m];
-                double area = record->curves[m].points[i].area_ratio;
-                spread->least = spread->surfaces > 0 ? fmin(spread->least, area) : area;
-                spread->most = fmax(spread->most, area);
-                spread->surfaces++;
+        for (size_t i = 0; i < record->curves[m].count; i++) {
+            const struct contact_point *point = &record->curves[m].points[i];
+            if (point->load != study->middle_load)
+                continue;
+            if (m == (int)study->leading)
+                study->middle[index] = *point;
+            for (int q = 0; q < STUDY_QUANTITY_COUNT; q++) {
+                struct study_extremes *extremes = &study->extremes[m][q];
+                double value =
+                    study_value(point, (enum study_quantity)q, (enum model_id)m, record->summary.asperities.sigma_m);
+                if (isnan(value))
+                    continue;
+                if (extremes->count == 0 || value < extremes->least) {
+                    extremes->least = value;
+                    extremes->least_at = index;
+                }
+                if (extremes->count == 0 || value > extremes->most) {
+                    extremes->most = value;
+                    extremes->most_at = index;
+                }
+                extremes->count++;
             }
+            break;
+        }
+}
+
+/** The first plastic model that ran, else the first that ran. */
+static enum model_id leading_model(const struct plan *plan)
+{
+    static const enum model_id order[] = {MODEL_MULTISCALE_PLASTIC, MODEL_MULTISCALE_ELASTIC, MODEL_JG};
+    for (size_t i = 0; i < sizeof order / sizeof order[0]; i++)
+        if (model_called_for(order[i], plan->families, plan->running))
+            return order[i];
+    return MODEL_GW;
+}
+
+/** What one surface adds; `previous` is the next smoother one, NULL for the first. */
+static void take_in(struct study *study, const struct results *results, const struct surface_record *record,
+                    size_t index, const struct surface_record *previous)
+{
+    const struct model_curve *curves = record->curves;
+    if (previous)
+        compare_neighbours(study, previous, record);
+    compare_laws(&study->plastic[0], &curves[MODEL_MULTISCALE_ELASTIC], &curves[MODEL_MULTISCALE_PLASTIC]);
+    compare_laws(&study->plastic[1], &curves[MODEL_GW], &curves[MODEL_JG]);
+    check_proportion(study, record, results->plan);
+    note_middle(study, record, index);
+    if (index == results->baseline) {
+        study->gap[0] = gap_between(&curves[MODEL_MULTISCALE_ELASTIC], &curves[MODEL_GW]);
+        study->gap[1] = gap_between(&curves[MODEL_MULTISCALE_PLASTIC], &curves[MODEL_JG]);
+    }
 }
 
 enum status_code study_make(struct study *out, const struct results *results, struct status *status)
 {
-    struct area_range spreads[MODEL_COUNT] = {0};
     *out = (struct study){.proportional_error = NAN,
-                          .area_gap = NAN,
-                          .ecr_gap = NAN,
-                          .middle_load = results->loads[results->load_count / 2]};
+                          .gap = {{NAN, NAN}, {NAN, NAN}},
+                          .middle_load = results->loads[results->load_count / 2],
+                          .leading = leading_model(results->plan),
+                          .middle = malloc(results->spool->count * sizeof *out->middle)};
+    if (!out->middle)
+        return status_memory(status);
+    for (size_t i = 0; i < results->spool->count; i++)
+        out->middle[i] = (struct contact_point){.load = NAN};
     struct surface_record previous = {0};
     for (size_t k = 0; k < results->usable_count; k++) {
         struct surface_record record;
@@ -124,20 +182,16 @@ enum status_code study_make(struct study *out, const struct results *results, st
             surface_record_free(&previous, false);
             return status->code;
         }
-        if (k > 0)
-            compare_neighbours(out, &previous, &record);
-        compare_laws(&out->plastic[0], &record.curves[MODEL_MULTISCALE_ELASTIC],
-                     &record.curves[MODEL_MULTISCALE_PLASTIC]);
-        compare_laws(&out->plastic[1], &record.curves[MODEL_GW], &record.curves[MODEL_JG]);
-        check_proportion(out, &record, results->plan);
-        widen(spreads, &record, out->middle_load);
-        if (index == results->baseline)
-            compare_families(out, &record);
+        take_in(out, results, &record, index, k > 0 ? &previous : NULL);
         surface_record_free(&previous, false);
         previous = record;
     }
     surface_record_free(&previous, false);
-    for (int m = 0; m < MODEL_COUNT; m++)
-        out->area_spread[m] = spreads[m].surfaces > 1 ? spreads[m].most / spreads[m].least : NAN;
     return STATUS_OK;
+}
+
+void study_free(struct study *study)
+{
+    free(study->middle);
+    study->middle = NULL;
 }

@@ -20,17 +20,42 @@ struct study_plastic {
     size_t surfaces, sooner; /* compared; plastic full contact at the lower load */
 };
 
+enum study_quantity { STUDY_AREA, STUDY_SEPARATION, STUDY_ECR, STUDY_TCR, STUDY_QUANTITY_COUNT };
+
+/** Smallest and largest value of a quantity over the surfaces, and which surfaces these are. */
+struct study_extremes {
+    double least, most;
+    size_t least_at, most_at;
+    size_t count; /* surfaces that have the value; 0: none, and the rest says nothing */
+};
+
+/** Multiscale against statistical model of one material law, on the baseline surface: mean |log10 ratio| over their
+ * common loads; NaN: not both computed. */
+struct study_gap {
+    double area, ecr;
+};
+
 struct study {
     struct study_rank rank[MODEL_COUNT];
     struct study_plastic plastic[2]; /* multiscale, statistical */
-    double middle_load;              /* P/(A_n E') at which the spreads are taken */
-    double area_spread[MODEL_COUNT]; /* largest/smallest area of the surfaces there; NaN: fewer than two */
+    struct study_gap gap[2];         /* elastic, plastic */
     double proportional_error;       /* largest |TCR/ECR / (1/(rho k)) - 1|; NaN: not both computed */
-    double area_gap, ecr_gap;        /* baseline, multiscale against statistical of the plastic law (else elastic):
-                                        mean |log10 ratio| of area and ECR over common loads; NaN: not both run */
+    double middle_load;              /* P/(A_n E') at which surfaces and models are compared */
+    struct study_extremes extremes[MODEL_COUNT][STUDY_QUANTITY_COUNT]; /* there */
+    enum model_id leading;        /* the model the summary speaks of: the most complete that ran */
+    struct contact_point *middle; /* the leading model at the middle load, one a surface of the scene; load is
+                                     NaN where it has no point; owned */
 };
 
-/** Errors: STATUS_IO, STATUS_MEMORY. */
+/** End it with study_free() whatever comes back. Errors: STATUS_IO, STATUS_MEMORY. */
 MUST_CHECK enum status_code study_make(struct study *out, const struct results *results, struct status *status);
+void study_free(struct study *study);
+
+/** Value of a quantity at a point: A/A_n, separation/sigma (adjusted for the statistical models), ECR A_n, TCR A_n. */
+double study_value(const struct contact_point *point, enum study_quantity quantity, enum model_id model,
+                   double sigma_m);
+
+/** Has a sweep's curve settled: does the last halving of the wavelength change the area by less than 0.1 %? */
+bool study_settles(const struct results *results, enum convergence_sweep sweep, bool plastic, size_t value);
 
 #endif

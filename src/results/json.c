@@ -12,18 +12,17 @@ static json_t *real(double value)
     return isfinite(value) ? json_real(value) : json_null();
 }
 
-/** Text that may not be UTF-8 (a file name): bytes outside ASCII are then shown as '?'. */
+/** Text that may not be UTF-8 (a file name): it is then as the report shows it. */
 static json_t *string(const char *value)
 {
     json_t *json = json_string(value);
     if (json)
         return json;
-    char ascii[1024];
-    size_t n = 0;
-    for (; value[n] && n + 1 < sizeof ascii; n++)
-        ascii[n] = (unsigned char)value[n] < 0x80 ? value[n] : '?';
-    ascii[n] = '\0';
-    return json_string(ascii);
+    struct text shown = {0};
+    text_add_shown(&shown, value);
+    json = json_string(text_string(&shown));
+    text_free(&shown);
+    return json;
 }
 
 static json_t *material_json(const struct material *material)
@@ -96,8 +95,11 @@ static json_t *curve_json(const struct model_curve *curve, const struct surface_
         if (columns[c].quantity && !(wanted & columns[c].quantity))
             continue;
         json_t *values = json_array();
-        for (size_t i = 0; i < curve->count; i++)
-            json_array_append_new(values, real(*(const double *)((const char *)&curve->points[i] + columns[c].offset)));
+        for (size_t i = 0; i < curve->count; i++) {
+            double value;
+            memcpy(&value, (const char *)&curve->points[i] + columns[c].offset, sizeof value);
+            json_array_append_new(values, real(value));
+        }
         json_object_set_new(json, columns[c].name, values);
     }
     return json;

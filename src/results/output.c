@@ -11,47 +11,102 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/** What a report consists of; anything else in OUT is the user's. */
-static const char *const own_entries[] = {"report.md", "report.html", "results.json", "data", "figures"};
+/** What a report consists of; anything else in OUT is the user's. A name that begins with a dot is an ending. */
+static const char *const report_entries[] = {"report.md", "report.html", "results.json", "data", "figures", NULL};
+static const char *const data_entries[] = {"surfaces.csv", "spectrum.csv", "contact.csv", "convergence.csv",
+                                           "cost.csv",     "spread.csv",   "bands.csv",   NULL};
+static const char *const figure_entries[] = {".svg", ".gp", ".csv", NULL};
 
-static bool is_own(const char *name)
+static bool is_own(const char *name, const char *const *entries)
 {
-    for (size_t i = 0; i < sizeof own_entries / sizeof own_entries[0]; i++)
-        if (strcmp(name, own_entries[i]) == 0)
+    for (; *entries; entries++) {
+        size_t length = strlen(name), own = strlen(*entries);
+        if (length >= own && strcmp(name + length - own, *entries) == 0 && (length == own || **entries == '.'))
             return true;
-    return strcmp(name, ".") == 0 || strcmp(name, "..") == 0;
+    }
+    return strcmp(name, ".") == 0 || strcmp(name, "..") == 0 || strcmp(name, ".gitkeep") == 0;
 }
 
-/** Refuses to replace a directory that holds anything but a report. */
-static enum status_code check_target(const char *target, struct status *status)
+/** Refuses a directory that holds anything but `entries`; there may be no such directory. `count` (NULL: not wanted)
+ * gets how many of them there are. */
+static enum status_code check_entries(const char *path, const char *const *entries, size_t *count,
+                                      struct status *status)
 {
-    DIR *directory = opendir(target);
+    DIR *directory = opendir(path);
     if (!directory) {
         if (errno == ENOENT)
             return STATUS_OK;
-        return status_fail(status, STATUS_IO, "cannot write the report to '%s': %s", target, strerror(errno));
+        return status_fail(status, STATUS_IO, "cannot write the report to '%s': %s", path, strerror(errno));
     }
     enum status_code rc = STATUS_OK;
-    for (struct dirent *entry; rc == STATUS_OK && (entry = readdir(directory));)
-        if (!is_own(entry->d_name) && strcmp(entry->d_name, ".gitkeep") != 0)
+    for (struct dirent *entry; rc == STATUS_OK && (entry = readdir(directory));) {
+        if (!is_own(entry->d_name, entries))
             rc = status_fail(status, STATUS_IO,
-                             "'%s' holds '%s', which is not part of a report; choose another "
-                             "directory with -o",
-                             target, entry->d_name);
+                             "'%s' holds '%s', which is not part of a report; choose another directory with -o", path,
+                             entry->d_name);
+        if (count && entry->d_name[0] != '.')
+            ++*count;
+    }
     closedir(directory);
     return rc;
 }
 
-/** Makes every directory on the way to `path`, itself excluded. */
-static enum status_code make_parents(const char *path, struct status *status)
+/** Refuses to replace anything but a report, an empty directory or nothing. */
+static enum status_code check_target(const char *target, struct status *status)
+{
+    char path[PATH_MAX + 16];
+    size_t count = 0;
+    if (check_entries(target, report_entries, &count, status) != STATUS_OK || count == 0)
+        return status->code;
+    snprintf(path, sizeof path, "%s/results.json", target);
+    if (access(path, F_OK) != 0)
+        return status_fail(status, STATUS_IO, "'%s' is not empty and no report; choose another directory with -o",
+                           target);
+    snprintf(path, sizeof path, "%s/data", target);
+    if (check_entries(path, data_entries, NULL, status) != STATUS_OK)
+        return status->code;
+    snprintf(path, sizeof path, "%s/figures", target);
+    return check_entries(path, figure_entries, NULL, status);
+}
+
+/** Makes every directory on the way to the target, itself excluded, and notes the first that was missing. */
+static enum status_code make_parents(struct output *out, struct status *status)
 {
     char part[PATH_MAX];
-    snprintf(part, sizeof part, "%s", path);
+    snprintf(part, sizeof part, "%s", out->target);
     for (char *slash = strchr(part + 1, '/'); slash; slash = strchr(slash + 1, '/')) {
         *slash = '\0';
-        if (mkdir(part, 0777) != 0 && errno != EEXIST)
+        if (mkdir(part, 0777) == 0)
+            out->made = out->made ? out->made : strlen(part);
+        else if (errno != EEXIST)
             return status_fail(status, STATUS_IO, "cannot make directory '%s': %s", part, strerror(errno));
         *slash = '/';
+    }
+    return STATUS_OK;
+}
+
+/** Stores the path of OUT without slashes at its end; of a link, where it leads. */
+static enum status_code set_target(struct output *out, const char *target, struct status *status)
+{
+    struct stat info;
+    size_t length = strlen(target);
+    while (length > 1 && target[length - 1] == '/')
+        length--;
+    if (length + 32 >= sizeof out->target)
+        return status_fail(status, STATUS_IO, "the name of the report directory is too long");
+    memcpy(out->target, target, length);
+    const char *slash = strrchr(out->target, '/'), *name = slash ? slash + 1 : out->target;
+    if (*name == '\0' || strcmp(name, ".") == 0 || strcmp(name, "..") == 0)
+        return status_fail(status, STATUS_USAGE, "'%s' is no name for a report's directory; name one, such as ./report",
+                           target);
+    if (lstat(out->target, &info) == 0 && S_ISLNK(info.st_mode)) {
+        char *real = realpath(out->target, NULL);
+        if (!real || strlen(real) + 32 >= sizeof out->target) {
+            free(real);
+            return status_fail(status, STATUS_IO, "'%s' is a link that leads nowhere; remove it", out->target);
+        }
+        strcpy(out->target, real);
+        free(real);
     }
     return STATUS_OK;
 }
@@ -59,13 +114,8 @@ static enum status_code make_parents(const char *path, struct status *status)
 enum status_code output_begin(struct output *out, const char *target, struct status *status)
 {
     *out = (struct output){0};
-    size_t length = strlen(target);
-    while (length > 1 && target[length - 1] == '/')
-        length--;
-    if (length + 32 >= sizeof out->target)
-        return status_fail(status, STATUS_IO, "the name of the report directory is too long");
-    memcpy(out->target, target, length);
-    if (check_target(out->target, status) != STATUS_OK || make_parents(out->target, status) != STATUS_OK)
+    if (set_target(out, target, status) != STATUS_OK || check_target(out->target, status) != STATUS_OK ||
+        make_parents(out, status) != STATUS_OK)
         return status->code;
 
     char *slash = strrchr(out->target, '/');
@@ -138,4 +188,10 @@ void output_abandon(struct output *out)
     if (out->staging[0])
         remove_tree(out->staging);
     out->staging[0] = '\0';
+    for (char *slash; out->made && (slash = strrchr(out->target, '/')) && (size_t)(slash - out->target) >= out->made;) {
+        *slash = '\0'; /* the parents made for it: those that are empty go */
+        if (rmdir(out->target) != 0)
+            break;
+    }
+    out->made = 0;
 }

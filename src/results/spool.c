@@ -40,20 +40,24 @@ void spool_close(struct spool *spool)
     *spool = (struct spool){0};
 }
 
+/** An array of nothing may be NULL, which fwrite() must not be given. */
+static bool put_array(FILE *file, const void *array, size_t size, size_t count)
+{
+    return count == 0 || fwrite(array, size, count, file) == count;
+}
+
 static bool put_arrays(FILE *file, const struct surface_record *record)
 {
-    size_t scales = record->spectrum.count;
-    bool ok = fwrite(record, sizeof *record, 1, file) == 1;
-    ok = ok && fwrite(record->spectrum.amplitude_m, sizeof(double), scales, file) == scales;
+    bool ok = put_array(file, record, sizeof *record, 1);
+    ok = ok && put_array(file, record->spectrum.amplitude_m, sizeof(double), record->spectrum.count);
     for (int m = 0; m < MODEL_COUNT; m++) {
-        size_t count = record->curves[m].count;
-        ok = ok && fwrite(record->curves[m].points, sizeof(struct contact_point), count, file) == count;
-        size_t bands = record->bands[m] ? record->band_count : 0;
-        ok = ok && fwrite(record->bands[m], sizeof(struct spread_band), bands, file) == bands;
+        ok = ok && put_array(file, record->curves[m].points, sizeof(struct contact_point), record->curves[m].count);
+        ok = ok &&
+             put_array(file, record->bands[m], sizeof(struct spread_band), record->bands[m] ? record->band_count : 0);
     }
     for (size_t p = 0; p < record->part_count; p++) {
         const struct spectrum *part = &record->parts[p].spectrum;
-        ok = ok && fwrite(part->amplitude_m, sizeof(double), part->count, file) == part->count;
+        ok = ok && put_array(file, part->amplitude_m, sizeof(double), part->count);
     }
     return ok;
 }
@@ -74,9 +78,12 @@ enum status_code spool_put(struct spool *spool, size_t index, const struct surfa
     return STATUS_OK;
 }
 
+/** The next array of the file, malloc'ed; NULL for one of nothing. */
 static void *get_array(FILE *file, size_t size, size_t count, bool *ok)
 {
-    void *array = malloc(size * (count > 0 ? count : 1));
+    if (count == 0)
+        return NULL;
+    void *array = malloc(size * count);
     if (!array || fread(array, size, count, file) != count)
         *ok = false;
     return array;

@@ -17,12 +17,14 @@ const double *results_sweep(const struct results *results, enum convergence_swee
 
 size_t results_sweep_scales(size_t *index, size_t most, size_t scales)
 {
-    size_t count = 0;
+    size_t count = 0, next = 0; /* the first scale not yet taken */
     for (size_t k = 0; k < most; k++) {
         double n = pow((double)scales, (double)k / (double)(most - 1));
         size_t i = (size_t)lround(n) - 1;
-        if (count == 0 || i > index[count - 1])
+        if (i >= next) {
             index[count++] = i;
+            next = i + 1;
+        }
     }
     return count;
 }

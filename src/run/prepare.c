@@ -61,18 +61,29 @@ void prepared_free(struct prepared *prepared)
     *prepared = (struct prepared){0};
 }
 
+static void add_message(struct text *messages, const char *surface, const char *what, const char *message)
+{
+    text_add(messages, "surface '");
+    text_add_shown(messages, surface);
+    text_add(messages, "'%s: ", what);
+    text_add_shown(messages, message);
+    text_add(messages, "\n");
+}
+
 size_t prepare_messages(struct text *messages, const struct spool *spool)
 {
     size_t refused = 0;
     for (size_t i = 0; i < spool->count; i++) {
         const struct surface_summary *summary = &spool->summaries[i];
-        if (summary->refusal) {
-            text_add(messages, "surface '%s' refused: %s\n", summary->scene->name, summary->refusal);
-            refused++;
-        }
+        refused += summary->refusal != NULL;
+        if (summary->refusal)
+            add_message(messages, summary->scene->name, " refused", summary->refusal);
         for (const char *line = summary->notes; line && *line;) {
             size_t length = strcspn(line, "\n");
-            text_add(messages, "surface '%s': %.*s\n", summary->scene->name, (int)length, line);
+            struct text one = {0};
+            text_add_bytes(&one, line, length);
+            add_message(messages, summary->scene->name, "", text_string(&one));
+            text_free(&one);
             line += length + (line[length] == '\n');
         }
     }

@@ -145,6 +145,11 @@ static enum status_code evaluate(struct run *run, struct run_outcome *out, struc
     return STATUS_OK;
 }
 
+static bool stopped(const struct run *run)
+{
+    return run->options->stop && *run->options->stop;
+}
+
 /** From the evaluated surfaces to the files of the report. */
 static enum status_code write_all(struct run *run, struct run_outcome *out, struct status *status)
 {
@@ -152,13 +157,14 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
     const char *staging = run->output.staging;
     double last = clock_seconds();
     if (tables_write(run->results, staging, status) != STATUS_OK ||
-        tables_write_spread(run->results, staging, status) != STATUS_OK ||
-        json_write(run->results, staging, status) != STATUS_OK)
+        tables_write_spread(run->results, staging, status) != STATUS_OK || stopped(run))
+        return status->code;
+    if (json_write(run->results, staging, status) != STATUS_OK || stopped(run))
         return status->code;
     if (run->results->cost && cost_write(run->results->cost, staging, status) != STATUS_OK)
         return status->code;
     out->times.tables = lap(&last);
-    if (figure_write_all(run->results, staging, options->templates, status) != STATUS_OK)
+    if (figure_write_all(run->results, staging, options->templates, status) != STATUS_OK || stopped(run))
         return status->code;
     out->times.figures = lap(&last);
     if (figure_draw_all(run->results, staging, options->terminal_size, &out->charts, &out->times.gnuplot, status) !=
@@ -169,9 +175,7 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
         return status->code;
     report_terminal_table(&out->table, run->results);
     out->times.report = lap(&last);
-    if (options->stop && *options->stop)
-        return status_fail(status, STATUS_INTERRUPTED, "stopped");
-    return output_commit(&run->output, status);
+    return stopped(run) ? status->code : output_commit(&run->output, status);
 }
 
 /** OUT as given, else out/<name of DIR>. */
@@ -202,8 +206,13 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
         rc = begin_output(&run, status);
     if (rc == STATUS_OK)
         rc = evaluate(&run, out, status);
-    if (rc == STATUS_OK)
+    if (rc == STATUS_OK && !stopped(&run))
         rc = write_all(&run, out, status);
+    if (run.output.staging[0] && stopped(&run)) { /* whatever else went wrong: Ctrl-C stops gnuplot too */
+        *status = (struct status){0};
+        rc =
+            status_fail(status, STATUS_INTERRUPTED, "stopped by a signal; '%s' is as it was before", run.output.target);
+    }
     if (rc == STATUS_OK && asprintf(&out->path, "%s/report.html", run.output.target) < 0)
         rc = status_memory(status);
     free(run.prepared.results.by_roughness);

@@ -63,6 +63,11 @@ enum status_code scan_units(struct scan *out, const char *x_named, const char *z
     *z_m = choose_unit(out->z_unit, z_named, options->z_unit);
     if (*x_m > 0 && *z_m > 0)
         return STATUS_OK;
+    bool x_given = !(*x_m > 0) && *options->x_unit, z_given = !(*z_m > 0) && *options->z_unit;
+    if (x_given || z_given)
+        return scan_fail(status, file, 0,
+                         "'%.16s' is no unit of length; give %s as m, mm, um, nm, pm, A, in, mil or uin",
+                         x_given ? options->x_unit : options->z_unit, x_given ? "x_unit" : "z_unit");
     if (*x_m > 0)
         return scan_fail(status, file, 0,
                          "no unit for z; add `z_unit: um` (or mm, nm, ...) to this surface in scene.yaml, or give "

@@ -33,7 +33,9 @@ static void decide(struct plan *plan, enum effect effect, const struct scene *sc
     struct plan_effect *out = &plan->effects[effect];
     const char *missing = missing_property(row, scene);
     unsigned lacking = row->needs_effects & ~plan->running;
-    if (!scene->effects_auto) {
+    if (effect == EFFECT_CONVERGENCE && !(scene->models & SCENE_MODEL_MULTISCALE)) {
+        snprintf(out->reason, sizeof out->reason, "a question to the multiscale models, which do not run");
+    } else if (!scene->effects_auto) {
         out->runs = scene->effects & EFFECT_BIT(effect);
         snprintf(out->reason, sizeof out->reason, out->runs ? "listed in the scene" : "not listed in the scene");
     } else if (missing) {

@@ -85,8 +85,9 @@ static void find_knee(struct powerlaw *law, const struct spectrum *spectrum, con
             law->gamma_below = below.slope;
         }
     }
-    double gain = all->n * log(residual / fmax(best, 1e-300)) - 3 * log(all->n); /* three more parameters */
-    if (!(gain > 10))
+    /* three more parameters; an exact law leaves nothing to gain */
+    double gain = residual > 0 ? all->n * log(residual / fmax(best, 1e-300)) - 3 * log(all->n) : 0;
+    if (gain <= 10)
         law->knee_m = law->gamma_above = law->gamma_below = NAN;
 }
 

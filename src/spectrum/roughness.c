@@ -2,8 +2,9 @@
 
 #include <math.h>
 
-static const double summit_variance = 3.717e-4; /* McCool 1986, thesis (4.24) */
-static const double summit_offset = 0.045944;   /* Front, thesis (4.30) */
+static const double summit_variance = 3.717e-4;       /* McCool 1986, thesis (4.24) */
+static const double summit_variance_digits = 1.35e-4; /* its relative rounding: half a unit of the last digit printed */
+static const double summit_offset = 0.045944;         /* Front, thesis (4.30) */
 
 /** What needs no positions. */
 static struct roughness heights_alone(const double *height_m, size_t points)
@@ -88,11 +89,13 @@ enum status_code roughness_asperities(struct asperities *out, const struct rough
     double density_radius = out->density_per_m2 * out->radius_m;
     out->offset_m = summit_offset / density_radius;
     double variance = m0 - summit_variance / (density_radius * density_radius);
-    if (variance <= 0)
-        return status_fail(status, STATUS_MODEL,
-                           "Nayak parameter %.4g is below 0.8968, so the summit height variance is not positive and no "
-                           "statistical model exists; sample the surface more finely, or use models: [multiscale]",
-                           out->nayak);
+    if (variance <= summit_variance_digits * m0)
+        return status_fail(
+            status, STATUS_MODEL,
+            "Nayak parameter %.5g is not above 0.897, so the summit height variance is not positive (its "
+            "formula has no more digits) and no statistical model exists; sample the surface more finely, "
+            "or use models: [multiscale]",
+            out->nayak);
     out->sigma_s_m = sqrt(variance);
     return STATUS_OK;
 }

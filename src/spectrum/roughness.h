@@ -42,7 +42,8 @@ struct asperities {
 };
 
 /** Error: STATUS_MODEL when no statistical model exists: a flat profile, or a Nayak parameter below about 0.8968, for
- * which sigma_s² <= 0. What could be computed is in `out` either way (sigma_s NaN). */
+ * which sigma_s² is not positive to within the digits of (4.24). What could be computed is in `out` either way (sigma_s
+ * NaN). */
 MUST_CHECK enum status_code roughness_asperities(struct asperities *out, const struct roughness *roughness,
                                                  struct status *status);
 

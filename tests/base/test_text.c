@@ -53,15 +53,15 @@ static void test_more_than_memory_fails_and_stays_failed(void **state)
     text_free(&text);
 }
 
-/* Every ASCII punctuation mark that Markdown or HTML gives a meaning to is defused; the rest is left alone. */
+/* Every ASCII punctuation mark that Markdown or HTML gives a meaning to is defused at a beginning; the rest is left
+ * alone. */
 static void test_markdown(void **state)
 {
     (void)state;
     struct text text = {0};
     text_add_markdown(&text, "a|b*c_d`e\\f[g](h)#i<j>&\"k\"\n\t\x7f"
                              "Rq µm");
-    assert_string_equal(text_string(&text),
-                        "a\\|b\\*c\\_d\\`e\\\\f\\[g\\]\\(h\\)\\#i&#60;j&#62;&#38;&#34;k&#34;???Rq µm");
+    assert_string_equal(text_string(&text), "a\\|b\\*c_d\\`e\\\\f\\[g\\](h)\\#i&#60;j&#62;&#38;&#34;k&#34;???Rq µm");
     text_free(&text);
     for (int c = 1; c < 128; c++) {
         char string[2] = {(char)c, '\0'};
@@ -72,8 +72,40 @@ static void test_markdown(void **state)
             assert_string_equal(text_string(&text), "?");
         else if (strchr("<>&\"", c))
             assert_true(strncmp(text_string(&text), "&#", 2) == 0);
-        else if (strchr("*_`[]()!#|\\~$:-+", c))
+        else if (strchr("*_`[])#|\\~$-+=.", c))
             assert_true(text.length == 2 && text.data[0] == '\\' && text.data[1] == c);
+        text_free(&text);
+    }
+}
+
+/* What begins a list, a link or emphasis is escaped; what only reads worse for it is left alone. */
+static void test_markdown_is_escaped_where_it_means_something(void **state)
+{
+    static const struct {
+        const char *string, *expected;
+    } cases[] = {
+        {"surface-1.csv", "surface-1.csv"},
+        {"fit_band_m (0.5 um)", "fit_band_m (0.5 um)"},
+        {"- item", "\\- item"},
+        {"12. item", "12\\. item"},
+        {"3) item", "3\\) item"},
+        {"# title", "\\# title"},
+        {"_a_ __b__", "\\_a\\_ \\_\\_b\\_\\_"},
+        {"*a* `b` ~c~", "\\*a\\* \\`b\\` \\~c\\~"},
+        {"[x](y)", "\\[x\\](y)"},
+        {"![x](y)", "!\\[x\\](y)"},
+        {"a|b", "a\\|b"},
+        {"a\\b", "a\\\\b"},
+        {"http://x", "http\\://x"},
+        {"<b>&\"", "&#60;b&#62;&#38;&#34;"},
+        {"a\nb\033", "a?b?"},
+        {"---", "\\-\\-\\-"},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct text text = {0};
+        text_add_markdown(&text, cases[i].string);
+        assert_string_equal(text_string(&text), cases[i].expected);
         text_free(&text);
     }
 }
@@ -184,6 +216,7 @@ int main(void)
         cmocka_unit_test(test_a_text_grows_and_keeps_every_byte),
         cmocka_unit_test(test_more_than_memory_fails_and_stays_failed),
         cmocka_unit_test(test_markdown),
+        cmocka_unit_test(test_markdown_is_escaped_where_it_means_something),
         cmocka_unit_test(test_csv),
         cmocka_unit_test(test_files_come_back_byte_for_byte),
         cmocka_unit_test(test_what_cannot_be_read_is_named),

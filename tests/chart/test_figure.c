@@ -1,6 +1,8 @@
 #include "chart/figure.h"
 #include "run/pipeline.h"
 
+#include <ctype.h>
+
 enum { BLOCKS_MOST = 32, ROWS_MOST = 1100, SPIKE = 1234 };
 
 /* A quote, an end of line, commands, gnuplot's marks: YAML escapes, and what of it may reach a data file. */
@@ -57,6 +59,12 @@ static void read_styles(struct figure *figure, const struct directory *place, co
     *end = '\0';
     char *start = strrchr(script.data, '\'');
     assert_non_null(start);
+    if (isdigit((unsigned char)start[1])) { /* what the axes are to hold follows the styles */
+        assert_int_equal(start[-2], '\'');
+        start[-2] = '\0';
+        start = strrchr(script.data, '\'');
+        assert_non_null(start);
+    }
     size_t count = 0;
     for (word = strtok_r(start + 1, " ", &rest); word; word = strtok_r(NULL, " ", &rest), count++) {
         assert_true(count < BLOCKS_MOST);

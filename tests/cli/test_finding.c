@@ -1,5 +1,6 @@
 /* What `inspect` says of the real scans, against the figures computed beside them (reference.json). */
 #include "cli/finding.h"
+#include "cli/process.h"
 #include "scan/scan_support.h"
 
 /* Units of the files that name none, as reference.json takes them. */
@@ -123,11 +124,70 @@ static void test_roughness_profile(void **state)
     finding_free(&with);
 }
 
+static json_t *inspect_first(struct process process)
+{
+    json_error_t error;
+    json_t *all = json_loads(process.out, 0, &error);
+    assert_int_equal(json_array_size(all), 1);
+    json_t *first = json_incref(json_array_get(all, 0));
+    json_decref(all);
+    process_free(&process);
+    return first;
+}
+
+/* A map of 6 x 4 heights, of which the plane leaves (-1)^(x + y) um. */
+static void test_a_map_on_the_command_line(void **state)
+{
+    const char *place = *state;
+    workspace_write(place, "map.txt",
+                    "pixel size = 2 um\n1 -1 1 -1 1 -1\n-1 1 -1 1 -1 1\n1 -1 1 -1 1 -1\n-1 1 -1 1 -1 1\n");
+    json_t *map = inspect_first(expect_exit(place, 0, "inspect", "--json", "--z-unit", "um", "map.txt"));
+    assert_string_equal(json_string_value(json_object_get(map, "kind")), "areal");
+    assert_near(number(map, "points"), 24, 0);
+    assert_near(number(map, "nx"), 6, 0);
+    assert_near(number(map, "ny"), 4, 0);
+    assert_near(number(map, "dx_m"), 2e-6, 1e-12);
+    assert_near(number(map, "dy_m"), 2e-6, 1e-12);
+    assert_near(number(map, "sq_m"), 1e-6, 0.02);
+    assert_near(number(map, "sz_m"), 2e-6, 0.1);
+    assert_near(number(map, "m4_per_m2"), 1e12, 1e-9); /* (4 um/(2 um)²)² */
+    assert_null(json_object_get(map, "parameters"));
+    json_decref(map);
+    struct process text = expect_exit(place, 0, "inspect", "--no-chart", "--z-unit", "um", "map.txt");
+    expect_part(text.out, "points      6 x 4, spacing 2 um x 2 um, 0 missing");
+    expect_part(text.out, "plane out   Sq ");
+    process_free(&text);
+}
+
+static void test_options(void **state)
+{
+    const char *place = *state;
+    workspace_scan(place, "a.csv", 2000, 1);
+    json_t *raw = inspect_first(expect_exit(place, 0, "inspect", "--json", "--level", "none", "a.csv"));
+    json_t *smooth = inspect_first(expect_exit(place, 0, "inspect", "--json", "--lambda-s", "8e-6", "a.csv"));
+    assert_true(number(smooth, "m4_per_m2") < number(raw, "m4_per_m2"));
+    assert_near(number(json_object_get(smooth, "parameters"), "lambda_s_m"), 8e-6, 0);
+    json_decref(raw);
+    json_decref(smooth);
+    struct process text = expect_exit(place, 0, "inspect", "--no-chart", "--level", "robust", "a.csv");
+    expect_part(text.out, "robust line tilt");
+    expect_part(text.out, "parameters  Pa ");
+    process_free(&text);
+    expect_failure(place, 2, 3, "unknown level 'plane'; allowed: none, mean, line, parabola, circle, robust", "inspect",
+                   "--level", "plane", "a.csv");
+    expect_failure(place, 2, 3, "'8 um' is no length in metres", "inspect", "--lambda-s", "8 um", "a.csv");
+    expect_failure(place, 2, 3, "--lambda-c is not above --lambda-s", "inspect", "--lambda-s", "8e-6", "--lambda-c",
+                   "8e-6", "a.csv");
+    expect_failure(place, 4, 1, "a.csv: lambda_c_m is 1, longer than the scan", "inspect", "--lambda-c", "1", "a.csv");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_reference_figure),
         cmocka_unit_test(test_roughness_profile),
+        workspace_test(test_a_map_on_the_command_line),
+        workspace_test(test_options),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

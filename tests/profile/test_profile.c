@@ -118,24 +118,57 @@ static void test_uneven_positions_are_interpolated(void **state)
     assert_true(error < first / 30); /* three halvings; their largest errors fall between different points */
 }
 
+static double rising(double x_m)
+{
+    return 1e-6 * exp((x_m - 1e-3) / 1e-4);
+}
+
+/* Where the heights only rise it is of third order and better, which straight lines between the points are not. */
+static void test_interpolation_is_smooth(void **state)
+{
+    struct sample *sample = *state;
+    double error[2] = {0};
+    for (int k = 0; k < 2; k++) {
+        size_t points = k == 0 ? 201 : 401;
+        make_uneven(sample, points, rising);
+        struct profile profile = make(finish(sample, points, true), SCENE_LEVEL_NONE);
+        for (size_t i = points / 10; i < points - points / 10; i++) {
+            double exact = rising(sample->x_m[0] + (double)i * profile.spacing_m);
+            error[k] = fmax(error[k], fabs(profile.height_m[i] / exact - 1));
+        }
+        profile_free(&profile);
+    }
+    assert_true(error[1] > 0 && error[1] < error[0] / 7);
+}
+
 static double stairs(double x_m)
 {
     return fmod(x_m, 8e-5) < 4e-5 ? 1e-6 : 3e-6;
 }
 
+static double coarse(double x_m)
+{
+    return 1e-6 * sin(x_m / 1.1e-6); /* a few points a wave */
+}
+
+/* Between two points the heights stay between those of the two. */
 static void test_interpolation_does_not_overshoot(void **state)
 {
+    static double (*const heights[])(double) = {stairs, coarse};
     struct sample *sample = *state;
-    make_uneven(sample, 700, stairs);
-    struct profile profile = make(finish(sample, 700, true), SCENE_LEVEL_NONE);
-    assert_int_equal(profile.grid, PROFILE_RESAMPLED);
-    size_t between = 0;
-    for (size_t i = 0; i < 700; i++) {
-        assert_true(profile.height_m[i] >= 1e-6 * (1 - 1e-15) && profile.height_m[i] <= 3e-6 * (1 + 1e-15));
-        between += profile.height_m[i] > 1.1e-6 && profile.height_m[i] < 2.9e-6;
+    for (int h = 0; h < 2; h++) {
+        make_uneven(sample, 300, heights[h]);
+        struct profile profile = make(finish(sample, 300, true), SCENE_LEVEL_NONE);
+        assert_int_equal(profile.grid, PROFILE_RESAMPLED);
+        for (size_t i = 0, k = 0; i < 299; i++) {
+            double x_m = sample->x_m[0] + (double)i * profile.spacing_m;
+            while (sample->x_m[k + 1] < x_m)
+                k++;
+            double low_m = fmin(sample->z_m[k], sample->z_m[k + 1]), high_m = fmax(sample->z_m[k], sample->z_m[k + 1]);
+            assert_true(profile.height_m[i] >= low_m - 1e-18 && profile.height_m[i] <= high_m + 1e-18);
+        }
+        profile_free(&profile);
     }
-    assert_true(between > 0);
-    profile_free(&profile);
 }
 
 static void test_jitter_is_no_rounding(void **state)
@@ -273,6 +306,7 @@ int main(void)
         cmocka_unit_test(test_uniform_positions_are_taken_as_they_are),
         cmocka_unit_test(test_rounded_positions_are_recognised),
         cmocka_unit_test(test_uneven_positions_are_interpolated),
+        cmocka_unit_test(test_interpolation_is_smooth),
         cmocka_unit_test(test_interpolation_does_not_overshoot),
         cmocka_unit_test(test_jitter_is_no_rounding),
         cmocka_unit_test(test_two_spacings_are_no_rounding),

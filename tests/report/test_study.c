@@ -63,7 +63,10 @@ static void test_the_study_of_ordered_surfaces(void **state)
         assert_true(rank->pairs >= 8 && rank->area == rank->pairs && rank->ecr == rank->pairs &&
                     rank->tcr == rank->pairs);
         assert_int_equal(rank->separation, rank->pairs); /* a larger area goes with a smaller gap here */
-        assert_near(fake.study.area_spread[m], areas[0][m] / areas[2][m], 1e-12);
+        const struct study_extremes *extremes = &fake.study.extremes[m][STUDY_AREA];
+        assert_near(extremes->most / extremes->least, areas[0][m] / areas[2][m], 1e-12);
+        assert_true(extremes->most_at == 0 && extremes->least_at == 2 && extremes->count == SURFACES);
+        assert_int_equal(fake.study.extremes[m][STUDY_ECR].least_at, 0);
     }
     assert_near(fake.study.middle_load, 1e-2, 0);
     assert_near(fake.study.plastic[0].most, 4, 1e-12);
@@ -71,10 +74,15 @@ static void test_the_study_of_ordered_surfaces(void **state)
     assert_int_equal(fake.study.plastic[0].above, fake.study.plastic[0].points);
     assert_int_equal(fake.study.plastic[1].sooner, SURFACES);
     assert_within(fake.study.proportional_error, 0, 1e-14);
-    assert_near(fake.study.area_gap, log10(4), 1e-9); /* multiscale plastic against JG, baseline: 0.06/0.015 */
-    assert_near(fake.study.ecr_gap, log10(4), 1e-9);
+    for (int law = 0; law < 2; law++) { /* baseline, multiscale against statistical: 0.02/0.005, 0.06/0.015 */
+        assert_near(fake.study.gap[law].area, log10(4), 1e-9);
+        assert_near(fake.study.gap[law].ecr, log10(4), 1e-9);
+    }
+    assert_int_equal(fake.study.leading, MODEL_MULTISCALE_PLASTIC);
+    assert_near(fake.study.middle[1].area_ratio, 0.06, 1e-12); /* ten to the (3 - 3) times */
     assert_verdict(&fake, "have the larger area", CLAIM_HOLDS, "GW 100 %");
     assert_verdict(&fake, "narrows the spread", CLAIM_HOLDS, "multiscale elastic 4.00, plastic 2.00");
+    study_free(&fake.study);
 }
 
 static void test_the_study_of_turned_surfaces(void **state)
@@ -91,6 +99,7 @@ static void test_the_study_of_turned_surfaces(void **state)
     assert_verdict(&fake, "have the smaller ECR", CLAIM_FAILS, "JG 0 %");
     assert_verdict(&fake, "Plastic area is above", CLAIM_FAILS, "");
     assert_verdict(&fake, "narrows the spread", CLAIM_FAILS, "multiscale elastic 4.00, plastic 6.00");
+    study_free(&fake.study);
 }
 
 /* Plastic areas that are alike, or all full, have a spread of 1: as narrow as can be. */
@@ -100,9 +109,10 @@ static void test_equal_areas_have_a_spread_of_one(void **state)
     static const double areas[SURFACES][MODEL_COUNT] = {{0.04, 1, 0.01, 1}, {0.02, 1, 0.005, 1}, {0.01, 1, 0.0025, 1}};
     struct fake fake;
     make_study(&fake, areas);
-    assert_near(fake.study.area_spread[MODEL_JG], 1, 0);
-    assert_near(fake.study.area_spread[MODEL_GW], 4, 1e-12);
+    assert_near(fake.study.extremes[MODEL_JG][STUDY_AREA].least, 1, 0);
+    assert_near(fake.study.extremes[MODEL_GW][STUDY_AREA].most, 0.01, 1e-12);
     assert_verdict(&fake, "narrows the spread", CLAIM_HOLDS, "statistical elastic 4.00, plastic 1.00");
+    study_free(&fake.study);
 }
 
 int main(void)

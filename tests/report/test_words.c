@@ -22,13 +22,14 @@ static void test_plain_numbers(void **state)
     assert_number(1234.5, 5, "1234.5");
     assert_number(1234.5, 2, "1234"); /* digits before the point are never dropped */
     assert_number(9999, 4, "9999");
+    assert_number(12345, 3, "12345");
 }
 
 static void test_powers_of_ten(void **state)
 {
     (void)state;
     assert_number(1.2e-5, 2, "1.2·10⁻⁵");
-    assert_number(10000, 3, "1.00·10⁴");
+    assert_number(100000, 3, "1.00·10⁵");
     assert_number(6.02214076e23, 4, "6.022·10²³");
     assert_number(1e100, 1, "1·10¹⁰⁰");
     assert_number(DBL_MAX, 3, "1.80·10³⁰⁸");
@@ -41,7 +42,8 @@ static void test_rounding_over_a_border(void **state)
 {
     (void)state;
     assert_number(0.00099999, 2, "0.0010");
-    assert_number(9999.9, 3, "1.00·10⁴");
+    assert_number(9999.9, 3, "10000");
+    assert_number(99999, 3, "1.00·10⁵");
     assert_number(9.996, 3, "10.0");
     assert_number(0.00099994, 4, "9.999·10⁻⁴");
     assert_number(999.96, 4, "1000");
@@ -129,6 +131,81 @@ static void test_surface_names_are_harmless(void **state)
     text_free(&text);
 }
 
+static void assert_text(struct text *text, const char *expected)
+{
+    assert_string_equal(text_string(text), expected);
+    text_free(text);
+}
+
+static void test_loads_are_powers_of_ten(void **state)
+{
+    (void)state;
+    struct text text = {0};
+    words_power(&text, 0.834, 3);
+    words_add(&text, " ", 1, 1, " ");
+    words_power(&text, 1e-6, 3);
+    assert_text(&text, "8.34·10⁻¹ 1 1.00·10⁻⁶");
+}
+
+static void test_given_numbers_keep_no_zeros(void **state)
+{
+    (void)state;
+    struct text text = {0};
+    words_given(&text, 0.36);
+    text_add(&text, " ");
+    words_given(&text, 41.369e9);
+    text_add(&text, " ");
+    words_given(&text, 7310);
+    text_add(&text, " ");
+    words_given(&text, 1e-6);
+    text_add(&text, " ");
+    words_given(&text, NAN);
+    assert_text(&text, "0.36 4.1369·10¹⁰ 7310 1·10⁻⁶ –");
+}
+
+static void test_value_and_error_have_the_same_decimals(void **state)
+{
+    static const struct {
+        double value, error;
+        const char *expected;
+    } cases[] = {
+        {0.006, 0.00094, "0.00600 ± 0.00094"},
+        {0.13, 0.212, "0.13 ± 0.21"},
+        {0.085, 0.171, "0.085 ± 0.171"},
+        {1.8571, 0.0121, "1.857 ± 0.012"},
+        {-1.5, 0.25, "−1.50 ± 0.25"},
+        {3.5e11, 3.2e11, "(3.5 ± 3.2)·10¹¹"},
+        {2e-5, 4e-7, "(2.000 ± 0.040)·10⁻⁵"},
+        {120, 30, "120 ± 30"},
+        {1.5, NAN, "1.50"},
+        {1.5, 0, "1.50"},
+        {NAN, 1, "–"},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct text text = {0};
+        words_uncertain(&text, cases[i].value, cases[i].error);
+        assert_text(&text, cases[i].expected);
+    }
+}
+
+/* A name that begins with the word goes without it. */
+static void test_surfaces_are_named_once(void **state)
+{
+    (void)state;
+    static char names[2][16] = {"2", "Surface-2"};
+    struct scene_surface surfaces[2] = {{.name = names[0]}, {.name = names[1]}};
+    struct surface_summary summaries[2] = {{.scene = &surfaces[0]}, {.scene = &surfaces[1]}};
+    struct spool spool = {.summaries = summaries, .count = 2};
+    struct results results = {.spool = &spool};
+    struct text text = {0};
+    words_named(&text, "surface ", &results, 0);
+    words_named(&text, ", surface ", &results, 0);
+    text_add(&text, " and ");
+    words_named(&text, "surface ", &results, 1);
+    assert_text(&text, "surface 2, surface 2 and Surface-2");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -140,6 +217,10 @@ int main(void)
         cmocka_unit_test(test_every_magnitude_reads_back),
         cmocka_unit_test(test_ranges),
         cmocka_unit_test(test_surface_names_are_harmless),
+        cmocka_unit_test(test_loads_are_powers_of_ten),
+        cmocka_unit_test(test_given_numbers_keep_no_zeros),
+        cmocka_unit_test(test_value_and_error_have_the_same_decimals),
+        cmocka_unit_test(test_surfaces_are_named_once),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -223,7 +223,7 @@ static void test_a_commit_that_fails_keeps_what_stands_there(void **state)
     assert_non_null(strstr(status.message, "a/out"));
     assert_int_equal(rename(directory_path(place, "b"), directory_path(place, "a")), 0);
     output_abandon(&output);
-    assert_int_equal(directory_entries(place, "a"), 0);
+    assert_false(directory_has(place, "a")); /* made for the report, so it goes with it */
 }
 
 int main(void)

@@ -112,7 +112,7 @@ static void *write_some(void *context)
 static void test_several_threads_may_put(void **state)
 {
     (void)state;
-    enum { THREADS = 4, MANY = 60 };
+    enum { THREADS = 4, MANY = 200 };
     struct directory place = directory_make();
     struct spool spool;
     struct writer writers[THREADS];

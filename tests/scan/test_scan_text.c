@@ -154,7 +154,7 @@ static void test_missing_units(void **state)
     struct scan_options x_only = {"mm", ""}, z_only = {"", "um"}, wrong = {"mm", "volt"};
     assert_refused_bytes(text, strlen(text), &x_only, "no unit for z; add `z_unit: um`");
     assert_refused_bytes(text, strlen(text), &z_only, "no unit for x; add `x_unit: mm`");
-    assert_refused_bytes(text, strlen(text), &wrong, "no unit for z");
+    assert_refused_bytes(text, strlen(text), &wrong, "is no unit of length; give z_unit");
 }
 
 static void test_binary(void **state)

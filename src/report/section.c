@@ -1,0 +1,76 @@
+#include "report/section.h"
+
+#include "report/words.h"
+#include <math.h>
+
+const struct surface_summary *section_surface(const struct section_context *context, size_t index)
+{
+    return &context->results->spool->summaries[index];
+}
+
+bool section_called_for(const struct section_context *context, enum model_id model)
+{
+    const struct plan *plan = context->results->plan;
+    return model_called_for(model, plan->families, plan->running);
+}
+
+const struct contact_point *section_middle(const struct section_context *context, enum model_id model)
+{
+    const struct model_curve *curve = &context->baseline->curves[model];
+    for (size_t i = 0; i < curve->count; i++)
+        if (curve->points[i].load == context->study->middle_load)
+            return &curve->points[i];
+    return NULL;
+}
+
+void section_middle_pressure(struct text *out, const struct section_context *context)
+{
+    words_add(out, "", context->study->middle_load * context->results->plan->pair.effective_modulus_Pa * 1e-6, 3,
+              " MPa");
+}
+
+struct study_extremes section_models(const struct section_context *context, enum study_quantity quantity)
+{
+    struct study_extremes extremes = {.least = INFINITY, .most = -INFINITY};
+    for (int m = 0; m < MODEL_COUNT; m++) {
+        const struct contact_point *point = section_middle(context, (enum model_id)m);
+        double value =
+            point ? study_value(point, quantity, (enum model_id)m, context->baseline->summary.asperities.sigma_m) : NAN;
+        if (isnan(value))
+            continue;
+        extremes.count++;
+        if (value < extremes.least) {
+            extremes.least = value;
+            extremes.least_at = (size_t)m;
+        }
+        if (value > extremes.most) {
+            extremes.most = value;
+            extremes.most_at = (size_t)m;
+        }
+    }
+    return extremes;
+}
+
+void section_each_surface(struct text *out, const struct section_context *context,
+                          void (*row)(struct text *out, const struct section_context *context, size_t index))
+{
+    for (size_t i = 0; i < context->results->spool->count; i++)
+        if (section_surface(context, i)->usable) {
+            text_add(out, "| ");
+            words_surface(out, context->results, i);
+            row(out, context, i);
+            text_add(out, " |\n");
+        }
+}
+
+void section_cell(struct text *out, double value, int digits)
+{
+    text_add(out, " | ");
+    words_number(out, value, digits);
+}
+
+void section_load_cell(struct text *out, double load)
+{
+    text_add(out, " | ");
+    words_power(out, load, 3);
+}

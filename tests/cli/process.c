@@ -1,0 +1,297 @@
+#include "cli/process.h"
+
+#include "base/hash.h"
+#include "profile/synth.h"
+#include <errno.h>
+#include <fcntl.h>
+#include <fts.h>
+#include <ftw.h>
+#include <poll.h>
+#include <spawn.h>
+#include <stdio.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+extern char **environ;
+
+int workspace_make(void **state)
+{
+    char *place = strdup("/tmp/roughcontact-test-XXXXXX");
+    if (!place || !mkdtemp(place))
+        return -1;
+    *state = place;
+    return 0;
+}
+
+static int remove_entry(const char *path, const struct stat *info, int type, struct FTW *level)
+{
+    (void)info;
+    (void)type;
+    (void)level;
+    return remove(path);
+}
+
+int workspace_remove(void **state)
+{
+    int failed = nftw(*state, remove_entry, 16, FTW_DEPTH | FTW_PHYS);
+    free(*state);
+    return failed;
+}
+
+struct process_running process_start_list(const char *place, const char *const *arguments, const char *output)
+{
+    struct process_running running;
+    int out[2], err[2];
+    posix_spawn_file_actions_t actions;
+    assert_int_equal(pipe2(out, O_CLOEXEC), 0);
+    assert_int_equal(pipe2(err, O_CLOEXEC), 0);
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addchdir_np(&actions, place);
+    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    if (output)
+        posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output, O_WRONLY, 0);
+    else
+        posix_spawn_file_actions_adddup2(&actions, out[1], STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, err[1], STDERR_FILENO);
+    char *list[64] = {0};
+    for (size_t i = 0; arguments[i]; i++) {
+        assert_true(i + 1 < sizeof list / sizeof *list);
+        list[i] = strdup(arguments[i]);
+    }
+    int error = posix_spawnp(&running.pid, list[0], &actions, NULL, list, environ);
+    for (size_t i = 0; list[i]; i++)
+        free(list[i]);
+    posix_spawn_file_actions_destroy(&actions);
+    close(out[1]);
+    close(err[1]);
+    running.out = out[0];
+    running.err = err[0];
+    if (error)
+        fail_msg("cannot run '%s': %s", arguments[0], strerror(error));
+    return running;
+}
+
+/** Adds what is there to read; false at the end. */
+static bool collect(int descriptor, char **text, size_t *length)
+{
+    char block[65536];
+    ssize_t got = read(descriptor, block, sizeof block);
+    if (got < 0 && errno == EINTR)
+        return true;
+    if (got <= 0)
+        return false;
+    *text = realloc(*text, *length + (size_t)got + 1);
+    assert_non_null(*text);
+    memcpy(*text + *length, block, (size_t)got);
+    *length += (size_t)got;
+    (*text)[*length] = '\0';
+    return true;
+}
+
+struct process process_end(struct process_running running)
+{
+    struct process process = {.out = strdup(""), .err = strdup("")};
+    struct pollfd ends[2] = {{.fd = running.out, .events = POLLIN}, {.fd = running.err, .events = POLLIN}};
+    size_t err_length = 0;
+    while (ends[0].fd >= 0 || ends[1].fd >= 0) {
+        if (poll(ends, 2, -1) < 0)
+            continue;
+        if (ends[0].revents && !collect(ends[0].fd, &process.out, &process.out_length))
+            ends[0].fd = -1;
+        if (ends[1].revents && !collect(ends[1].fd, &process.err, &err_length))
+            ends[1].fd = -1;
+    }
+    close(running.out);
+    close(running.err);
+    int end;
+    while (waitpid(running.pid, &end, 0) < 0)
+        assert_int_equal(errno, EINTR);
+    process.status = WIFSIGNALED(end) ? 128 + WTERMSIG(end) : WEXITSTATUS(end);
+    return process;
+}
+
+void process_free(struct process *process)
+{
+    free(process->out);
+    free(process->err);
+    *process = (struct process){0};
+}
+
+static void complain(const struct process *process, const char *what, const char *file, int line)
+{
+    print_error("%s; status %d, stdout:\n%.2000s\nstderr:\n%.4000s\n", what, process->status, process->out,
+                process->err);
+    _fail(file, line);
+}
+
+struct process process_expect(struct process process, int status, const char *file, int line)
+{
+    if (process.status != status)
+        complain(&process, "unexpected exit status", file, line);
+    return process;
+}
+
+void process_expect_failure(struct process process, int status, size_t lines, const char *message, const char *file,
+                            int line)
+{
+    size_t count = 0;
+    for (const char *p = process.err; *p; p++)
+        count += *p == '\n';
+    if (process.status != status)
+        complain(&process, "unexpected exit status", file, line);
+    if (process.out[0])
+        complain(&process, "a failure wrote to stdout", file, line);
+    if (count != lines)
+        complain(&process, "unexpected number of lines on stderr", file, line);
+    if (!strstr(process.err, message)) {
+        print_error("missing: %s\n", message);
+        complain(&process, "unexpected message", file, line);
+    }
+    process_free(&process);
+}
+
+void process_expect_part(const char *text, const char *part, bool there, const char *file, int line)
+{
+    if ((strstr(text, part) != NULL) == there)
+        return;
+    print_error("%s: %s\nin:\n%.4000s\n", there ? "missing" : "should not be there", part, text);
+    _fail(file, line);
+}
+
+static char *path_of(const char *place, const char *path)
+{
+    size_t size = strlen(place) + strlen(path) + 2;
+    char *whole = malloc(size);
+    assert_non_null(whole);
+    snprintf(whole, size, "%s/%s", place, path);
+    return whole;
+}
+
+void workspace_folder(const char *place, const char *path)
+{
+    char *whole = path_of(place, path);
+    for (char *slash = strchr(whole + strlen(place) + 1, '/'); slash; slash = strchr(slash + 1, '/')) {
+        *slash = '\0';
+        mkdir(whole, 0777);
+        *slash = '/';
+    }
+    mkdir(whole, 0777);
+    free(whole);
+    assert_true(workspace_has(place, path));
+}
+
+static FILE *open_new(const char *place, const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    if (slash) {
+        char *folder = strndup(path, (size_t)(slash - path));
+        workspace_folder(place, folder);
+        free(folder);
+    }
+    char *whole = path_of(place, path);
+    FILE *file = fopen(whole, "w");
+    free(whole);
+    assert_non_null(file);
+    return file;
+}
+
+void workspace_write(const char *place, const char *path, const char *content)
+{
+    FILE *file = open_new(place, path);
+    assert_true(fputs(content, file) >= 0);
+    assert_int_equal(fclose(file), 0);
+}
+
+char *workspace_read(const char *place, const char *path)
+{
+    char *whole = path_of(place, path), *text = strdup("");
+    size_t length = 0;
+    int descriptor = open(whole, O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0)
+        fail_msg("no file %s", whole);
+    while (collect(descriptor, &text, &length))
+        ;
+    close(descriptor);
+    free(whole);
+    return text;
+}
+
+bool workspace_has(const char *place, const char *path)
+{
+    struct stat info;
+    char *whole = path_of(place, path);
+    int failed = lstat(whole, &info);
+    free(whole);
+    return failed == 0;
+}
+
+void workspace_scan(const char *place, const char *path, size_t points, unsigned seed)
+{
+    struct synth_def def = synth_def_default();
+    struct status status = {0};
+    double *height_m = calloc(points, sizeof *height_m);
+    assert_non_null(height_m);
+    def.points = points;
+    def.length_m = 0.5e-6 * (double)points;
+    def.seed = seed;
+    assert_int_equal(synth_profile(height_m, &def, &status), STATUS_OK);
+    FILE *file = open_new(place, path);
+    fputs("x [um],z [um]\n", file);
+    for (size_t i = 0; i < points; i++)
+        fprintf(file, "%.1f,%.6f\n", 0.5 * (double)i, height_m[i] * 1e6);
+    assert_int_equal(fclose(file), 0);
+    free(height_m);
+}
+
+static int by_name(const FTSENT **a, const FTSENT **b)
+{
+    return strcmp((*a)->fts_name, (*b)->fts_name);
+}
+
+/** Walks everything below `path`; adds names and contents to `hash` (NULL: none) and counts names with `prefix`. */
+static size_t walk(const char *place, const char *path, struct hash *hash, const char *prefix)
+{
+    char *root = path_of(place, path), *roots[] = {root, NULL};
+    FTS *tree = fts_open(roots, FTS_PHYSICAL | FTS_NOCHDIR, by_name);
+    size_t count = 0, start = strlen(root), found = 0;
+    assert_non_null(tree);
+    for (FTSENT *entry; (entry = fts_read(tree));) {
+        if (entry->fts_info == FTS_DP)
+            continue;
+        count++;
+        found += prefix && strncmp(entry->fts_name, prefix, strlen(prefix)) == 0;
+        if (!hash)
+            continue;
+        hash_add(hash, entry->fts_path + start, strlen(entry->fts_path + start) + 1);
+        if (entry->fts_info != FTS_F)
+            continue;
+        char *content = NULL;
+        size_t length = 0;
+        int descriptor = open(entry->fts_path, O_RDONLY | O_CLOEXEC);
+        assert_true(descriptor >= 0);
+        while (collect(descriptor, &content, &length))
+            ;
+        close(descriptor);
+        hash_add(hash, content ? content : "", length + 1);
+        free(content);
+    }
+    fts_close(tree);
+    free(root);
+    assert_true(count > 0);
+    return found;
+}
+
+char *workspace_digest(const char *place, const char *path)
+{
+    char digits[65];
+    struct hash hash = hash_start();
+    walk(place, path, &hash, NULL);
+    hash_finish(&hash, digits);
+    return strdup(digits);
+}
+
+size_t workspace_count(const char *place, const char *prefix)
+{
+    return walk(place, ".", NULL, prefix);
+}

@@ -1,0 +1,66 @@
+/* Runs the built program (or another) without a shell, in a directory of its own that is removed at the end. */
+#ifndef TEST_CLI_PROCESS_H
+#define TEST_CLI_PROCESS_H
+
+#include "support.h"
+
+#include <stdbool.h>
+#include <sys/types.h>
+
+/** A finished process: what it wrote and how it ended. */
+struct process {
+    int status;      /* its exit status, or 128 + the signal that ended it */
+    char *out, *err; /* NUL-terminated */
+    size_t out_length;
+};
+
+/** A process that runs, its output still to be collected. */
+struct process_running {
+    pid_t pid;
+    int out, err;
+};
+
+/** cmocka set-up and tear-down: a fresh temporary directory, path in *state, in which the program runs; and its
+ * removal. */
+int workspace_make(void **state);
+int workspace_remove(void **state);
+/** A cmocka test with a workspace. */
+#define workspace_test(function) cmocka_unit_test_setup_teardown(function, workspace_make, workspace_remove)
+
+/** Starts the program in the workspace. */
+#define process_start(place, ...) process_start_list((place), (const char *const[]){PROGRAM, __VA_ARGS__, NULL}, NULL)
+/** Runs the program to its end; the result is to be freed with process_free(). */
+#define process_run(place, ...) process_end(process_start(place, __VA_ARGS__))
+/** The same for any program, found in PATH; stdout goes to the file `output` (NULL: it is collected). */
+struct process_running process_start_list(const char *place, const char *const *arguments, const char *output);
+struct process process_end(struct process_running running);
+void process_free(struct process *process);
+
+/** Runs the program and fails the test unless it exits with `status`; its result is to be freed. */
+#define expect_exit(place, status, ...) process_expect(process_run(place, __VA_ARGS__), status, __FILE__, __LINE__)
+struct process process_expect(struct process process, int status, const char *file, int line);
+/** Runs the program and fails the test unless it exits with `status`, with nothing on stdout and `lines` lines on
+ * stderr that hold `message`. */
+#define expect_failure(place, status, lines, message, ...)                                                             \
+    process_expect_failure(process_run(place, __VA_ARGS__), status, lines, message, __FILE__, __LINE__)
+void process_expect_failure(struct process process, int status, size_t lines, const char *message, const char *file,
+                            int line);
+
+/** Fails the test unless `text` holds `part`, and shows both. */
+#define expect_part(text, part)    process_expect_part((text), (part), true, __FILE__, __LINE__)
+#define expect_no_part(text, part) process_expect_part((text), (part), false, __FILE__, __LINE__)
+void process_expect_part(const char *text, const char *part, bool there, const char *file, int line);
+
+/** Files below the workspace. Parents are made; read returns a text to free, and fails the test when there is none. */
+void workspace_write(const char *place, const char *path, const char *content);
+void workspace_folder(const char *place, const char *path);
+char *workspace_read(const char *place, const char *path);
+bool workspace_has(const char *place, const char *path);
+/** Writes a rough scan of `points` points with units in its header; another `seed`, another surface. */
+void workspace_scan(const char *place, const char *path, size_t points, unsigned seed);
+/** SHA-256 over the names and contents of everything below `path`, as a text to free: the same for the same bytes. */
+char *workspace_digest(const char *place, const char *path);
+/** How many entries, at any depth, have a name that begins with `prefix`. */
+size_t workspace_count(const char *place, const char *prefix);
+
+#endif

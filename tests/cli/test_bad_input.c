@@ -1,0 +1,205 @@
+/* What is wrong with the input is said in a line that names file, line and remedy, and nothing is half written. */
+#include "cli/process.h"
+
+#include <stdio.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#define HEADER "x [um],z [um]\n"
+#define ROUGH  HEADER "0,1\n1,3\n2,2\n3,5\n4,1\n5,4\n6,2\n7,6\n8,3\n9,1\n"
+
+/** A report of before, which is to stay as it is. */
+static void leave_report(const char *place)
+{
+    workspace_write(place, "out/d/report.md", "the report of before\n");
+    workspace_write(place, "out/d/report.html", "<p>the report of before\n");
+    workspace_write(place, "out/d/results.json", "{}\n");
+    workspace_write(place, "out/d/data/surfaces.csv", "surface\n");
+    workspace_write(place, "out/d/figures/6-05.svg", "<svg/>\n");
+}
+
+struct bad_input {
+    const char *scene, *scan; /* content of d/scene.yaml and d/a.csv; NULL: no such file */
+    int status;
+    size_t lines; /* on stderr */
+    const char *message;
+};
+
+static const struct bad_input bad_inputs[] = {
+    {NULL, NULL, 4, 1, "roughcontact: no scan in 'd': put"},
+    {NULL, "no numbers here\n", 4, 2, "surface 'a' refused: a.csv: no line of numbers in it"},
+    {NULL, HEADER "0,1\n1,nan\n2,1\n3,2\n", 4, 2, "a.csv:3: 'nan' in a column of numbers; correct or remove this line"},
+    {NULL, HEADER "0,1\n1,1\n2,oops\n3,2\n", 4, 2,
+     "a.csv:4: 'oops' in a column of numbers; correct or remove this line"},
+    {NULL, HEADER "0,1\n1,2\n", 4, 2, "a.csv:3: only 2 points; a scan needs at least 3"},
+    {NULL, HEADER "0,1\n1,1\n2,1\n3,1\n4,1\n5,1\n", 4, 2, "a.csv: the scan is flat"},
+    {NULL, HEADER "0,1\n1,2\n2,1\n1.5,3\n4,1\n", 4, 2, "a.csv:5: x turns back; x has to go one way"},
+    {NULL, "0,1\n1,2\n2,1\n3,3\n4,1\n", 4, 2, "a.csv: no unit for x nor for z; add `x_unit: mm` and `z_unit: um`"},
+    {NULL, "", 4, 2, "surface 'a' refused: a.csv: "},
+    {"surfaces: [{file: a.csv, z_unit: parsec}]\n", "x [um],z\n0,1\n1,2\n2,1\n3,3\n", 4, 2,
+     "'parsec' is no unit of length; give z_unit as m, mm"},
+    {"materail: tin\n", ROUGH, 3, 1, "roughcontact: d/scene.yaml:1: unknown key 'materail'; did you mean 'material'?"},
+    {"title: x\nmaterial: tim\n", ROUGH, 3, 1, "d/scene.yaml:2: unknown material 'tim'; did you mean 'tin'?"},
+    {"title: x\neffects: [electrical]\nmaterial: {E_Pa: 1e11, nu: 0.3, Sy_Pa: 1e8}\n", ROUGH, 3, 1,
+     "d/scene.yaml:2: effect 'electrical' needs 'resistivity_ohm_m'; add it to 'material'"},
+    {"effects: [thermal, elecrical]\n", ROUGH, 3, 1,
+     "d/scene.yaml:1: unknown effect 'elecrical'; did you mean 'electrical'?"},
+    {"\n\ntolerance: 3\n", ROUGH, 3, 1, "d/scene.yaml:3: 'tolerance' is 3; allowed is 1e-14 to 0.1"},
+    {"load: {from: 1, to: 0.1}\n", ROUGH, 3, 1, "d/scene.yaml:1: "},
+    {"title: [x\nload: {\n", ROUGH, 3, 1, "d/scene.yaml:2: not valid YAML: "},
+    {"title: x\ntitle: y\n", ROUGH, 3, 1, "d/scene.yaml:2: 'title' is given twice, first in line 1; remove one"},
+    {"surfaces:\n  - {name: \"a\", file: b.csv}\n", ROUGH, 3, 1, "d/scene.yaml:2: cannot find surface file 'b.csv'"},
+    {"baseline: b\n", ROUGH, 3, 1, "d/scene.yaml:1: 'baseline' is 'b', no surface's name; the first is 'a'"},
+};
+
+static void test_bad_inputs(void **state)
+{
+    for (size_t i = 0; i < sizeof bad_inputs / sizeof *bad_inputs; i++) {
+        const struct bad_input *bad = &bad_inputs[i];
+        const char *place = *state;
+        char work[32];
+        snprintf(work, sizeof work, "case-%zu", i);
+        workspace_folder(place, work);
+        char *here;
+        assert_true(asprintf(&here, "%s/%s", place, work) > 0);
+        workspace_folder(here, "d");
+        if (bad->scene)
+            workspace_write(here, "d/scene.yaml", bad->scene);
+        if (bad->scan)
+            workspace_write(here, "d/a.csv", bad->scan);
+        char *alone = workspace_digest(here, ".");
+        expect_failure(here, bad->status, bad->lines, bad->message, "report", "d");
+        char *after = workspace_digest(here, ".");
+        assert_string_equal(alone, after); /* no out/, nothing hidden */
+        leave_report(here);
+        char *before = workspace_digest(here, ".");
+        expect_failure(here, bad->status, bad->lines, bad->message, "report", "d");
+        char *left = workspace_digest(here, ".");
+        assert_string_equal(before, left);
+        free(alone);
+        free(after);
+        free(before);
+        free(left);
+        free(here);
+    }
+}
+
+static void test_directories(void **state)
+{
+    const char *place = *state;
+    workspace_write(place, "file", "x\n");
+    expect_failure(place, 4, 1, "cannot open directory 'nowhere': No such file", "report", "nowhere");
+    expect_failure(place, 4, 1, "'file' is no directory; name the one that holds the scans", "report", "file");
+    expect_failure(place, 4, 1, "cannot open directory ''", "report", "");
+    expect_failure(place, 4, 1, "cannot open directory 'nowhere'", "plan", "nowhere");
+    workspace_folder(place, "d/scene.yaml");
+    expect_failure(place, 3, 1, "'d/scene.yaml' is no regular file", "report", "d");
+    assert_false(workspace_has(place, "out"));
+}
+
+static void test_where_it_cannot_write(void **state)
+{
+    const char *place = *state;
+    workspace_scan(place, "d/a.csv", 200, 1);
+    workspace_write(place, "file", "mine\n");
+    char *before = workspace_digest(place, ".");
+    expect_failure(place, 4, 1, "cannot write the report to 'file': Not a directory", "report", "d", "-o", "file");
+    expect_failure(place, 4, 1, "'file/report': Not a directory", "report", "d", "-o", "file/report");
+    expect_failure(place, 4, 1, "'/proc/report'", "report", "d", "-o", "/proc/report");
+    expect_failure(place, 2, 1, "'' is no name for a report's directory", "report", "d", "-o", "");
+    expect_failure(place, 2, 1, "'.' is no name", "report", "d", "-o", ".");
+    char *after = workspace_digest(place, ".");
+    assert_string_equal(before, after);
+    free(before);
+    free(after);
+    if (geteuid() == 0)
+        return; /* whom no mode stops */
+    workspace_folder(place, "closed");
+    char *closed;
+    assert_true(asprintf(&closed, "%s/closed", place) > 0);
+    assert_int_equal(chmod(closed, 0555), 0);
+    expect_failure(place, 4, 1, "cannot write beside 'closed/report': Permission denied", "report", "d", "-o",
+                   "closed/report");
+    assert_int_equal(chmod(closed, 0755), 0);
+    free(closed);
+}
+
+/** Files of the user's are never taken for a report of before. */
+static void test_foreign_files(void **state)
+{
+    const char *place = *state;
+    workspace_scan(place, "d/a.csv", 200, 1);
+    workspace_write(place, "notes/todo.txt", "mine\n");
+    workspace_write(place, "project/data/mine.csv", "mine\n");
+    leave_report(place);
+    workspace_write(place, "out/d/data/mine.csv", "mine\n");
+    char *before = workspace_digest(place, ".");
+    expect_failure(place, 4, 1, "'notes' holds 'todo.txt', which is not part of a report; choose another", "report",
+                   "d", "-o", "notes");
+    expect_failure(place, 4, 1, "'project' is not empty and no report; choose another", "report", "d", "-o", "project");
+    expect_failure(place, 4, 1, "'out/d/data' holds 'mine.csv'", "report", "d");
+    expect_failure(place, 4, 1, "'d' holds 'a.csv'", "report", "d", "-o", "d");
+    char *after = workspace_digest(place, ".");
+    assert_string_equal(before, after);
+    free(before);
+    free(after);
+}
+
+static void test_without_gnuplot(void **state)
+{
+    const char *place = *state;
+    workspace_scan(place, "d/a.csv", 200, 1);
+    char *before = workspace_digest(place, "."), *path = strdup(getenv("PATH"));
+    assert_int_equal(setenv("PATH", "/nowhere", 1), 0);
+    expect_failure(place, 4, 1, "no gnuplot in PATH to draw the charts: install the package gnuplot-nox", "report",
+                   "d");
+    struct process inspect = expect_exit(place, 0, "inspect", "d/a.csv");
+    assert_int_equal(setenv("PATH", path, 1), 0);
+    expect_part(inspect.out, "Rq ");
+    expect_part(inspect.err, "no charts: no gnuplot in PATH");
+    process_free(&inspect);
+    char *after = workspace_digest(place, ".");
+    assert_string_equal(before, after);
+    free(before);
+    free(after);
+    free(path);
+}
+
+static void test_one_bad_scan_stops_no_other(void **state)
+{
+    const char *place = *state;
+    workspace_scan(place, "d/a.csv", 200, 1);
+    workspace_write(place, "d/b.csv", HEADER "0,1\n1,2\n2,x\n");
+    workspace_scan(place, "d/c.csv", 200, 2);
+    struct process process = expect_exit(place, 1, "report", "d", "--effects", "plasticity");
+    expect_part(process.err, "surface 'b' refused: b.csv:4: 'x' in a column of numbers; correct or remove this line\n");
+    expect_part(process.out, "\nout/d/report.html\n");
+    char *markdown = workspace_read(place, "out/d/report.md"), *html = workspace_read(place, "out/d/report.html");
+    char *json = workspace_read(place, "out/d/results.json"), *csv = workspace_read(place, "out/d/data/surfaces.csv");
+    expect_part(markdown, "1 surface was refused");
+    expect_part(markdown, "'x' in a column of numbers");
+    expect_part(html, "b.csv:4: 'x' in a column of numbers");
+    expect_part(json, "\"surface\": \"b\"");
+    expect_part(json, "\"error\": \"b.csv:4: 'x' in a column of numbers; correct or remove this line\"");
+    expect_part(csv, "\na,a.csv,200,");
+    expect_part(csv, "\nc,c.csv,200,");
+    expect_no_part(csv, "b.csv");
+    process_free(&process);
+    free(markdown);
+    free(html);
+    free(json);
+    free(csv);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        workspace_test(test_bad_inputs),
+        workspace_test(test_directories),
+        workspace_test(test_where_it_cannot_write),
+        workspace_test(test_foreign_files),
+        workspace_test(test_without_gnuplot),
+        workspace_test(test_one_bad_scan_stops_no_other),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,273 @@
+/* inspect, plan, synth, models, materials, and what the command line says about itself. */
+#include "cli/process.h"
+
+#include <inttypes.h>
+
+#include "base/version.h"
+#include "contact/model.h"
+#include "scene/effect.h"
+#include "scene/material.h"
+#include <jansson.h>
+#include <stdio.h>
+
+static const char *const commands[] = {"report", "plan", "inspect", "synth", "models", "materials"};
+enum { COMMANDS = sizeof commands / sizeof *commands };
+
+static void test_help(void **state)
+{
+    const char *place = *state;
+    static const char *const spellings[] = {"--help", "-h", "help"};
+    for (size_t i = 0; i < 3; i++) {
+        struct process process = expect_exit(place, 0, spellings[i]);
+        for (size_t c = 0; c < COMMANDS; c++)
+            expect_part(process.out, commands[c]);
+        expect_part(process.out, "Exit status: 0 done; 1 report written but some scan was refused; 2 usage;");
+        assert_string_equal(process.err, "");
+        process_free(&process);
+    }
+    for (size_t c = 0; c < COMMANDS; c++) {
+        char usage[64];
+        snprintf(usage, sizeof usage, "Usage: roughcontact %s", commands[c]);
+        struct process process = expect_exit(place, 0, commands[c], "--help");
+        expect_part(process.out, usage);
+        if (c < 4) /* the tables have no options */
+            expect_part(process.out, "(default");
+        assert_string_equal(process.err, "");
+        process_free(&process);
+    }
+    struct process process = expect_exit(place, 0, "--version");
+    char version[64];
+    snprintf(version, sizeof version, "roughcontact %s\n", version_string());
+    assert_string_equal(process.out, version);
+    process_free(&process);
+}
+
+static void test_usage(void **state)
+{
+    const char *place = *state;
+    expect_failure(place, 2, 1, "unknown command 'reprot'; did you mean 'report'?", "reprot", "d");
+    expect_failure(place, 2, 1, "unknown command '--bogus'; allowed: report, plan, inspect, synth, models, materials",
+                   "--bogus");
+    expect_failure(place, 2, 1, "unknown command 'a?b'",
+                   "a\x1b"
+                   "b");
+    expect_failure(place, 2, 3, "roughcontact report: which directory of scans?", "report");
+    expect_failure(place, 2, 3, "roughcontact plan: which directory of scans?", "plan");
+    expect_failure(place, 2, 3, "roughcontact inspect: which file?", "inspect");
+    expect_failure(place, 2, 3, "roughcontact models: no argument is taken, but there is 'x'", "models", "x");
+    expect_failure(place, 2, 3, "option requires an argument -- 'o'", "report", "d", "-o");
+    const char *const alone[] = {PROGRAM, NULL};
+    struct process process = process_end(process_start_list(place, alone, NULL));
+    assert_int_equal(process.status, 2);
+    assert_string_equal(process.out, "");
+    expect_part(process.err, "Usage: roughcontact COMMAND");
+    process_free(&process);
+}
+
+static void test_tables(void **state)
+{
+    const char *place = *state;
+    struct process models = expect_exit(place, 0, "models"), materials = expect_exit(place, 0, "materials");
+    for (int m = 0; m < MODEL_COUNT; m++) {
+        expect_part(models.out, model_rows[m].name);
+        expect_part(models.out, model_rows[m].valid);
+        expect_part(models.out, model_rows[m].source);
+    }
+    for (size_t i = 0; i < material_table_count; i++) {
+        expect_part(materials.out, material_table[i].name);
+        expect_part(materials.out, material_table[i].source);
+    }
+    for (size_t i = 0; i < material_property_count; i++)
+        expect_part(materials.out, material_properties[i].key);
+    process_free(&models);
+    process_free(&materials);
+}
+
+static void test_plan(void **state)
+{
+    const char *place = *state;
+    workspace_scan(place, "d/a.csv", 200, 1);
+    workspace_write(place, "d/scene.yaml", "effects: [electrical]\nload: {from: 1e-4, to: 1e-2, points: 7}\n");
+    char *before = workspace_digest(place, ".");
+    struct process process = expect_exit(place, 0, "plan", "d");
+    for (int e = 0; e < EFFECT_COUNT; e++) {
+        char row[64];
+        bool runs = e == EFFECT_ELECTRICAL;
+        snprintf(row, sizeof row, "\n%-16s %s", effect_rows[e].name, runs ? "run     " : "skipped ");
+        expect_part(process.out, row);
+        uint64_t evaluations;
+        char reason[16];
+        const char *rest = strstr(process.out, row) + strlen(row);
+        assert_int_equal(sscanf(rest, "%" SCNu64 " %*f %15s", &evaluations, reason), 2);
+        assert_true(runs == (evaluations > 0));
+    }
+    expect_part(process.out, "\n1 surface, 7 loads, tolerance 1e-06, closure thesis; about ");
+    process_free(&process);
+    process = expect_exit(place, 0, "plan", "d", "--effects", "thermal", "--tolerance", "1e-3", "--material", "gold");
+    expect_part(process.out, "\nelectrical       skipped ");
+    expect_part(process.out, "\nthermal          run     ");
+    expect_part(process.out, "tolerance 0.001");
+    process_free(&process);
+    workspace_write(place, "d/scene.yaml", "effects: auto\nmaterial: {E_Pa: 1e11, nu: 0.3}\n");
+    process = expect_exit(place, 0, "plan", "d");
+    expect_part(process.out, "\nplasticity       skipped  ");
+    expect_part(process.out, "Sy_Pa");
+    process_free(&process);
+    workspace_write(place, "d/scene.yaml", "effects: [electrical]\nload: {from: 1e-4, to: 1e-2, points: 7}\n");
+    char *after = workspace_digest(place, ".");
+    assert_string_equal(before, after); /* no out/, nothing at all */
+    free(before);
+    free(after);
+    expect_failure(place, 4, 1, "cannot open directory 'nowhere'", "plan", "nowhere");
+    workspace_write(place, "d/scene.yaml", "x: 1\n");
+    expect_failure(place, 3, 1, "d/scene.yaml:1: unknown key 'x'", "plan", "d");
+}
+
+static void test_inspect(void **state)
+{
+    const char *place = *state;
+    workspace_scan(place, "a.csv", 300, 1);
+    workspace_scan(place, "b.csv", 300, 2);
+    workspace_write(place, "bad.csv", "nothing\n");
+    assert_int_equal(setenv("COLUMNS", "80", 1), 0);
+    struct process process = expect_exit(place, 0, "inspect", "a.csv");
+    static const char *const parts[] = {"a.csv\n",
+                                        "format      text, x in um, z in um",
+                                        "points      300, spacing 0.5 um (uniform)",
+                                        "Rq ",
+                                        "Ra ",
+                                        "m2 ",
+                                        "alpha ",
+                                        "gamma ",
+                                        "profile",
+                                        "spectrum",
+                                        "wavelength (um)"};
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++)
+        expect_part(process.out, parts[i]);
+    for (const char *line = strstr(process.out, "z (um)"); *line; line += strcspn(line, "\n") + 1)
+        assert_true(strcspn(line, "\n") <= 80);
+    process_free(&process);
+    process = expect_exit(place, 0, "inspect", "--no-chart", "a.csv");
+    expect_no_part(process.out, "wavelength (um)");
+    process_free(&process);
+
+    process = expect_exit(place, 1, "inspect", "a.csv", "bad.csv", "b.csv");
+    expect_part(process.out, "a.csv\n");
+    expect_part(process.out, "b.csv\n");
+    assert_string_equal(process.err, "roughcontact: bad.csv: no line of numbers in it: not a scan\n");
+    process_free(&process);
+    expect_failure(place, 4, 2, "cannot open 'nowhere.csv'", "inspect", "nowhere.csv", "bad.csv");
+    expect_failure(place, 4, 1, "'.' is a directory, not a scan file", "inspect", ".");
+    assert_int_equal(unsetenv("COLUMNS"), 0);
+}
+
+static void test_inspect_json(void **state)
+{
+    static const char *const numbers[] = {"points", "spacing_m", "length_m",  "missing",  "rq_m", "ra_m",
+                                          "pv_m",   "m2",        "m4_per_m2", "alpha_SI", "gamma"};
+    static const char *const texts[] = {"file", "format", "kind", "x_unit", "z_unit"};
+    const char *place = *state;
+    workspace_scan(place, "a.csv", 300, 1);
+    workspace_write(place, "bad.csv", "nothing\n");
+    struct process process = expect_exit(place, 1, "inspect", "--json", "a.csv", "bad.csv");
+    json_t *json = json_loads(process.out, 0, NULL);
+    assert_int_equal(json_array_size(json), 2);
+    json_t *good = json_array_get(json, 0), *bad = json_array_get(json, 1);
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
+        if (!json_is_number(json_object_get(good, numbers[i])))
+            fail_msg("no number '%s'", numbers[i]);
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
+        if (!json_is_string(json_object_get(good, texts[i])))
+            fail_msg("no text '%s'", texts[i]);
+    assert_true(json_is_array(json_object_get(good, "warnings")));
+    assert_string_equal(json_string_value(json_object_get(good, "kind")), "profile");
+    assert_int_equal(json_integer_value(json_object_get(good, "points")), 300);
+    assert_near(json_number_value(json_object_get(good, "spacing_m")), 0.5e-6, 1e-12);
+    assert_near(json_number_value(json_object_get(good, "length_m")), 149.5e-6, 1e-12);
+    assert_string_equal(json_string_value(json_object_get(bad, "file")), "bad.csv");
+    expect_part(json_string_value(json_object_get(bad, "error")), "no line of numbers in it");
+    assert_int_equal(json_object_size(bad), 2);
+    json_decref(json);
+    process_free(&process);
+
+    process = expect_exit(place, 4, "inspect", "--json", "bad.csv");
+    json = json_loads(process.out, 0, NULL);
+    assert_int_equal(json_array_size(json), 1);
+    json_decref(json);
+    process_free(&process);
+    /* units that the file does not name */
+    workspace_write(place, "plain.csv", "0,1\n1,3\n2,2\n3,5\n4,1\n5,4\n6,2\n7,6\n8,3\n9,1\n");
+    expect_failure(place, 4, 1, "plain.csv: no unit for z; add", "inspect", "--x-unit", "um", "plain.csv");
+    process = expect_exit(place, 0, "inspect", "--json", "--x-unit", "mm", "--z-unit", "um", "plain.csv");
+    json = json_loads(process.out, 0, NULL);
+    assert_near(json_number_value(json_object_get(json_array_get(json, 0), "spacing_m")), 1e-3, 1e-12);
+    json_decref(json);
+    process_free(&process);
+}
+
+static void test_synth(void **state)
+{
+    const char *place = *state;
+    struct process process = expect_exit(place, 0, "synth", "--alpha", "0.1", "--gamma", "1.4", "--length", "0.5mm",
+                                         "--points", "1000", "--seed", "7", "-o", "a.csv");
+    assert_string_equal(process.out, "");
+    process_free(&process);
+    process =
+        expect_exit(place, 0, "synth", "--alpha=0.1", "--gamma=1.4", "--length=500um", "--points=1000", "--seed=7");
+    char *written = workspace_read(place, "a.csv");
+    assert_string_equal(process.out, written);
+    process_free(&process);
+    free(written);
+    process = expect_exit(place, 0, "inspect", "--json", "a.csv");
+    json_t *json = json_loads(process.out, 0, NULL), *found = json_array_get(json, 0);
+    assert_int_equal(json_integer_value(json_object_get(found, "points")), 1000);
+    assert_near(json_number_value(json_object_get(found, "spacing_m")), 0.5e-6, 1e-9);
+    assert_near(json_number_value(json_object_get(found, "gamma")), 1.4, 1e-4);
+    assert_near(json_number_value(json_object_get(found, "alpha_SI")), 0.1, 1e-3);
+    json_decref(json);
+    process_free(&process);
+    process = expect_exit(place, 0, "synth", "--rq", "0.3um", "--points", "500", "-o", "b.csv");
+    process_free(&process);
+    process = expect_exit(place, 0, "inspect", "--json", "b.csv");
+    json = json_loads(process.out, 0, NULL);
+    assert_near(json_number_value(json_object_get(json_array_get(json, 0), "rq_m")), 0.3e-6, 1e-5);
+    json_decref(json);
+    process_free(&process);
+}
+
+static void test_synth_refuses(void **state)
+{
+    static const struct {
+        const char *option, *value, *message;
+        size_t lines;
+    } wrong[] = {
+        {"--points", "4", "--points must be 8 to 100000000", 1},
+        {"--points", "10.5", "--points must be a whole number", 3},
+        {"--points", "many", "--points must be a number, not 'many'", 3},
+        {"--points", "-5", "--points must be a whole number", 3},
+        {"--seed", "1.5", "--seed must be a whole number", 3},
+        {"--seed", "-1", "--seed must be a whole number", 3},
+        {"--length", "0", "--length must be positive", 1},
+        {"--length", "1parsec", "--length must be a length such as 0.31mm, not '1parsec'", 3},
+        {"--gamma", "nan", "--gamma must be a number, not 'nan'", 3},
+        {"--alpha", "-1", "--alpha and --length must be positive", 1},
+        {"--scatter", "-1", "not negative", 1},
+        {"--lambda-s", "1m", "harmonic", 1},
+        {"--bogus", "1", "unrecognized option '--bogus'", 3},
+    };
+    const char *place = *state;
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
+        expect_failure(place, 2, wrong[i].lines, wrong[i].message, "synth", wrong[i].option, wrong[i].value);
+    expect_failure(place, 2, 3, "no argument is taken, but there is 'file.csv'", "synth", "file.csv");
+    expect_failure(place, 4, 1, "cannot write 'nowhere/a.csv': No such file", "synth", "-o", "nowhere/a.csv");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        workspace_test(test_help),  workspace_test(test_usage),         workspace_test(test_tables),
+        workspace_test(test_plan),  workspace_test(test_inspect),       workspace_test(test_inspect_json),
+        workspace_test(test_synth), workspace_test(test_synth_refuses),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

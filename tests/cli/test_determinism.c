@@ -1,0 +1,102 @@
+/* The same input gives the same bytes: whatever the threads, the directory one stands in, the locale, the time zone. */
+#include "cli/process.h"
+
+#include <locale.h>
+#include <stdio.h>
+
+static void expect_same(const char *place, const char *reference, const char *report)
+{
+    char *digits = workspace_digest(place, report);
+    if (strcmp(digits, reference) != 0)
+        fail_msg("'%s' differs from the first report", report);
+    free(digits);
+}
+
+static void run(const char *place, const char *output, const char *extra)
+{
+    struct process process = expect_exit(place, 0, "report", "d", "--no-cost", "-o", output, extra);
+    process_free(&process);
+}
+
+static void write_scans(const char *place)
+{
+    workspace_scan(place, "d/a.csv", 400, 1);
+    workspace_scan(place, "d/b.csv", 400, 2);
+    workspace_scan(place, "d/c.csv", 500, 3);
+    workspace_scan(place, "d/d.csv", 600, 4);
+}
+
+static void test_same_bytes(void **state)
+{
+    const char *place = *state;
+    write_scans(place);
+    run(place, "one", "--jobs=1");
+    char *reference = workspace_digest(place, "one");
+    run(place, "one", "--jobs=2"); /* over the former report */
+    expect_same(place, reference, "one");
+    workspace_folder(place, "empty");
+    run(place, "empty/", "--jobs=7"); /* into an empty directory, with a slash */
+    expect_same(place, reference, "empty");
+
+    static const char *const variables[][2] = {{"TZ", "Asia/Kathmandu"}, {"LC_ALL", "de_DE.UTF-8"},
+                                               {"LANG", "de_DE.UTF-8"},  {"COLUMNS", "43"},
+                                               {"GNUTERM", "png"},       {"HOME", "/nowhere"}};
+    if (!setlocale(LC_ALL, "de_DE.UTF-8"))
+        print_message("[  NOTE    ] no locale de_DE.UTF-8 here: its number format is not tested\n");
+    setlocale(LC_ALL, "C");
+    char *usual[sizeof variables / sizeof *variables];
+    for (size_t i = 0; i < sizeof variables / sizeof *variables; i++) {
+        usual[i] = getenv(variables[i][0]) ? strdup(getenv(variables[i][0])) : NULL;
+        assert_int_equal(setenv(variables[i][0], variables[i][1], 1), 0);
+    }
+    run(place, "deep/er/two", "--jobs=2");
+    for (size_t i = 0; i < sizeof variables / sizeof *variables; i++) {
+        assert_int_equal(usual[i] ? setenv(variables[i][0], usual[i], 1) : unsetenv(variables[i][0]), 0);
+        free(usual[i]);
+    }
+    expect_same(place, reference, "deep/er/two");
+    free(reference);
+}
+
+static void test_other_directories(void **state)
+{
+    const char *place = *state;
+    write_scans(place);
+    struct process process = expect_exit(place, 0, "report", "--no-cost", "d");
+    expect_part(process.out, "\nout/d/report.html\n");
+    process_free(&process);
+    char *reference = workspace_digest(place, "out/d");
+
+    process = expect_exit(place, 0, "report", "--no-cost", "./d///", "-o", "slashes///");
+    expect_part(process.out, "\nslashes/report.html\n");
+    process_free(&process);
+    expect_same(place, reference, "slashes");
+
+    char *below, *absolute, *elsewhere;
+    assert_true(asprintf(&below, "%s/e/f", place) > 0);
+    assert_true(asprintf(&absolute, "%s/d", place) > 0);
+    assert_true(asprintf(&elsewhere, "%s/elsewhere", place) > 0);
+    workspace_folder(place, "e/f");
+    process = expect_exit(below, 0, "report", "--no-cost", "../../d");
+    process_free(&process);
+    expect_same(place, reference, "e/f/out/d");
+    process = expect_exit("/", 0, "report", "--no-cost", absolute, "-o", elsewhere);
+    process_free(&process);
+    expect_same(place, reference, "elsewhere");
+    process = expect_exit(absolute, 0, "report", "--no-cost", ".", "-o", elsewhere);
+    process_free(&process);
+    expect_same(place, reference, "elsewhere");
+    free(elsewhere);
+    free(below);
+    free(absolute);
+    free(reference);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        workspace_test(test_same_bytes),
+        workspace_test(test_other_directories),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,298 @@
+/* Names and titles that try to be code: they appear as what they are, and run nowhere. */
+#include "cli/process.h"
+
+#include <jansson.h>
+#include <stdio.h>
+#include <unistd.h>
+
+static const char *const names[] = {
+    "it's",
+    "double\"quote",
+    "back\\slash",
+    "$(touch PWNED)",
+    "`touch PWNED`",
+    "; touch PWNED #",
+    "new\nline",
+    "<script>alert(1)<!--",
+    "</title></svg></table>",
+    "a|b",
+    "{{body}} {{title}}",
+    "100%d%s%n",
+    "@{^a}_{b}~c",
+    "grün µ€ 粗さ",
+    "no \xff\xfe UTF-8 \xc3",
+    "escape \x1b[31m\x9b",
+    "-dash",
+    "  blanks  ",
+    "=cmd,x;y\ttab",
+    "&amp;&lt;b&gt;",
+    "x](javascript:alert(1)) ![i](http://a.b/c) <http://a.b>",
+    "# **bold** _it_ ~~no~~ `code` [1]: x",
+    "![a](figures/6-05.svg)",
+};
+enum { NAMES = sizeof names / sizeof *names };
+
+/** Is `name` of the page's own tags, and none that could do something? */
+static bool tag_allowed(const char *name, size_t length)
+{
+    static const char *const allowed[] = {
+        "!doctype",    "html",    "head",     "meta",    "title",      "style", "body",     "main",
+        "nav",         "header",  "footer",   "details", "summary",    "h1",    "h2",       "h3",
+        "h4",          "p",       "ul",       "ol",      "li",         "a",     "b",        "i",
+        "em",          "strong",  "code",     "pre",     "br",         "hr",    "div",      "span",
+        "table",       "thead",   "tbody",    "tr",      "th",         "td",    "figure",   "figcaption",
+        "svg",         "g",       "defs",     "path",    "text",       "tspan", "use",      "rect",
+        "circle",      "line",    "polyline", "polygon", "ellipse",    "desc",  "clippath", "lineargradient",
+        "stop",        "section", "article",  "aside",   "blockquote", "del",   "filter",   "feflood",
+        "fecomposite", "symbol",  "pattern",  "sup",     "sub",
+    };
+    for (size_t i = 0; i < sizeof allowed / sizeof *allowed; i++)
+        if (strlen(allowed[i]) == length && strncasecmp(name, allowed[i], length) == 0)
+            return true;
+    return false;
+}
+
+/** Goes over the tags: each is known, closed where it must be in the order opened, and has no attribute that runs. */
+static void scan_tags(const char *html)
+{
+    enum { DEPTH = 100, LONGEST = 32 };
+    static const char *const empty[] = {"meta", "br", "hr", "!doctype"};
+    char open[DEPTH][LONGEST];
+    size_t depth = 0, tags = 0;
+    for (const char *at = strchr(html, '<'); at; at = strchr(at, '<')) {
+        at++;
+        if (strncmp(at, "!--", 3) == 0) {
+            assert_non_null(at = strstr(at, "-->"));
+            continue;
+        }
+        bool closing = *at == '/';
+        at += closing;
+        size_t length = strcspn(at, " \t\r\n/>");
+        if (length >= LONGEST || !tag_allowed(at, length))
+            fail_msg("unexpected tag <%.40s", at);
+        const char *end = at;
+        for (char quote = 0; *end && (quote || *end != '>'); end++)
+            if (*end == '"')
+                quote = quote ? 0 : '"';
+        assert_int_equal(*end, '>');
+        for (const char *a = at; a < end; a++)
+            if (strncasecmp(a, " on", 3) == 0 && strcspn(a + 1, "= >\"") < 14 && a[1 + strcspn(a + 1, "= >\"")] == '=')
+                fail_msg("attribute that runs: %.60s", a);
+        bool lone = end[-1] == '/';
+        for (size_t i = 0; i < sizeof empty / sizeof *empty; i++)
+            lone |= strlen(empty[i]) == length && strncasecmp(at, empty[i], length) == 0;
+        if (closing) {
+            if (depth == 0 || strlen(open[depth - 1]) != length || strncmp(open[depth - 1], at, length) != 0)
+                fail_msg("</%.20s closes <%s>", at, depth ? open[depth - 1] : "");
+            depth--;
+        } else if (!lone) {
+            assert_true(depth < DEPTH);
+            snprintf(open[depth++], LONGEST, "%.*s", (int)length, at);
+        }
+        if (!closing && length == 5 && strncmp(at, "style", 5) == 0)
+            assert_non_null(end = strstr(end, "</style>") - 1);
+        at = end;
+        tags++;
+    }
+    assert_int_equal(depth, 0);
+    assert_true(tags > 500);
+}
+
+/** Bytes of a UTF-8 character, 0 when it is none or a control character. */
+static size_t character(const unsigned char *s)
+{
+    size_t more = *s >= 0xf0 ? 3 : *s >= 0xe0 ? 2 : *s >= 0xc0 ? 1 : 0;
+    if (*s < 0x80)
+        return *s >= 0x20 || *s == '\n' || *s == '\t' || *s == '\f' || *s == '\r';
+    if (!more || (*s == 0xc2 && s[1] < 0xa0))
+        return 0;
+    for (size_t i = 1; i <= more; i++)
+        if ((s[i] & 0xc0) != 0x80)
+            return 0;
+    return more + 1;
+}
+
+static void assert_clean_text(const char *text, const char *what)
+{
+    for (const unsigned char *s = (const unsigned char *)text; *s;) {
+        size_t length = character(s);
+        if (!length)
+            fail_msg("%s: byte 0x%02x before: %.60s", what, *s, (const char *)s);
+        s += length;
+    }
+}
+
+/** Every row of a Markdown table has as many cells as its header. */
+static void assert_tables_whole(const char *markdown)
+{
+    size_t expected = 0, rows = 0;
+    for (const char *line = markdown; *line;) {
+        size_t length = strcspn(line, "\n"), cells = 0;
+        if (line[0] == '|') {
+            for (size_t i = 0; i < length; i++)
+                cells += line[i] == '|' && (i == 0 || line[i - 1] != '\\');
+            if (expected && cells != expected)
+                fail_msg("%zu borders, not %zu: %.*s", cells, expected, (int)length, line);
+            rows++;
+        }
+        expected = cells;
+        line += length + (line[length] == '\n');
+    }
+    assert_true(rows > 3 * NAMES);
+}
+
+static void write_hostile_scene(const char *place, const char *scene)
+{
+    for (unsigned i = 0; i < NAMES; i++) {
+        char path[128];
+        /* no '/' in a file name */
+        snprintf(path, sizeof path, "d/%s.csv", names[i]);
+        for (char *slash = strchr(path + 2, '/'); slash; slash = strchr(slash, '/'))
+            *slash = ':';
+        workspace_scan(place, path, 100, i + 1);
+    }
+    char file[256];
+    snprintf(file, sizeof file, "d/%0240d.csv", 1);
+    workspace_scan(place, file, 100, 99);
+    if (scene)
+        workspace_write(place, "d/scene.yaml", scene);
+}
+
+static void check_report(const char *place, const char *report)
+{
+    static const char *const files[] = {"report.html", "report.md", "results.json"};
+    char path[64];
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
+        snprintf(path, sizeof path, "%s/%s", report, files[i]);
+        char *text = workspace_read(place, path);
+        assert_clean_text(text, files[i]);
+        if (i == 0)
+            scan_tags(text);
+        if (i == 1)
+            assert_tables_whole(text);
+        free(text);
+    }
+}
+
+static void test_file_names(void **state)
+{
+    const char *place = *state;
+    write_hostile_scene(place, NULL);
+    struct process process = expect_exit(place, 0, "report", "d", "--show", "-e", "plasticity,separation");
+    assert_clean_text(process.out, "stdout");
+    assert_clean_text(process.err, "stderr");
+    process_free(&process);
+    check_report(place, "out/d");
+    assert_false(workspace_has(place, "PWNED"));
+    assert_false(workspace_has(place, "d/PWNED"));
+    assert_int_equal(workspace_count(place, "PWNED"), 0);
+
+    char *html = workspace_read(place, "out/d/report.html"), *csv = workspace_read(place, "out/d/data/surfaces.csv");
+    expect_part(html, "&lt;script&gt;alert(1)&lt;!--");
+    expect_part(html, "new?line");
+    expect_part(html, "no ?? UTF-8 ?");
+    expect_part(html, "grün µ€ 粗さ");
+    expect_part(html, "{{body}} {{title}}");
+    expect_part(html, "&amp;amp;&amp;lt;b&amp;gt;");
+    expect_part(csv, "\n\"double\"\"quote\",\"double\"\"quote.csv\",100,");
+    expect_part(csv, "\n\"new\nline\",\"new\nline.csv\",100,");
+    expect_part(csv, "\n\"=cmd,x;y\ttab\",");
+    expect_part(csv, "\na|b,a|b.csv,100,");
+    free(html);
+    free(csv);
+
+    json_error_t error;
+    char *text = workspace_read(place, "out/d/results.json");
+    json_t *json = json_loads(text, 0, &error);
+    assert_non_null(json);
+    assert_int_equal(json_array_size(json_object_get(json, "surfaces")), NAMES + 1);
+    json_decref(json);
+    free(text);
+}
+
+static void test_drawings(void **state)
+{
+    const char *place = *state;
+    write_hostile_scene(place, "baseline: \"</title></svg><:table>\"\n");
+    expect_failure(place, 3, 1, "'baseline' is '</title></svg><:table>', no surface's name", "report", "d");
+    workspace_write(place, "d/scene.yaml", "baseline: \"a|b\"\neffects: [plasticity]\n");
+    struct process process = expect_exit(place, 0, "report", "d");
+    process_free(&process);
+    static const char *const figures[] = {"6-05", "6-10", "6-11", "power-law"};
+    for (size_t i = 0; i < sizeof figures / sizeof *figures; i++) {
+        char path[64];
+        snprintf(path, sizeof path, "out/d/figures/%s.svg", figures[i]);
+        char *svg = workspace_read(place, path);
+        assert_clean_text(svg, path);
+        expect_no_part(svg, "<script");
+        expect_no_part(svg, "</title></svg><");
+        free(svg);
+    }
+}
+
+static void test_title_and_names_of_the_scene(void **state)
+{
+    const char *place = *state;
+    workspace_scan(place, "d/a.csv", 100, 1);
+    workspace_write(
+        place, "d/scene.yaml",
+        "title: \"</title><script>alert('t')</script> # **b** {{body}} $(touch PWNED) | [x](javascript:1)\"\n"
+        "effects: [plasticity]\n"
+        "material: {E_Pa: 1e11, nu: 0.3, Sy_Pa: 1e8}\n"
+        "surfaces:\n"
+        "  - {name: \"<img src=x onerror=alert(1)> | ' \\\" \\\\\", file: a.csv}\n"
+        "  - {name: \"{{title}} %n `x` $(id)\", file: a.csv}\n");
+    struct process process = expect_exit(place, 0, "report", "d", "--show");
+    process_free(&process);
+    char *html = workspace_read(place, "out/d/report.html");
+    scan_tags(html);
+    expect_part(html, "<title>&lt;/title&gt;&lt;script&gt;alert('t')");
+    expect_part(html, "&lt;img src=x onerror=alert(1)&gt;");
+    expect_no_part(html, "href=\"javascript");
+    free(html);
+    assert_int_equal(workspace_count(place, "PWNED"), 0);
+    workspace_write(place, "d/scene.yaml", "surfaces:\n  - {name: \"one\\n# two\", file: a.csv}\n");
+    expect_failure(place, 3, 1, "d/scene.yaml:2: 'name' has a line end or control character inside; remove it",
+                   "report", "d");
+    workspace_write(place, "d/scene.yaml", "title: \"two\\nlines\"\n");
+    expect_failure(place, 3, 1, "d/scene.yaml:1: 'title' has a line end", "report", "d");
+}
+
+/** Refusals quote hostile names and contents; the terminal gets none of their control characters. */
+static void test_refusals(void **state)
+{
+    const char *place = *state;
+    workspace_scan(place, "d/good.csv", 100, 1);
+    workspace_write(place, "d/bad \x1b[31m\n<b>|\xff.csv", "x [um],z [um]\n0,1\n1,2\n2,<script>\x1b]0;\x07\n");
+    struct process process = expect_exit(place, 1, "report", "d", "-e", "plasticity");
+    assert_clean_text(process.err, "stderr");
+    expect_part(process.err, "surface 'bad ?[31m?<b>|?' refused: ");
+    process_free(&process);
+    char *html = workspace_read(place, "out/d/report.html"), *markdown = workspace_read(place, "out/d/report.md");
+    scan_tags(html);
+    assert_clean_text(html, "report.html");
+    assert_clean_text(markdown, "report.md");
+    expect_part(html, "bad ?[31m?&lt;b&gt;|?");
+    free(html);
+    free(markdown);
+    process = expect_exit(place, 4, "inspect", "d/no\x1b[31m", "d/bad \x1b[31m\n<b>|\xff.csv");
+    assert_clean_text(process.err, "stderr");
+    process_free(&process);
+    process = expect_exit(place, 4, "inspect", "--json", "d/bad \x1b[31m\n<b>|\xff.csv");
+    assert_clean_text(process.out, "stdout");
+    json_t *json = json_loads(process.out, 0, NULL);
+    assert_non_null(json);
+    json_decref(json);
+    process_free(&process);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        workspace_test(test_file_names),
+        workspace_test(test_drawings),
+        workspace_test(test_title_and_names_of_the_scene),
+        workspace_test(test_refusals),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,213 @@
+/* The main job on the command line: options over the scene, real scans, the terminal's charts and times. */
+#include "cli/process.h"
+
+#include <stdio.h>
+#include <unistd.h>
+
+static void copy_file(const char *place, const char *path, const char *from)
+{
+    char *content = workspace_read("/", from);
+    workspace_write(place, path, content);
+    free(content);
+}
+
+/** The number in row `surface` and column `column` of a CSV file without quoted fields. */
+static double csv_number(const char *csv, const char *surface, const char *column)
+{
+    size_t index = 0, length = strlen(column);
+    const char *at = csv;
+    while (strncmp(at, column, length) != 0 || !strchr(",\n", at[length])) {
+        at += strcspn(at, ",\n");
+        if (*at++ != ',')
+            fail_msg("no column '%s'", column);
+        index++;
+    }
+    char start[128];
+    snprintf(start, sizeof start, "\n%s,", surface);
+    const char *row = strstr(csv, start);
+    if (!row)
+        fail_msg("no surface '%s'", surface);
+    for (row++; index > 0; index--)
+        row += strcspn(row, ",") + 1;
+    return strtod(row, NULL);
+}
+
+static void test_real_scans(void **state)
+{
+    static const struct {
+        const char *file, *surface;
+        double rq_m; /* MANIFEST.md of the scans: an independent calculation */
+    } scans[] = {
+        {"mitutoyo_sj_2.csv", "mitutoyo_sj_2", 3.96890e-6},
+        {"dektakxt_opdx-3.txt", "dektakxt_opdx-3", 2.82572e-9},
+        {"WAAM Profile.txt", "WAAM", 805.316e-6},
+        {"stylus_nounits_xy-4.txt", "stylus", 7.79246e-6},
+    };
+    const char *place = *state, *folder = PROJECT_SOURCE "/../shared/scans";
+    if (access(folder, R_OK) != 0) {
+        print_message("[  SKIPPED ] no real scans in %s\n", folder);
+        skip();
+    }
+    for (size_t i = 0; i < sizeof scans / sizeof *scans; i++) {
+        char from[4096], to[128];
+        snprintf(from, sizeof from, "%s/%s", folder, scans[i].file);
+        snprintf(to, sizeof to, "d/%s", scans[i].file);
+        copy_file(place, to, from);
+    }
+    workspace_write(place, "d/scene.yaml",
+                    "surfaces:\n"
+                    "  - {file: mitutoyo_sj_2.csv}\n"
+                    "  - {file: dektakxt_opdx-3.txt, x_unit: m, z_unit: m}\n"
+                    "  - {name: WAAM, file: WAAM Profile.txt, x_unit: um, z_unit: um}\n"
+                    "  - {name: stylus, file: stylus_nounits_xy-4.txt, x_unit: mm, z_unit: mm}\n");
+    struct process process =
+        expect_exit(place, 0, "report", "d", "--material", "copper", "--effects", "electrical", "--tolerance", "1e-3");
+    process_free(&process);
+    char *csv = workspace_read(place, "out/d/data/surfaces.csv");
+    for (size_t i = 0; i < sizeof scans / sizeof *scans; i++)
+        assert_near(csv_number(csv, scans[i].surface, "rq_m"), scans[i].rq_m, 1e-5);
+    free(csv);
+}
+
+static void test_overrides(void **state)
+{
+    const char *place = *state;
+    workspace_scan(place, "d/a.csv", 200, 1);
+    workspace_write(place, "d/scene.yaml", "material: tin\neffects: [thermal]\ntolerance: 1e-8\n");
+    struct process process = expect_exit(place, 0, "report", "d");
+    process_free(&process);
+    char *contact = workspace_read(place, "out/d/data/contact.csv");
+    expect_part(contact, "tcr_K_m2_per_W");
+    expect_no_part(contact, "ecr_ohm_m2");
+    free(contact);
+
+    process =
+        expect_exit(place, 0, "report", "d", "--material=copper", "--effects", "electrical", "--tolerance", "1e-3");
+    process_free(&process);
+    contact = workspace_read(place, "out/d/data/contact.csv");
+    char *json = workspace_read(place, "out/d/results.json"), *markdown = workspace_read(place, "out/d/report.md");
+    expect_part(contact, "ecr_ohm_m2");
+    expect_no_part(contact, "tcr_K_m2_per_W");
+    expect_no_part(contact, "-plastic"); /* electrical alone asks for no yield */
+    expect_part(json, "\"name\": \"copper\"");
+    expect_part(json, "\"tolerance\": 0.001");
+    expect_part(markdown, "copper");
+    expect_no_part(markdown, "](figures/6-09.svg)");
+    expect_part(markdown, "](figures/6-08.svg)");
+    assert_true(workspace_has(place, "out/d/figures/6-08.svg"));
+    assert_false(workspace_has(place, "out/d/figures/6-09.svg"));
+    assert_false(workspace_has(place, "out/d/data/convergence.csv"));
+    free(contact);
+    free(json);
+    free(markdown);
+}
+
+static void test_units(void **state)
+{
+    const char *place = *state;
+    workspace_write(place, "d/a.csv", "0,1\n1,3\n2,2\n3,5\n4,1\n5,4\n6,2\n7,6\n8,3\n9,1\n10,2\n11,5\n");
+    expect_failure(place, 4, 2, "give --x-unit mm --z-unit um", "report", "d");
+    struct process process =
+        expect_exit(place, 0, "report", "d", "--x-unit", "um", "--z-unit", "nm", "-e", "plasticity");
+    process_free(&process);
+    char *csv = workspace_read(place, "out/d/data/surfaces.csv");
+    assert_near(csv_number(csv, "a", "spacing_m"), 1e-6, 1e-12);
+    assert_true(csv_number(csv, "a", "rq_m") < 5e-9);
+    free(csv);
+}
+
+static void test_wrong_options(void **state)
+{
+    static const struct {
+        const char *option, *value, *message;
+    } wrong[] = {
+        {"--material", "unobtainium", "unknown material 'unobtainium'; allowed: tin, copper"},
+        {"--effects", "thermal,plastic", "unknown effect 'plastic'; "},
+        {"--effects", "", "--effects names none; give 'auto'"},
+    };
+    static const struct {
+        const char *option, *value, *message;
+    } refused[] = {
+        {"--tolerance", "2", "--tolerance must be a number from 1e-14 to 0.1, not '2'"},
+        {"--tolerance", "1e-3x", "not '1e-3x'"},
+        {"--x-unit", "furlong", "--x-unit must be a unit of length"},
+        {"--jobs", "0", "--jobs must be 1 to 64, not '0'"},
+        {"--jobs", "-1", "--jobs must be 1 to 64"},
+        {"--jobs", "99999999999999999999", "--jobs must be 1 to 64"},
+        {"--bogus", "x", "unrecognized option '--bogus'"},
+        {"d", "d", "one directory at a time: 'd' is too many"},
+    };
+    const char *place = *state;
+    workspace_scan(place, "d/a.csv", 200, 1);
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        expect_failure(place, 2, 1, wrong[i].message, "report", "d", wrong[i].option, wrong[i].value);
+        expect_failure(place, 2, 1, wrong[i].message, "plan", "d", wrong[i].option, wrong[i].value);
+    }
+    for (size_t i = 0; i < sizeof refused / sizeof *refused; i++) /* and two lines that point to --help */
+        expect_failure(place, 2, 3, refused[i].message, "report", "d", refused[i].option, refused[i].value);
+    assert_false(workspace_has(place, "out"));
+}
+
+static void test_terminal(void **state)
+{
+    const char *place = *state;
+    workspace_scan(place, "d/a.csv", 300, 1);
+    workspace_scan(place, "d/b.csv", 300, 2);
+    assert_int_equal(setenv("COLUMNS", "80", 1), 0);
+    struct process process = expect_exit(place, 0, "report", "d", "--show", "--verbose");
+    assert_int_equal(unsetenv("COLUMNS"), 0);
+    static const char *const charts[] = {"Real contact area against load",
+                                         "Separation against load",
+                                         "Electrical contact resistance",
+                                         "Area against load, multiscale elastic-plastic",
+                                         "Separation against load, multiscale elastic-plastic",
+                                         "load to full contact"};
+    for (size_t i = 0; i < sizeof charts / sizeof *charts; i++)
+        expect_part(process.out, charts[i]);
+    for (const char *line = process.out; *line; line += strcspn(line, "\n") + 1) {
+        size_t columns = 0, length = strcspn(line, "\n");
+        for (size_t i = 0; i < length; i++)
+            columns += ((unsigned char)line[i] & 0xc0) != 0x80;
+        if (columns > 80)
+            fail_msg("%zu columns: %.*s", columns, (int)length, line);
+    }
+    static const char path[] = "\nout/d/report.html\n";
+    assert_true(process.out_length > sizeof path);
+    assert_string_equal(process.out + process.out_length - (sizeof path - 1), path);
+    static const char *const stages[] = {"stage ",   "read scans ", "multiscale elastic ", "GW ",
+                                         "gnuplot ", "total ",      "largest memory "};
+    for (size_t i = 0; i < sizeof stages / sizeof *stages; i++) {
+        char start[64];
+        snprintf(start, sizeof start, "\n%s", stages[i]);
+        expect_part(process.err, start);
+    }
+    assert_null(strchr(process.err, '\r')); /* progress is for terminals only */
+    process_free(&process);
+    process = expect_exit(place, 0, "report", "d");
+    expect_no_part(process.err, "stage ");
+    expect_no_part(process.out, "Real contact area");
+    process_free(&process);
+}
+
+/** Nothing has a column for a model that did not run. */
+static void test_table(void **state)
+{
+    const char *place = *state;
+    workspace_scan(place, "d/a.csv", 300, 1);
+    workspace_write(place, "d/scene.yaml", "models: [multiscale]\neffects: [electrical]\n");
+    struct process process = expect_exit(place, 0, "report", "d");
+    expect_part(process.out, " MS el.\n");
+    expect_no_part(process.out, "β");
+    expect_no_part(process.out, "GW");
+    expect_no_part(process.out, "MS pl.");
+    process_free(&process);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        workspace_test(test_real_scans),    workspace_test(test_overrides), workspace_test(test_units),
+        workspace_test(test_wrong_options), workspace_test(test_terminal),  workspace_test(test_table),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,46 @@
+/* What the hard cases share. Each program runs them twice: as they are and, given the argument `traps`, with every
+ * invalid operation, division by zero and overflow a signal, which cmocka reports as a failure. */
+#ifndef HARD_SUPPORT_H
+#define HARD_SUPPORT_H
+
+#include "scene/material.h"
+#include "support.h"
+
+#include <fenv.h>
+#include <gsl/gsl_errno.h>
+#include <stdbool.h>
+
+static inline void hard_start(int argc, char **argv)
+{
+    gsl_set_error_handler_off(); /* as the program does */
+    if (argc > 1 && strcmp(argv[1], "traps") == 0)
+        feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
+}
+
+/** Tin, but with S_y/E' and nu as given. */
+static inline struct material_pair hard_pair(double yield_ratio, double nu)
+{
+    struct material material = *material_find("tin");
+    material.poisson_ratio = nu;
+    material.yield_strength_Pa = yield_ratio * material.youngs_modulus_Pa / (1 - nu * nu);
+    return material_pair(&material, MATERIAL_COUNTERFACE_RIGID, NULL);
+}
+
+static inline struct material_pair hard_tin(void)
+{
+    return material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
+}
+
+/* The ends of what metals reach and beyond. */
+static const double hard_yield_ratios[] = {1e-7, 1e-5, 3e-4, 5e-3, 0.05};
+static const double hard_nus[] = {0, 0.25, 0.36, 0.5};
+enum { HARD_YIELD_RATIOS = 5, HARD_NUS = 4 };
+
+/** The address sanitizer slows everything five to ten times: then the grids are coarser by this. */
+#ifdef __SANITIZE_ADDRESS__
+enum { HARD_COARSER = 5 };
+#else
+enum { HARD_COARSER = 1 };
+#endif
+
+#endif

@@ -1,0 +1,185 @@
+/* The four models as a run calls them, from no load to far beyond full contact of each. */
+#include "contact/model.h"
+#include "hard_support.h"
+
+enum { EVERYTHING = CONTACT_SEPARATION | CONTACT_ELECTRICAL | CONTACT_THERMAL | CONTACT_SCALE_DEPENDENT };
+enum { LOADS = 37, SCALES = 600 };
+
+static struct spectrum law_spectrum(double alpha, double gamma)
+{
+    struct spectrum spectrum = {malloc(SCALES * sizeof(double)), SCALES, 3e-4, false};
+    assert_non_null(spectrum.amplitude_m);
+    for (size_t i = 0; i < SCALES; i++)
+        spectrum.amplitude_m[i] = alpha * pow(3e-4 / (double)(i + 1), gamma);
+    return spectrum;
+}
+
+static void check_point(const struct contact_point *point, double full_load)
+{
+    assert_true(isfinite(point->area_ratio) && point->area_ratio > 0 && point->area_ratio <= 1);
+    assert_true(isfinite(point->separation_m));
+    const double resistances[] = {point->ecr_ohm_m2, point->tcr_K_m2_per_W, point->tcr_sd_K_m2_per_W};
+    for (int i = 0; i < 3; i++)
+        assert_true(isfinite(resistances[i]) && (resistances[i] > 0) == (point->load < full_load) &&
+                    resistances[i] >= 0);
+    if (point->load >= full_load)
+        assert_true(point->area_ratio == 1);
+}
+
+static void check_curve(const struct model_curve *curve, const struct model_row *row, const struct model_task *task)
+{
+    bool statistical = row->family == SCENE_MODEL_STATISTICAL;
+    assert_true(curve->exists && curve->count > 1 && curve->count <= task->load_count + 1);
+    assert_true(isfinite(curve->full_load) && curve->full_load > 0 && curve->full_load < 1e6);
+    assert_true(isfinite(curve->closed_load) && curve->closed_load >= curve->full_load);
+    assert_true(statistical ? isfinite(curve->beta) : isnan(curve->beta));
+    for (size_t i = 0; i < curve->count; i++) {
+        const struct contact_point *point = &curve->points[i], *before = i > 0 ? point - 1 : point;
+        check_point(point, curve->full_load);
+        assert_true(point->area_ratio >= before->area_ratio && point->separation_m <= before->separation_m);
+        assert_true(point->ecr_ohm_m2 <= before->ecr_ohm_m2 && point->tcr_K_m2_per_W <= before->tcr_K_m2_per_W);
+        if (statistical)
+            assert_true(isfinite(point->adjusted_m) && point->adjusted_m >= 0);
+        else
+            assert_true(point->separation_m >= 0);
+    }
+    check_point(&curve->full, curve->full_load);
+    const struct contact_point *last = &curve->points[curve->count - 1];
+    assert_true(last->area_ratio == 1 && last->ecr_ohm_m2 == 0);
+    if (statistical)
+        assert_true(last->load == curve->full_load && last->adjusted_m == 0);
+    else
+        assert_true(last->load == 1e6 && last->separation_m == 0);
+    assert_true(row->plastic || (curve->clamped == 0 && curve->yielding_scales == 0));
+    struct model_work work = row->work(row, task);
+    assert_true(curve->work.scales == work.scales && curve->work.laws == work.laws);
+}
+
+/** Loads by decades from 1e-30 to 1e6, every model, rough and smooth spectra, both closures. */
+static void loads_beyond_full_contact(void **state)
+{
+    (void)state;
+    static const double alphas[] = {1e-3, 0.085, 1e3}, gammas[] = {0.5, 1.5, 2};
+    struct material_pair pair = hard_tin();
+    double loads[LOADS];
+    for (int i = 0; i < LOADS; i++)
+        loads[i] = pow(10, i - 30);
+    for (int k = 0; k < 3; k++)
+        for (int closure = 0; closure < SCENE_CLOSURE_COUNT; closure++) {
+            struct spectrum spectrum = law_spectrum(alphas[k], gammas[k]);
+            struct roughness roughness = {0};
+            struct asperities surface;
+            struct status status = {0};
+            roughness_from_spectrum(&roughness, &spectrum);
+            assert_int_equal(roughness_asperities(&surface, &roughness, &status), STATUS_OK);
+            struct model_task task = {&spectrum, &surface,   &pair, loads,
+                                      LOADS,     EVERYTHING, 1e-10, (enum scene_closure)closure};
+            for (int m = 0; m < MODEL_COUNT; m++) {
+                struct contact_point points[LOADS + 1];
+                struct model_curve curve = {.points = points};
+                assert_int_equal(model_rows[m].run(&curve, &model_rows[m], &task, &status), STATUS_OK);
+                check_curve(&curve, &model_rows[m], &task);
+            }
+            spectrum_free(&spectrum);
+        }
+}
+
+/** All loads beyond full contact, and a single one. */
+static void nothing_but_full_contact(void **state)
+{
+    (void)state;
+    struct material_pair pair = hard_tin();
+    struct spectrum spectrum = law_spectrum(0.085, 1.5);
+    struct roughness roughness = {0};
+    struct asperities surface;
+    struct status status = {0};
+    roughness_from_spectrum(&roughness, &spectrum);
+    assert_int_equal(roughness_asperities(&surface, &roughness, &status), STATUS_OK);
+    const double loads[] = {1e3, 1e6, 1e100};
+    for (size_t count = 1; count <= 3; count++)
+        for (int m = 0; m < MODEL_COUNT; m++) {
+            struct contact_point points[4];
+            struct model_curve curve = {.points = points};
+            struct model_task task = {&spectrum, &surface,   &pair, loads,
+                                      count,     EVERYTHING, 1e-10, SCENE_CLOSURE_THESIS};
+            assert_int_equal(model_rows[m].run(&curve, &model_rows[m], &task, &status), STATUS_OK);
+            assert_int_equal(curve.count, model_rows[m].family == SCENE_MODEL_STATISTICAL ? 1 : count);
+            for (size_t i = 0; i < curve.count; i++)
+                assert_true(points[i].area_ratio == 1 && points[i].ecr_ohm_m2 == 0 && points[i].tcr_sd_K_m2_per_W == 0);
+        }
+    spectrum_free(&spectrum);
+}
+
+/** Without asperities (sigma_s² <= 0) the statistical models have no curve and the multiscale ones stay. */
+static void no_asperities(void **state)
+{
+    (void)state;
+    struct material_pair pair = hard_tin();
+    struct spectrum spectrum = law_spectrum(0.085, 1.5);
+    const double loads[] = {1e-9, 1e-3};
+    struct model_task task = {&spectrum, NULL, &pair, loads, 2, EVERYTHING, 1e-10, SCENE_CLOSURE_THESIS};
+    for (int m = 0; m < MODEL_COUNT; m++) {
+        struct contact_point points[3];
+        struct model_curve curve = {.points = points};
+        struct status status = {0};
+        assert_int_equal(model_rows[m].run(&curve, &model_rows[m], &task, &status), STATUS_OK);
+        assert_true(curve.exists == (model_rows[m].family == SCENE_MODEL_MULTISCALE));
+        assert_int_equal(curve.count, curve.exists ? 2 : 0);
+        assert_int_equal(model_rows[m].work(&model_rows[m], &task).separations, 0);
+    }
+    spectrum_free(&spectrum);
+}
+
+/** What is not wanted is NaN, needs no property of the material and changes nothing else. */
+static void every_choice_of_quantities(void **state)
+{
+    (void)state;
+    struct material_pair known = hard_tin(), bare = known;
+    bare.resistivity_ohm_m = bare.conductivity_W_per_mK = NAN;
+    bare.mean_free_path_m[0] = bare.mean_free_path_m[1] = NAN;
+    bare.side_conductivity_W_per_mK[0] = bare.side_conductivity_W_per_mK[1] = NAN;
+    struct spectrum spectrum = law_spectrum(0.085, 1.5);
+    struct roughness roughness = {0};
+    struct asperities surface;
+    struct status status = {0};
+    roughness_from_spectrum(&roughness, &spectrum);
+    assert_int_equal(roughness_asperities(&surface, &roughness, &status), STATUS_OK);
+    const double loads[] = {1e-30, 1e-9, 1e-6, 1e-3, 1e6};
+    for (int m = 0; m < MODEL_COUNT; m++)
+        for (unsigned wanted = 0; wanted <= EVERYTHING; wanted++) {
+            bool conducts = wanted & (CONTACT_ELECTRICAL | CONTACT_THERMAL | CONTACT_SCALE_DEPENDENT);
+            struct contact_point all[6], some[6];
+            struct model_curve reference = {.points = all}, curve = {.points = some};
+            struct model_task task = {&spectrum, &surface, &known, loads, 5, EVERYTHING, 1e-10, SCENE_CLOSURE_THESIS};
+            assert_int_equal(model_rows[m].run(&reference, &model_rows[m], &task, &status), STATUS_OK);
+            task.wanted = wanted;
+            task.pair = conducts ? &known : &bare;
+            assert_int_equal(model_rows[m].run(&curve, &model_rows[m], &task, &status), STATUS_OK);
+            assert_int_equal(curve.count, reference.count);
+            for (size_t i = 0; i < curve.count; i++) {
+                assert_near(some[i].area_ratio, all[i].area_ratio, 1e-9);
+                const double got[] = {some[i].ecr_ohm_m2, some[i].tcr_K_m2_per_W, some[i].tcr_sd_K_m2_per_W};
+                const double full[] = {all[i].ecr_ohm_m2, all[i].tcr_K_m2_per_W, all[i].tcr_sd_K_m2_per_W};
+                for (int k = 0; k < 3; k++)
+                    if (wanted & (CONTACT_ELECTRICAL << k))
+                        assert_near(got[k], full[k], 1e-9);
+                    else
+                        assert_true(isnan(got[k]));
+                assert_true((wanted & CONTACT_SEPARATION) || model_rows[m].family == SCENE_MODEL_STATISTICAL ||
+                            isnan(some[i].separation_m));
+            }
+        }
+    spectrum_free(&spectrum);
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(loads_beyond_full_contact),
+        cmocka_unit_test(nothing_but_full_contact),
+        cmocka_unit_test(no_asperities),
+        cmocka_unit_test(every_choice_of_quantities),
+    };
+    hard_start(argc, argv);
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

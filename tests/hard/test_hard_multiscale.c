@@ -1,0 +1,280 @@
+/* Stacks of scales: extreme power laws, loads over 36 decades, scales that are not there. */
+#include "contact/convergence.h"
+#include "contact/multiscale.h"
+#include "hard_support.h"
+
+enum { EVERYTHING = CONTACT_SEPARATION | CONTACT_ELECTRICAL | CONTACT_THERMAL | CONTACT_SCALE_DEPENDENT };
+static const double length_m = 3e-4;
+
+static struct spectrum law_spectrum(double alpha, double gamma, size_t count)
+{
+    struct spectrum spectrum = {malloc(count * sizeof(double)), count, length_m, false};
+    assert_non_null(spectrum.amplitude_m);
+    for (size_t i = 0; i < count; i++)
+        spectrum.amplitude_m[i] = alpha * pow(length_m / (double)(i + 1), gamma);
+    return spectrum;
+}
+
+static struct multiscale make(const struct spectrum *spectrum, const struct material_pair *pair, bool plastic,
+                              int closure)
+{
+    struct multiscale stack;
+    struct status status = {0};
+    assert_int_equal(multiscale_make(&stack, spectrum, pair, plastic, (enum scene_closure)closure, &status), STATUS_OK);
+    assert_true(isfinite(stack.full_load) && stack.full_load >= 0 && stack.closed_load >= stack.full_load);
+    return stack;
+}
+
+static struct contact_point solve(const struct multiscale *stack, const struct spot *spot, double load)
+{
+    struct contact_point point;
+    uint64_t evaluations = 0;
+    multiscale_solve(&point, stack, spot, EVERYTHING, load, &evaluations);
+    assert_int_equal(evaluations, stack->count);
+    assert_true(isfinite(point.area_ratio) && point.area_ratio > 0 && point.area_ratio <= 1);
+    assert_true(isfinite(point.separation_m) && point.separation_m >= 0);
+    const double resistances[] = {point.ecr_ohm_m2, point.tcr_K_m2_per_W, point.tcr_sd_K_m2_per_W};
+    for (int i = 0; i < 3; i++) {
+        assert_true(isfinite(resistances[i]) && resistances[i] >= 0);
+        assert_true((resistances[i] > 0) == (load < stack->full_load));
+    }
+    assert_true(point.tcr_sd_K_m2_per_W >= point.tcr_K_m2_per_W);
+    if (load >= stack->full_load)
+        assert_true(point.area_ratio == 1);
+    if (load >= stack->closed_load * (1 + 1e-12))
+        assert_true(point.separation_m == 0);
+    return point;
+}
+
+/** Every gamma and alpha of the convergence study, 20 000 scales, loads 1e-30 to 1e6. */
+static void extreme_power_laws(void **state)
+{
+    (void)state;
+    struct material_pair pair = hard_tin();
+    struct spot spot = spot_make(&pair);
+    for (double gamma = 0; gamma <= 2; gamma += 0.25)
+        for (double alpha = 1e-3; alpha<2e3; alpha *= HARD_COARSER> 1 ? 1e6 : 100) {
+            struct spectrum spectrum = law_spectrum(alpha, gamma, 20000);
+            double amplitudes = 0;
+            for (size_t i = 0; i < spectrum.count; i++)
+                amplitudes += spectrum.amplitude_m[i];
+            for (int plastic = 0; plastic < 2; plastic++) {
+                struct multiscale stack = make(&spectrum, &pair, plastic, SCENE_CLOSURE_THESIS);
+                double area = 0, separation = amplitudes * (1 + 1e-12), resistance = INFINITY;
+                for (double load = 1e-30; load < 1e7; load *= 1e12) {
+                    struct contact_point point = solve(&stack, &spot, load);
+                    assert_true(point.area_ratio >= area && point.separation_m <= separation);
+                    assert_true(point.ecr_ohm_m2 <= resistance);
+                    area = point.area_ratio;
+                    separation = point.separation_m;
+                    resistance = point.ecr_ohm_m2;
+                }
+                solve(&stack, &spot, stack.full_load);
+                solve(&stack, &spot, stack.full_load * (1 - 1e-12));
+                multiscale_free(&stack);
+            }
+            spectrum_free(&spectrum);
+        }
+}
+
+/** With no pressure the flat rests on the peaks: H = sum Delta. */
+static void separation_starts_at_the_sum_of_amplitudes(void **state)
+{
+    (void)state;
+    struct material_pair pair = hard_tin();
+    struct spot spot = spot_make(&pair);
+    struct spectrum spectrum = law_spectrum(0.085, 1.5, 1);
+    for (int plastic = 0; plastic < 2; plastic++)
+        for (int closure = 0; closure < SCENE_CLOSURE_COUNT; closure++) {
+            struct multiscale stack = make(&spectrum, &pair, plastic, closure);
+            assert_near(solve(&stack, &spot, 1e-30).separation_m, spectrum.amplitude_m[0], 1e-10);
+            multiscale_free(&stack);
+        }
+    spectrum_free(&spectrum);
+}
+
+/** A single scale is that scale. */
+static void single_scale(void **state)
+{
+    (void)state;
+    struct material_pair pair = hard_tin();
+    struct spot spot = spot_make(&pair);
+    struct spectrum spectrum = law_spectrum(0.085, 1.5, 1);
+    for (int plastic = 0; plastic < 2; plastic++)
+        for (int closure = 0; closure < SCENE_CLOSURE_COUNT; closure++) {
+            struct multiscale stack = make(&spectrum, &pair, plastic, closure);
+            struct sinusoid_scale scale = sinusoid_scale(spectrum.amplitude_m[0], 1 / length_m, &pair, plastic);
+            for (double load = 1e-30; load < 1e7; load *= 7) {
+                struct contact_point point = solve(&stack, &spot, load);
+                struct sinusoid_cell cell;
+                sinusoid_press(&cell, &scale, &sinusoid_closures[closure], load * pair.effective_modulus_Pa, true);
+                assert_true(point.area_ratio == cell.area_ratio);
+                assert_true(point.separation_m == scale.amplitude_m * cell.gap_ratio);
+            }
+            multiscale_free(&stack);
+        }
+    spectrum_free(&spectrum);
+}
+
+/** Scales of zero or denormal amplitude inside a spectrum change nothing; a spectrum of nothing else is flat. */
+static void absent_scales(void **state)
+{
+    (void)state;
+    static const double nothing[] = {0, 5e-324, 1e-310};
+    struct material_pair pair = hard_tin();
+    struct spot spot = spot_make(&pair);
+    for (int plastic = 0; plastic < 2; plastic++)
+        for (double load = 1e-30; load < 1e7; load *= 1e6) {
+            struct contact_point first = {0};
+            for (int k = 0; k < 3; k++) {
+                struct spectrum spectrum = law_spectrum(0.085, 1.5, 300);
+                for (size_t i = 0; i < spectrum.count; i += 2)
+                    spectrum.amplitude_m[i] = nothing[k];
+                struct multiscale stack = make(&spectrum, &pair, plastic, SCENE_CLOSURE_THESIS);
+                struct contact_point point = solve(&stack, &spot, load);
+                first = k == 0 ? point : first;
+                assert_true(point.area_ratio == first.area_ratio && point.separation_m == first.separation_m);
+                assert_true(point.ecr_ohm_m2 == first.ecr_ohm_m2);
+                multiscale_free(&stack);
+                for (size_t i = 1; i < spectrum.count; i += 2)
+                    spectrum.amplitude_m[i] = nothing[k];
+                stack = make(&spectrum, &pair, plastic, SCENE_CLOSURE_THESIS);
+                point = solve(&stack, &spot, load);
+                assert_true(point.area_ratio == 1 && point.separation_m < 1e-300 && point.ecr_ohm_m2 == 0);
+                multiscale_free(&stack);
+                spectrum_free(&spectrum);
+            }
+        }
+}
+
+/** The worst steps between neighbouring loads of a curve. */
+struct steps {
+    double fall, rise; /* of the area downwards, of the separation upwards, relative */
+    double largest;    /* of ln area upwards */
+    int large;         /* how many of them exceed 1e-3 */
+};
+
+static struct steps scan(const struct multiscale *stack, int points)
+{
+    struct steps steps = {0};
+    struct material_pair pair = hard_tin();
+    struct spot spot = spot_make(&pair);
+    struct contact_point before = {0};
+    for (int i = 0; i <= points; i++) {
+        struct contact_point point;
+        uint64_t evaluations = 0;
+        double load = 2 * stack->closed_load * exp(((double)i / points - 1) * log(1e8));
+        multiscale_solve(&point, stack, &spot, CONTACT_SEPARATION, load, &evaluations);
+        if (i > 0) {
+            double area_step = point.area_ratio / before.area_ratio - 1;
+            steps.fall = fmax(steps.fall, -area_step);
+            steps.largest = fmax(steps.largest, area_step);
+            steps.large += area_step > 1e-3;
+            if (before.separation_m > 0)
+                steps.rise = fmax(steps.rise, point.separation_m / before.separation_m - 1);
+        }
+        before = point;
+    }
+    return steps;
+}
+
+/** Over 10^5 loads no curve jumps but where a scale's closure does: elastic area by -0.05 % (p/p* = 0.8),
+ * elastic-plastic area by at most 7.8 % upwards, once a scale that yields, and separation upwards by a hair. */
+static void curves_do_not_jump(void **state)
+{
+    (void)state;
+    static const double alphas[] = {1e-3, 0.085}, gammas[] = {0.5, 1.5};
+    enum { POINTS = 100000 / HARD_COARSER, SCALES = 12 };
+    struct material_pair pair = hard_tin();
+    for (int law = 0; law < 2; law++)
+        for (int closure = 0; closure < SCENE_CLOSURE_COUNT; closure++) {
+            struct spectrum spectrum = law_spectrum(alphas[law], gammas[law], SCALES);
+            struct multiscale stack = make(&spectrum, &pair, false, closure);
+            struct steps coarse = scan(&stack, POINTS / 10), fine = scan(&stack, POINTS / 5);
+            assert_true(fine.largest < 0.51 * coarse.largest && fine.rise == 0);
+            assert_true(fine.fall <= (closure == SCENE_CLOSURE_THESIS ? 5e-4 : 1e-15));
+            multiscale_free(&stack);
+
+            stack = make(&spectrum, &pair, true, closure);
+            fine = scan(&stack, POINTS);
+            assert_true(fine.fall <= (closure == SCENE_CLOSURE_THESIS ? 5e-4 : 1e-15));
+            assert_true(fine.largest < 0.0785 && fine.large <= (int)stack.critical_scales * HARD_COARSER);
+            assert_true(fine.rise < 5e-3);
+            multiscale_free(&stack);
+            spectrum_free(&spectrum);
+        }
+}
+
+/** Every cut at area 1, and every raise to the elastic area, is counted. */
+static void limits_are_counted(void **state)
+{
+    (void)state;
+    struct material_pair pair = hard_tin();
+    struct spot spot = spot_make(&pair);
+    int cut = 0, raised = 0;
+    for (double ratio = 0.5; ratio < 1000; ratio *= 1.05)
+        for (int closure = 0; closure < SCENE_CLOSURE_COUNT; closure++) {
+            double amplitude = ratio * sinusoid_critical_amplitude(1 / length_m, &pair);
+            struct spectrum spectrum = {&amplitude, 1, length_m, false};
+            struct multiscale stack = make(&spectrum, &pair, true, closure);
+            double modulus = pair.effective_modulus_Pa, critical_load = stack.scales[0].critical_pressure_Pa / modulus;
+            const double loads[] = {stack.full_load * 0.9, (stack.full_load + stack.closed_load) / 2, stack.closed_load,
+                                    1e6, isfinite(critical_load) ? critical_load * (1 + 1e-9) : 1};
+            for (int i = 0; i < 5; i++) {
+                struct contact_point point;
+                uint64_t evaluations = 0;
+                size_t limited = multiscale_solve(&point, &stack, &spot, 0, loads[i], &evaluations);
+                struct sinusoid_cell elastic;
+                bool yields = loads[i] * modulus > stack.scales[0].critical_pressure_Pa;
+                double x = fmin(1, loads[i] * modulus / stack.scales[0].full_pressure_Pa);
+                sinusoid_closures[closure].area(&elastic, x);
+                bool full = yields && point.area_ratio == 1 && loads[i] < stack.closed_load;
+                bool floor = yields && closure == SCENE_CLOSURE_NUMERIC && point.area_ratio == elastic.area_ratio &&
+                             point.area_ratio < 1;
+                assert_int_equal(limited, full || floor);
+                cut += full;
+                raised += floor;
+            }
+            multiscale_free(&stack);
+        }
+    assert_true(cut > 50 && raised > 5);
+}
+
+/** The convergence study over its own parameters: areas in (0, 1], never rising from scale to scale. */
+static void convergence_study(void **state)
+{
+    (void)state;
+    enum { SCALES = 2000 };
+    static double areas[SCALES];
+    struct material_pair pair = hard_tin();
+    const struct convergence_sweep_row *alpha = &convergence_sweeps[CONVERGENCE_ALPHA];
+    const struct convergence_sweep_row *gamma = &convergence_sweeps[CONVERGENCE_GAMMA];
+    for (size_t a = 0; a < alpha->count; a++)
+        for (size_t g = 0; g < gamma->count; g++)
+            for (int plastic = 0; plastic < 2; plastic++) {
+                struct convergence_law law = {alpha->values[a], gamma->values[g], length_m, 1e-30, SCALES};
+                struct status status = {0};
+                uint64_t evaluations = 0;
+                assert_int_equal(convergence_areas(areas, &law, &pair, plastic, &evaluations, &status), STATUS_OK);
+                for (size_t i = 0; i < SCALES; i++)
+                    assert_true(areas[i] > 0 && areas[i] <= (i > 0 ? areas[i - 1] : 1));
+                struct powerlaw fit = {.alpha = law.alpha, .gamma = law.gamma};
+                for (double load = 1e-30; load < 1e7; load *= 1e12) {
+                    struct convergence_extension out = convergence_extend(&fit, 1e-6, 1e-7, &pair, plastic, load);
+                    assert_true(out.area_extended > 0 && out.area_extended <= out.area_measured);
+                    assert_true(out.area_measured <= 1 && out.scales > 0);
+                }
+            }
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(extreme_power_laws), cmocka_unit_test(separation_starts_at_the_sum_of_amplitudes),
+        cmocka_unit_test(single_scale),       cmocka_unit_test(absent_scales),
+        cmocka_unit_test(curves_do_not_jump), cmocka_unit_test(limits_are_counted),
+        cmocka_unit_test(convergence_study),
+    };
+    hard_start(argc, argv);
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

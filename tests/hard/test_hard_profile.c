@@ -1,0 +1,250 @@
+/* Scans and scenes that strain the way from heights to loads: offsets, tilt, prime lengths, quantised heights. */
+#include "hard_support.h"
+#include "profile/profile.h"
+#include "spectrum/powerlaw.h"
+#include "spectrum/roughness.h"
+
+static const double pi = 3.14159265358979323846;
+static const double spacing_m = 1e-6;
+
+/** Roughness of a few nm from harmonics that fit the record. */
+static double rough(size_t i, size_t points)
+{
+    double phase = 2 * pi * (double)i / (double)points, sum = 0;
+    static const double harmonics[] = {3, 7, 19, 41};
+    for (int k = 0; k < 4; k++)
+        sum += 5e-9 / sqrt(harmonics[k]) * cos(harmonics[k] * phase + 1.7 * k);
+    return sum;
+}
+
+static struct profile profile_of(double *height_m, size_t points, enum scene_level level)
+{
+    struct scan scan = {.kind = SCAN_PROFILE, .nx = points, .ny = 1, .dx_m = spacing_m, .z_m = height_m};
+    struct profile profile;
+    struct status status = {0};
+    assert_int_equal(profile_make(&profile, &scan, 0, &(struct profile_options){.level = level}, &status), STATUS_OK);
+    for (size_t i = 0; i < points; i++)
+        assert_true(isfinite(profile.height_m[i]));
+    return profile;
+}
+
+static void check_same_roughness(const struct profile *profile, const struct profile *plain, double rtol,
+                                 double rtol_m4)
+{
+    struct roughness first = roughness_of_heights(plain->height_m, plain->points, spacing_m);
+    struct roughness second = roughness_of_heights(profile->height_m, profile->points, spacing_m);
+    assert_near(second.m0_m2, first.m0_m2, rtol);
+    assert_near(second.ra_m, first.ra_m, rtol);
+    assert_near(second.pv_m, first.pv_m, rtol);
+    assert_near(second.m2, first.m2, rtol);
+    assert_near(second.m4_per_m2, first.m4_per_m2, rtol_m4);
+    assert_near(first.rq_m * first.rq_m, first.m0_m2, 1e-14);
+}
+
+static double *heights(size_t points, double offset_m, double tilt)
+{
+    double *height_m = malloc(points * sizeof *height_m);
+    assert_non_null(height_m);
+    for (size_t i = 0; i < points; i++)
+        height_m[i] = offset_m + tilt * spacing_m * (double)i + rough(i, points);
+    return height_m;
+}
+
+/** A 100 mm offset under 10 nm of roughness: what is left is what doubles at 100 mm hold, 1.4e-17 m. */
+static void offset_of_a_tenth_of_a_metre(void **state)
+{
+    (void)state;
+    static const enum scene_level levels[] = {SCENE_LEVEL_MEAN, SCENE_LEVEL_LINE, SCENE_LEVEL_PARABOLA};
+    static const size_t lengths[] = {3000, 100003};
+    for (int l = 0; l < 3; l++)
+        for (int n = 0; n < 2; n++)
+            for (int sign = -1; sign <= 1; sign += 2) {
+                double *low = heights(lengths[n], 0, 0), *high = heights(lengths[n], sign * 0.1, 0);
+                struct profile plain = profile_of(low, lengths[n], levels[l]);
+                struct profile lifted = profile_of(high, lengths[n], levels[l]);
+                check_same_roughness(&lifted, &plain, 2e-7, lengths[n] < 5000 ? 1e-5 : INFINITY);
+                assert_within(lifted.tilt, plain.tilt, 1e-12);
+                profile_free(&plain);
+                profile_free(&lifted);
+                free(low);
+                free(high);
+            }
+}
+
+/** A 45 degree tilt: the line takes it out and leaves the roughness. */
+static void tilt_of_45_degrees(void **state)
+{
+    (void)state;
+    static const enum scene_level levels[] = {SCENE_LEVEL_LINE, SCENE_LEVEL_PARABOLA};
+    for (int l = 0; l < 2; l++)
+        for (int sign = -1; sign <= 1; sign += 2) {
+            double *low = heights(3000, 0, 0), *high = heights(3000, 0, sign);
+            struct profile plain = profile_of(low, 3000, levels[l]), tilted = profile_of(high, 3000, levels[l]);
+            assert_within(tilted.tilt, sign + plain.tilt, 1e-13);
+            check_same_roughness(&tilted, &plain, 1e-9, 1e-8);
+            profile_free(&plain);
+            profile_free(&tilted);
+            free(low);
+            free(high);
+        }
+}
+
+/** 1 000 003 points: a prime, so no factor helps the transform. The mean square is all there. */
+static void prime_number_of_points(void **state)
+{
+    (void)state;
+    enum { POINTS = 1000003 };
+    double *height_m = heights(POINTS, 0, 0), mean = 0, square = 0;
+    uint64_t random = 1;
+    for (size_t i = 0; i < POINTS; i++) {
+        random = random * 6364136223846793005u + 1442695040888963407u;
+        height_m[i] += 1e-9 * ((double)(random >> 11) * 0x1p-53 - 0.5);
+        mean += height_m[i] / POINTS;
+    }
+    for (size_t i = 0; i < POINTS; i++)
+        square += (height_m[i] - mean) * (height_m[i] - mean) / POINTS;
+    struct spectrum spectrum;
+    struct status status = {0};
+    assert_int_equal(spectrum_compute(&spectrum, height_m, POINTS, spacing_m, SCENE_WINDOW_NONE, &status), STATUS_OK);
+    assert_int_equal(spectrum.count, POINTS / 2);
+    assert_false(spectrum.has_nyquist);
+    assert_near(spectrum_moment(&spectrum, 0), square, 1e-12);
+    assert_near(spectrum.amplitude_m[6], 5e-9 / sqrt(7), 1e-3); /* the noise adds 1e-12 m a harmonic */
+    spectrum_free(&spectrum);
+    free(height_m);
+}
+
+/** Everything that is made of a levelled profile is finite, or says that it does not exist. */
+static void check_description(const struct profile *profile)
+{
+    struct spectrum spectrum;
+    struct status status = {0};
+    const double everything_m[2] = {0, INFINITY};
+    for (int window = 0; window < SCENE_WINDOW_COUNT; window++) {
+        assert_int_equal(spectrum_compute(&spectrum, profile->height_m, profile->points, spacing_m,
+                                          (enum scene_window)window, &status),
+                         STATUS_OK);
+        for (size_t i = 0; i < spectrum.count; i++)
+            assert_true(isfinite(spectrum.amplitude_m[i]) && spectrum.amplitude_m[i] >= 0);
+        struct powerlaw law = powerlaw_fit(&spectrum, everything_m);
+        assert_true(law.harmonics < 3 ? isnan(law.gamma) : isfinite(law.gamma) && isfinite(law.alpha) && law.alpha > 0);
+        spectrum_free(&spectrum);
+    }
+    struct roughness roughness = roughness_of_heights(profile->height_m, profile->points, spacing_m);
+    assert_true(roughness.m0_m2 > 0 && isfinite(roughness.m4_per_m2) && roughness.ra_m <= roughness.rq_m * (1 + 1e-12));
+    struct asperities surface;
+    if (roughness_asperities(&surface, &roughness, &status) == STATUS_OK)
+        assert_true(surface.sigma_s_m > 0 && surface.sigma_s_m < surface.sigma_m && isfinite(surface.offset_m));
+    else
+        assert_int_equal(status.code, STATUS_MODEL);
+}
+
+/** Heights on a grid of a few levels, down to two; a single spike; the shortest records. */
+static void quantised_heights(void **state)
+{
+    (void)state;
+    static const double steps[] = {1e-12, 1e-9, 4e-9, 1e-8};
+    for (int s = 0; s < 4; s++)
+        for (int level = 0; level < SCENE_LEVEL_COUNT; level++) {
+            double *height_m = heights(1200, 0, 0);
+            for (size_t i = 0; i < 1200; i++)
+                height_m[i] = steps[s] * round(height_m[i] / steps[s]);
+            height_m[600] += steps[s]; /* never flat */
+            struct profile profile = profile_of(height_m, 1200, (enum scene_level)level);
+            check_description(&profile);
+            profile_free(&profile);
+            free(height_m);
+        }
+    for (size_t points = 3; points < 40; points++)
+        for (size_t spike = 0; spike < points; spike += 2) {
+            double *height_m = calloc(points, sizeof *height_m);
+            height_m[spike] = 1e-9;
+            struct profile profile = profile_of(height_m, points, SCENE_LEVEL_MEAN);
+            check_description(&profile);
+            profile_free(&profile);
+            free(height_m);
+        }
+}
+
+/** A flat scan is refused, whatever its offset. */
+static void flat_scan(void **state)
+{
+    (void)state;
+    static const double offsets[] = {0, 0.1, -1e-9};
+    for (int i = 0; i < 3; i++) {
+        double height_m[] = {offsets[i], offsets[i], offsets[i], offsets[i]};
+        struct scan scan = {.kind = SCAN_PROFILE, .nx = 4, .ny = 1, .dx_m = spacing_m, .z_m = height_m};
+        struct profile profile;
+        struct status status = {0};
+        assert_int_equal(profile_make(&profile, &scan, 0, &profile_defaults, &status), STATUS_SCAN);
+        profile_free(&profile);
+    }
+}
+
+/** An exact power law comes back, without scatter and without a knee, over the convergence study's parameters. */
+static void exact_power_laws(void **state)
+{
+    (void)state;
+    const double everything_m[2] = {0, INFINITY};
+    for (double gamma = 0; gamma <= 2; gamma += 0.25)
+        for (double alpha = 1e-3; alpha < 2e3; alpha *= 100)
+            for (size_t count = 3; count < 20000 / HARD_COARSER; count *= 7) {
+                struct spectrum spectrum = {malloc(count * sizeof(double)), count, 3e-4, false};
+                assert_non_null(spectrum.amplitude_m);
+                for (size_t i = 0; i < count; i++)
+                    spectrum.amplitude_m[i] = alpha * pow(3e-4 / (double)(i + 1), gamma);
+                struct powerlaw law = powerlaw_fit(&spectrum, everything_m);
+                assert_within(law.gamma, gamma, 1e-12);
+                assert_near(law.alpha, alpha, 1e-10);
+                assert_within(law.rms_decades, 0, 1e-6);
+                assert_true(isfinite(law.gamma_error) && isfinite(law.alpha_error) && isnan(law.knee_m));
+                spectrum_free(&spectrum);
+            }
+}
+
+/** Loads doubled and out of order, over 36 decades, come out ascending and once each; pascals are divided by E'. */
+static void duplicate_and_unsorted_loads(void **state)
+{
+    (void)state;
+    double given[] = {1e6, 1e-30, 1, 1e-30, 1e6, 1e6, 3e-7, 1, 1e-30 * (1 + 0x1p-52)};
+    const double expected[] = {1e-30, 1e-30 * (1 + 0x1p-52), 3e-7, 1, 1e6};
+    for (int in_pascal = 0; in_pascal < 2; in_pascal++) {
+        struct scene scene = {.load = {.points = 9, .values = given, .in_pascal = in_pascal}};
+        struct status status = {0};
+        double *loads;
+        size_t count;
+        assert_int_equal(scene_loads(&loads, &count, &scene, 4.0, &status), STATUS_OK);
+        assert_int_equal(count, 5);
+        for (size_t i = 0; i < count; i++)
+            assert_true(loads[i] == expected[i] / (in_pascal ? 4 : 1));
+        free(loads);
+    }
+    struct scene scene = {.load = {.from = 1e-30, .to = 1e6, .points = 1000}};
+    struct status status = {0};
+    double *loads;
+    size_t count;
+    assert_int_equal(scene_loads(&loads, &count, &scene, 1, &status), STATUS_OK);
+    assert_true(count == 1000 && loads[0] == 1e-30 && loads[999] == 1e6);
+    for (size_t i = 1; i < count; i++)
+        assert_true(loads[i] > loads[i - 1]);
+    free(loads);
+    scene.load.from = scene.load.to; /* a range of one load */
+    assert_int_equal(scene_loads(&loads, &count, &scene, 1, &status), STATUS_OK);
+    assert_true(count == 1 && loads[0] == 1e6);
+    free(loads);
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(offset_of_a_tenth_of_a_metre),
+        cmocka_unit_test(tilt_of_45_degrees),
+        cmocka_unit_test(prime_number_of_points),
+        cmocka_unit_test(quantised_heights),
+        cmocka_unit_test(flat_scan),
+        cmocka_unit_test(exact_power_laws),
+        cmocka_unit_test(duplicate_and_unsorted_loads),
+    };
+    hard_start(argc, argv);
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,292 @@
+/* The statistical models far out: heights from 37 sigma_s down to -60, every Nayak parameter, every material. */
+#include "contact/gaussian.h"
+#include "contact/statistical.h"
+#include "hard_support.h"
+
+#include <gsl/gsl_integration.h>
+
+enum { EVERYTHING = CONTACT_SEPARATION | CONTACT_ELECTRICAL | CONTACT_THERMAL | CONTACT_SCALE_DEPENDENT };
+
+static struct statistical make(const struct asperities *surface, const struct material_pair *pair, int law,
+                               double lowest)
+{
+    struct statistical model;
+    struct status status = {0};
+    uint64_t evaluations = 0;
+    assert_int_equal(statistical_make(&model, surface, pair, (enum asperity_law_id)law, EVERYTHING, 1e-10, lowest,
+                                      &evaluations, &status),
+                     STATUS_OK);
+    assert_int_equal(evaluations, model.panels.count);
+    return model;
+}
+
+static struct asperities surface_of(double m0, double m2, double m4)
+{
+    struct roughness roughness = {.m0_m2 = m0, .m2 = m2, .m4_per_m2 = m4};
+    struct asperities surface;
+    struct status status = {0};
+    assert_int_equal(roughness_asperities(&surface, &roughness, &status), STATUS_OK);
+    return surface;
+}
+
+/** Area and load to 1e-9 though they are 1e-300, ratios of the integrals to 1e-10. */
+static void matches_reference_far_out(void **state)
+{
+    (void)state;
+    struct table table = table_read("hard/statistical_extreme.csv");
+    struct material_pair pair = hard_tin();
+    assert_int_equal(table.rows, 48);
+    for (size_t i = 0; i < table.rows; i++) {
+        struct asperities surface = surface_of(table_number(&table, i, "m0_m2"), table_number(&table, i, "m2"),
+                                               table_number(&table, i, "m4_per_m2"));
+        double d = table_number(&table, i, "d_over_sigma_s");
+        int law = strcmp(table_text(&table, i, "model"), "jg") == 0 ? ASPERITY_JG : ASPERITY_HERTZ;
+        struct statistical model = make(&surface, &pair, law, fmin(d, 0));
+        struct contact_point point;
+        statistical_at(&point, &model, d);
+        double area = table_number(&table, i, "area_ratio");
+        assert_near(point.area_ratio, area, 1e-9);
+        assert_near(point.load, table_number(&table, i, "load_over_AnEp"), 1e-9);
+        assert_near(point.load / point.area_ratio * pair.effective_modulus_Pa,
+                    table_number(&table, i, "load_over_area_Pa"), 1e-10);
+        if (area < 1) { /* Psi depends on 1 - A/A_n, whose relative error is that of A over it */
+            double allowed = 1e-10 * (1 + 1 / (1 - area));
+            assert_near(point.ecr_ohm_m2, table_number(&table, i, "ecr_ohm_m2"), allowed);
+            assert_near(point.tcr_K_m2_per_W, table_number(&table, i, "tcr_K_m2_per_W"), allowed);
+            assert_near(point.tcr_sd_K_m2_per_W, table_number(&table, i, "tcr_sd_K_m2_per_W"), allowed);
+            double psi = spot_alleviation(area, 1 - area);
+            assert_near(psi * pair.resistivity_ohm_m / (2 * point.ecr_ohm_m2 * point.area_ratio),
+                        table_number(&table, i, "radius_over_area_per_m"), allowed);
+        } else {
+            assert_true(point.ecr_ohm_m2 == 0 && point.tcr_K_m2_per_W == 0 && point.tcr_sd_K_m2_per_W == 0);
+        }
+        statistical_free(&model);
+    }
+    table_free(&table);
+}
+
+/** sigma_s² <= 0 is an error of its own, also where only rounding makes it positive. */
+static void no_summit_variance(void **state)
+{
+    (void)state;
+    static const double nayaks[] = {1e-12, 0.5, 0.89, 0.8967, 0.8968, 0.89693};
+    for (int i = 0; i < 6; i++) {
+        struct roughness roughness = {.m0_m2 = 1e-14, .m2 = 1e-3, .m4_per_m2 = nayaks[i] * 1e-6 / 1e-14};
+        struct asperities surface;
+        struct status status = {0};
+        assert_int_equal(roughness_asperities(&surface, &roughness, &status), STATUS_MODEL);
+        assert_non_null(strstr(status.message, "Nayak"));
+        assert_near(surface.nayak, nayaks[i], 1e-12);
+        assert_true(isnan(surface.sigma_s_m) && isfinite(surface.density_per_m2) && isfinite(surface.radius_m));
+    }
+    for (int which = 0; which < 3; which++) {
+        struct roughness flat = {.m0_m2 = which != 0, .m2 = which != 1, .m4_per_m2 = which != 2};
+        struct asperities surface;
+        struct status status = {0};
+        assert_int_equal(roughness_asperities(&surface, &flat, &status), STATUS_MODEL);
+    }
+}
+
+/** Loads from 1e-100 (and the ends of the curve) must come back, with everything bounded and monotone. */
+static void check_curve(const struct statistical *model)
+{
+    struct contact_point point, again, before = {.separation_m = INFINITY, .ecr_ohm_m2 = INFINITY};
+    double d = 3, last = model->full_load * (1 - 1e-9);
+    for (double load = fmin(1e-100, last); load <= last; load = load * 1e5 < last || load == last ? load * 1e5 : last) {
+        assert_true(statistical_solve(&point, model, load, &d));
+        statistical_at(&again, model, d);
+        assert_near(again.load, load, 1e-9);
+        assert_true(isfinite(point.area_ratio) && point.area_ratio > before.area_ratio && point.area_ratio <= 1);
+        assert_true(isfinite(point.separation_m) && point.separation_m < before.separation_m);
+        assert_true(isfinite(point.adjusted_m) && point.adjusted_m >= 0);
+        assert_true(isfinite(point.ecr_ohm_m2) && point.ecr_ohm_m2 > 0 && point.ecr_ohm_m2 <= before.ecr_ohm_m2);
+        assert_true(isfinite(point.tcr_K_m2_per_W) && point.tcr_K_m2_per_W > 0);
+        assert_true(isfinite(point.tcr_sd_K_m2_per_W) && point.tcr_sd_K_m2_per_W >= point.tcr_K_m2_per_W);
+        assert_true(point.saturated >= 0 && point.saturated <= point.outside && point.outside <= 1);
+        assert_true(model->law == ASPERITY_JG || point.outside == 0);
+        before = point;
+    }
+    static const double beyond[] = {1, 1 + 1e-15, 1e6};
+    for (int i = 0; i < 3; i++)
+        assert_false(statistical_solve(&point, model, model->full_load * beyond[i], &d));
+    statistical_full(&point, model);
+    assert_true(point.area_ratio == 1 && point.adjusted_m == 0 && point.ecr_ohm_m2 == 0 && point.tcr_K_m2_per_W == 0);
+    assert_true(point.tcr_sd_K_m2_per_W == 0 && point.load == model->full_load);
+    statistical_at(&again, model, model->full_d);
+    assert_near(again.area_ratio, 1, 1e-12);
+    assert_near(model->beta, -2 * again.separation_m / model->surface.sigma_m, 1e-14);
+}
+
+/** Nayak from just above its limit over 0.9 to 1e6, slopes from 1e-6 to 10 (mean square), every material. */
+static void every_surface_in_every_material(void **state)
+{
+    (void)state;
+    static const double nayaks[] = {0.89696, 0.9, 1.5, 30, 1e6}, slopes[] = {1e-6, 1e-3, 10};
+    for (int k = 0; k < 5; k++)
+        for (int s = 0; s < 3; s++) {
+            struct asperities surface = surface_of(1e-14, slopes[s], nayaks[k] * slopes[s] * slopes[s] / 1e-14);
+            assert_near(surface.nayak, nayaks[k], 1e-12);
+            for (int y = 0; y < HARD_YIELD_RATIOS; y++)
+                for (int n = 0; n < HARD_NUS; n += 3)
+                    for (int law = 0; law < ASPERITY_LAW_COUNT; law++) {
+                        struct material_pair pair = hard_pair(hard_yield_ratios[y], hard_nus[n]);
+                        struct statistical model = make(&surface, &pair, law, INFINITY);
+                        check_curve(&model);
+                        statistical_free(&model);
+                    }
+        }
+}
+
+/** F_1(h) = phi(h) - h F_0(h), in long double, by bisection: an independent root of A = A_n. */
+static double bracketed_root(const struct asperities *surface)
+{
+    long double full = 1 / (M_PI * surface->density_per_m2 * surface->radius_m * surface->sigma_s_m), low = -200,
+                high = 20;
+    for (int i = 0; i < 200; i++) {
+        long double h = (low + high) / 2;
+        long double f = expl(-h * h / 2) / sqrtl(2 * M_PIl) - h * erfcl(h / M_SQRT2l) / 2;
+        if (f > full)
+            low = h;
+        else
+            high = h;
+    }
+    return (double)low;
+}
+
+/** Full contact from -60 sigma_s to +8 sigma_s: A = A_n at the root to 1e-12 for both laws. */
+static void roots_of_full_contact(void **state)
+{
+    (void)state;
+    struct material_pair pair = hard_tin();
+    for (double target = -60; target <= 8; target += 2) {
+        struct asperities surface = {
+            .radius_m = 1e-5, .sigma_s_m = 1e-7, .offset_m = 5e-8, .sigma_m = 1.2e-7, .nayak = 10};
+        struct gaussian_integrals f = gaussian_integrals(target);
+        surface.density_per_m2 = 1 / (M_PI * surface.radius_m * surface.sigma_s_m * f.one) * exp(-f.log_factor);
+        double d[ASPERITY_LAW_COUNT];
+        for (int law = 0; law < ASPERITY_LAW_COUNT; law++) {
+            struct statistical model = make(&surface, &pair, law, INFINITY);
+            check_curve(&model);
+            struct contact_point point;
+            statistical_at(&point, &model, model.full_d);
+            assert_near(point.area_ratio, 1, 1e-12);
+            d[law] = model.full_d;
+            statistical_free(&model);
+        }
+        assert_within(d[ASPERITY_HERTZ], target, 1e-10 * fmax(1, fabs(target)));
+        assert_within(d[ASPERITY_HERTZ], bracketed_root(&surface), 1e-10 * fmax(1, fabs(target)));
+        assert_true(d[ASPERITY_JG] >= d[ASPERITY_HERTZ]); /* the larger area: beta_JG <= beta_GW */
+    }
+}
+
+/** Any first guess leads to the same solution. */
+static void first_guess_does_not_matter(void **state)
+{
+    (void)state;
+    static const double guesses[] = {-1e300, -1e9, -60, 0, 40, 1e4, 1e9, 1e300};
+    struct material_pair pair = hard_tin();
+    struct asperities surface = surface_of(1.156e-13, 0.0012, 4.5e8);
+    for (int law = 0; law < ASPERITY_LAW_COUNT; law++) {
+        struct statistical model = make(&surface, &pair, law, INFINITY);
+        for (double load = 1e-100; load < model.full_load; load *= 1e11) {
+            double first = 3;
+            struct contact_point point;
+            assert_true(statistical_solve(&point, &model, load, &first));
+            for (size_t i = 0; i < sizeof guesses / sizeof guesses[0]; i++) {
+                double d = guesses[i];
+                assert_true(statistical_solve(&point, &model, load, &d));
+                assert_within(d, first, 1e-12 * fmax(1, fabs(first)));
+            }
+        }
+        statistical_free(&model);
+    }
+}
+
+/** The share of the load on asperities whose a/R is clamped to 1, against an adaptive integration. */
+struct integrand {
+    const struct statistical *model;
+    double d;
+};
+
+static double load_density(double u, void *context)
+{
+    const struct integrand *in = context;
+    struct asperity_contact contact;
+    asperity_laws[ASPERITY_JG].press(&contact, &in->model->asperity, u * in->model->surface.sigma_s_m);
+    return contact.load_N * exp(-(u + in->d) * (u + in->d) / 2);
+}
+
+static void saturation_is_counted(void **state)
+{
+    (void)state;
+    struct material_pair pair = hard_tin();
+    struct asperities surface = surface_of(1e-14, 1e-2, 1e14); /* sharp: R = 66 nm below sigma_s = 100 nm */
+    struct statistical model = make(&surface, &pair, ASPERITY_JG, -3);
+    gsl_integration_workspace *workspace = gsl_integration_workspace_alloc(2000);
+    double border = asperity_interference_at(&model.asperity, 1) / surface.sigma_s_m, previous = 0;
+    for (double d = 4; d >= -3; d -= 0.7) {
+        struct integrand in = {&model, d};
+        gsl_function f = {load_density, &in};
+        double inside, saturated, error;
+        gsl_integration_qag(&f, 0, border, 0, 1e-10, 2000, GSL_INTEG_GAUSS41, workspace, &inside, &error);
+        gsl_integration_qag(&f, border, 14, 0, 1e-10, 2000, GSL_INTEG_GAUSS41, workspace, &saturated, &error);
+        struct contact_point point;
+        statistical_at(&point, &model, d);
+        assert_near(point.saturated, saturated / (inside + saturated), 1e-8);
+        assert_true(point.saturated > previous && point.saturated < 1);
+        previous = point.saturated;
+    }
+    gsl_integration_workspace_free(workspace);
+    statistical_free(&model);
+}
+
+/** Largest second difference of ln A, ln P and ln ECR over a grid in d. */
+static double largest_bend(const struct statistical *model, double from, double to, int points)
+{
+    double largest = 0, past[2][3] = {{0}};
+    for (int i = 0; i <= points; i++) {
+        struct contact_point point;
+        statistical_at(&point, model, from + (to - from) * i / points);
+        double value[3] = {log(point.area_ratio), log(point.load), log(point.ecr_ohm_m2)};
+        for (int k = 0; k < 3; k++) {
+            if (i > 1)
+                largest = fmax(largest, fabs(value[k] - 2 * past[1][k] + past[0][k]));
+            past[0][k] = past[1][k];
+            past[1][k] = value[k];
+        }
+    }
+    return largest;
+}
+
+/** Curves have no jump and no kink, also where the methods for F_n change hands (d = -8, 2): with half the step every
+ * second difference falls to a quarter. */
+static void curves_do_not_jump(void **state)
+{
+    (void)state;
+    enum { POINTS = 100000 / HARD_COARSER / 4 };
+    struct material_pair pair = hard_tin();
+    struct asperities narrow = surface_of(1e-14, 1e-6, 90), moderate = surface_of(1.156e-13, 0.0012, 4.5e8);
+    for (int s = 0; s < 2; s++)
+        for (int law = 0; law < ASPERITY_LAW_COUNT; law++) {
+            struct statistical model = make(s == 0 ? &narrow : &moderate, &pair, law, INFINITY);
+            double from = fmax(-10, model.full_d + 0.1);
+            double coarse = largest_bend(&model, from, 10, POINTS / 2), fine = largest_bend(&model, from, 10, POINTS);
+            assert_true(fine > 0 && fine < 0.27 * coarse + 2e-12);
+            statistical_free(&model);
+        }
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(matches_reference_far_out),
+        cmocka_unit_test(no_summit_variance),
+        cmocka_unit_test(every_surface_in_every_material),
+        cmocka_unit_test(roots_of_full_contact),
+        cmocka_unit_test(first_guess_does_not_matter),
+        cmocka_unit_test(saturation_is_counted),
+        cmocka_unit_test(curves_do_not_jump),
+    };
+    hard_start(argc, argv);
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
