@@ -39,6 +39,7 @@ if (words(style_words) != BLOCKS) {
 in_lines = ''
 in_points = ''
 do for [i = 1:BLOCKS] {
+    if (band(word(style_words, i)) || word(style_words, i) eq 'meas') { continue }
     if (ROWS[i] > 1) { in_lines = in_lines . sprintf(' %d', i) }
     if (ROWS[i] == 1) { in_points = in_points . sprintf(' %d', i) }
 }

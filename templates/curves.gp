@@ -2,7 +2,8 @@
 #   call 'curves.gp' DATA OUTPUT TITLE XLABEL YLABEL LOGARITHMIC STYLES [AXES]
 # LOGARITHMIC: 'xy', 'x', 'y' or ''. STYLES: one word a block of DATA: s1..s8 surfaces, me mp gw jg models, gwa jga adjusted
 # separation, meS mpS gwS jgS scale-dependent, r1..r9 steps of a sweep; with x at its end the part of that curve outside
-# its range of validity, which gets no legend entry. AXES: 'A B C': the x axis holds at least A to B; the y axis ends a
+# its range of validity, with b the band of repeated scans around it (rows x,low,high); these get no legend entry. meas:
+# measured points (rows x,y,low,high). AXES: 'A B C': the x axis holds at least A to B; the y axis ends a
 # little below C when the data go further down (0: it does not).
 data = ARG1; output = ARG2; title_text = ARG3; x_label = ARG4; y_label = ARG5; logarithmic = ARG6; style_words = ARG7
 axes = ARGC > 7 ? ARG8 : ''
@@ -13,13 +14,16 @@ load 'blocks.gp'
 
 # NUMBER counts the curves, one for a stem: their letter in text mode, the stagger of their markers otherwise.
 array NUMBER[64]
-solid = ''; dashed = ''; marked = ''; entries = ''; stems = ' '; numbers = 0
+solid = ''; dashed = ''; marked = ''; bands = ''; measured = ''; entries = ''; stems = ' '; numbers = 0
 do for [i = 1:BLOCKS] {
     w = word(style_words, i)
     if (!known(w)) { exit error sprintf("'%s' is not a style word", w) }
     NUMBER[i] = 0
     do for [j = 1:i - 1] { if (stem(word(style_words, j)) eq stem(w)) { NUMBER[i] = NUMBER[j] } }
     if (NUMBER[i] == 0) { numbers = numbers + 1; NUMBER[i] = numbers }
+    if (ROWS[i] > 1 && band(w)) { bands = bands . sprintf(' %d', i) }
+    if (ROWS[i] > 0 && w eq 'meas') { measured = measured . sprintf(' %d', i) }
+    if (band(w) || w eq 'meas') { continue }
     if (ROWS[i] > 1 && outside(w)) { dashed = dashed . sprintf(' %d', i) }
     if (ROWS[i] > 1 && !outside(w)) { solid = solid . sprintf(' %d', i) }
     if (ROWS[i] > 0) { stems = stems . stem(w) . ' ' }
@@ -34,12 +38,16 @@ longest = 1; count = 0
 do for [i = 1:BLOCKS] {
     w = word(style_words, i)
     LEGEND[i] = short(LEGEND[i], 60)
+    if (band(w) || w eq 'meas') { continue }
     if (!outside(w) && strstrt(stems, ' ' . w . ' ')) {
         entries = entries . sprintf(' %d', i); count = count + 1; longest = most(longest, strlen(LEGEND[i]))
     }
     if (ROWS[i] > 1 && !outside(w) && shape(w) > 0) { marked = marked . sprintf(' %d', i) }
 }
 note_outside = 'outside the range of validity'
+note_band = 'one standard deviation of the scans'
+if (strlen(bands) && !text_mode) { count = count + 1; longest = most(longest, strlen(note_band)) }
+if (strlen(measured)) { count = count + 1; longest = most(longest, 8) }
 if (strlen(dashed)) { count = count + 1; longest = most(longest, strlen(note_outside)) }
 load 'legend.gp'
 if (words(axes) == 3 && !empty) {
@@ -67,7 +75,11 @@ if (text_mode) {
         ', for [i in in_points] data index int(i) - 1 using 1:2 with points pt NUMBER[int(i)] notitle' }
     if (strlen(entries)) { command = command . \
         ', for [i in entries] keyentry with points pt NUMBER[int(i)] title LEGEND[int(i)]' }
+    if (strlen(measured)) { command = command . \
+        ', for [i in measured] data index int(i) - 1 using 1:2 with points pt 15 title "measured"' }
 } else {
+    if (strlen(bands)) { command = command . \
+        ', for [i in bands] data index int(i) - 1 using 1:2:3 with filledcurves fc rgb hue(int(i)) fs transparent solid 0.2 noborder notitle' }
     if (strlen(dashed)) { command = command . \
         ', for [i in dashed] data index int(i) - 1 using 1:2 with lines dt (7,4) lw 1.3 lc rgb hue(int(i)) notitle' }
     if (strlen(solid)) { command = command . \
@@ -82,6 +94,10 @@ if (text_mode) {
         'pt shape(word(style_words, int(i))) ps size(word(style_words, int(i))) title LEGEND[int(i)]' }
     if (strlen(dashed)) { command = command . \
         ', keyentry with lines dt (7,4) lw 1.3 lc rgb quiet title note_outside' }
+    if (strlen(bands)) { command = command . \
+        ', keyentry with boxes fc rgb quiet fs transparent solid 0.3 noborder title note_band' }
+    if (strlen(measured)) { command = command . \
+        ', for [i in measured] data index int(i) - 1 using 1:2:3:4 with yerrorbars pt 2 ps 0.9 lw 1.4 lc rgb ink title "measured"' }
 }
 eval command
 set output

@@ -29,10 +29,13 @@ colour_c6 = colour_s6; colour_c7 = colour_s7; colour_c8 = colour_s8; colour_c9 =
 marker_c1 = 7; marker_c2 = 5; marker_c3 = 9; marker_c4 = 13; marker_c5 = 11
 marker_c6 = 6; marker_c7 = 4; marker_c8 = 8; marker_c9 = 12
 
+colour_meas = ink
+
 # A style word is a name of the tables above, then perhaps `a` (adjusted) or `S` (scale-dependent), then perhaps `x`
-# (outside the range of validity).
+# (outside the range of validity) or `b` (the band of repeated scans). `meas` is what was measured.
 outside(w) = strlen(w) > 1 && w[strlen(w):*] eq 'x'
-stem(w) = outside(w) ? w[1:strlen(w) - 1] : w
+band(w) = strlen(w) > 1 && w[strlen(w):*] eq 'b'
+stem(w) = outside(w) || band(w) ? w[1:strlen(w) - 1] : w
 adjusted(w) = strlen(stem(w)) == 3 && stem(w)[3:3] eq 'a'
 scaled(w) = strlen(stem(w)) == 3 && stem(w)[3:3] eq 'S'
 base(w) = adjusted(w) || scaled(w) ? stem(w)[1:2] : stem(w)

@@ -1,5 +1,7 @@
 #include "chart/figure.h"
 
+#include "results/measured.h"
+
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>
@@ -132,6 +134,57 @@ static void put_curve(struct figure_file *out, const struct model_curve *curve, 
                   coordinate(&curve->points[i], out->row->y, variant, sigma_m));
 }
 
+/** Limits of one quantity of a band, NULL when bands do not show it. */
+static const double *band_of(const struct spread_band *band, enum figure_axis axis)
+{
+    switch (axis) {
+    case FIGURE_AREA:
+        return band->area;
+    case FIGURE_SEPARATION:
+        return band->separation_m;
+    case FIGURE_ECR:
+        return band->ecr_ohm_m2;
+    case FIGURE_TCR:
+        return band->tcr_K_m2_per_W;
+    case FIGURE_LOAD:
+    case FIGURE_WAVELENGTH:
+        break;
+    }
+    return NULL;
+}
+
+/** The band of repeated scans against load, where there is one. */
+static void put_band(struct figure_file *out, const struct surface_record *record, enum model_id model,
+                     const char *style)
+{
+    if (!record->bands[model] || out->row->x != FIGURE_LOAD || !band_of(record->bands[model], out->row->y))
+        return;
+    double scale = out->row->y == FIGURE_SEPARATION ? 1 / record->summary.asperities.sigma_m : 1;
+    char band_style[32];
+    snprintf(band_style, sizeof band_style, "%sb", style);
+    begin_block(out, band_style, "band");
+    for (size_t i = 0; i < record->band_count; i++) {
+        const struct spread_band *band = &record->bands[model][i];
+        const double *limits = band_of(band, out->row->y);
+        bool drawable = isfinite(limits[0]) && isfinite(limits[1]) && (!axes[out->row->y].logarithmic || limits[0] > 0);
+        if (drawable)
+            fprintf(out->file, "%.17g,%.17g,%.17g\n", band->load, limits[0] * scale, limits[1] * scale);
+    }
+}
+
+/** What was measured, with its error where one is given. */
+static void put_measured(struct figure_file *out, const struct measured *measured)
+{
+    if (!measured || out->row->y != (measured->thermal ? FIGURE_TCR : FIGURE_ECR))
+        return;
+    begin_block(out, "meas", "measured");
+    for (size_t i = 0; i < measured->count; i++) {
+        double value = measured->resistance[i], error = isnan(measured->error[i]) ? 0 : measured->error[i];
+        fprintf(out->file, "%.17g,%.17g,%.17g,%.17g\n", measured->load[i], value, fmax(value - error, value * 1e-3),
+                value + error);
+    }
+}
+
 static void put_models(struct figure_file *out, const struct surface_record *record, const struct plan *plan)
 {
     double sigma_m = record->summary.asperities.sigma_m;
@@ -141,6 +194,8 @@ static void put_models(struct figure_file *out, const struct surface_record *rec
         char style[32], legend[80];
         if (!curve->exists)
             continue;
+        if (out->row->y != FIGURE_SEPARATION || model->family == SCENE_MODEL_MULTISCALE)
+            put_band(out, record, (enum model_id)m, model->style);
         put_curve(out, curve, model, VARIANT_PLAIN, sigma_m, model->style, model->label);
         if (out->row->y == FIGURE_SEPARATION && model->family == SCENE_MODEL_STATISTICAL) {
             snprintf(style, sizeof style, "%sa", model->style);
@@ -203,6 +258,7 @@ static enum status_code put_surfaces(struct figure_file *out, const struct resul
         } else {
             const struct model_row *model = &model_rows[row->model];
             enum variant variant = model->family == SCENE_MODEL_STATISTICAL ? VARIANT_ADJUSTED : VARIANT_PLAIN;
+            put_band(out, &record, row->model, style);
             put_curve(out, &record.curves[row->model], model, variant, record.summary.asperities.sigma_m, style,
                       legend);
         }
@@ -303,9 +359,10 @@ static enum status_code write_figure(const struct figure_row *row, const struct 
         put_sweep(&out, results);
     else if (row->kind == FIGURE_COST)
         put_cost(&out, results->cost);
-    else if (row->kind == FIGURE_MODELS)
+    else if (row->kind == FIGURE_MODELS) {
         put_models(&out, baseline, results->plan);
-    else
+        put_measured(&out, results->measured);
+    } else
         rc = put_surfaces(&out, results, status);
     bool bad = ferror(out.file);
     if (fclose(out.file) != 0 || bad)

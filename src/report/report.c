@@ -51,7 +51,7 @@ static bool figure(struct text *out, const char *number, const struct section_co
 static bool field(struct text *out, const char *name, void *data)
 {
     const struct section_context *context = data;
-    const struct section_row *lists[] = {section_summary, section_tables, section_prose, section_cost};
+    const struct section_row *lists[] = {section_summary, section_tables, section_prose, section_cost, section_repeat};
     bool on;
     if (flag(name, context->results->plan, &on)) {
         if (on)

@@ -54,13 +54,17 @@ struct study_extremes section_models(const struct section_context *context, enum
 void section_each_surface(struct text *out, const struct section_context *context,
                           void (*row)(struct text *out, const struct section_context *context, size_t index))
 {
-    for (size_t i = 0; i < context->results->spool->count; i++)
+    size_t rows = 0;
+    for (size_t i = 0; i < context->results->spool->count && rows < SECTION_ROWS; i++)
         if (section_surface(context, i)->usable) {
             text_add(out, "| ");
             words_surface(out, context->results, i);
             row(out, context, i);
             text_add(out, " |\n");
+            rows++;
         }
+    if (rows < context->results->usable_count)
+        text_add(out, "| … %zu more in data/ |\n", context->results->usable_count - rows);
 }
 
 void section_cell(struct text *out, double value, int digits)

@@ -20,6 +20,11 @@ struct section_row {
 extern const struct section_row section_summary[];
 extern const struct section_row section_prose[];
 extern const struct section_row section_tables[];
+extern const struct section_row section_repeat[];
+
+/** Surfaces that a table or list of the report shows at most; data/ and results.json have all. */
+enum { SECTION_ROWS = 100 };
+
 extern const struct section_row section_cost[];
 
 /** The caption's text of a figure: its title and one sentence on what is seen in it. */

@@ -244,9 +244,12 @@ static void surface_validity(struct text *out, const struct section_context *con
         section_load_cell(out, s->models[MODEL_JG].exists ? s->models[MODEL_JG].invalid_fit_load : NAN);
         double outside = s->models[MODEL_JG].most_outside;
         section_cell(out, s->models[MODEL_JG].exists ? outside < 1e-4 ? 0 : 100 * outside : NAN, 3);
+        double saturated = s->models[MODEL_JG].most_saturated;
+        section_cell(out, s->models[MODEL_JG].exists ? saturated < 1e-4 ? 0 : 100 * saturated : NAN, 3);
     }
     if (model_called_for(MODEL_MULTISCALE_PLASTIC, plan->families, plan->running))
-        text_add(out, " | %zu of %zu", s->models[MODEL_MULTISCALE_PLASTIC].yielding_scales, s->harmonics);
+        text_add(out, " | %zu of %zu | %llu", s->models[MODEL_MULTISCALE_PLASTIC].yielding_scales, s->harmonics,
+                 (unsigned long long)s->models[MODEL_MULTISCALE_PLASTIC].clamped);
 }
 
 static void validity_table(struct text *out, const struct section_context *context)
@@ -257,9 +260,11 @@ static void validity_table(struct text *out, const struct section_context *conte
     bool plastic = model_called_for(MODEL_MULTISCALE_PLASTIC, plan->families, plan->running);
     text_add(out, "| surface | end-to-end jump (µm) | its leak (%% of fit)%s%s%s |\n|---|---:|---:|%s%s%s\n",
              gw ? " | GW: A/Aₙ > 0.1 from" : "",
-             jg ? " | JG: A/Aₙ > 0.1 from | JG: 10 % of load beyond a/R = 0.41 from | largest share beyond (%)" : "",
-             plastic ? " | scales that can yield" : "", gw ? "---:|" : "", jg ? "---:|---:|---:|" : "",
-             plastic ? "---:|" : "");
+             jg ? " | JG: A/Aₙ > 0.1 from | JG: 10 % of load beyond a/R = 0.41 from | largest share beyond (%) | "
+                  "clamped at a/R = 1 (%)"
+                : "",
+             plastic ? " | scales that can yield | areas limited" : "", gw ? "---:|" : "",
+             jg ? "---:|---:|---:|---:|" : "", plastic ? "---:|---:|" : "");
     section_each_surface(out, context, surface_validity);
 }
 
@@ -287,32 +292,40 @@ static void inputs_table(struct text *out, const struct section_context *context
     section_each_surface(out, context, surface_inputs);
 }
 
+/** One line of the lists of notes and refusals. */
+static void list_item(struct text *out, const struct section_context *context, size_t index, const char *line)
+{
+    text_add(out, "- ");
+    words_surface(out, context->results, index);
+    text_add(out, ": ");
+    text_add_markdown(out, line);
+    text_add(out, "\n");
+}
+
 static void notes(struct text *out, const struct section_context *context)
 {
+    size_t items = 0;
     for (size_t i = 0; i < context->results->spool->count; i++)
         for (const char *line = section_surface(context, i)->notes; line && *line;) {
             char single[1200];
             size_t length = strcspn(line, "\n");
             snprintf(single, sizeof single, "%.*s", (int)length, line);
-            text_add(out, "- ");
-            words_surface(out, context->results, i);
-            text_add(out, ": ");
-            text_add_markdown(out, single);
-            text_add(out, "\n");
+            if (items++ < SECTION_ROWS)
+                list_item(out, context, i, single);
             line += length + (line[length] == '\n');
         }
+    if (items > SECTION_ROWS)
+        text_add(out, "- … %zu more in results.json\n", items - SECTION_ROWS);
 }
 
 static void refused(struct text *out, const struct section_context *context)
 {
+    size_t items = 0;
     for (size_t i = 0; i < context->results->spool->count; i++)
-        if (section_surface(context, i)->refusal) {
-            text_add(out, "- ");
-            words_surface(out, context->results, i);
-            text_add(out, ": ");
-            text_add_markdown(out, section_surface(context, i)->refusal);
-            text_add(out, "\n");
-        }
+        if (section_surface(context, i)->refusal && items++ < SECTION_ROWS)
+            list_item(out, context, i, section_surface(context, i)->refusal);
+    if (items > SECTION_ROWS)
+        text_add(out, "- … %zu more in results.json\n", items - SECTION_ROWS);
 }
 
 /** What was learned of each model of the baseline: a row a model, a column an effect. */

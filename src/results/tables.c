@@ -44,10 +44,9 @@ static bool column_present(const struct column *column, const struct plan *plan)
 
 static void number(struct text *row, double value)
 {
-    if (isnan(value)) /* not computed for this row: an empty cell */
-        text_add_bytes(row, ",", 1);
-    else
-        text_add(row, ",%.17g", value);
+    char cell[32] = ","; /* not computed for this row: an empty cell */
+    int length = isnan(value) ? 1 : snprintf(cell, sizeof cell, ",%.17g", value);
+    text_add_bytes(row, cell, (size_t)length);
 }
 
 static FILE *open_table(const char *directory, const char *name, struct status *status)

@@ -128,8 +128,10 @@ static enum status_code evaluate(struct run *run, struct run_outcome *out, struc
         rc = rank_surfaces(run, status);
     if (rc == STATUS_OK)
         rc = workers_run(run->results, workers_model, run->options, status);
+    double last = clock_seconds();
     if (rc == STATUS_OK && plan_runs(&prepared->plan, EFFECT_CONVERGENCE))
         rc = run_sweeps(run, status);
+    out->times.convergence = lap(&last);
     if (rc == STATUS_OK && !run->options->no_cost) {
         rc = cost_measure(&run->cost, run->results, status);
         run->results->cost = &run->cost;

@@ -46,7 +46,7 @@ static struct material copper_like(double conductivity, double resistivity, doub
 
 static struct sinusoid_cell cell_of(double area_ratio)
 {
-    return (struct sinusoid_cell){area_ratio, 1 - area_ratio, 0};
+    return (struct sinusoid_cell){.area_ratio = area_ratio, .area_complement = 1 - area_ratio};
 }
 
 /* physics §7 written out for one scale on the whole nominal area: n = 2f² spots a unit area, all in parallel. */

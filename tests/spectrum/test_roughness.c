@@ -157,8 +157,13 @@ static void test_the_least_nayak_parameter(void **state)
         struct asperities a;
         struct status status = {0};
         r.m4_per_m2 = limit * (1 + pow(10, -e)) * r.m2 * r.m2 / r.m0_m2;
-        assert_int_equal(roughness_asperities(&a, &r, &status), STATUS_OK);
-        assert_near(a.sigma_s_m, sqrt(r.m0_m2 * pow(10, -e)), pow(10, -e) + 1e-6);
+        if (e <= 3) {
+            assert_int_equal(roughness_asperities(&a, &r, &status), STATUS_OK);
+            assert_near(a.sigma_s_m, sqrt(r.m0_m2 * pow(10, -e)), pow(10, -e) + 1e-6);
+        } else { /* what is left is the rounding of the printed 3.717e-4 */
+            assert_int_equal(roughness_asperities(&a, &r, &status), STATUS_MODEL);
+        }
+        status = (struct status){0};
         r.m4_per_m2 = limit * (1 - pow(10, -e)) * r.m2 * r.m2 / r.m0_m2;
         assert_int_equal(roughness_asperities(&a, &r, &status), STATUS_MODEL);
         assert_true(isnan(a.sigma_s_m));
@@ -169,7 +174,7 @@ static void test_the_least_nayak_parameter(void **state)
     struct status status = {0};
     r.m4_per_m2 = 0.5 * r.m2 * r.m2 / r.m0_m2;
     assert_int_equal(roughness_asperities(&a, &r, &status), STATUS_MODEL);
-    assert_non_null(strstr(status.message, "Nayak parameter 0.5 is below 0.8968"));
+    assert_non_null(strstr(status.message, "Nayak parameter 0.5 is not above 0.897"));
     assert_non_null(strstr(status.message, "models: [multiscale]")); /* the remedy */
 }
 
