@@ -1,9 +1,6 @@
 #include "chart/gnuplot.h"
 #include "cli/command.h"
-#include "profile/profile.h"
-#include "scan/scan.h"
-#include "spectrum/powerlaw.h"
-#include "spectrum/roughness.h"
+#include "cli/finding.h"
 
 #include <argp.h>
 #include <jansson.h>
@@ -16,20 +13,43 @@
 
 struct arguments {
     struct scan_options units;
+    struct profile_options how;
     bool json, no_chart;
     char **files;
     int file_count;
 };
 
-enum { KEY_X_UNIT = 0x100, KEY_Z_UNIT, KEY_JSON, KEY_NO_CHART };
+enum { KEY_X_UNIT = 0x100, KEY_Z_UNIT, KEY_JSON, KEY_NO_CHART, KEY_LEVEL, KEY_LAMBDA_S, KEY_LAMBDA_C };
 
 static const struct argp_option options[] = {
     {"json", KEY_JSON, 0, 0, "print an array of objects, one a file (default: text)", 0},
     {"no-chart", KEY_NO_CHART, 0, 0, "leave the charts out (default: drawn to the terminal's size)", 0},
     {"x-unit", KEY_X_UNIT, "UNIT", 0, "unit of x where the file names none (default: such a file is refused)", 0},
     {"z-unit", KEY_Z_UNIT, "UNIT", 0, "unit of z where the file names none (default: such a file is refused)", 0},
+    {"level", KEY_LEVEL, "NAME", 0, "none, mean, line, parabola, circle or robust (default: line; maps: plane)", 0},
+    {"lambda-s", KEY_LAMBDA_S, "METRES", 0, "cut-off of a Gaussian low-pass (default: none; profiles only)", 0},
+    {"lambda-c", KEY_LAMBDA_C, "METRES", 0, "cut-off of a high-pass: R beside P parameters (default: none)", 0},
     {0},
 };
+
+/** A length in metres that is given as an option. */
+static double parse_length(const char *text, struct argp_state *state)
+{
+    char *end;
+    double value = strtod(text, &end);
+    if (end == text || *end != '\0' || !(value >= 1e-12 && value <= 1e3))
+        argp_error(state, "'%s' is no length in metres, 1e-12 to 1000", text);
+    return value;
+}
+
+static enum scene_level parse_level(const char *name, struct argp_state *state)
+{
+    for (int level = 0; level < SCENE_LEVEL_COUNT; level++)
+        if (strcmp(name, scene_level_names[level]) == 0)
+            return (enum scene_level)level;
+    argp_error(state, "unknown level '%s'; allowed: none, mean, line, parabola, circle, robust", name);
+    return SCENE_LEVEL_LINE;
+}
 
 static error_t parse(int key, char *value, struct argp_state *state)
 {
@@ -47,6 +67,19 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case KEY_Z_UNIT:
         arguments->units.z_unit = value;
         return 0;
+    case KEY_LEVEL:
+        arguments->how.level = parse_level(value, state);
+        return 0;
+    case KEY_LAMBDA_S:
+        arguments->how.lambda_s_m = parse_length(value, state);
+        return 0;
+    case KEY_LAMBDA_C:
+        arguments->how.lambda_c_m = parse_length(value, state);
+        return 0;
+    case ARGP_KEY_END:
+        if (arguments->how.lambda_c_m > 0 && arguments->how.lambda_c_m <= arguments->how.lambda_s_m)
+            argp_error(state, "--lambda-c is not above --lambda-s; nothing would be left between them");
+        return 0;
     case ARGP_KEY_ARGS:
         arguments->files = state->argv + state->next;
         arguments->file_count = state->argc - state->next;
@@ -57,42 +90,6 @@ static error_t parse(int key, char *value, struct argp_state *state)
     default:
         return ARGP_ERR_UNKNOWN;
     }
-}
-
-/** What one file says. */
-struct finding {
-    struct scan scan;
-    struct profile profile;
-    struct spectrum spectrum;
-    struct roughness roughness;
-    struct powerlaw law;
-};
-
-static enum status_code look(struct finding *out, const char *path, const struct scan_options *units,
-                             struct status *status)
-{
-    static const double all[2] = {0, INFINITY};
-    *out = (struct finding){0};
-    if (scan_read(&out->scan, path, units, status) != STATUS_OK)
-        return status->code;
-    if (out->scan.kind == SCAN_AREAL)
-        return status_fail(status, STATUS_SCAN, "%s: an areal map; export a profile from it", path);
-    if (profile_make(&out->profile, &out->scan, 0, SCENE_LEVEL_LINE, status) != STATUS_OK)
-        return status_prefix(status, "%s", path);
-    const struct profile *profile = &out->profile;
-    out->roughness = roughness_of_heights(profile->height_m, profile->points, profile->spacing_m);
-    if (spectrum_compute(&out->spectrum, profile->height_m, profile->points, profile->spacing_m, SCENE_WINDOW_NONE,
-                         status) != STATUS_OK)
-        return status->code;
-    out->law = powerlaw_fit(&out->spectrum, all);
-    return STATUS_OK;
-}
-
-static void finding_free(struct finding *finding)
-{
-    spectrum_free(&finding->spectrum);
-    profile_free(&finding->profile);
-    scan_free(&finding->scan);
 }
 
 static json_t *real(double value)
@@ -113,13 +110,14 @@ static json_t *string(const char *value)
 static json_t *finding_json(const char *path, const struct finding *f)
 {
     json_t *warnings = json_array();
-    for (size_t w = 0; w < f->scan.warning_count; w++)
-        json_array_append_new(warnings, string(f->scan.warnings[w]));
-    json_t *json =
-        json_pack("{s:o, s:s, s:s, s:I, s:o, s:o, s:s, s:s, s:I}", "file", string(path), "format", f->scan.format,
-                  "kind", "profile", "points", (json_int_t)f->scan.nx, "spacing_m", real(f->profile.spacing_m),
-                  "length_m", real((double)(f->scan.nx - 1) * f->profile.spacing_m), "x_unit", f->scan.x_unit, "z_unit",
-                  f->scan.z_unit, "missing", (json_int_t)f->scan.missing);
+    const char *warning;
+    for (size_t w = 0; (warning = finding_warning(f, w)); w++)
+        json_array_append_new(warnings, string(warning));
+    json_t *json = json_pack("{s:o, s:s, s:s, s:I, s:o, s:o, s:s, s:s, s:I}", "file", string(path), "format",
+                             f->scan.format, "kind", f->scan.kind == SCAN_AREAL ? "areal" : "profile", "points",
+                             (json_int_t)(f->scan.nx * f->scan.ny), "spacing_m", real(finding_spacing_m(f)), "length_m",
+                             real(finding_length_m(f)), "x_unit", f->scan.x_unit, "z_unit", f->scan.z_unit, "missing",
+                             (json_int_t)f->scan.missing);
     const struct {
         const char *key;
         double value;
@@ -129,31 +127,41 @@ static json_t *finding_json(const char *path, const struct finding *f)
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
         json_object_set_new(json, numbers[i].key, real(numbers[i].value));
     json_object_set_new(json, "warnings", warnings);
+    finding_add_json(json, f);
     return json;
 }
 
 static void print_finding(const char *path, const struct finding *f)
 {
     const struct roughness *r = &f->roughness;
-    static const char *const grids[] = {"uniform", "rounded x, mean spacing used", "uneven x, interpolated"};
+    static const char *const grids[] = {"uniform", "rounded x, nominal spacing used", "uneven x, interpolated"};
+    static const char *const level_labels[SCENE_LEVEL_COUNT] = {"as it is",     "mean out", "line out",
+                                                                "parabola out", "arc out",  "robust line"};
     struct text name = {0};
     text_add_shown(&name, path);
     printf("%s\n", text_string(&name));
     text_free(&name);
     printf("  format      %s, x in %s, z in %s\n", f->scan.format, f->scan.x_unit, f->scan.z_unit);
-    printf("  points      %zu, spacing %.6g um (%s), length %.6g mm\n", f->scan.nx, f->profile.spacing_m * 1e6,
-           grids[f->profile.grid], (double)(f->scan.nx - 1) * f->profile.spacing_m * 1e3);
-    printf("  line out    tilt %.4g um/mm, end-to-end jump left %.4g um\n", f->profile.tilt * 1e3,
-           f->profile.end_jump_m * 1e6);
+    if (f->scan.kind == SCAN_AREAL)
+        printf("  points      %zu x %zu, spacing %.6g um x %.6g um, %zu missing\n", f->scan.nx, f->scan.ny,
+               f->scan.dx_m * 1e6, f->scan.dy_m * 1e6, f->scan.missing);
+    else
+        printf("  points      %zu, spacing %.6g um (%s), length %.6g mm\n", f->scan.nx, f->profile.spacing_m * 1e6,
+               grids[f->profile.grid], finding_length_m(f) * 1e3);
+    if (f->scan.kind == SCAN_PROFILE)
+        printf("  %-11s tilt %.4g um/mm, end-to-end jump left %.4g um\n", level_labels[f->options.level],
+               f->profile.tilt * 1e3, f->profile.end_jump_m * 1e6);
+    finding_print(f);
     printf("  roughness   Rq %.6g um, Ra %.6g um, peak to valley %.6g um\n", r->rq_m * 1e6, r->ra_m * 1e6,
            r->pv_m * 1e6);
     printf("  moments     m2 %.6g, m4 %.6g /um2, Nayak %.4g\n", r->m2, r->m4_per_m2 * 1e-12,
            r->m0_m2 / r->m2 * (r->m4_per_m2 / r->m2));
     printf("  power law   alpha %.4g +- %.2g, gamma %.3f +- %.3f, scatter %.3f decades\n", f->law.alpha,
            f->law.alpha_error, f->law.gamma, f->law.gamma_error, f->law.rms_decades);
-    for (size_t w = 0; w < f->scan.warning_count; w++) {
+    const char *warning;
+    for (size_t w = 0; (warning = finding_warning(f, w)); w++) {
         struct text note = {0};
-        text_add_shown(&note, f->scan.warnings[w]);
+        text_add_shown(&note, warning);
         printf("  note        %s\n", text_string(&note));
         text_free(&note);
     }
@@ -245,7 +253,7 @@ int command_inspect(int argc, char **argv)
     static const struct argp argp = {
         options, parse, "FILE...", "Says what is in each scan: format, points, spacing, units, roughness, power law.",
         NULL,    NULL,  NULL};
-    struct arguments arguments = {.units = {"", ""}};
+    struct arguments arguments = {.units = {"", ""}, .how = profile_defaults};
     argp_parse(&argp, argc, argv, 0, NULL, &arguments);
     json_t *all = json_array();
     int refused = 0;
@@ -253,7 +261,7 @@ int command_inspect(int argc, char **argv)
         struct status status = {0}, chart = {0};
         struct finding finding;
         const char *path = arguments.files[i];
-        if (look(&finding, path, &arguments.units, &status) != STATUS_OK) {
+        if (finding_make(&finding, path, &arguments.units, &arguments.how, &status) != STATUS_OK) {
             refused++;
             if (arguments.json)
                 json_array_append_new(all, error_json(path, status.message));
@@ -263,7 +271,8 @@ int command_inspect(int argc, char **argv)
             json_array_append_new(all, finding_json(path, &finding));
         } else {
             print_finding(path, &finding);
-            if (!arguments.no_chart && draw(&finding, &chart) != STATUS_OK)
+            if (!arguments.no_chart && finding.profile.points > 0 && finding.spectrum.count > 0 &&
+                draw(&finding, &chart) != STATUS_OK)
                 command_complain("no charts: ", chart.message);
         }
         finding_free(&finding);

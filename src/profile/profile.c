@@ -1,130 +1,168 @@
 #include "profile/profile.h"
 
+#include "profile/filter.h"
+#include "profile/gaps.h"
+#include "profile/level.h"
+#include "profile/sanity.h"
+#include "profile/spacing.h"
 #include <float.h>
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_spline.h>
 #include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/** Projects the heights on orthogonal polynomials of u = -1...1 and takes them out, lowest first. */
-double profile_level(double *height_m, size_t points, enum scene_level level)
+const struct profile_options profile_defaults = {.level = SCENE_LEVEL_LINE, .max_missing = 0.1};
+
+struct profile_options profile_options_of(const struct scene *scene)
 {
-    if (level == SCENE_LEVEL_NONE)
-        return 0;
-    double count = (double)points, half = (count - 1) / 2;
-    double mean = 0;
-    for (size_t i = 0; i < points; i++)
-        mean += height_m[i] / count;
-    double slope = 0, slope_norm = 0, u_square = 0;
-    for (size_t i = 0; i < points; i++) {
-        height_m[i] -= mean;
-        double u = ((double)i - half) / half;
-        slope += u * height_m[i];
-        slope_norm += u * u;
-    }
-    if (level == SCENE_LEVEL_MEAN)
-        return 0;
-    slope /= slope_norm;
-    u_square = slope_norm / count;
-    double bend = 0, bend_norm = 0;
-    for (size_t i = 0; i < points; i++) {
-        double u = ((double)i - half) / half, form = u * u - u_square;
-        height_m[i] -= slope * u;
-        bend += form * height_m[i];
-        bend_norm += form * form;
-    }
-    if (level == SCENE_LEVEL_PARABOLA && bend_norm > 0)
-        for (size_t i = 0; i < points; i++) {
-            double u = ((double)i - half) / half;
-            height_m[i] -= bend / bend_norm * (u * u - u_square);
-        }
-    return slope / half;
+    return (struct profile_options){scene->level, scene->max_missing, scene->lambda_s_m, scene->lambda_c_m,
+                                    scene->tip_radius_m};
 }
 
-/** How x deviates from a uniform grid. */
-static enum profile_spacing judge_spacing(const double *x_m, size_t points)
+void profile_note(struct profile *profile, const char *format, ...)
 {
-    if (!x_m)
-        return PROFILE_UNIFORM;
-    double spacing = (x_m[points - 1] - x_m[0]) / (double)(points - 1);
-    double shortest = INFINITY, longest = 0, deviation = 0;
-    double kinds[5];
-    size_t kind_count = 0; /* distinct steps, up to 5 */
-    for (size_t i = 1; i < points; i++) {
-        double step = x_m[i] - x_m[i - 1];
-        shortest = fmin(shortest, step);
-        longest = fmax(longest, step);
-        deviation = fmax(deviation, fabs(x_m[i] - x_m[0] - (double)i * spacing));
-        size_t k = 0;
-        while (k < kind_count && fabs(step - kinds[k]) > 1e-4 * spacing)
-            k++;
-        if (k == kind_count && kind_count < 5)
-            kinds[kind_count++] = step;
-    }
-    if (longest - shortest <= 1e-3 * spacing)
-        return PROFILE_UNIFORM;
-    /* positions printed with too few digits: few kinds of step, and no point further off than that digit */
-    if (kind_count < 5 && deviation <= 1.05 * (longest - shortest))
-        return PROFILE_ROUNDED;
-    return PROFILE_RESAMPLED;
+    if (profile->note_count == PROFILE_NOTES)
+        return;
+    va_list args;
+    va_start(args, format);
+    vsnprintf(profile->notes[profile->note_count++], PROFILE_NOTE_LENGTH, format, args);
+    va_end(args);
 }
 
-static enum status_code resample(struct profile *profile, const struct scan *scan, const double *z_m,
-                                 struct status *status)
-{
-    gsl_interp *spline = gsl_interp_alloc(gsl_interp_steffen, profile->points);
-    gsl_interp_accel *accel = gsl_interp_accel_alloc();
-    enum status_code rc = STATUS_OK;
-    if (!spline || !accel || gsl_interp_init(spline, scan->x_m, z_m, profile->points) != GSL_SUCCESS) {
-        rc = status_memory(status);
-    } else {
-        for (size_t i = 0; i < profile->points; i++) {
-            double x = fmin(scan->x_m[0] + (double)i * profile->spacing_m, scan->x_m[profile->points - 1]);
-            profile->height_m[i] = gsl_interp_eval(spline, scan->x_m, z_m, x, accel);
-        }
-    }
-    gsl_interp_accel_free(accel);
-    gsl_interp_free(spline);
-    return rc;
-}
-
-static double peak_to_valley(const double *height_m, size_t points)
+static double peak_to_valley(const struct profile *profile)
 {
     double highest = -INFINITY, lowest = INFINITY;
-    for (size_t i = 0; i < points; i++) {
-        highest = fmax(highest, height_m[i]);
-        lowest = fmin(lowest, height_m[i]);
+    for (size_t i = 0; i < profile->points; i++) {
+        highest = fmax(highest, profile->height_m[i]);
+        lowest = fmin(lowest, profile->height_m[i]);
     }
     return highest - lowest;
 }
 
-enum status_code profile_make(struct profile *out, const struct scan *scan, size_t row, enum scene_level level,
-                              struct status *status)
+/** Keeps the measured points of an uneven scan, levelled, and puts its heights on a uniform grid. */
+static enum status_code even_out(struct profile *profile, const double *x_m, const struct profile_options *options,
+                                 struct status *status)
 {
-    *out = (struct profile){.points = scan->nx, .grid = judge_spacing(scan->x_m, scan->nx), .spacing_m = scan->dx_m};
-    const double *z_m = scan->z_m + row * scan->nx;
-    if (scan->missing > 0)
-        return status_fail(status, STATUS_SCAN, "%zu heights are missing; export the scan with the gaps filled",
-                           scan->missing);
+    size_t points = profile->points;
+    double *uniform_m = malloc(points * sizeof *uniform_m);
+    struct levelling ignored;
+    profile->measured_x_m = malloc(points * sizeof *x_m);
+    profile->measured_z_m = profile->height_m;
+    profile->height_m = uniform_m;
+    if (!uniform_m || !profile->measured_x_m)
+        return status_memory(status);
+    memcpy(profile->measured_x_m, x_m, points * sizeof *x_m);
+    if (spacing_resample(uniform_m, x_m, profile->measured_z_m, points, profile->spacing_m, status) != STATUS_OK)
+        return status->code;
+    profile_note(profile, "x is uneven; heights were interpolated (Steffen) to a uniform %.6g um",
+                 profile->spacing_m * 1e6);
+    return level_remove(&ignored, profile->measured_z_m, x_m, points, 0, options->level, status);
+}
+
+static enum status_code take_level(struct profile *profile, const struct profile_options *options,
+                                   struct status *status)
+{
+    struct levelling levelling;
+    double first_m = profile->height_m[0], before_m = peak_to_valley(profile);
+    if (before_m == 0)
+        return status_fail(status, STATUS_SCAN, "the scan is flat: every height is %.9g m; check the column", first_m);
+    if (level_remove(&levelling, profile->height_m, NULL, profile->points, profile->spacing_m, options->level,
+                     status) != STATUS_OK)
+        return status->code;
+    /* a straight scan leaves what the subtraction rounds, in units of the last place of the heights */
+    if (peak_to_valley(profile) <= 32 * DBL_EPSILON * (fabs(first_m) + before_m))
+        return status_fail(status, STATUS_SCAN,
+                           "the scan is flat: no roughness is left after level: %s; check the column",
+                           scene_level_names[options->level]);
+    profile->tilt = levelling.tilt;
+    profile->radius_m = levelling.radius_m;
+    profile->outliers = levelling.outliers;
+    if (options->level == SCENE_LEVEL_CIRCLE)
+        profile_note(profile, "an arc of radius %.6g mm (%s) was taken out", fabs(levelling.radius_m) * 1e3,
+                     levelling.radius_m < 0 ? "crown" : "hollow");
+    if (options->level == SCENE_LEVEL_ROBUST)
+        profile_note(profile, "a robust line was taken out; %zu of %zu points (%.2g %%) are outliers of it",
+                     levelling.outliers, profile->points, 100 * (double)levelling.outliers / (double)profile->points);
+    return STATUS_OK;
+}
+
+static enum status_code low_pass(struct profile *profile, double cutoff_m, struct status *status)
+{
+    if (cutoff_m < 2 * profile->spacing_m)
+        profile_note(profile, "lambda_s %.4g um is below twice the spacing: the filter takes little away",
+                     cutoff_m * 1e6);
+    profile_note(profile, "gaussian low-pass lambda_s = %.6g um (ISO 16610-21; weights renormalised at the ends)",
+                 cutoff_m * 1e6);
+    return filter_gaussian(profile->height_m, profile->points, profile->spacing_m, cutoff_m, status);
+}
+
+static enum status_code high_pass(struct profile *profile, double cutoff_m, struct status *status)
+{
+    size_t points = profile->points;
+    double length_m = (double)points * profile->spacing_m;
+    if (cutoff_m > length_m)
+        return status_fail(status, STATUS_SCAN,
+                           "lambda_c_m is %.6g, longer than the scan of %.6g m; give a shorter one", cutoff_m,
+                           length_m);
+    double *waviness_m = malloc(points * sizeof *waviness_m);
+    if (!waviness_m)
+        return status_memory(status);
+    memcpy(waviness_m, profile->height_m, points * sizeof *waviness_m);
+    enum status_code code = filter_gaussian(waviness_m, points, profile->spacing_m, cutoff_m, status);
+    for (size_t i = 0; i < points; i++)
+        profile->height_m[i] -= waviness_m[i];
+    free(waviness_m);
+    profile_note(profile, "gaussian high-pass lambda_c = %.6g um (ISO 16610-21; weights renormalised at the ends)",
+                 cutoff_m * 1e6);
+    return code;
+}
+
+static enum status_code take_filters(struct profile *profile, const struct profile_options *options,
+                                     struct status *status)
+{
+    if (options->lambda_s_m > 0 && low_pass(profile, options->lambda_s_m, status) != STATUS_OK)
+        return status->code;
+    if (options->lambda_c_m > 0 && high_pass(profile, options->lambda_c_m, status) != STATUS_OK)
+        return status->code;
+    if (options->lambda_s_m > 0 || options->lambda_c_m > 0) { /* the measured points did not go through them */
+        free(profile->measured_x_m);
+        free(profile->measured_z_m);
+        profile->measured_x_m = profile->measured_z_m = NULL;
+    }
+    return STATUS_OK;
+}
+
+enum status_code profile_make(struct profile *out, const struct scan *scan, size_t row,
+                              const struct profile_options *options, struct status *status)
+{
+    *out = (struct profile){.points = scan->nx, .radius_m = INFINITY};
+    struct spacing spacing = spacing_judge(scan);
+    out->grid = spacing.grid;
+    out->spacing_m = spacing.step_m;
     out->height_m = malloc(out->points * sizeof *out->height_m);
     if (!out->height_m)
         return status_memory(status);
-    if (out->grid != PROFILE_RESAMPLED)
-        memcpy(out->height_m, z_m, out->points * sizeof *z_m);
-    else if (resample(out, scan, z_m, status) != STATUS_OK)
-        return status->code;
+    memcpy(out->height_m, scan->z_m + row * scan->nx, out->points * sizeof *out->height_m);
 
-    double first_m = out->height_m[0], before_m = peak_to_valley(out->height_m, out->points);
-    if (before_m == 0)
-        return status_fail(status, STATUS_SCAN, "the scan is flat: every height is %.9g m; check the column", first_m);
-    out->tilt = profile_level(out->height_m, out->points, level) / out->spacing_m;
-    /* a straight scan leaves what the subtraction rounds, in units of the last place of the heights */
-    if (peak_to_valley(out->height_m, out->points) <= 32 * DBL_EPSILON * (fabs(first_m) + before_m))
-        return status_fail(status, STATUS_SCAN,
-                           "the scan is flat: no roughness is left after level: %s; check the "
-                           "column",
-                           scene_level_names[level]);
+    size_t first = 0;
+    if (gaps_close(out, &first, scan->x_m, options->max_missing, status) != STATUS_OK)
+        return status->code;
+    double digit_m = sanity_digitising(out->height_m, out->points);
+    if (out->grid == PROFILE_ROUNDED)
+        profile_note(out, "x is rounded to a few digits; %s spacing of %.6g um was used",
+                     spacing.nominal ? "the header's" : "its mean", out->spacing_m * 1e6);
+    if (out->grid == PROFILE_RESAMPLED) {
+        const double *x_m = scan->x_m + first;
+        out->spacing_m = (x_m[out->points - 1] - x_m[0]) / (double)(out->points - 1);
+        if (even_out(out, x_m, options, status) != STATUS_OK)
+            return status->code;
+    }
+    if (take_level(out, options, status) != STATUS_OK)
+        return status->code;
+    sanity_check(out, digit_m, options);
+    if (take_filters(out, options, status) != STATUS_OK)
+        return status->code;
     out->end_jump_m = out->height_m[out->points - 1] - out->height_m[0];
     return STATUS_OK;
 }
@@ -132,5 +170,7 @@ enum status_code profile_make(struct profile *out, const struct scan *scan, size
 void profile_free(struct profile *profile)
 {
     free(profile->height_m);
+    free(profile->measured_x_m);
+    free(profile->measured_z_m);
     *profile = (struct profile){0};
 }

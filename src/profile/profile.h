@@ -1,4 +1,5 @@
-/* A scan made ready: heights at a uniform spacing, levelled (physics §1). */
+/* A scan made ready: gaps bridged, heights at a uniform spacing, levelled, filtered (physics §1). Every step that did
+ * something leaves a line in `notes`. */
 #ifndef PROFILE_PROFILE_H
 #define PROFILE_PROFILE_H
 
@@ -7,24 +8,47 @@
 
 enum profile_spacing { PROFILE_UNIFORM, PROFILE_ROUNDED, PROFILE_RESAMPLED };
 
-struct profile {
-    double *height_m; /* `points` heights, spacing_m apart, levelled */
-    size_t points;
-    double spacing_m;
-    enum profile_spacing grid; /* as printed; rounded x, nominal spacing used; uneven x, interpolated */
-    double tilt;               /* slope the levelling took out (line, parabola), else 0 */
-    double end_jump_m;         /* last minus first height after levelling: the record is not periodic */
+enum { PROFILE_NOTES = 24, PROFILE_NOTE_LENGTH = 240 };
+
+/** How a scan is made ready; the scene's keys of the same names. */
+struct profile_options {
+    enum scene_level level;
+    double max_missing;            /* share of the points, 0...1 */
+    double lambda_s_m, lambda_c_m; /* cut-offs of the Gaussian low-pass and high-pass; 0: none */
+    double tip_radius_m;           /* for a warning only; 0: not known */
 };
 
-/** Makes the profile of a scan's row `row` (0 for a profile). An x that is uniform up to the rounding of its digits
- * gets its mean spacing; a truly uneven one is interpolated monotonically (Steffen) to a uniform grid.
- * Owned: profile_free(). Errors: STATUS_SCAN: missing points, a flat profile; STATUS_MEMORY. */
+struct profile {
+    double *height_m; /* `points` heights, spacing_m apart, levelled and filtered */
+    size_t points;
+    double spacing_m;
+    enum profile_spacing grid;           /* as printed; rounded x, nominal spacing used; uneven x, interpolated */
+    double *measured_x_m, *measured_z_m; /* uneven x and no filter: the points as measured, levelled; else NULL */
+    size_t bridged, trimmed;             /* missing points: between others, and at the ends */
+    double tilt;                         /* slope the levelling took out (line, parabola, circle, robust), else 0 */
+    double radius_m;                     /* of the arc the levelling took out, else infinite */
+    size_t outliers;                     /* of the robust line */
+    double end_jump_m;                   /* last minus first height: the record is not periodic */
+    char notes[PROFILE_NOTES][PROFILE_NOTE_LENGTH]; /* each one line, lower case: steps taken and warnings */
+    size_t note_count;
+};
+
+/** Line, a tenth of the points may be missing, no filters. */
+extern const struct profile_options profile_defaults;
+struct profile_options profile_options_of(const struct scene *scene);
+
+/** Makes the profile of a scan's row `row` (0 for a profile):
+ *  missing points: at the ends cut off, between others bridged by straight lines;
+ *  x: uniform; or rounded to few digits: the header's spacing where it names one that fits to 0.5 %, else the mean one;
+ *     or uneven: interpolated monotonically (Steffen) to a uniform grid;
+ *  levelling (level.h); Gaussian low-pass lambda_s, then high-pass lambda_c (filter.h).
+ * Owned: profile_free(), whatever comes back. Errors: STATUS_SCAN: more points missing than options->max_missing, fewer
+ * than 3 left, a flat profile, a lambda_c longer than the scan; STATUS_MEMORY. */
 MUST_CHECK enum status_code profile_make(struct profile *out, const struct scan *scan, size_t row,
-                                         enum scene_level level, struct status *status);
+                                         const struct profile_options *options, struct status *status);
 void profile_free(struct profile *profile);
 
-/** Takes the least-squares mean, line or parabola out of `points` heights. Returns the slope of the line taken out, as
- * height per point (0 for none and mean). */
-double profile_level(double *height_m, size_t points, enum scene_level level);
+/** Adds a line to the notes; beyond PROFILE_NOTES it is dropped. */
+void profile_note(struct profile *profile, const char *format, ...) PRINTF_LIKE(2, 3);
 
 #endif

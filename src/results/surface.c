@@ -46,15 +46,8 @@ static void note_scan(struct surface_summary *summary, const struct scan *scan, 
 {
     for (size_t w = 0; w < scan->warning_count; w++)
         note(summary, "%s: %s", file, scan->warnings[w]);
-    if (profile->grid == PROFILE_ROUNDED)
-        note(summary, "%s: x is rounded to a few digits; its mean spacing of %.6g um was used", file,
-             profile->spacing_m * 1e6);
-    if (profile->grid == PROFILE_RESAMPLED)
-        note(summary, "%s: x is uneven; heights were interpolated (Steffen) to a uniform %.6g um", file,
-             profile->spacing_m * 1e6);
-    if (profile->points < 64)
-        note(summary, "%s: only %zu points; the spectrum has %zu harmonics", file, profile->points,
-             profile->points / 2);
+    for (size_t n = 0; n < profile->note_count; n++)
+        note(summary, "%s: %s", file, profile->notes[n]);
 }
 
 /** The profile thinned for its chart: of every run of points the lowest and the highest, in their order. */
@@ -190,13 +183,14 @@ static enum status_code add_rows(struct surface_record *record, const struct sca
                                  const char *file, struct status *status)
 {
     struct surface_summary *summary = &record->summary;
+    const struct profile_options how = profile_options_of(scene);
     size_t unusable = 0;
     struct status first = {0};
     for (size_t row = 0; row < scan->ny; row++) {
         struct profile profile;
         struct status problem = {0};
         double started = clock_seconds();
-        enum status_code rc = profile_make(&profile, scan, row, scene->level, &problem);
+        enum status_code rc = profile_make(&profile, scan, row, &how, &problem);
         summary->times.prepare += clock_seconds() - started;
         if (rc == STATUS_OK && row == unusable) /* the first usable one speaks for all */
             note_scan(summary, scan, &profile, file);

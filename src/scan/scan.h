@@ -17,6 +17,7 @@ struct scan {
     size_t nx, ny;               /* points a row, rows (ny = 1 for a profile) */
     double *x_m;                 /* nx positions, or NULL where the file gives a spacing only */
     double dx_m, dy_m;           /* spacing; dx_m = (last - first)/(nx - 1) when x_m is given; dy_m 0 for a profile */
+    double nominal_dx_m;         /* spacing that the header names beside the positions x_m; 0: none */
     double *z_m;                 /* ny*nx heights, row after row; NaN where a point is missing */
     size_t missing;              /* how many are */
     char x_unit[16], z_unit[16]; /* as named by the file, else as given by the scene */

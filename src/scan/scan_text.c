@@ -144,6 +144,9 @@ static enum status_code take_points(struct scan *out, struct text_table *table, 
     if (bad < rows)
         return fail_disorder(table, out->x_m, bad, file, status);
     keep_heights(out, table, rows);
+    const char *unit = header->spacing.unit ? header->spacing.unit : out->x_unit;
+    if (header->spacing.value > 0)
+        out->nominal_dx_m = header->spacing.value * scan_unit_m(unit, strlen(unit));
     if (columns > (header->valid < columns ? 3 : 2))
         scan_warn(out, "%zu columns: column %zu read as x, column %zu as z, the others ignored", columns, x + 1, z + 1);
     return STATUS_OK;

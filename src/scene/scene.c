@@ -28,6 +28,7 @@ static struct scene default_scene(void)
         .load = {.from = 1e-6, .to = 0.1, .points = 121},
         .tolerance = 1e-6,
         .level = SCENE_LEVEL_LINE,
+        .max_missing = 0.1,
         .window = SCENE_WINDOW_NONE,
         .fit_band_m = {0.0, INFINITY},
         .moments = SCENE_MOMENTS_DIFFERENCE,

@@ -9,7 +9,15 @@
 #include <stddef.h>
 
 enum scene_model { SCENE_MODEL_MULTISCALE = 1, SCENE_MODEL_STATISTICAL = 2 }; /* bits */
-enum scene_level { SCENE_LEVEL_NONE, SCENE_LEVEL_MEAN, SCENE_LEVEL_LINE, SCENE_LEVEL_PARABOLA, SCENE_LEVEL_COUNT };
+enum scene_level {
+    SCENE_LEVEL_NONE,
+    SCENE_LEVEL_MEAN,
+    SCENE_LEVEL_LINE,
+    SCENE_LEVEL_PARABOLA,
+    SCENE_LEVEL_CIRCLE, /* an arc */
+    SCENE_LEVEL_ROBUST, /* a line that outliers do not move */
+    SCENE_LEVEL_COUNT
+};
 enum scene_window { SCENE_WINDOW_NONE, SCENE_WINDOW_HANN, SCENE_WINDOW_COUNT };
 enum scene_moments { SCENE_MOMENTS_DIFFERENCE, SCENE_MOMENTS_SPECTRAL, SCENE_MOMENTS_COUNT };
 enum scene_closure { SCENE_CLOSURE_THESIS, SCENE_CLOSURE_NUMERIC, SCENE_CLOSURE_COUNT };
@@ -72,8 +80,12 @@ struct scene {
     struct scene_load load;
     double tolerance; /* relative */
     enum scene_level level;
+    double max_missing;  /* share of a profile's points that may be missing */
+    double lambda_s_m;   /* cut-off of the Gaussian low-pass; 0: none */
+    double lambda_c_m;   /* cut-off of the Gaussian high-pass; 0: none */
+    double tip_radius_m; /* of the stylus; 0: not known */
     enum scene_window window;
-    double fit_band_m[2]; /* shortest, longest wavelength; 0, INFINITY: all */
+    double fit_band_m[2]; /* shortest, longest wavelength; 0, INFINITY: all. Where not given: what the filters leave */
     enum scene_moments moments;
     enum scene_closure closure;
     char *baseline; /* surface name, NULL: the second smoothest */

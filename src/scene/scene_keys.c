@@ -7,10 +7,11 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
-const char *const scene_level_names[SCENE_LEVEL_COUNT] = {"none", "mean", "line", "parabola"};
+const char *const scene_level_names[SCENE_LEVEL_COUNT] = {"none", "mean", "line", "parabola", "circle", "robust"};
 const char *const scene_window_names[SCENE_WINDOW_COUNT] = {"none", "hann"};
 const char *const scene_moments_names[SCENE_MOMENTS_COUNT] = {"difference", "spectral"};
 const char *const scene_direction_names[SCENE_DIRECTION_COUNT] = {"x", "y"};
@@ -219,14 +220,45 @@ static const struct scene_key scene_keys[] = {
     {"fit_band_m", read_fit_band, RANGE(struct scene, fit_band_m, 1e-12, 1e3), .word = "all"},
     {"moments", scene_value_choice, CHOICES(struct scene, moments, scene_moments_names)},
     {"closure", scene_value_choice, CHOICES(struct scene, closure, scene_closure_names)},
+    {"max_missing", NUMBER(struct scene, max_missing, 0.0, 0.9)},
+    {"lambda_s_m", NUMBER(struct scene, lambda_s_m, 1e-12, 1e3), .word = "none"},
+    {"lambda_c_m", NUMBER(struct scene, lambda_c_m, 1e-12, 1e3), .word = "none"},
+    {"tip_radius_m", NUMBER(struct scene, tip_radius_m, 1e-12, 1.0), .word = "none"},
     {"baseline", read_baseline, .offset = offsetof(struct scene, baseline)},
     {"convergence", read_convergence, .offset = offsetof(struct scene, convergence)},
     {"surfaces", scene_surfaces_read, .offset = 0},
 };
 
+/* The line of a key of scene_keys, 0 where it is not given. */
+static size_t line_of(const size_t *lines, const char *name)
+{
+    size_t k = 0;
+    while (strcmp(scene_keys[k].name, name) != 0)
+        k++;
+    return lines[k];
+}
+
+/* The two cut-offs of the filters against one another; a fit that no line asks for keeps to what they leave. */
+static enum status_code join_filters(struct scene *scene, struct scene_source *source, const size_t *lines)
+{
+    if (scene->lambda_s_m > 0 && scene->lambda_c_m > 0 && !(scene->lambda_s_m < scene->lambda_c_m))
+        return scene_source_fail(source, line_of(lines, "lambda_c_m"),
+                                 "'lambda_c_m' is %g, not above 'lambda_s_m', %g; nothing would be left between them",
+                                 scene->lambda_c_m, scene->lambda_s_m);
+    if (line_of(lines, "fit_band_m"))
+        return STATUS_OK;
+    scene->fit_band_m[0] = scene->lambda_s_m;
+    if (scene->lambda_c_m > 0)
+        scene->fit_band_m[1] = scene->lambda_c_m;
+    return STATUS_OK;
+}
+
 enum status_code scene_keys_read(struct scene *scene, struct scene_source *source)
 {
     const yaml_node_t *root = scene_source_root(source);
     size_t lines[COUNT(scene_keys)];
-    return root ? scene_source_mapping(source, root, "scene", scene_keys, COUNT(scene_keys), scene, lines) : STATUS_OK;
+    if (!root)
+        return STATUS_OK;
+    enum status_code code = scene_source_mapping(source, root, "scene", scene_keys, COUNT(scene_keys), scene, lines);
+    return code == STATUS_OK ? join_filters(scene, source, lines) : code;
 }

@@ -40,3 +40,25 @@ enum status_code grid_add(struct spectrum *sum, const struct spectrum *other, st
     spectrum_free(&same);
     return STATUS_OK;
 }
+
+enum status_code grid_average(struct spectrum *mean, const struct spectrum *other, size_t so_far, struct status *status)
+{
+    if (other->count == mean->count && other->has_nyquist == mean->has_nyquist &&
+        fabs(other->length_m / mean->length_m - 1) < 1e-6) {
+        spectrum_average(mean, other, so_far);
+        return STATUS_OK;
+    }
+    struct spectrum same;
+    double length_m = fmin(mean->length_m, other->length_m);
+    double highest = fmin(spectrum_frequency(mean, mean->count - 1), spectrum_frequency(other, other->count - 1));
+    size_t count = (size_t)fmax(1, floor(length_m * highest * (1 + 1e-9)));
+    if (grid_spectrum(&same, mean, length_m, count, status) != STATUS_OK)
+        return status->code;
+    spectrum_free(mean);
+    *mean = same;
+    if (grid_spectrum(&same, other, length_m, count, status) != STATUS_OK)
+        return status->code;
+    spectrum_average(mean, &same, so_far);
+    spectrum_free(&same);
+    return STATUS_OK;
+}

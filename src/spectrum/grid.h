@@ -14,4 +14,9 @@ MUST_CHECK enum status_code grid_spectrum(struct spectrum *out, const struct spe
  * harmonics (above its Nyquist frequency, below its first) nothing is added. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code grid_add(struct spectrum *sum, const struct spectrum *other, struct status *status);
 
+/** Averages `other` into `mean` of `so_far` spectra as powers. Records that are not alike are both put on the grid of
+ * the shorter record and of the lower Nyquist frequency first. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code grid_average(struct spectrum *mean, const struct spectrum *other, size_t so_far,
+                                         struct status *status);
+
 #endif

@@ -6,30 +6,49 @@ static const double summit_variance = 3.717e-4;       /* McCool 1986, thesis (4.
 static const double summit_variance_digits = 1.35e-4; /* its relative rounding: half a unit of the last digit printed */
 static const double summit_offset = 0.045944;         /* Front, thesis (4.30) */
 
-struct roughness roughness_of_heights(const double *height_m, size_t points, double spacing_m)
+/** What needs no positions. */
+static struct roughness heights_alone(const double *height_m, size_t points)
 {
-    double square = 0, absolute = 0, lowest = height_m[0], highest = height_m[0], slope_square = 0, curve_square = 0;
+    double square = 0, absolute = 0, lowest = height_m[0], highest = height_m[0], count = (double)points;
     for (size_t i = 0; i < points; i++) {
         square += height_m[i] * height_m[i];
         absolute += fabs(height_m[i]);
         lowest = fmin(lowest, height_m[i]);
         highest = fmax(highest, height_m[i]);
     }
+    return (struct roughness){
+        .rq_m = sqrt(square / count), .ra_m = absolute / count, .pv_m = highest - lowest, .m0_m2 = square / count};
+}
+
+struct roughness roughness_of_heights(const double *height_m, size_t points, double spacing_m)
+{
+    struct roughness roughness = heights_alone(height_m, points);
+    double slope_square = 0, curve_square = 0;
     for (size_t i = 1; i + 1 < points; i++) {
         double slope = (height_m[i + 1] - height_m[i - 1]) / (2 * spacing_m);
         double curvature = (height_m[i + 1] - 2 * height_m[i] + height_m[i - 1]) / spacing_m / spacing_m;
         slope_square += slope * slope;
         curve_square += curvature * curvature;
     }
-    double count = (double)points;
-    return (struct roughness){
-        .rq_m = sqrt(square / count),
-        .ra_m = absolute / count,
-        .pv_m = highest - lowest,
-        .m0_m2 = square / count,
-        .m2 = slope_square / (count - 2),
-        .m4_per_m2 = curve_square / (count - 2),
-    };
+    roughness.m2 = slope_square / (double)(points - 2);
+    roughness.m4_per_m2 = curve_square / (double)(points - 2);
+    return roughness;
+}
+
+struct roughness roughness_of_points(const double *x_m, const double *height_m, size_t points)
+{
+    struct roughness roughness = heights_alone(height_m, points);
+    double slope_square = 0, curve_square = 0;
+    for (size_t i = 1; i + 1 < points; i++) {
+        double before = (height_m[i] - height_m[i - 1]) / (x_m[i] - x_m[i - 1]);
+        double after = (height_m[i + 1] - height_m[i]) / (x_m[i + 1] - x_m[i]), span_m = x_m[i + 1] - x_m[i - 1];
+        double slope = (height_m[i + 1] - height_m[i - 1]) / span_m, curvature = 2 * (after - before) / span_m;
+        slope_square += slope * slope;
+        curve_square += curvature * curvature;
+    }
+    roughness.m2 = slope_square / (double)(points - 2);
+    roughness.m4_per_m2 = curve_square / (double)(points - 2);
+    return roughness;
 }
 
 void roughness_from_spectrum(struct roughness *roughness, const struct spectrum *spectrum)

@@ -18,6 +18,10 @@ struct roughness {
  * the inner points (4.19, 4.20). */
 struct roughness roughness_of_heights(const double *height_m, size_t points, double spacing_m);
 
+/** The same of heights at uneven positions (ascending): m2 by (z[i+1] - z[i-1])/(x[i+1] - x[i-1]), m4 by the second
+ * divided difference through three points. */
+struct roughness roughness_of_points(const double *x_m, const double *height_m, size_t points);
+
 /** m0, m2, m4 of the spectrum instead; the other fields are left as they are in `roughness`. */
 void roughness_from_spectrum(struct roughness *roughness, const struct spectrum *spectrum);
 

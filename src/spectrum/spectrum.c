@@ -1,13 +1,9 @@
 #include "spectrum/spectrum.h"
 
-#include <fftw3.h>
+#include "base/fft.h"
 #include <math.h>
-#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* FFTW's planner is the one part of it that is not thread-safe. */
-static pthread_mutex_t planner = PTHREAD_MUTEX_INITIALIZER;
 
 static double mean_of(const double *values, size_t count)
 {
@@ -56,20 +52,13 @@ enum status_code spectrum_compute(struct spectrum *out, const double *height_m, 
         fftw_free(transform);
         return status_memory(status);
     }
-    pthread_mutex_lock(&planner);
-    fftw_plan plan = fftw_plan_dft_r2c_1d((int)points, record, transform, FFTW_ESTIMATE);
-    pthread_mutex_unlock(&planner);
-
     prepare(record, height_m, points, window);
-    fftw_execute(plan);
+    fft_forward(transform, record, points);
     for (size_t n = 1; n <= count; n++)
         out->amplitude_m[n - 1] = 2 * hypot(transform[n][0], transform[n][1]) / (double)points;
     if (out->has_nyquist)
         out->amplitude_m[count - 1] /= 2;
 
-    pthread_mutex_lock(&planner);
-    fftw_destroy_plan(plan);
-    pthread_mutex_unlock(&planner);
     fftw_free(record);
     fftw_free(transform);
     return STATUS_OK;

@@ -22,7 +22,7 @@ static struct profile profile_of(double *height_m, size_t points, enum scene_lev
     struct scan scan = {.kind = SCAN_PROFILE, .nx = points, .ny = 1, .dx_m = spacing_m, .z_m = height_m};
     struct profile profile;
     struct status status = {0};
-    assert_int_equal(profile_make(&profile, &scan, 0, level, &status), STATUS_OK);
+    assert_int_equal(profile_make(&profile, &scan, 0, &(struct profile_options){.level = level}, &status), STATUS_OK);
     for (size_t i = 0; i < points; i++)
         assert_true(isfinite(profile.height_m[i]));
     return profile;
@@ -176,7 +176,7 @@ static void flat_scan(void **state)
         struct scan scan = {.kind = SCAN_PROFILE, .nx = 4, .ny = 1, .dx_m = spacing_m, .z_m = height_m};
         struct profile profile;
         struct status status = {0};
-        assert_int_equal(profile_make(&profile, &scan, 0, SCENE_LEVEL_LINE, &status), STATUS_SCAN);
+        assert_int_equal(profile_make(&profile, &scan, 0, &profile_defaults, &status), STATUS_SCAN);
         profile_free(&profile);
     }
 }

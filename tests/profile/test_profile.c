@@ -39,7 +39,7 @@ static struct profile make(const struct scan *scan, enum scene_level level)
 {
     struct profile profile;
     struct status status = {0};
-    if (profile_make(&profile, scan, 0, level, &status) != STATUS_OK)
+    if (profile_make(&profile, scan, 0, &(struct profile_options){.level = level}, &status) != STATUS_OK)
         fail_msg("%s", status.message);
     assert_int_equal(profile.points, scan->nx);
     assert_near(profile.spacing_m, scan->dx_m, 0);
@@ -241,7 +241,9 @@ static void test_a_row_of_a_map(void **state)
     sample->scan.ny = 3;
     struct profile profile;
     struct status status = {0};
-    assert_int_equal(profile_make(&profile, &sample->scan, 2, SCENE_LEVEL_NONE, &status), STATUS_OK);
+    assert_int_equal(
+        profile_make(&profile, &sample->scan, 2, &(struct profile_options){.level = SCENE_LEVEL_NONE}, &status),
+        STATUS_OK);
     assert_memory_equal(profile.height_m, sample->z_m + 20, 10 * sizeof(double));
     profile_free(&profile);
 }
@@ -250,7 +252,7 @@ static void assert_refused(const struct scan *scan, enum scene_level level, cons
 {
     struct profile profile;
     struct status status = {0};
-    assert_int_equal(profile_make(&profile, scan, 0, level, &status), STATUS_SCAN);
+    assert_int_equal(profile_make(&profile, scan, 0, &(struct profile_options){.level = level}, &status), STATUS_SCAN);
     if (!strstr(status.message, words))
         fail_msg("'%s' without '%s'", status.message, words);
     profile_free(&profile);
@@ -265,7 +267,7 @@ static void test_missing_heights_are_refused(void **state)
     }
     finish(sample, 50, true);
     sample->scan.missing = 2;
-    assert_refused(&sample->scan, SCENE_LEVEL_LINE, "2 heights are missing");
+    assert_refused(&sample->scan, SCENE_LEVEL_LINE, "2 of 50 heights are missing");
     assert_refused(&sample->scan, SCENE_LEVEL_LINE, "gaps filled");
 }
 

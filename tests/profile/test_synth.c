@@ -1,3 +1,4 @@
+#include "profile/level.h"
 #include "profile/profile.h"
 #include "profile/synth.h"
 #include "scan/scan.h"
@@ -41,7 +42,8 @@ static void assert_comes_back(const struct synth_def *def)
     double rq_m = root_mean_square(height_m, def->points);
     if (def->rq_m > 0)
         assert_near(rq_m, def->rq_m, 1e-9);
-    profile_level(levelled_m, def->points, SCENE_LEVEL_LINE);
+    struct levelling line;
+    assert_int_equal(level_remove(&line, levelled_m, NULL, def->points, 1, SCENE_LEVEL_LINE, &status), STATUS_OK);
     for (size_t i = 0; i < def->points; i++)
         assert_within(levelled_m[i], height_m[i], 1e-12 * rq_m);
     spectrum_free(&spectrum);

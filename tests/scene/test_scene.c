@@ -110,6 +110,10 @@ static void test_every_key(void **state)
     assert_near(scene.fit_band_m[1], 3e-4, 0);
     assert_int_equal(scene.moments, SCENE_MOMENTS_SPECTRAL);
     assert_int_equal(scene.closure, SCENE_CLOSURE_NUMERIC);
+    assert_near(scene.max_missing, 0.25, 0);
+    assert_near(scene.lambda_s_m, 2.5e-6, 0);
+    assert_near(scene.lambda_c_m, 8e-4, 0);
+    assert_near(scene.tip_radius_m, 2e-6, 0);
     assert_string_equal(scene.baseline, "2");
     assert_near(scene.convergence.alpha, 0.1, 0);
     assert_near(scene.convergence.gamma, 1.25, 0);
@@ -215,6 +219,33 @@ static void test_absolute_file(void **state)
     assert_string_equal(path, DATA("full/a.csv"));
     free(path);
     scene_free(&scene);
+    scene_directory_remove(&directory);
+}
+
+/* Filters bound the wavelengths that the fit uses, unless a line says otherwise. */
+static void test_filters_bound_the_fit(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text;
+        double shortest, longest;
+    } rows[] = {
+        {"lambda_s_m: 2.5e-6\n", 2.5e-6, INFINITY},
+        {"lambda_c_m: 8e-4\n", 0, 8e-4},
+        {"lambda_c_m: 8e-4\nlambda_s_m: 2.5e-6\n", 2.5e-6, 8e-4},
+        {"lambda_s_m: none\nlambda_c_m: none\n", 0, INFINITY},
+        {"lambda_c_m: 8e-4\nfit_band_m: all\n", 0, INFINITY},
+        {"lambda_c_m: 8e-4\nfit_band_m: [1e-5, 1e-4]\n", 1e-5, 1e-4},
+    };
+    struct scene_directory directory = scene_directory_make();
+    scene_directory_add(&directory, "a");
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        scene_directory_write(&directory, "scene.yaml", rows[i].text, strlen(rows[i].text));
+        struct scene scene = scene_directory_read(directory.path, NULL);
+        assert_true(scene.fit_band_m[0] == rows[i].shortest && scene.fit_band_m[1] == rows[i].longest);
+        assert_near(scene.max_missing, 0.1, 0);
+        scene_free(&scene);
+    }
     scene_directory_remove(&directory);
 }
 
@@ -370,6 +401,7 @@ int main(void)
         cmocka_unit_test(test_a_material_may_know_little),
         cmocka_unit_test(test_spellings_that_are_allowed),
         cmocka_unit_test(test_absolute_file),
+        cmocka_unit_test(test_filters_bound_the_fit),
         cmocka_unit_test(test_default_loads),
         cmocka_unit_test(test_the_command_line_wins),
         cmocka_unit_test(test_wrong_overrides),

@@ -62,11 +62,13 @@ static void test_keys(void **state)
         {"foo: 1\n", 1,
          "unknown key 'foo'; allowed: title, models, effects, material, counterface, direction, measured, "
          "nominal_area_m2, load, tolerance, "
-         "level, window, fit_band_m, moments, closure, baseline, convergence, surfaces"},
-        {"tip_radius_m: 2e-6\n", 1,
-         "unknown key 'tip_radius_m'; allowed: title, models, effects, material, counterface, direction, measured, "
+         "level, window, fit_band_m, moments, closure, max_missing, "
+         "lambda_s_m, lambda_c_m, tip_radius_m, baseline, convergence, surfaces"},
+        {"stylus: 2e-6\n", 1,
+         "unknown key 'stylus'; allowed: title, models, effects, material, counterface, direction, measured, "
          "nominal_area_m2, load, "
-         "tolerance, level, window, fit_band_m, moments, closure, baseline, convergence, surfaces"},
+         "tolerance, level, window, fit_band_m, moments, closure, max_missing, "
+         "lambda_s_m, lambda_c_m, tip_radius_m, baseline, convergence, surfaces"},
         {"level: line\ntitle: a\nlevel: mean\n", 3, "'level' is given twice, first in line 1; remove one"},
         {"title: a\ntolerance:\nlevel: line\n", 2, "'tolerance' has no value; give one or remove the line"},
         {"baseline: ~\n", 1, "'baseline' has no value; give one or remove the line"},
@@ -101,6 +103,11 @@ static void test_numbers(void **state)
         {"tolerance: 1e-3 m\n", 1, "'tolerance' is '1e-3 m'; give a number such as 1.5e-6"},
         {"tolerance: 0\n", 1, "'tolerance' is 0; allowed is 1e-14 to 0.1"},
         {"tolerance: 0.11\n", 1, "'tolerance' is 0.11; allowed is 1e-14 to 0.1"},
+        {"max_missing: 0.95\n", 1, "'max_missing' is 0.95; allowed is 0 to 0.9"},
+        {"tip_radius_m: -2e-6\n", 1, "'tip_radius_m' is -2e-6; allowed is 1e-12 to 1"},
+        {"lambda_s_m: 0\n", 1, "'lambda_s_m' is 0; allowed is 1e-12 to 1000"},
+        {"lambda_c_m: 8e-6\nlambda_s_m: 8e-6\n", 1,
+         "'lambda_c_m' is 8e-06, not above 'lambda_s_m', 8e-06; nothing would be left between them"},
         {"nominal_area_m2: -1\n", 1, "'nominal_area_m2' is -1; allowed is 1e-18 to 1e+06"},
         {"nominal_area_m2: 1e999\n", 1, "'nominal_area_m2' is 1e999; allowed is 1e-18 to 1e+06"},
         {"nominal_area_m2: 1e-999\n", 1, "'nominal_area_m2' is 1e-999; allowed is 1e-18 to 1e+06"},

@@ -61,11 +61,35 @@ static void sum_of_two_adds_squares(void **state)
     spectrum_free(&sum);
 }
 
+/** Records of any two lengths: the mean's power is the mean of both, each on the shorter one's grid. */
+static void average_of_unlike_records(void **state)
+{
+    (void)state;
+    struct status status = {0};
+    for (int k = 0; k < 3; k++) {
+        double length = k == 0 ? 1e-3 : k == 1 ? 0.93e-3 : 1.08e-3, shorter = fmin(length, 1e-3);
+        struct spectrum mean = make(100, 1e-3, false), other = make(k == 2 ? 90 : 100, length, false), one, two;
+        size_t count = (size_t)(shorter * fmin(100 / 1e-3, spectrum_frequency(&other, other.count - 1)) * (1 + 1e-9));
+        assert_int_equal(grid_spectrum(&one, &mean, shorter, count, &status), STATUS_OK);
+        assert_int_equal(grid_spectrum(&two, &other, shorter, count, &status), STATUS_OK);
+        assert_int_equal(grid_average(&mean, &other, 3, &status), STATUS_OK);
+        assert_int_equal(mean.count, count);
+        for (size_t i = 0; i < count; i++)
+            assert_near(spectrum_power(&mean, i), 0.75 * spectrum_power(&one, i) + 0.25 * spectrum_power(&two, i),
+                        1e-12);
+        spectrum_free(&mean);
+        spectrum_free(&other);
+        spectrum_free(&one);
+        spectrum_free(&two);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(same_grid_is_the_identity),
         cmocka_unit_test(power_is_kept),
+        cmocka_unit_test(average_of_unlike_records),
         cmocka_unit_test(sum_of_two_adds_squares),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

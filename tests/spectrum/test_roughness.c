@@ -50,6 +50,28 @@ static void test_a_parabola_has_one_curvature(void **state)
     assert_near(r.m4_per_m2, 1024.0 * 1024, 1e-12);
 }
 
+/* A parabola over uneven positions has its one curvature, and on even ones both functions agree. */
+static void test_uneven_points(void **state)
+{
+    (void)state;
+    double x_m[64], even_m[64], height_m[64], slopes = 0;
+    for (int j = 0; j < 64; j++) {
+        x_m[j] = (j + 0.4 * sin(j)) * 1e-6;
+        even_m[j] = j * 1e-6;
+        height_m[j] = 0.5 * 1024 * x_m[j] * x_m[j];
+    }
+    for (int j = 1; j < 63; j++)
+        slopes += pow(1024 * (x_m[j + 1] + x_m[j - 1]) / 2, 2) / 62;
+    struct roughness r = roughness_of_points(x_m, height_m, 64);
+    assert_near(r.m4_per_m2, 1024.0 * 1024, 1e-9);
+    assert_near(r.m2, slopes, 1e-12);
+    r = roughness_of_points(even_m, height_m, 64);
+    struct roughness uniform = roughness_of_heights(height_m, 64, 1e-6);
+    assert_near(r.m4_per_m2, uniform.m4_per_m2, 1e-9);
+    assert_near(r.m2, uniform.m2, 1e-12);
+    assert_near(r.rq_m, uniform.rq_m, 0);
+}
+
 static void test_three_points(void **state)
 {
     (void)state;
@@ -178,6 +200,7 @@ int main(void)
         cmocka_unit_test(test_a_sine_wave),
         cmocka_unit_test(test_a_line_has_slope_and_no_curvature),
         cmocka_unit_test(test_a_parabola_has_one_curvature),
+        cmocka_unit_test(test_uneven_points),
         cmocka_unit_test(test_three_points),
         cmocka_unit_test(test_moments_of_the_spectrum),
         cmocka_unit_test(test_averages),

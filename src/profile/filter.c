@@ -1,0 +1,84 @@
+#include "profile/filter.h"
+
+#include "base/fft.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double filter_alpha = 0.46971863934982566; /* sqrt(ln 2/pi), ISO 16610-21 */
+static const double filter_smallest = 1e-9;             /* weight at which the tail is cut, of the largest */
+
+/** A length the transform is quick at: 2^a, 3 2^a or 5 2^a. */
+static size_t quick_length(size_t least)
+{
+    size_t best = 0;
+    for (size_t odd = 1; odd <= 5; odd += 2) {
+        size_t length = odd;
+        while (length < least)
+            length *= 2;
+        best = best == 0 || length < best ? length : best;
+    }
+    return best;
+}
+
+/** How many neighbours on either side have a weight; never more than there are. */
+static size_t reach_of(size_t points, double spacing_m, double cutoff_m)
+{
+    double reach = filter_alpha * cutoff_m * sqrt(-log(filter_smallest) / M_PI) / spacing_m;
+    return reach < (double)(points - 1) ? (size_t)reach : points - 1;
+}
+
+/** Divides by the sum of the weights that lie within the record. `kernel` holds weight k at [k]. */
+static void renormalise(double *height_m, const double *smooth, const double *kernel, size_t points, size_t reach)
+{
+    double right = kernel[0], left = 0; /* of the point itself and those after it; of those before */
+    for (size_t k = 1; k <= reach; k++)
+        right += kernel[k];
+    for (size_t i = 0; i < points; i++) {
+        height_m[i] = smooth[i] / (left + right);
+        if (i + 1 <= reach)
+            left += kernel[i + 1];
+        if (points - 1 - i <= reach)
+            right -= kernel[points - 1 - i];
+    }
+}
+
+enum status_code filter_gaussian(double *height_m, size_t points, double spacing_m, double cutoff_m,
+                                 struct status *status)
+{
+    size_t reach = reach_of(points, spacing_m, cutoff_m), length = quick_length(points + reach);
+    double *kernel = malloc((reach + 1) * sizeof *kernel), *record = fftw_alloc_real(length);
+    fftw_complex *weights = fftw_alloc_complex(length / 2 + 1), *heights = fftw_alloc_complex(length / 2 + 1);
+    enum status_code code = STATUS_OK;
+    if (kernel && record && weights && heights) {
+        memset(record, 0, length * sizeof *record);
+        for (size_t k = 0; k <= reach; k++) {
+            double x = (double)k * spacing_m / (filter_alpha * cutoff_m);
+            kernel[k] = record[k] = exp(-M_PI * x * x);
+            record[(length - k) % length] = record[k];
+        }
+        fft_forward(weights, record, length);
+        memset(record, 0, length * sizeof *record);
+        memcpy(record, height_m, points * sizeof *record);
+        fft_forward(heights, record, length);
+        for (size_t k = 0; k <= length / 2; k++) { /* the weights are even: their transform is real */
+            heights[k][0] *= weights[k][0] / (double)length;
+            heights[k][1] *= weights[k][0] / (double)length;
+        }
+        fft_backward(record, heights, length);
+        renormalise(height_m, record, kernel, points, reach);
+    } else {
+        code = status_memory(status);
+    }
+    fftw_free(heights);
+    fftw_free(weights);
+    fftw_free(record);
+    free(kernel);
+    return code;
+}
+
+double filter_transmission(double wavelength_m, double cutoff_m)
+{
+    double x = filter_alpha * cutoff_m / wavelength_m;
+    return exp(-M_PI * x * x);
+}

@@ -1,0 +1,18 @@
+/* The linear Gaussian profile filter (ISO 16610-21). */
+#ifndef PROFILE_FILTER_H
+#define PROFILE_FILTER_H
+
+#include "base/status.h"
+#include <stddef.h>
+
+/** Smooths `points` heights in place: weights exp(-pi (x/(a lambda))²), a = sqrt(ln 2/pi), which let half of the
+ * amplitude of wavelength lambda = cutoff_m through, cut off where they fall below 1e-9 of the largest (1.21 cutoff_m).
+ * Near the ends only the weights that lie within the record count, renormalised to the sum 1: no point is cut off, and
+ * a constant passes unchanged up to both ends. By FFT: n log n. Errors: STATUS_MEMORY. */
+MUST_CHECK enum status_code filter_gaussian(double *height_m, size_t points, double spacing_m, double cutoff_m,
+                                            struct status *status);
+
+/** Share of the amplitude of a wavelength that the low-pass lets through: exp(-pi (a cutoff/lambda)²). */
+double filter_transmission(double wavelength_m, double cutoff_m);
+
+#endif

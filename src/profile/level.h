@@ -1,0 +1,26 @@
+/* Levelling: what is no roughness is taken out of the heights, by least squares of the heights (not of distances). */
+#ifndef PROFILE_LEVEL_H
+#define PROFILE_LEVEL_H
+
+#include "scene/scene.h"
+
+/** What a levelling took out. */
+struct levelling {
+    double tilt;     /* slope of the line, or of the parabola or arc at the middle of the record; 0 for none and mean */
+    double radius_m; /* of the arc, signed: positive for a hollow, negative for a crown; INFINITY: it is a line */
+    size_t outliers; /* robust line: points that got no weight */
+};
+
+/** Takes mean, line, parabola, arc or robust line out of `points` heights at x_m (ascending), or spacing_m apart where
+ * x_m is NULL.
+ *  parabola, line, mean: least squares.
+ *  circle: least squares, in height, of an arc z = c + x (2 s + k x)/(cos a + cos b), sin a = s, sin b = s + k x, of
+ *          curvature k (Gauss and Newton); the record must span less than half a circle.
+ *  robust: Tukey's biweight (tuning 4.685, scale 1.4826 MAD), iterated from a line through the median of the slopes
+ *          between points half a record apart (Holland & Welsch 1977, doi:10.1080/03610927708827533). A point of weight
+ *          0 is an outlier.
+ * Errors: STATUS_SCAN: no arc fits; STATUS_MEMORY. */
+MUST_CHECK enum status_code level_remove(struct levelling *out, double *height_m, const double *x_m, size_t points,
+                                         double spacing_m, enum scene_level level, struct status *status);
+
+#endif

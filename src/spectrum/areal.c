@@ -1,0 +1,187 @@
+#include "spectrum/areal.h"
+
+#include "profile/level.h"
+#include "profile/profile.h"
+#include "spectrum/grid.h"
+#include <math.h>
+#include <stdlib.h>
+
+enum { ROW_POINTS = 3 };
+
+/** z = mean + p (x - x_mean) + q (y - y_mean), x and y in points. */
+struct plane {
+    double x, y, z, p, q;
+};
+
+static enum status_code fit_plane(struct plane *out, const struct scan *scan, struct status *status)
+{
+    *out = (struct plane){0};
+    double n = 0, xx = 0, xy = 0, yy = 0, xz = 0, yz = 0, origin = NAN;
+    for (size_t i = 0; i < scan->nx * scan->ny; i++) {
+        if (isnan(scan->z_m[i]))
+            continue;
+        origin = isnan(origin) ? scan->z_m[i] : origin;
+        n++, out->x += (double)(i % scan->nx), out->y += (double)(i / scan->nx), out->z += scan->z_m[i] - origin;
+    }
+    out->x /= n, out->y /= n, out->z = out->z / n + origin;
+    for (size_t i = 0; i < scan->nx * scan->ny; i++) {
+        double x = (double)(i % scan->nx) - out->x, y = (double)(i / scan->nx) - out->y, z = scan->z_m[i] - out->z;
+        if (isnan(z))
+            continue;
+        xx += x * x, xy += x * y, yy += y * y, xz += x * z, yz += y * z;
+    }
+    double determinant = xx * yy - xy * xy;
+    if (!(n >= ROW_POINTS && determinant > 1e-9 * xx * yy))
+        return status_fail(status, STATUS_SCAN, "no plane through its %g heights; the map has too many missing points",
+                           n);
+    out->p = (xz * yy - yz * xy) / determinant;
+    out->q = (yz * xx - xz * xy) / determinant;
+    return STATUS_OK;
+}
+
+static void measure_heights(struct areal *out, const struct scan *scan, const struct plane *plane)
+{
+    double n = 0, square = 0, absolute = 0, highest = -INFINITY, lowest = INFINITY;
+    for (size_t i = 0; i < scan->nx * scan->ny; i++) {
+        double x = (double)(i % scan->nx) - plane->x, y = (double)(i / scan->nx) - plane->y;
+        double z = scan->z_m[i] - plane->z - plane->p * x - plane->q * y;
+        if (isnan(z))
+            continue;
+        n++, square += z * z, absolute += fabs(z);
+        highest = fmax(highest, z);
+        lowest = fmin(lowest, z);
+    }
+    out->sq_m = sqrt(square / n);
+    out->sa_m = absolute / n;
+    out->sz_m = highest - lowest;
+}
+
+/** Mean square of the slope where both neighbours are there; NaN: nowhere. */
+static double mean_slope_square(const double *z_m, size_t points, double spacing_m)
+{
+    double sum = 0;
+    size_t count = 0;
+    for (size_t i = 1; i + 1 < points; i++) {
+        double slope = (z_m[i + 1] - z_m[i - 1]) / (2 * spacing_m);
+        if (!isnan(slope))
+            sum += slope * slope, count++;
+    }
+    return count > 0 ? sum / (double)count : NAN;
+}
+
+/** Mean square of the curvature where the point and both neighbours are there; NaN: nowhere. */
+static double mean_curvature_square(const double *z_m, size_t points, double spacing_m)
+{
+    double sum = 0;
+    size_t count = 0;
+    for (size_t i = 1; i + 1 < points; i++) {
+        double curvature = (z_m[i + 1] - 2 * z_m[i] + z_m[i - 1]) / spacing_m / spacing_m;
+        if (!isnan(curvature))
+            sum += curvature * curvature, count++;
+    }
+    return count > 0 ? sum / (double)count : NAN;
+}
+
+/** Mean over rows of something that not every row has. */
+struct row_mean {
+    double value;
+    size_t count;
+};
+
+static void join(struct row_mean *mean, double value)
+{
+    if (!isnan(value))
+        mean->value += (value - mean->value) / (double)++mean->count;
+}
+
+/** Figures of the rows so far, and room for the one that is being looked at. */
+struct rows {
+    struct row_mean m0, ra, m2, m4;
+    double pv_m;
+    double *x_m, *z_m; /* nx each: the points that are there */
+};
+
+/** Adds row `y` over its own least-squares line. */
+static enum status_code add_row(struct rows *rows, const struct scan *scan, size_t y, struct status *status)
+{
+    const double *row_m = scan->z_m + y * scan->nx;
+    double *x_m = rows->x_m, *z_m = rows->z_m, square = 0, absolute = 0, highest = -INFINITY, lowest = INFINITY;
+    size_t count = 0;
+    struct levelling line;
+    for (size_t i = 0; i < scan->nx; i++)
+        if (!isnan(row_m[i])) {
+            x_m[count] = (double)i * scan->dx_m;
+            z_m[count++] = row_m[i];
+        }
+    if (count < ROW_POINTS)
+        return STATUS_OK;
+    if (level_remove(&line, z_m, x_m, count, scan->dx_m, SCENE_LEVEL_LINE, status) != STATUS_OK)
+        return status->code;
+    for (size_t i = 0; i < count; i++) {
+        square += z_m[i] * z_m[i];
+        absolute += fabs(z_m[i]);
+        highest = fmax(highest, z_m[i]);
+        lowest = fmin(lowest, z_m[i]);
+    }
+    join(&rows->m0, square / (double)count);
+    join(&rows->ra, absolute / (double)count);
+    rows->pv_m = fmax(rows->pv_m, highest - lowest);
+    for (size_t i = scan->nx; i-- > 0;) /* back to their places, from the last */
+        z_m[i] = isnan(row_m[i]) ? NAN : z_m[--count];
+    join(&rows->m2, mean_slope_square(z_m, scan->nx, scan->dx_m));
+    join(&rows->m4, mean_curvature_square(z_m, scan->nx, scan->dx_m));
+    return STATUS_OK;
+}
+
+/** Averages the spectrum of row `y` into the map's, if the row can be a profile. */
+static enum status_code add_spectrum(struct areal *out, const struct scan *scan, size_t y, struct status *status)
+{
+    struct profile profile;
+    struct spectrum spectrum = {0};
+    struct status refused = {0};
+    enum status_code code = profile_make(&profile, scan, y, &profile_defaults, &refused);
+    if (code == STATUS_OK)
+        code = spectrum_compute(&spectrum, profile.height_m, profile.points, profile.spacing_m, SCENE_WINDOW_NONE,
+                                &refused);
+    if (code == STATUS_OK && out->spectrum_rows == 0) {
+        out->spectrum = spectrum;
+        spectrum = (struct spectrum){0};
+    } else if (code == STATUS_OK) {
+        code = grid_average(&out->spectrum, &spectrum, out->spectrum_rows, &refused);
+    }
+    out->spectrum_rows += code == STATUS_OK ? 1 : 0;
+    spectrum_free(&spectrum);
+    profile_free(&profile);
+    return code == STATUS_MEMORY ? status_memory(status) : STATUS_OK;
+}
+
+enum status_code areal_compute(struct areal *out, const struct scan *scan, struct status *status)
+{
+    struct plane plane;
+    *out = (struct areal){0};
+    if (fit_plane(&plane, scan, status) != STATUS_OK)
+        return status->code;
+    measure_heights(out, scan, &plane);
+    struct rows rows = {.x_m = malloc(2 * scan->nx * sizeof *rows.x_m)};
+    if (!rows.x_m)
+        return status_memory(status);
+    rows.z_m = rows.x_m + scan->nx;
+    enum status_code code = STATUS_OK;
+    for (size_t y = 0; code == STATUS_OK && y < scan->ny; y++) {
+        code = add_row(&rows, scan, y, status);
+        if (code == STATUS_OK)
+            code = add_spectrum(out, scan, y, status);
+    }
+    free(rows.x_m);
+    if (code == STATUS_OK && (rows.m2.count == 0 || rows.m4.count == 0))
+        return status_fail(status, STATUS_SCAN, "no row of the map has three heights side by side");
+    out->rows =
+        (struct roughness){sqrt(rows.m0.value), rows.ra.value, rows.pv_m, rows.m0.value, rows.m2.value, rows.m4.value};
+    return code;
+}
+
+void areal_free(struct areal *areal)
+{
+    spectrum_free(&areal->spectrum);
+    *areal = (struct areal){0};
+}

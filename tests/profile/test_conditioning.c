@@ -1,0 +1,242 @@
+/* The pipeline as a whole: header spacings, filters in their order, and the warnings. */
+#include "condition_support.h"
+#include "profile/filter.h"
+#include "profile/sanity.h"
+#include "scan/scan.h"
+
+enum { POINTS = 8192 };
+
+struct fixture {
+    double z[POINTS], x[POINTS];
+};
+
+static int setup(void **state)
+{
+    *state = calloc(1, sizeof(struct fixture));
+    return *state ? 0 : -1;
+}
+
+static int teardown(void **state)
+{
+    free(*state);
+    return 0;
+}
+
+/* A smooth record: waves of 64.37 um and 1 um at 1 um spacing; no two heights are alike. */
+#define WAVE 64.37
+static void make_smooth(double *z)
+{
+    for (size_t i = 0; i < POINTS; i++)
+        z[i] = 1e-6 * sin(2 * M_PI * ((double)i + 0.5) / WAVE);
+}
+
+static struct profile condition(double *z, double spacing_m, struct profile_options options)
+{
+    struct scan scan = scan_on(NULL, z, POINTS, spacing_m);
+    return profile_good(&scan, &options);
+}
+
+/* Dektak prints x to 0.1 um and its spacing in the header; a header that does not fit is not believed. */
+static void test_header_spacing_of_rounded_positions(void **state)
+{
+    struct fixture *f = *state;
+    static const struct {
+        double nominal_m, expected_m;
+        const char *note;
+    } rows[] = {{0.156e-6, 0.156e-6, "the header's spacing of 0.156 um"},
+                {0, 0.15625e-6, "its mean spacing of 0.1562"},
+                {0.5e-6, 0.15625e-6, "its mean spacing of 0.1562"}};
+    make_smooth(f->z);
+    for (size_t i = 0; i < POINTS; i++)
+        f->x[i] = round((double)i * 1.5625) * 1e-7;
+    for (size_t r = 0; r < 3; r++) {
+        struct scan scan = scan_on(f->x, f->z, POINTS, 0);
+        scan.nominal_dx_m = rows[r].nominal_m;
+        struct profile profile = profile_good(&scan, &profile_defaults);
+        assert_int_equal(profile.grid, PROFILE_ROUNDED);
+        assert_near(profile.spacing_m, rows[r].expected_m, 1e-4);
+        assert_note(&profile, rows[r].note);
+        profile_free(&profile);
+    }
+}
+
+static void test_reader_hands_the_header_spacing_over(void **state)
+{
+    (void)state;
+    static const char text[] = "Scan Parameters\nResolution,0.156 um/sample\n\nScan Data\nLateral um,Raw Micrometer,\n"
+                               "0.0,1,,\n0.2,2,,\n0.3,1,,\n0.5,3,,\n";
+    struct scan_bytes file = {text, sizeof text - 1, "d.csv"};
+    struct scan_options options = {"", ""};
+    struct scan scan;
+    struct status status = {0};
+    assert_int_equal(scan_read_bytes(&scan, &file, &options, &status), STATUS_OK);
+    assert_near(scan.nominal_dx_m, 0.156e-6, 1e-12);
+    scan_free(&scan);
+}
+
+/* lambda_s and lambda_c leave of a wave what both transmissions say. */
+static void test_filters(void **state)
+{
+    struct fixture *f = *state;
+    make_smooth(f->z);
+    struct profile_options options = {.lambda_s_m = 40e-6, .lambda_c_m = 100e-6};
+    struct profile profile = condition(f->z, 1e-6, options);
+    double left = filter_transmission(WAVE * 1e-6, 40e-6) * (1 - filter_transmission(WAVE * 1e-6, 100e-6));
+    for (size_t i = 300; i < POINTS - 300; i++)
+        assert_within(profile.height_m[i], left * f->z[i], 1e-14);
+    assert_note(&profile, "low-pass lambda_s = 40 um");
+    assert_note(&profile, "high-pass lambda_c = 100 um");
+    assert_near(profile.end_jump_m, profile.height_m[POINTS - 1] - profile.height_m[0], 0);
+    profile_free(&profile);
+    profile = condition(f->z, 1e-6, (struct profile_options){.lambda_s_m = 1e-6});
+    assert_note(&profile, "below twice the spacing");
+    profile_free(&profile);
+    struct scan scan = scan_on(NULL, f->z, POINTS, 1e-6);
+    assert_profile_refused(&scan, &(struct profile_options){.lambda_c_m = 0.01},
+                           "lambda_c_m is 0.01, longer than the scan");
+}
+
+/* Uneven points: kept as measured until a filter makes them something else. */
+static void test_measured_points(void **state)
+{
+    struct fixture *f = *state;
+    uint64_t seed = 1;
+    make_smooth(f->z);
+    for (size_t i = 0; i < POINTS; i++)
+        f->x[i] = ((double)i + 0.3 * noise(&seed)) * 1e-6;
+    struct scan scan = scan_on(f->x, f->z, POINTS, 0);
+    struct profile profile = profile_good(&scan, &(struct profile_options){.level = SCENE_LEVEL_NONE});
+    assert_memory_equal(profile.measured_x_m, f->x, sizeof f->x);
+    assert_memory_equal(profile.measured_z_m, f->z, sizeof f->z);
+    assert_note(&profile, "x is uneven");
+    profile_free(&profile);
+    profile = profile_good(&scan, &(struct profile_options){.lambda_s_m = 8e-6});
+    assert_null(profile.measured_x_m);
+    assert_null(profile.measured_z_m);
+    profile_free(&profile);
+}
+
+static void test_a_good_profile_needs_no_note(void **state)
+{
+    struct fixture *f = *state;
+    make_smooth(f->z);
+    struct profile_options options = profile_defaults;
+    options.tip_radius_m = 2e-6;
+    struct profile profile = condition(f->z, 1e-6, options);
+    assert_int_equal(profile.note_count, 0);
+    profile_free(&profile);
+}
+
+static void test_units_that_cannot_be(void **state)
+{
+    struct fixture *f = *state;
+    make_smooth(f->z);
+    struct profile profile = condition(f->z, 1e-12, profile_defaults);
+    assert_note(&profile, "is above the length of the scan");
+    profile_free(&profile);
+    profile = condition(f->z, 1e-9, profile_defaults);
+    assert_note(&profile, "the steepest slope is 97.6 (89 degrees)");
+    profile_free(&profile);
+}
+
+/* Heights rounded to q: found whatever the offset, and told where q²/(2 h^4) is a fifth of m4. */
+static void test_digitising(void **state)
+{
+    struct fixture *f = *state;
+    static const double offsets_m[] = {0, 3e-3, -7e-2};
+    for (size_t o = 0; o < 3; o++) {
+        make_smooth(f->z);
+        for (size_t i = 0; i < POINTS; i++) /* a 12.9 nm converter, printed to 1 nm */
+            f->z[i] = offsets_m[o] + round(round(f->z[i] / 12.9e-9) * 12.9) * 1e-9;
+        assert_near(sanity_digitising(f->z, POINTS), 12.9e-9, 0.02);
+        struct profile profile = condition(f->z, 1e-6, profile_defaults);
+        assert_note(&profile, "heights come in steps of 12.");
+        profile_free(&profile);
+    }
+    make_smooth(f->z);
+    assert_near(sanity_digitising(f->z, POINTS), 0, 0);
+    for (size_t i = 0; i < POINTS; i++)
+        f->z[i] = round(f->z[i] / 1e-9) * 1e-9; /* seen, but it makes 1 % of m4 */
+    struct profile profile = condition(f->z, 1e-6, profile_defaults);
+    assert_null(find_note(&profile, "steps of"));
+    profile_free(&profile);
+    uint64_t seed = 3;
+    for (size_t i = 0; i < POINTS; i++)
+        f->z[i] = 1e-6 * noise(&seed);
+    assert_near(sanity_digitising(f->z, POINTS), 0, 0);
+}
+
+/* White noise of 10 nm under the waves: m4 falls nearly 16 times with every other point; a filter ends the warning. */
+static void test_noise(void **state)
+{
+    struct fixture *f = *state;
+    uint64_t seed = 2;
+    make_smooth(f->z);
+    for (size_t i = 0; i < POINTS; i++)
+        f->z[i] += 1e-7 * noise(&seed);
+    struct profile profile = condition(f->z, 1e-6, profile_defaults);
+    const char *note = find_note(&profile, "m4 is noise of the shortest wavelengths: ");
+    assert_non_null(note);
+    double ratio = strtod(note + strlen("m4 is noise of the shortest wavelengths: "), NULL);
+    assert_true(ratio > 14 && ratio < 16);
+    profile_free(&profile);
+    profile = condition(f->z, 1e-6, (struct profile_options){.lambda_s_m = 8e-6});
+    assert_null(find_note(&profile, "m4 is noise"));
+    profile_free(&profile);
+}
+
+/* Waves of 64.37 um and 1 um: RMS radius of curvature sqrt(2) (64.37/2 pi)² = 148 um. */
+static void test_tip_radius(void **state)
+{
+    struct fixture *f = *state;
+    make_smooth(f->z);
+    static const struct {
+        double tip_m;
+        bool warns;
+    } rows[] = {{0, false}, {140e-6, false}, {150e-6, true}};
+    for (size_t r = 0; r < 3; r++) {
+        struct profile profile = condition(f->z, 1e-6, (struct profile_options){.tip_radius_m = rows[r].tip_m});
+        assert_int_equal(find_note(&profile, "the RMS radius of curvature, 149 um, is below the tip radius") != NULL,
+                         rows[r].warns);
+        profile_free(&profile);
+    }
+    struct profile profile =
+        condition(f->z, 1e-6, (struct profile_options){.lambda_s_m = 2.5e-6, .tip_radius_m = 5e-6});
+    assert_note(&profile, "the shortest wavelength, 2.5 um, is below the tip radius, 5 um");
+    profile_free(&profile);
+}
+
+static void test_ends_and_few_points(void **state)
+{
+    struct fixture *f = *state;
+    for (size_t i = 0; i < POINTS; i++) /* a flat line whose last point is off */
+        f->z[i] = 1e-8 * sin((double)i) + (i == POINTS - 1 ? 1e-6 : 0);
+    struct profile profile = condition(f->z, 1e-6, profile_defaults);
+    assert_note(&profile, "the ends of the record differ by 0.99");
+    profile_free(&profile);
+    struct scan scan = scan_on(NULL, f->z, 63, 1e-6);
+    profile = profile_good(&scan, &profile_defaults);
+    assert_note(&profile, "only 63 points; the spectrum has 31 harmonics");
+    profile_free(&profile);
+    scan.nx = 64;
+    profile = profile_good(&scan, &profile_defaults);
+    assert_null(find_note(&profile, "points;"));
+    profile_free(&profile);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(test_header_spacing_of_rounded_positions, setup, teardown),
+        cmocka_unit_test(test_reader_hands_the_header_spacing_over),
+        cmocka_unit_test_setup_teardown(test_filters, setup, teardown),
+        cmocka_unit_test_setup_teardown(test_measured_points, setup, teardown),
+        cmocka_unit_test_setup_teardown(test_a_good_profile_needs_no_note, setup, teardown),
+        cmocka_unit_test_setup_teardown(test_units_that_cannot_be, setup, teardown),
+        cmocka_unit_test_setup_teardown(test_digitising, setup, teardown),
+        cmocka_unit_test_setup_teardown(test_noise, setup, teardown),
+        cmocka_unit_test_setup_teardown(test_tip_radius, setup, teardown),
+        cmocka_unit_test_setup_teardown(test_ends_and_few_points, setup, teardown),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

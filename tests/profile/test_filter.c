@@ -1,0 +1,123 @@
+/* The Gaussian filter: transmission of sinusoids, constants up to the ends, linearity, a direct sum. */
+#include "profile/filter.h"
+#include "support.h"
+
+#include <time.h>
+
+static void smooth(double *z, size_t points, double spacing_m, double cutoff_m)
+{
+    struct status status = {0};
+    if (filter_gaussian(z, points, spacing_m, cutoff_m, &status) != STATUS_OK)
+        fail_msg("%s", status.message);
+}
+
+static void make_noise(double *z, size_t points, uint64_t seed)
+{
+    for (size_t i = 0; i < points; i++) {
+        seed = seed * 6364136223846793005u + 1442695040888963407u;
+        z[i] = 1e-6 * (double)(int64_t)seed * 0x1p-63;
+    }
+}
+
+/* ISO 16610-21: half of the amplitude passes at the cut-off, 2^-(cutoff/wavelength)² in general. */
+static void test_sinusoids_pass_as_the_standard_says(void **state)
+{
+    (void)state;
+    enum { POINTS = 20000, MARGIN = 2500 };
+    static const double ratios[] = {0.25, 0.5, 1, 2, 4}; /* wavelength/cutoff */
+    double *z = malloc(POINTS * sizeof *z), cutoff_m = 8e-4, spacing_m = 5e-7;
+    assert_near(filter_transmission(cutoff_m, cutoff_m), 0.5, 1e-15);
+    for (size_t r = 0; r < sizeof ratios / sizeof *ratios; r++) {
+        double k = 2 * M_PI / (ratios[r] * cutoff_m), passes = pow(2, -1 / (ratios[r] * ratios[r]));
+        assert_near(filter_transmission(ratios[r] * cutoff_m, cutoff_m), passes, 1e-14);
+        for (size_t i = 0; i < POINTS; i++)
+            z[i] = 1e-6 * cos(k * (double)i * spacing_m);
+        smooth(z, POINTS, spacing_m, cutoff_m);
+        for (size_t i = MARGIN; i < POINTS - MARGIN; i++) /* beyond the reach of the ends */
+            assert_within(z[i], 1e-6 * passes * cos(k * (double)i * spacing_m), 3e-15);
+    }
+    free(z);
+}
+
+static void test_constants_stay_up_to_both_ends(void **state)
+{
+    (void)state;
+    static const size_t points[] = {3, 7, 1000, 1001};
+    static const double cutoffs_m[] = {1e-9, 1e-6, 1e-4, 1};
+    for (size_t p = 0; p < 4; p++)
+        for (size_t c = 0; c < 4; c++) {
+            double z[1001];
+            for (size_t i = 0; i < points[p]; i++)
+                z[i] = 3e-3;
+            smooth(z, points[p], 1e-6, cutoffs_m[c]);
+            for (size_t i = 0; i < points[p]; i++)
+                assert_near(z[i], 3e-3, 1e-12);
+        }
+}
+
+static void test_it_is_linear(void **state)
+{
+    (void)state;
+    enum { POINTS = 777 };
+    double a[POINTS], b[POINTS], both[POINTS];
+    make_noise(a, POINTS, 1);
+    make_noise(b, POINTS, 2);
+    for (size_t i = 0; i < POINTS; i++)
+        both[i] = 3 * a[i] - 0.5 * b[i];
+    smooth(a, POINTS, 1e-6, 2.5e-5);
+    smooth(b, POINTS, 1e-6, 2.5e-5);
+    smooth(both, POINTS, 1e-6, 2.5e-5);
+    for (size_t i = 0; i < POINTS; i++)
+        assert_within(both[i], 3 * a[i] - 0.5 * b[i], 1e-19);
+}
+
+/* The weights written out and summed point by point, normalised by those within the record. */
+static void test_against_the_direct_sum(void **state)
+{
+    (void)state;
+    enum { POINTS = 301 };
+    static const double cutoffs_m[] = {3e-6, 4.7e-5, 9e-4};
+    double z[POINTS], filtered[POINTS];
+    make_noise(z, POINTS, 3);
+    for (size_t c = 0; c < 3; c++) {
+        memcpy(filtered, z, sizeof z);
+        smooth(filtered, POINTS, 1e-6, cutoffs_m[c]);
+        for (size_t i = 0; i < POINTS; i++) {
+            double sum = 0, norm = 0;
+            for (size_t j = 0; j < POINTS; j++) {
+                double x = ((double)j - (double)i) * 1e-6 / (sqrt(M_LN2 / M_PI) * cutoffs_m[c]);
+                double weight = exp(-M_PI * x * x);
+                weight = weight < 1e-9 ? 0 : weight;
+                sum += weight * z[j];
+                norm += weight;
+            }
+            assert_within(filtered[i], sum / norm, 1e-18);
+        }
+    }
+}
+
+static void test_a_million_points_are_quick(void **state)
+{
+    (void)state;
+    enum { POINTS = 1000000 };
+    double *z = malloc(POINTS * sizeof *z);
+    make_noise(z, POINTS, 4);
+    clock_t started = clock();
+    smooth(z, POINTS, 1e-7, 8e-3);
+    double seconds = (double)(clock() - started) / CLOCKS_PER_SEC;
+    print_message("10^6 points, 80000 to a cut-off: %.3f s\n", seconds);
+    assert_true(seconds < 5); /* a direct sum takes minutes */
+    free(z);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_sinusoids_pass_as_the_standard_says),
+        cmocka_unit_test(test_constants_stay_up_to_both_ends),
+        cmocka_unit_test(test_it_is_linear),
+        cmocka_unit_test(test_against_the_direct_sum),
+        cmocka_unit_test(test_a_million_points_are_quick),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

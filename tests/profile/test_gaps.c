@@ -1,0 +1,126 @@
+/* Missing points: bridged, cut off, counted, refused. */
+#include "condition_support.h"
+
+#include <stdio.h>
+
+enum { POINTS = 2000 };
+static const struct profile_options as_it_is = {.level = SCENE_LEVEL_NONE, .max_missing = 0.1};
+
+static void make_wave(double *z)
+{
+    for (size_t i = 0; i < POINTS; i++)
+        z[i] = 1e-6 * sin(2 * M_PI * (double)i / 500);
+}
+
+/* Gaps of g points in a sinusoid: a straight bridge is off by (k w)²/8 of the amplitude at most, w = (g + 1) h. */
+static void test_gaps_in_a_sinusoid(void **state)
+{
+    (void)state;
+    double z[POINTS], whole[POINTS];
+    make_wave(whole);
+    for (size_t gap = 1; gap <= 20; gap += 19) {
+        make_wave(z);
+        size_t missing = 0;
+        for (size_t start = 100; start + gap < POINTS; start += 400)
+            for (size_t i = 0; i < gap; i++, missing++)
+                z[start + i] = NAN;
+        struct scan scan = scan_on(NULL, z, POINTS, 1e-6);
+        struct profile profile = profile_good(&scan, &as_it_is);
+        double allowed = 1e-6 * pow(2 * M_PI / 500 * (double)(gap + 1), 2) / 8, worst = 0;
+        for (size_t i = 0; i < POINTS; i++)
+            worst = fmax(worst, fabs(profile.height_m[i] - whole[i]));
+        assert_true(worst > 0 && worst <= allowed);
+        assert_int_equal(profile.points, POINTS);
+        assert_int_equal(profile.bridged, missing);
+        assert_int_equal(profile.trimmed, 0);
+        char words[80];
+        snprintf(words, sizeof words,
+                 "%zu missing points in 5 gaps were bridged by straight lines, the longest over %zu ", missing, gap);
+        assert_note(&profile, words);
+        profile_free(&profile);
+    }
+}
+
+/* A bridge over uneven positions follows them. */
+static void test_gaps_over_uneven_positions(void **state)
+{
+    (void)state;
+    double x[100], z[100];
+    uint64_t seed = 5;
+    for (size_t i = 0; i < 100; i++) {
+        x[i] = ((double)i + 0.4 * noise(&seed)) * 1e-6;
+        z[i] = i < 50 ? 0.25 * x[i] : 0.25 * x[i] + 1e-7;
+    }
+    z[20] = z[21] = z[70] = NAN;
+    struct scan scan = scan_on(x, z, 100, 0);
+    struct profile profile = profile_good(&scan, &as_it_is);
+    assert_int_equal(profile.grid, PROFILE_RESAMPLED);
+    assert_near(profile.measured_z_m[20], 0.25 * x[20], 1e-12);
+    assert_near(profile.measured_z_m[21], 0.25 * x[21], 1e-12);
+    assert_near(profile.measured_z_m[70], 0.25 * x[70] + 1e-7, 1e-12);
+    profile_free(&profile);
+}
+
+static void test_missing_ends_are_cut_off(void **state)
+{
+    (void)state;
+    double z[POINTS], x[POINTS];
+    for (int with_x = 0; with_x < 2; with_x++) {
+        make_wave(z);
+        for (size_t i = 0; i < POINTS; i++)
+            x[i] = (double)i * 1e-6;
+        for (size_t i = 0; i < 30; i++)
+            z[i] = NAN;
+        for (size_t i = POINTS - 50; i < POINTS; i++)
+            z[i] = NAN;
+        struct scan scan = scan_on(with_x ? x : NULL, z, POINTS, 1e-6);
+        struct profile profile = profile_good(&scan, &as_it_is);
+        assert_int_equal(profile.points, POINTS - 80);
+        assert_int_equal(profile.trimmed, 80);
+        assert_int_equal(profile.bridged, 0);
+        assert_near(profile.spacing_m, 1e-6, 1e-12);
+        assert_memory_equal(profile.height_m, z + 30, (POINTS - 80) * sizeof *z);
+        assert_note(&profile, "80 missing points at the ends were cut off");
+        profile_free(&profile);
+    }
+}
+
+/* A tenth may be missing, and whatever the scene allows. */
+static void test_too_many_are_refused(void **state)
+{
+    (void)state;
+    double z[POINTS];
+    make_wave(z);
+    for (size_t i = 5; i < POINTS; i += 10)
+        z[i] = NAN;
+    struct scan scan = scan_on(NULL, z, POINTS, 1e-6);
+    struct profile profile = profile_good(&scan, &as_it_is); /* 10 %, just so */
+    profile_free(&profile);
+    z[1] = NAN;
+    scan = scan_on(NULL, z, POINTS, 1e-6);
+    assert_profile_refused(&scan, &as_it_is,
+                           "201 of 2000 heights are missing, 10.1 % where 10 % may be; allow more with "
+                           "`max_missing`");
+    profile = profile_good(&scan, &(struct profile_options){.max_missing = 0.2});
+    assert_int_equal(profile.bridged, 201);
+    profile_free(&profile);
+    for (size_t i = 0; i < POINTS - 2; i++)
+        z[i] = NAN;
+    scan = scan_on(NULL, z, POINTS, 1e-6);
+    assert_profile_refused(&scan, &(struct profile_options){.max_missing = 0.9},
+                           "export the scan with the gaps filled");
+    assert_profile_refused(&scan, &(struct profile_options){.max_missing = 1}, "only 2 heights are there");
+    z[POINTS - 1] = z[POINTS - 2] = NAN;
+    assert_profile_refused(&scan, &(struct profile_options){.max_missing = 1}, "only 0 heights are there");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_gaps_in_a_sinusoid),
+        cmocka_unit_test(test_gaps_over_uneven_positions),
+        cmocka_unit_test(test_missing_ends_are_cut_off),
+        cmocka_unit_test(test_too_many_are_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,178 @@
+/* Arcs, robust lines, and levelling over uneven positions. */
+#include "condition_support.h"
+#include "profile/level.h"
+
+enum { POINTS = 4001 };
+
+static struct levelling level(double *z, const double *x, size_t points, double spacing_m, enum scene_level how)
+{
+    struct levelling levelling;
+    struct status status = {0};
+    if (level_remove(&levelling, z, x, points, spacing_m, how, &status) != STATUS_OK)
+        fail_msg("%s", status.message);
+    return levelling;
+}
+
+/* Exact arcs, from nearly flat to steep, crowns and hollows, their middle off the record's: nothing is left. */
+static void test_an_arc_is_taken_out_whole(void **state)
+{
+    (void)state;
+    static const double radii_m[] = {1e4, 10, 0.05, 3e-3, 1.6e-3};
+    static double z[POINTS];
+    for (size_t r = 0; r < sizeof radii_m / sizeof *radii_m; r++)
+        for (int crown = 0; crown < 2; crown++) {
+            double half_m = 1e-3, spacing_m = 2 * half_m / (POINTS - 1), middle_m = 0.2e-3;
+            for (size_t i = 0; i < POINTS; i++) {
+                double x = -half_m + (double)i * spacing_m - middle_m;
+                double depth = x * x / (radii_m[r] + sqrt(radii_m[r] * radii_m[r] - x * x));
+                z[i] = 3e-3 + (crown ? -depth : depth);
+            }
+            struct levelling levelling = level(z, NULL, POINTS, spacing_m, SCENE_LEVEL_CIRCLE);
+            for (size_t i = 0; i < POINTS; i++)
+                assert_within(z[i], 0, 2e-15);
+            double expected = crown ? -radii_m[r] : radii_m[r];
+            assert_near(levelling.radius_m, expected, radii_m[r] > 1e3 ? 1e-4 : 1e-7);
+            double slope = -middle_m / radii_m[r] / sqrt(1 - pow(middle_m / radii_m[r], 2));
+            assert_within(levelling.tilt, crown ? -slope : slope, 1e-9);
+        }
+}
+
+/* Waves on a ball of 5 mm: the waves stay, the radius comes back; a parabola would leave some of the ball. */
+static void test_an_arc_under_roughness(void **state)
+{
+    (void)state;
+    static double z[POINTS], wave[POINTS], parabola[POINTS];
+    double spacing_m = 5e-7, radius_m = 5e-3;
+    for (size_t i = 0; i < POINTS; i++) {
+        double x = ((double)i - (POINTS - 1) / 2) * spacing_m;
+        wave[i] = 2e-7 * cos(2 * M_PI * 50 * (double)i / POINTS);
+        parabola[i] = z[i] = wave[i] + sqrt(radius_m * radius_m - x * x);
+    }
+    struct levelling levelling = level(z, NULL, POINTS, spacing_m, SCENE_LEVEL_CIRCLE);
+    level(parabola, NULL, POINTS, spacing_m, SCENE_LEVEL_PARABOLA);
+    double left = 0, left_by_parabola = 0;
+    for (size_t i = 0; i < POINTS; i++) {
+        left = fmax(left, fabs(z[i] - wave[i]));
+        left_by_parabola = fmax(left_by_parabola, fabs(parabola[i] - wave[i]));
+    }
+    assert_near(levelling.radius_m, -radius_m, 1e-4);
+    assert_true(left < 3e-9);
+    assert_true(left_by_parabola > 10 * left);
+}
+
+/* What is left of any record is orthogonal to the arc's derivatives; for a flat one these are 1, x, x². */
+static void test_an_arc_is_a_least_squares_fit(void **state)
+{
+    (void)state;
+    static double z[POINTS];
+    uint64_t seed = 8;
+    for (size_t i = 0; i < POINTS; i++)
+        z[i] = 1e-7 * noise(&seed) + 1e-9 * (double)i * 1e-3;
+    level(z, NULL, POINTS, 1e-6, SCENE_LEVEL_CIRCLE);
+    double product[3] = {0};
+    for (size_t i = 0; i < POINTS; i++) {
+        double u = (double)i / POINTS - 0.5;
+        product[0] += z[i] / POINTS, product[1] += u * z[i] / POINTS, product[2] += u * u * z[i] / POINTS;
+    }
+    for (int p = 0; p < 3; p++)
+        assert_within(product[p], 0, 1e-7 * 1e-6);
+}
+
+/* Every twentieth point is a spike, all to one side: the least-squares line tilts and sinks, the robust one does not.
+ */
+static void test_outliers_do_not_move_the_robust_line(void **state)
+{
+    (void)state;
+    static double clean[POINTS], z[POINTS], plain[POINTS];
+    uint64_t seed = 4;
+    for (size_t i = 0; i < POINTS; i++) {
+        clean[i] = 1e-7 * (noise(&seed) + noise(&seed) + noise(&seed));
+        plain[i] = z[i] = clean[i] + 2e-3 * (double)i * 1e-6 + (i % 20 == 7 ? 4e-5 * (double)i / POINTS : 0);
+    }
+    struct levelling robust = level(z, NULL, POINTS, 1e-6, SCENE_LEVEL_ROBUST);
+    struct levelling line = level(plain, NULL, POINTS, 1e-6, SCENE_LEVEL_LINE);
+    struct levelling own = level(clean, NULL, POINTS, 1e-6, SCENE_LEVEL_LINE);
+    double error = fabs(robust.tilt - own.tilt - 2e-3);
+    assert_true(error < 1e-6); /* 4 nm over the 4 mm; Rq is 100 nm */
+    assert_true(fabs(line.tilt - own.tilt - 2e-3) > 100 * error);
+    assert_true(robust.outliers >= 190 && robust.outliers <= 201); /* the smallest spikes are no outliers */
+    assert_int_equal(line.outliers, 0);
+    double worst = 0;
+    for (size_t i = 0; i < POINTS; i++)
+        worst = i % 20 == 7 ? worst : fmax(worst, fabs(z[i] - clean[i]));
+    assert_true(worst < 1e-8);
+}
+
+/* Without outliers it is the least-squares line but for the weights; on an exact line with spikes it is that line. */
+static void test_robust_line_of_clean_records(void **state)
+{
+    (void)state;
+    static double z[POINTS], plain[POINTS];
+    uint64_t seed = 6;
+    for (size_t i = 0; i < POINTS; i++)
+        plain[i] = z[i] = 1e-7 * noise(&seed) - 1e-9 * (double)i;
+    struct levelling robust = level(z, NULL, POINTS, 1e-6, SCENE_LEVEL_ROBUST);
+    assert_near(robust.tilt, level(plain, NULL, POINTS, 1e-6, SCENE_LEVEL_LINE).tilt, 1e-3);
+    assert_int_equal(robust.outliers, 0);
+    for (size_t i = 0; i < 100; i++)
+        z[i] = 0.25 * (double)i + (i % 10 == 3 ? 1000 : 0);
+    robust = level(z, NULL, 100, 1, SCENE_LEVEL_ROBUST);
+    assert_near(robust.tilt, 0.25, 1e-12);
+    assert_int_equal(robust.outliers, 10);
+    assert_within(z[50], 0, 1e-12);
+}
+
+/* Exact polynomials over positions with steps of 1 to 3 vanish; as if uniform they would not. */
+static void test_uneven_positions_count(void **state)
+{
+    (void)state;
+    static double x[POINTS], z[POINTS];
+    for (int degree = 1; degree <= 2; degree++) {
+        for (size_t i = 0; i < POINTS; i++) {
+            double u = (double)i / POINTS;
+            x[i] = 1e-2 + 1e-3 * (u + u * u);
+            z[i] = 1e-3 + 0.02 * x[i] + (degree == 2 ? 5 * x[i] * x[i] : 0);
+        }
+        struct levelling levelling = level(z, x, POINTS, 0, degree == 2 ? SCENE_LEVEL_PARABOLA : SCENE_LEVEL_LINE);
+        for (size_t i = 0; i < POINTS; i++)
+            assert_within(z[i], 0, 1e-17);
+        if (degree == 1)
+            assert_near(levelling.tilt, 0.02, 1e-9);
+    }
+}
+
+/* The pipeline says what it took out. */
+static void test_levelling_is_told(void **state)
+{
+    (void)state;
+    static double z[POINTS];
+    uint64_t seed = 9;
+    for (size_t i = 0; i < POINTS; i++) {
+        double x = ((double)i - 2000) * 1e-6;
+        z[i] = 1e-7 * noise(&seed) - x * x / 2 / 0.025 + (i == 77 ? 1e-3 : 0);
+    }
+    struct scan scan = scan_on(NULL, z, POINTS, 1e-6);
+    struct profile profile = profile_good(&scan, &(struct profile_options){.level = SCENE_LEVEL_ROBUST});
+    assert_note(&profile, "robust line was taken out; ");
+    profile_free(&profile);
+    z[77] = z[76];
+    profile = profile_good(&scan, &(struct profile_options){.level = SCENE_LEVEL_CIRCLE});
+    assert_note(&profile, "an arc of radius 25");
+    assert_note(&profile, "mm (crown) was taken out");
+    assert_near(profile.radius_m, -0.025, 0.01);
+    profile_free(&profile);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_an_arc_is_taken_out_whole),
+        cmocka_unit_test(test_an_arc_under_roughness),
+        cmocka_unit_test(test_an_arc_is_a_least_squares_fit),
+        cmocka_unit_test(test_outliers_do_not_move_the_robust_line),
+        cmocka_unit_test(test_robust_line_of_clean_records),
+        cmocka_unit_test(test_uneven_positions_count),
+        cmocka_unit_test(test_levelling_is_told),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

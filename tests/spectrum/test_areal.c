@@ -1,0 +1,119 @@
+/* Maps: a plane under waves along x, with and without missing points. */
+#include "spectrum/areal.h"
+#include "support.h"
+
+enum { NX = 400, NY = 30 };
+static const double dx_m = 1e-6, amplitude_m = 5e-8;
+
+static int setup(void **state)
+{
+    *state = malloc(NX * NY * sizeof(double));
+    return *state ? 0 : -1;
+}
+
+static int teardown(void **state)
+{
+    free(*state);
+    return 0;
+}
+
+/* Ten waves along x in every row, on a plane high up; `missing` of the points are not there. */
+static struct scan make_map(double *z, bool with_gaps)
+{
+    struct scan scan = {.kind = SCAN_AREAL, .nx = NX, .ny = NY, .dx_m = dx_m, .dy_m = 3e-6, .z_m = z};
+    for (size_t i = 0; i < NX * NY; i++) {
+        double x = (double)(i % NX) * dx_m, y = (double)(i / NX) * 3e-6;
+        z[i] = 0.07 + 0.3 * x - 0.1 * y + amplitude_m * cos(2 * M_PI * 10 * ((double)(i % NX) + 0.5) / NX);
+        if (with_gaps && (i % 97 == 0 || i % NX < 3)) {
+            z[i] = NAN;
+            scan.missing++;
+        }
+    }
+    return scan;
+}
+
+static struct areal compute(const struct scan *scan)
+{
+    struct areal areal;
+    struct status status = {0};
+    if (areal_compute(&areal, scan, &status) != STATUS_OK)
+        fail_msg("%s", status.message);
+    return areal;
+}
+
+static void test_waves_on_a_plane(void **state)
+{
+    struct scan scan = make_map(*state, false);
+    struct areal areal = compute(&scan);
+    double k = 2 * M_PI * 10 / NX, slope = sin(k) / dx_m, curvature = (2 - 2 * cos(k)) / dx_m / dx_m;
+    assert_near(areal.sq_m, amplitude_m / sqrt(2), 1e-9);
+    assert_near(areal.sa_m, amplitude_m * 2 / M_PI, 1e-2);
+    assert_near(areal.sz_m, 2 * amplitude_m, 1e-2);
+    assert_near(areal.rows.rq_m, amplitude_m / sqrt(2), 1e-9);
+    assert_near(areal.rows.m2, amplitude_m * amplitude_m / 2 * slope * slope, 1e-2);
+    assert_near(areal.rows.m4_per_m2, amplitude_m * amplitude_m / 2 * curvature * curvature, 1e-2);
+    assert_int_equal(areal.spectrum_rows, NY);
+    assert_near(areal.spectrum.amplitude_m[9], amplitude_m, 1e-9);
+    assert_within(areal.spectrum.amplitude_m[20], 0, 1e-15);
+    areal_free(&areal);
+}
+
+/* A hundredth and three points of every row missing: every figure stays within a few per cent. */
+static void test_missing_points_are_left_out(void **state)
+{
+    struct scan scan = make_map(*state, true);
+    struct areal areal = compute(&scan);
+    double k = 2 * M_PI * 10 / NX, slope = sin(k) / dx_m, curvature = (2 - 2 * cos(k)) / dx_m / dx_m;
+    assert_near(areal.sq_m, amplitude_m / sqrt(2), 0.02);
+    assert_near(areal.rows.rq_m, amplitude_m / sqrt(2), 0.02);
+    assert_near(areal.rows.m2, amplitude_m * amplitude_m / 2 * slope * slope, 0.03);
+    assert_near(areal.rows.m4_per_m2, amplitude_m * amplitude_m / 2 * curvature * curvature, 0.03);
+    assert_int_equal(areal.spectrum_rows, NY);
+    assert_near(areal.spectrum.amplitude_m[9], amplitude_m, 0.05);
+    areal_free(&areal);
+}
+
+/* Rows that are all missing or flat have no spectrum, and the others have theirs. */
+static void test_rows_that_are_none(void **state)
+{
+    double *z = *state;
+    struct scan scan = make_map(z, false);
+    for (size_t i = 0; i < NX; i++) {
+        z[i] = NAN;
+        z[NX + i] = 0.07;
+    }
+    struct areal areal = compute(&scan);
+    assert_int_equal(areal.spectrum_rows, NY - 2);
+    assert_near(areal.spectrum.amplitude_m[9], amplitude_m, 1e-9);
+    assert_near(areal.rows.m0_m2, amplitude_m * amplitude_m / 2 * (NY - 2) / (NY - 1), 1e-6);
+    areal_free(&areal);
+}
+
+static void test_maps_that_are_none(void **state)
+{
+    double *z = *state;
+    struct scan scan = make_map(z, false);
+    struct areal areal;
+    struct status status = {0};
+    for (size_t i = 0; i < NX * NY; i++)
+        z[i] = NAN;
+    assert_int_equal(areal_compute(&areal, &scan, &status), STATUS_SCAN);
+    areal_free(&areal);
+    status = (struct status){0};
+    for (size_t i = 0; i < NX * NY; i += 2)
+        z[i] = (double)(i % 7);
+    assert_int_equal(areal_compute(&areal, &scan, &status), STATUS_SCAN);
+    assert_non_null(strstr(status.message, "side by side"));
+    areal_free(&areal);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(test_waves_on_a_plane, setup, teardown),
+        cmocka_unit_test_setup_teardown(test_missing_points_are_left_out, setup, teardown),
+        cmocka_unit_test_setup_teardown(test_rows_that_are_none, setup, teardown),
+        cmocka_unit_test_setup_teardown(test_maps_that_are_none, setup, teardown),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

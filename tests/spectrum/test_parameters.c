@@ -1,0 +1,319 @@
+/* Parameters: closed forms, and the values that instruments and NIST print, to their last digit. */
+#include "profile/profile.h"
+#include "scan/scan_support.h"
+#include "spectrum/parameters.h"
+
+enum { POINTS = 20000 };
+
+static double *room(void)
+{
+    double *z = malloc(POINTS * sizeof *z);
+    assert_non_null(z);
+    return z;
+}
+
+static struct parameters compute(const double *z, size_t points, double spacing_m, size_t sampling_lengths)
+{
+    struct parameters parameters;
+    struct status status = {0};
+    if (parameters_compute(&parameters, 'P', z, points, spacing_m, sampling_lengths, &status) != STATUS_OK)
+        fail_msg("%s", status.message);
+    return parameters;
+}
+
+static void assert_value(const struct parameters *parameters, const char *name, double expected, double atol)
+{
+    double value = parameters_value(parameters, name);
+    if (!(fabs(value - expected) <= atol))
+        print_error("%c%s\n", parameters->letter, name);
+    assert_within(value, expected, atol);
+}
+
+static void test_every_row_is_described(void **state)
+{
+    (void)state;
+    for (size_t p = 0; p < PARAMETERS_COUNT; p++) {
+        const struct parameters_row *row = &parameters_rows[p];
+        assert_true(strlen(row->name) > 0 && strlen(row->meaning) > 5 && strstr(row->clause, "ISO"));
+        assert_true(strcmp(row->unit, "m") == 0 || strcmp(row->unit, "") == 0);
+        assert_non_null(row->evaluate);
+        for (size_t other = 0; other < p; other++)
+            assert_string_not_equal(row->name, parameters_rows[other].name);
+    }
+    struct parameters parameters = {0};
+    assert_true(isnan(parameters_value(&parameters, "nothing")));
+}
+
+static void test_a_sine(void **state)
+{
+    (void)state;
+    double *z = room(), k = 2 * M_PI / 400; /* 50 waves of 100 um */
+    for (size_t i = 0; i < POINTS; i++)
+        z[i] = 2e-6 * sin(k * ((double)i + 0.25));
+    struct parameters p = compute(z, POINTS, 2.5e-7, 1);
+    assert_value(&p, "a", 4e-6 / M_PI, 1e-10);
+    assert_value(&p, "q", 2e-6 / sqrt(2), 1e-14);
+    assert_value(&p, "p", 2e-6, 1e-10);
+    assert_value(&p, "v", 2e-6, 1e-10);
+    assert_value(&p, "z", 4e-6, 1e-10);
+    assert_value(&p, "t", 4e-6, 1e-10);
+    assert_value(&p, "sk", 0, 1e-9);
+    assert_value(&p, "ku", 1.5, 1e-9);
+    assert_value(&p, "dq", 2e-6 * 2 * M_PI / 1e-4 / sqrt(2), 2e-5); /* six points of 20000 have no slope */
+    assert_value(&p, "sm", 1e-4, 1e-10);
+    assert_near(p.evaluation_length_m, 5e-3, 1e-12);
+    for (size_t i = 0; i < PARAMETERS_CURVE; i++) /* the share c of a sine lies above cos(pi c) */
+        assert_within(p.material_ratio_m[i], 2e-6 * cos(M_PI * (double)i / 100), 2e-10);
+    free(z);
+}
+
+/* Quantiles of a Gaussian (Newton on erfc), in any order: skewness 0, kurtosis 3, Ra/Rq = sqrt(2/pi). */
+static void test_a_gaussian_has_a_kurtosis_of_3(void **state)
+{
+    (void)state;
+    double *z = room(), x = -4;
+    for (size_t i = 0; i < POINTS; i++) {
+        for (int step = 0; step < 30; step++)
+            x -= (0.5 * erfc(-x / sqrt(2)) - ((double)i + 0.5) / POINTS) * sqrt(2 * M_PI) * exp(x * x / 2);
+        z[i] = 1e-6 * x;
+    }
+    struct parameters p = compute(z, POINTS, 1e-6, 1);
+    assert_value(&p, "ku", 3, 0.01);
+    assert_value(&p, "sk", 0, 1e-9);
+    assert_value(&p, "q", 1e-6, 1e-10);
+    assert_value(&p, "a", 1e-6 * sqrt(2 / M_PI), 1e-10);
+    free(z);
+}
+
+/* The 7-point formula is exact for polynomials up to the 6th power. */
+static void test_slope_formula(void **state)
+{
+    (void)state;
+    double z[40], sum = 0;
+    for (size_t i = 0; i < 40; i++) {
+        double x = (double)i * 0.05 - 1;
+        z[i] = 1 + x * (2 + x * (-1 + x * (0.5 + x * (3 + x * (-2 + x)))));
+        double slope = 2 + x * (-2 + x * (1.5 + x * (12 + x * (-10 + x * 6))));
+        sum += i >= 3 && i < 37 ? slope * slope : 0;
+    }
+    struct parameters p = compute(z, 40, 0.05, 1);
+    assert_value(&p, "dq", sqrt(sum / 34), 1e-12);
+    p = compute(z, 6, 0.05, 1);
+    assert_true(isnan(parameters_value(&p, "dq")));
+}
+
+/* Five parts with waves of 1, 2, 3, 4, 5 um: p, v, z, a, q are means, t is the tallest part's. */
+static void test_means_over_sampling_lengths(void **state)
+{
+    (void)state;
+    double *z = room();
+    for (size_t i = 0; i < POINTS; i++)
+        z[i] = (double)(i / (POINTS / 5) + 1) * 1e-6 * sin(2 * M_PI * ((double)i + 0.5) / 200);
+    struct parameters p = compute(z, POINTS, 1e-6, 5);
+    assert_value(&p, "p", 3e-6, 1e-9);
+    assert_value(&p, "v", 3e-6, 1e-9);
+    assert_value(&p, "z", 6e-6, 1e-9);
+    assert_value(&p, "t", 10e-6, 2e-9);
+    assert_value(&p, "q", 3e-6 / sqrt(2), 1e-12);
+    assert_value(&p, "a", 6e-6 / M_PI, 1e-9);
+    assert_value(&p, "ku", 1.5, 1e-9);
+    assert_int_equal(p.sampling_lengths, 5);
+    free(z);
+}
+
+/* Ripples that cross the line are no elements; hills that stay under 10 % of the highest are none either. */
+static void test_profile_elements(void **state)
+{
+    (void)state;
+    double *z = room();
+    for (size_t i = 0; i < POINTS; i++)
+        z[i] = 1e-6 * (sin(2 * M_PI * (double)i / 1000) + 0.05 * sin(2 * M_PI * (double)i / 37));
+    struct parameters p = compute(z, POINTS, 1e-6, 1);
+    assert_value(&p, "sm", 1e-3, 2e-6);
+    for (size_t i = 0; i < POINTS; i++) { /* every other wave is 8 % as high: an element is two waves wide */
+        double wave = sin(2 * M_PI * ((double)i + 0.5) / 1000);
+        z[i] = 1e-6 * wave * ((i / 1000) % 2 ? 0.08 : 1);
+    }
+    p = compute(z, POINTS, 1e-6, 1);
+    assert_value(&p, "sm", 2e-3, 2e-5);
+    for (size_t i = 0; i < POINTS; i++)
+        z[i] = 1e-6 + 1e-9 * (double)i; /* never below the line */
+    p = compute(z, POINTS, 1e-6, 1);
+    assert_true(isnan(parameters_value(&p, "sm")));
+    free(z);
+}
+
+/* A material ratio curve of three straight pieces, slopes s1 to ratio a, s to b, s2 beyond: the core is the middle one,
+ * carried on to 0 and 100 %; peaks and valleys are the triangles beyond it. */
+static void test_k_family_of_a_known_curve(void **state)
+{
+    (void)state;
+    double *z = room(), s = 1e-6, s1 = 10e-6, s2 = 20e-6, a = 0.15, b = 0.85;
+    for (size_t i = 0; i < POINTS; i++) {
+        size_t k = i * 7919 % POINTS; /* any order */
+        double r = ((double)i + 0.5) / POINTS;
+        z[k] = 2e-6 - s * r + (r < a ? (s1 - s) * (a - r) : 0) - (r > b ? (s2 - s) * (r - b) : 0);
+    }
+    struct parameters p = compute(z, POINTS, 1e-6, 1);
+    double mr1 = a - s * a / s1, mr2 = b + s * (1 - b) / s2;
+    assert_value(&p, "k", s, 1e-12);
+    assert_value(&p, "mrk1", mr1, 1e-4);
+    assert_value(&p, "mrk2", mr2, 1e-4);
+    /* above the core's height: triangles of slope s1 to mr1 less what the corner at a leaves, none: z crosses at mr1 */
+    assert_value(&p, "pk", s1 * mr1, 1e-9);
+    assert_value(&p, "vk", s2 * (1 - mr2), 1e-9);
+    for (size_t i = 0; i < POINTS; i++)
+        z[i] = 1e-6 * (1 - ((double)i + 0.5) / POINTS); /* all core */
+    p = compute(z, POINTS, 1e-6, 1);
+    assert_value(&p, "k", 1e-6, 1e-15);
+    assert_value(&p, "pk", 0, 1e-9);
+    assert_value(&p, "vk", 0, 1e-9);
+    assert_value(&p, "mrk1", 0, 1e-4);
+    assert_value(&p, "mrk2", 1, 1e-4);
+    free(z);
+}
+
+static void test_sampling_lengths_that_fit(void **state)
+{
+    (void)state;
+    static const struct {
+        size_t points, sampling_lengths, used;
+    } rows[] = {{4000, 4, 4000}, {3999, 4, 3999}, {3900, 3, 3000}, {1000, 1, 1000}, {995, 1, 995}, {1999, 2, 1999}};
+    double *z = room();
+    struct parameters p;
+    for (size_t r = 0; r < sizeof rows / sizeof *rows; r++) {
+        size_t n = rows[r].points, out = (n - rows[r].used) / 2;
+        for (size_t i = 0; i < n; i++) /* what lies outside is higher than anything inside */
+            z[i] = i >= out && i < out + rows[r].used ? 1e-6 * sin((double)i) : 1;
+        struct status status = {0};
+        assert_int_equal(parameters_of_roughness(&p, z, n, 1e-6, 1e-3, &status), STATUS_OK);
+        assert_int_equal(p.letter, 'R');
+        assert_int_equal(p.sampling_lengths, rows[r].sampling_lengths);
+        assert_near(p.evaluation_length_m, (double)rows[r].used * 1e-6, 1e-12);
+        assert_value(&p, "t", 2e-6, 1e-10);
+    }
+    struct status status = {0};
+    assert_int_equal(parameters_of_roughness(&p, z, 900, 1e-6, 1e-3, &status), STATUS_SCAN);
+    status = (struct status){0};
+    assert_int_equal(parameters_of_roughness(&p, z, 900, 1e-6, 2e-6, &status), STATUS_SCAN);
+    free(z);
+}
+
+/* A real scan, its points from `first` for `points`, made ready. */
+static struct profile real_profile(const char *name, enum scene_level level, double from_m, double to_m)
+{
+    char path[4096];
+    snprintf(path, sizeof path, "%s/%s", REAL_SCANS, name);
+    struct scan scan, part;
+    struct profile profile;
+    struct status status = {0};
+    if (scan_read(&scan, path, &no_units, &status) != STATUS_OK)
+        fail_msg("%s", status.message);
+    size_t first = 0, end = scan.nx;
+    while (scan.x_m && scan.x_m[first] < from_m)
+        first++;
+    while (scan.x_m && scan.x_m[end - 1] > to_m)
+        end--;
+    part = scan;
+    part.nx = end - first;
+    part.x_m = scan.x_m ? scan.x_m + first : NULL;
+    part.z_m = scan.z_m + first;
+    if (profile_make(&profile, &part, 0, &(struct profile_options){.level = level}, &status) != STATUS_OK)
+        fail_msg("%s", status.message);
+    scan_free(&scan);
+    return profile;
+}
+
+struct printed {
+    const char *name;
+    double value, digit; /* in um, and the last digit printed */
+};
+
+static void assert_printed(const struct parameters *parameters, const struct printed *printed, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        bool length =
+            strncmp(printed[i].name, "sk", 2) && strcmp(printed[i].name, "ku") && strcmp(printed[i].name, "dq");
+        double unit = length ? 1e-6 : 1;
+        assert_value(parameters, printed[i].name, printed[i].value * unit, 0.5000001 * printed[i].digit * unit);
+    }
+}
+
+/* NIST's algorithm testing system on the NPL EDM softgauge. */
+static void test_nist_edm(void **state)
+{
+    (void)state;
+    NEED_REAL_SCANS();
+    static const struct printed printed[] = {{"a", .46434, 1e-5},   {"q", .55994, 1e-5}, {"sk", -.13265, 1e-5},
+                                             {"ku", 2.36461, 1e-5}, {"t", 2.8623, 1e-4}, {"p", 1.39459, 1e-5},
+                                             {"v", 1.4677, 1e-4},   {"dq", .10536, 1e-5}};
+    static const char *const files[] = {"nist_npl_edm.xml", "npl_edm.prf", "npl_edm.sdf", "npl_edm.smd"};
+    for (size_t f = 0; f < 4; f++)
+        for (int level = SCENE_LEVEL_NONE; level <= SCENE_LEVEL_LINE; level++) { /* it has no line to lose */
+            struct profile profile = real_profile(files[f], (enum scene_level)level, 0, 1);
+            struct parameters p = compute(profile.height_m, profile.points, profile.spacing_m, 1);
+            assert_printed(&p, printed, sizeof printed / sizeof *printed);
+            profile_free(&profile);
+        }
+}
+
+static void test_asme_sine(void **state)
+{
+    (void)state;
+    NEED_REAL_SCANS();
+    static const struct printed printed[] = {{"a", .63663, 1e-5}, {"q", .70711, 1e-5}, {"dq", .0111, 1e-4}};
+    struct profile profile = real_profile("nist_asme_sine.xml", SCENE_LEVEL_MEAN, 0, 1);
+    struct parameters p = compute(profile.height_m, profile.points, profile.spacing_m, 1);
+    assert_printed(&p, printed, 3);
+    assert_value(&p, "sm", 400e-6, 0.05e-6);
+    profile_free(&profile);
+}
+
+/* An R profile as the instrument exports it: lambda_c 2.5 mm, four sampling lengths, nothing more to take out. */
+static void test_mitutoyo(void **state)
+{
+    (void)state;
+    NEED_REAL_SCANS();
+    static const struct printed printed[] = {{"a", 3.308, 1e-3},  {"q", 3.959, 1e-3}, {"t", 22.233, 1e-3},
+                                             {"z", 18.485, 1e-3}, {"p", 8.244, 1e-3}, {"v", 10.240, 1e-3},
+                                             {"dq", 0.157, 1e-3}};
+    struct profile profile = real_profile("mitutoyo_sj_2.csv", SCENE_LEVEL_NONE, 0, 1);
+    struct parameters p;
+    struct status status = {0};
+    assert_int_equal(parameters_of_roughness(&p, profile.height_m, profile.points, profile.spacing_m, 2.5e-3, &status),
+                     STATUS_OK);
+    assert_int_equal(p.sampling_lengths, 4);
+    assert_printed(&p, printed, sizeof printed / sizeof *printed);
+    profile_free(&profile);
+}
+
+/* The Dektak's own evaluation between its cursors. */
+static void test_dektak_window(void **state)
+{
+    (void)state;
+    NEED_REAL_SCANS();
+    static const struct printed printed[] = {{"a", .00525, 1e-5}, {"q", .01143, 1e-5}};
+    struct profile profile = real_profile("dektak_stylus.csv", SCENE_LEVEL_LINE, 467.95e-6, 733.05e-6);
+    struct parameters p = compute(profile.height_m, profile.points, profile.spacing_m, 1);
+    assert_printed(&p, printed, 2);
+    profile_free(&profile);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_every_row_is_described),
+        cmocka_unit_test(test_a_sine),
+        cmocka_unit_test(test_a_gaussian_has_a_kurtosis_of_3),
+        cmocka_unit_test(test_slope_formula),
+        cmocka_unit_test(test_means_over_sampling_lengths),
+        cmocka_unit_test(test_profile_elements),
+        cmocka_unit_test(test_k_family_of_a_known_curve),
+        cmocka_unit_test(test_sampling_lengths_that_fit),
+        cmocka_unit_test(test_nist_edm),
+        cmocka_unit_test(test_asme_sine),
+        cmocka_unit_test(test_mitutoyo),
+        cmocka_unit_test(test_dektak_window),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
