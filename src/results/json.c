@@ -91,6 +91,8 @@ static json_t *curve_json(const struct model_curve *curve, const struct surface_
                   real(model->beta), "beta_from_multiscale", real(model->beta_multiscale), "area_load_slope",
                   real(model->area_slope), "largest_load_share_beyond_fit", real(model->most_outside), "evaluations",
                   (json_int_t)(model->work.scales + model->work.laws + model->work.separations));
+    json_object_set_new(json, "areas_limited", json_integer((json_int_t)model->clamped));
+    json_object_set_new(json, "largest_load_share_clamped_at_radius", real(model->most_saturated));
     for (size_t c = 0; c < sizeof columns / sizeof columns[0]; c++) {
         if (columns[c].quantity && !(wanted & columns[c].quantity))
             continue;
@@ -102,6 +104,28 @@ static json_t *curve_json(const struct model_curve *curve, const struct surface_
         }
         json_object_set_new(json, columns[c].name, values);
     }
+    return json;
+}
+
+/** What repeated scans say apart; loads and alpha as logarithms. */
+static json_t *spread_json(const struct spread *spread)
+{
+    const struct {
+        const char *name;
+        const struct spread_number *number;
+    } numbers[] = {{"rq_m", &spread->rq_m}, {"gamma", &spread->gamma}, {"ln_alpha_SI", &spread->log_alpha}};
+    json_t *json = json_pack("{s:I, s:[o,o], s:[o,o]}", "scans_run_alone", (json_int_t)spread->parts, "gamma_95",
+                             real(spread->gamma_interval[0]), real(spread->gamma_interval[1]), "alpha_95",
+                             real(spread->alpha_interval[0]), real(spread->alpha_interval[1]));
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
+        json_object_set_new(json, numbers[i].name,
+                            json_pack("{s:o, s:o}", "mean", real(numbers[i].number->mean), "standard_deviation",
+                                      real(spread_deviation(numbers[i].number))));
+    for (int m = 0; m < MODEL_COUNT; m++)
+        if (spread->log_full_load[m].count > 0)
+            json_object_set_new(json, model_rows[m].name,
+                                json_pack("{s:o, s:o}", "ln_full_contact_load", real(spread->log_full_load[m].mean),
+                                          "standard_deviation", real(spread_deviation(&spread->log_full_load[m]))));
     return json;
 }
 
@@ -158,6 +182,9 @@ static json_t *surface_json(const struct surface_record *record, const struct pl
     };
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
         json_object_set_new(json, numbers[i].name, real(numbers[i].value));
+    json_object_set_new(json, "scans", json_integer((json_int_t)s->scans));
+    if (s->spread.parts > 0)
+        json_object_set_new(json, "spread", spread_json(&s->spread));
     json_object_set_new(json, "notes", lines_json(s->notes));
     json_object_set_new(json, "models", models);
     return json;

@@ -30,9 +30,9 @@ static void describe(struct surface_record *record, const struct scene *scene)
     if (summary->jump_share > 0.5)
         gather_note(
             summary,
-            "the ends of the record differ by %.3g um; that jump alone gives %.0f %% of the amplitude at %.3g um, "
+            "the ends of the record differ by %.3g um; that jump alone leaks %s of the fitted amplitude at %.3g um, "
             "so gamma is drawn towards 1: try window: hann",
-            summary->jump_m * 1e6, 100 * summary->jump_share, shortest * 1e6);
+            summary->jump_m * 1e6, summary->jump_share > 1 ? "more than the whole" : "over half", shortest * 1e6);
     if (isfinite(law->knee_m))
         gather_note(summary,
                     "two slopes fit better than one: gamma %.2f above %.3g um, %.2f below; consider fit_band_m",
