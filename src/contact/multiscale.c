@@ -63,7 +63,7 @@ size_t multiscale_solve(struct contact_point *out, const struct multiscale *stac
         if (with_gap)
             separation += scale->amplitude_m * cell.gap_ratio;
         if (conducts && cell.area_complement > 0)
-            spot_add_scale(&sum, &cell, scale->frequency_per_m, area);
+            spot_add_scale(&sum, cell.area_ratio, cell.area_complement, scale->frequency_per_m, area);
         area *= cell.area_ratio;
     }
     *evaluations += stack->count;

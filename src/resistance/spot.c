@@ -22,11 +22,12 @@ double spot_alleviation(double area_ratio, double area_complement)
     return open * sqrt(open);
 }
 
-void spot_add_scale(struct spot_sum *sum, const struct sinusoid_cell *cell, double frequency_per_m, double area_above)
+void spot_add_scale(struct spot_sum *sum, double area_ratio, double area_complement, double frequency_per_m,
+                    double area_above)
 {
-    double radius_m = sqrt(cell->area_ratio / (2 * M_PI)) / frequency_per_m;
+    double radius_m = sqrt(area_ratio / (2 * M_PI)) / frequency_per_m;
     double spots = 2 * frequency_per_m * frequency_per_m * area_above;
-    double term = spot_alleviation(cell->area_ratio, cell->area_complement) / (radius_m * spots);
+    double term = spot_alleviation(area_ratio, area_complement) / (radius_m * spots);
     sum->by_radius += term;
     sum->by_radius_squared += term / radius_m;
 }

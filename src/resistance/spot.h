@@ -3,7 +3,6 @@
 #ifndef RESISTANCE_SPOT_H
 #define RESISTANCE_SPOT_H
 
-#include "contact/sinusoid.h"
 #include "scene/material.h"
 
 /** What conducts: the two bodies together. Properties that are not known are NaN. */
@@ -27,8 +26,9 @@ struct spot_sum {
 };
 
 /** Adds one scale: a_i = sqrt(A_i/(2 pi A_{i-1} f²)) (4.40), n_i = 2 f² A_{i-1}, in series with the others (4.42).
- * `area_above` is A_{i-1}/A_n. */
-void spot_add_scale(struct spot_sum *sum, const struct sinusoid_cell *cell, double frequency_per_m, double area_above);
+ * `area_ratio` is A_i/A_{i-1}, `area_complement` 1 less it without cancellation, `area_above` A_{i-1}/A_n. */
+void spot_add_scale(struct spot_sum *sum, double area_ratio, double area_complement, double frequency_per_m,
+                    double area_above);
 
 /** ECR A_n = sum Psi_i rho/(2 a_i)/n_i [ohm m²] (4.39, 4.42 as corrected in physics.md). */
 double spot_electrical(const struct spot *spot, const struct spot_sum *sum);

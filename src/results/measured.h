@@ -3,7 +3,7 @@
 #define RESULTS_MEASURED_H
 
 #include "contact/model.h"
-#include "scene/plan.h"
+#include "results/plan.h"
 
 /** Points in the models' units, ascending in load. Owned: measured_free(). */
 struct measured {

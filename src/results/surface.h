@@ -6,8 +6,8 @@
 #include "contact/convergence.h"
 #include "contact/model.h"
 #include "profile/profile.h"
+#include "results/plan.h"
 #include "results/spread.h"
-#include "scene/plan.h"
 #include "spectrum/powerlaw.h"
 
 enum { SURFACE_PREVIEW = 1000 }; /* points of a profile kept for the chart */

@@ -1,3 +1,4 @@
+#include "contact/sinusoid.h"
 #include "resistance/spot.h"
 #include "support.h"
 
@@ -62,7 +63,7 @@ static void test_one_scale(void **state)
         for (double frequency = 1e3; frequency < 1e9; frequency *= 10) {
             struct spot_sum sum = {0};
             struct sinusoid_cell cell = cell_of(area);
-            spot_add_scale(&sum, &cell, frequency, 1);
+            spot_add_scale(&sum, cell.area_ratio, cell.area_complement, frequency, 1);
             double radius_m = sqrt(area / (2 * M_PI * frequency * frequency)), spots = 2 * frequency * frequency;
             double factor = pow(1 - sqrt(area), 1.5) / spots;
             double tcr = factor / (2 * tin.conductivity_W_per_mK * radius_m);
@@ -79,18 +80,18 @@ static void test_scales_in_series(void **state)
     (void)state;
     struct spot_sum one = {0}, half = {0}, both = {0};
     struct sinusoid_cell first = cell_of(0.3), second = cell_of(0.1), full = cell_of(1);
-    spot_add_scale(&one, &first, 1e5, 1);
-    spot_add_scale(&half, &first, 1e5, 0.5);
+    spot_add_scale(&one, first.area_ratio, first.area_complement, 1e5, 1);
+    spot_add_scale(&half, first.area_ratio, first.area_complement, 1e5, 0.5);
     assert_near(half.by_radius, 2 * one.by_radius, 1e-14);
     assert_near(half.by_radius_squared, 2 * one.by_radius_squared, 1e-14);
     struct spot_sum other = {0};
-    spot_add_scale(&other, &second, 7e5, 0.3);
-    spot_add_scale(&both, &first, 1e5, 1);
-    spot_add_scale(&both, &second, 7e5, 0.3);
+    spot_add_scale(&other, second.area_ratio, second.area_complement, 7e5, 0.3);
+    spot_add_scale(&both, first.area_ratio, first.area_complement, 1e5, 1);
+    spot_add_scale(&both, second.area_ratio, second.area_complement, 7e5, 0.3);
     assert_near(both.by_radius, one.by_radius + other.by_radius, 1e-14);
     assert_near(both.by_radius_squared, one.by_radius_squared + other.by_radius_squared, 1e-14);
     struct spot_sum before = both;
-    spot_add_scale(&both, &full, 3e6, 0.03);
+    spot_add_scale(&both, full.area_ratio, full.area_complement, 3e6, 0.03);
     assert_near(both.by_radius, before.by_radius, 0);
     assert_near(both.by_radius_squared, before.by_radius_squared, 0);
 }
@@ -105,7 +106,7 @@ static void test_two_materials(void **state)
     struct spot_sum sum = {0};
     struct sinusoid_cell cell = cell_of(0.02);
     const double frequency = 2e7, radius_m = sqrt(0.02 / (2 * M_PI)) / frequency;
-    spot_add_scale(&sum, &cell, frequency, 0.4);
+    spot_add_scale(&sum, cell.area_ratio, cell.area_complement, frequency, 0.4);
     const double factor = pow(1 - sqrt(0.02), 1.5) / (2 * frequency * frequency * 0.4);
     double ecr = 0, tcr = 0, scale_dependent = 0;
     for (int s = 0; s < 2; s++) {
@@ -149,7 +150,7 @@ static void test_heat_flows_as_current_does(void **state)
     double area = 1;
     for (int n = 1; n <= 50; n++) {
         struct sinusoid_cell cell = cell_of(0.5 + 0.009 * n);
-        spot_add_scale(&sum, &cell, 1e4 * n, area);
+        spot_add_scale(&sum, cell.area_ratio, cell.area_complement, 1e4 * n, area);
         area *= cell.area_ratio;
         assert_near(spot_thermal(&spot, &sum) / spot_electrical(&spot, &sum),
                     1 / (spot.resistivity_ohm_m * spot.conductivity_W_per_mK), 1e-14);
@@ -166,7 +167,7 @@ static void test_unknown_properties_give_nothing(void **state)
     const struct spot spot = spot_make(&pair);
     struct spot_sum sum = {0};
     struct sinusoid_cell cell = cell_of(0.02);
-    spot_add_scale(&sum, &cell, 1e6, 1);
+    spot_add_scale(&sum, cell.area_ratio, cell.area_complement, 1e6, 1);
     assert_true(isnan(spot_electrical(&spot, &sum)));
     assert_true(isfinite(spot_thermal(&spot, &sum)));
     assert_true(isnan(spot_thermal_scale_dependent(&spot, &sum)));

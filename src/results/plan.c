@@ -1,10 +1,10 @@
-#include "scene/plan.h"
+#include "results/plan.h"
+
+#include "contact/point.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-
-#include "contact/point.h"
 
 static const struct material_property *property_find(const char *key)
 {

@@ -1,6 +1,6 @@
 /* Which effects run and why (contract: "effects: auto"). Decided once, before any model. */
-#ifndef SCENE_PLAN_H
-#define SCENE_PLAN_H
+#ifndef RESULTS_PLAN_H
+#define RESULTS_PLAN_H
 
 #include "scene/scene.h"
 
