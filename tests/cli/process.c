@@ -17,8 +17,9 @@ extern char **environ;
 
 int workspace_make(void **state)
 {
-    char *place = strdup("/tmp/roughcontact-test-XXXXXX");
-    if (!place || !mkdtemp(place))
+    const char *temporary = getenv("TMPDIR");
+    char *place;
+    if (asprintf(&place, "%s/roughcontact-test-XXXXXX", temporary ? temporary : P_tmpdir) < 0 || !mkdtemp(place))
         return -1;
     *state = place;
     return 0;

@@ -12,12 +12,14 @@
 #include <unistd.h>
 
 struct scene_directory {
-    char path[64];
+    char path[256];
 };
 
 static inline struct scene_directory scene_directory_make(void)
 {
-    struct scene_directory directory = {"/tmp/roughcontact-scene-XXXXXX"};
+    struct scene_directory directory;
+    const char *temporary = getenv("TMPDIR");
+    snprintf(directory.path, sizeof directory.path, "%s/roughcontact-scene-XXXXXX", temporary ? temporary : P_tmpdir);
     assert_non_null(mkdtemp(directory.path));
     return directory;
 }
