@@ -150,6 +150,11 @@ static int report(struct arguments *arguments, struct scene *scene, struct statu
         printf("%s\n%s\n", text_string(&outcome.table), outcome.path);
         if (outcome.refused > 0)
             exit_status = COMMAND_REFUSED;
+        const struct run_times *times = &outcome.times;
+        double models = times->models[0] + times->models[1] + times->models[2] + times->models[3] + times->convergence;
+        fprintf(stderr, "models: %llu evaluations%s; %.3g s predicted, %.3g s taken\n",
+                (unsigned long long)outcome.evaluations, outcome.work_agrees ? ", as predicted" : "",
+                outcome.predicted_seconds, models);
         if (arguments->verbose)
             fprintf(stderr, "\n%s", text_string(&outcome.work));
         if (!outcome.work_agrees)

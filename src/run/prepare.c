@@ -93,8 +93,9 @@ size_t prepare_messages(struct text *messages, const struct spool *spool)
 void prepare_table(struct text *out, const struct prepared *prepared, const struct work *done)
 {
     struct work_row predicted[WORK_ROWS], actual[WORK_ROWS];
-    uint64_t total = 0, total_done = 0;
-    double seconds = 0;
+    double seconds, unused;
+    uint64_t total = prepare_total(prepared, &prepared->results.predicted, &seconds);
+    uint64_t total_done = prepare_total(prepared, done ? done : &prepared->results.predicted, &unused);
     work_table(predicted, &prepared->results.predicted, &prepared->plan);
     work_table(actual, done ? done : &prepared->results.predicted, &prepared->plan);
     text_add(out, "%-16s %-8s %14s%s %10s  %s\n", "effect", "", "evaluations", done ? "           done" : "", "seconds",
@@ -106,12 +107,22 @@ void prepare_table(struct text *out, const struct prepared *prepared, const stru
         if (done)
             text_add(out, " %14llu", (unsigned long long)actual[r].evaluations);
         text_add(out, " %10.4f  %s%s%s\n", row->seconds, row->reason, row->runs ? "; " : "", row->method);
-        total += row->evaluations;
-        total_done += actual[r].evaluations;
-        seconds += row->seconds;
     }
     text_add(out, "%-16s %-8s %14llu", "all", "", (unsigned long long)total);
     if (done)
         text_add(out, " %14llu", (unsigned long long)total_done);
     text_add(out, " %10.4f\n", seconds);
+}
+
+uint64_t prepare_total(const struct prepared *prepared, const struct work *work, double *seconds)
+{
+    struct work_row rows[WORK_ROWS];
+    uint64_t total = 0;
+    *seconds = 0;
+    work_table(rows, work, &prepared->plan);
+    for (int r = 0; r < WORK_ROWS; r++) {
+        total += rows[r].evaluations;
+        *seconds += rows[r].seconds;
+    }
+    return total;
 }

@@ -143,6 +143,7 @@ static enum status_code evaluate(struct run *run, struct run_outcome *out, struc
     *done = work_done(&prepared->spool, run->sweep_scales);
     out->work_agrees = memcmp(done, &run->results->predicted, sizeof *done) == 0;
     prepare_table(&out->work, prepared, done);
+    out->evaluations = prepare_total(prepared, done, &out->predicted_seconds);
     add_times(&out->times, &prepared->spool);
     return STATUS_OK;
 }

@@ -6,6 +6,7 @@
 #include "scene/scene.h"
 #include <signal.h>
 #include <stdbool.h>
+#include <stdint.h>
 
 struct run_options {
     const char *output;                /* OUT, NULL: out/<name of DIR> */
@@ -25,12 +26,14 @@ struct run_times {
 
 struct run_outcome {
     size_t surfaces, refused;
-    struct text messages; /* one line a refused surface and a warning */
-    struct text table;    /* the compact table for a terminal */
-    struct text charts;   /* when terminal_size was given */
-    char *path;           /* of report.html */
-    struct text work;     /* predicted against done, effect by effect */
-    bool work_agrees;     /* evaluation counts are as predicted */
+    struct text messages;     /* one line a refused surface and a warning */
+    struct text table;        /* the compact table for a terminal */
+    struct text charts;       /* when terminal_size was given */
+    char *path;               /* of report.html */
+    struct text work;         /* predicted against done, effect by effect */
+    uint64_t evaluations;     /* done; as predicted when work_agrees */
+    double predicted_seconds; /* of the models, on one core */
+    bool work_agrees;         /* evaluation counts are as predicted */
     struct run_times times;
 };
 
