@@ -123,9 +123,11 @@ static const char *method_of(enum effect effect, const struct plan *plan)
                                                         : "direct sum over scales";
     case EFFECT_CONVERGENCE:
         return "direct sum over scales";
+    case EFFECT_THERMAL:
+        return plan_runs(plan, EFFECT_ELECTRICAL) ? "the sums of electrical in other units, so nothing of its own"
+                                                  : "in the same pass as the area";
     case EFFECT_SEPARATION:
     case EFFECT_ELECTRICAL:
-    case EFFECT_THERMAL:
         return "in the same pass as the area";
     case EFFECT_COUNT:
         break;
