@@ -14,16 +14,17 @@
 struct arguments {
     struct scan_options units;
     struct profile_options how;
-    bool json, no_chart;
+    bool json, chart, no_chart;
     char **files;
     int file_count;
 };
 
-enum { KEY_X_UNIT = 0x100, KEY_Z_UNIT, KEY_JSON, KEY_NO_CHART, KEY_LEVEL, KEY_LAMBDA_S, KEY_LAMBDA_C };
+enum { KEY_X_UNIT = 0x100, KEY_Z_UNIT, KEY_JSON, KEY_NO_CHART, KEY_CHART, KEY_LEVEL, KEY_LAMBDA_S, KEY_LAMBDA_C };
 
 static const struct argp_option options[] = {
     {"json", KEY_JSON, 0, 0, "print an array of objects, one a file (default: text)", 0},
     {"no-chart", KEY_NO_CHART, 0, 0, "leave the charts out (default: drawn to the terminal's size)", 0},
+    {"chart", KEY_CHART, 0, 0, "draw the charts even when the output is no terminal (default: only on one)", 0},
     {"x-unit", KEY_X_UNIT, "UNIT", 0, "unit of x where the file names none (default: such a file is refused)", 0},
     {"z-unit", KEY_Z_UNIT, "UNIT", 0, "unit of z where the file names none (default: such a file is refused)", 0},
     {"level", KEY_LEVEL, "NAME", 0, "none, mean, line, parabola, circle or robust (default: line; maps: plane)", 0},
@@ -60,6 +61,9 @@ static error_t parse(int key, char *value, struct argp_state *state)
         return 0;
     case KEY_NO_CHART:
         arguments->no_chart = true;
+        return 0;
+    case KEY_CHART:
+        arguments->chart = true;
         return 0;
     case KEY_X_UNIT:
         arguments->units.x_unit = value;
@@ -271,7 +275,8 @@ int command_inspect(int argc, char **argv)
             json_array_append_new(all, finding_json(path, &finding));
         } else {
             print_finding(path, &finding);
-            if (!arguments.no_chart && finding.profile.points > 0 && finding.spectrum.count > 0 &&
+            bool wanted = !arguments.no_chart && (arguments.chart || isatty(STDOUT_FILENO));
+            if (wanted && finding.profile.points > 0 && finding.spectrum.count > 0 &&
                 draw(&finding, &chart) != STATUS_OK)
                 command_complain("no charts: ", chart.message);
         }

@@ -1,8 +1,7 @@
 #include "contact/convergence.h"
 
-#include "contact/multiscale.h"
+#include "contact/sinusoid.h"
 #include <math.h>
-#include <stdlib.h>
 
 const double convergence_atom_m = 3e-10;
 
@@ -11,22 +10,21 @@ const struct convergence_sweep_row convergence_sweeps[CONVERGENCE_SWEEP_COUNT] =
     [CONVERGENCE_GAMMA] = {"gamma", 9, {0, 0.25, 0.5, 0.75, 1, 1.25, 1.5, 1.75, 2}},
 };
 
-enum status_code convergence_areas(double *area_ratio, const struct convergence_law *law,
-                                   const struct material_pair *pair, bool plastic, uint64_t *evaluations,
-                                   struct status *status)
+void convergence_areas(double *area_ratio, const struct convergence_law *law, const struct material_pair *pair,
+                       bool plastic, uint64_t *evaluations)
 {
-    struct spectrum spectrum = {malloc(law->scales * sizeof(double)), law->scales, law->length_m, false};
-    struct multiscale stack = {0};
-    if (!spectrum.amplitude_m)
-        return status_memory(status);
-    for (size_t i = 0; i < law->scales; i++)
-        spectrum.amplitude_m[i] = law->alpha * pow(law->length_m / (double)(i + 1), law->gamma);
-    enum status_code rc = multiscale_make(&stack, &spectrum, pair, plastic, SCENE_CLOSURE_THESIS, status);
-    if (rc == STATUS_OK)
-        multiscale_areas(area_ratio, &stack, law->load, evaluations);
-    multiscale_free(&stack);
-    spectrum_free(&spectrum);
-    return rc;
+    const struct sinusoid_closure *closure = &sinusoid_closures[SCENE_CLOSURE_THESIS];
+    double nominal_Pa = law->load * pair->effective_modulus_Pa, area = 1;
+    for (size_t i = 0; i < law->scales; i++) {
+        double frequency = (double)(i + 1) / law->length_m;
+        double amplitude_m = law->alpha * pow(1 / frequency, law->gamma);
+        struct sinusoid_scale scale = sinusoid_scale(amplitude_m, frequency, pair, plastic);
+        struct sinusoid_cell cell;
+        sinusoid_press(&cell, &scale, closure, nominal_Pa / area, false);
+        area *= cell.area_ratio;
+        area_ratio[i] = area;
+    }
+    *evaluations += law->scales;
 }
 
 struct convergence_extension convergence_extend(const struct powerlaw *law, double length_m, double shortest_m,

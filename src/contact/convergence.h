@@ -23,10 +23,9 @@ struct convergence_law {
     size_t scales;
 };
 
-/** Fills area_ratio[scales] with A/A_n after scale n = 1 ... scales (closure thesis). Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code convergence_areas(double *area_ratio, const struct convergence_law *law,
-                                              const struct material_pair *pair, bool plastic, uint64_t *evaluations,
-                                              struct status *status);
+/** Fills area_ratio[scales] with A/A_n after scale n = 1 ... scales (closure thesis). */
+void convergence_areas(double *area_ratio, const struct convergence_law *law, const struct material_pair *pair,
+                       bool plastic, uint64_t *evaluations);
 
 /** Smallest wavelength a continuum can have: about an atom's diameter. */
 extern const double convergence_atom_m;

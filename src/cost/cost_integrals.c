@@ -267,7 +267,7 @@ static enum status_code one_law(struct cost *cost, const struct results *results
     gsl_integration_workspace *workspace = gsl_integration_workspace_alloc(ADAPTIVE_PIECES);
     if (!workspace)
         return status_memory(status);
-    struct attempt attempt = {.problem = &problem, .workspace = workspace};
+    struct attempt attempt = {.problem = &problem, .workspace = workspace, .split = true};
     struct attempt by_adaptive = {.problem = &problem, .workspace = workspace, .tolerance = 1e-13, .split = true};
     struct attempt by_panels = {.problem = &problem, .tolerance = 1e-14};
     adaptive(&by_adaptive);

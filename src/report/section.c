@@ -8,6 +8,15 @@ const struct surface_summary *section_surface(const struct section_context *cont
     return &context->results->spool->summaries[index];
 }
 
+bool section_extended(const struct section_context *context)
+{
+    for (size_t i = 0; i < context->results->spool->count; i++)
+        for (int m = 0; m < MODEL_COUNT; m++)
+            if (section_surface(context, i)->models[m].extended)
+                return true;
+    return false;
+}
+
 bool section_called_for(const struct section_context *context, enum model_id model)
 {
     const struct plan *plan = context->results->plan;

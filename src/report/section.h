@@ -31,6 +31,8 @@ extern const struct section_row section_cost[];
 struct figure_row;
 void section_caption(struct text *out, const struct section_context *context, const struct figure_row *row);
 
+/** Was any surface's fitted law carried on below its sampling limit? */
+bool section_extended(const struct section_context *context);
 const struct surface_summary *section_surface(const struct section_context *context, size_t index);
 /** May this model run in this scene? */
 bool section_called_for(const struct section_context *context, enum model_id model);

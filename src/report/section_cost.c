@@ -40,7 +40,7 @@ static const struct cost_row *knee(const struct cost *cost, const char *study, c
         if (strcmp(row->study, study) != 0 || strcmp(next->study, study) != 0 || strcmp(row->method, method) != 0 ||
             strcmp(next->method, method) != 0)
             continue;
-        if (!(digit_factor(row, next) <= 2))
+        if (row->error < 1e-2 && !(digit_factor(row, next) <= 2)) /* coarser is no answer yet */
             return row;
     }
     return NULL;

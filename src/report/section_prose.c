@@ -102,8 +102,12 @@ static void convergence_text(struct text *out, const struct section_context *con
 
 static void extension_text(struct text *out, const struct section_context *context)
 {
-    if (!(context->results->plan->families & SCENE_MODEL_MULTISCALE))
+    if (!section_extended(context)) {
+        text_add(out,
+                 "No scale below the sampling limit can take any area from the measured surfaces at that load: γ ≥ 1, "
+                 "and the nominal pressure alone exceeds p* there.");
         return;
+    }
     text_add(out,
              "The measured surfaces at that load: the area of their fitted laws down to the sampling limit (twice the "
              "spacing), and by how much it would fall if the law went on ");

@@ -15,7 +15,15 @@ static void surfaces(struct text *out, const struct section_context *context)
                 section_surface(context, results->by_roughness[count - 1])->roughness.rq_m * 1e6, 3);
     text_add(out, " µm, of ");
     text_add_markdown(out, scene->material.name);
-    if (scene->counterface_kind == MATERIAL_COUNTERFACE_RIGID) {
+    if (results->counterface) {
+        text_add(out, ", pressed against a rough counterface (Rq ");
+        words_number(out, results->counterface->summary.roughness.rq_m * 1e6, 3);
+        text_add(out, " µm; the Rq given are of both together)");
+        if (scene->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC) {
+            text_add(out, " of ");
+            text_add_markdown(out, scene->counterface.name);
+        }
+    } else if (scene->counterface_kind == MATERIAL_COUNTERFACE_RIGID) {
         text_add(out, ", pressed against a rigid flat%s",
                  results->plan->running & (EFFECT_BIT(EFFECT_ELECTRICAL) | EFFECT_BIT(EFFECT_THERMAL))
                      ? " that conducts like it"

@@ -221,7 +221,7 @@ static void surface_extension(struct text *out, const struct section_context *co
 static void extension_table(struct text *out, const struct section_context *context)
 {
     bool plastic = plan_runs(context->results->plan, EFFECT_PLASTICITY);
-    if (!(context->results->plan->families & SCENE_MODEL_MULTISCALE))
+    if (!section_extended(context))
         return;
     text_add(
         out,

@@ -61,6 +61,18 @@ static json_t *scene_json(const struct results *results)
     json_object_set_new(json, "window", json_string(scene_window_names[scene->window]));
     json_object_set_new(json, "moments", json_string(scene_moments_names[scene->moments]));
     json_object_set_new(json, "closure", json_string(scene_closure_names[scene->closure]));
+    json_object_set_new(json, "direction", json_string(scene_direction_names[scene->direction]));
+    json_object_set_new(json, "max_missing", real(scene->max_missing));
+    json_object_set_new(json, "lambda_s_m", real(scene->lambda_s_m));
+    json_object_set_new(json, "lambda_c_m", real(scene->lambda_c_m));
+    json_object_set_new(json, "tip_radius_m", real(scene->tip_radius_m));
+    json_object_set_new(json, "baseline", string(results->spool->summaries[results->baseline].scene->name));
+    if (scene->measured.file)
+        json_object_set_new(json, "measured_file", string(scene->measured.file));
+    if (results->counterface)
+        json_object_set_new(json, "counterface_surface",
+                            json_pack("{s:o, s:s}", "file", string(scene->counterface_surface.files[0]), "sha256",
+                                      results->counterface->summary.hash));
     json_object_set_new(json, "fit_band_m",
                         json_pack("[o, o]", real(scene->fit_band_m[0]), real(scene->fit_band_m[1])));
     const struct scene_convergence *study = &scene->convergence;
@@ -190,6 +202,20 @@ static json_t *surface_json(const struct surface_record *record, const struct pl
     return json;
 }
 
+/** Evaluations by effect, predicted and done. */
+static json_t *work_json(const struct results *results)
+{
+    struct work_row predicted[WORK_ROWS], done[WORK_ROWS];
+    json_t *json = json_object();
+    work_table(predicted, &results->predicted, results->plan);
+    work_table(done, &results->done, results->plan);
+    for (int r = 0; r < WORK_ROWS; r++)
+        json_object_set_new(json, predicted[r].name,
+                            json_pack("{s:I, s:I}", "evaluations_predicted", (json_int_t)predicted[r].evaluations,
+                                      "evaluations_done", (json_int_t)done[r].evaluations));
+    return json;
+}
+
 /** Prints one value; takes it over. */
 static bool print(FILE *file, json_t *json)
 {
@@ -229,7 +255,9 @@ enum status_code json_write(const struct results *results, const char *directory
         first = false;
         ok = print(file, json_pack("{s:o, s:o}", "surface", string(s->scene->name), "error", string(s->refusal)));
     }
-    fputs("]}\n", file);
+    fputs("],\n\"work\": ", file);
+    ok = ok && print(file, work_json(results));
+    fputs("}\n", file);
     bool bad = ferror(file) || !ok;
     if (fclose(file) != 0 || bad)
         return status_fail(status, STATUS_IO, "cannot write results.json");

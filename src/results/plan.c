@@ -44,7 +44,12 @@ static void decide(struct plan *plan, enum effect effect, const struct scene *sc
         snprintf(out->reason, sizeof out->reason, "builds on an effect that does not run");
     } else {
         out->runs = true;
-        snprintf(out->reason, sizeof out->reason, "the material gives what it needs");
+        const char *key = row->properties[0];
+        if (key)
+            snprintf(out->reason, sizeof out->reason, "the material gives what it needs: %s %.4g", key,
+                     material_value(&scene->material, property_find(key)));
+        else
+            snprintf(out->reason, sizeof out->reason, "needs E' alone: %.4g Pa", plan->pair.effective_modulus_Pa);
     }
     if (out->runs)
         plan->running |= EFFECT_BIT(effect);

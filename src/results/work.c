@@ -165,7 +165,7 @@ double work_memory(const struct spool *spool, unsigned jobs)
     size_t most = 0;
     for (size_t i = 0; i < spool->count; i++)
         most = spool->summaries[i].points > most ? spool->summaries[i].points : most;
-    double program = 8e6, a_point = 96; /* text and numbers of a scan, its profile, transform and spectrum [bytes] */
+    double program = 11e6, a_point = 96; /* text and numbers of a scan, its profile, transform and spectrum [bytes] */
     double threads = fmin(jobs, (double)spool->count);
     return program + threads * ((double)most * a_point + 2 * sizeof(struct surface_record)) +
            (double)spool->count * sizeof(struct surface_summary);

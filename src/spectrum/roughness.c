@@ -75,6 +75,7 @@ void roughness_add(struct roughness *sum, const struct roughness *other)
     sum->m2 += other->m2;
     sum->m4_per_m2 += other->m4_per_m2;
     sum->rq_m = sqrt(sum->m0_m2);
+    sum->ra_m = sum->pv_m = NAN; /* of the two together neither is known */
 }
 
 enum status_code roughness_asperities(struct asperities *out, const struct roughness *roughness, struct status *status)

@@ -28,7 +28,7 @@ void roughness_from_spectrum(struct roughness *roughness, const struct spectrum 
 /** Mean over scans: m0, m2, m4, Ra averaged, Rq from m0, PV the largest. `so_far` is how many `mean` holds. */
 void roughness_average(struct roughness *mean, const struct roughness *other, size_t so_far);
 
-/** Two rough surfaces in contact: moments add, Rq follows; Ra and PV are left as they are. */
+/** Two rough surfaces in contact: moments add, Rq follows; Ra and PV become NaN. */
 void roughness_add(struct roughness *sum, const struct roughness *other);
 
 /** The rough surface as the statistical models see it: asperities of one radius, Gaussian heights. */

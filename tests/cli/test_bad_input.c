@@ -153,7 +153,7 @@ static void test_without_gnuplot(void **state)
     assert_int_equal(setenv("PATH", "/nowhere", 1), 0);
     expect_failure(place, 4, 1, "no gnuplot in PATH to draw the charts: install the package gnuplot-nox", "report",
                    "d");
-    struct process inspect = expect_exit(place, 0, "inspect", "d/a.csv");
+    struct process inspect = expect_exit(place, 0, "inspect", "--chart", "d/a.csv");
     assert_int_equal(setenv("PATH", path, 1), 0);
     expect_part(inspect.out, "Rq ");
     expect_part(inspect.err, "no charts: no gnuplot in PATH");

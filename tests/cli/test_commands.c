@@ -130,7 +130,7 @@ static void test_inspect(void **state)
     workspace_scan(place, "b.csv", 300, 2);
     workspace_write(place, "bad.csv", "nothing\n");
     assert_int_equal(setenv("COLUMNS", "80", 1), 0);
-    struct process process = expect_exit(place, 0, "inspect", "a.csv");
+    struct process process = expect_exit(place, 0, "inspect", "--chart", "a.csv");
     static const char *const parts[] = {"a.csv\n",
                                         "format      text, x in um, z in um",
                                         "points      300, spacing 0.5 um (uniform)",
@@ -151,7 +151,7 @@ static void test_inspect(void **state)
     expect_no_part(process.out, "wavelength (um)");
     process_free(&process);
 
-    process = expect_exit(place, 1, "inspect", "a.csv", "bad.csv", "b.csv");
+    process = expect_exit(place, 1, "inspect", "--chart", "a.csv", "bad.csv", "b.csv");
     expect_part(process.out, "a.csv\n");
     expect_part(process.out, "b.csv\n");
     assert_string_equal(process.err, "roughcontact: bad.csv: no line of numbers in it: not a scan\n");

@@ -13,13 +13,12 @@ static void gamma_decides(void **state)
 {
     (void)state;
     struct material_pair pair = tin();
-    struct status status = {0};
     double area[4096];
     uint64_t evaluations = 0;
     for (int plastic = 0; plastic < 2; plastic++)
         for (double gamma = 0; gamma <= 2; gamma += 0.25) {
             struct convergence_law law = {0.085, gamma, 3e-4, 1e-3, 4096};
-            assert_int_equal(convergence_areas(area, &law, &pair, plastic, &evaluations, &status), STATUS_OK);
+            convergence_areas(area, &law, &pair, plastic, &evaluations);
             if (gamma >= 1)
                 assert_near(area[4095], area[2047], 1e-9);
             else if (!plastic)
