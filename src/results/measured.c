@@ -7,25 +7,32 @@
 #include <stdlib.h>
 #include <string.h>
 
+static const char byte_order_mark[] = "\xEF\xBB\xBF";
+
 struct row {
     double value[3]; /* load, resistance, error */
 };
 
-/** Numbers of one line, delimited by anything that cannot be part of one; how many there are, 4 for more than 3. */
+/** Numbers of one line, delimited by a comma, a semicolon or blanks; words between them (units) do not count. How many
+ * there are; 4 for more than 3, and for an empty cell before the last: what stands behind it is in another column. */
 static size_t numbers_of(const char *line, double value[3])
 {
     size_t count = 0;
-    for (const char *p = line; *p;) {
+    for (const char *p = line + strspn(line, " \t"); *p;) {
         char *end;
         double number = strtod(p, &end);
-        if (end == p) {
-            p += strcspn(p, ",; \t") + strspn(p + strcspn(p, ",; \t"), ",; \t");
-            continue;
-        }
-        if (count == 3)
+        bool empty = *p == ',' || *p == ';';
+        if (count == 3 && end != p)
             return 4;
-        value[count++] = number;
-        p = end + strspn(end, ",; \t");
+        if (end != p)
+            value[count++] = number;
+        else
+            end += strcspn(end, ",; \t");
+        p = end + strspn(end, " \t");
+        p += *p == ',' || *p == ';';
+        p += strspn(p, " \t");
+        if (empty && p[strspn(p, ",; \t")] != '\0')
+            return 4;
     }
     return count;
 }
@@ -33,7 +40,7 @@ static size_t numbers_of(const char *line, double value[3])
 static bool is_data(const char *line)
 {
     const char *p = line + strspn(line, " \t");
-    return isdigit((unsigned char)*p) || ((*p == '+' || *p == '-' || *p == '.') && isdigit((unsigned char)p[1]));
+    return isdigit((unsigned char)p[strspn(p, "+-.")]);
 }
 
 static int compare_rows(const void *a, const void *b)
@@ -47,12 +54,17 @@ static enum status_code parse(struct row **rows, size_t *count, char *content, c
 {
     size_t capacity = 0;
     int line_number = 0;
-    for (char *line = strtok_r(content, "\n", &content); line; line = strtok_r(NULL, "\n", &content)) {
+    for (char *line; (line = strsep(&content, "\n"));) {
         struct row row = {{0, 0, NAN}};
         line_number++;
-        line[strcspn(line, "\r")] = '\0';
+        line[strcspn(line, "\r#")] = '\0';
+        if (line_number == 1 && strncmp(line, byte_order_mark, strlen(byte_order_mark)) == 0)
+            line += strlen(byte_order_mark);
         if (!is_data(line))
             continue;
+        if (strchr(line, ',') && strchr(line, ';'))
+            return status_fail(status, STATUS_SCENE, "%s:%d: both ',' and ';' in a row; write decimals with a point",
+                               name, line_number);
         size_t numbers = numbers_of(line, row.value);
         if (numbers < 2 || numbers > 3)
             return status_fail(status, STATUS_SCENE, "%s:%d: a row is load, resistance and perhaps its error", name,
@@ -86,8 +98,8 @@ static enum status_code factors(double *load, double *resistance, const struct s
     if (scene->measured.load_unit == SCENE_LOAD_NEWTON) {
         if (!has_area)
             return status_fail(status, STATUS_SCENE,
-                               "measured loads in N need the contact's area; add nominal_area_m2 to "
-                               "the scene");
+                               "%s: measured loads in N need the contact's area; add nominal_area_m2 to the scene",
+                               scene->measured.file);
         *load = 1 / (modulus_Pa * area_m2);
     }
     return STATUS_OK;
@@ -110,6 +122,9 @@ enum status_code measured_read(struct measured *out, const struct scene *scene, 
     enum status_code rc = path ? text_read_file(&content, path, status) : status_memory(status);
     if (rc == STATUS_OK)
         rc = factors(&load_factor, &resistance_factor, scene, plan, status);
+    if (rc == STATUS_OK && memchr(content.data, '\0', content.length))
+        rc = status_fail(status, STATUS_SCENE, "%s: a NUL byte in the file; save it as plain text (UTF-8)",
+                         scene->measured.file);
     if (rc == STATUS_OK)
         rc = parse(&rows, &out->count, content.data, scene->measured.file, status);
     if (rc == STATUS_OK && !(out->load = malloc(3 * out->count * sizeof *out->load)))

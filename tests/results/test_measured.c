@@ -30,7 +30,9 @@ static void units_are_the_models(void **state)
                  {SCENE_LOAD_NEWTON, 1e-6, 2e-3, 3e-9}};
     static const char *const dialects[] = {"load,ecr,error\n20,3e-3,1e-4\n10,6e-3,2e-4\n",
                                            "# mine\r\n10;6e-3;2e-4\r\n20;3e-3;1e-4\r\n",
-                                           "10\t6e-3\t2e-4\n\n20 3e-3 1e-4"};
+                                           "10\t6e-3\t2e-4\n\n20 3e-3 1e-4",
+                                           "\xEF\xBB\xBF"
+                                           "10,6e-3,2e-4 # run 3\n20 , 3e-3 , 1e-4,,\n"};
     for (size_t c = 0; c < sizeof cases / sizeof *cases; c++)
         for (size_t d = 0; d < sizeof dialects / sizeof *dialects; d++) {
             struct measured measured;
@@ -61,6 +63,10 @@ static void what_is_wrong_is_named(void **state)
         {"1,2,3,4\n", SCENE_MEASURED_ECR, SCENE_LOAD_PASCAL, "ecr.csv:1: a row is load, resistance"},
         {"1,2\n0,2\n", SCENE_MEASURED_ECR, SCENE_LOAD_PASCAL, "ecr.csv:2: load and resistance must be positive"},
         {"1,-2\n", SCENE_MEASURED_ECR, SCENE_LOAD_PASCAL, "ecr.csv:1: load and resistance must be positive"},
+        {"load,ecr\n\n\n1,2\n\n1,-1\n", SCENE_MEASURED_ECR, SCENE_LOAD_PASCAL, "ecr.csv:6: load and resistance"},
+        {"1,2,3\n1,,3\n", SCENE_MEASURED_ECR, SCENE_LOAD_PASCAL, "ecr.csv:2: a row is load, resistance"},
+        {"1,5;2\n", SCENE_MEASURED_ECR, SCENE_LOAD_PASCAL, "ecr.csv:1: both ',' and ';' in a row"},
+        {"1,2\n-.5,2\n", SCENE_MEASURED_ECR, SCENE_LOAD_PASCAL, "ecr.csv:2: load and resistance must be positive"},
         {"1,2\n", SCENE_MEASURED_ECR, SCENE_LOAD_NEWTON, "add nominal_area_m2"},
         {"1,2\n", SCENE_MEASURED_TCR, SCENE_LOAD_PASCAL, "the effect thermal does not run"},
     };
