@@ -168,6 +168,7 @@ static enum status_code override_unit(struct scene *scene, size_t offset, const 
                            scene_words_show(unit, strlen(unit)).text);
     for (size_t i = 0; i < scene->surface_count; i++)
         memcpy((char *)&scene->surfaces[i] + offset, unit, strlen(unit) + 1);
+    memcpy((char *)&scene->counterface_surface + offset, unit, strlen(unit) + 1);
     return STATUS_OK;
 }
 

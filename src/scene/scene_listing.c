@@ -92,20 +92,26 @@ static enum status_code tell_apart(struct scene *scene, struct status *status)
     return STATUS_OK;
 }
 
-/* Is the file spoken for: the counterface's scan, or measurements? */
-static bool is_taken(const struct scene *scene, const char *file)
+static bool is_same(int directory, const char *file, const struct stat *info)
+{
+    struct stat other;
+    return fstatat(directory, file, &other, 0) == 0 && other.st_dev == info->st_dev && other.st_ino == info->st_ino;
+}
+
+/* Is the file spoken for, however its path is spelt: the counterface's scan, or measurements? */
+static bool is_taken(const struct scene *scene, int directory, const struct stat *info)
 {
     for (size_t i = 0; i < scene->counterface_surface.file_count; i++)
-        if (strcmp(scene->counterface_surface.files[i], file) == 0)
+        if (is_same(directory, scene->counterface_surface.files[i], info))
             return true;
-    return scene->measured.file && strcmp(scene->measured.file, file) == 0;
+    return scene->measured.file && is_same(directory, scene->measured.file, info);
 }
 
 static bool is_candidate(const struct scene *scene, int directory, const char *file)
 {
     struct stat info;
-    return !is_taken(scene, file) && file[0] != '.' && strcmp(file, "scene.yaml") != 0 &&
-           fstatat(directory, file, &info, 0) == 0 && S_ISREG(info.st_mode);
+    return file[0] != '.' && strcmp(file, "scene.yaml") != 0 && fstatat(directory, file, &info, 0) == 0 &&
+           S_ISREG(info.st_mode) && !is_taken(scene, directory, &info);
 }
 
 enum status_code scene_listing_read(struct scene *scene, struct status *status)

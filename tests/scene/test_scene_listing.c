@@ -100,6 +100,32 @@ static void test_empty_directory(void **state)
     scene_directory_remove(&directory);
 }
 
+/* The counterface's scan and the measurements are no surfaces, however their paths are spelt; units given for all
+ * surfaces are the counterface's too. */
+static void test_files_spoken_for(void **state)
+{
+    (void)state;
+    static const char *const spellings[] = {"", "./", ".//./"};
+    const struct scene_overrides units = {.x_unit = "mm", .z_unit = "um"};
+    struct scene_directory directory = scene_directory_make();
+    scene_directory_add(&directory, "a.csv");
+    scene_directory_add(&directory, "b.csv");
+    scene_directory_add(&directory, "m.csv");
+    for (size_t i = 0; i < COUNT(spellings); i++) {
+        char text[256];
+        int length = snprintf(text, sizeof text, "counterface: {surface: %sb.csv}\nmeasured: {file: %sm.csv}\n",
+                              spellings[i], spellings[i]);
+        scene_directory_write(&directory, "scene.yaml", text, (size_t)length);
+        struct scene scene = scene_directory_read(directory.path, &units);
+        assert_int_equal(scene.surface_count, 1);
+        assert_string_equal(scene.surfaces[0].name, "a");
+        assert_string_equal(scene.counterface_surface.x_unit, "mm");
+        assert_string_equal(scene.counterface_surface.z_unit, "um");
+        scene_free(&scene);
+    }
+    scene_directory_remove(&directory);
+}
+
 static void test_many_files(void **state)
 {
     (void)state;
@@ -138,10 +164,10 @@ static void test_no_directory(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_natural_order),   cmocka_unit_test(test_same_stems_keep_their_endings),
-        cmocka_unit_test(test_hostile_names),   cmocka_unit_test(test_what_is_no_scan),
-        cmocka_unit_test(test_empty_directory), cmocka_unit_test(test_many_files),
-        cmocka_unit_test(test_no_directory),
+        cmocka_unit_test(test_natural_order),    cmocka_unit_test(test_same_stems_keep_their_endings),
+        cmocka_unit_test(test_hostile_names),    cmocka_unit_test(test_what_is_no_scan),
+        cmocka_unit_test(test_empty_directory),  cmocka_unit_test(test_many_files),
+        cmocka_unit_test(test_files_spoken_for), cmocka_unit_test(test_no_directory),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
