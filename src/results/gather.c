@@ -159,8 +159,8 @@ static enum status_code add_rows(struct surface_record *record, const struct sca
         gather_note(summary, "%s: a map; its %zu %s were averaged as profiles", file, scan->ny - unusable,
                     scene->direction == SCENE_DIRECTION_X ? "rows" : "columns");
     if (unusable > 0)
-        gather_note(summary, "%s: %zu row%s left out, the first because %s", file, unusable, unusable == 1 ? "" : "s",
-                    first.message);
+        gather_note(summary, "%s: %zu %s%s left out, the first because %s", file, unusable,
+                    scene->direction == SCENE_DIRECTION_X ? "row" : "column", unusable == 1 ? "" : "s", first.message);
     return STATUS_OK;
 }
 

@@ -44,6 +44,8 @@ static enum status_code bootstrap(struct spread *out, const struct spread_part *
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
     if (!mean.amplitude_m || !random) {
         free(mean.amplitude_m);
+        if (random)
+            gsl_rng_free(random);
         return status_memory(status);
     }
     gsl_rng_set(random, 1);
