@@ -5,7 +5,6 @@
 #include "run/prepare.h"
 
 #include <stdio.h>
-#include <unistd.h>
 
 struct arguments {
     const char *directory;
@@ -45,11 +44,9 @@ static void print_plan(const struct scene *scene, const struct prepared *prepare
         printf("%-28s %-8s %s\n", model_rows[m].label,
                model_called_for((enum model_id)m, plan->families, plan->running) ? "run" : "skipped",
                model_rows[m].valid);
-    long processors = sysconf(_SC_NPROCESSORS_ONLN);
-    printf("\n%zu surface%s, %zu loads, tolerance %g, closure %s; about %.0f MB of memory\n", scene->surface_count,
+    printf("\n%zu surface%s, %zu loads, tolerance %g, closure %s\n", scene->surface_count,
            scene->surface_count == 1 ? "" : "s", prepared->results.load_count, scene->tolerance,
-           scene_closure_names[scene->closure],
-           work_memory(&prepared->spool, processors > 0 ? (unsigned)processors : 1) / 1e6);
+           scene_closure_names[scene->closure]);
 }
 
 int command_plan(int argc, char **argv)

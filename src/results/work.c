@@ -155,6 +155,8 @@ void work_table(struct work_row rows[WORK_ROWS], const struct work *work, const 
             .reason = plan->effects[e].reason,
             .method = plan->effects[e].runs ? method_of((enum effect)e, plan) : "",
         };
+        if (e == EFFECT_CONVERGENCE)
+            row->bytes = (double)work->sweep_scales * sizeof(double);
         if (row->runs)
             row->evaluations = share(work, plan, (enum effect)e, &row->seconds);
     }

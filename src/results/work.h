@@ -19,6 +19,7 @@ struct work_row {
     const char *method;   /* how its numbers come about, and to what accuracy */
     uint64_t evaluations; /* that are there because of it; what effects share counts at the first of them that runs */
     double seconds;       /* likely, on one core */
+    double bytes;         /* of arrays that only this effect needs; the others share those of the area */
 };
 enum { WORK_ROWS = EFFECT_COUNT + 1 };
 

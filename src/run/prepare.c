@@ -4,6 +4,7 @@
 #include "run/workers.h"
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 /** Reads the rough counterface, if the scene has one. It must be readable: no result would mean anything without it. */
 static enum status_code read_counterface(struct prepared *out, const struct scene *scene, struct status *status)
@@ -94,24 +95,28 @@ void prepare_table(struct text *out, const struct prepared *prepared, const stru
 {
     struct work_row predicted[WORK_ROWS], actual[WORK_ROWS];
     double seconds, unused;
+    long processors = sysconf(_SC_NPROCESSORS_ONLN);
+    double memory = work_memory(&prepared->spool, processors > 0 ? (unsigned)processors : 1);
     uint64_t total = prepare_total(prepared, &prepared->results.predicted, &seconds);
     uint64_t total_done = prepare_total(prepared, done ? done : &prepared->results.predicted, &unused);
     work_table(predicted, &prepared->results.predicted, &prepared->plan);
     work_table(actual, done ? done : &prepared->results.predicted, &prepared->plan);
-    text_add(out, "%-16s %-8s %14s%s %10s  %s\n", "effect", "", "evaluations", done ? "           done" : "", "seconds",
-             "why; how");
+    text_add(out, "%-16s %-8s %14s%s %10s %8s  %s\n", "effect", "", "evaluations", done ? "           done" : "",
+             "seconds", "memory", "why; how");
     for (int r = 0; r < WORK_ROWS; r++) {
         const struct work_row *row = &predicted[r];
         text_add(out, "%-16s %-8s %14llu", row->name, row->runs ? "run" : "skipped",
                  (unsigned long long)row->evaluations);
         if (done)
             text_add(out, " %14llu", (unsigned long long)actual[r].evaluations);
-        text_add(out, " %10.4f  %s%s%s\n", row->seconds, row->reason, row->runs ? "; " : "", row->method);
+        double bytes = r == 0 ? memory : row->bytes; /* the area's arrays serve the others too */
+        text_add(out, " %10.4f %5.1f MB  %s%s%s\n", row->seconds, bytes / 1e6, row->reason, row->runs ? "; " : "",
+                 row->method);
     }
     text_add(out, "%-16s %-8s %14llu", "all", "", (unsigned long long)total);
     if (done)
         text_add(out, " %14llu", (unsigned long long)total_done);
-    text_add(out, " %10.4f\n", seconds);
+    text_add(out, " %10.4f %5.1f MB\n", seconds, (memory + predicted[EFFECT_CONVERGENCE + 1].bytes) / 1e6);
 }
 
 uint64_t prepare_total(const struct prepared *prepared, const struct work *work, double *seconds)
