@@ -78,15 +78,3 @@ size_t multiscale_solve(struct contact_point *out, const struct multiscale *stac
     };
     return clamped;
 }
-
-void multiscale_areas(double *area_ratio, const struct multiscale *stack, double load, uint64_t *evaluations)
-{
-    double nominal_Pa = load * stack->effective_modulus_Pa, area = 1;
-    for (size_t i = 0; i < stack->count; i++) {
-        struct sinusoid_cell cell;
-        sinusoid_press(&cell, &stack->scales[i], stack->closure, nominal_Pa / area, false);
-        area *= cell.area_ratio;
-        area_ratio[i] = area;
-    }
-    *evaluations += stack->count;
-}

@@ -33,7 +33,4 @@ void multiscale_free(struct multiscale *stack);
 size_t multiscale_solve(struct contact_point *out, const struct multiscale *stack, const struct spot *spot,
                         unsigned wanted, double load, uint64_t *evaluations);
 
-/** Area ratio after each scale, stack->count values, at one load (the convergence study, physics §8). */
-void multiscale_areas(double *area_ratio, const struct multiscale *stack, double load, uint64_t *evaluations);
-
 #endif

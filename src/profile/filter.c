@@ -76,9 +76,3 @@ enum status_code filter_gaussian(double *height_m, size_t points, double spacing
     free(kernel);
     return code;
 }
-
-double filter_transmission(double wavelength_m, double cutoff_m)
-{
-    double x = filter_alpha * cutoff_m / wavelength_m;
-    return exp(-M_PI * x * x);
-}

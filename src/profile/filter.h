@@ -12,7 +12,4 @@
 MUST_CHECK enum status_code filter_gaussian(double *height_m, size_t points, double spacing_m, double cutoff_m,
                                             struct status *status);
 
-/** Share of the amplitude of a wavelength that the low-pass lets through: exp(-pi (a cutoff/lambda)²). */
-double filter_transmission(double wavelength_m, double cutoff_m);
-
 #endif

@@ -1,7 +1,5 @@
 #include "scene/effect.h"
 
-#include <string.h>
-
 const struct effect_row effect_rows[EFFECT_COUNT] = {
     [EFFECT_PLASTICITY] = {"plasticity",
                            "yielding: elastic-plastic multiscale and JG beside the elastic models",
@@ -17,11 +15,3 @@ const struct effect_row effect_rows[EFFECT_COUNT] = {
                                 EFFECT_BIT(EFFECT_THERMAL)},
     [EFFECT_CONVERGENCE] = {"convergence", "area over wavelength as finer and finer scales are added", {NULL}, 0},
 };
-
-enum effect effect_find(const char *name)
-{
-    enum effect effect = 0;
-    while (effect < EFFECT_COUNT && strcmp(effect_rows[effect].name, name) != 0)
-        effect++;
-    return effect;
-}

@@ -27,7 +27,4 @@ struct effect_row {
 
 extern const struct effect_row effect_rows[EFFECT_COUNT];
 
-/** Effect of that name, EFFECT_COUNT when there is none. */
-enum effect effect_find(const char *name);
-
 #endif
