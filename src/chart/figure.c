@@ -110,7 +110,7 @@ enum status_code figure_write_all(const struct results *results, const char *dir
         if (copy_template(files[i], templates, directory, status) != STATUS_OK)
             return status->code;
     struct surface_record baseline;
-    if (spool_get(&baseline, results->spool, results->baseline, status) != STATUS_OK)
+    if (surface_store_get(&baseline, results->store, results->baseline, status) != STATUS_OK)
         return status->code;
     enum status_code rc = STATUS_OK;
     for (size_t i = 0; i < figure_count && rc == STATUS_OK; i++)

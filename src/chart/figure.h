@@ -3,9 +3,9 @@
 #ifndef CHART_FIGURE_H
 #define CHART_FIGURE_H
 
+#include "analysis/benchmark.h"
 #include "chart/gnuplot.h"
-#include "cost/cost.h"
-#include "results/tables.h"
+#include "results/results.h"
 
 enum figure_kind {
     FIGURE_SWEEP,    /* area against wavelength, the convergence study */
@@ -26,7 +26,7 @@ struct figure_row {
     enum convergence_sweep sweep; /* FIGURE_SWEEP */
     bool terminal;                /* drawn by report --show */
     const char *title;
-    enum cost_chart cost; /* FIGURE_COST */
+    enum benchmark_chart cost; /* FIGURE_COST */
 };
 
 extern const struct figure_row figure_rows[];

@@ -1,6 +1,6 @@
 #include "chart/figure_data.h"
 
-#include "results/measured.h"
+#include "analysis/measured.h"
 
 #include <errno.h>
 #include <math.h>
@@ -65,7 +65,7 @@ static size_t first_outside(const struct model_curve *curve, const struct model_
     size_t i = 0;
     if (model->family == SCENE_MODEL_STATISTICAL)
         while (i < curve->count && curve->points[i].area_ratio <= touching_area &&
-               curve->points[i].outside <= outside_share)
+               curve->points[i].beyond_fit <= outside_share)
             i++;
     else
         i = curve->count;
@@ -95,7 +95,7 @@ static void put_curve(struct figure_file *out, const struct model_curve *curve, 
 }
 
 /** Limits of one quantity of a band, NULL when bands do not show it. */
-static const double *band_of(const struct spread_band *band, enum figure_axis axis)
+static const double *band_of(const struct repeats_band *band, enum figure_axis axis)
 {
     switch (axis) {
     case FIGURE_AREA:
@@ -124,7 +124,7 @@ static void put_band(struct figure_file *out, const struct surface_record *recor
     snprintf(band_style, sizeof band_style, "%sb", style);
     begin_block(out, band_style, "band");
     for (size_t i = 0; i < record->band_count; i++) {
-        const struct spread_band *band = &record->bands[model][i];
+        const struct repeats_band *band = &record->bands[model][i];
         const double *limits = band_of(band, out->row->y);
         bool drawable =
             isfinite(limits[0]) && isfinite(limits[1]) && (!figure_axes[out->row->y].logarithmic || limits[0] > 0);
@@ -184,7 +184,7 @@ static void put_spectrum(struct figure_file *out, const struct surface_record *r
 {
     enum { MOST = 400 };
     size_t index[MOST], count = results_sweep_scales(index, MOST, record->spectrum.count);
-    const struct powerlaw *law = &record->summary.law;
+    const struct power_law *law = &record->summary.power_law;
     double longest = record->spectrum.length_m, shortest = longest / (double)record->spectrum.count;
     begin_block(out, style, legend);
     for (size_t k = 0; k < count; k++)
@@ -194,17 +194,17 @@ static void put_spectrum(struct figure_file *out, const struct surface_record *r
         snprintf(fit, sizeof fit, "α %.3g, γ %.3f ± %.3f", law->alpha, law->gamma, law->gamma_error);
     begin_block(out, "fit", fit);
     for (int i = 0; i < 2; i++)
-        put_point(out, law->band_m[i], powerlaw_amplitude(law, law->band_m[i]));
+        put_point(out, law->band_m[i], power_law_amplitude(law, law->band_m[i]));
     begin_block(out, "fitx", fit);
-    put_point(out, shortest, powerlaw_amplitude(law, shortest));
-    put_point(out, law->band_m[0], powerlaw_amplitude(law, law->band_m[0]));
+    put_point(out, shortest, power_law_amplitude(law, shortest));
+    put_point(out, law->band_m[0], power_law_amplitude(law, law->band_m[0]));
 }
 
 static enum status_code put_surfaces(struct figure_file *out, const struct results *results, struct status *status)
 {
     for (size_t k = 0; k < results->shown_count; k++) {
         struct surface_record record;
-        if (spool_get(&record, results->spool, results->shown[k], status) != STATUS_OK)
+        if (surface_store_get(&record, results->store, results->shown[k], status) != STATUS_OK)
             return status->code;
         const struct figure_row *row = out->row;
         char legend[200], style[24];
@@ -246,18 +246,18 @@ static void put_sweep(struct figure_file *out, const struct results *results)
 }
 
 /** One line a study and method, and a ring round what the report uses. */
-static void put_cost(struct figure_file *out, const struct cost *cost)
+static void put_cost(struct figure_file *out, const struct benchmark *cost)
 {
     const double floor = 1e-16; /* an error of exactly 0 has no place on a logarithmic axis */
     size_t methods = 0;
-    const struct cost_row *before = NULL;
+    const struct benchmark_row *before = NULL;
     for (size_t i = 0; i < cost->count; before = &cost->rows[i++]) {
-        const struct cost_row *row = &cost->rows[i];
+        const struct benchmark_row *row = &cost->rows[i];
         if (row->chart != out->row->cost)
             continue;
         if (!before || strcmp(before->study, row->study) != 0 || strcmp(before->method, row->method) != 0) {
             char legend[80], style[24];
-            bool integral = row->chart == COST_INTEGRALS;
+            bool integral = row->chart == BENCHMARK_INTEGRALS;
             snprintf(style, sizeof style, "c%zu", methods++ % 9 + 1);
             snprintf(legend, sizeof legend, "%s, %s", integral ? (row->study[0] == 'g' ? "GW" : "JG") : row->method,
                      integral ? row->method : row->study);

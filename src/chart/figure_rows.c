@@ -5,15 +5,15 @@
 
 #define SURFACES(number, x, y, model, terminal, title)                                                                 \
     {                                                                                                                  \
-        number, FIGURE_SURFACES, x, y, model, CONVERGENCE_ALPHA, terminal, title, COST_CHARTS                          \
+        number, FIGURE_SURFACES, x, y, model, CONVERGENCE_ALPHA, terminal, title, BENCHMARK_CHARTS                     \
     }
 #define MODELS(number, x, y, terminal, title)                                                                          \
     {                                                                                                                  \
-        number, FIGURE_MODELS, x, y, MODEL_COUNT, CONVERGENCE_ALPHA, terminal, title, COST_CHARTS                      \
+        number, FIGURE_MODELS, x, y, MODEL_COUNT, CONVERGENCE_ALPHA, terminal, title, BENCHMARK_CHARTS                 \
     }
 #define SWEEP(number, model, sweep, title)                                                                             \
     {                                                                                                                  \
-        number, FIGURE_SWEEP, FIGURE_WAVELENGTH, FIGURE_AREA, model, sweep, false, title, COST_CHARTS                  \
+        number, FIGURE_SWEEP, FIGURE_WAVELENGTH, FIGURE_AREA, model, sweep, false, title, BENCHMARK_CHARTS             \
     }
 #define OTHER(number, kind, cost, title)                                                                               \
     {                                                                                                                  \
@@ -30,7 +30,7 @@ const struct figure_row figure_rows[] = {
     MODELS("6-07", FIGURE_LOAD, FIGURE_SEPARATION, true, "Separation against load"),
     MODELS("6-08", FIGURE_LOAD, FIGURE_ECR, true, "Electrical contact resistance against load"),
     MODELS("6-09", FIGURE_LOAD, FIGURE_TCR, false, "Thermal contact resistance against load"),
-    OTHER("6-10", FIGURE_PROFILES, COST_CHARTS, "Surface profiles"),
+    OTHER("6-10", FIGURE_PROFILES, BENCHMARK_CHARTS, "Surface profiles"),
     SURFACES("6-11", FIGURE_LOAD, FIGURE_AREA, MODEL_MULTISCALE_PLASTIC, true,
              "Area against load, multiscale elastic-plastic"),
     SURFACES("6-12", FIGURE_LOAD, FIGURE_AREA, MODEL_MULTISCALE_ELASTIC, false,
@@ -59,9 +59,10 @@ const struct figure_row figure_rows[] = {
     SURFACES("6-28", FIGURE_LOAD, FIGURE_TCR, MODEL_MULTISCALE_ELASTIC, false, "TCR against load, multiscale elastic"),
     SURFACES("6-29", FIGURE_LOAD, FIGURE_TCR, MODEL_JG, false, "TCR against load, JG"),
     SURFACES("6-30", FIGURE_LOAD, FIGURE_TCR, MODEL_GW, false, "TCR against load, GW"),
-    OTHER("power-law", FIGURE_SPECTRA, COST_CHARTS, "Spectra and their power laws"),
-    OTHER("cost-integrals", FIGURE_COST, COST_INTEGRALS, "Error against time, integrals of the statistical models"),
-    OTHER("cost-curves", FIGURE_COST, COST_CURVES, "Error against time, scales and loads left out"),
+    OTHER("power-law", FIGURE_SPECTRA, BENCHMARK_CHARTS, "Spectra and their power laws"),
+    OTHER("cost-integrals", FIGURE_COST, BENCHMARK_INTEGRALS,
+          "Error against time, integrals of the statistical models"),
+    OTHER("cost-curves", FIGURE_COST, BENCHMARK_CURVES, "Error against time, scales and loads left out"),
 };
 const size_t figure_count = sizeof figure_rows / sizeof figure_rows[0];
 

@@ -1,6 +1,6 @@
 #include "chart/gnuplot.h"
 #include "cli/command.h"
-#include "cli/finding.h"
+#include "cli/inspection.h"
 
 #include <argp.h>
 #include <jansson.h>
@@ -43,13 +43,13 @@ static double parse_length(const char *text, struct argp_state *state)
     return value;
 }
 
-static enum scene_level parse_level(const char *name, struct argp_state *state)
+static enum level parse_level(const char *name, struct argp_state *state)
 {
-    for (int level = 0; level < SCENE_LEVEL_COUNT; level++)
-        if (strcmp(name, scene_level_names[level]) == 0)
-            return (enum scene_level)level;
+    for (int level = 0; level < LEVEL_COUNT; level++)
+        if (strcmp(name, level_names[level]) == 0)
+            return (enum level)level;
     argp_error(state, "unknown level '%s'; allowed: none, mean, line, parabola, circle, robust", name);
-    return SCENE_LEVEL_LINE;
+    return LEVEL_LINE;
 }
 
 static error_t parse(int key, char *value, struct argp_state *state)
@@ -111,36 +111,37 @@ static json_t *string(const char *value)
     return json;
 }
 
-static json_t *finding_json(const char *path, const struct finding *f)
+static json_t *finding_json(const char *path, const struct inspection *f)
 {
     json_t *warnings = json_array();
     const char *warning;
-    for (size_t w = 0; (warning = finding_warning(f, w)); w++)
+    for (size_t w = 0; (warning = inspection_warning(f, w)); w++)
         json_array_append_new(warnings, string(warning));
     json_t *json = json_pack("{s:o, s:s, s:s, s:I, s:o, s:o, s:s, s:s, s:I}", "file", string(path), "format",
                              f->scan.format, "kind", f->scan.kind == SCAN_AREAL ? "areal" : "profile", "points",
-                             (json_int_t)(f->scan.nx * f->scan.ny), "spacing_m", real(finding_spacing_m(f)), "length_m",
-                             real(finding_length_m(f)), "x_unit", f->scan.x_unit, "z_unit", f->scan.z_unit, "missing",
-                             (json_int_t)f->scan.missing);
+                             (json_int_t)(f->scan.nx * f->scan.ny), "spacing_m", real(inspection_spacing_m(f)),
+                             "length_m", real(inspection_length_m(f)), "x_unit", f->scan.x_unit, "z_unit",
+                             f->scan.z_unit, "missing", (json_int_t)f->scan.missing);
     const struct {
         const char *key;
         double value;
-    } numbers[] = {{"rq_m", f->roughness.rq_m}, {"ra_m", f->roughness.ra_m},           {"pv_m", f->roughness.pv_m},
-                   {"m2", f->roughness.m2},     {"m4_per_m2", f->roughness.m4_per_m2}, {"alpha_SI", f->law.alpha},
-                   {"gamma", f->law.gamma}};
+    } numbers[] = {{"rq_m", f->roughness.rq_m},           {"ra_m", f->roughness.ra_m},
+                   {"pv_m", f->roughness.pv_m},           {"m2", f->roughness.m2},
+                   {"m4_per_m2", f->roughness.m4_per_m2}, {"alpha_SI", f->power_law.alpha},
+                   {"gamma", f->power_law.gamma}};
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
         json_object_set_new(json, numbers[i].key, real(numbers[i].value));
     json_object_set_new(json, "warnings", warnings);
-    finding_add_json(json, f);
+    inspection_add_json(json, f);
     return json;
 }
 
-static void print_finding(const char *path, const struct finding *f)
+static void print_finding(const char *path, const struct inspection *f)
 {
     const struct roughness *r = &f->roughness;
     static const char *const grids[] = {"uniform", "rounded x, nominal spacing used", "uneven x, interpolated"};
-    static const char *const level_labels[SCENE_LEVEL_COUNT] = {"as it is",     "mean out", "line out",
-                                                                "parabola out", "arc out",  "robust line"};
+    static const char *const level_labels[LEVEL_COUNT] = {"as it is",     "mean out", "line out",
+                                                          "parabola out", "arc out",  "robust line"};
     struct text name = {0};
     text_add_shown(&name, path);
     printf("%s\n", text_string(&name));
@@ -151,19 +152,19 @@ static void print_finding(const char *path, const struct finding *f)
                f->scan.dx_m * 1e6, f->scan.dy_m * 1e6, f->scan.missing);
     else
         printf("  points      %zu, spacing %.6g um (%s), length %.6g mm\n", f->scan.nx, f->profile.spacing_m * 1e6,
-               grids[f->profile.grid], finding_length_m(f) * 1e3);
+               grids[f->profile.grid], inspection_length_m(f) * 1e3);
     if (f->scan.kind == SCAN_PROFILE)
         printf("  %-11s tilt %.4g um/mm, end-to-end jump left %.4g um\n", level_labels[f->options.level],
                f->profile.tilt * 1e3, f->profile.end_jump_m * 1e6);
-    finding_print(f);
+    inspection_print(f);
     printf("  roughness   Rq %.6g um, Ra %.6g um, peak to valley %.6g um\n", r->rq_m * 1e6, r->ra_m * 1e6,
            r->pv_m * 1e6);
     printf("  moments     m2 %.6g, m4 %.6g /um2, Nayak %.4g\n", r->m2, r->m4_per_m2 * 1e-12,
            r->m0_m2 / r->m2 * (r->m4_per_m2 / r->m2));
-    printf("  power law   alpha %.4g +- %.2g, gamma %.3f +- %.3f, scatter %.3f decades\n", f->law.alpha,
-           f->law.alpha_error, f->law.gamma, f->law.gamma_error, f->law.rms_decades);
+    printf("  power law   alpha %.4g +- %.2g, gamma %.3f +- %.3f, scatter %.3f decades\n", f->power_law.alpha,
+           f->power_law.alpha_error, f->power_law.gamma, f->power_law.gamma_error, f->power_law.rms_decades);
     const char *warning;
-    for (size_t w = 0; (warning = finding_warning(f, w)); w++) {
+    for (size_t w = 0; (warning = inspection_warning(f, w)); w++) {
         struct text note = {0};
         text_add_shown(&note, warning);
         printf("  note        %s\n", text_string(&note));
@@ -172,7 +173,7 @@ static void print_finding(const char *path, const struct finding *f)
 }
 
 /** Thins `count` points to what a terminal can show; `at` maps an index to a point. */
-static void write_points(FILE *file, const struct finding *f, bool spectrum)
+static void write_points(FILE *file, const struct inspection *f, bool spectrum)
 {
     enum { MOST = 400 };
     size_t count = spectrum ? f->spectrum.count : f->profile.points, last = SIZE_MAX;
@@ -191,7 +192,7 @@ static void write_points(FILE *file, const struct finding *f, bool spectrum)
     }
 }
 
-static enum status_code write_chart_data(const char *directory, const char *name, const struct finding *f,
+static enum status_code write_chart_data(const char *directory, const char *name, const struct inspection *f,
                                          bool spectrum, struct status *status)
 {
     struct text path = {0};
@@ -205,7 +206,7 @@ static enum status_code write_chart_data(const char *directory, const char *name
 }
 
 /** Draws profile and spectrum as text, sized to the terminal. */
-static enum status_code draw(const struct finding *f, struct status *status)
+static enum status_code draw(const struct inspection *f, struct status *status)
 {
     struct text templates = {0}, charts = {0};
     struct gnuplot gnuplot;
@@ -263,24 +264,24 @@ int command_inspect(int argc, char **argv)
     int refused = 0;
     for (int i = 0; i < arguments.file_count; i++) {
         struct status status = {0}, chart = {0};
-        struct finding finding;
+        struct inspection inspection;
         const char *path = arguments.files[i];
-        if (finding_make(&finding, path, &arguments.units, &arguments.how, &status) != STATUS_OK) {
+        if (inspection_make(&inspection, path, &arguments.units, &arguments.how, &status) != STATUS_OK) {
             refused++;
             if (arguments.json)
                 json_array_append_new(all, error_json(path, status.message));
             else
                 command_complain("", status.message);
         } else if (arguments.json) {
-            json_array_append_new(all, finding_json(path, &finding));
+            json_array_append_new(all, finding_json(path, &inspection));
         } else {
-            print_finding(path, &finding);
+            print_finding(path, &inspection);
             bool wanted = !arguments.no_chart && (arguments.chart || isatty(STDOUT_FILENO));
-            if (wanted && finding.profile.points > 0 && finding.spectrum.count > 0 &&
-                draw(&finding, &chart) != STATUS_OK)
+            if (wanted && inspection.profile.points > 0 && inspection.spectrum.count > 0 &&
+                draw(&inspection, &chart) != STATUS_OK)
                 command_complain("no charts: ", chart.message);
         }
-        finding_free(&finding);
+        inspection_free(&inspection);
     }
     if (arguments.json) {
         json_dumpf(all, stdout, JSON_INDENT(1) | JSON_REAL_PRECISION(17));

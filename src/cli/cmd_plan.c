@@ -1,7 +1,7 @@
+#include "analysis/work.h"
 #include "cli/command.h"
 #include "cli/scene_options.h"
 #include "contact/model.h"
-#include "results/work.h"
 #include "run/prepare.h"
 
 #include <stdio.h>
@@ -46,7 +46,7 @@ static void print_plan(const struct scene *scene, const struct prepared *prepare
                model_rows[m].valid);
     printf("\n%zu surface%s, %zu loads, tolerance %g, closure %s\n", scene->surface_count,
            scene->surface_count == 1 ? "" : "s", prepared->results.load_count, scene->tolerance,
-           scene_closure_names[scene->closure]);
+           sinusoid_fit_names[scene->closure]);
 }
 
 int command_plan(int argc, char **argv)
@@ -72,7 +72,7 @@ int command_plan(int argc, char **argv)
     enum status_code rc = scene_read(&scene, arguments.directory, &arguments.overrides, &status);
     if (rc == STATUS_OK)
         rc = prepare(&prepared, &scene, &options, NULL, &status);
-    size_t refused = prepare_messages(&messages, &prepared.spool);
+    size_t refused = prepare_messages(&messages, &prepared.store);
     fputs(text_string(&messages), stderr);
     if (rc == STATUS_OK && refused == scene.surface_count)
         rc = status_fail(&status, STATUS_SCAN, "no readable scan in '%s'", scene.directory);

@@ -1,6 +1,6 @@
 #include "cli/command.h"
 #include "contact/model.h"
-#include "scene/material.h"
+#include "material/material.h"
 
 #include <argp.h>
 #include <math.h>

@@ -44,7 +44,7 @@ const struct asperity_law asperity_laws[ASPERITY_LAW_COUNT] = {
     [ASPERITY_JG] = {"jackson-green", "Jackson and Green 2005, 2006; thesis eq. 4.31-4.38", true, press_jg},
 };
 
-struct asperity asperity_make(double radius_m, const struct material_pair *pair, enum asperity_law_id law)
+struct asperity asperity_make(double radius_m, const struct material_pair *pair, enum asperity_model law)
 {
     struct asperity asperity = {
         .radius_m = radius_m,

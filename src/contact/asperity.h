@@ -2,7 +2,7 @@
 #ifndef CONTACT_ASPERITY_H
 #define CONTACT_ASPERITY_H
 
-#include "scene/material.h"
+#include "material/material.h"
 #include <stdbool.h>
 
 /** An asperity of radius R in a material, with what does not depend on the interference. */
@@ -31,7 +31,7 @@ struct asperity_law {
     void (*press)(struct asperity_contact *out, const struct asperity *asperity, double interference_m);
 };
 
-enum asperity_law_id { ASPERITY_HERTZ, ASPERITY_JG, ASPERITY_LAW_COUNT };
+enum asperity_model { ASPERITY_HERTZ, ASPERITY_JG, ASPERITY_LAW_COUNT };
 extern const struct asperity_law asperity_laws[ASPERITY_LAW_COUNT];
 
 /** Interference over omega_c up to which the elastic-plastic law is Hertz's (4.32). */
@@ -40,7 +40,7 @@ extern const double asperity_yield_onset;
 extern const double asperity_fitted_radius_ratio;
 
 /** An asperity of radius R for `law`. */
-struct asperity asperity_make(double radius_m, const struct material_pair *pair, enum asperity_law_id law);
+struct asperity asperity_make(double radius_m, const struct material_pair *pair, enum asperity_model law);
 
 /** Interference [m] at which the elastic-plastic contact radius reaches `ratio` R (not below 1.9 omega_c), from
  * a/R = sqrt[(omega/R)(omega/1.9 omega_c)^B] (4.38). INFINITY for the elastic law. */

@@ -3,7 +3,7 @@
 #define CONTACT_CONVERGENCE_H
 
 #include "scene/scene.h"
-#include "spectrum/powerlaw.h"
+#include "spectrum/power_law.h"
 #include <stdint.h>
 
 enum convergence_sweep { CONVERGENCE_ALPHA, CONVERGENCE_GAMMA, CONVERGENCE_SWEEP_COUNT };
@@ -40,7 +40,7 @@ struct convergence_extension {
 
 /** Extends the fitted law of a surface of scan length `length_m`, sampled down to `shortest_m`, at one load. Stops at
  * the first scale from which p* can no longer exceed the pressure (gamma >= 1), or at atomic size. */
-struct convergence_extension convergence_extend(const struct powerlaw *law, double length_m, double shortest_m,
+struct convergence_extension convergence_extend(const struct power_law *law, double length_m, double shortest_m,
                                                 const struct material_pair *pair, bool plastic, double load);
 
 #endif

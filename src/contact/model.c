@@ -22,7 +22,7 @@ static enum status_code run_multiscale(struct model_curve *curve, const struct m
                                        const struct model_task *task, struct status *status)
 {
     struct multiscale stack;
-    struct spot spot = spot_make(task->pair);
+    struct constriction spot = constriction_make(task->pair);
     uint64_t visits = 0;
     if (multiscale_make(&stack, task->spectrum, task->pair, row->plastic, task->closure, status) != STATUS_OK)
         return status->code;
@@ -44,7 +44,7 @@ static enum status_code run_multiscale(struct model_curve *curve, const struct m
     return STATUS_OK;
 }
 
-static enum asperity_law_id law_of(const struct model_row *row)
+static enum asperity_model law_of(const struct model_row *row)
 {
     return row->plastic ? ASPERITY_JG : ASPERITY_HERTZ;
 }

@@ -19,7 +19,7 @@ struct model_task {
     size_t load_count;
     unsigned wanted; /* enum contact_quantity bits */
     double tolerance;
-    enum scene_closure closure;
+    enum sinusoid_fit_id closure;
 };
 
 /** What answering took. A separation is one load of a statistical model, solved for; the rest are visits or law values.

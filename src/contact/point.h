@@ -19,8 +19,8 @@ struct contact_point {
     double ecr_ohm_m2;        /* ECR A_n */
     double tcr_K_m2_per_W;    /* TCR A_n */
     double tcr_sd_K_m2_per_W; /* the same, scale-dependent */
-    double outside;           /* share of the load on asperities beyond the law's fitted range, 0...1 (JG), else 0 */
-    double saturated;         /* share of the load on asperities whose a/R is clamped to 1 (JG), else 0 */
+    double beyond_fit;        /* share of the load on asperities beyond the law's fitted range, 0...1 (JG), else 0 */
+    double radius_clamped;    /* share of the load on asperities whose a/R is clamped to 1 (JG), else 0 */
 };
 
 #endif

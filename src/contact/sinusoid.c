@@ -73,15 +73,15 @@ static double thesis_gap(double x)
 void sinusoid_numeric_area(struct sinusoid_cell *cell, double x);
 double sinusoid_numeric_gap(double x);
 
-const struct sinusoid_closure sinusoid_closures[SCENE_CLOSURE_COUNT] = {
-    [SCENE_CLOSURE_THESIS] = {"thesis",
-                              "W. E. Wilson, Auburn University 2008, eq. 4.3-4.10; after Johnson, Greenwood "
-                              "and Higginson 1985, Jackson and Streator 2006",
-                              false, 0.12, 0.10, thesis_area, thesis_gap},
-    [SCENE_CLOSURE_NUMERIC] = {"numeric",
-                               "direct numerical solution of the elastic cell on a 1024 x 1024 grid, "
-                               "interpolated",
-                               true, 0.004, 0.002, sinusoid_numeric_area, sinusoid_numeric_gap},
+const struct sinusoid_fit sinusoid_fits[SINUSOID_FIT_COUNT] = {
+    [SINUSOID_FIT_THESIS] = {"thesis",
+                             "W. E. Wilson, Auburn University 2008, eq. 4.3-4.10; after Johnson, Greenwood "
+                             "and Higginson 1985, Jackson and Streator 2006",
+                             false, 0.12, 0.10, thesis_area, thesis_gap},
+    [SINUSOID_FIT_NUMERIC] = {"numeric",
+                              "direct numerical solution of the elastic cell on a 1024 x 1024 grid, "
+                              "interpolated",
+                              true, 0.004, 0.002, sinusoid_numeric_area, sinusoid_numeric_gap},
 };
 
 double sinusoid_full_pressure(double amplitude_m, double frequency_per_m, double effective_modulus_Pa)
@@ -132,7 +132,7 @@ double sinusoid_closed_pressure(const struct sinusoid_scale *scale)
 
 /** Below p_p <= p*, so that the elastic area is short of 1 too. */
 static void raise_to_elastic(struct sinusoid_cell *cell, const struct sinusoid_scale *scale,
-                             const struct sinusoid_closure *closure, double pressure_Pa)
+                             const struct sinusoid_fit *closure, double pressure_Pa)
 {
     struct sinusoid_cell elastic;
     closure->area(&elastic, pressure_Pa / scale->full_pressure_Pa);
@@ -143,8 +143,8 @@ static void raise_to_elastic(struct sinusoid_cell *cell, const struct sinusoid_s
     cell->limited = true;
 }
 
-bool sinusoid_press(struct sinusoid_cell *cell, const struct sinusoid_scale *scale,
-                    const struct sinusoid_closure *closure, double pressure_Pa, bool with_gap)
+bool sinusoid_press(struct sinusoid_cell *cell, const struct sinusoid_scale *scale, const struct sinusoid_fit *closure,
+                    double pressure_Pa, bool with_gap)
 {
     bool plastic = pressure_Pa > scale->critical_pressure_Pa;
     double complete_Pa = plastic ? scale->plastic_full_pressure_Pa : scale->full_pressure_Pa;
@@ -173,7 +173,7 @@ double sinusoid_full_area_pressure(const struct sinusoid_scale *scale)
     double high = sinusoid_closed_pressure(scale), low = scale->critical_pressure_Pa;
     if (low >= high)
         return high;
-    const struct sinusoid_closure *closure = &sinusoid_closures[SCENE_CLOSURE_THESIS]; /* plastic: not asked */
+    const struct sinusoid_fit *closure = &sinusoid_fits[SINUSOID_FIT_THESIS]; /* plastic: not asked */
     for (;;) { /* bisect down to neighbouring numbers: the area never falls, so there is one border */
         double middle = low + (high - low) / 2;
         if (middle <= low || middle >= high)

@@ -3,7 +3,7 @@
 #ifndef CONTACT_SINUSOID_H
 #define CONTACT_SINUSOID_H
 
-#include "scene/material.h"
+#include "material/material.h"
 #include "scene/scene.h"
 
 /** Area and gap of one cell at one pressure. */
@@ -15,7 +15,7 @@ struct sinusoid_cell {
 };
 
 /** A law for the elastic cell: x = mean pressure / p*. One row a closure. */
-struct sinusoid_closure {
+struct sinusoid_fit {
     const char *name;    /* scene spelling */
     const char *source;  /* where the formula or table is from */
     bool floors_plastic; /* (4.17) was made to meet closure thesis; it can fall short of this closure's elastic area */
@@ -27,7 +27,7 @@ struct sinusoid_closure {
     double (*gap)(double x);
 };
 
-extern const struct sinusoid_closure sinusoid_closures[SCENE_CLOSURE_COUNT]; /* indexed by enum scene_closure */
+extern const struct sinusoid_fit sinusoid_fits[SINUSOID_FIT_COUNT]; /* indexed by enum sinusoid_fit_id */
 
 /** One scale with everything that does not depend on the load. Make it with sinusoid_scale(). */
 struct sinusoid_scale {
@@ -61,8 +61,8 @@ double sinusoid_full_area_pressure(const struct sinusoid_scale *scale);
  * Elastic: thesis (4.5), (4.6), (4.10); plastic: (4.17) with p_p in place of p*, cut off at 1 and, with closure
  * `numeric`, not below the elastic area: yield only adds contact. The area never falls with p, but for the link of
  * closure `thesis` at p/p* = 0.8 (by 0.05 %, as published). */
-bool sinusoid_press(struct sinusoid_cell *cell, const struct sinusoid_scale *scale,
-                    const struct sinusoid_closure *closure, double pressure_Pa, bool with_gap);
+bool sinusoid_press(struct sinusoid_cell *cell, const struct sinusoid_scale *scale, const struct sinusoid_fit *closure,
+                    double pressure_Pa, bool with_gap);
 
 /** The direct numerical solution: x = p/p*, area ratio, gap/amplitude. */
 struct sinusoid_bem_row {
@@ -73,6 +73,6 @@ extern const size_t sinusoid_bem_count;
 
 /** Largest relative difference of a closure from the direct solution, in the gap (x <= 0.55) or in the area. `numeric`,
  * which interpolates that solution, is tested at each row with the row itself left out. */
-double sinusoid_closure_error(enum scene_closure closure, bool gap);
+double sinusoid_fit_error(enum sinusoid_fit_id closure, bool gap);
 
 #endif

@@ -144,14 +144,14 @@ double sinusoid_numeric_gap(double x)
     return exp(interpolate(point_gap, x, KEEP_ALL) + 2.5 * log1p(-x));
 }
 
-double sinusoid_closure_error(enum scene_closure closure, bool gap)
+double sinusoid_fit_error(enum sinusoid_fit_id closure, bool gap)
 {
-    const struct sinusoid_closure *row = &sinusoid_closures[closure];
+    const struct sinusoid_fit *row = &sinusoid_fits[closure];
     double worst = 0;
     for (int i = 0; i < NODES; i++) {
         double x = sinusoid_bem[i].x, value;
         struct sinusoid_cell cell = {0};
-        bool own = closure == SCENE_CLOSURE_NUMERIC;
+        bool own = closure == SINUSOID_FIT_NUMERIC;
         if ((gap && x > 0.55) || (own && (i == 0 || i == NODES - 1)))
             continue; /* beyond the first and last rows there is only a limit to go by */
         row->area(&cell, x);

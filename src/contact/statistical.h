@@ -4,9 +4,9 @@
 #define CONTACT_STATISTICAL_H
 
 #include "contact/asperity.h"
-#include "contact/panels.h"
+#include "contact/constriction.h"
 #include "contact/point.h"
-#include "resistance/spot.h"
+#include "contact/quadrature.h"
 #include "spectrum/roughness.h"
 #include <stdbool.h>
 #include <stdint.h>
@@ -15,26 +15,26 @@
 struct statistical {
     struct asperities surface;
     struct asperity asperity;
-    enum asperity_law_id law;
-    struct spot spot;
-    unsigned wanted;      /* enum contact_quantity bits to compute */
-    double tolerance;     /* relative, of every integral */
-    struct panels panels; /* the law at the quadrature nodes; empty where closed forms do */
-    double full_d;        /* d/sigma_s at which A = A_n */
-    double full_load;     /* P/(A_n E') there */
-    double beta;          /* -2 delta_full/sigma: makes delta_ADJ = 0 at A = A_n (4.54) */
+    enum asperity_model law;
+    struct constriction spot;
+    unsigned wanted;          /* enum contact_quantity bits to compute */
+    double tolerance;         /* relative, of every integral */
+    struct quadrature panels; /* the law at the quadrature nodes; empty where closed forms do */
+    double full_d;            /* d/sigma_s at which A = A_n */
+    double full_load;         /* P/(A_n E') there */
+    double beta;              /* -2 delta_full/sigma: makes delta_ADJ = 0 at A = A_n (4.54) */
 };
 
 /** Prepares the model for separations d >= `lowest_d` sigma_s and always down to its full contact (pass INFINITY for
  * just that). Counts law evaluations. Errors: STATUS_MEMORY; STATUS_MODEL when full contact or
  * lowest_d is below about -2000 (no surface of roughness_asperities() is). */
 MUST_CHECK enum status_code statistical_make(struct statistical *out, const struct asperities *surface,
-                                             const struct material_pair *pair, enum asperity_law_id law,
-                                             unsigned wanted, double tolerance, double lowest_d, uint64_t *evaluations,
+                                             const struct material_pair *pair, enum asperity_model law, unsigned wanted,
+                                             double tolerance, double lowest_d, uint64_t *evaluations,
                                              struct status *status);
 /** Law evaluations that statistical_make() takes for the same arguments, lowest_d = INFINITY. */
 size_t statistical_law_count(const struct asperities *surface, const struct material_pair *pair,
-                             enum asperity_law_id law, unsigned wanted, double tolerance);
+                             enum asperity_model law, unsigned wanted, double tolerance);
 void statistical_free(struct statistical *model);
 
 /** Contact with the flat at d = `d` sigma_s. Below full contact (A > A_n) the area ratio exceeds 1 and the resistances

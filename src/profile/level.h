@@ -21,6 +21,6 @@ struct levelling {
  *          0 is an outlier.
  * Errors: STATUS_SCAN: no arc fits; STATUS_MEMORY. */
 MUST_CHECK enum status_code level_remove(struct levelling *out, double *height_m, const double *x_m, size_t points,
-                                         double spacing_m, enum scene_level level, struct status *status);
+                                         double spacing_m, enum level level, struct status *status);
 
 #endif

@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-const struct profile_options profile_defaults = {.level = SCENE_LEVEL_LINE, .max_missing = 0.1};
+const struct profile_options profile_defaults = {.level = LEVEL_LINE, .max_missing = 0.1};
 
 struct profile_options profile_options_of(const struct scene *scene)
 {
@@ -74,14 +74,14 @@ static enum status_code take_level(struct profile *profile, const struct profile
     if (peak_to_valley(profile) <= 32 * DBL_EPSILON * (fabs(first_m) + before_m))
         return status_fail(status, STATUS_SCAN,
                            "the scan is flat: no roughness is left after level: %s; check the column",
-                           scene_level_names[options->level]);
+                           level_names[options->level]);
     profile->tilt = levelling.tilt;
     profile->radius_m = levelling.radius_m;
     profile->outliers = levelling.outliers;
-    if (options->level == SCENE_LEVEL_CIRCLE)
+    if (options->level == LEVEL_CIRCLE)
         profile_note(profile, "an arc of radius %.6g mm (%s) was taken out", fabs(levelling.radius_m) * 1e3,
                      levelling.radius_m < 0 ? "crown" : "hollow");
-    if (options->level == SCENE_LEVEL_ROBUST)
+    if (options->level == LEVEL_ROBUST)
         profile_note(profile, "a robust line was taken out; %zu of %zu points (%.2g %%) are outliers of it",
                      levelling.outliers, profile->points, 100 * (double)levelling.outliers / (double)profile->points);
     return STATUS_OK;

@@ -12,7 +12,7 @@ enum { PROFILE_NOTES = 24, PROFILE_NOTE_LENGTH = 240 };
 
 /** How a scan is made ready; the scene's keys of the same names. */
 struct profile_options {
-    enum scene_level level;
+    enum level level;
     double max_missing;            /* share of the points, 0...1 */
     double lambda_s_m, lambda_c_m; /* cut-offs of the Gaussian low-pass and high-pass; 0: none */
     double tip_radius_m;           /* for a warning only; 0: not known */

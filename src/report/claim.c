@@ -33,7 +33,7 @@ const size_t claim_count = sizeof claim_rows / sizeof claim_rows[0];
 
 const struct surface_summary *claim_surface(const struct results *results, size_t k)
 {
-    return &results->spool->summaries[results->by_roughness[k]];
+    return &results->store->summaries[results->by_roughness[k]];
 }
 
 enum claim_verdict claim_verdict_of(size_t good, size_t all)
@@ -41,7 +41,7 @@ enum claim_verdict claim_verdict_of(size_t good, size_t all)
     return all == 0 ? CLAIM_NOT_TESTED : good == all ? CLAIM_HOLDS : 2 * good >= all ? CLAIM_PARTLY : CLAIM_FAILS;
 }
 
-void claim_table(struct text *out, const struct results *results, const struct study *study)
+void claim_table(struct text *out, const struct results *results, const struct comparison *study)
 {
     static const char *const verdicts[] = {[CLAIM_HOLDS] = "holds",
                                            [CLAIM_PARTLY] = "in part",

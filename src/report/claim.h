@@ -2,7 +2,7 @@
 #ifndef REPORT_CLAIM_H
 #define REPORT_CLAIM_H
 
-#include "report/study.h"
+#include "results/comparison.h"
 
 enum claim_verdict { CLAIM_HOLDS, CLAIM_PARTLY, CLAIM_FAILS, CLAIM_NOT_TESTED };
 
@@ -13,13 +13,13 @@ struct claim_row {
     unsigned families; /* enum scene_model bits it needs */
     bool several;      /* needs at least two surfaces */
     /** Adds the evidence, with its figures, and says how the claim fares. */
-    enum claim_verdict (*check)(struct text *evidence, const struct results *results, const struct study *study);
+    enum claim_verdict (*check)(struct text *evidence, const struct results *results, const struct comparison *study);
 };
 
 extern const struct claim_row claim_rows[];
 extern const size_t claim_count;
 
 /** The table of all claims that can be checked with what ran. */
-void claim_table(struct text *out, const struct results *results, const struct study *study);
+void claim_table(struct text *out, const struct results *results, const struct comparison *study);
 
 #endif

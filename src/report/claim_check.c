@@ -1,6 +1,6 @@
 #include "report/claim_check.h"
 
-#include "report/words.h"
+#include "base/number_format.h"
 #include <math.h>
 
 /** Range of a number over all surfaces in one model; false when no surface has it. */
@@ -30,7 +30,7 @@ static void add_ranges(struct text *out, double (*value)(const struct surface_su
         if (!range_of(value, results, (enum model_id)m, &least, &most))
             continue;
         text_add(out, "%s%s ", first ? "" : "; ", model_rows[m].label);
-        words_range(out, least * scale, most * scale, 3);
+        number_format_range(out, least * scale, most * scale, 3);
         text_add(out, "%s", unit);
         first = false;
     }
@@ -41,7 +41,7 @@ static double area_slope(const struct surface_summary *summary, enum model_id mo
     return summary->models[model].area_slope;
 }
 
-enum claim_verdict claim_linear(struct text *out, const struct results *results, const struct study *study)
+enum claim_verdict claim_linear(struct text *out, const struct results *results, const struct comparison *study)
 {
     (void)study;
     size_t all = 0, linear = 0;
@@ -61,16 +61,16 @@ enum claim_verdict claim_linear(struct text *out, const struct results *results,
     return all == 0 ? CLAIM_NOT_TESTED : claim_verdict_of(linear, all);
 }
 
-enum claim_verdict claim_plastic_above(struct text *out, const struct results *results, const struct study *study)
+enum claim_verdict claim_plastic_above(struct text *out, const struct results *results, const struct comparison *study)
 {
     static const char *const names[2] = {"multiscale", "statistical"};
     size_t points = 0, above = 0;
     for (int f = 0; f < 2; f++) {
-        const struct study_plastic *plastic = &study->plastic[f];
+        const struct comparison_plastic *plastic = &study->plastic[f];
         if (plastic->points == 0)
             continue;
         text_add(out, "%s%s: plastic/elastic area ", points > 0 ? "; " : "", names[f]);
-        words_range(out, plastic->least, plastic->most, 3);
+        number_format_range(out, plastic->least, plastic->most, 3);
         text_add(out, ", not below at %zu of %zu loads", plastic->above, plastic->points);
         points += plastic->points;
         above += plastic->above;
@@ -79,7 +79,7 @@ enum claim_verdict claim_plastic_above(struct text *out, const struct results *r
     return points == 0 ? CLAIM_NOT_TESTED : claim_verdict_of(above, points);
 }
 
-enum claim_verdict claim_sooner(struct text *out, const struct results *results, const struct study *study)
+enum claim_verdict claim_sooner(struct text *out, const struct results *results, const struct comparison *study)
 {
     size_t surfaces = study->plastic[0].surfaces + study->plastic[1].surfaces;
     size_t sooner = study->plastic[0].sooner + study->plastic[1].sooner;
@@ -94,7 +94,7 @@ static double gap_at_full(const struct surface_summary *summary, enum model_id m
 }
 
 /** The statistical separations are 0 there by the choice of β and prove nothing. */
-enum claim_verdict claim_closed(struct text *out, const struct results *results, const struct study *study)
+enum claim_verdict claim_closed(struct text *out, const struct results *results, const struct comparison *study)
 {
     (void)study;
     size_t curves = 0, closed = 0;
@@ -105,10 +105,10 @@ enum claim_verdict claim_closed(struct text *out, const struct results *results,
         if (!range_of(gap_at_full, results, (enum model_id)m, &least, &most))
             continue;
         text_add(out, "%s%s ", first ? "" : "; ", model_rows[m].label);
-        words_range(out, least, most, 2);
+        number_format_range(out, least, most, 2);
         first = false;
         for (size_t k = 0; k < results->usable_count; k++) {
-            const struct surface_model *model = &claim_surface(results, k)->models[m];
+            const struct curve_summary *model = &claim_surface(results, k)->models[m];
             curves += model->exists && isfinite(model->gap_at_full);
             closed += model->exists && model->gap_at_full < 0.01;
         }
@@ -130,7 +130,7 @@ static double elbow(const struct surface_summary *summary, enum model_id model)
 }
 
 /** Curves that reach full contact within the loads, or have an elbow before. */
-enum claim_verdict claim_elbow(struct text *out, const struct results *results, const struct study *study)
+enum claim_verdict claim_elbow(struct text *out, const struct results *results, const struct comparison *study)
 {
     (void)study;
     size_t curves = 0, late = 0;
@@ -139,7 +139,7 @@ enum claim_verdict claim_elbow(struct text *out, const struct results *results, 
     for (int m = 0; m < MODEL_COUNT; m++)
         for (size_t k = 0; k < results->usable_count; k++) {
             const struct surface_summary *summary = claim_surface(results, k);
-            const struct surface_model *model = &summary->models[m];
+            const struct curve_summary *model = &summary->models[m];
             if (!model->exists)
                 continue;
             double share = elbow(summary, (enum model_id)m);
@@ -154,34 +154,34 @@ enum claim_verdict claim_elbow(struct text *out, const struct results *results, 
     return claim_verdict_of(late, curves);
 }
 
-enum claim_verdict claim_families(struct text *out, const struct results *results, const struct study *study)
+enum claim_verdict claim_families(struct text *out, const struct results *results, const struct comparison *study)
 {
     static const char *const laws[2] = {"elastic", "plastic"};
     size_t tested = 0, better = 0;
     for (int law = 0; law < 2; law++) {
-        const struct study_gap *gap = &study->gap[law];
+        const struct comparison_gap *gap = &study->gap[law];
         if (isnan(gap->area))
             continue;
         if (tested == 0) {
-            words_named(out, "surface ", results, results->baseline);
+            section_named(out, "surface ", results, results->baseline);
             text_add(out, ", mean distance of the multiscale and the statistical curve: ");
         }
         text_add(out, "%s%s: ", tested > 0 ? "; " : "", laws[law]);
-        words_add(out, "ECR ", gap->ecr, 2, ", area ");
-        words_add(out, "", gap->area, 2, " decades");
+        number_format_add(out, "ECR ", gap->ecr, 2, ", area ");
+        number_format_add(out, "", gap->area, 2, " decades");
         better += gap->ecr <= gap->area;
         tested++;
     }
     return claim_verdict_of(better, tested);
 }
 
-enum claim_verdict claim_proportional(struct text *out, const struct results *results, const struct study *study)
+enum claim_verdict claim_proportional(struct text *out, const struct results *results, const struct comparison *study)
 {
     (void)results;
     if (isnan(study->proportional_error))
         return CLAIM_NOT_TESTED;
     text_add(out, "TCR/ECR is 1/(ρ k) at every load, to a relative ");
-    words_number(out, study->proportional_error, 2);
+    number_format_number(out, study->proportional_error, 2);
     return study->proportional_error < 1e-6 ? CLAIM_HOLDS : CLAIM_FAILS;
 }
 
@@ -195,7 +195,8 @@ static double sd_most(const struct surface_summary *summary, enum model_id model
     return summary->models[model].sd_most;
 }
 
-enum claim_verdict claim_scale_dependence(struct text *out, const struct results *results, const struct study *study)
+enum claim_verdict claim_scale_dependence(struct text *out, const struct results *results,
+                                          const struct comparison *study)
 {
     (void)study;
     double largest = 0;
@@ -207,7 +208,7 @@ enum claim_verdict claim_scale_dependence(struct text *out, const struct results
             !range_of(sd_most, results, (enum model_id)m, &unused, &most))
             continue;
         text_add(out, "%s%s ", first ? "" : "; ", model_rows[m].label);
-        words_range(out, 100 * least, 100 * most, 2);
+        number_format_range(out, 100 * least, 100 * most, 2);
         text_add(out, " %%");
         largest = fmax(largest, most);
         first = false;
@@ -230,12 +231,12 @@ static double largest_fall(const struct results *results)
 
 /** gamma counts as 1 within its standard error: the thesis's roughest surface lies just there. Where two slopes fit
  * better than one law, it is the one at short wavelengths that decides. */
-enum claim_verdict claim_gamma(struct text *out, const struct results *results, const struct study *study)
+enum claim_verdict claim_gamma(struct text *out, const struct results *results, const struct comparison *study)
 {
     (void)study;
     size_t fitted = 0, converging = 0, knees = 0;
     for (size_t k = 0; k < results->usable_count; k++) {
-        const struct powerlaw *law = &claim_surface(results, k)->law;
+        const struct power_law *law = &claim_surface(results, k)->power_law;
         bool knee = isfinite(law->knee_m);
         fitted += isfinite(law->gamma);
         knees += knee;
@@ -248,20 +249,20 @@ enum claim_verdict claim_gamma(struct text *out, const struct results *results, 
                  " (judged on %zu of them by the slope at short wavelengths, since two slopes fit better than one law)",
                  knees);
     if (plan_runs(results->plan, EFFECT_CONVERGENCE)) {
-        words_add(out, "; scales of the one law from the sampling limit down to ", convergence_atom_m * 1e9, 1,
-                  " nm would take ");
+        number_format_add(out, "; scales of the one law from the sampling limit down to ", convergence_atom_m * 1e9, 1,
+                          " nm would take ");
         double fall = 100 * largest_fall(results);
         if (fall > 0)
-            words_add(out, "at most ", fall, 2, " % of the area");
+            number_format_add(out, "at most ", fall, 2, " % of the area");
         else
             text_add(out, "nothing of the area");
         text_add(out, " at P/(Aₙ E′) = ");
-        words_power(out, results->scene->convergence.load, 3);
+        number_format_power(out, results->scene->convergence.load, 3);
     }
     return claim_verdict_of(converging, fitted);
 }
 
-enum claim_verdict claim_convergence(struct text *out, const struct results *results, const struct study *study)
+enum claim_verdict claim_convergence(struct text *out, const struct results *results, const struct comparison *study)
 {
     (void)study;
     size_t all = 0, expected = 0;
@@ -269,7 +270,7 @@ enum claim_verdict claim_convergence(struct text *out, const struct results *res
         size_t settled[CONVERGENCE_SWEEP_COUNT] = {0}, below = 0, settled_below = 0;
         for (int s = 0; s < CONVERGENCE_SWEEP_COUNT; s++)
             for (size_t v = 0; v < convergence_sweeps[s].count; v++) {
-                bool settles = study_settles(results, (enum convergence_sweep)s, plastic, v);
+                bool settles = comparison_converges(results, (enum convergence_sweep)s, plastic, v);
                 bool should = s == CONVERGENCE_ALPHA || convergence_sweeps[s].values[v] >= 1;
                 all++;
                 expected += settles == should;
@@ -290,7 +291,7 @@ static double beta_of(const struct surface_summary *summary, enum model_id model
     return summary->models[model].beta;
 }
 
-enum claim_verdict claim_beta(struct text *out, const struct results *results, const struct study *study)
+enum claim_verdict claim_beta(struct text *out, const struct results *results, const struct comparison *study)
 {
     (void)study;
     size_t values = 0, inside = 0, negative = 0;

@@ -1,15 +1,15 @@
 #include "report/claim_check.h"
 
-#include "report/words.h"
+#include "base/number_format.h"
 #include <math.h>
 
-/** The shares of comparisons in this order, a model each; `offset` picks the counter of struct study_rank. */
-static enum claim_verdict check_rank(struct text *out, const struct study *study, size_t offset)
+/** The shares of comparisons in this order, a model each; `offset` picks the counter of struct comparison_rank. */
+static enum claim_verdict check_rank(struct text *out, const struct comparison *study, size_t offset)
 {
     size_t pairs = 0, ranked = 0;
     text_add(out, "of neighbours in roughness, load by load, so ordered: ");
     for (int m = 0; m < MODEL_COUNT; m++) {
-        const struct study_rank *rank = &study->rank[m];
+        const struct comparison_rank *rank = &study->rank[m];
         if (rank->pairs == 0)
             continue;
         size_t count = *(const size_t *)((const char *)rank + offset);
@@ -21,32 +21,33 @@ static enum claim_verdict check_rank(struct text *out, const struct study *study
     return claim_verdict_of(ranked, pairs);
 }
 
-enum claim_verdict claim_area_rank(struct text *out, const struct results *results, const struct study *study)
+enum claim_verdict claim_area_rank(struct text *out, const struct results *results, const struct comparison *study)
 {
     (void)results;
-    return check_rank(out, study, offsetof(struct study_rank, area));
+    return check_rank(out, study, offsetof(struct comparison_rank, area));
 }
 
-enum claim_verdict claim_ecr_rank(struct text *out, const struct results *results, const struct study *study)
+enum claim_verdict claim_ecr_rank(struct text *out, const struct results *results, const struct comparison *study)
 {
     (void)results;
-    return check_rank(out, study, offsetof(struct study_rank, ecr));
+    return check_rank(out, study, offsetof(struct comparison_rank, ecr));
 }
 
-enum claim_verdict claim_tcr_rank(struct text *out, const struct results *results, const struct study *study)
+enum claim_verdict claim_tcr_rank(struct text *out, const struct results *results, const struct comparison *study)
 {
     (void)results;
-    return check_rank(out, study, offsetof(struct study_rank, tcr));
+    return check_rank(out, study, offsetof(struct comparison_rank, tcr));
 }
 
 /** The thesis finds no order here: a model agrees when the smoother neighbour comes out on either side. */
-enum claim_verdict claim_separation_rank(struct text *out, const struct results *results, const struct study *study)
+enum claim_verdict claim_separation_rank(struct text *out, const struct results *results,
+                                         const struct comparison *study)
 {
     size_t models = 0, mixed = 0;
     (void)results;
-    (void)check_rank(out, study, offsetof(struct study_rank, separation));
+    (void)check_rank(out, study, offsetof(struct comparison_rank, separation));
     for (int m = 0; m < MODEL_COUNT; m++) {
-        const struct study_rank *rank = &study->rank[m];
+        const struct comparison_rank *rank = &study->rank[m];
         models += rank->pairs > 0;
         mixed += rank->separation > 0 && rank->separation < rank->pairs;
     }
@@ -54,25 +55,25 @@ enum claim_verdict claim_separation_rank(struct text *out, const struct results 
     return claim_verdict_of(mixed, models);
 }
 
-enum claim_verdict claim_spread(struct text *out, const struct results *results, const struct study *study)
+enum claim_verdict claim_spread(struct text *out, const struct results *results, const struct comparison *study)
 {
     size_t tested = 0, narrower = 0;
     (void)results;
     text_add(out, "largest/smallest area of the surfaces at P/(Aₙ E′) = ");
-    words_power(out, study->middle_load, 3);
+    number_format_power(out, study->middle_load, 3);
     for (int f = 0; f < 2; f++) {
-        const struct study_extremes *elastic =
-            &study->extremes[f == 0 ? MODEL_MULTISCALE_ELASTIC : MODEL_GW][STUDY_AREA];
-        const struct study_extremes *plastic =
-            &study->extremes[f == 0 ? MODEL_MULTISCALE_PLASTIC : MODEL_JG][STUDY_AREA];
+        const struct comparison_extremes *elastic =
+            &study->extremes[f == 0 ? MODEL_MULTISCALE_ELASTIC : MODEL_GW][COMPARISON_AREA];
+        const struct comparison_extremes *plastic =
+            &study->extremes[f == 0 ? MODEL_MULTISCALE_PLASTIC : MODEL_JG][COMPARISON_AREA];
         if (elastic->count < 2 || plastic->count < elastic->count)
             continue;
-        words_add(out,
-                  f == 0        ? ": multiscale elastic "
-                  : tested == 0 ? ": statistical elastic "
-                                : "; statistical elastic ",
-                  elastic->most / elastic->least, 3, ", plastic ");
-        words_number(out, plastic->most / plastic->least, 3);
+        number_format_add(out,
+                          f == 0        ? ": multiscale elastic "
+                          : tested == 0 ? ": statistical elastic "
+                                        : "; statistical elastic ",
+                          elastic->most / elastic->least, 3, ", plastic ");
+        number_format_number(out, plastic->most / plastic->least, 3);
         tested++;
         narrower += plastic->most * elastic->least < elastic->most * plastic->least;
     }
@@ -82,12 +83,13 @@ enum claim_verdict claim_spread(struct text *out, const struct results *results,
 }
 
 /** Is gamma lower for the rougher of two neighbours? */
-enum claim_verdict claim_gamma_rank(struct text *out, const struct results *results, const struct study *study)
+enum claim_verdict claim_gamma_rank(struct text *out, const struct results *results, const struct comparison *study)
 {
     (void)study;
     size_t pairs = 0, falling = 0;
     for (size_t k = 1; k < results->usable_count; k++) {
-        double smooth = claim_surface(results, k - 1)->law.gamma, rough = claim_surface(results, k)->law.gamma;
+        double smooth = claim_surface(results, k - 1)->power_law.gamma,
+               rough = claim_surface(results, k)->power_law.gamma;
         pairs += isfinite(smooth) && isfinite(rough);
         falling += smooth > rough;
     }

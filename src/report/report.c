@@ -1,11 +1,11 @@
 #include "report/report.h"
 
+#include "base/number_format.h"
 #include "base/version.h"
 #include "chart/figure.h"
 #include "report/html.h"
 #include "report/section.h"
 #include "report/template.h"
-#include "report/words.h"
 #include <string.h>
 
 /** Sections of the template that stand or fall with what ran. */
@@ -106,15 +106,15 @@ static void squeeze(struct text *markdown)
 enum status_code report_write(const struct results *results, const char *directory, const char *templates,
                               struct status *status)
 {
-    struct study study = {0};
+    struct comparison study = {0};
     struct surface_record baseline = {0};
     struct text path = {0}, template = {0}, markdown = {0}, html = {0};
     struct section_context context = {results, &study, &baseline};
     struct template_source source = {field, &context};
     text_add(&path, "%s/report.md", templates);
-    enum status_code rc = study_make(&study, results, status);
+    enum status_code rc = comparison_make(&study, results, status);
     if (rc == STATUS_OK)
-        rc = spool_get(&baseline, results->spool, results->baseline, status);
+        rc = surface_store_get(&baseline, results->store, results->baseline, status);
     if (rc == STATUS_OK)
         rc = text_read_file(&template, text_string(&path), status);
     if (rc == STATUS_OK)
@@ -127,7 +127,7 @@ enum status_code report_write(const struct results *results, const char *directo
     if (rc == STATUS_OK)
         rc = write_file(directory, "report.html", &html, status);
     surface_record_free(&baseline, false);
-    study_free(&study);
+    comparison_free(&study);
     text_free(&path);
     text_free(&template);
     text_free(&markdown);

@@ -3,7 +3,7 @@
 #define REPORT_REPORT_H
 
 #include "base/text.h"
-#include "results/tables.h"
+#include "results/results.h"
 
 /** Writes report.md and report.html into `directory`, whose figures are drawn. Errors: STATUS_IO, STATUS_MEMORY. */
 MUST_CHECK enum status_code report_write(const struct results *results, const char *directory, const char *templates,

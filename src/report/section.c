@@ -1,16 +1,16 @@
 #include "report/section.h"
 
-#include "report/words.h"
+#include "base/number_format.h"
 #include <math.h>
 
 const struct surface_summary *section_surface(const struct section_context *context, size_t index)
 {
-    return &context->results->spool->summaries[index];
+    return &context->results->store->summaries[index];
 }
 
 bool section_extended(const struct section_context *context)
 {
-    for (size_t i = 0; i < context->results->spool->count; i++)
+    for (size_t i = 0; i < context->results->store->count; i++)
         for (int m = 0; m < MODEL_COUNT; m++)
             if (section_surface(context, i)->models[m].extended)
                 return true;
@@ -34,17 +34,18 @@ const struct contact_point *section_middle(const struct section_context *context
 
 void section_middle_pressure(struct text *out, const struct section_context *context)
 {
-    words_add(out, "", context->study->middle_load * context->results->plan->pair.effective_modulus_Pa * 1e-6, 3,
-              " MPa");
+    number_format_add(out, "", context->study->middle_load * context->results->plan->pair.effective_modulus_Pa * 1e-6,
+                      3, " MPa");
 }
 
-struct study_extremes section_models(const struct section_context *context, enum study_quantity quantity)
+struct comparison_extremes section_models(const struct section_context *context, enum comparison_quantity quantity)
 {
-    struct study_extremes extremes = {.least = INFINITY, .most = -INFINITY};
+    struct comparison_extremes extremes = {.least = INFINITY, .most = -INFINITY};
     for (int m = 0; m < MODEL_COUNT; m++) {
         const struct contact_point *point = section_middle(context, (enum model_id)m);
         double value =
-            point ? study_value(point, quantity, (enum model_id)m, context->baseline->summary.asperities.sigma_m) : NAN;
+            point ? comparison_value(point, quantity, (enum model_id)m, context->baseline->summary.asperities.sigma_m)
+                  : NAN;
         if (isnan(value))
             continue;
         extremes.count++;
@@ -64,10 +65,10 @@ void section_each_surface(struct text *out, const struct section_context *contex
                           void (*row)(struct text *out, const struct section_context *context, size_t index))
 {
     size_t rows = 0;
-    for (size_t i = 0; i < context->results->spool->count && rows < SECTION_ROWS; i++)
+    for (size_t i = 0; i < context->results->store->count && rows < SECTION_ROWS; i++)
         if (section_surface(context, i)->usable) {
             text_add(out, "| ");
-            words_surface(out, context->results, i);
+            section_surface_name(out, context->results, i);
             row(out, context, i);
             text_add(out, " |\n");
             rows++;
@@ -79,11 +80,11 @@ void section_each_surface(struct text *out, const struct section_context *contex
 void section_cell(struct text *out, double value, int digits)
 {
     text_add(out, " | ");
-    words_number(out, value, digits);
+    number_format_number(out, value, digits);
 }
 
 void section_load_cell(struct text *out, double load)
 {
     text_add(out, " | ");
-    words_power(out, load, 3);
+    number_format_power(out, load, 3);
 }

@@ -2,12 +2,12 @@
 #ifndef REPORT_SECTION_H
 #define REPORT_SECTION_H
 
-#include "report/study.h"
+#include "results/comparison.h"
 
 /** What the sections are written from. */
 struct section_context {
     const struct results *results;
-    const struct study *study;
+    const struct comparison *study;
     const struct surface_record *baseline;
 };
 
@@ -42,7 +42,7 @@ const struct contact_point *section_middle(const struct section_context *context
 void section_middle_pressure(struct text *out, const struct section_context *context);
 /** Smallest and largest value over the models of the baseline surface at the middle load; count 0: none has it. The
  * extremes' `_at` are models. */
-struct study_extremes section_models(const struct section_context *context, enum study_quantity quantity);
+struct comparison_extremes section_models(const struct section_context *context, enum comparison_quantity quantity);
 
 /** Calls `row` for every usable surface in the scene's order, between the name and the end of a table's row. */
 void section_each_surface(struct text *out, const struct section_context *context,

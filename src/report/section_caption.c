@@ -1,8 +1,8 @@
 /* What each figure shows, in one sentence, with its numbers. */
 #include "report/section.h"
 
+#include "base/number_format.h"
 #include "chart/figure.h"
-#include "report/words.h"
 #include <math.h>
 #include <string.h>
 
@@ -11,42 +11,42 @@ static const struct quantity_words {
     enum figure_axis axis;
     const char *name, *unit;
 } quantities[] = {
-    [STUDY_AREA] = {FIGURE_AREA, "A/Aₙ is ", ""},
-    [STUDY_SEPARATION] = {FIGURE_SEPARATION, "the separation is ", " σ"},
-    [STUDY_ECR] = {FIGURE_ECR, "ECR·Aₙ is ", " Ω·m²"},
-    [STUDY_TCR] = {FIGURE_TCR, "TCR·Aₙ is ", " K·m²/W"},
+    [COMPARISON_AREA] = {FIGURE_AREA, "A/Aₙ is ", ""},
+    [COMPARISON_SEPARATION] = {FIGURE_SEPARATION, "the separation is ", " σ"},
+    [COMPARISON_ECR] = {FIGURE_ECR, "ECR·Aₙ is ", " Ω·m²"},
+    [COMPARISON_TCR] = {FIGURE_TCR, "TCR·Aₙ is ", " K·m²/W"},
 };
 
-static enum study_quantity quantity_of(const struct figure_row *row)
+static enum comparison_quantity quantity_of(const struct figure_row *row)
 {
-    for (int q = 0; q < STUDY_QUANTITY_COUNT; q++)
+    for (int q = 0; q < COMPARISON_QUANTITY_COUNT; q++)
         if (quantities[q].axis == row->y)
-            return (enum study_quantity)q;
-    return STUDY_AREA;
+            return (enum comparison_quantity)q;
+    return COMPARISON_AREA;
 }
 
 static void at_middle(struct text *out, const struct section_context *context)
 {
     text_add(out, " At P/(Aₙ E′) = ");
-    words_power(out, context->study->middle_load, 3);
+    number_format_power(out, context->study->middle_load, 3);
     text_add(out, ", ");
 }
 
 /** "0.18 (surface 4) to 0.31 (surface 1)." */
 static void surfaces_range(struct text *out, const struct section_context *context, const struct figure_row *row)
 {
-    enum study_quantity quantity = quantity_of(row);
-    const struct study_extremes *extremes = &context->study->extremes[row->model][quantity];
+    enum comparison_quantity quantity = quantity_of(row);
+    const struct comparison_extremes *extremes = &context->study->extremes[row->model][quantity];
     if (extremes->count == 0)
         return;
     at_middle(out, context);
-    words_add(out, quantities[quantity].name, extremes->least, 3, quantities[quantity].unit);
+    number_format_add(out, quantities[quantity].name, extremes->least, 3, quantities[quantity].unit);
     if (extremes->least < extremes->most) {
         text_add(out, " (");
-        words_named(out, "surface ", context->results, extremes->least_at);
-        words_add(out, ") to ", extremes->most, 3, quantities[quantity].unit);
+        section_named(out, "surface ", context->results, extremes->least_at);
+        number_format_add(out, ") to ", extremes->most, 3, quantities[quantity].unit);
         text_add(out, " (");
-        words_named(out, "surface ", context->results, extremes->most_at);
+        section_named(out, "surface ", context->results, extremes->most_at);
         text_add(out, ")");
     }
     if (extremes->count < context->results->usable_count)
@@ -64,7 +64,7 @@ static void left_at_full(struct text *out, const struct section_context *context
         return;
     }
     for (size_t k = 0; k < context->results->usable_count; k++) {
-        const struct surface_model *s = &section_surface(context, context->results->by_roughness[k])->models[model];
+        const struct curve_summary *s = &section_surface(context, context->results->by_roughness[k])->models[model];
         if (s->exists && isfinite(s->gap_at_full)) {
             least = fmin(least, s->gap_at_full);
             most = fmax(most, s->gap_at_full);
@@ -76,15 +76,15 @@ static void left_at_full(struct text *out, const struct section_context *context
         text_add(out, " Less than 0.001 σ is left where A = Aₙ.");
     } else {
         text_add(out, " Where A = Aₙ first holds, ");
-        words_range(out, fmax(least, 0), most, 2);
+        number_format_range(out, fmax(least, 0), most, 2);
         text_add(out, " σ are left.");
     }
 }
 
 static void models_range(struct text *out, const struct section_context *context, const struct figure_row *row)
 {
-    enum study_quantity quantity = quantity_of(row);
-    struct study_extremes models = section_models(context, quantity);
+    enum comparison_quantity quantity = quantity_of(row);
+    struct comparison_extremes models = section_models(context, quantity);
     bool statistical = section_called_for(context, MODEL_GW);
     if (row->y == FIGURE_SEPARATION && statistical)
         text_add(out, " Bold with squares: adjusted by (4.54); thin: the statistical models' own separation.");
@@ -93,10 +93,10 @@ static void models_range(struct text *out, const struct section_context *context
     if (row->x != FIGURE_LOAD || models.count == 0)
         return;
     at_middle(out, context);
-    words_add(out, quantities[quantity].name, models.least, 3, quantities[quantity].unit);
+    number_format_add(out, quantities[quantity].name, models.least, 3, quantities[quantity].unit);
     if (models.count > 1) {
         text_add(out, " (%s)", model_rows[models.least_at].label);
-        words_add(out, " to ", models.most, 3, quantities[quantity].unit);
+        number_format_add(out, " to ", models.most, 3, quantities[quantity].unit);
         text_add(out, " (%s)", model_rows[models.most_at].label);
     }
     text_add(out, ".");
@@ -109,13 +109,13 @@ static void sweep_range(struct text *out, const struct section_context *context,
     const struct convergence_sweep_row *sweep = &convergence_sweeps[row->sweep];
     size_t settled = 0;
     for (size_t v = 0; v < sweep->count; v++)
-        settled += study_settles(results, row->sweep, model_rows[row->model].plastic, v);
+        settled += comparison_converges(results, row->sweep, model_rows[row->model].plastic, v);
     text_add(out, " %zu of %zu curves have settled; curves of complete contact lie on each other at 1.", settled,
              sweep->count);
 }
 
 /** Does the chart hold a setting that the report uses? */
-static bool is_marked(const struct cost *cost, enum cost_chart chart)
+static bool is_marked(const struct benchmark *cost, enum benchmark_chart chart)
 {
     for (size_t i = 0; i < cost->count; i++)
         if (cost->rows[i].chart == chart && cost->rows[i].chosen)
@@ -128,7 +128,7 @@ void section_caption(struct text *out, const struct section_context *context, co
     text_add(out, "%s", row->title);
     if (row->kind == FIGURE_MODELS) {
         text_add(out, ", ");
-        words_named(out, "surface ", context->results, context->results->baseline);
+        section_named(out, "surface ", context->results, context->results->baseline);
     }
     text_add(out, ".");
     switch (row->kind) {

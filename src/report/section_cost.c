@@ -1,8 +1,8 @@
 /* What was computed, and what accuracy costs in time. */
 #include "report/section.h"
 
-#include "cost/cost.h"
-#include "report/words.h"
+#include "analysis/benchmark.h"
+#include "base/number_format.h"
 #include <math.h>
 #include <string.h>
 
@@ -20,23 +20,23 @@ static void work_rows(struct text *out, const struct section_context *context)
 }
 
 /** The study whose numbers a statistical report rests on: JG where it ran, else GW. */
-static const char *main_study(const struct cost *cost)
+static const char *main_study(const struct benchmark *cost)
 {
-    return cost_find(cost, "jg-integrals", "Gauss-Legendre", NULL) ? "jg-integrals" : "gw-integrals";
+    return benchmark_find(cost, "jg-integrals", "Gauss-Legendre", NULL) ? "jg-integrals" : "gw-integrals";
 }
 
 /** Time factor that one more digit costs between two rows; NaN when the second gains nothing. */
-static double digit_factor(const struct cost_row *low, const struct cost_row *high)
+static double digit_factor(const struct benchmark_row *low, const struct benchmark_row *high)
 {
     double digits = log10(low->error / high->error);
     return digits > 0 ? pow(high->seconds / low->seconds, 1 / digits) : NAN;
 }
 
 /** The last row of a method before another digit more than doubles the time; NULL: it never does. */
-static const struct cost_row *knee(const struct cost *cost, const char *study, const char *method)
+static const struct benchmark_row *knee(const struct benchmark *cost, const char *study, const char *method)
 {
     for (size_t i = 0; i + 1 < cost->count; i++) {
-        const struct cost_row *row = &cost->rows[i], *next = row + 1;
+        const struct benchmark_row *row = &cost->rows[i], *next = row + 1;
         if (strcmp(row->study, study) != 0 || strcmp(next->study, study) != 0 || strcmp(row->method, method) != 0 ||
             strcmp(next->method, method) != 0)
             continue;
@@ -49,13 +49,13 @@ static const struct cost_row *knee(const struct cost *cost, const char *study, c
 static void add(struct text *out, const char *before, double value, int digits, const char *after)
 {
     text_add(out, "%s", before);
-    words_number(out, value, digits);
+    number_format_number(out, value, digits);
     text_add(out, "%s", after);
 }
 
-static void add_knee(struct text *out, const struct cost *cost, const char *study, const char *method)
+static void add_knee(struct text *out, const struct benchmark *cost, const char *study, const char *method)
 {
-    const struct cost_row *row = knee(cost, study, method);
+    const struct benchmark_row *row = knee(cost, study, method);
     if (row)
         text_add(out, " %s: beyond %s", method, row->setting);
     else
@@ -63,14 +63,14 @@ static void add_knee(struct text *out, const struct cost *cost, const char *stud
     text_add(out, ";");
 }
 
-static void integrals_text(struct text *out, const struct cost *cost)
+static void integrals_text(struct text *out, const struct benchmark *cost)
 {
     const char *study = main_study(cost), *law = study[0] == 'j' ? "JG" : "GW";
-    const struct cost_row *panels = cost_find(cost, study, "Gauss-Legendre", "0.0001");
-    const struct cost_row *fine = cost_find(cost, study, "Gauss-Legendre", "1e-10");
-    const struct cost_row *simpson = cost_find(cost, study, "Simpson", "1000");
-    const struct cost_row *closed = cost_find(cost, "gw-integrals", "closed form", NULL);
-    const struct cost_row *chosen = cost_find(cost, study, "Gauss-Legendre", NULL);
+    const struct benchmark_row *panels = benchmark_find(cost, study, "Gauss-Legendre", "0.0001");
+    const struct benchmark_row *fine = benchmark_find(cost, study, "Gauss-Legendre", "1e-10");
+    const struct benchmark_row *simpson = benchmark_find(cost, study, "Simpson", "1000");
+    const struct benchmark_row *closed = benchmark_find(cost, "gw-integrals", "closed form", NULL);
+    const struct benchmark_row *chosen = benchmark_find(cost, study, "Gauss-Legendre", NULL);
     if (!panels || !fine || !simpson)
         return;
     if (closed)
@@ -81,8 +81,8 @@ static void integrals_text(struct text *out, const struct cost *cost)
     }
     add(out, "With them one more digit takes ", 100 * (digit_factor(panels, fine) - 1), 2, " % more time. ");
     text_add(out, "The thesis's Simpson rule of 1000 sub-intervals is off by ");
-    words_number(out, simpson->error, 2);
-    const struct cost_row *reference = chosen ? chosen : closed ? closed : fine;
+    number_format_number(out, simpson->error, 2);
+    const struct benchmark_row *reference = chosen ? chosen : closed ? closed : fine;
     add(out, " and takes ", simpson->seconds / reference->seconds, 2, " times as long. ");
     text_add(out, "The knee, where another digit begins to cost more than twice the time:");
     add_knee(out, cost, study, "Simpson");
@@ -92,10 +92,10 @@ static void integrals_text(struct text *out, const struct cost *cost)
     text_add(out, ".");
 }
 
-static void curves_text(struct text *out, const struct cost *cost)
+static void curves_text(struct text *out, const struct benchmark *cost)
 {
-    const struct cost_row *thesis = cost_find(cost, "closure-area", "thesis", "");
-    const struct cost_row *numeric = cost_find(cost, "closure-area", "numeric", "");
+    const struct benchmark_row *thesis = benchmark_find(cost, "closure-area", "thesis", "");
+    const struct benchmark_row *numeric = benchmark_find(cost, "closure-area", "numeric", "");
     if (thesis && numeric) {
         add(out,
             " The sinusoid's closure weighs more than any of this: against the direct numerical solution, `thesis` is "
@@ -107,12 +107,12 @@ static void curves_text(struct text *out, const struct cost *cost)
     }
     bool first = true;
     for (size_t i = 0; i < cost->count; i++) {
-        const struct cost_row *row = &cost->rows[i];
+        const struct benchmark_row *row = &cost->rows[i];
         if (strcmp(row->study, "loads") != 0 || strcmp(row->setting, "129") != 0)
             continue;
         text_add(out, "%s%s ", first ? " Between 129 loads, the area interpolated in log-log is off by up to: " : "; ",
                  row->method);
-        words_number(out, row->error, 2);
+        number_format_number(out, row->error, 2);
         first = false;
     }
     if (!first)
@@ -121,10 +121,10 @@ static void curves_text(struct text *out, const struct cost *cost)
 
 static void cost_text(struct text *out, const struct section_context *context)
 {
-    const struct cost *cost = context->results->cost;
+    const struct benchmark *cost = context->results->cost;
     if (!cost)
         return;
-    words_named(out, "Surface ", context->results, context->results->baseline);
+    section_named(out, "Surface ", context->results, context->results->baseline);
     text_add(
         out,
         ". Each method's largest relative error, against a better result by another method, and its time (the least "
@@ -135,18 +135,18 @@ static void cost_text(struct text *out, const struct section_context *context)
 
 static void cost_table(struct text *out, const struct section_context *context)
 {
-    const struct cost *cost = context->results->cost;
+    const struct benchmark *cost = context->results->cost;
     if (!cost)
         return;
     text_add(out, "| study | method | setting | evaluations | time (µs) | largest relative error | |\n"
                   "|---|---|---|---:|---:|---:|---|\n");
     for (size_t i = 0; i < cost->count; i++) {
-        const struct cost_row *row = &cost->rows[i];
+        const struct benchmark_row *row = &cost->rows[i];
         text_add(out, "| %s | %s | %s | %llu | ", row->study, row->method, row->setting,
                  (unsigned long long)row->evaluations);
-        words_number(out, row->seconds * 1e6, 3);
+        number_format_number(out, row->seconds * 1e6, 3);
         text_add(out, " | ");
-        words_number(out, row->error, 2);
+        number_format_number(out, row->error, 2);
         text_add(out, " | %s |\n", row->chosen ? "used here" : "");
     }
 }

@@ -1,15 +1,15 @@
 /* The report's sentences: short, and every figure in them computed. */
 #include "report/section.h"
 
+#include "base/number_format.h"
 #include "contact/sinusoid.h"
-#include "report/words.h"
 #include <math.h>
 
 /** A number of the scene, as it stands there, between two texts. */
 static void given(struct text *out, const char *before, double value, const char *after)
 {
     text_add(out, "%s", before);
-    words_given(out, value);
+    number_format_given(out, value);
     text_add(out, "%s", after);
 }
 
@@ -20,8 +20,8 @@ static void surfaces_text(struct text *out, const struct section_context *contex
     text_add(out,
              "Each profile was levelled (%s) and transformed %s%s. The power law is the least-squares line of log Δ on "
              "log λ",
-             scene_level_names[scene->level],
-             scene->window == SCENE_WINDOW_HANN ? "under a Hann window" : "without a window",
+             level_names[scene->level],
+             scene->window == SPECTRUM_WINDOW_HANN ? "under a Hann window" : "without a window",
              families & SCENE_MODEL_MULTISCALE ? "; every harmonic is a scale of the multiscale models" : "");
     if (scene->fit_band_m[0] > 0 || isfinite(scene->fit_band_m[1])) {
         text_add(out, " for wavelengths ");
@@ -33,35 +33,37 @@ static void surfaces_text(struct text *out, const struct section_context *contex
     text_add(out, ".");
     if (families & SCENE_MODEL_STATISTICAL)
         text_add(out, " Moments are %s.",
-                 scene->moments == SCENE_MOMENTS_SPECTRAL ? "those of the spectrum"
-                                                          : "finite differences (slope: central, curvature: 3-point)");
+                 scene->moments == ROUGHNESS_MOMENTS_SPECTRAL
+                     ? "those of the spectrum"
+                     : "finite differences (slope: central, curvature: 3-point)");
 }
 
 static void gaussian_scatter(struct text *out, const struct section_context *context)
 {
     (void)context;
-    words_number(out, powerlaw_gaussian_scatter_decades, 3);
+    number_format_number(out, power_law_gaussian_scatter_decades, 3);
 }
 
 static void material_text(struct text *out, const struct section_context *context)
 {
     const struct results *results = context->results;
     const struct material_pair *pair = &results->plan->pair;
-    words_add(out, "E′ = ", pair->effective_modulus_Pa * 1e-9, 4, " GPa");
+    number_format_add(out, "E′ = ", pair->effective_modulus_Pa * 1e-9, 4, " GPa");
     if (plan_runs(results->plan, EFFECT_PLASTICITY))
-        words_add(out, ", C = ", pair->yield_coefficient, 4, " (a spot yields at the mean pressure C·S_y)");
+        number_format_add(out, ", C = ", pair->yield_coefficient, 4, " (a spot yields at the mean pressure C·S_y)");
     if (plan_runs(results->plan, EFFECT_SCALE_DEPENDENT))
-        words_add(out, ", mean free path of the heat carriers ", pair->mean_free_path_m[0] * 1e9, 3, " nm");
+        number_format_add(out, ", mean free path of the heat carriers ", pair->mean_free_path_m[0] * 1e9, 3, " nm");
     text_add(out, ". %zu load%s, ", results->load_count, results->load_count == 1 ? "" : "s");
     text_add(out, "P/(Aₙ E′) = ");
-    words_power(out, results->loads[0], 3);
+    number_format_power(out, results->loads[0], 3);
     if (results->load_count > 1) {
         text_add(out, " to ");
-        words_power(out, results->loads[results->load_count - 1], 3);
+        number_format_power(out, results->loads[results->load_count - 1], 3);
     }
-    words_add(out, ", that is ", results->loads[0] * pair->effective_modulus_Pa * 1e-6, 3, "");
+    number_format_add(out, ", that is ", results->loads[0] * pair->effective_modulus_Pa * 1e-6, 3, "");
     if (results->load_count > 1)
-        words_add(out, " to ", results->loads[results->load_count - 1] * pair->effective_modulus_Pa * 1e-6, 3, "");
+        number_format_add(out, " to ", results->loads[results->load_count - 1] * pair->effective_modulus_Pa * 1e-6, 3,
+                          "");
     text_add(out, " MPa of nominal pressure. Properties: ");
     text_add_markdown(out, results->scene->material.source[0] ? results->scene->material.source : "given in the scene");
     text_add(out, ".");
@@ -74,8 +76,8 @@ static void sweeps_text(struct text *out, const struct results *results, bool pl
     const struct convergence_sweep_row *gammas = &convergence_sweeps[CONVERGENCE_GAMMA];
     size_t settled = 0, from = gammas->count;
     for (size_t v = 0; v < alphas->count; v++)
-        settled += study_settles(results, CONVERGENCE_ALPHA, plastic, v);
-    while (from > 0 && study_settles(results, CONVERGENCE_GAMMA, plastic, from - 1))
+        settled += comparison_converges(results, CONVERGENCE_ALPHA, plastic, v);
+    while (from > 0 && comparison_converges(results, CONVERGENCE_GAMMA, plastic, from - 1))
         from--;
     text_add(out, "- %s: for %zu of %zu α and for ", plastic ? "elastic-plastic" : "elastic", settled, alphas->count);
     if (from == gammas->count)
@@ -116,7 +118,7 @@ static void extension_text(struct text *out, const struct section_context *conte
 
 static void baseline(struct text *out, const struct section_context *context)
 {
-    words_named(out, "Surface ", context->results, context->results->baseline);
+    section_named(out, "Surface ", context->results, context->results->baseline);
 }
 
 static void baseline_text(struct text *out, const struct section_context *context)
@@ -128,7 +130,7 @@ static void baseline_text(struct text *out, const struct section_context *contex
              results->scene->baseline    ? "chosen in the scene"
              : results->usable_count > 1 ? "the second smoothest"
                                          : "the only one");
-    words_add(out, "", s->roughness.rq_m * 1e6, 3, " µm.");
+    number_format_add(out, "", s->roughness.rq_m * 1e6, 3, " µm.");
     if (!s->has_asperities && (results->plan->families & SCENE_MODEL_STATISTICAL))
         text_add(out, " No statistical model exists for it: see the notes.");
     else if (section_called_for(context, MODEL_GW))
@@ -138,13 +140,13 @@ static void baseline_text(struct text *out, const struct section_context *contex
 }
 
 /** The smallest and largest of a number over the baseline's models. */
-static bool model_range(const struct section_context *context, double (*number)(const struct surface_model *),
+static bool model_range(const struct section_context *context, double (*number)(const struct curve_summary *),
                         double *least, double *most, int *most_at)
 {
     *least = INFINITY;
     *most = -INFINITY;
     for (int m = 0; m < MODEL_COUNT; m++) {
-        const struct surface_model *model = &context->baseline->summary.models[m];
+        const struct curve_summary *model = &context->baseline->summary.models[m];
         double value = model->exists ? number(model) : NAN;
         if (!isfinite(value))
             continue;
@@ -157,17 +159,17 @@ static bool model_range(const struct section_context *context, double (*number)(
     return *least <= *most;
 }
 
-static double area_slope(const struct surface_model *model)
+static double area_slope(const struct curve_summary *model)
 {
     return model->area_slope;
 }
 
-static double elbow_share(const struct surface_model *model)
+static double elbow_share(const struct curve_summary *model)
 {
     return model->elbow_load / model->full_load;
 }
 
-static double scale_dependence(const struct surface_model *model)
+static double scale_dependence(const struct curve_summary *model)
 {
     return model->sd_most;
 }
@@ -180,7 +182,7 @@ static void area_text(struct text *out, const struct section_context *context)
     int unused;
     if (model_range(context, area_slope, &least, &most, &unused)) {
         text_add(out, "Up to A/Aₙ = 0.1 the area grows as Pⁿ with n = ");
-        words_range(out, least, most, 3);
+        number_format_range(out, least, most, 3);
         text_add(out, ". ");
     }
     bool first = true;
@@ -194,7 +196,7 @@ static void area_text(struct text *out, const struct section_context *context)
             section_middle_pressure(out, context);
             text_add(out, " yielding multiplies it by ");
         }
-        words_add(out, first ? "" : " and by ", plastic->area_ratio / elastic->area_ratio, 3, "");
+        number_format_add(out, first ? "" : " and by ", plastic->area_ratio / elastic->area_ratio, 3, "");
         text_add(out, " (%s against %s)", model_rows[laws[f][1]].label, model_rows[laws[f][0]].label);
         first = false;
     }
@@ -208,18 +210,19 @@ static void separation_text(struct text *out, const struct section_context *cont
     for (int m = MODEL_GW; m <= MODEL_JG; m++) {
         if (!s->models[m].exists)
             continue;
-        words_add(out,
-                  first ? "Statistical separations are adjusted (4.54) to be 0 at full contact; before, they are there "
-                        : ", ",
-                  -s->models[m].beta / 2, 3, " σ");
+        number_format_add(
+            out,
+            first ? "Statistical separations are adjusted (4.54) to be 0 at full contact; before, they are there "
+                  : ", ",
+            -s->models[m].beta / 2, 3, " σ");
         text_add(out, " (%s)", model_rows[m].label);
         first = false;
     }
     text_add(out, "%s", first ? "" : ".");
-    const struct surface_model *plastic = &s->models[MODEL_MULTISCALE_PLASTIC];
+    const struct curve_summary *plastic = &s->models[MODEL_MULTISCALE_PLASTIC];
     if (plastic->exists && plastic->gap_at_full > 0.001)
-        words_add(out, first ? "" : " ", plastic->gap_at_full, 2,
-                  " σ are left where the elastic-plastic multiscale area first is complete.");
+        number_format_add(out, first ? "" : " ", plastic->gap_at_full, 2,
+                          " σ are left where the elastic-plastic multiscale area first is complete.");
 }
 
 static void electrical_text(struct text *out, const struct section_context *context)
@@ -229,16 +232,16 @@ static void electrical_text(struct text *out, const struct section_context *cont
     int unused;
     if (model_range(context, elbow_share, &least, &most, &unused)) {
         text_add(out, "The elbow, from which ECR falls faster than P⁻², lies at ");
-        words_range(out, 100 * least, 100 * most, 2);
+        number_format_range(out, 100 * least, 100 * most, 2);
         text_add(out, " %% of the load to full contact. ");
     }
     bool first = true;
     for (int law = 0; law < 2; law++) {
-        const struct study_gap *gap = &context->study->gap[law];
+        const struct comparison_gap *gap = &context->study->gap[law];
         if (isnan(gap->ecr))
             continue;
-        words_add(out, first ? "Multiscale and statistical curves lie " : "; ", gap->ecr, 2, "");
-        words_add(out, first ? " decades apart in ECR and " : " and ", gap->area, 2, first ? " in area" : "");
+        number_format_add(out, first ? "Multiscale and statistical curves lie " : "; ", gap->ecr, 2, "");
+        number_format_add(out, first ? " decades apart in ECR and " : " and ", gap->area, 2, first ? " in area" : "");
         text_add(out, " (%s)", laws[law]);
         first = false;
     }
@@ -249,14 +252,15 @@ static void thermal_text(struct text *out, const struct section_context *context
 {
     if (isfinite(context->study->proportional_error)) {
         const struct material_pair *pair = &context->results->plan->pair;
-        words_add(out, "TCR is ECR times 1/(ρ k) = ", 1 / (pair->resistivity_ohm_m * pair->conductivity_W_per_mK), 4,
-                  " K/(W·Ω) in every model, so the curves have the same shape. ");
+        number_format_add(out,
+                          "TCR is ECR times 1/(ρ k) = ", 1 / (pair->resistivity_ohm_m * pair->conductivity_W_per_mK), 4,
+                          " K/(W·Ω) in every model, so the curves have the same shape. ");
     }
     double least, most;
     int at = 0;
     if (plan_runs(context->results->plan, EFFECT_SCALE_DEPENDENT) &&
         model_range(context, scale_dependence, &least, &most, &at)) {
-        words_add(out, "Scale dependence raises it by at most ", 100 * most, 2, " %");
+        number_format_add(out, "Scale dependence raises it by at most ", 100 * most, 2, " %");
         text_add(out, " (%s).", model_rows[at].label);
     }
 }
@@ -290,7 +294,7 @@ static void beta_text(struct text *out, const struct section_context *context)
     size_t negative = 0, below = 0, above = 0;
     for (size_t k = 0; k < context->results->usable_count; k++)
         for (int m = MODEL_GW; m <= MODEL_JG; m++) {
-            const struct surface_model *model = &section_surface(context, context->results->by_roughness[k])->models[m];
+            const struct curve_summary *model = &section_surface(context, context->results->by_roughness[k])->models[m];
             if (!model->exists)
                 continue;
             negative += model->beta < 0;
@@ -341,8 +345,8 @@ static void settings_text(struct text *out, const struct section_context *contex
     const struct scene *scene = context->results->scene;
     given(out, "Tolerance ", scene->tolerance, " (relative)");
     if (context->results->plan->families & SCENE_MODEL_MULTISCALE)
-        text_add(out, ", sinusoid closure `%s`: %s", scene_closure_names[scene->closure],
-                 sinusoid_closures[scene->closure].source);
+        text_add(out, ", sinusoid closure `%s`: %s", sinusoid_fit_names[scene->closure],
+                 sinusoid_fits[scene->closure].source);
     text_add(out, ".");
 }
 

@@ -1,28 +1,28 @@
 /* Repeated scans and measured resistance: how far scans of one surface, and models and measurement, lie apart. */
 #include "report/section.h"
 
-#include "report/words.h"
-#include "results/measured.h"
+#include "analysis/measured.h"
+#include "base/number_format.h"
 #include <math.h>
 
-static void plus_minus(struct text *out, const struct spread_number *number, double scale, int digits)
+static void plus_minus(struct text *out, const struct repeats_number *number, double scale, int digits)
 {
     text_add(out, " | ");
-    words_number(out, number->count >= 2 ? scale * number->mean : NAN, digits);
+    number_format_number(out, number->count >= 2 ? scale * number->mean : NAN, digits);
     if (number->count >= 2) {
         text_add(out, " ± ");
-        words_number(out, scale * spread_deviation(number), 2);
+        number_format_number(out, scale * repeats_deviation(number), 2);
     }
 }
 
 /** A logarithmic number as its geometric mean, times or divided by a factor. */
-static void times_divided(struct text *out, const struct spread_number *number)
+static void times_divided(struct text *out, const struct repeats_number *number)
 {
     text_add(out, " | ");
-    words_number(out, number->count >= 2 ? exp(number->mean) : NAN, 3);
+    number_format_number(out, number->count >= 2 ? exp(number->mean) : NAN, 3);
     if (number->count >= 2) {
         text_add(out, " ×÷ ");
-        words_number(out, exp(spread_deviation(number)), 3);
+        number_format_number(out, exp(repeats_deviation(number)), 3);
     }
 }
 
@@ -45,20 +45,20 @@ static void repeat_table(struct text *out, const struct section_context *context
         if (called_for(context, m))
             text_add(out, "|---:");
     text_add(out, "|\n");
-    for (size_t i = 0; i < context->results->spool->count; i++) {
-        const struct surface_summary *summary = &context->results->spool->summaries[i];
-        const struct spread *spread = &summary->spread;
+    for (size_t i = 0; i < context->results->store->count; i++) {
+        const struct surface_summary *summary = &context->results->store->summaries[i];
+        const struct repeats *spread = &summary->spread;
         if (!summary->usable || spread->parts == 0)
             continue;
         text_add(out, "| ");
-        words_surface(out, context->results, i);
+        section_surface_name(out, context->results, i);
         text_add(out, " | %zu | %zu", summary->scans, spread->parts);
         plus_minus(out, &spread->rq_m, 1e6, 3);
         plus_minus(out, &spread->gamma, 1, 3);
         text_add(out, " | ");
-        words_number(out, spread->gamma_interval[0], 3);
+        number_format_number(out, spread->gamma_interval[0], 3);
         text_add(out, "…");
-        words_number(out, spread->gamma_interval[1], 3);
+        number_format_number(out, spread->gamma_interval[1], 3);
         times_divided(out, &spread->log_alpha);
         for (int m = 0; m < MODEL_COUNT; m++)
             if (called_for(context, m))
@@ -79,11 +79,11 @@ static void measured_table(struct text *out, const struct section_context *conte
             continue;
         struct measured_distance distance = measured_compare(measured, &context->baseline->curves[m]);
         text_add(out, "| %s | %zu of %zu | ", model_rows[m].label, distance.points, measured->count);
-        words_range(out, distance.load[0], distance.load[1], 2);
+        number_format_range(out, distance.load[0], distance.load[1], 2);
         text_add(out, " | ");
-        words_number(out, distance.rms_decades, 3);
+        number_format_number(out, distance.rms_decades, 3);
         text_add(out, " | ");
-        words_number(out, distance.bias_decades, 3);
+        number_format_number(out, distance.bias_decades, 3);
         text_add(out, " |\n");
     }
 }

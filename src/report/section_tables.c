@@ -1,15 +1,15 @@
 /* The report's tables. */
 #include "report/section.h"
 
+#include "base/number_format.h"
 #include "report/claim.h"
-#include "report/words.h"
 #include <math.h>
 #include <string.h>
 
 static void cell_error(struct text *out, double value, double error)
 {
     text_add(out, " | ");
-    words_uncertain(out, value, error);
+    number_format_uncertain(out, value, error);
 }
 
 /** A header cell a model that ran, then the rule below the header; `first` is the header's beginning. */
@@ -37,9 +37,9 @@ static void surface_6_2(struct text *out, const struct section_context *context,
     section_cell(out, s->length_m * 1e3, 3);
     section_cell(out, s->spacing_m * 1e6, 3);
     text_add(out, " | %zu", s->points);
-    cell_error(out, s->law.alpha, s->law.alpha_error);
-    cell_error(out, s->law.gamma, s->law.gamma_error);
-    section_cell(out, s->law.rms_decades, 3);
+    cell_error(out, s->power_law.alpha, s->power_law.alpha_error);
+    cell_error(out, s->power_law.gamma, s->power_law.gamma_error);
+    section_cell(out, s->power_law.rms_decades, 3);
 }
 
 static void table_6_2(struct text *out, const struct section_context *context)
@@ -100,7 +100,7 @@ static void table_6_1(struct text *out, const struct section_context *context)
         text_add(out, "| %s | %s", property->meaning, property->symbol);
         for (int side = 0; side <= (int)two; side++) {
             text_add(out, " | ");
-            words_given(out, values[side]);
+            number_format_given(out, values[side]);
         }
         text_add(out, " | %s |\n", property->unit);
     }
@@ -111,7 +111,7 @@ static void surface_full(struct text *out, const struct section_context *context
     const struct plan *plan = context->results->plan;
     for (int m = 0; m < MODEL_COUNT; m++)
         if (model_called_for((enum model_id)m, plan->families, plan->running)) {
-            const struct surface_model *model = &section_surface(context, index)->models[m];
+            const struct curve_summary *model = &section_surface(context, index)->models[m];
             section_load_cell(out, model->exists ? model->full_load : NAN);
         }
 }
@@ -127,12 +127,12 @@ static void surface_6_3(struct text *out, const struct section_context *context,
     const struct plan *plan = context->results->plan;
     for (int m = MODEL_GW; m <= MODEL_JG; m++)
         if (model_called_for((enum model_id)m, plan->families, plan->running)) {
-            const struct surface_model *model = &section_surface(context, index)->models[m];
+            const struct curve_summary *model = &section_surface(context, index)->models[m];
             section_cell(out, model->exists ? model->beta : NAN, 3);
         }
     for (int m = MODEL_GW; m <= MODEL_JG; m++)
         if (model_called_for((enum model_id)m, plan->families, plan->running)) {
-            const struct surface_model *model = &section_surface(context, index)->models[m];
+            const struct curve_summary *model = &section_surface(context, index)->models[m];
             section_cell(out, model->exists ? model->beta_multiscale : NAN, 3);
         }
 }
@@ -191,7 +191,7 @@ static void baseline_table(struct text *out, const struct section_context *conte
                                          p->tcr_sd_K_m2_per_W,
                                          p->ecr_ohm_m2 / results->scene->nominal_area_m2};
                 text_add(out, "| ");
-                words_power(out, load, 3);
+                number_format_power(out, load, 3);
                 section_cell(out, load * plan->pair.effective_modulus_Pa * 1e-6, 3);
                 text_add(out, " | %s", model_rows[m].label);
                 section_cell(out, p->area_ratio, 3);
@@ -206,7 +206,7 @@ static void baseline_table(struct text *out, const struct section_context *conte
 static void surface_extension(struct text *out, const struct section_context *context, size_t index)
 {
     const struct surface_summary *s = section_surface(context, index);
-    cell_error(out, s->law.gamma, s->law.gamma_error);
+    cell_error(out, s->power_law.gamma, s->power_law.gamma_error);
     section_cell(out, 2 * s->spacing_m * 1e6, 3);
     for (int m = MODEL_MULTISCALE_ELASTIC; m <= MODEL_MULTISCALE_PLASTIC; m++) {
         const struct convergence_extension *extension = &s->models[m].extension;
@@ -242,9 +242,9 @@ static void surface_validity(struct text *out, const struct section_context *con
             section_load_cell(out, s->models[m].exists ? s->models[m].invalid_area_load : NAN);
     if (model_called_for(MODEL_JG, plan->families, plan->running)) {
         section_load_cell(out, s->models[MODEL_JG].exists ? s->models[MODEL_JG].invalid_fit_load : NAN);
-        double outside = s->models[MODEL_JG].most_outside;
+        double outside = s->models[MODEL_JG].most_beyond_fit;
         section_cell(out, s->models[MODEL_JG].exists ? outside < 1e-4 ? 0 : 100 * outside : NAN, 3);
-        double saturated = s->models[MODEL_JG].most_saturated;
+        double saturated = s->models[MODEL_JG].most_radius_clamped;
         section_cell(out, s->models[MODEL_JG].exists ? saturated < 1e-4 ? 0 : 100 * saturated : NAN, 3);
     }
     if (model_called_for(MODEL_MULTISCALE_PLASTIC, plan->families, plan->running))
@@ -296,7 +296,7 @@ static void inputs_table(struct text *out, const struct section_context *context
 static void list_item(struct text *out, const struct section_context *context, size_t index, const char *line)
 {
     text_add(out, "- ");
-    words_surface(out, context->results, index);
+    section_surface_name(out, context->results, index);
     text_add(out, ": ");
     text_add_markdown(out, line);
     text_add(out, "\n");
@@ -305,7 +305,7 @@ static void list_item(struct text *out, const struct section_context *context, s
 static void notes(struct text *out, const struct section_context *context)
 {
     size_t items = 0;
-    for (size_t i = 0; i < context->results->spool->count; i++)
+    for (size_t i = 0; i < context->results->store->count; i++)
         for (const char *line = section_surface(context, i)->notes; line && *line;) {
             char single[1200];
             size_t length = strcspn(line, "\n");
@@ -321,7 +321,7 @@ static void notes(struct text *out, const struct section_context *context)
 static void refused(struct text *out, const struct section_context *context)
 {
     size_t items = 0;
-    for (size_t i = 0; i < context->results->spool->count; i++)
+    for (size_t i = 0; i < context->results->store->count; i++)
         if (section_surface(context, i)->refusal && items++ < SECTION_ROWS)
             list_item(out, context, i, section_surface(context, i)->refusal);
     if (items > SECTION_ROWS)
@@ -339,7 +339,7 @@ static void model_table(struct text *out, const struct section_context *context)
              electrical ? " | ECR elbow at" : "", scale_dependent ? " | scale dependence adds (%)" : "",
              separation ? "---:|" : "", electrical ? "---:|" : "", scale_dependent ? "---:|" : "");
     for (int m = 0; m < MODEL_COUNT; m++) {
-        const struct surface_model *model = &context->baseline->summary.models[m];
+        const struct curve_summary *model = &context->baseline->summary.models[m];
         if (!model->exists)
             continue;
         text_add(out, "| %s", model_rows[m].label);
@@ -351,7 +351,7 @@ static void model_table(struct text *out, const struct section_context *context)
             section_load_cell(out, model->elbow_load);
         if (scale_dependent) {
             text_add(out, " | ");
-            words_range(out, 100 * model->sd_least, 100 * model->sd_most, 2);
+            number_format_range(out, 100 * model->sd_least, 100 * model->sd_most, 2);
         }
         text_add(out, " |\n");
     }

@@ -1,7 +1,7 @@
 /* The compact table that `report` ends with on a terminal. */
 #include "report/report.h"
 
-#include "report/words.h"
+#include "base/number_format.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -51,7 +51,7 @@ static void put_name(struct terminal_cell *cell, const char *name, int most)
 static void put_uncertain(struct terminal_cell *cell, double value, double error)
 {
     struct text text = {0};
-    words_uncertain(&text, value, error);
+    number_format_uncertain(&text, value, error);
     snprintf(cell->text, sizeof cell->text, "%s", text_string(&text));
     char *sign = strstr(cell->text, " ± "); /* no room for the blanks */
     if (sign) {
@@ -67,7 +67,7 @@ static void put_number(struct terminal_cell *cell, double value)
 {
     struct text text = {0};
     if (isfinite(value))
-        words_number(&text, value, 3);
+        number_format_number(&text, value, 3);
     snprintf(cell->text, sizeof cell->text, "%s", text.length > 0 ? text_string(&text) : "-");
     text_free(&text);
 }
@@ -86,7 +86,7 @@ static void put_load(struct terminal_cell *cell, double load)
     snprintf(cell->text, sizeof cell->text, "%se%ld", mantissa, strtol(exponent, NULL, 10));
 }
 
-static void put_beta(struct terminal_cell *cell, const struct surface_model *model)
+static void put_beta(struct terminal_cell *cell, const struct curve_summary *model)
 {
     if (model->exists && isfinite(model->beta))
         snprintf(cell->text, sizeof cell->text, "%.2f", model->beta);
@@ -122,8 +122,8 @@ static void put_surface(struct terminal_row *row, const struct surface_summary *
 {
     int column = 4;
     put_number(&row->cells[1], s->roughness.rq_m * 1e6);
-    put_uncertain(&row->cells[2], s->law.alpha, s->law.alpha_error);
-    put_uncertain(&row->cells[3], s->law.gamma, s->law.gamma_error);
+    put_uncertain(&row->cells[2], s->power_law.alpha, s->power_law.alpha_error);
+    put_uncertain(&row->cells[3], s->power_law.gamma, s->power_law.gamma_error);
     for (int m = 0; m < MODEL_COUNT; m++)
         if (has_beta(plan, (enum model_id)m))
             put_beta(&row->cells[column++], &s->models[m]);
@@ -169,15 +169,15 @@ void report_terminal_table(struct text *out, const struct results *results)
         return;
     }
     int columns = put_heads(&table[0], results->plan);
-    for (size_t i = 0; i < results->spool->count; i++)
-        if (results->spool->summaries[i].usable)
-            put_surface(&table[rows++], &results->spool->summaries[i], results->plan);
+    for (size_t i = 0; i < results->store->count; i++)
+        if (results->store->summaries[i].usable)
+            put_surface(&table[rows++], &results->store->summaries[i], results->plan);
     for (int c = 1; c < columns; c++)
         numbers += 1 + (widths[c] = widest(table, rows, c));
     int room = TERMINAL_WIDTH - numbers > TERMINAL_NAME ? TERMINAL_WIDTH - numbers : TERMINAL_NAME;
-    for (size_t i = 0; i < results->spool->count; i++)
-        if (results->spool->summaries[i].usable)
-            put_name(&table[row++].cells[0], results->spool->summaries[i].scene->name, room);
+    for (size_t i = 0; i < results->store->count; i++)
+        if (results->store->summaries[i].usable)
+            put_name(&table[row++].cells[0], results->store->summaries[i].scene->name, room);
     widths[0] = widest(table, rows, 0);
     spaces(out, widths[0] + numbers - (int)strlen(above)); /* it stands over the columns of loads, which come last */
     text_add(out, "%s\n", above);

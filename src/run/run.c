@@ -1,10 +1,10 @@
 #include "run/run.h"
 
+#include "analysis/benchmark.h"
 #include "base/clock.h"
 #include "chart/figure.h"
-#include "cost/cost.h"
+#include "output/output.h"
 #include "report/report.h"
-#include "results/output.h"
 #include "run/prepare.h"
 #include "run/workers.h"
 #include <math.h>
@@ -21,14 +21,14 @@ struct run {
     struct output output;
     struct prepared prepared;
     struct results *results; /* of `prepared` */
-    struct cost cost;
+    struct benchmark cost;
     double *sweeps;
     uint64_t sweep_scales;
 };
 
 static const struct surface_summary *summary_of(const struct run *run, size_t index)
 {
-    return &run->prepared.spool.summaries[index];
+    return &run->prepared.store.summaries[index];
 }
 
 static int compare_roughness(const void *a, const void *b, void *context)
@@ -43,21 +43,21 @@ static int compare_roughness(const void *a, const void *b, void *context)
 static enum status_code rank_surfaces(struct run *run, struct status *status)
 {
     struct results *results = run->results;
-    const struct spool *spool = &run->prepared.spool;
-    size_t usable = 0, *order = malloc((spool->count + SHOWN_MOST) * sizeof *order);
+    const struct surface_store *store = &run->prepared.store;
+    size_t usable = 0, *order = malloc((store->count + SHOWN_MOST) * sizeof *order);
     if (!order)
         return status_memory(status);
-    for (size_t i = 0; i < spool->count; i++)
+    for (size_t i = 0; i < store->count; i++)
         if (summary_of(run, i)->usable)
             order[usable++] = i;
     results->by_roughness = order;
     results->usable_count = usable;
     if (usable == 0)
         return status_fail(status, STATUS_SCAN, "no readable scan in '%s'", run->scene->directory);
-    results->shown = order + spool->count;
+    results->shown = order + store->count;
     results->shown_count = usable < SHOWN_MOST ? usable : SHOWN_MOST;
     memcpy(results->shown, order, results->shown_count * sizeof *order);
-    qsort_r(order, usable, sizeof *order, compare_roughness, spool->summaries);
+    qsort_r(order, usable, sizeof *order, compare_roughness, store->summaries);
     for (size_t k = 0; usable > SHOWN_MOST && k < SHOWN_MOST; k++) /* from smoothest to roughest, evenly */
         results->shown[k] = order[k * (usable - 1) / (SHOWN_MOST - 1)];
     results->baseline = order[usable > 1 ? 1 : 0];
@@ -93,10 +93,10 @@ static enum status_code run_sweeps(struct run *run, struct status *status)
     return STATUS_OK;
 }
 
-static void add_times(struct run_times *times, const struct spool *spool)
+static void add_times(struct run_times *times, const struct surface_store *store)
 {
-    for (size_t i = 0; i < spool->count; i++) {
-        const struct surface_times *t = &spool->summaries[i].times;
+    for (size_t i = 0; i < store->count; i++) {
+        const struct surface_times *t = &store->summaries[i].times;
         times->read += t->read;
         times->prepare += t->prepare;
         times->spectrum += t->spectrum;
@@ -120,8 +120,8 @@ static enum status_code evaluate(struct run *run, struct run_outcome *out, struc
     struct prepared *prepared = &run->prepared;
     enum status_code rc = prepare(prepared, run->scene, run->options, run->output.staging, status);
     run->results = &prepared->results;
-    out->refused = prepare_messages(&out->messages, &prepared->spool);
-    out->surfaces = prepared->spool.count - out->refused;
+    out->refused = prepare_messages(&out->messages, &prepared->store);
+    out->surfaces = prepared->store.count - out->refused;
     if (rc == STATUS_OK)
         rc = rank_surfaces(run, status);
     if (rc == STATUS_OK)
@@ -131,18 +131,18 @@ static enum status_code evaluate(struct run *run, struct run_outcome *out, struc
         rc = run_sweeps(run, status);
     out->times.convergence = lap(&last);
     if (rc == STATUS_OK && !run->options->no_cost) {
-        rc = cost_measure(&run->cost, run->results, status);
+        rc = benchmark_measure(&run->cost, run->results, status);
         run->results->cost = &run->cost;
         out->times.cost = run->cost.seconds;
     }
     if (rc != STATUS_OK)
         return rc;
     struct work *done = &run->results->done;
-    *done = work_done(&prepared->spool, run->sweep_scales);
+    *done = work_done(&prepared->store, run->sweep_scales);
     out->work_agrees = memcmp(done, &run->results->predicted, sizeof *done) == 0;
     prepare_table(&out->work, prepared, done);
     out->evaluations = prepare_total(prepared, done, &out->predicted_seconds);
-    add_times(&out->times, &prepared->spool);
+    add_times(&out->times, &prepared->store);
     return STATUS_OK;
 }
 
@@ -162,7 +162,7 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
         return status->code;
     if (json_write(run->results, staging, status) != STATUS_OK || stopped(run))
         return status->code;
-    if (run->results->cost && cost_write(run->results->cost, staging, status) != STATUS_OK)
+    if (run->results->cost && benchmark_write(run->results->cost, staging, status) != STATUS_OK)
         return status->code;
     out->times.tables = lap(&last);
     if (figure_write_all(run->results, staging, options->templates, status) != STATUS_OK || stopped(run))
@@ -220,7 +220,7 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
     prepared_free(&run.prepared);
     output_abandon(&run.output);
     free(run.sweeps);
-    cost_free(&run.cost);
+    benchmark_free(&run.cost);
     out->times.total = clock_seconds() - started;
     return rc;
 }

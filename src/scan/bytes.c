@@ -91,13 +91,13 @@ double bytes_number(struct bytes *bytes, enum bytes_type type)
     return bytes_f64(bytes);
 }
 
-struct span bytes_text(struct bytes *bytes, size_t count)
+struct string_view bytes_text(struct bytes *bytes, size_t count)
 {
-    struct span text = {bytes->at, bytes->at};
+    struct string_view text = {bytes->at, bytes->at};
     bytes_skip(bytes, count);
     if (!bytes->overrun)
         text.end = text.start + strnlen(text.start, count);
-    return span_trim(text);
+    return string_view_trim(text);
 }
 
 size_t bytes_size(enum bytes_type type)

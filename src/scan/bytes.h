@@ -3,7 +3,7 @@
 #define SCAN_BYTES_H
 
 #include "scan/scan.h"
-#include "scan/span.h"
+#include "scan/string_view.h"
 
 #include <stdint.h>
 
@@ -29,7 +29,7 @@ int32_t bytes_i32(struct bytes *bytes);
 float bytes_f32(struct bytes *bytes);
 double bytes_f64(struct bytes *bytes);
 /** A text field of `count` bytes, without what follows a NUL and without blanks around it. */
-struct span bytes_text(struct bytes *bytes, size_t count);
+struct string_view bytes_text(struct bytes *bytes, size_t count);
 
 /** Bytes a number takes. */
 size_t bytes_size(enum bytes_type type);

@@ -29,10 +29,10 @@ enum status_code scan_fail(struct status *status, const struct scan_bytes *file,
     return status->code;
 }
 
-struct scan_quote scan_quote(struct span span)
+struct scan_quote scan_quote(struct string_view span)
 {
     struct scan_quote quote = {""};
-    size_t length = span_length(span), shown = length > 24 ? 24 : length;
+    size_t length = string_view_length(span), shown = length > 24 ? 24 : length;
     for (size_t i = 0; i < shown; i++)
         quote.text[i] = span.start[i] >= 0x20 && span.start[i] < 0x7f ? span.start[i] : '?';
     if (length > shown)
@@ -40,9 +40,9 @@ struct scan_quote scan_quote(struct span span)
     return quote;
 }
 
-void scan_copy(char *to, size_t size, struct span span)
+void scan_copy(char *to, size_t size, struct string_view span)
 {
-    size_t length = span_length(span) < size ? span_length(span) : size - 1;
+    size_t length = string_view_length(span) < size ? string_view_length(span) : size - 1;
     memcpy(to, span.start, length);
     to[length] = '\0';
 }
@@ -106,10 +106,10 @@ enum status_code scan_reserve(struct scan *out, size_t nx, size_t ny, size_t roo
 
 static bool is_gap(char c)
 {
-    return span_is_blank_char(c) || c == '\n';
+    return string_view_is_blank_char(c) || c == '\n';
 }
 
-bool scan_word(struct span *text, struct span *word)
+bool scan_word(struct string_view *text, struct string_view *word)
 {
     while (text->start < text->end && is_gap(*text->start))
         text->start++;
@@ -123,23 +123,23 @@ bool scan_word(struct span *text, struct span *word)
 size_t scan_line(const struct scan_bytes *file, const char *at)
 {
     struct lines lines = lines_begin(scan_span(file));
-    for (struct span line; lines_next(&lines, &line);)
+    for (struct string_view line; lines_next(&lines, &line);)
         if (lines.next > at)
             break;
     return lines.number;
 }
 
-bool scan_is_missing(struct span cell)
+bool scan_is_missing(struct string_view cell)
 {
-    return span_equals(cell, "NaN") || span_equals(cell, "BAD");
+    return string_view_equals(cell, "NaN") || string_view_equals(cell, "BAD");
 }
 
-enum status_code scan_fill(struct scan *out, struct span *text, double z_m, const struct scan_bytes *file,
+enum status_code scan_fill(struct scan *out, struct string_view *text, double z_m, const struct scan_bytes *file,
                            struct status *status)
 {
     size_t count = out->nx * out->ny;
     for (size_t i = 0; i < count; i++) {
-        struct span word;
+        struct string_view word;
         if (!scan_word(text, &word))
             return scan_fail(status, file, scan_line(file, text->start),
                              "the heights end after %zu of %zu; copy the file again", i, count);

@@ -3,7 +3,7 @@
 #define SCAN_READER_H
 
 #include "scan/scan.h"
-#include "scan/span.h"
+#include "scan/string_view.h"
 
 /** Stores STATUS_SCAN with "path:line: " (line 0: "path: ") before the message; control characters become '?'. */
 enum status_code scan_fail(struct status *status, const struct scan_bytes *file, size_t line, const char *format, ...)
@@ -16,10 +16,10 @@ void scan_printable(char *string);
 struct scan_quote {
     char text[32];
 };
-struct scan_quote scan_quote(struct span span);
+struct scan_quote scan_quote(struct string_view span);
 
 /** Copies `span` into the `size` bytes at `to`, cut off where it is longer. */
-void scan_copy(char *to, size_t size, struct span span);
+void scan_copy(char *to, size_t size, struct string_view span);
 
 /** The unit's name as the program prints it ("um" for every spelling of micrometre); NULL when it is no length. */
 const char *scan_unit_name(const char *name, size_t length);
@@ -38,22 +38,22 @@ MUST_CHECK enum status_code scan_reserve(struct scan *out, size_t nx, size_t ny,
                                          const struct scan_bytes *file, struct status *status);
 
 /** Is `cell` what instruments write where they measured nothing: BAD or NaN? */
-bool scan_is_missing(struct span cell);
+bool scan_is_missing(struct string_view cell);
 
 /** Fills the heights that scan_reserve() made from `text`, numbers between blanks or line ends, or missing points.
  * Moves text->start behind the last. Error: STATUS_SCAN with the line: too few, or no number. */
-MUST_CHECK enum status_code scan_fill(struct scan *out, struct span *text, double z_m, const struct scan_bytes *file,
-                                      struct status *status);
+MUST_CHECK enum status_code scan_fill(struct scan *out, struct string_view *text, double z_m,
+                                      const struct scan_bytes *file, struct status *status);
 
 /** Cuts the next word (no blanks, no line ends) off `text`; false when nothing is left. */
-bool scan_word(struct span *text, struct span *word);
+bool scan_word(struct string_view *text, struct string_view *word);
 
 /** The line, from 1, of the byte at `at`. */
 size_t scan_line(const struct scan_bytes *file, const char *at);
 
-static inline struct span scan_span(const struct scan_bytes *file)
+static inline struct string_view scan_span(const struct scan_bytes *file)
 {
-    return (struct span){file->bytes, file->bytes + file->length};
+    return (struct string_view){file->bytes, file->bytes + file->length};
 }
 
 /** Index of the first position that breaks the order set by the first two (strictly up or strictly down), n when none

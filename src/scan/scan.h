@@ -60,7 +60,7 @@ MUST_CHECK enum status_code scan_read_bytes(struct scan *out, const struct scan_
                                             const struct scan_options *options, struct status *status);
 void scan_free(struct scan *scan);
 /** Exchanges rows and columns of a map, so that its columns can be taken as profiles. Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code scan_turn(struct scan *scan, struct status *status);
+MUST_CHECK enum status_code scan_transpose(struct scan *scan, struct status *status);
 /** Notes a warning; beyond SCAN_WARNINGS the last says how many more there were. */
 void scan_warn(struct scan *scan, const char *format, ...) PRINTF_LIKE(2, 3);
 

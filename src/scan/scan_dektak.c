@@ -4,5 +4,5 @@
 
 bool scan_dektak_sniff(const struct scan_bytes *file)
 {
-    return span_starts(scan_span(file), "Scan Parameters");
+    return string_view_starts(scan_span(file), "Scan Parameters");
 }

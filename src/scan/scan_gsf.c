@@ -19,7 +19,7 @@ bool scan_gsf_sniff(const struct scan_bytes *file)
     return file->length >= strlen(magic) && memcmp(file->bytes, magic, strlen(magic)) == 0;
 }
 
-static enum status_code read_header(struct gsf_header *header, struct span text, const struct scan_bytes *file,
+static enum status_code read_header(struct gsf_header *header, struct string_view text, const struct scan_bytes *file,
                                     struct status *status)
 {
     struct {
@@ -31,12 +31,12 @@ static enum status_code read_header(struct gsf_header *header, struct span text,
                 {"XReal", NULL, &header->width, NULL},    {"YReal", NULL, &header->height, NULL},
                 {"XYUnits", NULL, NULL, header->xy_unit}, {"ZUnits", NULL, NULL, header->z_unit}};
     struct lines lines = lines_begin(text);
-    for (struct span line; lines_next(&lines, &line);) {
-        const char *equals = memchr(line.start, '=', span_length(line));
-        struct span key = span_trim((struct span){line.start, equals ? equals : line.start});
-        struct span value = span_trim((struct span){equals ? equals + 1 : line.end, line.end});
+    for (struct string_view line; lines_next(&lines, &line);) {
+        const char *equals = memchr(line.start, '=', string_view_length(line));
+        struct string_view key = string_view_trim((struct string_view){line.start, equals ? equals : line.start});
+        struct string_view value = string_view_trim((struct string_view){equals ? equals + 1 : line.end, line.end});
         for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
-            if (!span_equals(key, keys[i].key))
+            if (!string_view_equals(key, keys[i].key))
                 continue;
             if (keys[i].unit)
                 scan_copy(keys[i].unit, sizeof header->z_unit, value);
@@ -57,7 +57,7 @@ enum status_code scan_gsf_read(struct scan *out, const struct scan_bytes *file, 
     if (!stop)
         return scan_fail(status, file, 0, "no NUL behind the header: the file is cut off");
     size_t length = (size_t)(stop - file->bytes);
-    if (read_header(&header, (struct span){file->bytes, stop}, file, status) != STATUS_OK ||
+    if (read_header(&header, (struct string_view){file->bytes, stop}, file, status) != STATUS_OK ||
         scan_units(out, header.xy_unit, header.z_unit, &x_m, &z_m, file, options, status) != STATUS_OK)
         return status->code;
     struct bytes bytes = bytes_begin(file, length + 4 - length % 4);

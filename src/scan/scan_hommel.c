@@ -4,5 +4,5 @@
 
 bool scan_hommel_sniff(const struct scan_bytes *file)
 {
-    return span_starts(scan_span(file), "X;Y;valid");
+    return string_view_starts(scan_span(file), "X;Y;valid");
 }

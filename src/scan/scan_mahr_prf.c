@@ -12,7 +12,7 @@ static const double mahr_unit_m = 1e-3;
 
 bool scan_mahr_prf_sniff(const struct scan_bytes *file)
 {
-    return span_starts(scan_span(file), magic);
+    return string_view_starts(scan_span(file), magic);
 }
 
 enum status_code scan_mahr_prf_read(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,

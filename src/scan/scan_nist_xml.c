@@ -19,33 +19,33 @@ static const struct {
 bool scan_nist_xml_sniff(const struct scan_bytes *file)
 {
     size_t length = file->length < NIST_SNIFF ? file->length : NIST_SNIFF;
-    return span_starts(scan_span(file), "<") && memmem(file->bytes, length, "<DATAFILE>", 10) != NULL &&
+    return string_view_starts(scan_span(file), "<") && memmem(file->bytes, length, "<DATAFILE>", 10) != NULL &&
            memmem(file->bytes, length, "DATA_POINT_VALUES", 17) != NULL;
 }
 
-static const char *find(struct span text, const char *what)
+static const char *find(struct string_view text, const char *what)
 {
-    return memmem(text.start, span_length(text), what, strlen(what));
+    return memmem(text.start, string_view_length(text), what, strlen(what));
 }
 
 /* What stands between <tag> and </tag>, the first time in `text`; empty when there is none. */
-static struct span element(struct span text, const char *tag)
+static struct string_view element(struct string_view text, const char *tag)
 {
     char open[64] = "<", close[64] = "</";
     strcat(strcat(open, tag), ">");
     strcat(strcat(close, tag), ">");
     const char *start = find(text, open);
     if (!start)
-        return (struct span){text.end, text.end};
-    struct span rest = {start + strlen(open), text.end};
+        return (struct string_view){text.end, text.end};
+    struct string_view rest = {start + strlen(open), text.end};
     const char *stop = find(rest, close);
-    return span_trim((struct span){rest.start, stop ? stop : rest.start});
+    return string_view_trim((struct string_view){rest.start, stop ? stop : rest.start});
 }
 
 enum status_code scan_nist_xml_read(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
                                     struct status *status)
 {
-    struct span text = scan_span(file), data = {text.end, text.end}, word;
+    struct string_view text = scan_span(file), data = {text.end, text.end}, word;
     text.start = find(text, "<DATAFILE>");
     for (size_t i = 0; i < sizeof nist_blocks / sizeof *nist_blocks && !scan_word(&data, &word); i++) {
         data = element(text, nist_blocks[i].tag);
@@ -63,7 +63,7 @@ enum status_code scan_nist_xml_read(struct scan *out, const struct scan_bytes *f
     char unit[16];
     scan_copy(unit, sizeof unit, element(text, "UNITS"));
     if (scan_units(out, unit, unit, &x_m, &z_m, file, options, status) != STATUS_OK ||
-        scan_reserve(out, n, 1, (span_length(data) + 1) / 2, file, status) != STATUS_OK ||
+        scan_reserve(out, n, 1, (string_view_length(data) + 1) / 2, file, status) != STATUS_OK ||
         scan_fill(out, &data, z_m, file, status) != STATUS_OK)
         return status->code;
     if (scan_word(&data, &word))

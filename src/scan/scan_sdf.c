@@ -19,9 +19,9 @@ bool scan_sdf_sniff(const struct scan_bytes *file)
 {
     if (file->length < 8 || (file->bytes[0] != 'a' && file->bytes[0] != 'b'))
         return false;
-    struct span version = {file->bytes + 1, file->bytes + file->length};
+    struct string_view version = {file->bytes + 1, file->bytes + file->length};
     for (size_t i = 0; i < sizeof sdf_versions / sizeof *sdf_versions; i++)
-        if (span_starts(version, sdf_versions[i]))
+        if (string_view_starts(version, sdf_versions[i]))
             return true;
     return false;
 }
@@ -55,19 +55,19 @@ static enum status_code read_text_header(struct sdf_header *header, struct lines
                 {"Xscale", NULL, &header->x_scale},
                 {"Yscale", NULL, &header->y_scale},
                 {"Zscale", NULL, &header->z_scale}};
-    struct span line;
+    struct string_view line;
     lines_next(lines, &line); /* the version */
     while (lines_next(lines, &line)) {
-        if (span_equals(span_trim(line), "*"))
+        if (string_view_equals(string_view_trim(line), "*"))
             return STATUS_OK;
-        const char *equals = memchr(line.start, '=', span_length(line));
-        struct span key = span_trim((struct span){line.start, equals ? equals : line.start});
-        struct span value = {equals ? equals + 1 : line.end, line.end};
+        const char *equals = memchr(line.start, '=', string_view_length(line));
+        struct string_view key = string_view_trim((struct string_view){line.start, equals ? equals : line.start});
+        struct string_view value = {equals ? equals + 1 : line.end, line.end};
         for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
-            if (span_equals(key, keys[i].key) &&
+            if (string_view_equals(key, keys[i].key) &&
                 !(keys[i].count ? number_read_size(value, keys[i].count) : number_read(value, keys[i].number)))
                 return scan_fail(status, file, lines->number, "%s = '%s' is no number it can have", keys[i].key,
-                                 scan_quote(span_trim(value)).text);
+                                 scan_quote(string_view_trim(value)).text);
     }
     return scan_fail(status, file, lines->number, "no line `*` between header and heights");
 }
@@ -78,8 +78,8 @@ static enum status_code read_text(struct scan *out, const struct scan_bytes *fil
     struct lines lines = lines_begin(scan_span(file));
     if (read_text_header(&header, &lines, file, status) != STATUS_OK)
         return status->code;
-    struct span data = {lines.next, lines.end}, word;
-    if (take_header(out, &header, (span_length(data) + 1) / 2, file, status) != STATUS_OK ||
+    struct string_view data = {lines.next, lines.end}, word;
+    if (take_header(out, &header, (string_view_length(data) + 1) / 2, file, status) != STATUS_OK ||
         scan_fill(out, &data, header.z_scale, file, status) != STATUS_OK)
         return status->code;
     if (scan_word(&data, &word) && *word.start != '*')

@@ -22,7 +22,7 @@ struct sur_header {
 
 bool scan_sur_sniff(const struct scan_bytes *file)
 {
-    return span_starts(scan_span(file), plain) || span_starts(scan_span(file), compressed);
+    return string_view_starts(scan_span(file), plain) || string_view_starts(scan_span(file), compressed);
 }
 
 static bool read_header(struct sur_header *header, struct bytes *bytes)
@@ -125,7 +125,7 @@ enum status_code scan_sur_read(struct scan *out, const struct scan_bytes *file, 
     if (header.bits != 16 && header.bits != 32)
         return scan_fail(status, file, 0, "%d bits a point: only 16 and 32 can be read", header.bits);
     bytes_skip(&bytes, header.remarks);
-    if (span_starts(scan_span(file), plain))
+    if (string_view_starts(scan_span(file), plain))
         return take_heights(out, &header, bytes, file, options, status);
     char *data = NULL;
     size_t size = 0;

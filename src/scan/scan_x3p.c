@@ -63,7 +63,7 @@ static enum status_code open_main(struct x3p *x3p, const struct scan_bytes *file
     if (index == count)
         return scan_fail(status, file, 0, "no main.xml in the archive");
     const char *name = archive_name(&x3p->archive, index), *slash = strrchr(name, '/');
-    scan_copy(x3p->folder, sizeof x3p->folder, (struct span){name, slash ? slash + 1 : name});
+    scan_copy(x3p->folder, sizeof x3p->folder, (struct string_view){name, slash ? slash + 1 : name});
     if (archive_read(&x3p->main, &x3p->archive, index, status) != STATUS_OK ||
         x3p_xml_read(&x3p->xml, &x3p->main, file, status) != STATUS_OK)
         return status->code;
@@ -82,7 +82,7 @@ static enum status_code read_size(const struct x3p_xml *xml, size_t *nx, size_t 
     bool profile = strcmp(xml->feature, "PRF") == 0;
     if (!profile && strcmp(xml->feature, "SUR") != 0)
         return scan_fail(status, file, 0, "feature type '%s' is neither profile (PRF) nor surface (SUR); export one",
-                         scan_quote((struct span){xml->feature, xml->feature + strlen(xml->feature)}).text);
+                         scan_quote((struct string_view){xml->feature, xml->feature + strlen(xml->feature)}).text);
     double x = xml->list > 0 ? xml->list : xml->size[0], y = xml->list > 0 ? 1 : xml->size[1];
     double z = xml->list > 0 || xml->size[2] == 0 ? 1 : xml->size[2];
     if (!(x >= 1 && x <= 1e12 && y >= 1 && y <= 1e12) || z != 1 || (profile && y != 1))

@@ -10,29 +10,30 @@ static const char *const comment_marks[] = {"#", "//", "%", ";"};
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
-struct span text_header_uncomment(struct span line, bool *comment)
+struct string_view text_header_uncomment(struct string_view line, bool *comment)
 {
-    line = span_trim(line);
+    line = string_view_trim(line);
     *comment = false;
     for (size_t i = 0; i < COUNT(comment_marks); i++) {
-        while (span_starts(line, comment_marks[i])) {
+        while (string_view_starts(line, comment_marks[i])) {
             line.start += strlen(comment_marks[i]);
             *comment = true;
         }
     }
-    return span_trim(line);
+    return string_view_trim(line);
 }
 
 /* The unit a column's title names: its last word that is one. Where a word might be something else ("A", "in", and all
  * of them in a line with numbers, `Length, 1500.0 um`) brackets or a slash have to say that a unit is meant. */
-static const char *cell_unit(struct span cell, bool with_numbers)
+static const char *cell_unit(struct string_view cell, bool with_numbers)
 {
     const char *unit = NULL;
-    struct span word;
+    struct string_view word;
     char before;
     while (text_key_word(&cell, &word, &before)) {
-        const char *name = scan_unit_name(word.start, span_length(word));
-        bool is_word = with_numbers || span_equals(word, "a") || span_equals(word, "in") || span_equals(word, "u");
+        const char *name = scan_unit_name(word.start, string_view_length(word));
+        bool is_word = with_numbers || string_view_equals(word, "a") || string_view_equals(word, "in") ||
+                       string_view_equals(word, "u");
         if (name && (!is_word || (before && strchr("[({/", before))))
             unit = name;
     }
@@ -40,21 +41,21 @@ static const char *cell_unit(struct span cell, bool with_numbers)
 }
 
 /* The titles of a line of `columns` cells; false when it is none: another number of cells, or numbers among them. */
-static bool read_titles(struct text_header *header, struct span line, char delimiter, size_t columns)
+static bool read_titles(struct text_header *header, struct string_view line, char delimiter, size_t columns)
 {
     const char *units[TEXT_HEADER_COLUMNS] = {NULL};
     size_t count = 0, filled = 0, valid = SIZE_MAX;
     bool with_numbers = false;
     char before;
-    for (struct span rest = line, word; text_key_word(&rest, &word, &before);)
+    for (struct string_view rest = line, word; text_key_word(&rest, &word, &before);)
         with_numbers = with_numbers || text_key_number(word);
-    struct span cell;
+    struct string_view cell;
     while (cell_next(&line, delimiter, &cell)) {
         if (text_key_number(cell))
             return false;
         if (count < TEXT_HEADER_COLUMNS)
             units[count] = cell_unit(cell, with_numbers);
-        if (span_equals(cell, "valid"))
+        if (string_view_equals(cell, "valid"))
             valid = count;
         count++;
         if (cell.end > cell.start)
@@ -70,13 +71,13 @@ static bool read_titles(struct text_header *header, struct span line, char delim
     return true;
 }
 
-struct text_header text_header_read(struct span preamble, char delimiter, size_t columns)
+struct text_header text_header_read(struct string_view preamble, char delimiter, size_t columns)
 {
     struct text_header header = {.valid = SIZE_MAX, .z_factor = 1};
-    struct span last[TEXT_HEADER_LINES];
+    struct string_view last[TEXT_HEADER_LINES];
     size_t count = 0;
     struct lines lines = lines_begin(preamble);
-    struct span line;
+    struct string_view line;
     while (lines_next(&lines, &line)) {
         bool comment;
         line = text_header_uncomment(line, &comment);

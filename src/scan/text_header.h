@@ -2,7 +2,7 @@
 #ifndef SCAN_TEXT_HEADER_H
 #define SCAN_TEXT_HEADER_H
 
-#include "scan/span.h"
+#include "scan/string_view.h"
 
 enum { TEXT_HEADER_COLUMNS = 8, TEXT_HEADER_LINES = 3 };
 
@@ -24,10 +24,10 @@ struct text_header {
 };
 
 /** Without its mark (#, //, %, ;) and trimmed when `line` is a comment, else just trimmed; *comment tells. */
-struct span text_header_uncomment(struct span line, bool *comment);
+struct string_view text_header_uncomment(struct string_view line, bool *comment);
 
 /** Reads `preamble`, the lines above the numbers. Titles come from its last TEXT_HEADER_LINES lines that are not blank,
  * where such a line has `columns` cells; a later line wins. Keys come from any line. */
-struct text_header text_header_read(struct span preamble, char delimiter, size_t columns);
+struct text_header text_header_read(struct string_view preamble, char delimiter, size_t columns);
 
 #endif

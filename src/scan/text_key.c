@@ -12,7 +12,7 @@ static const char separators[] = " \t_[](){}<>/,;:=\"'";
 
 /* The words between two numbers of a line, the first KEY_WORDS of them. */
 struct key {
-    struct span word[KEY_WORDS];
+    struct string_view word[KEY_WORDS];
     size_t count;
     const char *unit; /* named in brackets among them */
 };
@@ -65,7 +65,7 @@ static const struct {
     {{"value", "units", NULL}, QUANTITY(z_unit)},
 };
 
-bool text_key_word(struct span *rest, struct span *word, char *before)
+bool text_key_word(struct string_view *rest, struct string_view *word, char *before)
 {
     *before = '\0';
     for (; rest->start < rest->end && strchr(separators, *rest->start) && *rest->start; rest->start++)
@@ -78,7 +78,7 @@ bool text_key_word(struct span *rest, struct span *word, char *before)
     return word->end > word->start;
 }
 
-bool text_key_number(struct span word)
+bool text_key_number(struct string_view word)
 {
     double value;
     return number_scan(word, NUMBER_POINT, NULL, &value) != NULL;
@@ -87,7 +87,7 @@ bool text_key_number(struct span word)
 static bool has_word(const struct key *key, const char *word)
 {
     for (size_t i = 0; i < key->count; i++)
-        if (span_equals(key->word[i], word))
+        if (string_view_equals(key->word[i], word))
             return true;
     return false;
 }
@@ -137,22 +137,22 @@ static void take_unit(struct text_header *header, const struct key *key, const c
             memcpy((char *)header + unit_keys[i].unit, &unit, sizeof unit);
 }
 
-void text_key_read(struct text_header *header, struct span line)
+void text_key_read(struct text_header *header, struct string_view line)
 {
     struct key key = {.count = 0};
-    struct span word;
+    struct string_view word;
     char before;
     while (text_key_word(&line, &word, &before)) {
         double value;
-        const char *name = scan_unit_name(word.start, span_length(word));
+        const char *name = scan_unit_name(word.start, string_view_length(word));
         const char *end = number_scan(word, NUMBER_POINT, NULL, &value);
         if (end) {
             bool sign = before && strchr("=:,;\t", before);
-            struct span behind = {end, word.end}, rest = line;
+            struct string_view behind = {end, word.end}, rest = line;
             char between;
             if (behind.start == behind.end && !text_key_word(&rest, &behind, &between))
-                behind = (struct span){word.end, word.end};
-            const char *unit = scan_unit_name(behind.start, span_length(behind));
+                behind = (struct string_view){word.end, word.end};
+            const char *unit = scan_unit_name(behind.start, string_view_length(behind));
             take_number(header, &key, value, unit ? unit : key.unit, sign);
             key = (struct key){.count = 0};
         } else {

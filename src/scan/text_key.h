@@ -5,12 +5,12 @@
 #include "scan/text_header.h"
 
 /** Takes over what `line` says, as the members of struct text_header describe it. */
-void text_key_read(struct text_header *header, struct span line);
+void text_key_read(struct text_header *header, struct string_view line);
 
 /** Cuts the next word off `rest`; *before is the separator in front of it that says most: a bracket or a slash, else
  * the first that is no blank, else a blank or 0. */
-bool text_key_word(struct span *rest, struct span *word, char *before);
+bool text_key_word(struct string_view *rest, struct string_view *word, char *before);
 /** Does `word` begin with a number? */
-bool text_key_number(struct span word);
+bool text_key_number(struct string_view word);
 
 #endif

@@ -12,21 +12,21 @@ enum { TEXT_COLUMNS = 65536 }; /* wider than any areal map; bounds the first row
 struct row {
     double *cell; /* room for `room` numbers, or NULL just to count */
     size_t room;
-    size_t count;        /* cells met, trailing empty ones aside */
-    unsigned decimal;    /* decimal signs met */
-    struct span bad;     /* the first cell that is no finite number */
-    struct span missing; /* the first cell that says that nothing was measured */
-    size_t numbers;      /* cells that are numbers */
+    size_t count;               /* cells met, trailing empty ones aside */
+    unsigned decimal;           /* decimal signs met */
+    struct string_view bad;     /* the first cell that is no finite number */
+    struct string_view missing; /* the first cell that says that nothing was measured */
+    size_t numbers;             /* cells that are numbers */
 };
 
 /* Reads the cells of `line`; false at the first that is no number. */
-static bool row_read(struct row *row, struct span line, char delimiter)
+static bool row_read(struct row *row, struct string_view line, char delimiter)
 {
     /* in a file separated by commas a comma is no decimal sign */
     unsigned allowed = delimiter == ',' ? NUMBER_POINT : NUMBER_POINT | NUMBER_COMMA;
     size_t cells = 0;
     row->count = 0;
-    for (struct span cell; cell_next(&line, delimiter, &cell); cells++) {
+    for (struct string_view cell; cell_next(&line, delimiter, &cell); cells++) {
         if (cell.start == cell.end)
             continue;
         double value = NAN;
@@ -50,7 +50,7 @@ static bool row_read(struct row *row, struct span line, char delimiter)
 
 /* The delimiter with which `line` is a row of numbers; 0 when it is none. "0,5 1,2" has blanks between decimal commas;
  * "0,5" is two columns, since a single column with decimal commas cannot be told from that. */
-static char find_delimiter(struct span line, size_t *columns)
+static char find_delimiter(struct string_view line, size_t *columns)
 {
     static const struct {
         char delimiter;
@@ -58,7 +58,7 @@ static char find_delimiter(struct span line, size_t *columns)
     } ways[] = {{'\t', 2}, {';', 1}, {' ', 2}, {',', 1}, {' ', 1}};
     for (size_t i = 0; i < sizeof ways / sizeof *ways; i++) {
         char delimiter = ways[i].delimiter;
-        if (delimiter != ' ' && !memchr(line.start, delimiter, span_length(line)))
+        if (delimiter != ' ' && !memchr(line.start, delimiter, string_view_length(line)))
             continue;
         struct row row = {0};
         if (row_read(&row, line, delimiter) && row.count >= ways[i].least && (row.numbers > 0 || row.count > 2)) {
@@ -69,10 +69,10 @@ static char find_delimiter(struct span line, size_t *columns)
     return 0;
 }
 
-static struct span text_of(const struct scan_bytes *file)
+static struct string_view text_of(const struct scan_bytes *file)
 {
-    struct span text = {file->bytes, file->bytes + file->length};
-    if (span_starts(text, "\xEF\xBB\xBF"))
+    struct string_view text = {file->bytes, file->bytes + file->length};
+    if (string_view_starts(text, "\xEF\xBB\xBF"))
         text.start += 3;
     while (text.end > text.start && (text.end[-1] == '\0' || text.end[-1] == 0x1A))
         text.end--;
@@ -84,7 +84,7 @@ static bool reserve(struct text_table *table, size_t *capacity, size_t line_leng
 {
     if (table->rows < *capacity)
         return true;
-    size_t rows = *capacity ? 2 * *capacity : span_length(table->text) / (line_length + 1) + 16;
+    size_t rows = *capacity ? 2 * *capacity : string_view_length(table->text) / (line_length + 1) + 16;
     double *cell = reallocarray(table->cell, rows, table->columns * sizeof *cell);
     if (!cell)
         return false;
@@ -109,8 +109,8 @@ static enum status_code read_rows(struct text_table *table, struct lines lines, 
 {
     size_t capacity = 0, blank = 0;
     unsigned decimal = 0;
-    for (struct span line; lines_next(&lines, &line);) {
-        struct span content = span_trim(line);
+    for (struct string_view line; lines_next(&lines, &line);) {
+        struct string_view content = string_view_trim(line);
         if (content.start == content.end) {
             blank = blank ? blank : lines.number;
             continue;
@@ -123,7 +123,7 @@ static enum status_code read_rows(struct text_table *table, struct lines lines, 
             continue;
         if (blank && table->columns == 1)
             return scan_fail(status, file, blank, "a blank line among the heights; remove it, or fill in the height");
-        if (!reserve(table, &capacity, span_length(line)))
+        if (!reserve(table, &capacity, string_view_length(line)))
             return status_memory(status);
         struct row row = {.cell = table->cell + table->rows * table->columns, .room = table->columns};
         if (!row_read(&row, table->delimiter == ' ' ? content : line, table->delimiter) || row.count != table->columns)
@@ -144,9 +144,9 @@ static enum status_code read_rows(struct text_table *table, struct lines lines, 
 
 /* Is `line`, which stands right above the first row, a row with a damaged cell? It begins with a number, unlike titles
  * and keys. Between blanks anything may stand there (`4000 points`). */
-static bool is_damaged_row(const struct text_table *table, struct span line, struct row *row)
+static bool is_damaged_row(const struct text_table *table, struct string_view line, struct row *row)
 {
-    struct span rest = line, cell;
+    struct string_view rest = line, cell;
     size_t cells = 0;
     double value;
     if (table->delimiter == ' ' || !cell_next(&rest, table->delimiter, &cell) || !number_read(cell, &value))
@@ -160,11 +160,11 @@ enum status_code text_table_read(struct text_table *out, const struct scan_bytes
 {
     *out = (struct text_table){.text = text_of(file)};
     struct lines lines = lines_begin(out->text), before = lines;
-    struct span above = {NULL, NULL};
+    struct string_view above = {NULL, NULL};
     size_t above_line = 0;
-    for (struct span line; lines_next(&lines, &line); before = lines) {
+    for (struct string_view line; lines_next(&lines, &line); before = lines) {
         bool comment;
-        struct span content = text_header_uncomment(line, &comment);
+        struct string_view content = text_header_uncomment(line, &comment);
         if (comment || content.start == content.end)
             continue;
         out->delimiter = find_delimiter(line, &out->columns);
@@ -180,7 +180,7 @@ enum status_code text_table_read(struct text_table *out, const struct scan_bytes
             return scan_fail(status, file, lines.number, "%zu columns; at most %d can be read", out->columns,
                              TEXT_COLUMNS);
         out->first_line = lines.number;
-        out->preamble = (struct span){out->text.start, before.next};
+        out->preamble = (struct string_view){out->text.start, before.next};
         return read_rows(out, before, file, status);
     }
     return scan_fail(status, file, 0, "no line of numbers in it: not a scan");
@@ -196,11 +196,11 @@ size_t text_table_line(const struct text_table *table, size_t row)
 {
     struct lines lines = lines_begin(table->text);
     size_t rows = 0;
-    for (struct span line; lines_next(&lines, &line);) {
+    for (struct string_view line; lines_next(&lines, &line);) {
         bool comment;
-        struct span content = text_header_uncomment(line, &comment);
+        struct string_view content = text_header_uncomment(line, &comment);
         if (lines.number < table->first_line || content.start == content.end ||
-            (comment && !(*span_trim(line).start == ';' && table->delimiter == ';')))
+            (comment && !(*string_view_trim(line).start == ';' && table->delimiter == ';')))
             continue;
         if (rows++ == row)
             return lines.number;

@@ -5,13 +5,13 @@
 #include "scan/reader.h"
 
 struct text_table {
-    struct span text;     /* the file without byte order mark and end-of-file marks */
-    struct span preamble; /* the lines above the first row of numbers */
-    char delimiter;       /* ',' ';' '\t' or ' ' (any run of blanks) */
+    struct string_view text;     /* the file without byte order mark and end-of-file marks */
+    struct string_view preamble; /* the lines above the first row of numbers */
+    char delimiter;              /* ',' ';' '\t' or ' ' (any run of blanks) */
     size_t rows, columns;
     double *cell;                 /* rows x columns */
     size_t first_line, last_line; /* where the rows are, counted from 1 */
-    struct span missing;          /* the first cell that says NaN or BAD, which `cell` has as NaN */
+    struct string_view missing;   /* the first cell that says NaN or BAD, which `cell` has as NaN */
     size_t missing_line;          /* and its line, 0 when there is none */
 };
 

@@ -50,12 +50,12 @@ static void XMLCALL on_text(void *user, const XML_Char *text, int length)
 }
 
 /* `value` or `value;value`: a stored x, if any, comes first and z last. An empty datum is a missing point. */
-static void add_datum(struct parse *parse, struct span text)
+static void add_datum(struct parse *parse, struct string_view text)
 {
     struct x3p_xml *out = parse->out;
     double point[2] = {0.0, NAN};
     size_t count = 0;
-    for (struct span cell; cell_next(&text, ';', &cell); count++) {
+    for (struct string_view cell; cell_next(&text, ';', &cell); count++) {
         if (!number_read(cell, &point[1])) {
             stop(parse, "a <Datum> that is no number");
             return;
@@ -79,7 +79,7 @@ static void add_datum(struct parse *parse, struct span text)
 
 /* Takes the text of a leaf over where its path ends as one of these; numbers that are missing or empty keep what they
  * were set to before. */
-static void take_leaf(struct parse *parse, struct span text)
+static void take_leaf(struct parse *parse, struct string_view text)
 {
     struct x3p_xml *out = parse->out;
     struct {
@@ -127,11 +127,11 @@ static void XMLCALL on_end(void *user, const XML_Char *name)
 {
     (void)name;
     struct parse *parse = user;
-    struct span text = span_trim((struct span){parse->text, parse->text + parse->length});
+    struct string_view text = string_view_trim((struct string_view){parse->text, parse->text + parse->length});
     while (text.start < text.end && *text.start == '\n')
-        text = span_trim((struct span){text.start + 1, text.end});
+        text = string_view_trim((struct string_view){text.start + 1, text.end});
     while (text.end > text.start && text.end[-1] == '\n')
-        text = span_trim((struct span){text.start, text.end - 1});
+        text = string_view_trim((struct string_view){text.start, text.end - 1});
     parse->length = 0;
     if (parse->hidden > 0) {
         parse->hidden--;

@@ -27,12 +27,12 @@ static struct scene default_scene(void)
         .nominal_area_m2 = NAN,
         .load = {.from = 1e-6, .to = 0.1, .points = 121},
         .tolerance = 1e-6,
-        .level = SCENE_LEVEL_LINE,
+        .level = LEVEL_LINE,
         .max_missing = 0.1,
-        .window = SCENE_WINDOW_NONE,
+        .window = SPECTRUM_WINDOW_NONE,
         .fit_band_m = {0.0, INFINITY},
-        .moments = SCENE_MOMENTS_DIFFERENCE,
-        .closure = SCENE_CLOSURE_THESIS,
+        .moments = ROUGHNESS_MOMENTS_DIFFERENCE,
+        .closure = SINUSOID_FIT_THESIS,
         .convergence = {.alpha = 0.085, .gamma = 1.5, .load = 1e-3, .scan_length_m = 3e-4, .scales = 4096},
     };
 }

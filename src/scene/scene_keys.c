@@ -11,11 +11,11 @@
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
-const char *const scene_level_names[SCENE_LEVEL_COUNT] = {"none", "mean", "line", "parabola", "circle", "robust"};
-const char *const scene_window_names[SCENE_WINDOW_COUNT] = {"none", "hann"};
-const char *const scene_moments_names[SCENE_MOMENTS_COUNT] = {"difference", "spectral"};
-const char *const scene_direction_names[SCENE_DIRECTION_COUNT] = {"x", "y"};
-const char *const scene_closure_names[SCENE_CLOSURE_COUNT] = {"thesis", "numeric"};
+const char *const level_names[LEVEL_COUNT] = {"none", "mean", "line", "parabola", "circle", "robust"};
+const char *const spectrum_window_names[SPECTRUM_WINDOW_COUNT] = {"none", "hann"};
+const char *const roughness_moments_names[ROUGHNESS_MOMENTS_COUNT] = {"difference", "spectral"};
+const char *const scan_direction_names[SCAN_DIRECTION_COUNT] = {"x", "y"};
+const char *const sinusoid_fit_names[SINUSOID_FIT_COUNT] = {"thesis", "numeric"};
 static const char *const model_names[] = {"multiscale", "statistical"};
 static const char *const load_unit_names[] = {"dimensionless", "Pa"};
 
@@ -210,16 +210,16 @@ static const struct scene_key scene_keys[] = {
     {"effects", read_effects, .offset = 0},
     {"material", scene_material_read, .offset = offsetof(struct scene, material)},
     {"counterface", scene_pair_counterface, .offset = 0},
-    {"direction", scene_value_choice, CHOICES(struct scene, direction, scene_direction_names)},
+    {"direction", scene_value_choice, CHOICES(struct scene, direction, scan_direction_names)},
     {"measured", scene_pair_measured, .offset = offsetof(struct scene, measured)},
     {"nominal_area_m2", NUMBER(struct scene, nominal_area_m2, 1e-18, 1e6), .word = "none"},
     {"load", read_load, .offset = offsetof(struct scene, load)},
     {"tolerance", NUMBER(struct scene, tolerance, SCENE_KEYS_TOLERANCE_LEAST, SCENE_KEYS_TOLERANCE_MOST)},
-    {"level", scene_value_choice, CHOICES(struct scene, level, scene_level_names)},
-    {"window", scene_value_choice, CHOICES(struct scene, window, scene_window_names)},
+    {"level", scene_value_choice, CHOICES(struct scene, level, level_names)},
+    {"window", scene_value_choice, CHOICES(struct scene, window, spectrum_window_names)},
     {"fit_band_m", read_fit_band, RANGE(struct scene, fit_band_m, 1e-12, 1e3), .word = "all"},
-    {"moments", scene_value_choice, CHOICES(struct scene, moments, scene_moments_names)},
-    {"closure", scene_value_choice, CHOICES(struct scene, closure, scene_closure_names)},
+    {"moments", scene_value_choice, CHOICES(struct scene, moments, roughness_moments_names)},
+    {"closure", scene_value_choice, CHOICES(struct scene, closure, sinusoid_fit_names)},
     {"max_missing", NUMBER(struct scene, max_missing, 0.0, 0.9)},
     {"lambda_s_m", NUMBER(struct scene, lambda_s_m, 1e-12, 1e3), .word = "none"},
     {"lambda_c_m", NUMBER(struct scene, lambda_c_m, 1e-12, 1e3), .word = "none"},

@@ -2,7 +2,7 @@
 #ifndef SCENE_SCENE_MATERIAL_H
 #define SCENE_SCENE_MATERIAL_H
 
-#include "scene/material.h"
+#include "material/material.h"
 #include "scene/scene_source.h"
 #include "scene/scene_words.h"
 

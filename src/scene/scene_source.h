@@ -3,7 +3,7 @@
 #define SCENE_SCENE_SOURCE_H
 
 #include "base/status.h"
-#include "scene/effect.h"
+#include "contact/effect.h"
 #include <stdbool.h>
 #include <stddef.h>
 #include <yaml.h>

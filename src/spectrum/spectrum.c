@@ -22,12 +22,12 @@ static double mean_square_about(const double *values, size_t count, double mean)
 }
 
 /** Copies the heights without their mean; with a Hann window, scaled so that their mean square stays. */
-static void prepare(double *record, const double *height_m, size_t points, enum scene_window window)
+static void prepare(double *record, const double *height_m, size_t points, enum spectrum_window window)
 {
     double mean = mean_of(height_m, points);
     for (size_t i = 0; i < points; i++)
         record[i] = height_m[i] - mean;
-    if (window == SCENE_WINDOW_NONE)
+    if (window == SPECTRUM_WINDOW_NONE)
         return;
     double before = mean_square_about(height_m, points, mean);
     for (size_t i = 0; i < points; i++)
@@ -40,7 +40,7 @@ static void prepare(double *record, const double *height_m, size_t points, enum 
 }
 
 enum status_code spectrum_compute(struct spectrum *out, const double *height_m, size_t points, double spacing_m,
-                                  enum scene_window window, struct status *status)
+                                  enum spectrum_window window, struct status *status)
 {
     size_t count = points / 2;
     *out = (struct spectrum){.count = count, .length_m = (double)points * spacing_m, .has_nyquist = points % 2 == 0};

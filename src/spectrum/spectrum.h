@@ -19,7 +19,7 @@ struct spectrum {
  * at `spacing_m`. The mean is taken out first. The Hann window is scaled to keep the mean square.
  * Errors: STATUS_MEMORY. */
 MUST_CHECK enum status_code spectrum_compute(struct spectrum *out, const double *height_m, size_t points,
-                                             double spacing_m, enum scene_window window, struct status *status);
+                                             double spacing_m, enum spectrum_window window, struct status *status);
 
 /** Adds another scan's spectrum to a mean over scans: powers averaged harmonic by harmonic; the mean keeps the fewest
  * harmonics and the first scan's length. `so_far` is how many scans `mean` holds. */

@@ -151,8 +151,8 @@ static void test_effects_and_models_that_are_off_remove_their_figures(void **sta
 {
     (void)state;
     const double sweeps = 0;
-    struct cost_row row = {.chart = COST_CURVES};
-    const struct cost cost = {.rows = &row, .count = 1};
+    struct benchmark_row row = {.chart = BENCHMARK_CURVES};
+    const struct benchmark cost = {.rows = &row, .count = 1};
     for (unsigned effects = 0; effects < 1u << EFFECT_COUNT; effects++)
         for (unsigned families = 1; families <= 3; families++) {
             struct plan plan = {.running = effects, .families = families};

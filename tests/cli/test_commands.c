@@ -4,9 +4,9 @@
 #include <inttypes.h>
 
 #include "base/version.h"
+#include "contact/effect.h"
 #include "contact/model.h"
-#include "scene/effect.h"
-#include "scene/material.h"
+#include "material/material.h"
 #include <jansson.h>
 #include <stdio.h>
 

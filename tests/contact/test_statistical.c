@@ -10,7 +10,7 @@ static struct material_pair tin(void)
 
 enum { EVERYTHING = CONTACT_SEPARATION | CONTACT_ELECTRICAL | CONTACT_THERMAL | CONTACT_SCALE_DEPENDENT };
 
-static struct statistical make(double m0, double m2, double m4, enum asperity_law_id law, double tolerance,
+static struct statistical make(double m0, double m2, double m4, enum asperity_model law, double tolerance,
                                double lowest)
 {
     struct roughness roughness = {.m0_m2 = m0, .m2 = m2, .m4_per_m2 = m4};
@@ -26,7 +26,7 @@ static struct statistical make(double m0, double m2, double m4, enum asperity_la
     return model;
 }
 
-static enum asperity_law_id law_of(const char *name)
+static enum asperity_model law_of(const char *name)
 {
     return strcmp(name, "gw") == 0 ? ASPERITY_HERTZ : ASPERITY_JG;
 }
@@ -101,7 +101,7 @@ static void solve_inverts_at(void **state)
 {
     (void)state;
     for (int law = 0; law < ASPERITY_LAW_COUNT; law++) {
-        struct statistical model = make(1.156e-13, 0.0012, 4.5e8, (enum asperity_law_id)law, 1e-10, INFINITY);
+        struct statistical model = make(1.156e-13, 0.0012, 4.5e8, (enum asperity_model)law, 1e-10, INFINITY);
         double d = 0, previous = INFINITY;
         for (double load = 1e-30; load < model.full_load; load *= 7) {
             struct contact_point found, again;
@@ -145,7 +145,7 @@ static void outside_share_matches_adaptive_integration(void **state)
         gsl_integration_qag(&f, border, 12, 0, 1e-10, 2000, GSL_INTEG_GAUSS41, workspace, &outside, &error);
         struct contact_point point;
         statistical_at(&point, &model, d);
-        assert_near(point.outside, outside / (inside + outside), 1e-8);
+        assert_near(point.beyond_fit, outside / (inside + outside), 1e-8);
     }
     gsl_integration_workspace_free(workspace);
     statistical_free(&model);

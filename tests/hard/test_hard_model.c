@@ -65,7 +65,7 @@ static void loads_beyond_full_contact(void **state)
     for (int i = 0; i < LOADS; i++)
         loads[i] = pow(10, i - 30);
     for (int k = 0; k < 3; k++)
-        for (int closure = 0; closure < SCENE_CLOSURE_COUNT; closure++) {
+        for (int closure = 0; closure < SINUSOID_FIT_COUNT; closure++) {
             struct spectrum spectrum = law_spectrum(alphas[k], gammas[k]);
             struct roughness roughness = {0};
             struct asperities surface;
@@ -73,7 +73,7 @@ static void loads_beyond_full_contact(void **state)
             roughness_from_spectrum(&roughness, &spectrum);
             assert_int_equal(roughness_asperities(&surface, &roughness, &status), STATUS_OK);
             struct model_task task = {&spectrum, &surface,   &pair, loads,
-                                      LOADS,     EVERYTHING, 1e-10, (enum scene_closure)closure};
+                                      LOADS,     EVERYTHING, 1e-10, (enum sinusoid_fit_id)closure};
             for (int m = 0; m < MODEL_COUNT; m++) {
                 struct contact_point points[LOADS + 1];
                 struct model_curve curve = {.points = points};
@@ -100,8 +100,7 @@ static void nothing_but_full_contact(void **state)
         for (int m = 0; m < MODEL_COUNT; m++) {
             struct contact_point points[4];
             struct model_curve curve = {.points = points};
-            struct model_task task = {&spectrum, &surface,   &pair, loads,
-                                      count,     EVERYTHING, 1e-10, SCENE_CLOSURE_THESIS};
+            struct model_task task = {&spectrum, &surface, &pair, loads, count, EVERYTHING, 1e-10, SINUSOID_FIT_THESIS};
             assert_int_equal(model_rows[m].run(&curve, &model_rows[m], &task, &status), STATUS_OK);
             assert_int_equal(curve.count, model_rows[m].family == SCENE_MODEL_STATISTICAL ? 1 : count);
             for (size_t i = 0; i < curve.count; i++)
@@ -117,7 +116,7 @@ static void no_asperities(void **state)
     struct material_pair pair = hard_tin();
     struct spectrum spectrum = law_spectrum(0.085, 1.5);
     const double loads[] = {1e-9, 1e-3};
-    struct model_task task = {&spectrum, NULL, &pair, loads, 2, EVERYTHING, 1e-10, SCENE_CLOSURE_THESIS};
+    struct model_task task = {&spectrum, NULL, &pair, loads, 2, EVERYTHING, 1e-10, SINUSOID_FIT_THESIS};
     for (int m = 0; m < MODEL_COUNT; m++) {
         struct contact_point points[3];
         struct model_curve curve = {.points = points};
@@ -150,7 +149,7 @@ static void every_choice_of_quantities(void **state)
             bool conducts = wanted & (CONTACT_ELECTRICAL | CONTACT_THERMAL | CONTACT_SCALE_DEPENDENT);
             struct contact_point all[6], some[6];
             struct model_curve reference = {.points = all}, curve = {.points = some};
-            struct model_task task = {&spectrum, &surface, &known, loads, 5, EVERYTHING, 1e-10, SCENE_CLOSURE_THESIS};
+            struct model_task task = {&spectrum, &surface, &known, loads, 5, EVERYTHING, 1e-10, SINUSOID_FIT_THESIS};
             assert_int_equal(model_rows[m].run(&reference, &model_rows[m], &task, &status), STATUS_OK);
             task.wanted = wanted;
             task.pair = conducts ? &known : &bare;

@@ -13,7 +13,7 @@ static struct statistical make(const struct asperities *surface, const struct ma
     struct statistical model;
     struct status status = {0};
     uint64_t evaluations = 0;
-    assert_int_equal(statistical_make(&model, surface, pair, (enum asperity_law_id)law, EVERYTHING, 1e-10, lowest,
+    assert_int_equal(statistical_make(&model, surface, pair, (enum asperity_model)law, EVERYTHING, 1e-10, lowest,
                                       &evaluations, &status),
                      STATUS_OK);
     assert_int_equal(evaluations, model.panels.count);
@@ -54,7 +54,7 @@ static void matches_reference_far_out(void **state)
             assert_near(point.ecr_ohm_m2, table_number(&table, i, "ecr_ohm_m2"), allowed);
             assert_near(point.tcr_K_m2_per_W, table_number(&table, i, "tcr_K_m2_per_W"), allowed);
             assert_near(point.tcr_sd_K_m2_per_W, table_number(&table, i, "tcr_sd_K_m2_per_W"), allowed);
-            double psi = spot_alleviation(area, 1 - area);
+            double psi = constriction_alleviation(area, 1 - area);
             assert_near(psi * pair.resistivity_ohm_m / (2 * point.ecr_ohm_m2 * point.area_ratio),
                         table_number(&table, i, "radius_over_area_per_m"), allowed);
         } else {
@@ -102,8 +102,8 @@ static void check_curve(const struct statistical *model)
         assert_true(isfinite(point.ecr_ohm_m2) && point.ecr_ohm_m2 > 0 && point.ecr_ohm_m2 <= before.ecr_ohm_m2);
         assert_true(isfinite(point.tcr_K_m2_per_W) && point.tcr_K_m2_per_W > 0);
         assert_true(isfinite(point.tcr_sd_K_m2_per_W) && point.tcr_sd_K_m2_per_W >= point.tcr_K_m2_per_W);
-        assert_true(point.saturated >= 0 && point.saturated <= point.outside && point.outside <= 1);
-        assert_true(model->law == ASPERITY_JG || point.outside == 0);
+        assert_true(point.radius_clamped >= 0 && point.radius_clamped <= point.beyond_fit && point.beyond_fit <= 1);
+        assert_true(model->law == ASPERITY_JG || point.beyond_fit == 0);
         before = point;
     }
     static const double beyond[] = {1, 1 + 1e-15, 1e6};
@@ -232,9 +232,9 @@ static void saturation_is_counted(void **state)
         gsl_integration_qag(&f, border, 14, 0, 1e-10, 2000, GSL_INTEG_GAUSS41, workspace, &saturated, &error);
         struct contact_point point;
         statistical_at(&point, &model, d);
-        assert_near(point.saturated, saturated / (inside + saturated), 1e-8);
-        assert_true(point.saturated > previous && point.saturated < 1);
-        previous = point.saturated;
+        assert_near(point.radius_clamped, saturated / (inside + saturated), 1e-8);
+        assert_true(point.radius_clamped > previous && point.radius_clamped < 1);
+        previous = point.radius_clamped;
     }
     gsl_integration_workspace_free(workspace);
     statistical_free(&model);

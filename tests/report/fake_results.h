@@ -13,11 +13,11 @@ struct fake {
     struct plan plan;
     struct scene_surface names[SURFACES];
     struct surface_summary summaries[SURFACES];
-    struct spool spool;
+    struct surface_store store;
     size_t order[SURFACES];
     struct results results;
     double sweeps[2 * CONVERGENCE_SWEEP_COUNT * CONVERGENCE_VALUES_MOST * SCALES];
-    struct study study;
+    struct comparison study;
 };
 
 /* The areas of one curve of the convergence study: settled, or falling to the last. */
@@ -40,10 +40,10 @@ static inline void make_fake(struct fake *fake)
         struct surface_summary *summary = &fake->summaries[k];
         summary->scene = &fake->names[k];
         summary->usable = true;
-        summary->law.gamma = 1.6 - 0.2 * (double)k;
-        summary->law.knee_m = NAN;
+        summary->power_law.gamma = 1.6 - 0.2 * (double)k;
+        summary->power_law.knee_m = NAN;
         for (int m = 0; m < MODEL_COUNT; m++)
-            summary->models[m] = (struct surface_model){.exists = true,
+            summary->models[m] = (struct curve_summary){.exists = true,
                                                         .full_load = 0.1,
                                                         .elbow_load = 0.05,
                                                         .beta = 6,
@@ -53,24 +53,24 @@ static inline void make_fake(struct fake *fake)
                                                         .sd_most = 0.01};
     }
     for (int m = 0; m < MODEL_COUNT; m++) {
-        fake->study.rank[m] = (struct study_rank){100, 100, 40, 100, 100};
-        fake->study.extremes[m][STUDY_AREA] =
-            (struct study_extremes){.least = 0.1, .most = model_rows[m].plastic ? 0.2 : 0.3, .count = SURFACES};
+        fake->study.rank[m] = (struct comparison_rank){100, 100, 40, 100, 100};
+        fake->study.extremes[m][COMPARISON_AREA] =
+            (struct comparison_extremes){.least = 0.1, .most = model_rows[m].plastic ? 0.2 : 0.3, .count = SURFACES};
     }
     for (int f = 0; f < 2; f++) {
-        fake->study.plastic[f] = (struct study_plastic){100, 100, 1.1, 2, 3, 3};
-        fake->study.gap[f] = (struct study_gap){.area = 0.5, .ecr = 0.2};
+        fake->study.plastic[f] = (struct comparison_plastic){100, 100, 1.1, 2, 3, 3};
+        fake->study.gap[f] = (struct comparison_gap){.area = 0.5, .ecr = 0.2};
     }
     fake->study.proportional_error = 1e-15;
     fake->study.middle_load = 1e-3;
-    fake->spool = (struct spool){.summaries = fake->summaries, .count = SURFACES};
+    fake->store = (struct surface_store){.summaries = fake->summaries, .count = SURFACES};
     static const double loads[] = {1e-3, 1};
     fake->results = (struct results){.scene = &fake->scene,
                                      .loads = loads,
                                      .load_count = 2,
                                      .convergence = fake->sweeps,
                                      .plan = &fake->plan,
-                                     .spool = &fake->spool,
+                                     .store = &fake->store,
                                      .by_roughness = fake->order,
                                      .usable_count = SURFACES,
                                      .baseline = 1};

@@ -29,13 +29,13 @@ static void test_claims_that_count_curves(void **state)
         double bad;
         const char *one;
     } rows[] = {
-        {"linear in the load", offsetof(struct surface_model, area_slope), 0.8,
+        {"linear in the load", offsetof(struct curve_summary, area_slope), 0.8,
          "GW 0.800 to 0.950; JG 0.950. 11 of 12 curves"},
-        {"linear in the load", offsetof(struct surface_model, area_slope), 1.2, "11 of 12 curves"},
-        {"the elbow", offsetof(struct surface_model, elbow_load), 1e-3, "GW 1.00 to 50.0"},
-        {"between 4 and 12", offsetof(struct surface_model, beta), 3.9, "11 of 12 lie in 4…12"},
-        {"between 4 and 12", offsetof(struct surface_model, beta), -1, "1 below 0"},
-        {"between 4 and 12", offsetof(struct surface_model, beta), 12.1, "11 of 12 lie in 4…12"},
+        {"linear in the load", offsetof(struct curve_summary, area_slope), 1.2, "11 of 12 curves"},
+        {"the elbow", offsetof(struct curve_summary, elbow_load), 1e-3, "GW 1.00 to 50.0"},
+        {"between 4 and 12", offsetof(struct curve_summary, beta), 3.9, "11 of 12 lie in 4…12"},
+        {"between 4 and 12", offsetof(struct curve_summary, beta), -1, "1 below 0"},
+        {"between 4 and 12", offsetof(struct curve_summary, beta), 12.1, "11 of 12 lie in 4…12"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         struct fake fake;
@@ -45,7 +45,7 @@ static void test_claims_that_count_curves(void **state)
         set_model(&fake, rows[i].offset, rows[i].bad, true);
         assert_verdict(&fake, rows[i].claim, CLAIM_FAILS, "");
         set_model(&fake, rows[i].offset, NAN, true);
-        set_model(&fake, offsetof(struct surface_model, full_load), 2, true); /* beyond the loads */
+        set_model(&fake, offsetof(struct curve_summary, full_load), 2, true); /* beyond the loads */
         assert_verdict(&fake, rows[i].claim, CLAIM_NOT_TESTED, "");
     }
 }
@@ -56,13 +56,13 @@ static void test_separation_at_full_contact(void **state)
     (void)state;
     struct fake fake;
     make_fake(&fake);
-    set_model(&fake, offsetof(struct surface_model, gap_at_full), 0.3, false); /* GW's */
+    set_model(&fake, offsetof(struct curve_summary, gap_at_full), 0.3, false); /* GW's */
     assert_verdict(&fake, "No separation is left", CLAIM_HOLDS, "0 by the choice of β");
     fake.summaries[1].models[MODEL_MULTISCALE_PLASTIC].gap_at_full = 0.3;
     assert_verdict(&fake, "No separation is left", CLAIM_PARTLY, "0 to 0.30; below 0.01 in 5 of 6 curves");
-    set_model(&fake, offsetof(struct surface_model, gap_at_full), 0.3, true);
+    set_model(&fake, offsetof(struct curve_summary, gap_at_full), 0.3, true);
     assert_verdict(&fake, "No separation is left", CLAIM_FAILS, "below 0.01 in 0 of 6 curves");
-    set_model(&fake, offsetof(struct surface_model, gap_at_full), NAN, true);
+    set_model(&fake, offsetof(struct curve_summary, gap_at_full), NAN, true);
     assert_verdict(&fake, "No separation is left", CLAIM_NOT_TESTED, "");
 }
 
@@ -101,7 +101,7 @@ static void test_models_that_do_not_exist_are_left_out(void **state)
     (void)state;
     struct fake fake;
     make_fake(&fake);
-    set_model(&fake, offsetof(struct surface_model, area_slope), 0.5, false);
+    set_model(&fake, offsetof(struct curve_summary, area_slope), 0.5, false);
     fake.summaries[1].models[MODEL_GW].exists = false;
     assert_verdict(&fake, "linear in the load", CLAIM_HOLDS, "11 of 11 curves");
 }
@@ -114,8 +114,8 @@ static void test_scale_dependence(void **state)
     assert_verdict(&fake, "Scale dependence", CLAIM_HOLDS, "GW 0.10 to 1.0 %");
     fake.summaries[2].models[MODEL_JG].sd_most = 0.051;
     assert_verdict(&fake, "Scale dependence", CLAIM_FAILS, "JG 0.10 to 5.1 %");
-    set_model(&fake, offsetof(struct surface_model, sd_least), INFINITY, true);
-    set_model(&fake, offsetof(struct surface_model, sd_most), -INFINITY, true);
+    set_model(&fake, offsetof(struct curve_summary, sd_least), INFINITY, true);
+    set_model(&fake, offsetof(struct curve_summary, sd_most), -INFINITY, true);
     assert_verdict(&fake, "Scale dependence", CLAIM_NOT_TESTED, "");
 }
 
@@ -127,32 +127,32 @@ static void test_gamma(void **state)
     static const char claim[] = "so the area converges";
     assert_verdict(&fake, claim, CLAIM_HOLDS, "for 3 of 3 surfaces; ");
     assert_verdict(&fake, claim, CLAIM_HOLDS, "nothing of the area");
-    fake.summaries[2].law.gamma = 0.99;
-    fake.summaries[2].law.gamma_error = 0.02; /* 1 within its error */
+    fake.summaries[2].power_law.gamma = 0.99;
+    fake.summaries[2].power_law.gamma_error = 0.02; /* 1 within its error */
     assert_verdict(&fake, claim, CLAIM_HOLDS, "");
-    fake.summaries[2].law.gamma_error = 0.005;
+    fake.summaries[2].power_law.gamma_error = 0.005;
     fake.summaries[0].models[MODEL_MULTISCALE_ELASTIC].extension =
         (struct convergence_extension){.area_measured = 0.4, .area_extended = 0.3};
     assert_verdict(&fake, claim, CLAIM_PARTLY, "at most 25 %");
-    fake.summaries[1].law.knee_m = 1e-5; /* then the slope at short wavelengths counts */
-    fake.summaries[1].law.gamma_below = 0.5;
+    fake.summaries[1].power_law.knee_m = 1e-5; /* then the slope at short wavelengths counts */
+    fake.summaries[1].power_law.gamma_below = 0.5;
     assert_verdict(&fake, claim, CLAIM_FAILS, "for 1 of 3 surfaces (judged on 1 of them by the slope");
     for (size_t k = 0; k < SURFACES; k++) {
-        fake.summaries[k].law.gamma = NAN;
-        fake.summaries[k].law.knee_m = NAN;
+        fake.summaries[k].power_law.gamma = NAN;
+        fake.summaries[k].power_law.knee_m = NAN;
     }
     assert_verdict(&fake, claim, CLAIM_NOT_TESTED, "");
 
     make_fake(&fake);
-    fake.summaries[1].law.gamma = 1.7;
+    fake.summaries[1].power_law.gamma = 1.7;
     assert_verdict(&fake, "γ falls", CLAIM_PARTLY, "in 1 of 2 pairs");
-    fake.summaries[2].law.gamma = 1.8;
+    fake.summaries[2].power_law.gamma = 1.8;
     assert_verdict(&fake, "γ falls", CLAIM_FAILS, "in 0 of 2 pairs");
-    fake.summaries[1].law.gamma = NAN;
+    fake.summaries[1].power_law.gamma = NAN;
     assert_verdict(&fake, "γ falls", CLAIM_NOT_TESTED, "");
 }
 
-/* Ranks: `counter` of struct study_rank against its pairs. */
+/* Ranks: `counter` of struct comparison_rank against its pairs. */
 static void test_ranks(void **state)
 {
     (void)state;
@@ -160,10 +160,10 @@ static void test_ranks(void **state)
         const char *claim;
         size_t counter;
     } rows[] = {
-        {"have the larger area", offsetof(struct study_rank, area)},
-        {"have the smaller ECR", offsetof(struct study_rank, ecr)},
-        {"have the smaller TCR", offsetof(struct study_rank, tcr)},
-        {"is not ranked by roughness", offsetof(struct study_rank, separation)},
+        {"have the larger area", offsetof(struct comparison_rank, area)},
+        {"have the smaller ECR", offsetof(struct comparison_rank, ecr)},
+        {"have the smaller TCR", offsetof(struct comparison_rank, tcr)},
+        {"is not ranked by roughness", offsetof(struct comparison_rank, separation)},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         struct fake fake;
@@ -200,17 +200,17 @@ static void test_plastic_against_elastic(void **state)
     assert_verdict(&fake, "at lower loads", CLAIM_PARTLY, "in 4 of 6 pairs");
     fake.study.plastic[0].sooner = 0;
     assert_verdict(&fake, "at lower loads", CLAIM_FAILS, "in 1 of 6 pairs");
-    fake.study.plastic[0] = fake.study.plastic[1] = (struct study_plastic){0};
+    fake.study.plastic[0] = fake.study.plastic[1] = (struct comparison_plastic){0};
     assert_verdict(&fake, "Plastic area is above", CLAIM_NOT_TESTED, "");
     assert_verdict(&fake, "at lower loads", CLAIM_NOT_TESTED, "");
 
     make_fake(&fake);
-    fake.study.extremes[MODEL_JG][STUDY_AREA].most = 0.4;
+    fake.study.extremes[MODEL_JG][COMPARISON_AREA].most = 0.4;
     assert_verdict(&fake, "narrows the spread", CLAIM_PARTLY,
                    ": multiscale elastic 3.00, plastic 2.00; statistical elastic 3.00, plastic 4.00");
-    fake.study.extremes[MODEL_MULTISCALE_PLASTIC][STUDY_AREA].count = 2; /* the third is past full contact */
+    fake.study.extremes[MODEL_MULTISCALE_PLASTIC][COMPARISON_AREA].count = 2; /* the third is past full contact */
     assert_verdict(&fake, "narrows the spread", CLAIM_FAILS, ": statistical elastic 3.00, plastic 4.00");
-    fake.study.extremes[MODEL_GW][STUDY_AREA].count = 1;
+    fake.study.extremes[MODEL_GW][COMPARISON_AREA].count = 1;
     assert_verdict(&fake, "narrows the spread", CLAIM_NOT_TESTED, "");
 }
 
@@ -222,9 +222,9 @@ static void test_the_baseline_and_proportions(void **state)
     assert_verdict(&fake, "agree better in ECR", CLAIM_HOLDS, "surface two, mean distance");
     fake.study.gap[1].ecr = 0.6;
     assert_verdict(&fake, "agree better in ECR", CLAIM_PARTLY, "plastic: ECR 0.60, area 0.50 decades");
-    fake.study.gap[0] = (struct study_gap){NAN, NAN};
+    fake.study.gap[0] = (struct comparison_gap){NAN, NAN};
     assert_verdict(&fake, "agree better in ECR", CLAIM_FAILS, "curve: plastic: ECR 0.60");
-    fake.study.gap[1] = (struct study_gap){NAN, NAN};
+    fake.study.gap[1] = (struct comparison_gap){NAN, NAN};
     assert_verdict(&fake, "agree better in ECR", CLAIM_NOT_TESTED, "");
     fake.study.proportional_error = 1e-3;
     assert_verdict(&fake, "TCR is ECR", CLAIM_FAILS, "0.0010");

@@ -8,7 +8,7 @@
 static void assert_scans(const char *text, unsigned allowed, double expected, const char *rest)
 {
     double value = NAN;
-    const char *end = number_scan((struct span){text, text + strlen(text)}, allowed, NULL, &value);
+    const char *end = number_scan((struct string_view){text, text + strlen(text)}, allowed, NULL, &value);
     assert_non_null(end);
     if (value != expected || signbit(value) != signbit(expected))
         fail_msg("'%s' read as %.17g, expected %.17g", text, value, expected);
@@ -37,8 +37,8 @@ static void test_forms(void **state)
     static const char *const none[] = {"", "-", "+", ".", "e5", "nan", "inf", "x", ",5", "5,", "--1", " 1"};
     for (size_t i = 0; i < sizeof none / sizeof *none; i++) {
         double value;
-        assert_null(
-            number_scan((struct span){none[i], none[i] + strlen(none[i])}, NUMBER_POINT | NUMBER_COMMA, NULL, &value));
+        assert_null(number_scan((struct string_view){none[i], none[i] + strlen(none[i])}, NUMBER_POINT | NUMBER_COMMA,
+                                NULL, &value));
     }
 }
 

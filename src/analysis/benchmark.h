@@ -1,0 +1,54 @@
+/* What accuracy costs in time: the methods that could compute the report's numbers, each at several settings, timed and
+ * held against an independent better result. */
+#ifndef ANALYSIS_BENCHMARK_H
+#define ANALYSIS_BENCHMARK_H
+
+#include "results/results.h"
+
+enum benchmark_chart { BENCHMARK_INTEGRALS, BENCHMARK_CURVES, BENCHMARK_CHARTS };
+
+/** One method at one setting. */
+struct benchmark_row {
+    const char *study; /* what is computed, as in cost.csv */
+    const char *method;
+    char setting[24];
+    uint64_t evaluations; /* of the law or of scales; the same on every machine */
+    double seconds;       /* least of several runs */
+    double error;         /* largest relative error over the study's quantities and points */
+    bool chosen;          /* the report's own numbers come from here */
+    enum benchmark_chart chart;
+};
+
+/** All rows; a method's rows follow each other in the order of rising effort. Owned: benchmark_free(). */
+struct benchmark {
+    struct benchmark_row *rows;
+    size_t count, capacity;
+    double seconds; /* that the studies took together */
+};
+
+/** Runs the studies on the baseline surface for what the plan computes. Error: STATUS_MEMORY, STATUS_IO. */
+MUST_CHECK enum status_code benchmark_measure(struct benchmark *out, const struct results *results,
+                                              struct status *status);
+void benchmark_free(struct benchmark *cost);
+
+/** The row of that study and method, and setting unless NULL (then the chosen one); NULL when there is none. */
+const struct benchmark_row *benchmark_find(const struct benchmark *cost, const char *study, const char *method,
+                                           const char *setting);
+
+/** Writes data/cost.csv. Error: STATUS_IO. */
+MUST_CHECK enum status_code benchmark_write(const struct benchmark *cost, const char *directory, struct status *status);
+
+/** For the studies: adds a row (text of `setting` by format). Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code benchmark_add(struct benchmark *cost, const struct benchmark_row *row,
+                                          struct status *status);
+
+/** The studies: integrals of the statistical models; closure, cut-off and number of loads of the curves. */
+MUST_CHECK enum status_code benchmark_integrals(struct benchmark *cost, const struct results *results,
+                                                const struct surface_record *baseline, struct status *status);
+MUST_CHECK enum status_code benchmark_curves(struct benchmark *cost, const struct results *results,
+                                             const struct surface_record *baseline, struct status *status);
+
+/** Times `work(context)`: the least of at least two runs, more while they are short. */
+double benchmark_time(void (*work)(void *context), void *context);
+
+#endif

@@ -1,0 +1,265 @@
+/* results.json: everything, streamed surface by surface so that memory does not grow with their number. */
+#include "results/results.h"
+
+#include "base/version.h"
+#include <errno.h>
+#include <jansson.h>
+#include <math.h>
+#include <string.h>
+
+static json_t *real(double value)
+{
+    return isfinite(value) ? json_real(value) : json_null();
+}
+
+/** Text that may not be UTF-8 (a file name): it is then as the report shows it. */
+static json_t *string(const char *value)
+{
+    json_t *json = json_string(value);
+    if (json)
+        return json;
+    struct text shown = {0};
+    text_add_shown(&shown, value);
+    json = json_string(text_string(&shown));
+    text_free(&shown);
+    return json;
+}
+
+static json_t *material_json(const struct material *material)
+{
+    json_t *json = json_pack("{s:o}", "name", string(material->name));
+    for (size_t i = 0; i < material_property_count; i++)
+        json_object_set_new(json, material_properties[i].key, real(material_value(material, &material_properties[i])));
+    json_object_set_new(json, "source", string(material->source));
+    return json;
+}
+
+static json_t *scene_json(const struct results *results)
+{
+    const struct scene *scene = results->scene;
+    json_t *effects = json_object(), *loads = json_array(), *models = json_array();
+    for (int e = 0; e < EFFECT_COUNT; e++) {
+        const struct plan_effect *effect = &results->plan->effects[e];
+        json_object_set_new(effects, effect_rows[e].name,
+                            json_pack("{s:b, s:s}", "runs", effect->runs, "reason", effect->reason));
+    }
+    for (size_t i = 0; i < results->load_count; i++)
+        json_array_append_new(loads, real(results->loads[i]));
+    if (scene->models & SCENE_MODEL_MULTISCALE)
+        json_array_append_new(models, json_string("multiscale"));
+    if (scene->models & SCENE_MODEL_STATISTICAL)
+        json_array_append_new(models, json_string("statistical"));
+    json_t *json = json_pack("{s:o, s:o, s:o, s:o}", "title", string(scene->title), "models", models, "effects",
+                             effects, "material", material_json(&scene->material));
+    bool elastic = scene->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC;
+    json_object_set_new(json, "counterface", elastic ? material_json(&scene->counterface) : json_string("rigid"));
+    json_object_set_new(json, "nominal_area_m2", real(scene->nominal_area_m2));
+    json_object_set_new(json, "loads_over_AnEp", loads);
+    json_object_set_new(json, "effective_modulus_Pa", real(results->plan->pair.effective_modulus_Pa));
+    json_object_set_new(json, "tolerance", real(scene->tolerance));
+    json_object_set_new(json, "level", json_string(level_names[scene->level]));
+    json_object_set_new(json, "window", json_string(spectrum_window_names[scene->window]));
+    json_object_set_new(json, "moments", json_string(roughness_moments_names[scene->moments]));
+    json_object_set_new(json, "closure", json_string(sinusoid_fit_names[scene->closure]));
+    json_object_set_new(json, "direction", json_string(scan_direction_names[scene->direction]));
+    json_object_set_new(json, "max_missing", real(scene->max_missing));
+    json_object_set_new(json, "lambda_s_m", real(scene->lambda_s_m));
+    json_object_set_new(json, "lambda_c_m", real(scene->lambda_c_m));
+    json_object_set_new(json, "tip_radius_m", real(scene->tip_radius_m));
+    json_object_set_new(json, "baseline", string(results->store->summaries[results->baseline].scene->name));
+    if (scene->measured.file)
+        json_object_set_new(json, "measured_file", string(scene->measured.file));
+    if (results->counterface)
+        json_object_set_new(json, "counterface_surface",
+                            json_pack("{s:o, s:s}", "file", string(scene->counterface_surface.files[0]), "sha256",
+                                      results->counterface->summary.hash));
+    json_object_set_new(json, "fit_band_m",
+                        json_pack("[o, o]", real(scene->fit_band_m[0]), real(scene->fit_band_m[1])));
+    const struct scene_convergence *study = &scene->convergence;
+    json_object_set_new(json, "convergence",
+                        json_pack("{s:o, s:o, s:o, s:o, s:I}", "alpha", real(study->alpha), "gamma", real(study->gamma),
+                                  "load", real(study->load), "scan_length_m", real(study->scan_length_m), "scales",
+                                  (json_int_t)study->scales));
+    return json;
+}
+
+static json_t *curve_json(const struct model_curve *curve, const struct curve_summary *model, unsigned wanted)
+{
+    static const struct {
+        const char *name;
+        size_t offset;
+        unsigned quantity;
+    } columns[] = {
+        {"load_over_AnEp", offsetof(struct contact_point, load), 0},
+        {"area_ratio", offsetof(struct contact_point, area_ratio), 0},
+        {"separation_m", offsetof(struct contact_point, separation_m), CONTACT_SEPARATION},
+        {"adjusted_separation_m", offsetof(struct contact_point, adjusted_m), CONTACT_SEPARATION},
+        {"ecr_ohm_m2", offsetof(struct contact_point, ecr_ohm_m2), CONTACT_ELECTRICAL},
+        {"tcr_K_m2_per_W", offsetof(struct contact_point, tcr_K_m2_per_W), CONTACT_THERMAL},
+        {"tcr_sd_K_m2_per_W", offsetof(struct contact_point, tcr_sd_K_m2_per_W), CONTACT_SCALE_DEPENDENT},
+    };
+    json_t *json =
+        json_pack("{s:o, s:o, s:o, s:o, s:o, s:I}", "full_contact_load", real(model->full_load), "beta",
+                  real(model->beta), "beta_from_multiscale", real(model->beta_multiscale), "area_load_slope",
+                  real(model->area_slope), "largest_load_share_beyond_fit", real(model->most_beyond_fit), "evaluations",
+                  (json_int_t)(model->work.scales + model->work.laws + model->work.separations));
+    json_object_set_new(json, "areas_limited", json_integer((json_int_t)model->clamped));
+    json_object_set_new(json, "largest_load_share_clamped_at_radius", real(model->most_radius_clamped));
+    for (size_t c = 0; c < sizeof columns / sizeof columns[0]; c++) {
+        if (columns[c].quantity && !(wanted & columns[c].quantity))
+            continue;
+        json_t *values = json_array();
+        for (size_t i = 0; i < curve->count; i++) {
+            double value;
+            memcpy(&value, (const char *)&curve->points[i] + columns[c].offset, sizeof value);
+            json_array_append_new(values, real(value));
+        }
+        json_object_set_new(json, columns[c].name, values);
+    }
+    return json;
+}
+
+/** What repeated scans say apart; loads and alpha as logarithms. */
+static json_t *spread_json(const struct repeats *spread)
+{
+    const struct {
+        const char *name;
+        const struct repeats_number *number;
+    } numbers[] = {{"rq_m", &spread->rq_m}, {"gamma", &spread->gamma}, {"ln_alpha_SI", &spread->log_alpha}};
+    json_t *json = json_pack("{s:I, s:[o,o], s:[o,o]}", "scans_run_alone", (json_int_t)spread->parts, "gamma_95",
+                             real(spread->gamma_interval[0]), real(spread->gamma_interval[1]), "alpha_95",
+                             real(spread->alpha_interval[0]), real(spread->alpha_interval[1]));
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
+        json_object_set_new(json, numbers[i].name,
+                            json_pack("{s:o, s:o}", "mean", real(numbers[i].number->mean), "standard_deviation",
+                                      real(repeats_deviation(numbers[i].number))));
+    for (int m = 0; m < MODEL_COUNT; m++)
+        if (spread->log_full_load[m].count > 0)
+            json_object_set_new(json, model_rows[m].name,
+                                json_pack("{s:o, s:o}", "ln_full_contact_load", real(spread->log_full_load[m].mean),
+                                          "standard_deviation", real(repeats_deviation(&spread->log_full_load[m]))));
+    return json;
+}
+
+static json_t *lines_json(const char *lines)
+{
+    json_t *array = json_array();
+    while (lines && *lines) {
+        size_t length = strcspn(lines, "\n");
+        char line[1024];
+        snprintf(line, sizeof line, "%.*s", (int)length, lines);
+        json_array_append_new(array, string(line));
+        lines += length + (lines[length] == '\n');
+    }
+    return array;
+}
+
+static json_t *surface_json(const struct surface_record *record, const struct plan *plan)
+{
+    const struct surface_summary *s = &record->summary;
+    json_t *files = json_array(), *models = json_object();
+    for (size_t f = 0; f < s->scene->file_count; f++)
+        json_array_append_new(files, string(s->scene->files[f]));
+    for (int m = 0; m < MODEL_COUNT; m++)
+        if (s->models[m].exists)
+            json_object_set_new(models, model_rows[m].name,
+                                curve_json(&record->curves[m], &s->models[m], plan->wanted));
+    json_t *json = json_pack("{s:o, s:o, s:s, s:s, s:s}", "surface", string(s->scene->name), "files", files, "sha256",
+                             s->hash, "format", s->format, "units", s->units);
+    const struct {
+        const char *name;
+        double value;
+    } numbers[] = {
+        {"points", (double)s->points},
+        {"spacing_m", s->spacing_m},
+        {"scan_length_m", s->length_m},
+        {"rq_m", s->roughness.rq_m},
+        {"ra_m", s->roughness.ra_m},
+        {"pv_m", s->roughness.pv_m},
+        {"m0_m2", s->roughness.m0_m2},
+        {"m2", s->roughness.m2},
+        {"m4_per_m2", s->roughness.m4_per_m2},
+        {"nayak", s->asperities.nayak},
+        {"asperity_density_per_m2", s->asperities.density_per_m2},
+        {"asperity_radius_m", s->asperities.radius_m},
+        {"asperity_sigma_m", s->asperities.sigma_s_m},
+        {"asperity_offset_m", s->asperities.offset_m},
+        {"alpha_SI", s->power_law.alpha},
+        {"alpha_stderr", s->power_law.alpha_error},
+        {"gamma", s->power_law.gamma},
+        {"gamma_stderr", s->power_law.gamma_error},
+        {"fit_rms_decades", s->power_law.rms_decades},
+        {"end_jump_m", s->jump_m},
+        {"end_jump_share", s->jump_share},
+    };
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
+        json_object_set_new(json, numbers[i].name, real(numbers[i].value));
+    json_object_set_new(json, "scans", json_integer((json_int_t)s->scans));
+    if (s->spread.parts > 0)
+        json_object_set_new(json, "spread", spread_json(&s->spread));
+    json_object_set_new(json, "notes", lines_json(s->notes));
+    json_object_set_new(json, "models", models);
+    return json;
+}
+
+/** Evaluations by effect, predicted and done. */
+static json_t *work_json(const struct results *results)
+{
+    struct work_row predicted[WORK_ROWS], done[WORK_ROWS];
+    json_t *json = json_object();
+    work_table(predicted, &results->predicted, results->plan);
+    work_table(done, &results->done, results->plan);
+    for (int r = 0; r < WORK_ROWS; r++)
+        json_object_set_new(json, predicted[r].name,
+                            json_pack("{s:I, s:I}", "evaluations_predicted", (json_int_t)predicted[r].evaluations,
+                                      "evaluations_done", (json_int_t)done[r].evaluations));
+    return json;
+}
+
+/** Prints one value; takes it over. */
+static bool print(FILE *file, json_t *json)
+{
+    bool ok = json && json_dumpf(json, file, JSON_INDENT(1) | JSON_REAL_PRECISION(17)) == 0;
+    json_decref(json);
+    return ok;
+}
+
+enum status_code json_write(const struct results *results, const char *directory, struct status *status)
+{
+    struct text path = {0};
+    text_add(&path, "%s/results.json", directory);
+    FILE *file = fopen(text_string(&path), "w");
+    text_free(&path);
+    if (!file)
+        return status_fail(status, STATUS_IO, "cannot write results.json: %s", strerror(errno));
+    fprintf(file, "{\"program\": \"roughcontact\",\n\"version\": \"%s\",\n\"scene\": ", version_string());
+    bool ok = print(file, scene_json(results)), first = true;
+    fputs(",\n\"surfaces\": [", file);
+    for (size_t i = 0; i < results->store->count && ok; i++) {
+        if (!results->store->summaries[i].usable)
+            continue;
+        struct surface_record record;
+        ok = surface_store_get(&record, results->store, i, status) == STATUS_OK;
+        fputs(first ? "\n" : ",\n", file);
+        first = false;
+        ok = ok && print(file, surface_json(&record, results->plan));
+        surface_record_free(&record, false);
+    }
+    fputs("],\n\"refused\": [", file);
+    first = true;
+    for (size_t i = 0; i < results->store->count && ok; i++) {
+        const struct surface_summary *s = &results->store->summaries[i];
+        if (s->usable)
+            continue;
+        fputs(first ? "\n" : ",\n", file);
+        first = false;
+        ok = print(file, json_pack("{s:o, s:o}", "surface", string(s->scene->name), "error", string(s->refusal)));
+    }
+    fputs("],\n\"work\": ", file);
+    ok = ok && print(file, work_json(results));
+    fputs("}\n", file);
+    bool bad = ferror(file) || !ok;
+    if (fclose(file) != 0 || bad)
+        return status_fail(status, STATUS_IO, "cannot write results.json");
+    return STATUS_OK;
+}

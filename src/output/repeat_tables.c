@@ -1,0 +1,132 @@
+/* data/spread.csv and data/bands.csv: what repeated scans of a surface say apart. Written when a surface has several.
+ */
+#include "results/results.h"
+
+#include <errno.h>
+#include <math.h>
+#include <string.h>
+
+static void number(struct text *out, double value)
+{
+    if (isfinite(value))
+        text_add(out, ",%.17g", value);
+    else
+        text_add_bytes(out, ",", 1);
+}
+
+/** surface, quantity, scans, mean, standard deviation, and the 95 % interval where there is one. */
+static void put_number(struct text *out, const char *surface, const char *quantity, const struct repeats_number *spread,
+                       const double interval[2])
+{
+    if (spread->count < 2)
+        return;
+    text_add_csv(out, surface);
+    text_add(out, ",%s,%zu", quantity, spread->count);
+    number(out, spread->mean);
+    number(out, repeats_deviation(spread));
+    number(out, interval ? interval[0] : NAN);
+    number(out, interval ? interval[1] : NAN);
+    text_add(out, "\n");
+}
+
+static void put_spread(struct text *out, const struct surface_summary *summary)
+{
+    const struct repeats *spread = &summary->spread;
+    const char *name = summary->scene->name;
+    double log_alpha[2] = {log(spread->alpha_interval[0]), log(spread->alpha_interval[1])};
+    char quantity[64];
+    put_number(out, name, "rq_m", &spread->rq_m, NULL);
+    put_number(out, name, "gamma", &spread->gamma, spread->gamma_interval);
+    put_number(out, name, "ln_alpha_SI", &spread->log_alpha, log_alpha);
+    for (int m = 0; m < MODEL_COUNT; m++) {
+        snprintf(quantity, sizeof quantity, "beta_%s", model_rows[m].name);
+        put_number(out, name, quantity, &spread->beta[m], NULL);
+        snprintf(quantity, sizeof quantity, "ln_full_contact_load_%s", model_rows[m].name);
+        put_number(out, name, quantity, &spread->log_full_load[m], NULL);
+    }
+}
+
+static void put_bands(struct text *out, const struct surface_record *record, const struct plan *plan)
+{
+    for (int m = 0; m < MODEL_COUNT; m++)
+        for (size_t i = 0; record->bands[m] && i < record->band_count; i++) {
+            const struct repeats_band *band = &record->bands[m][i];
+            text_add_csv(out, record->summary.scene->name);
+            text_add(out, ",%s", model_rows[m].name);
+            number(out, band->load);
+            for (int side = 0; side < 2; side++)
+                number(out, band->area[side]);
+            for (int side = 0; side < 2 && plan_runs(plan, EFFECT_SEPARATION); side++)
+                number(out, band->separation_m[side]);
+            for (int side = 0; side < 2 && plan_runs(plan, EFFECT_ELECTRICAL); side++)
+                number(out, band->ecr_ohm_m2[side]);
+            for (int side = 0; side < 2 && plan_runs(plan, EFFECT_THERMAL); side++)
+                number(out, band->tcr_K_m2_per_W[side]);
+            text_add(out, "\n");
+        }
+}
+
+/** Adds the text to the file and empties it. */
+static void flush(FILE *file, struct text *out)
+{
+    fwrite(out->data, 1, out->length, file);
+    out->length = 0;
+}
+
+static FILE *open_table(const char *directory, const char *name, struct status *status)
+{
+    struct text path = {0};
+    text_add(&path, "%s/data/%s", directory, name);
+    FILE *file = fopen(text_string(&path), "w");
+    if (!file)
+        (void)status_fail(status, STATUS_IO, "cannot write '%s': %s", name, strerror(errno));
+    text_free(&path);
+    return file;
+}
+
+bool results_repeated(const struct results *results)
+{
+    for (size_t i = 0; i < results->store->count; i++)
+        if (results->store->summaries[i].usable && results->store->summaries[i].spread.parts > 0)
+            return true;
+    return false;
+}
+
+enum status_code tables_write_spread(const struct results *results, const char *directory, struct status *status)
+{
+    if (!results_repeated(results))
+        return STATUS_OK;
+    struct text row = {0};
+    FILE *spread = open_table(directory, "spread.csv", status);
+    FILE *bands = spread ? open_table(directory, "bands.csv", status) : NULL;
+    enum status_code rc = bands ? STATUS_OK : status->code;
+    text_add(&row, "surface,quantity,scans,mean,standard_deviation,low_95,high_95\n");
+    for (size_t i = 0; i < results->store->count && rc == STATUS_OK; i++)
+        if (results->store->summaries[i].usable)
+            put_spread(&row, &results->store->summaries[i]);
+    if (rc == STATUS_OK)
+        flush(spread, &row);
+    text_add(&row, "surface,model,load_over_AnEp,area_ratio_low,area_ratio_high%s%s%s\n",
+             plan_runs(results->plan, EFFECT_SEPARATION) ? ",separation_m_low,separation_m_high" : "",
+             plan_runs(results->plan, EFFECT_ELECTRICAL) ? ",ecr_ohm_m2_low,ecr_ohm_m2_high" : "",
+             plan_runs(results->plan, EFFECT_THERMAL) ? ",tcr_K_m2_per_W_low,tcr_K_m2_per_W_high" : "");
+    for (size_t i = 0; i < results->store->count && rc == STATUS_OK; i++) {
+        struct surface_record record;
+        if (!results->store->summaries[i].usable || results->store->summaries[i].spread.parts == 0)
+            continue;
+        rc = surface_store_get(&record, results->store, i, status);
+        if (rc == STATUS_OK)
+            put_bands(&row, &record, results->plan);
+        if (rc == STATUS_OK)
+            flush(bands, &row);
+        if (rc == STATUS_OK)
+            surface_record_free(&record, false);
+    }
+    bool bad = row.failed;
+    text_free(&row);
+    if (spread && fclose(spread) != 0)
+        bad = true;
+    if (bands && fclose(bands) != 0)
+        bad = true;
+    return bad && rc == STATUS_OK ? status_fail(status, STATUS_IO, "cannot write spread.csv and bands.csv") : rc;
+}
