@@ -34,17 +34,13 @@ double benchmark_time(void (*work)(void *context), void *context)
     return least;
 }
 
-enum status_code benchmark_measure(struct benchmark *out, const struct results *results, struct status *status)
+enum status_code benchmark_measure(struct benchmark *out, const struct benchmark_task *task, struct status *status)
 {
-    struct surface_record baseline = {0};
     double started = clock_seconds();
     *out = (struct benchmark){0};
-    enum status_code rc = surface_store_get(&baseline, results->store, results->baseline, status);
+    enum status_code rc = benchmark_integrals(out, task, status);
     if (rc == STATUS_OK)
-        rc = benchmark_integrals(out, results, &baseline, status);
-    if (rc == STATUS_OK)
-        rc = benchmark_curves(out, results, &baseline, status);
-    surface_record_free(&baseline, false);
+        rc = benchmark_curves(out, task, status);
     out->seconds = clock_seconds() - started;
     return rc;
 }
@@ -65,21 +61,4 @@ const struct benchmark_row *benchmark_find(const struct benchmark *cost, const c
             return row;
     }
     return NULL;
-}
-
-enum status_code benchmark_write(const struct benchmark *cost, const char *directory, struct status *status)
-{
-    struct text csv = {0}, path = {0};
-    text_add(&csv, "study,method,setting,evaluations,seconds,max_relative_error\n");
-    for (size_t i = 0; i < cost->count; i++) {
-        const struct benchmark_row *row = &cost->rows[i];
-        text_add(&csv, "%s,%s,%s,%llu,%.17g,%.17g\n", row->study, row->method, row->setting,
-                 (unsigned long long)row->evaluations, row->seconds, row->error);
-    }
-    text_add(&path, "%s/data/cost.csv", directory);
-    enum status_code rc = csv.failed || path.failed ? status_memory(status)
-                                                    : text_write_file(text_string(&path), csv.data, csv.length, status);
-    text_free(&csv);
-    text_free(&path);
-    return rc;
 }

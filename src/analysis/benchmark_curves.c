@@ -25,17 +25,17 @@ static void evaluate_closure(void *context)
     }
 }
 
-static enum status_code closures(struct benchmark *cost, const struct results *results, struct status *status)
+static enum status_code closures(struct benchmark *cost, const struct benchmark_task *task, struct status *status)
 {
-    bool gaps = plan_runs(results->plan, EFFECT_SEPARATION);
+    bool gaps = plan_runs(task->plan, EFFECT_SEPARATION);
     for (int c = 0; c < SINUSOID_FIT_COUNT; c++)
         for (int gap = 0; gap <= (int)gaps; gap++) {
             struct closure_attempt attempt = {.closure = &sinusoid_fits[c], .gap = gap};
-            struct benchmark_row row = {.study = gap ? "closure-gap" : "closure-area",
-                                        .method = sinusoid_fits[c].name,
+            struct benchmark_row row = {.method = sinusoid_fits[c].name,
                                         .evaluations = sinusoid_bem_count,
-                                        .chosen = c == (int)results->scene->closure,
+                                        .chosen = c == (int)task->scene->closure,
                                         .chart = BENCHMARK_CHARTS};
+            snprintf(row.study, sizeof row.study, "%s", gap ? "closure-gap" : "closure-area");
             row.seconds = benchmark_time(evaluate_closure, &attempt);
             row.error = sinusoid_fit_error((enum sinusoid_fit_id)c, gap);
             if (benchmark_add(cost, &row, status) != STATUS_OK)
@@ -47,7 +47,7 @@ static enum status_code closures(struct benchmark *cost, const struct results *r
 /** The multiscale curve of the baseline from its longest scales alone. */
 struct cut_attempt {
     struct multiscale stack; /* count is what is kept */
-    const struct results *results;
+    const struct benchmark_task *task;
     double *area;
     uint64_t evaluations;
 };
@@ -57,24 +57,24 @@ static void solve_cut(void *context)
     struct cut_attempt *attempt = context;
     struct constriction none = {0};
     attempt->evaluations = 0;
-    for (size_t i = 0; i < attempt->results->load_count; i++) {
+    for (size_t i = 0; i < attempt->task->load_count; i++) {
         struct contact_point point;
-        multiscale_solve(&point, &attempt->stack, &none, 0, attempt->results->loads[i], &attempt->evaluations);
+        multiscale_solve(&point, &attempt->stack, &none, 0, attempt->task->loads[i], &attempt->evaluations);
         attempt->area[i] = point.area_ratio;
     }
 }
 
-static enum status_code cut_off(struct benchmark *cost, const struct results *results,
-                                const struct surface_record *baseline, enum model_id model, struct status *status)
+static enum status_code cut_off(struct benchmark *cost, const struct benchmark_task *task, size_t model,
+                                struct status *status)
 {
     enum { STEPS = 7 };
-    size_t loads = results->load_count;
-    struct cut_attempt attempt = {.results = results, .area = malloc(2 * loads * sizeof *attempt.area)};
+    size_t loads = task->load_count;
+    struct cut_attempt attempt = {.task = task, .area = malloc(2 * loads * sizeof *attempt.area)};
     double *full = attempt.area ? attempt.area + loads : NULL;
     enum status_code rc = full ? STATUS_OK : status_memory(status);
     if (rc == STATUS_OK)
-        rc = multiscale_make(&attempt.stack, &baseline->spectrum, &results->plan->pair, model_rows[model].plastic,
-                             results->scene->closure, status);
+        rc = multiscale_make(&attempt.stack, &task->surface->spectrum, &task->plan->pair, model_rows[model]->plastic,
+                             task->scene->closure, status);
     size_t all = attempt.stack.count;
     if (rc == STATUS_OK) {
         solve_cut(&attempt);
@@ -84,9 +84,12 @@ static enum status_code cut_off(struct benchmark *cost, const struct results *re
         attempt.stack.count = all >> step;
         if (attempt.stack.count == 0)
             continue;
-        struct benchmark_row row = {.study = "cut-off", .method = model_rows[model].name, .chart = BENCHMARK_CURVES};
+        struct benchmark_row row = {.study = "cut-off",
+                                    .model = model_rows[model],
+                                    .method = model_rows[model]->name,
+                                    .chart = BENCHMARK_CURVES};
         snprintf(row.setting, sizeof row.setting, "%.3gum",
-                 1e6 / spectrum_frequency(&baseline->spectrum, attempt.stack.count - 1));
+                 1e6 / spectrum_frequency(&task->surface->spectrum, attempt.stack.count - 1));
         row.seconds = benchmark_time(solve_cut, &attempt);
         row.evaluations = attempt.evaluations;
         for (size_t i = 0; i < loads; i++)
@@ -132,12 +135,12 @@ static double interpolation_error(const struct model_curve *curve)
     return error;
 }
 
-static enum status_code load_grid(struct benchmark *cost, const struct results *results,
-                                  const struct surface_record *baseline, enum model_id model, struct status *status)
+static enum status_code load_grid(struct benchmark *cost, const struct benchmark_task *task, size_t model,
+                                  struct status *status)
 {
     static const size_t counts[] = {5, 9, 17, 33, 65, 129};
     enum { MOST = 2 * 129 };
-    double loads[MOST], first = results->loads[0], last = results->loads[results->load_count - 1];
+    double loads[MOST], first = task->loads[0], last = task->loads[task->load_count - 1];
     struct contact_point points[MOST + 1];
     enum status_code rc = STATUS_OK;
     for (size_t c = 0; c < sizeof counts / sizeof counts[0] && rc == STATUS_OK && last > first; c++) {
@@ -145,35 +148,35 @@ static enum status_code load_grid(struct benchmark *cost, const struct results *
         size_t n = counts[c], both = 2 * n - 1;
         for (size_t i = 0; i < both; i++)
             loads[i] = first * pow(last / first, (double)i / (double)(both - 1));
-        struct grid_attempt attempt = {.row = &model_rows[model], .curve = {.points = points}};
-        attempt.task = surface_task(baseline, results->scene, results->plan, loads, both);
+        struct grid_attempt attempt = {.row = model_rows[model], .curve = {.points = points}};
+        attempt.task = surface_task(task->surface, task->scene, task->plan, loads, both);
         attempt.task.wanted = 0;
         solve_grid(&attempt);
         struct benchmark_row row = {.study = "loads",
-                                    .method = model_rows[model].name,
+                                    .model = model_rows[model],
+                                    .method = model_rows[model]->name,
                                     .chart = BENCHMARK_CURVES,
                                     .error = interpolation_error(&attempt.curve)};
         for (size_t i = 0; i < n; i++)
             loads[i] = first * pow(last / first, (double)i / (double)(n - 1));
         attempt.task.load_count = n;
         row.seconds = benchmark_time(solve_grid, &attempt);
-        row.evaluations = attempt.curve.work.scales + attempt.curve.work.laws + attempt.curve.work.separations;
+        row.evaluations = model_evaluations(&attempt.curve.work);
         snprintf(row.setting, sizeof row.setting, "%zu", n);
         rc = attempt.failed ? status_memory(status) : benchmark_add(cost, &row, status);
     }
     return rc;
 }
 
-enum status_code benchmark_curves(struct benchmark *cost, const struct results *results,
-                                  const struct surface_record *baseline, struct status *status)
+enum status_code benchmark_curves(struct benchmark *cost, const struct benchmark_task *task, struct status *status)
 {
-    bool multiscale = results->plan->families & SCENE_MODEL_MULTISCALE;
-    enum status_code rc = multiscale ? closures(cost, results, status) : STATUS_OK;
-    for (int m = 0; m < MODEL_COUNT && rc == STATUS_OK; m++)
-        if (model_rows[m].family == SCENE_MODEL_MULTISCALE && baseline->curves[m].exists)
-            rc = cut_off(cost, results, baseline, (enum model_id)m, status);
-    for (int m = 0; m < MODEL_COUNT && rc == STATUS_OK; m++)
-        if (baseline->curves[m].exists)
-            rc = load_grid(cost, results, baseline, (enum model_id)m, status);
+    const struct surface_record *surface = task->surface;
+    enum status_code rc = plan_stacks_scales(task->plan) ? closures(cost, task, status) : STATUS_OK;
+    for (size_t m = 0; m < model_count && rc == STATUS_OK; m++)
+        if (model_rows[m]->stacks_scales && surface->curves[m].exists)
+            rc = cut_off(cost, task, m, status);
+    for (size_t m = 0; m < model_count && rc == STATUS_OK; m++)
+        if (surface->curves[m].exists)
+            rc = load_grid(cost, task, m, status);
     return rc;
 }

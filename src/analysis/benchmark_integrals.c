@@ -15,7 +15,7 @@ enum { AREA, LOAD, RADIUS, RADIUS_SCALE_DEPENDENT };
 /** The integrals of one surface in one law: int law(sigma_s u) phi(u + d) du without exp(-d²/2) where d > 0. */
 struct problem {
     struct asperity asperity;
-    enum asperity_model law;
+    enum asperity_model_id law;
     double sigma_s_m, knudsen_m;
     unsigned quantities; /* bits 1 << AREA ... */
     double d[SEPARATIONS];
@@ -47,7 +47,7 @@ static double last_u(double d)
 static void integrand(double value[QUANTITIES], const struct problem *problem, double d, double u)
 {
     struct asperity_contact contact;
-    asperity_laws[problem->law].press(&contact, &problem->asperity, problem->sigma_s_m * u);
+    asperity_models[problem->law].press(&contact, &problem->asperity, problem->sigma_s_m * u);
     double weight = exp(d > 0 ? -u * (u / 2 + d) : -(u + d) * (u + d) / 2) / sqrt(2 * M_PI);
     value[AREA] = weight * contact.area_m2;
     value[LOAD] = weight * contact.load_N;
@@ -167,22 +167,24 @@ static double largest_error(const struct attempt *attempt, const struct attempt 
 }
 
 /** What a study adds rows with: its problem, and two better results from unlike methods. */
-struct comparison {
+struct integrals {
     struct benchmark *cost;
-    const char *name;
+    const struct model_row *model;
     struct attempt *attempt;
     const struct attempt *by_adaptive, *by_panels;
     struct status *status;
 };
 
-static enum status_code add(const struct comparison *study, const char *method, const char *setting,
+static enum status_code add(const struct integrals *study, const char *method, const char *setting,
                             void (*work)(void *), bool chosen)
 {
     struct attempt *attempt = study->attempt;
-    struct benchmark_row row = {.study = study->name, .method = method, .chosen = chosen, .chart = BENCHMARK_INTEGRALS};
+    struct benchmark_row row = {
+        .model = study->model, .method = method, .chosen = chosen, .chart = BENCHMARK_INTEGRALS};
     unsigned quantities = attempt->problem->quantities;
     if (work == closed)
         quantities &= ~(1u << RADIUS_SCALE_DEPENDENT);
+    snprintf(row.study, sizeof row.study, "%s-integrals", study->model->name);
     snprintf(row.setting, sizeof row.setting, "%s", setting);
     row.seconds = benchmark_time(work, attempt);
     row.evaluations = attempt->evaluations;
@@ -191,7 +193,7 @@ static enum status_code add(const struct comparison *study, const char *method, 
     return attempt->failed ? status_memory(study->status) : benchmark_add(study->cost, &row, study->status);
 }
 
-static enum status_code add_methods(const struct comparison *study, double tolerance, bool closed_serves)
+static enum status_code add_methods(const struct integrals *study, double tolerance, bool closed_serves)
 {
     static const size_t intervals[] = {10, 30, 100, 300, 1000, 3000, 10000, 100000};
     static const double tolerances[] = {1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12};
@@ -223,30 +225,32 @@ static enum status_code add_methods(const struct comparison *study, double toler
 }
 
 /** Separations at the first, the middle and the last load of a curve that ends at full contact. */
-static bool choose_separations(struct problem *problem, const struct statistical *model, const struct results *results)
+static bool choose_separations(struct problem *problem, const struct statistical *model,
+                               const struct benchmark_task *task)
 {
-    size_t last = results->load_count;
-    while (last > 0 && results->loads[last - 1] >= model->full_load)
+    size_t last = task->load_count;
+    while (last > 0 && task->loads[last - 1] >= model->full_load)
         last--;
     const size_t index[SEPARATIONS] = {0, last / 2, last - 1};
     double d = 3;
     for (int s = 0; last > 0 && s < SEPARATIONS; s++) {
         struct contact_point point;
-        if (!statistical_solve(&point, model, results->loads[index[s]], &d))
+        if (!statistical_solve(&point, model, task->loads[index[s]], &d))
             return false;
         problem->d[s] = d;
     }
     return last > 0;
 }
 
-static enum status_code one_law(struct benchmark *cost, const struct results *results,
-                                const struct surface_record *baseline, enum asperity_model law, struct status *status)
+static enum status_code one_law(struct benchmark *cost, const struct benchmark_task *task, const struct model_row *row,
+                                struct status *status)
 {
-    const struct plan *plan = results->plan;
+    const struct plan *plan = task->plan;
+    enum asperity_model_id law = (enum asperity_model_id)(row->asperity_model - asperity_models);
     struct statistical model;
     uint64_t none = 0;
-    if (statistical_make(&model, &baseline->summary.asperities, &plan->pair, law, plan->wanted,
-                         results->scene->tolerance, INFINITY, &none, status) != STATUS_OK)
+    if (statistical_make(&model, &task->surface->summary.asperities, &plan->pair, law, plan->wanted,
+                         task->scene->tolerance, INFINITY, &none, status) != STATUS_OK)
         return status->code;
     struct problem problem = {
         .asperity = model.asperity,
@@ -256,11 +260,11 @@ static enum status_code one_law(struct benchmark *cost, const struct results *re
         .quantities = 1u << AREA | 1u << LOAD,
         .lowest_d = model.full_d,
     };
-    if (plan->wanted & (CONTACT_ELECTRICAL | CONTACT_THERMAL))
+    if (plan->wanted & (QUANTITY_BIT(QUANTITY_ECR) | QUANTITY_BIT(QUANTITY_TCR)))
         problem.quantities |= 1u << RADIUS;
     if (plan_runs(plan, EFFECT_SCALE_DEPENDENT))
         problem.quantities |= 1u << RADIUS_SCALE_DEPENDENT;
-    bool any = choose_separations(&problem, &model, results);
+    bool any = choose_separations(&problem, &model, task);
     statistical_free(&model);
     if (!any)
         return STATUS_OK;
@@ -272,21 +276,18 @@ static enum status_code one_law(struct benchmark *cost, const struct results *re
     struct attempt by_panels = {.problem = &problem, .tolerance = 1e-14};
     adaptive(&by_adaptive);
     panels(&by_panels);
-    struct comparison study = {
-        cost, law == ASPERITY_HERTZ ? "gw-integrals" : "jg-integrals", &attempt, &by_adaptive, &by_panels, status};
-    enum status_code rc = by_panels.failed ? status_memory(status)
-                                           : add_methods(&study, results->scene->tolerance, law == ASPERITY_HERTZ);
+    struct integrals study = {cost, row, &attempt, &by_adaptive, &by_panels, status};
+    enum status_code rc =
+        by_panels.failed ? status_memory(status) : add_methods(&study, task->scene->tolerance, law == ASPERITY_HERTZ);
     gsl_integration_workspace_free(workspace);
     return rc;
 }
 
-enum status_code benchmark_integrals(struct benchmark *cost, const struct results *results,
-                                     const struct surface_record *baseline, struct status *status)
+enum status_code benchmark_integrals(struct benchmark *cost, const struct benchmark_task *task, struct status *status)
 {
     enum status_code rc = STATUS_OK;
-    if (baseline->curves[MODEL_GW].exists)
-        rc = one_law(cost, results, baseline, ASPERITY_HERTZ, status);
-    if (rc == STATUS_OK && baseline->curves[MODEL_JG].exists)
-        rc = one_law(cost, results, baseline, ASPERITY_JG, status);
+    for (size_t m = 0; m < model_count && rc == STATUS_OK; m++)
+        if (model_rows[m]->asperity_model && task->surface->curves[m].exists)
+            rc = one_law(cost, task, model_rows[m], status);
     return rc;
 }

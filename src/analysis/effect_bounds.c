@@ -3,7 +3,6 @@
 #include "contact/gaussian.h"
 #include "contact/multiscale.h"
 #include "contact/statistical.h"
-#include "results/surface_store.h"
 #include <math.h>
 #include <stdio.h>
 
@@ -92,24 +91,18 @@ static bool is_converged(const struct surface_summary *summary, const struct sce
     return scene->convergence.load * modulus >= full_Pa;
 }
 
-/** What the scans run alone will take in the statistical models. */
-static void count_parts(struct surface_record *record, const struct scene *scene, const struct plan *plan)
+/** What the scans run alone will take in each model, without and with scale dependence. */
+static void count_repeats(struct surface_record *record, const struct scene *scene, const struct plan *plan,
+                          const double *loads, size_t load_count)
 {
-    struct surface_summary *summary = &record->summary;
-    for (size_t p = 0; p < record->part_count; p++) {
-        struct asperities asperities;
-        struct status none = {0};
-        if (roughness_asperities(&asperities, &record->parts[p].roughness, &none) != STATUS_OK)
-            continue;
-        summary->part_asperities++;
-        for (int plastic = 0; plastic < 2; plastic++)
-            for (int scale_dependent = 0; scale_dependent < 2; scale_dependent++)
-                if (plastic ? plan_runs(plan, EFFECT_PLASTICITY) : true)
-                    summary->repeat_asperity_visits[plastic][scale_dependent] += statistical_law_count(
-                        &asperities, &plan->pair, plastic ? ASPERITY_JG : ASPERITY_HERTZ,
-                        scale_dependent ? plan->wanted : plan->wanted & ~(unsigned)CONTACT_SCALE_DEPENDENT,
-                        scene->tolerance);
-    }
+    struct model_task task = surface_task(record, scene, plan, loads, load_count);
+    for (size_t m = 0; m < model_count && record->repeat_count > 0; m++)
+        for (int scale_dependent = 0; scale_dependent < 2 && plan_runs_model(plan, m); scale_dependent++) {
+            const unsigned bit = QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT);
+            task.wanted = scale_dependent ? plan->wanted : plan->wanted & ~bit;
+            record->summary.models[m].repeats_work[scale_dependent] =
+                repeats_work(record->repeats, record->repeat_count, model_rows[m], &task);
+        }
 }
 
 void effect_bounds_surface(struct surface_record *record, const struct scene *scene, const struct plan *plan,
@@ -117,23 +110,14 @@ void effect_bounds_surface(struct surface_record *record, const struct scene *sc
 {
     struct surface_summary *summary = &record->summary;
     double lowest = loads[0], highest = loads[load_count - 1];
-    if ((plan->families & SCENE_MODEL_MULTISCALE) && plan_runs(plan, EFFECT_PLASTICITY))
+    if (plan_stacks_scales(plan) && plan_runs(plan, EFFECT_PLASTICITY))
         bound_yield(record, plan, highest);
-    if ((plan->families & SCENE_MODEL_MULTISCALE) && plan_runs(plan, EFFECT_SCALE_DEPENDENT))
+    if (plan_stacks_scales(plan) && plan_runs(plan, EFFECT_SCALE_DEPENDENT))
         bound_multiscale_size(record, plan, scene, lowest);
-    if ((plan->families & SCENE_MODEL_STATISTICAL) && summary->has_asperities)
+    if (plan_uses_asperities(plan) && summary->has_asperities)
         bound_statistical(record, scene, plan, lowest, highest);
-    if (plan->families & SCENE_MODEL_STATISTICAL)
-        count_parts(record, scene, plan);
+    count_repeats(record, scene, plan, loads, load_count);
     summary->bound.converged = is_converged(summary, scene, plan);
-}
-
-static void switch_off(struct plan *plan, enum effect effect)
-{
-    plan->effects[effect].runs = false;
-    plan->running &= ~EFFECT_BIT(effect);
-    if (effect == EFFECT_SCALE_DEPENDENT)
-        plan->wanted &= ~(unsigned)CONTACT_SCALE_DEPENDENT;
 }
 
 static void decide_plasticity(struct plan *plan, double yield, double excess, size_t above, double tolerance)
@@ -147,10 +131,10 @@ static void decide_plasticity(struct plan *plan, double yield, double excess, si
     } else if (above > 0) {
         snprintf(reason, size, "no load reaches pc of a scale (at most %.2g of it) or moves JG from GW by over %.1g",
                  yield, tolerance);
-        switch_off(plan, EFFECT_PLASTICITY);
+        plan_switch_off(plan, EFFECT_PLASTICITY);
     } else {
         snprintf(reason, size, "Δ ≤ Δc at every scale, and JG stays within %.2g of GW", excess);
-        switch_off(plan, EFFECT_PLASTICITY);
+        plan_switch_off(plan, EFFECT_PLASTICITY);
     }
 }
 
@@ -162,7 +146,7 @@ static void decide_scale_dependence(struct plan *plan, double most, double toler
         snprintf(reason, size, "(8/3π) λmfp/a can raise TCR by up to %.2g", most);
     } else {
         snprintf(reason, size, "(8/3π) λmfp/a raises TCR by at most %.2g, below the tolerance", most);
-        switch_off(plan, EFFECT_SCALE_DEPENDENT);
+        plan_switch_off(plan, EFFECT_SCALE_DEPENDENT);
     }
 }
 
@@ -177,15 +161,16 @@ static void decide_convergence(struct plan *plan, size_t settled, size_t usable)
                  usable);
 }
 
-void effect_bounds_plan(struct plan *plan, const struct scene *scene, const struct surface_store *store)
+void effect_bounds_plan(struct plan *plan, const struct scene *scene, const struct surface_summary *surfaces,
+                        size_t count)
 {
     double yield = 0, excess = 0, scale_dependent = 0;
     size_t above = 0, settled = 0, usable = 0;
     if (!scene->effects_auto)
         return;
-    for (size_t i = 0; i < store->count; i++) {
-        const struct effect_bounds *bound = &store->summaries[i].bound;
-        if (!store->summaries[i].usable)
+    for (size_t i = 0; i < count; i++) {
+        const struct effect_bounds *bound = &surfaces[i].bound;
+        if (!surfaces[i].usable)
             continue;
         usable++;
         yield = fmax(yield, bound->yield);

@@ -14,10 +14,9 @@
 void effect_bounds_surface(struct surface_record *record, const struct scene *scene, const struct plan *plan,
                            const double *loads, size_t load_count);
 
-struct surface_store;
-
-/** Takes the effects out of an `auto` plan that no usable surface calls for, and gives every effect its reason with the
- * number that decided. A plan from a list of effects keeps what was listed. */
-void effect_bounds_plan(struct plan *plan, const struct scene *scene, const struct surface_store *store);
+/** Takes the effects out of an `auto` plan that no usable one of `count` surfaces calls for, and gives every effect its
+ * reason with the number that decided. A plan from a list of effects keeps what was listed. */
+void effect_bounds_plan(struct plan *plan, const struct scene *scene, const struct surface_summary *surfaces,
+                        size_t count);
 
 #endif

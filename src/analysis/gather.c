@@ -27,11 +27,11 @@ void gather_note(struct surface_summary *summary, const char *format, ...)
     }
 }
 
-void gather_free_parts(struct surface_record *record)
+void gather_free_repeats(struct surface_record *record)
 {
-    for (size_t p = 0; p < record->part_count; p++)
-        spectrum_free(&record->parts[p].spectrum);
-    record->part_count = 0;
+    for (size_t p = 0; p < record->repeat_count; p++)
+        spectrum_free(&record->repeats[p].spectrum);
+    record->repeat_count = 0;
 }
 
 static void note_scan(struct surface_summary *summary, const struct scan *scan, const struct profile *profile,
@@ -65,27 +65,27 @@ static void keep_preview(struct surface_record *record, const struct profile *pr
 }
 
 /** Keeps the scan for a run of its own; when there are too many, every second one goes. Takes the spectrum over. */
-static void keep_part(struct surface_record *record, struct spectrum *spectrum, const struct roughness *roughness)
+static void keep_repeat(struct surface_record *record, struct spectrum *spectrum, const struct roughness *roughness)
 {
-    record->part_stride = record->part_stride ? record->part_stride : 1;
-    if (record->summary.scans % record->part_stride != 0) {
+    record->repeat_stride = record->repeat_stride ? record->repeat_stride : 1;
+    if (record->summary.scans % record->repeat_stride != 0) {
         spectrum_free(spectrum);
         return;
     }
-    if (record->part_count == REPEATS_MOST) {
-        record->part_count = 0;
+    if (record->repeat_count == REPEATS_MOST) {
+        record->repeat_count = 0;
         for (size_t p = 0; p < REPEATS_MOST; p++)
             if (p % 2 == 0)
-                record->parts[record->part_count++] = record->parts[p];
+                record->repeats[record->repeat_count++] = record->repeats[p];
             else
-                spectrum_free(&record->parts[p].spectrum);
-        record->part_stride *= 2;
-        if (record->summary.scans % record->part_stride != 0) {
+                spectrum_free(&record->repeats[p].spectrum);
+        record->repeat_stride *= 2;
+        if (record->summary.scans % record->repeat_stride != 0) {
             spectrum_free(spectrum);
             return;
         }
     }
-    record->parts[record->part_count++] = (struct repeat){*spectrum, *roughness};
+    record->repeats[record->repeat_count++] = (struct repeat){*spectrum, *roughness};
 }
 
 /** Adds one profile to the surface: averages its spectrum and moments into the record's. */
@@ -122,7 +122,7 @@ static enum status_code add_profile(struct surface_record *record, const struct 
         rc = grid_average(&record->spectrum, &spectrum, summary->scans, status);
         roughness_average(&summary->roughness, &roughness, summary->scans);
     }
-    keep_part(record, &spectrum, &roughness);
+    keep_repeat(record, &spectrum, &roughness);
     summary->length_m = record->spectrum.length_m;
     summary->scans++;
     return rc;
@@ -134,7 +134,8 @@ static enum status_code add_rows(struct surface_record *record, const struct sca
                                  const char *file, struct status *status)
 {
     struct surface_summary *summary = &record->summary;
-    const struct profile_options how = profile_options_of(scene);
+    const struct profile_options how = {scene->level, scene->max_missing, scene->lambda_s_m, scene->lambda_c_m,
+                                        scene->tip_radius_m};
     size_t unusable = 0;
     struct status first = {0};
     for (size_t row = 0; row < scan->ny; row++) {
@@ -206,22 +207,23 @@ enum status_code gather_counterface(struct surface_record *record, const struct 
     roughness_add(own, &counterface->summary.roughness);
     gather_note(&record->summary, "pressed against a rough counterface: Rq %.4g um and %.4g um give %.4g um together",
                 own_rq_m * 1e6, counterface->summary.roughness.rq_m * 1e6, own->rq_m * 1e6);
-    for (size_t p = 0; p < record->part_count; p++) {
-        roughness_add(&record->parts[p].roughness, &counterface->summary.roughness);
-        if (grid_add(&record->parts[p].spectrum, &counterface->spectrum, status) != STATUS_OK)
+    for (size_t p = 0; p < record->repeat_count; p++) {
+        roughness_add(&record->repeats[p].roughness, &counterface->summary.roughness);
+        if (grid_add(&record->repeats[p].spectrum, &counterface->spectrum, status) != STATUS_OK)
             return status->code;
     }
     return grid_add(&record->spectrum, &counterface->spectrum, status);
 }
 
 /** Puts the parts on the mean's grid and lets them say how far they differ. A single scan has no parts. */
-enum status_code gather_describe_parts(struct surface_record *record, const struct scene *scene, struct status *status)
+enum status_code gather_describe_repeats(struct surface_record *record, const struct scene *scene,
+                                         struct status *status)
 {
     const struct spectrum *mean = &record->spectrum;
-    if (record->part_count < 2)
-        gather_free_parts(record);
-    for (size_t p = 0; p < record->part_count; p++) {
-        struct spectrum *own = &record->parts[p].spectrum, same;
+    if (record->repeat_count < 2)
+        gather_free_repeats(record);
+    for (size_t p = 0; p < record->repeat_count; p++) {
+        struct spectrum *own = &record->repeats[p].spectrum, same;
         if (own->count == mean->count && fabs(own->length_m / mean->length_m - 1) < 1e-6)
             continue;
         if (grid_spectrum(&same, own, mean->length_m, mean->count, status) != STATUS_OK)
@@ -229,5 +231,5 @@ enum status_code gather_describe_parts(struct surface_record *record, const stru
         spectrum_free(own);
         *own = same;
     }
-    return repeats_laws(&record->summary.spread, record->parts, record->part_count, scene->fit_band_m, status);
+    return repeats_laws(&record->summary.repeats, record->repeats, record->repeat_count, scene->fit_band_m, status);
 }

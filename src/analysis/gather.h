@@ -22,8 +22,8 @@ MUST_CHECK enum status_code gather_counterface(struct surface_record *record, co
 
 /** Puts the scans to be run alone on the mean's grid and lets them say how far they differ; a single one is let go.
  * Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code gather_describe_parts(struct surface_record *record, const struct scene *scene,
-                                                  struct status *status);
-void gather_free_parts(struct surface_record *record);
+MUST_CHECK enum status_code gather_describe_repeats(struct surface_record *record, const struct scene *scene,
+                                                    struct status *status);
+void gather_free_repeats(struct surface_record *record);
 
 #endif

@@ -1,7 +1,5 @@
 #include "analysis/plan.h"
 
-#include "contact/point.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -33,7 +31,7 @@ static void decide(struct plan *plan, enum effect effect, const struct scene *sc
     struct plan_effect *out = &plan->effects[effect];
     const char *missing = missing_property(row, scene);
     unsigned lacking = row->needs_effects & ~plan->running;
-    if (effect == EFFECT_CONVERGENCE && !(scene->models & SCENE_MODEL_MULTISCALE)) {
+    if (effect == EFFECT_CONVERGENCE && !plan_stacks_scales(plan)) {
         snprintf(out->reason, sizeof out->reason, "a question to the multiscale models, which do not run");
     } else if (!scene->effects_auto) {
         out->runs = scene->effects & EFFECT_BIT(effect);
@@ -57,24 +55,53 @@ static void decide(struct plan *plan, enum effect effect, const struct scene *sc
 
 void plan_make(struct plan *out, const struct scene *scene)
 {
-    static const unsigned quantity[EFFECT_COUNT] = {
-        [EFFECT_SEPARATION] = CONTACT_SEPARATION,
-        [EFFECT_ELECTRICAL] = CONTACT_ELECTRICAL,
-        [EFFECT_THERMAL] = CONTACT_THERMAL,
-        [EFFECT_SCALE_DEPENDENT] = CONTACT_SCALE_DEPENDENT,
-    };
     *out = (struct plan){
-        .families = scene->models,
+        .models = scene->models,
         .pair = material_pair(&scene->material, scene->counterface_kind, &scene->counterface),
     };
-    for (int e = 0; e < EFFECT_COUNT; e++) {
+    for (int e = 0; e < EFFECT_COUNT; e++)
         decide(out, (enum effect)e, scene);
-        if (out->effects[e].runs)
-            out->wanted |= quantity[e];
-    }
+    out->wanted = quantity_wanted(out->running);
 }
 
 bool plan_runs(const struct plan *plan, enum effect effect)
 {
     return plan->running & EFFECT_BIT(effect);
+}
+
+void plan_switch_off(struct plan *plan, enum effect effect)
+{
+    plan->effects[effect].runs = false;
+    plan->running &= ~EFFECT_BIT(effect);
+    plan->wanted = quantity_wanted(plan->running);
+}
+
+bool plan_runs_model(const struct plan *plan, size_t m)
+{
+    return model_runs(m, plan->models, plan->running);
+}
+
+unsigned plan_quantities(const struct plan *plan)
+{
+    unsigned computed = 0;
+    for (size_t m = 0; m < model_count; m++)
+        if (plan_runs_model(plan, m))
+            computed |= model_rows[m]->quantities;
+    return computed & plan->wanted;
+}
+
+bool plan_stacks_scales(const struct plan *plan)
+{
+    for (size_t m = 0; m < model_count; m++)
+        if (plan_runs_model(plan, m) && model_rows[m]->stacks_scales)
+            return true;
+    return false;
+}
+
+bool plan_uses_asperities(const struct plan *plan)
+{
+    for (size_t m = 0; m < model_count; m++)
+        if (plan_runs_model(plan, m) && model_rows[m]->asperity_model)
+            return true;
+    return false;
 }

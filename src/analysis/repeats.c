@@ -72,9 +72,9 @@ static enum status_code bootstrap(struct repeats *out, const struct repeat *part
 enum status_code repeats_laws(struct repeats *out, const struct repeat *parts, size_t count, const double band_m[2],
                               struct status *status)
 {
-    *out = (struct repeats){.parts = count < 2 ? 0 : count, .gamma_interval = {NAN, NAN}, .alpha_interval = {NAN, NAN}};
+    *out = (struct repeats){.count = count < 2 ? 0 : count, .gamma_interval = {NAN, NAN}, .alpha_interval = {NAN, NAN}};
     bool fitted = true;
-    for (size_t p = 0; p < out->parts; p++) {
+    for (size_t p = 0; p < out->count; p++) {
         struct power_law law = power_law_fit(&parts[p].spectrum, band_m);
         repeats_add(&out->rq_m, parts[p].roughness.rq_m);
         fitted = fitted && isfinite(law.gamma);
@@ -83,33 +83,39 @@ enum status_code repeats_laws(struct repeats *out, const struct repeat *parts, s
             repeats_add(&out->log_alpha, log(law.alpha));
         }
     }
-    return out->parts >= 3 && fitted ? bootstrap(out, parts, count, band_m, status) : STATUS_OK;
+    return out->count >= 3 && fitted ? bootstrap(out, parts, count, band_m, status) : STATUS_OK;
 }
 
-/** Sums of one quantity at one load over the parts. */
+bool repeats_band_holds(enum quantity quantity)
+{
+    return quantity == QUANTITY_AREA || quantity == QUANTITY_SEPARATION || quantity == QUANTITY_ECR ||
+           quantity == QUANTITY_TCR;
+}
+
+/** Sums at one load over the parts, a quantity each. */
 struct sums {
-    struct repeats_number area, separation, ecr, tcr;
+    struct repeats_number of[QUANTITY_COUNT];
 };
 
-static void add_logarithm(struct repeats_number *number, double value)
+static void add_value(struct repeats_number *number, double value, bool logarithmic)
 {
-    if (value > 0)
+    if (!logarithmic)
+        repeats_add(number, value);
+    else if (value > 0)
         repeats_add(number, log(value));
 }
 
-static void add_curve(struct sums *sums, const struct model_curve *curve, const struct model_task *task, bool adjusted)
+static void add_curve(struct sums *sums, const struct model_curve *curve, const struct model_task *task,
+                      const struct model_row *model)
 {
     for (size_t i = 0; i < curve->count && i < task->load_count; i++) {
         const struct contact_point *point = &curve->points[i];
         if (point->load != task->loads[i])
             break; /* a statistical curve closes at a load of its own */
-        add_logarithm(&sums[i].area, point->area_ratio);
-        if (task->wanted & CONTACT_SEPARATION)
-            repeats_add(&sums[i].separation, adjusted ? point->adjusted_m : point->separation_m);
-        if (task->wanted & CONTACT_ELECTRICAL)
-            add_logarithm(&sums[i].ecr, point->ecr_ohm_m2);
-        if (task->wanted & CONTACT_THERMAL)
-            add_logarithm(&sums[i].tcr, point->tcr_K_m2_per_W);
+        for (int q = 0; q < QUANTITY_COUNT; q++)
+            if (repeats_band_holds((enum quantity)q) && (task->wanted & QUANTITY_BIT(q)))
+                add_value(&sums[i].of[q], quantity_value(point, model_shown(model, (enum quantity)q)),
+                          quantity_rows[q].logarithmic);
     }
 }
 
@@ -123,44 +129,57 @@ static void limits(double out[2], const struct repeats_number *number, size_t co
     }
 }
 
-/** One part through the model. */
-static enum status_code run_part(struct repeats *out, struct sums *sums, struct contact_point *points,
-                                 const struct repeat *part, enum model_id model, const struct model_task *task,
-                                 struct model_work *work, struct status *status)
+/** The task with one part in place of the mean of all; `asperities` is where its own go. */
+static struct model_task task_of_part(struct asperities *asperities, const struct repeat *part,
+                                      const struct model_task *task)
 {
     struct model_task own = *task;
-    struct asperities asperities;
     struct status none = {0};
-    struct model_curve curve = {.points = points};
     own.spectrum = &part->spectrum;
-    own.asperities = roughness_asperities(&asperities, &part->roughness, &none) == STATUS_OK ? &asperities : NULL;
-    if (model_rows[model].run(&curve, &model_rows[model], &own, status) != STATUS_OK)
-        return status->code;
-    model_work_add(work, &curve.work);
-    if (!curve.exists)
-        return STATUS_OK;
-    add_curve(sums, &curve, task, model_rows[model].family == SCENE_MODEL_STATISTICAL);
-    add_logarithm(&out->log_full_load[model], curve.full_load);
-    if (isfinite(curve.beta))
-        repeats_add(&out->beta[model], curve.beta);
-    return STATUS_OK;
+    own.asperities = roughness_asperities(asperities, &part->roughness, &none) == STATUS_OK ? asperities : NULL;
+    return own;
 }
 
-enum status_code repeats_model(struct repeats *out, struct repeats_band *band, const struct repeat *parts, size_t count,
-                               enum model_id model, const struct model_task *task, struct model_work *work,
+struct model_work repeats_work(const struct repeat *parts, size_t count, const struct model_row *model,
+                               const struct model_task *task)
+{
+    struct model_work sum = {0};
+    for (size_t p = 0; p < count; p++) {
+        struct asperities asperities;
+        struct model_task own = task_of_part(&asperities, &parts[p], task);
+        struct model_work work = model->work(model, &own);
+        model_work_add(&sum, &work);
+    }
+    return sum;
+}
+
+enum status_code repeats_model(struct repeats_number *beta, struct repeats_number *log_full_load,
+                               struct repeats_band *band, const struct repeat *parts, size_t count,
+                               const struct model_row *model, const struct model_task *task, struct model_work *work,
                                struct status *status)
 {
     struct sums *sums = calloc(task->load_count, sizeof *sums);
     struct contact_point *points = calloc(task->load_count + 1, sizeof *points);
     enum status_code rc = sums && points ? STATUS_OK : status_memory(status);
-    for (size_t p = 0; p < count && rc == STATUS_OK; p++)
-        rc = run_part(out, sums, points, &parts[p], model, task, work, status);
+    for (size_t p = 0; p < count && rc == STATUS_OK; p++) {
+        struct asperities asperities;
+        struct model_task own = task_of_part(&asperities, &parts[p], task);
+        struct model_curve curve = {.points = points};
+        rc = model_run(&curve, model, &own, status);
+        if (rc != STATUS_OK)
+            break;
+        model_work_add(work, &curve.work);
+        if (!curve.exists)
+            continue;
+        add_curve(sums, &curve, task, model);
+        add_value(log_full_load, curve.full_load, true);
+        if (isfinite(curve.beta))
+            repeats_add(beta, curve.beta);
+    }
     for (size_t i = 0; i < task->load_count && rc == STATUS_OK; i++) {
         band[i].load = task->loads[i];
-        limits(band[i].area, &sums[i].area, count, true);
-        limits(band[i].separation_m, &sums[i].separation, count, false);
-        limits(band[i].ecr_ohm_m2, &sums[i].ecr, count, true);
-        limits(band[i].tcr_K_m2_per_W, &sums[i].tcr, count, true);
+        for (int q = 0; q < QUANTITY_COUNT; q++)
+            limits(band[i].limits[q], &sums[i].of[q], count, quantity_rows[q].logarithmic);
     }
     free(points);
     free(sums);

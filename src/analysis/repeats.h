@@ -29,29 +29,34 @@ struct repeat {
 
 /** What the scans of a surface say apart. */
 struct repeats {
-    size_t parts; /* run alone: 0 or at least 2 */
+    size_t count; /* run alone: 0 or at least 2 */
     struct repeats_number rq_m, gamma, log_alpha;
-    struct repeats_number beta[MODEL_COUNT], log_full_load[MODEL_COUNT];
     double gamma_interval[2]; /* bootstrap over scans, 95 %; NaN below three scans */
     double alpha_interval[2];
 };
 
-/** One standard deviation to either side of the scans' mean at a load; logarithmic for all but the separation. A
- * quantity that not all scans have there (beyond a full contact) is NaN. */
+/** One standard deviation to either side of the scans' mean at a load; logarithmic for all but the separation, which
+ * is the one the model shows. A quantity that not all scans have there (beyond a full contact) is NaN. */
 struct repeats_band {
     double load;
-    double area[2], separation_m[2], ecr_ohm_m2[2], tcr_K_m2_per_W[2];
+    double limits[QUANTITY_COUNT][2]; /* area, separation, ECR and TCR; the others are not kept */
 };
+/** Does a band hold this quantity? */
+bool repeats_band_holds(enum quantity quantity);
 
 /** Fits each part's law and bootstraps gamma and alpha over the parts (fixed seed: the same input, the same numbers).
  * Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code repeats_laws(struct repeats *out, const struct repeat *parts, size_t count,
                                          const double band_m[2], struct status *status);
 
-/** Runs one model on every part alone: `band` (task->load_count entries, the caller's) and the model's numbers in
- * `out`; adds what that took to *work. Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code repeats_model(struct repeats *out, struct repeats_band *band, const struct repeat *parts,
-                                          size_t count, enum model_id model, const struct model_task *task,
+/** Runs one model on every part alone: `band` (task->load_count entries, the caller's), and the model's `beta` and
+ * logarithm of the load of full contact over the parts; adds what that took to *work. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code repeats_model(struct repeats_number *beta, struct repeats_number *log_full_load,
+                                          struct repeats_band *band, const struct repeat *parts, size_t count,
+                                          const struct model_row *model, const struct model_task *task,
                                           struct model_work *work, struct status *status);
+/** What repeats_model() will take for this task. */
+struct model_work repeats_work(const struct repeat *parts, size_t count, const struct model_row *model,
+                               const struct model_task *task);
 
 #endif

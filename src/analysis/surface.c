@@ -1,12 +1,23 @@
 #include "analysis/surface.h"
 
-#include "analysis/curve_summary.h"
 #include "analysis/gather.h"
 #include "base/clock.h"
 #include "contact/statistical.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+/** Names the models that were asked for and work on asperities, when the surface has none. */
+static void note_models_lost(struct surface_summary *summary, uint64_t models, const char *why)
+{
+    struct text names = {0};
+    for (size_t m = 0; m < model_count; m++)
+        if ((models & MODEL_BIT(m)) && model_rows[m]->asperity_model)
+            text_add(&names, "%s%s", names.length > 0 ? " and " : "", model_rows[m]->label);
+    if (names.length > 0)
+        gather_note(summary, "no %s: %s", text_string(&names), why);
+    text_free(&names);
+}
 
 /** Power law, statistical parameters, and what the end-to-end jump may have leaked into them. */
 static void describe(struct surface_record *record, const struct scene *scene)
@@ -16,8 +27,8 @@ static void describe(struct surface_record *record, const struct scene *scene)
     summary->power_law = power_law_fit(&record->spectrum, scene->fit_band_m);
     struct status status = {0};
     summary->has_asperities = roughness_asperities(&summary->asperities, &summary->roughness, &status) == STATUS_OK;
-    if (!summary->has_asperities && (scene->models & SCENE_MODEL_STATISTICAL))
-        gather_note(summary, "no GW and JG: %s", status.message);
+    if (!summary->has_asperities)
+        note_models_lost(summary, scene->models, status.message);
 
     const struct power_law *law = &summary->power_law;
     if (isnan(law->gamma)) {
@@ -44,11 +55,12 @@ static void describe(struct surface_record *record, const struct scene *scene)
 }
 
 /** The second estimate of beta, against the multiscale model of the same material law. */
-static void estimate_beta(struct surface_record *record, enum model_id statistical, enum model_id multiscale)
+static void estimate_beta(struct surface_record *record, size_t model)
 {
-    const struct model_curve *low = &record->curves[statistical], *high = &record->curves[multiscale];
-    if (!low->exists || !high->exists)
+    size_t counterpart = model_index(model_rows[model]->counterpart);
+    if (counterpart == model_count || !record->curves[model].exists || !record->curves[counterpart].exists)
         return;
+    const struct model_curve *low = &record->curves[model], *high = &record->curves[counterpart];
     double sigma_m = record->summary.asperities.sigma_m, sum = 0;
     size_t common = 0;
     for (size_t i = 0; i < low->count && i < high->count; i++)
@@ -56,7 +68,7 @@ static void estimate_beta(struct surface_record *record, enum model_id statistic
             sum += statistical_beta_multiscale(&low->points[i].separation_m, &high->points[i].separation_m, 1, sigma_m);
             common++;
         }
-    record->summary.models[statistical].beta_multiscale = common > 0 ? sum / (double)common : NAN;
+    record->summary.models[model].beta_multiscale = common > 0 ? sum / (double)common : NAN;
 }
 
 struct model_task surface_task(const struct surface_record *record, const struct scene *scene, const struct plan *plan,
@@ -70,7 +82,7 @@ struct model_task surface_task(const struct surface_record *record, const struct
         .load_count = load_count,
         .wanted = plan->wanted,
         .tolerance = scene->tolerance,
-        .closure = scene->closure,
+        .sinusoid_fit = scene->closure,
     };
 }
 
@@ -83,58 +95,64 @@ bool surface_extends(const struct surface_summary *summary, const struct scene *
 static void extend(struct surface_summary *summary, const struct scene *scene, const struct plan *plan)
 {
     double started = clock_seconds();
-    for (int m = 0; m < MODEL_COUNT; m++) {
+    for (size_t m = 0; m < model_count; m++) {
         struct curve_summary *model = &summary->models[m];
-        if (model_rows[m].family != SCENE_MODEL_MULTISCALE || !model->exists || !surface_extends(summary, scene))
+        if (!model_rows[m]->stacks_scales || !model->exists || !surface_extends(summary, scene))
             continue;
         model->extension = convergence_extend(&summary->power_law, summary->length_m, 2 * summary->spacing_m,
-                                              &plan->pair, model_rows[m].plastic, scene->convergence.load);
+                                              &plan->pair, model_rows[m]->plastic, scene->convergence.load);
         model->extended = true;
     }
     summary->times.convergence = clock_seconds() - started;
 }
 
 /** Every scan of the surface alone in one model. */
-static enum status_code run_parts(struct surface_record *record, enum model_id model, const struct model_task *task,
-                                  struct status *status)
+static enum status_code run_repeats(struct surface_record *record, size_t m, const struct model_task *task,
+                                    struct status *status)
 {
-    if (record->part_count < 2)
+    struct curve_summary *model = &record->summary.models[m];
+    if (record->repeat_count < 2)
         return STATUS_OK;
     record->band_count = task->load_count;
-    record->bands[model] = calloc(task->load_count, sizeof *record->bands[model]);
-    if (!record->bands[model])
+    record->bands[m] = calloc(task->load_count, sizeof *record->bands[m]);
+    if (!record->bands[m])
         return status_memory(status);
-    return repeats_model(&record->summary.spread, record->bands[model], record->parts, record->part_count, model, task,
-                         &record->summary.models[model].work, status);
+    return repeats_model(&model->repeated_beta, &model->repeated_log_full_load, record->bands[m], record->repeats,
+                         record->repeat_count, model_rows[m], task, &model->work, status);
+}
+
+static enum status_code run_model(struct surface_record *record, size_t m, const struct model_task *task,
+                                  struct status *status)
+{
+    struct model_curve *curve = &record->curves[m];
+    struct curve_summary *model = &record->summary.models[m];
+    curve->points = calloc(task->load_count + 1, sizeof *curve->points);
+    if (!curve->points)
+        return status_memory(status);
+    double started = clock_seconds();
+    if (model_run(curve, model_rows[m], task, status) != STATUS_OK)
+        return status->code;
+    model->seconds = clock_seconds() - started;
+    if (curve->exists)
+        curve_summary_make(model, curve, model_rows[m], record->summary.asperities.sigma_m);
+    return run_repeats(record, m, task, status);
 }
 
 enum status_code surface_run_models(struct surface_record *record, const struct scene *scene, const struct plan *plan,
                                     const double *loads, size_t load_count, struct status *status)
 {
-    struct surface_summary *summary = &record->summary;
     struct model_task task = surface_task(record, scene, plan, loads, load_count);
-    for (int m = 0; m < MODEL_COUNT; m++) {
-        struct model_curve *curve = &record->curves[m];
-        if (!model_called_for((enum model_id)m, plan->families, plan->running))
-            continue;
-        curve->points = calloc(load_count + 1, sizeof *curve->points);
-        if (!curve->points)
-            return status_memory(status);
-        double started = clock_seconds();
-        if (model_rows[m].run(curve, &model_rows[m], &task, status) != STATUS_OK)
+    record->curves = calloc(model_count, sizeof *record->curves);
+    record->bands = calloc(model_count, sizeof *record->bands);
+    if (!record->curves || !record->bands)
+        return status_memory(status);
+    for (size_t m = 0; m < model_count; m++)
+        if (plan_runs_model(plan, m) && run_model(record, m, &task, status) != STATUS_OK)
             return status->code;
-        summary->times.models[m] = clock_seconds() - started;
-        if (curve->exists)
-            curve_summary_make(&summary->models[m], curve, &model_rows[m], summary->asperities.sigma_m);
-        if (run_parts(record, (enum model_id)m, &task, status) != STATUS_OK)
-            return status->code;
-    }
-    if (plan_runs(plan, EFFECT_SEPARATION)) {
-        estimate_beta(record, MODEL_GW, MODEL_MULTISCALE_ELASTIC);
-        estimate_beta(record, MODEL_JG, MODEL_MULTISCALE_PLASTIC);
-    }
+    for (size_t m = 0; m < model_count && plan_runs(plan, EFFECT_SEPARATION); m++)
+        estimate_beta(record, m);
     if (plan_runs(plan, EFFECT_CONVERGENCE))
-        extend(summary, scene, plan);
+        extend(&record->summary, scene, plan);
     return STATUS_OK;
 }
 
@@ -146,6 +164,9 @@ enum status_code surface_describe(struct surface_record *out, const struct scene
     struct status problem = {0};
     struct hash hash = hash_start();
     summary->scene = surface;
+    summary->models = calloc(model_count, sizeof *summary->models);
+    if (!summary->models)
+        return status_memory(status);
     enum status_code rc = STATUS_OK;
     for (size_t f = 0; f < surface->file_count && rc == STATUS_OK; f++)
         rc = gather_file(out, scene, surface, surface->files[f], &hash, &problem);
@@ -160,22 +181,32 @@ enum status_code surface_describe(struct surface_record *out, const struct scene
     if (counterface && gather_counterface(out, counterface, status) != STATUS_OK)
         return status->code;
     describe(out, scene);
-    return gather_describe_parts(out, scene, status);
+    return gather_describe_repeats(out, scene, status);
 }
 
-void surface_record_free(struct surface_record *record, bool with_texts)
+void surface_summary_free(struct surface_summary *summary)
+{
+    free(summary->refusal);
+    free(summary->notes);
+    free(summary->models);
+    summary->refusal = summary->notes = NULL;
+    summary->models = NULL;
+}
+
+void surface_record_free(struct surface_record *record, bool with_summary)
 {
     spectrum_free(&record->spectrum);
-    for (int m = 0; m < MODEL_COUNT; m++)
-        free(record->curves[m].points);
-    for (int m = 0; m < MODEL_COUNT; m++)
-        free(record->bands[m]);
-    memset(record->curves, 0, sizeof record->curves);
-    memset(record->bands, 0, sizeof record->bands);
-    gather_free_parts(record);
-    if (with_texts) {
-        free(record->summary.refusal);
-        free(record->summary.notes);
-        record->summary.refusal = record->summary.notes = NULL;
+    for (size_t m = 0; m < model_count; m++) {
+        if (record->curves)
+            free(record->curves[m].points);
+        if (record->bands)
+            free(record->bands[m]);
     }
+    free(record->curves);
+    free(record->bands);
+    record->curves = NULL;
+    record->bands = NULL;
+    gather_free_repeats(record);
+    if (with_summary)
+        surface_summary_free(&record->summary);
 }

@@ -2,10 +2,9 @@
 #ifndef ANALYSIS_SURFACE_H
 #define ANALYSIS_SURFACE_H
 
+#include "analysis/curve_summary.h"
 #include "analysis/plan.h"
-#include "analysis/repeats.h"
 #include "base/text.h"
-#include "contact/convergence.h"
 #include "contact/model.h"
 #include "profile/profile.h"
 #include "spectrum/power_law.h"
@@ -14,28 +13,7 @@ enum { SURFACE_PREVIEW = 1000 }; /* points of a profile kept for the chart */
 
 /** Where a run's time goes, by stage [s]. */
 struct surface_times {
-    double read, prepare, spectrum, models[MODEL_COUNT], convergence;
-};
-
-/** What is kept of a model for every surface: small, so that ten thousand surfaces fit. */
-struct curve_summary {
-    bool exists;
-    double full_load, closed_load, beta, beta_multiscale;
-    double area_slope;        /* d ln A/d ln P, least squares over A/A_n < 0.1 */
-    double area_slope_rms;    /* decades */
-    double elbow_load;        /* where |d ln ECR/d ln P| first exceeds 2; NaN: nowhere */
-    double sd_least, sd_most; /* TCR_sd/TCR - 1 over the curve */
-    double invalid_area_load; /* statistical: first load with A/A_n > 0.1; NaN: none */
-    double invalid_fit_load;  /* JG: first load with over 10 % of it beyond a/R = 0.41; NaN: none */
-    double most_beyond_fit;   /* largest share of the load beyond a/R = 0.41 */
-    double gap_at_full;       /* separation/sigma at the load of A = A_n (adjusted for the statistical models) */
-    double area_low;          /* A/A_n at the lowest load */
-    size_t yielding_scales;
-    uint64_t clamped;           /* multiscale plastic: visits in which the published area was cut off at 1 */
-    double most_radius_clamped; /* JG: largest share of the load on asperities whose a/R is clamped to 1 */
-    struct model_work work;
-    bool extended; /* multiscale: the fitted law was carried on below the sampling limit */
-    struct convergence_extension extension;
+    double read, prepare, spectrum, convergence;
 };
 
 /** How far the surface could call for an effect, from bounds that cost next to nothing (bound.h). */
@@ -54,10 +32,10 @@ struct surface_summary {
     char *notes;                       /* one line a warning; owned, NULL: none */
     char hash[65];                     /* SHA-256 of the first file (of all of them one after another), hexadecimal */
     char format[32];
-    char units[40];        /* "x mm, z um" as read */
-    size_t scans;          /* averaged: files, or rows of a map */
-    struct repeats spread; /* what they say apart */
-    size_t points;         /* of the first */
+    char units[40];         /* "x mm, z um" as read */
+    size_t scans;           /* averaged: files, or rows of a map */
+    struct repeats repeats; /* what they say apart */
+    size_t points;          /* of the first */
     double spacing_m, length_m;
     enum profile_spacing grid;
     double tilt;
@@ -69,9 +47,7 @@ struct surface_summary {
     struct power_law power_law;
     size_t harmonics;
     struct effect_bounds bound;
-    size_t part_asperities;                /* scans run alone for which the statistical models exist */
-    uint64_t repeat_asperity_visits[2][2]; /* asperity laws these take: [plastic][scale-dependent] */
-    struct curve_summary models[MODEL_COUNT];
+    struct curve_summary *models; /* model_count of them; owned like the texts */
     struct surface_times times;
 };
 
@@ -79,10 +55,10 @@ struct surface_summary {
 struct surface_record {
     struct surface_summary summary;
     struct spectrum spectrum;
-    struct repeat parts[REPEATS_MOST]; /* scans to be run alone too */
-    size_t part_count, part_stride;    /* every part_stride-th scan is one */
-    struct model_curve curves[MODEL_COUNT];
-    struct repeats_band *bands[MODEL_COUNT]; /* band_count each, NULL: none */
+    struct repeat repeats[REPEATS_MOST]; /* scans to be run alone too */
+    size_t repeat_count, repeat_stride;  /* every repeat_stride-th scan is one */
+    struct model_curve *curves;          /* model_count of them, NULL before any model ran */
+    struct repeats_band **bands;         /* the same, each band_count long; NULL: none */
     size_t band_count;
     double preview_x_m[SURFACE_PREVIEW], preview_z_m[SURFACE_PREVIEW];
     size_t preview_points;
@@ -108,7 +84,9 @@ MUST_CHECK enum status_code surface_run_models(struct surface_record *record, co
  */
 bool surface_extends(const struct surface_summary *summary, const struct scene *scene);
 
-/** Frees the arrays of a record; the summary's texts too when `with_texts`. */
-void surface_record_free(struct surface_record *record, bool with_texts);
+/** Frees what a summary owns. */
+void surface_summary_free(struct surface_summary *summary);
+/** Frees the arrays of a record; what its summary owns too when `with_summary`. */
+void surface_record_free(struct surface_record *record, bool with_summary);
 
 #endif

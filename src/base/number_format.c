@@ -4,7 +4,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 static const char minus[] = "−";
 
@@ -49,7 +48,7 @@ void number_format_power(struct text *out, double value, int digits)
     add_power_of_ten(out, exponent_of(value, digits));
 }
 
-void number_format_number(struct text *out, double value, int digits)
+void number_format(struct text *out, double value, int digits)
 {
     if (!isfinite(value) || value == 0 || !reads_plain(exponent_of(value, digits)))
         number_format_power(out, value, digits);
@@ -76,7 +75,7 @@ void number_format_given(struct text *out, double value)
 void number_format_uncertain(struct text *out, double value, double error)
 {
     if (!isfinite(value) || value == 0 || !isfinite(error) || !(error > 0)) {
-        number_format_number(out, value, 3);
+        number_format(out, value, 3);
         return;
     }
     int exponent = exponent_of(value, 2), power = reads_plain(exponent) ? 0 : exponent;
@@ -90,31 +89,18 @@ void number_format_uncertain(struct text *out, double value, double error)
     }
 }
 
-void number_format_add(struct text *out, const char *before, double value, int digits, const char *after)
+void number_format_between(struct text *out, const char *before, double value, int digits, const char *after)
 {
     text_add(out, "%s", before);
-    number_format_number(out, value, digits);
+    number_format(out, value, digits);
     text_add(out, "%s", after);
-}
-
-void section_surface_name(struct text *out, const struct results *results, size_t index)
-{
-    text_add_markdown(out, results->store->summaries[index].scene->name);
-}
-
-void section_named(struct text *out, const char *article, const struct results *results, size_t index)
-{
-    const char *name = results->store->summaries[index].scene->name;
-    if (strncasecmp(name, article, strlen(article) - 1) != 0)
-        text_add(out, "%s", article);
-    section_surface_name(out, results, index);
 }
 
 void number_format_range(struct text *out, double least_value, double most_value, int digits)
 {
     struct text low = {0}, high = {0};
-    number_format_number(&low, least_value, digits);
-    number_format_number(&high, most_value, digits);
+    number_format(&low, least_value, digits);
+    number_format(&high, most_value, digits);
     text_add(out, "%s", text_string(&low));
     if (strcmp(text_string(&low), text_string(&high)) != 0)
         text_add(out, " to %s", text_string(&high));

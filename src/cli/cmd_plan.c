@@ -40,13 +40,12 @@ static void print_plan(const struct scene *scene, const struct prepared *prepare
     fputs(text_string(&table), stdout);
     text_free(&table);
     printf("\n%-28s %-8s %s\n", "model", "", "valid");
-    for (int m = 0; m < MODEL_COUNT; m++)
-        printf("%-28s %-8s %s\n", model_rows[m].label,
-               model_called_for((enum model_id)m, plan->families, plan->running) ? "run" : "skipped",
-               model_rows[m].valid);
+    for (size_t m = 0; m < model_count; m++)
+        printf("%-28s %-8s %s\n", model_rows[m]->label, plan_runs_model(plan, m) ? "run" : "skipped",
+               model_rows[m]->valid);
     printf("\n%zu surface%s, %zu loads, tolerance %g, closure %s\n", scene->surface_count,
            scene->surface_count == 1 ? "" : "s", prepared->results.load_count, scene->tolerance,
-           sinusoid_fit_names[scene->closure]);
+           sinusoid_fits[scene->closure].name);
 }
 
 int command_plan(int argc, char **argv)

@@ -89,27 +89,25 @@ static void print_times(const struct run_times *times)
     const struct {
         const char *stage;
         double seconds;
-    } rows[] = {
-        {"read scans", times->read},
-        {"level", times->prepare},
-        {"spectra", times->spectrum},
-        {model_rows[0].label, times->models[0]},
-        {model_rows[1].label, times->models[1]},
-        {model_rows[2].label, times->models[2]},
-        {model_rows[3].label, times->models[3]},
-        {"convergence", times->convergence},
-        {"what accuracy costs", times->cost},
-        {"tables and json", times->tables},
-        {"chart data", times->figures},
-        {"gnuplot", times->gnuplot},
-        {"report", times->report},
-        {"total", times->total},
-        {"total without gnuplot", times->total - times->gnuplot},
-    };
+    } before[] = {{"read scans", times->read}, {"level", times->prepare}, {"spectra", times->spectrum}},
+      after[] = {
+          {"convergence", times->convergence},
+          {"what accuracy costs", times->cost},
+          {"tables and json", times->tables},
+          {"chart data", times->figures},
+          {"gnuplot", times->gnuplot},
+          {"report", times->report},
+          {"total", times->total},
+          {"total without gnuplot", times->total - times->gnuplot},
+      };
     struct rusage usage;
     fprintf(stderr, "\n%-28s %10s\n", "stage", "seconds");
-    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++)
-        fprintf(stderr, "%-28s %10.4f\n", rows[i].stage, rows[i].seconds);
+    for (size_t i = 0; i < sizeof before / sizeof before[0]; i++)
+        fprintf(stderr, "%-28s %10.4f\n", before[i].stage, before[i].seconds);
+    for (size_t m = 0; m < model_count; m++)
+        fprintf(stderr, "%-28s %10.4f\n", model_rows[m]->label, times->models[m]);
+    for (size_t i = 0; i < sizeof after / sizeof after[0]; i++)
+        fprintf(stderr, "%-28s %10.4f\n", after[i].stage, after[i].seconds);
     if (getrusage(RUSAGE_SELF, &usage) == 0)
         fprintf(stderr, "%-28s %7.1f MB\n", "largest memory", (double)usage.ru_maxrss / 1024);
 }
@@ -151,7 +149,9 @@ static int report(struct arguments *arguments, struct scene *scene, struct statu
         if (outcome.refused > 0)
             exit_status = COMMAND_REFUSED;
         const struct run_times *times = &outcome.times;
-        double models = times->models[0] + times->models[1] + times->models[2] + times->models[3] + times->convergence;
+        double models = times->convergence;
+        for (size_t m = 0; m < model_count; m++)
+            models += times->models[m];
         fprintf(stderr, "models: %llu evaluations%s; %.3g s predicted, %.3g s taken\n",
                 (unsigned long long)outcome.evaluations, outcome.work_agrees ? ", as predicted" : "",
                 outcome.predicted_seconds, models);

@@ -19,10 +19,10 @@ int command_models(int argc, char **argv)
     static const struct argp argp = {NULL, parse, NULL, "The models, their sources and where they are valid.",
                                      NULL, NULL,  NULL};
     argp_parse(&argp, argc, argv, 0, NULL, NULL);
-    for (int m = 0; m < MODEL_COUNT; m++)
+    for (size_t m = 0; m < model_count; m++)
         printf("%s%s (%s)\n  equations  %s\n  assumes    %s\n  valid      %s\n  source     %s\n", m > 0 ? "\n" : "",
-               model_rows[m].name, model_rows[m].label, model_rows[m].equations, model_rows[m].assumes,
-               model_rows[m].valid, model_rows[m].source);
+               model_rows[m]->name, model_rows[m]->label, model_rows[m]->equations, model_rows[m]->assumes,
+               model_rows[m]->valid, model_rows[m]->source);
     return command_finish(COMMAND_DONE);
 }
 

@@ -22,8 +22,8 @@ struct asperity_contact {
     double radius_m; /* of the contact spot: sqrt(D R omega) (4.45) */
 };
 
-/** One row a law. */
-struct asperity_law {
+/** How one asperity deforms; one row each. */
+struct asperity_model {
     const char *name;
     const char *source;
     bool plastic;
@@ -31,8 +31,8 @@ struct asperity_law {
     void (*press)(struct asperity_contact *out, const struct asperity *asperity, double interference_m);
 };
 
-enum asperity_model { ASPERITY_HERTZ, ASPERITY_JG, ASPERITY_LAW_COUNT };
-extern const struct asperity_law asperity_laws[ASPERITY_LAW_COUNT];
+enum asperity_model_id { ASPERITY_HERTZ, ASPERITY_JG, ASPERITY_MODEL_COUNT };
+extern const struct asperity_model asperity_models[ASPERITY_MODEL_COUNT];
 
 /** Interference over omega_c up to which the elastic-plastic law is Hertz's (4.32). */
 extern const double asperity_yield_onset;
@@ -40,7 +40,7 @@ extern const double asperity_yield_onset;
 extern const double asperity_fitted_radius_ratio;
 
 /** An asperity of radius R for `law`. */
-struct asperity asperity_make(double radius_m, const struct material_pair *pair, enum asperity_model law);
+struct asperity asperity_make(double radius_m, const struct material_pair *pair, enum asperity_model_id law);
 
 /** Interference [m] at which the elastic-plastic contact radius reaches `ratio` R (not below 1.9 omega_c), from
  * a/R = sqrt[(omega/R)(omega/1.9 omega_c)^B] (4.38). INFINITY for the elastic law. */

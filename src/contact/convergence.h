@@ -2,7 +2,7 @@
 #ifndef CONTACT_CONVERGENCE_H
 #define CONTACT_CONVERGENCE_H
 
-#include "scene/scene.h"
+#include "material/material.h"
 #include "spectrum/power_law.h"
 #include <stdint.h>
 

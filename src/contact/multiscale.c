@@ -49,8 +49,8 @@ void multiscale_free(struct multiscale *stack)
 size_t multiscale_solve(struct contact_point *out, const struct multiscale *stack, const struct constriction *spot,
                         unsigned wanted, double load, uint64_t *evaluations)
 {
-    bool with_gap = wanted & CONTACT_SEPARATION;
-    bool conducts = wanted & (CONTACT_ELECTRICAL | CONTACT_THERMAL | CONTACT_SCALE_DEPENDENT);
+    bool with_gap = wanted & QUANTITY_BIT(QUANTITY_SEPARATION);
+    bool conducts = wanted & (QUANTITY_RESISTANCES);
     double nominal_Pa = load * stack->effective_modulus_Pa;
     double area = 1, separation = 0;
     size_t clamped = 0;
@@ -72,9 +72,11 @@ size_t multiscale_solve(struct contact_point *out, const struct multiscale *stac
         .area_ratio = area,
         .separation_m = with_gap ? separation : NAN,
         .adjusted_m = NAN,
-        .ecr_ohm_m2 = wanted & CONTACT_ELECTRICAL ? constriction_electrical(spot, &sum) : NAN,
-        .tcr_K_m2_per_W = wanted & CONTACT_THERMAL ? constriction_thermal(spot, &sum) : NAN,
-        .tcr_sd_K_m2_per_W = wanted & CONTACT_SCALE_DEPENDENT ? constriction_thermal_scale_dependent(spot, &sum) : NAN,
+        .ecr_ohm_m2 = wanted & QUANTITY_BIT(QUANTITY_ECR) ? constriction_electrical(spot, &sum) : NAN,
+        .tcr_K_m2_per_W = wanted & QUANTITY_BIT(QUANTITY_TCR) ? constriction_thermal(spot, &sum) : NAN,
+        .tcr_sd_K_m2_per_W = wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT)
+                                 ? constriction_thermal_scale_dependent(spot, &sum)
+                                 : NAN,
     };
     return clamped;
 }

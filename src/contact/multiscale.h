@@ -4,7 +4,7 @@
 #define CONTACT_MULTISCALE_H
 
 #include "contact/constriction.h"
-#include "contact/point.h"
+#include "contact/model.h"
 #include "contact/sinusoid.h"
 #include "spectrum/spectrum.h"
 #include <stdint.h>
@@ -32,5 +32,8 @@ void multiscale_free(struct multiscale *stack);
  * the elastic area (closure numeric). */
 size_t multiscale_solve(struct contact_point *out, const struct multiscale *stack, const struct constriction *spot,
                         unsigned wanted, double load, uint64_t *evaluations);
+
+/** The rows of this stack (model_multiscale.c); the statistical models name them as counterparts. */
+extern const struct model_row model_multiscale_elastic, model_multiscale_plastic;
 
 #endif

@@ -86,7 +86,7 @@ static enum status_code allocate(struct quadrature *panels, struct status *statu
     return STATUS_OK;
 }
 
-enum status_code quadrature_make(struct quadrature *out, const struct asperity *asperity, enum asperity_model law,
+enum status_code quadrature_make(struct quadrature *out, const struct asperity *asperity, enum asperity_model_id law,
                                  double sigma_s_m, double knudsen_length_m, double lowest_d, double tolerance,
                                  uint64_t *evaluations, struct status *status)
 {
@@ -112,7 +112,7 @@ enum status_code quadrature_make(struct quadrature *out, const struct asperity *
             weight *= 2 * t * inverse_sqrt_2pi; /* du = 2 t dt */
             struct asperity_contact contact;
             out->node[k] = t * t;
-            asperity_laws[law].press(&contact, asperity, sigma_s_m * t * t);
+            asperity_models[law].press(&contact, asperity, sigma_s_m * t * t);
             out->area[k] = weight * contact.area_m2;
             out->load[k] = weight * contact.load_N;
             out->radius[k] = weight * contact.radius_m;

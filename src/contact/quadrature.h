@@ -36,7 +36,7 @@ struct quadrature_sums {
  * Adds the number of law evaluations to *evaluations. Errors: STATUS_MEMORY; STATUS_MODEL when lowest_d is below about
  * -2000. */
 MUST_CHECK enum status_code quadrature_make(struct quadrature *out, const struct asperity *asperity,
-                                            enum asperity_model law, double sigma_s_m, double knudsen_length_m,
+                                            enum asperity_model_id law, double sigma_s_m, double knudsen_length_m,
                                             double lowest_d, double tolerance, uint64_t *evaluations,
                                             struct status *status);
 void quadrature_free(struct quadrature *panels);

@@ -4,7 +4,7 @@
 #define CONTACT_SINUSOID_H
 
 #include "material/material.h"
-#include "scene/scene.h"
+#include <stdbool.h>
 
 /** Area and gap of one cell at one pressure. */
 struct sinusoid_cell {
@@ -13,6 +13,8 @@ struct sinusoid_cell {
     double gap_ratio;       /* mean gap / amplitude G, 1...0 */
     bool limited;           /* the published plastic area (4.17) was cut off at 1, or raised to the elastic area */
 };
+
+enum sinusoid_fit_id { SINUSOID_FIT_THESIS, SINUSOID_FIT_NUMERIC, SINUSOID_FIT_COUNT };
 
 /** A law for the elastic cell: x = mean pressure / p*. One row a closure. */
 struct sinusoid_fit {

@@ -11,12 +11,12 @@ static void integrate(struct quadrature_sums *sums, const struct statistical *mo
         quadrature_sum(sums, &model->panels, d);
         return;
     }
-    if (model->wanted & CONTACT_SCALE_DEPENDENT)
+    if (model->wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT))
         quadrature_sum(sums, &model->panels, d);
     struct gaussian_integrals f = gaussian_integrals(d);
     double radius_m = model->asperity.radius_m, sigma_s_m = model->surface.sigma_s_m;
     double scale_dependent = 0; /* the panels take out another factor */
-    if (model->wanted & CONTACT_SCALE_DEPENDENT)
+    if (model->wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT))
         scale_dependent = sums->radius_scale_dependent * exp(sums->log_factor - f.log_factor);
     double area = M_PI * radius_m * sigma_s_m;
     double load = 4.0 / 3 * model->asperity.effective_modulus_Pa * sqrt(radius_m * sigma_s_m) * sigma_s_m;
@@ -60,14 +60,14 @@ static double hertz_full_d(const struct statistical *model)
 }
 
 /** Do closed forms serve? They do for Hertz's law, but for the scale-dependent conductance. */
-static bool is_closed(enum asperity_model law, unsigned wanted)
+static bool is_closed(enum asperity_model_id law, unsigned wanted)
 {
-    return law == ASPERITY_HERTZ && !(wanted & CONTACT_SCALE_DEPENDENT);
+    return law == ASPERITY_HERTZ && !(wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT));
 }
 
 /** A model without its panels. */
 static struct statistical outline(const struct asperities *surface, const struct material_pair *pair,
-                                  enum asperity_model law, unsigned wanted, double tolerance)
+                                  enum asperity_model_id law, unsigned wanted, double tolerance)
 {
     struct statistical model = {
         .surface = *surface,
@@ -83,11 +83,11 @@ static struct statistical outline(const struct asperities *surface, const struct
 
 static double knudsen_length(const struct statistical *model)
 {
-    return model->wanted & CONTACT_SCALE_DEPENDENT ? model->spot.knudsen_length_m : 0;
+    return model->wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT) ? model->spot.knudsen_length_m : 0;
 }
 
-size_t statistical_law_count(const struct asperities *surface, const struct material_pair *pair,
-                             enum asperity_model law, unsigned wanted, double tolerance)
+size_t statistical_node_count(const struct asperities *surface, const struct material_pair *pair,
+                              enum asperity_model_id law, unsigned wanted, double tolerance)
 {
     struct statistical model = outline(surface, pair, law, wanted, tolerance);
     return is_closed(law, wanted)
@@ -96,7 +96,7 @@ size_t statistical_law_count(const struct asperities *surface, const struct mate
 }
 
 enum status_code statistical_make(struct statistical *out, const struct asperities *surface,
-                                  const struct material_pair *pair, enum asperity_model law, unsigned wanted,
+                                  const struct material_pair *pair, enum asperity_model_id law, unsigned wanted,
                                   double tolerance, double lowest_d, uint64_t *evaluations, struct status *status)
 {
     *out = outline(surface, pair, law, wanted, tolerance);
@@ -131,16 +131,19 @@ void statistical_at(struct contact_point *out, const struct statistical *model, 
     double psi = area < 1 ? constriction_alleviation(area, 1 - area) : 0;
     unsigned wanted = model->wanted;
     double spread = psi > 0 ? psi / (2 * scale * sums.radius) : 0, spread_sd = 0;
-    if (psi > 0 && (wanted & CONTACT_SCALE_DEPENDENT)) /* else GW has no panels to sum it from: it would be psi/0 */
+    if (psi > 0 &&
+        (wanted &
+         QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT))) /* else GW has no panels to sum it from: it would be psi/0 */
         spread_sd = psi / (2 * scale * sums.radius_scale_dependent);
     *out = (struct contact_point){
         .load = scale * sums.load / model->asperity.effective_modulus_Pa,
         .area_ratio = area,
         .separation_m = separation_m,
         .adjusted_m = (separation_m - full_m) / 2, /* (delta + beta sigma/2)/2 (4.54) */
-        .ecr_ohm_m2 = wanted & CONTACT_ELECTRICAL ? model->spot.resistivity_ohm_m * spread : NAN,
-        .tcr_K_m2_per_W = wanted & CONTACT_THERMAL ? spread / model->spot.conductivity_W_per_mK : NAN,
-        .tcr_sd_K_m2_per_W = wanted & CONTACT_SCALE_DEPENDENT ? spread_sd / model->spot.conductivity_W_per_mK : NAN,
+        .ecr_ohm_m2 = wanted & QUANTITY_BIT(QUANTITY_ECR) ? model->spot.resistivity_ohm_m * spread : NAN,
+        .tcr_K_m2_per_W = wanted & QUANTITY_BIT(QUANTITY_TCR) ? spread / model->spot.conductivity_W_per_mK : NAN,
+        .tcr_sd_K_m2_per_W =
+            wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT) ? spread_sd / model->spot.conductivity_W_per_mK : NAN,
         .beyond_fit = sums.load > 0 ? sums.load_beyond_fit / sums.load : 0,
         .radius_clamped = sums.load > 0 ? sums.load_radius_clamped / sums.load : 0,
     };

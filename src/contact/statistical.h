@@ -5,8 +5,8 @@
 
 #include "contact/asperity.h"
 #include "contact/constriction.h"
-#include "contact/point.h"
 #include "contact/quadrature.h"
+#include "contact/quantity.h"
 #include "spectrum/roughness.h"
 #include <stdbool.h>
 #include <stdint.h>
@@ -15,9 +15,9 @@
 struct statistical {
     struct asperities surface;
     struct asperity asperity;
-    enum asperity_model law;
+    enum asperity_model_id law;
     struct constriction spot;
-    unsigned wanted;          /* enum contact_quantity bits to compute */
+    unsigned wanted;          /* QUANTITY_BITs to compute */
     double tolerance;         /* relative, of every integral */
     struct quadrature panels; /* the law at the quadrature nodes; empty where closed forms do */
     double full_d;            /* d/sigma_s at which A = A_n */
@@ -29,12 +29,12 @@ struct statistical {
  * just that). Counts law evaluations. Errors: STATUS_MEMORY; STATUS_MODEL when full contact or
  * lowest_d is below about -2000 (no surface of roughness_asperities() is). */
 MUST_CHECK enum status_code statistical_make(struct statistical *out, const struct asperities *surface,
-                                             const struct material_pair *pair, enum asperity_model law, unsigned wanted,
-                                             double tolerance, double lowest_d, uint64_t *evaluations,
+                                             const struct material_pair *pair, enum asperity_model_id law,
+                                             unsigned wanted, double tolerance, double lowest_d, uint64_t *evaluations,
                                              struct status *status);
 /** Law evaluations that statistical_make() takes for the same arguments, lowest_d = INFINITY. */
-size_t statistical_law_count(const struct asperities *surface, const struct material_pair *pair,
-                             enum asperity_model law, unsigned wanted, double tolerance);
+size_t statistical_node_count(const struct asperities *surface, const struct material_pair *pair,
+                              enum asperity_model_id law, unsigned wanted, double tolerance);
 void statistical_free(struct statistical *model);
 
 /** Contact with the flat at d = `d` sigma_s. Below full contact (A > A_n) the area ratio exceeds 1 and the resistances

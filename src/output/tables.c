@@ -1,241 +1,204 @@
-#include "results/results.h"
+#include "output/tables.h"
 
+#include "output/cell.h"
 #include <errno.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum { SWEEP_ROWS = 200 };
 
-const double *results_sweep(const struct results *results, enum convergence_sweep sweep, bool plastic, size_t value)
-{
-    size_t before = 2 * value + (plastic ? 1 : 0);
-    for (int s = 0; s < (int)sweep; s++)
-        before += 2 * convergence_sweeps[s].count;
-    return results->convergence + before * results->scene->convergence.scales;
-}
-
-size_t results_sweep_scales(size_t *index, size_t most, size_t scales)
-{
-    size_t count = 0, next = 0; /* the first scale not yet taken */
-    for (size_t k = 0; k < most; k++) {
-        double n = pow((double)scales, (double)k / (double)(most - 1));
-        size_t i = (size_t)lround(n) - 1;
-        if (i >= next) {
-            index[count++] = i;
-            next = i + 1;
-        }
-    }
-    return count;
-}
-
-/** One column of a table: its name and, when not always there, the effect and the model family it needs. */
-struct column {
+/** A file being written, row by row. */
+struct table {
+    FILE *file;
     const char *name;
-    unsigned effect;         /* EFFECT_BIT, 0: none needed */
-    enum scene_model family; /* 0: none needed */
+    struct text row;
+    struct cell_guard guard; /* names the surface of the row */
 };
 
-static bool column_present(const struct column *column, const struct plan *plan)
+static enum status_code table_open(struct table *out, const char *directory, const char *name, struct status *status)
 {
-    return (column->effect == 0 || (plan->running & column->effect)) &&
-           (column->family == 0 || (plan->families & column->family));
-}
-
-static void number(struct text *row, double value)
-{
-    char cell[32] = ","; /* not computed for this row: an empty cell */
-    int length = isnan(value) ? 1 : snprintf(cell, sizeof cell, ",%.17g", value);
-    text_add_bytes(row, cell, (size_t)length);
-}
-
-static FILE *open_table(const char *directory, const char *name, struct status *status)
-{
+    *out = (struct table){.name = name, .guard = {NULL, status}};
     struct text path = {0};
     text_add(&path, "%s/data/%s", directory, name);
-    FILE *file = fopen(text_string(&path), "w");
-    if (!file)
-        (void)status_fail(status, STATUS_IO, "cannot write '%s': %s", text_string(&path), strerror(errno));
+    out->file = fopen(text_string(&path), "w");
     text_free(&path);
-    return file;
+    return out->file ? STATUS_OK : status_fail(status, STATUS_IO, "cannot write '%s': %s", name, strerror(errno));
 }
 
-/** Flushes a row into the file. */
-static void put(FILE *file, struct text *row)
+/** Ends a row of cells. */
+static void end_row(struct table *table)
 {
-    text_add_bytes(row, "\n", 1);
-    fwrite(row->data, 1, row->length, file);
-    row->length = 0;
+    text_add_bytes(&table->row, "\n", 1);
+    fwrite(table->row.data, 1, table->row.length, table->file);
+    table->row.length = 0;
 }
 
-static enum status_code close_table(FILE *file, struct text *row, const char *name, struct status *status)
+static void put_number(struct table *table, const char *quantity, double value)
 {
-    bool bad = row->failed || ferror(file);
-    text_free(row);
-    if (fclose(file) != 0 || bad)
-        return status_fail(status, STATUS_IO, "cannot write '%s': %s", name, strerror(errno));
-    return STATUS_OK;
+    cell_number(&table->row, &table->guard, quantity, value);
 }
 
-static void put_header(FILE *file, struct text *row, const struct column *columns, size_t count,
-                       const struct plan *plan)
+/** Starts a row with the surface's name. */
+static void put_surface(struct table *table, const struct surface_summary *surface)
 {
-    for (size_t i = 0; i < count; i++)
-        if (column_present(&columns[i], plan))
-            text_add(row, "%s%s", i > 0 ? "," : "", columns[i].name);
-    put(file, row);
+    table->guard.surface = surface->scene->name;
+    text_add_csv(&table->row, surface->scene->name);
+}
+
+static enum status_code table_close(struct table *table)
+{
+    bool bad = !table->file || table->row.failed || ferror(table->file);
+    text_free(&table->row);
+    if ((table->file && fclose(table->file) != 0) || bad)
+        return status_fail(table->guard.status, STATUS_IO, "cannot write '%s': %s", table->name, strerror(errno));
+    return table->guard.status->code; /* of a number that could not be written */
+}
+
+/** What surfaces.csv says of a surface besides its name, files and points. */
+static const struct surface_column {
+    const char *name;
+    size_t offset;      /* in struct surface_summary */
+    bool of_asperities; /* there only when a model works on them */
+} surface_columns[] = {
+#define COLUMN(name, member, of_asperities)                                                                            \
+    {                                                                                                                  \
+        name, offsetof(struct surface_summary, member), of_asperities                                                  \
+    }
+    COLUMN("spacing_m", spacing_m, false),
+    COLUMN("scan_length_m", length_m, false),
+    COLUMN("rq_m", roughness.rq_m, false),
+    COLUMN("ra_m", roughness.ra_m, false),
+    COLUMN("m0_m2", roughness.m0_m2, false),
+    COLUMN("m2", roughness.m2, false),
+    COLUMN("m4_per_m2", roughness.m4_per_m2, false),
+    COLUMN("nayak", asperities.nayak, false),
+    COLUMN("asperity_density_per_m2", asperities.density_per_m2, true),
+    COLUMN("asperity_radius_m", asperities.radius_m, true),
+    COLUMN("asperity_sigma_m", asperities.sigma_s_m, true),
+    COLUMN("asperity_offset_m", asperities.offset_m, true),
+    COLUMN("alpha_SI", power_law.alpha, false),
+    COLUMN("alpha_stderr", power_law.alpha_error, false),
+    COLUMN("gamma", power_law.gamma, false),
+    COLUMN("gamma_stderr", power_law.gamma_error, false),
+    COLUMN("fit_rms_decades", power_law.rms_decades, false),
+#undef COLUMN
+};
+enum { SURFACE_COLUMNS = sizeof surface_columns / sizeof *surface_columns };
+
+/** Has this model an adjusted separation, and so a beta? */
+static bool has_beta(const struct plan *plan, size_t m)
+{
+    return plan_runs_model(plan, m) && (model_rows[m]->quantities & QUANTITY_BIT(QUANTITY_ADJUSTED));
 }
 
 static enum status_code write_surfaces(const struct results *results, const char *directory, struct status *status)
 {
-    enum scene_model statistical = SCENE_MODEL_STATISTICAL;
-    static const char name[] = "surfaces.csv";
-    const unsigned plastic = EFFECT_BIT(EFFECT_PLASTICITY);
-    const struct column columns[] = {
-        {"surface", 0, 0},
-        {"files", 0, 0},
-        {"points", 0, 0},
-        {"spacing_m", 0, 0},
-        {"scan_length_m", 0, 0},
-        {"rq_m", 0, 0},
-        {"ra_m", 0, 0},
-        {"m0_m2", 0, 0},
-        {"m2", 0, 0},
-        {"m4_per_m2", 0, 0},
-        {"nayak", 0, 0},
-        {"asperity_density_per_m2", 0, statistical},
-        {"asperity_radius_m", 0, statistical},
-        {"asperity_sigma_m", 0, statistical},
-        {"asperity_offset_m", 0, statistical},
-        {"alpha_SI", 0, 0},
-        {"alpha_stderr", 0, 0},
-        {"gamma", 0, 0},
-        {"gamma_stderr", 0, 0},
-        {"fit_rms_decades", 0, 0},
-        {"beta_gw", 0, statistical},
-        {"beta_jg", plastic, statistical},
-    };
-    enum { COLUMNS = sizeof columns / sizeof columns[0], TEXTS = 3 };
-    struct text row = {0};
-    FILE *file = open_table(directory, name, status);
-    if (!file)
+    const struct plan *plan = results->plan;
+    bool asperities = plan_uses_asperities(plan);
+    struct table table;
+    if (table_open(&table, directory, "surfaces.csv", status) != STATUS_OK)
         return status->code;
-    put_header(file, &row, columns, COLUMNS, results->plan);
+    text_add(&table.row, "surface,files,points");
+    for (int c = 0; c < SURFACE_COLUMNS; c++)
+        if (asperities || !surface_columns[c].of_asperities)
+            text_add(&table.row, ",%s", surface_columns[c].name);
+    for (size_t m = 0; m < model_count; m++)
+        if (has_beta(plan, m))
+            text_add(&table.row, ",beta_%s", model_rows[m]->name);
+    end_row(&table);
     for (size_t i = 0; i < results->store->count; i++) {
         const struct surface_summary *s = &results->store->summaries[i];
         if (!s->usable)
             continue;
-        const struct curve_summary *gw = &s->models[MODEL_GW], *jg = &s->models[MODEL_JG];
-        const double values[COLUMNS] = {
-            0,
-            0,
-            0,
-            s->spacing_m,
-            s->length_m,
-            s->roughness.rq_m,
-            s->roughness.ra_m,
-            s->roughness.m0_m2,
-            s->roughness.m2,
-            s->roughness.m4_per_m2,
-            s->asperities.nayak,
-            s->asperities.density_per_m2,
-            s->asperities.radius_m,
-            s->asperities.sigma_s_m,
-            s->asperities.offset_m,
-            s->power_law.alpha,
-            s->power_law.alpha_error,
-            s->power_law.gamma,
-            s->power_law.gamma_error,
-            s->power_law.rms_decades,
-            gw->exists ? gw->beta : NAN,
-            jg->exists ? jg->beta : NAN,
-        };
-        text_add_csv(&row, s->scene->name);
+        put_surface(&table, s);
         struct text files = {0};
         for (size_t f = 0; f < s->scene->file_count; f++)
             text_add(&files, "%s%s", f > 0 ? ";" : "", s->scene->files[f]);
-        text_add_bytes(&row, ",", 1);
-        text_add_csv(&row, text_string(&files));
+        text_add_bytes(&table.row, ",", 1);
+        text_add_csv(&table.row, text_string(&files));
         text_free(&files);
-        text_add(&row, ",%zu", s->points);
-        for (size_t c = TEXTS; c < COLUMNS; c++)
-            if (column_present(&columns[c], results->plan))
-                number(&row, values[c]);
-        put(file, &row);
+        text_add(&table.row, ",%zu", s->points);
+        for (int c = 0; c < SURFACE_COLUMNS; c++) {
+            double value;
+            memcpy(&value, (const char *)s + surface_columns[c].offset, sizeof value);
+            if (asperities || !surface_columns[c].of_asperities)
+                put_number(&table, surface_columns[c].name, value);
+        }
+        for (size_t m = 0; m < model_count; m++)
+            if (has_beta(plan, m))
+                put_number(&table, "beta", s->models[m].exists ? s->models[m].beta : NAN);
+        end_row(&table);
     }
-    return close_table(file, &row, name, status);
+    return table_close(&table);
 }
 
-static void put_spectrum(FILE *file, struct text *row, const struct surface_record *record)
+static void put_spectrum(struct table *table, const struct surface_record *record)
 {
     const struct spectrum *spectrum = &record->spectrum;
     for (size_t i = 0; i < spectrum->count; i++) {
         double wavelength_m = 1 / spectrum_frequency(spectrum, i);
-        text_add_csv(row, record->summary.scene->name);
-        number(row, wavelength_m);
-        number(row, spectrum->amplitude_m[i]);
-        number(row, power_law_amplitude(&record->summary.power_law, wavelength_m));
-        put(file, row);
+        put_surface(table, &record->summary);
+        put_number(table, "wavelength_m", wavelength_m);
+        put_number(table, "amplitude_m", spectrum->amplitude_m[i]);
+        put_number(table, "fit_m", power_law_amplitude(&record->summary.power_law, wavelength_m));
+        end_row(table);
     }
 }
 
-static void put_contact(FILE *file, struct text *row, const struct surface_record *record, const struct column *columns,
-                        size_t column_count, const struct plan *plan)
+static void contact_header(struct table *table, unsigned quantities)
+{
+    text_add(&table->row, "surface,model");
+    for (int q = 0; q < QUANTITY_COUNT; q++) {
+        const struct quantity_row *row = &quantity_rows[q];
+        if (!(quantities & QUANTITY_BIT(q)))
+            continue;
+        if (row->column)
+            text_add(&table->row, ",%s", row->column);
+        if (q == QUANTITY_LOAD)
+            text_add(&table->row, ",pressure_Pa");
+        if (row->sigma_column)
+            text_add(&table->row, ",%s", row->sigma_column);
+    }
+    end_row(table);
+}
+
+static void put_contact(struct table *table, const struct surface_record *record, unsigned quantities,
+                        double effective_modulus_Pa)
 {
     double sigma_m = record->summary.asperities.sigma_m;
-    for (int m = 0; m < MODEL_COUNT; m++)
+    for (size_t m = 0; m < model_count; m++)
         for (size_t i = 0; i < record->curves[m].count; i++) {
-            const struct contact_point *p = &record->curves[m].points[i];
-            const double values[] = {0,
-                                     0,
-                                     p->load,
-                                     p->load * plan->pair.effective_modulus_Pa,
-                                     p->area_ratio,
-                                     p->separation_m,
-                                     p->separation_m / sigma_m,
-                                     p->adjusted_m / sigma_m,
-                                     p->ecr_ohm_m2,
-                                     p->tcr_K_m2_per_W,
-                                     p->tcr_sd_K_m2_per_W};
-            text_add_csv(row, record->summary.scene->name);
-            text_add(row, ",%s", model_rows[m].name);
-            for (size_t c = 2; c < column_count; c++)
-                if (column_present(&columns[c], plan))
-                    number(row, values[c]);
-            put(file, row);
+            const struct contact_point *point = &record->curves[m].points[i];
+            put_surface(table, &record->summary);
+            text_add(&table->row, ",%s", model_rows[m]->name);
+            for (int q = 0; q < QUANTITY_COUNT; q++) {
+                const struct quantity_row *row = &quantity_rows[q];
+                if (!(quantities & QUANTITY_BIT(q)))
+                    continue;
+                double value = quantity_value(point, (enum quantity)q);
+                if (row->column)
+                    put_number(table, row->column, value);
+                if (q == QUANTITY_LOAD)
+                    put_number(table, "pressure_Pa", value * effective_modulus_Pa);
+                if (row->sigma_column)
+                    put_number(table, row->sigma_column, value / sigma_m);
+            }
+            end_row(table);
         }
 }
 
 /** spectrum.csv and contact.csv in one pass over the store. */
 static enum status_code write_curves(const struct results *results, const char *directory, struct status *status)
 {
-    const unsigned separation = EFFECT_BIT(EFFECT_SEPARATION);
-    const struct column columns[] = {
-        {"surface", 0, 0},
-        {"model", 0, 0},
-        {"load_over_AnEp", 0, 0},
-        {"pressure_Pa", 0, 0},
-        {"area_ratio", 0, 0},
-        {"separation_m", separation, 0},
-        {"separation_over_sigma", separation, 0},
-        {"adjusted_separation_over_sigma", separation, SCENE_MODEL_STATISTICAL},
-        {"ecr_ohm_m2", EFFECT_BIT(EFFECT_ELECTRICAL), 0},
-        {"tcr_K_m2_per_W", EFFECT_BIT(EFFECT_THERMAL), 0},
-        {"tcr_sd_K_m2_per_W", EFFECT_BIT(EFFECT_SCALE_DEPENDENT), 0},
-    };
-    enum { COLUMNS = sizeof columns / sizeof columns[0] };
-    struct text row = {0}, contact_row = {0};
-    FILE *spectrum = open_table(directory, "spectrum.csv", status);
-    if (!spectrum)
+    struct table spectrum, contact;
+    unsigned quantities = plan_quantities(results->plan);
+    if (table_open(&spectrum, directory, "spectrum.csv", status) != STATUS_OK)
         return status->code;
-    FILE *contact = open_table(directory, "contact.csv", status);
-    if (!contact) {
-        fclose(spectrum);
-        return status->code;
-    }
-    fputs("surface,wavelength_m,amplitude_m,fit_m\n", spectrum);
-    put_header(contact, &contact_row, columns, COLUMNS, results->plan);
-    enum status_code rc = STATUS_OK;
+    enum status_code rc = table_open(&contact, directory, "contact.csv", status);
+    text_add(&spectrum.row, "surface,wavelength_m,amplitude_m,fit_m");
+    end_row(&spectrum);
+    if (rc == STATUS_OK)
+        contact_header(&contact, quantities);
     for (size_t i = 0; i < results->store->count && rc == STATUS_OK; i++) {
         struct surface_record record;
         if (!results->store->summaries[i].usable)
@@ -243,12 +206,11 @@ static enum status_code write_curves(const struct results *results, const char *
         rc = surface_store_get(&record, results->store, i, status);
         if (rc != STATUS_OK)
             break;
-        put_spectrum(spectrum, &row, &record);
-        put_contact(contact, &contact_row, &record, columns, COLUMNS, results->plan);
+        put_spectrum(&spectrum, &record);
+        put_contact(&contact, &record, quantities, results->plan->pair.effective_modulus_Pa);
         surface_record_free(&record, false);
     }
-    enum status_code first = close_table(spectrum, &row, "spectrum.csv", status);
-    enum status_code second = close_table(contact, &contact_row, "contact.csv", status);
+    enum status_code first = table_close(&spectrum), second = table_close(&contact);
     return rc != STATUS_OK ? rc : first != STATUS_OK ? first : second;
 }
 
@@ -256,35 +218,144 @@ static enum status_code write_convergence(const struct results *results, const c
 {
     const struct scene_convergence *study = &results->scene->convergence;
     size_t index[SWEEP_ROWS], count = results_sweep_scales(index, SWEEP_ROWS, study->scales);
-    struct text row = {0};
-    FILE *file = open_table(directory, "convergence.csv", status);
-    if (!file)
+    struct table table;
+    if (table_open(&table, directory, "convergence.csv", status) != STATUS_OK)
         return status->code;
-    fputs("sweep,value,model,wavelength_m,area_ratio\n", file);
+    text_add(&table.row, "sweep,value,model,wavelength_m,area_ratio");
+    end_row(&table);
     for (int s = 0; s < CONVERGENCE_SWEEP_COUNT; s++)
         for (size_t v = 0; v < convergence_sweeps[s].count; v++)
-            for (int m = MODEL_MULTISCALE_ELASTIC; m <= MODEL_MULTISCALE_PLASTIC; m++) {
-                if (!model_called_for((enum model_id)m, SCENE_MODEL_MULTISCALE, results->plan->running))
+            for (size_t m = 0; m < model_count; m++) {
+                if (!plan_runs_model(results->plan, m) || !model_rows[m]->stacks_scales)
                     continue;
-                const double *area = results_sweep(results, (enum convergence_sweep)s, model_rows[m].plastic, v);
+                const double *area = results_sweep(results, (enum convergence_sweep)s, m, v);
                 for (size_t k = 0; k < count; k++) {
-                    text_add(&row, "%s", convergence_sweeps[s].name);
-                    number(&row, convergence_sweeps[s].values[v]);
-                    text_add(&row, ",%s", model_rows[m].name);
-                    number(&row, study->scan_length_m / (double)(index[k] + 1));
-                    number(&row, area[index[k]]);
-                    put(file, &row);
+                    text_add(&table.row, "%s", convergence_sweeps[s].name);
+                    put_number(&table, "value", convergence_sweeps[s].values[v]);
+                    text_add(&table.row, ",%s", model_rows[m]->name);
+                    put_number(&table, "wavelength_m", study->scan_length_m / (double)(index[k] + 1));
+                    put_number(&table, "area_ratio", area[index[k]]);
+                    end_row(&table);
                 }
             }
-    return close_table(file, &row, "convergence.csv", status);
+    return table_close(&table);
+}
+
+static enum status_code write_cost(const struct benchmark *benchmark, const char *directory, struct status *status)
+{
+    struct table table;
+    if (table_open(&table, directory, "cost.csv", status) != STATUS_OK)
+        return status->code;
+    text_add(&table.row, "study,method,setting,evaluations,seconds,max_relative_error");
+    end_row(&table);
+    for (size_t i = 0; i < benchmark->count; i++) {
+        const struct benchmark_row *row = &benchmark->rows[i];
+        text_add(&table.row, "%s,%s,%s,%llu", row->study, row->method, row->setting,
+                 (unsigned long long)row->evaluations);
+        put_number(&table, "seconds", row->seconds);
+        put_number(&table, "max_relative_error", row->error);
+        end_row(&table);
+    }
+    return table_close(&table);
+}
+
+/** surface, quantity, scans, mean, standard deviation, and the 95 % interval where there is one. */
+static void put_spread_number(struct table *table, const struct surface_summary *surface, const char *quantity,
+                              const struct repeats_number *number, const double interval[2])
+{
+    if (number->count < 2)
+        return;
+    put_surface(table, surface);
+    text_add(&table->row, ",%s,%zu", quantity, number->count);
+    put_number(table, quantity, number->mean);
+    put_number(table, quantity, repeats_deviation(number));
+    put_number(table, quantity, interval ? interval[0] : NAN);
+    put_number(table, quantity, interval ? interval[1] : NAN);
+    end_row(table);
+}
+
+static enum status_code write_spread(const struct results *results, const char *directory, struct status *status)
+{
+    struct table table;
+    if (table_open(&table, directory, "spread.csv", status) != STATUS_OK)
+        return status->code;
+    text_add(&table.row, "surface,quantity,scans,mean,standard_deviation,low_95,high_95");
+    end_row(&table);
+    for (size_t i = 0; i < results->store->count; i++) {
+        const struct surface_summary *s = &results->store->summaries[i];
+        if (!s->usable)
+            continue;
+        const struct repeats *repeats = &s->repeats;
+        double log_alpha[2] = {log(repeats->alpha_interval[0]), log(repeats->alpha_interval[1])};
+        char quantity[80];
+        put_spread_number(&table, s, "rq_m", &repeats->rq_m, NULL);
+        put_spread_number(&table, s, "gamma", &repeats->gamma, repeats->gamma_interval);
+        put_spread_number(&table, s, "ln_alpha_SI", &repeats->log_alpha, log_alpha);
+        for (size_t m = 0; m < model_count; m++) {
+            snprintf(quantity, sizeof quantity, "beta_%s", model_rows[m]->name);
+            put_spread_number(&table, s, quantity, &s->models[m].repeated_beta, NULL);
+            snprintf(quantity, sizeof quantity, "ln_full_contact_load_%s", model_rows[m]->name);
+            put_spread_number(&table, s, quantity, &s->models[m].repeated_log_full_load, NULL);
+        }
+    }
+    return table_close(&table);
+}
+
+static void put_bands(struct table *table, const struct surface_record *record, unsigned quantities)
+{
+    for (size_t m = 0; m < model_count; m++)
+        for (size_t i = 0; record->bands[m] && i < record->band_count; i++) {
+            const struct repeats_band *band = &record->bands[m][i];
+            put_surface(table, &record->summary);
+            text_add(&table->row, ",%s", model_rows[m]->name);
+            put_number(table, quantity_rows[QUANTITY_LOAD].column, band->load);
+            for (int q = 0; q < QUANTITY_COUNT; q++)
+                for (int side = 0; side < 2 && (quantities & QUANTITY_BIT(q)); side++)
+                    put_number(table, quantity_rows[q].column, band->limits[q][side]);
+            end_row(table);
+        }
+}
+
+static enum status_code write_bands(const struct results *results, const char *directory, struct status *status)
+{
+    struct table table;
+    unsigned quantities = 0;
+    if (table_open(&table, directory, "bands.csv", status) != STATUS_OK)
+        return status->code;
+    text_add(&table.row, "surface,model,%s", quantity_rows[QUANTITY_LOAD].column);
+    for (int q = 0; q < QUANTITY_COUNT; q++)
+        if (repeats_band_holds((enum quantity)q) && (results->plan->wanted & QUANTITY_BIT(q))) {
+            text_add(&table.row, ",%s_low,%s_high", quantity_rows[q].column, quantity_rows[q].column);
+            quantities |= QUANTITY_BIT(q);
+        }
+    end_row(&table);
+    enum status_code rc = STATUS_OK;
+    for (size_t i = 0; i < results->store->count && rc == STATUS_OK; i++) {
+        struct surface_record record;
+        if (!results->store->summaries[i].usable || results->store->summaries[i].repeats.count == 0)
+            continue;
+        rc = surface_store_get(&record, results->store, i, status);
+        if (rc != STATUS_OK)
+            break;
+        put_bands(&table, &record, quantities);
+        surface_record_free(&record, false);
+    }
+    enum status_code closed = table_close(&table);
+    return rc != STATUS_OK ? rc : closed;
 }
 
 enum status_code tables_write(const struct results *results, const char *directory, struct status *status)
 {
-    if (write_surfaces(results, directory, status) != STATUS_OK ||
-        write_curves(results, directory, status) != STATUS_OK)
-        return status->code;
-    if (results->convergence)
-        return write_convergence(results, directory, status);
-    return STATUS_OK;
+    enum status_code rc = write_surfaces(results, directory, status);
+    if (rc == STATUS_OK)
+        rc = write_curves(results, directory, status);
+    if (rc == STATUS_OK && results->convergence)
+        rc = write_convergence(results, directory, status);
+    if (rc == STATUS_OK && results->benchmark)
+        rc = write_cost(results->benchmark, directory, status);
+    if (rc == STATUS_OK && results_repeated(results))
+        rc = write_spread(results, directory, status);
+    if (rc == STATUS_OK && results_repeated(results))
+        rc = write_bands(results, directory, status);
+    return rc;
 }

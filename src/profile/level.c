@@ -5,6 +5,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+const char *const level_names[LEVEL_COUNT] = {"none", "mean", "line", "parabola", "circle", "robust"};
+
 static const double tukey_tuning = 4.685;        /* 95 % efficiency for Gaussian residuals */
 static const double mad_to_deviation = 1.482602; /* 1/Phi^-1(3/4) */
 enum { ROBUST_STEPS = 50, ARC_STEPS = 50, ARC_HALVINGS = 40 };

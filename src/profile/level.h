@@ -2,7 +2,21 @@
 #ifndef PROFILE_LEVEL_H
 #define PROFILE_LEVEL_H
 
-#include "scene/scene.h"
+#include "base/status.h"
+#include <stdbool.h>
+#include <stddef.h>
+
+/** What is taken out of the heights. */
+enum level {
+    LEVEL_NONE,
+    LEVEL_MEAN,
+    LEVEL_LINE,
+    LEVEL_PARABOLA,
+    LEVEL_CIRCLE, /* an arc */
+    LEVEL_ROBUST, /* a line that outliers do not move */
+    LEVEL_COUNT
+};
+extern const char *const level_names[LEVEL_COUNT]; /* as a scene spells them */
 
 /** What a levelling took out. */
 struct levelling {

@@ -14,12 +14,6 @@
 
 const struct profile_options profile_defaults = {.level = LEVEL_LINE, .max_missing = 0.1};
 
-struct profile_options profile_options_of(const struct scene *scene)
-{
-    return (struct profile_options){scene->level, scene->max_missing, scene->lambda_s_m, scene->lambda_c_m,
-                                    scene->tip_radius_m};
-}
-
 void profile_note(struct profile *profile, const char *format, ...)
 {
     if (profile->note_count == PROFILE_NOTES)

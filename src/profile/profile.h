@@ -3,8 +3,8 @@
 #ifndef PROFILE_PROFILE_H
 #define PROFILE_PROFILE_H
 
+#include "profile/level.h"
 #include "scan/scan.h"
-#include "scene/scene.h"
 
 enum profile_spacing { PROFILE_UNIFORM, PROFILE_ROUNDED, PROFILE_RESAMPLED };
 
@@ -35,7 +35,6 @@ struct profile {
 
 /** Line, a tenth of the points may be missing, no filters. */
 extern const struct profile_options profile_defaults;
-struct profile_options profile_options_of(const struct scene *scene);
 
 /** Makes the profile of a scan's row `row` (0 for a profile):
  *  missing points: at the ends cut off, between others bridged by straight lines;

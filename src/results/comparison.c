@@ -12,50 +12,35 @@ static size_t common_points(const struct model_curve *a, const struct model_curv
     return count;
 }
 
-double comparison_value(const struct contact_point *point, enum comparison_quantity quantity, enum model_id model,
-                        double sigma_m)
+double comparison_value(const struct contact_point *point, enum quantity quantity, size_t model, double sigma_m)
 {
-    bool adjusted = model_rows[model].family == SCENE_MODEL_STATISTICAL;
-    switch (quantity) {
-    case COMPARISON_AREA:
-        return point->area_ratio;
-    case COMPARISON_SEPARATION:
-        return (adjusted ? point->adjusted_m : point->separation_m) / sigma_m;
-    case COMPARISON_ECR:
-        return point->ecr_ohm_m2;
-    case COMPARISON_TCR:
-        return point->tcr_K_m2_per_W;
-    case COMPARISON_QUANTITY_COUNT:
-        break;
-    }
-    return NAN;
+    return quantity_shown(point, model_shown(model_rows[model], quantity), sigma_m);
 }
 
-bool comparison_converges(const struct results *results, enum convergence_sweep sweep, bool plastic, size_t value)
+bool comparison_converges(const struct results *results, enum convergence_sweep sweep, size_t model, size_t value)
 {
     size_t scales = results->scene->convergence.scales;
-    const double *area = results_sweep(results, sweep, plastic, value);
+    const double *area = results_sweep(results, sweep, model, value);
     return scales < 2 || area[scales - 1] >= 0.999 * area[scales / 2 - 1];
 }
 
-static void compare_neighbours(struct comparison *study, const struct surface_record *smooth,
+static void compare_neighbours(struct comparison *out, const struct surface_record *smooth,
                                const struct surface_record *rough)
 {
-    for (int m = 0; m < MODEL_COUNT; m++) {
+    for (size_t m = 0; m < model_count; m++) {
         const struct model_curve *a = &smooth->curves[m], *b = &rough->curves[m];
-        struct comparison_rank *rank = &study->rank[m];
+        struct comparison_rank *rank = &out->models[m].rank;
         size_t count = a->exists && b->exists ? common_points(a, b) : 0;
         for (size_t i = 0; i < count; i++) {
             const struct contact_point *p = &a->points[i], *q = &b->points[i];
             if (p->area_ratio == 1 && q->area_ratio == 1)
                 continue; /* both full: nothing to rank */
             rank->pairs++;
-            rank->area += p->area_ratio >= q->area_ratio;
-            rank->separation +=
-                comparison_value(p, COMPARISON_SEPARATION, (enum model_id)m, smooth->summary.asperities.sigma_m) <=
-                comparison_value(q, COMPARISON_SEPARATION, (enum model_id)m, rough->summary.asperities.sigma_m);
-            rank->ecr += p->ecr_ohm_m2 <= q->ecr_ohm_m2;
-            rank->tcr += p->tcr_K_m2_per_W <= q->tcr_K_m2_per_W;
+            for (int k = 0; k < QUANTITY_COUNT; k++) {
+                double x = comparison_value(p, (enum quantity)k, m, smooth->summary.asperities.sigma_m);
+                double y = comparison_value(q, (enum quantity)k, m, rough->summary.asperities.sigma_m);
+                rank->ranked[k] += k == QUANTITY_AREA ? x >= y : x <= y;
+            }
         }
     }
 }
@@ -77,16 +62,16 @@ static void compare_laws(struct comparison_plastic *out, const struct model_curv
     out->sooner += plastic->full_load < elastic->full_load;
 }
 
-static void check_proportion(struct comparison *study, const struct surface_record *record, const struct plan *plan)
+static void check_proportion(struct comparison *out, const struct surface_record *record, const struct plan *plan)
 {
     double product = plan->pair.resistivity_ohm_m * plan->pair.conductivity_W_per_mK;
-    for (int m = 0; m < MODEL_COUNT; m++)
+    for (size_t m = 0; m < model_count; m++)
         for (size_t i = 0; i < record->curves[m].count; i++) {
             const struct contact_point *point = &record->curves[m].points[i];
             if (!(point->ecr_ohm_m2 > 0) || !(point->tcr_K_m2_per_W > 0))
                 continue;
             double error = fabs(point->tcr_K_m2_per_W / point->ecr_ohm_m2 * product - 1);
-            study->proportional_error = fmax(error, isnan(study->proportional_error) ? 0 : study->proportional_error);
+            out->proportional_error = fmax(error, isnan(out->proportional_error) ? 0 : out->proportional_error);
         }
 }
 
@@ -108,19 +93,18 @@ static struct comparison_gap gap_between(const struct model_curve *a, const stru
 }
 
 /** Takes the surface's values at the middle load. */
-static void note_middle(struct comparison *study, const struct surface_record *record, size_t index)
+static void note_middle(struct comparison *out, const struct surface_record *record, size_t index)
 {
-    for (int m = 0; m < MODEL_COUNT; m++)
+    for (size_t m = 0; m < model_count; m++)
         for (size_t i = 0; i < record->curves[m].count; i++) {
             const struct contact_point *point = &record->curves[m].points[i];
-            if (point->load != study->middle_load)
+            if (point->load != out->middle_load)
                 continue;
-            if (m == (int)study->leading)
-                study->middle[index] = *point;
-            for (int q = 0; q < COMPARISON_QUANTITY_COUNT; q++) {
-                struct comparison_extremes *extremes = &study->extremes[m][q];
-                double value = comparison_value(point, (enum comparison_quantity)q, (enum model_id)m,
-                                                record->summary.asperities.sigma_m);
+            if (m == out->leading)
+                out->middle[index] = *point;
+            for (int q = 0; q < QUANTITY_COUNT; q++) {
+                struct comparison_extremes *extremes = &out->models[m].extremes[q];
+                double value = comparison_value(point, (enum quantity)q, m, record->summary.asperities.sigma_m);
                 if (isnan(value))
                     continue;
                 if (extremes->count == 0 || value < extremes->least) {
@@ -137,42 +121,47 @@ static void note_middle(struct comparison *study, const struct surface_record *r
         }
 }
 
-/** The first plastic model that ran, else the first that ran. */
-static enum model_id leading_model(const struct plan *plan)
+static size_t leading_model(const struct plan *plan)
 {
-    static const enum model_id order[] = {MODEL_MULTISCALE_PLASTIC, MODEL_MULTISCALE_ELASTIC, MODEL_JG};
-    for (size_t i = 0; i < sizeof order / sizeof order[0]; i++)
-        if (model_called_for(order[i], plan->families, plan->running))
-            return order[i];
-    return MODEL_GW;
+    size_t leading = 0;
+    int most = -1;
+    for (size_t m = 0; m < model_count; m++)
+        if (plan_runs_model(plan, m) && model_rows[m]->precedence > most) {
+            most = model_rows[m]->precedence;
+            leading = m;
+        }
+    return leading;
 }
 
 /** What one surface adds; `previous` is the next smoother one, NULL for the first. */
-static void take_in(struct comparison *study, const struct results *results, const struct surface_record *record,
+static void take_in(struct comparison *out, const struct results *results, const struct surface_record *record,
                     size_t index, const struct surface_record *previous)
 {
     const struct model_curve *curves = record->curves;
     if (previous)
-        compare_neighbours(study, previous, record);
-    compare_laws(&study->plastic[0], &curves[MODEL_MULTISCALE_ELASTIC], &curves[MODEL_MULTISCALE_PLASTIC]);
-    compare_laws(&study->plastic[1], &curves[MODEL_GW], &curves[MODEL_JG]);
-    check_proportion(study, record, results->plan);
-    note_middle(study, record, index);
-    if (index == results->baseline) {
-        study->gap[0] = gap_between(&curves[MODEL_MULTISCALE_ELASTIC], &curves[MODEL_GW]);
-        study->gap[1] = gap_between(&curves[MODEL_MULTISCALE_PLASTIC], &curves[MODEL_JG]);
+        compare_neighbours(out, previous, record);
+    for (size_t m = 0; m < model_count; m++) {
+        size_t elastic = model_index(model_rows[m]->elastic), counterpart = model_index(model_rows[m]->counterpart);
+        if (elastic < model_count)
+            compare_laws(&out->models[m].plastic, &curves[elastic], &curves[m]);
+        if (counterpart < model_count && index == results->baseline)
+            out->models[m].gap = gap_between(&curves[counterpart], &curves[m]);
     }
+    check_proportion(out, record, results->plan);
+    note_middle(out, record, index);
 }
 
 enum status_code comparison_make(struct comparison *out, const struct results *results, struct status *status)
 {
     *out = (struct comparison){.proportional_error = NAN,
-                               .gap = {{NAN, NAN}, {NAN, NAN}},
                                .middle_load = results->loads[results->load_count / 2],
                                .leading = leading_model(results->plan),
+                               .models = calloc(model_count, sizeof *out->models),
                                .middle = malloc(results->store->count * sizeof *out->middle)};
-    if (!out->middle)
+    if (!out->middle || !out->models)
         return status_memory(status);
+    for (size_t m = 0; m < model_count; m++)
+        out->models[m].gap = (struct comparison_gap){NAN, NAN};
     for (size_t i = 0; i < results->store->count; i++)
         out->middle[i] = (struct contact_point){.load = NAN};
     struct surface_record previous = {0};
@@ -191,8 +180,9 @@ enum status_code comparison_make(struct comparison *out, const struct results *r
     return STATUS_OK;
 }
 
-void comparison_free(struct comparison *study)
+void comparison_free(struct comparison *comparison)
 {
-    free(study->middle);
-    study->middle = NULL;
+    free(comparison->middle);
+    free(comparison->models);
+    *comparison = (struct comparison){0};
 }

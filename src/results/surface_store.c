@@ -16,7 +16,7 @@ enum status_code surface_store_open(struct surface_store *out, const char *direc
     if (!directory)
         return STATUS_OK;
     struct text path = {0};
-    text_add(&path, "%s/spool-XXXXXX", directory);
+    text_add(&path, "%s/store-XXXXXX", directory);
     int descriptor = path.failed ? -1 : mkstemp(path.data);
     if (descriptor >= 0) {
         unlink(path.data);
@@ -30,10 +30,8 @@ enum status_code surface_store_open(struct surface_store *out, const char *direc
 
 void surface_store_close(struct surface_store *store)
 {
-    for (size_t i = 0; store->summaries && i < store->count; i++) {
-        free(store->summaries[i].refusal);
-        free(store->summaries[i].notes);
-    }
+    for (size_t i = 0; store->summaries && i < store->count; i++)
+        surface_summary_free(&store->summaries[i]);
     free(store->summaries);
     free(store->offsets);
     if (store->file)
@@ -51,13 +49,15 @@ static bool put_arrays(FILE *file, const struct surface_record *record)
 {
     bool ok = put_array(file, record, sizeof *record, 1);
     ok = ok && put_array(file, record->spectrum.amplitude_m, sizeof(double), record->spectrum.count);
-    for (int m = 0; m < MODEL_COUNT; m++) {
+    ok = ok && put_array(file, record->curves, sizeof *record->curves, record->curves ? model_count : 0);
+    ok = ok && put_array(file, record->bands, sizeof *record->bands, record->bands ? model_count : 0);
+    for (size_t m = 0; record->curves && m < model_count; m++) {
         ok = ok && put_array(file, record->curves[m].points, sizeof(struct contact_point), record->curves[m].count);
         ok = ok &&
              put_array(file, record->bands[m], sizeof(struct repeats_band), record->bands[m] ? record->band_count : 0);
     }
-    for (size_t p = 0; p < record->part_count; p++) {
-        const struct spectrum *part = &record->parts[p].spectrum;
+    for (size_t p = 0; p < record->repeat_count; p++) {
+        const struct spectrum *part = &record->repeats[p].spectrum;
         ok = ok && put_array(file, part->amplitude_m, sizeof(double), part->count);
     }
     return ok;
@@ -82,12 +82,14 @@ enum status_code surface_store_put(struct surface_store *store, size_t index, co
 /** The next array of the file, malloc'ed; NULL for one of nothing. */
 static void *get_array(FILE *file, size_t size, size_t count, bool *ok)
 {
-    if (count == 0)
+    if (count == 0 || !*ok)
         return NULL;
     void *array = malloc(size * count);
-    if (!array || fread(array, size, count, file) != count)
-        *ok = false;
-    return array;
+    if (array && fread(array, size, count, file) == count)
+        return array;
+    free(array);
+    *ok = false;
+    return NULL;
 }
 
 enum status_code surface_store_get(struct surface_record *out, struct surface_store *store, size_t index,
@@ -99,13 +101,16 @@ enum status_code surface_store_get(struct surface_record *out, struct surface_st
         memset(out, 0, sizeof *out);
     out->summary = store->summaries[index];
     out->spectrum.amplitude_m = get_array(store->file, sizeof(double), out->spectrum.count, &ok);
-    for (int m = 0; m < MODEL_COUNT; m++) {
+    out->curves = get_array(store->file, sizeof *out->curves, out->curves ? model_count : 0, &ok);
+    out->bands = get_array(store->file, sizeof *out->bands, out->bands ? model_count : 0, &ok);
+    for (size_t m = 0; out->curves && m < model_count; m++) {
         out->curves[m].points = get_array(store->file, sizeof(struct contact_point), out->curves[m].count, &ok);
-        if (out->bands[m])
+        if (out->bands && out->bands[m])
             out->bands[m] = get_array(store->file, sizeof(struct repeats_band), out->band_count, &ok);
     }
-    for (size_t p = 0; p < out->part_count; p++)
-        out->parts[p].spectrum.amplitude_m = get_array(store->file, sizeof(double), out->parts[p].spectrum.count, &ok);
+    for (size_t p = 0; p < out->repeat_count; p++)
+        out->repeats[p].spectrum.amplitude_m =
+            get_array(store->file, sizeof(double), out->repeats[p].spectrum.count, &ok);
     pthread_mutex_unlock(&store->lock);
     if (ok)
         return STATUS_OK;

@@ -41,13 +41,13 @@ enum status_code prepare(struct prepared *out, const struct scene *scene, const 
     if (surface_store_open(&out->store, directory, scene->surface_count, status) != STATUS_OK ||
         workers_run(&out->results, workers_describe, options, status) != STATUS_OK)
         return status->code;
-    effect_bounds_plan(&out->plan, scene, &out->store);
+    effect_bounds_plan(&out->plan, scene, out->store.summaries, out->store.count);
     if (scene->measured.file) {
         if (measured_read(&out->measured, scene, &out->plan, status) != STATUS_OK)
             return status->code;
         out->results.measured = &out->measured;
     }
-    out->results.predicted = work_predict(&out->store, scene, &out->plan, load_count);
+    out->results.predicted = work_predict(out->store.summaries, out->store.count, scene, &out->plan, load_count);
     return STATUS_OK;
 }
 
@@ -96,9 +96,10 @@ void prepare_table(struct text *out, const struct prepared *prepared, const stru
     struct work_row predicted[WORK_ROWS], actual[WORK_ROWS];
     double seconds, unused;
     long processors = sysconf(_SC_NPROCESSORS_ONLN);
-    double memory = work_memory(&prepared->store, processors > 0 ? (unsigned)processors : 1);
-    uint64_t total = prepare_total(prepared, &prepared->results.predicted, &seconds);
-    uint64_t total_done = prepare_total(prepared, done ? done : &prepared->results.predicted, &unused);
+    double memory =
+        work_memory(prepared->store.summaries, prepared->store.count, processors > 0 ? (unsigned)processors : 1);
+    uint64_t total = work_total(&prepared->results.predicted, &prepared->plan, &seconds);
+    uint64_t total_done = work_total(done ? done : &prepared->results.predicted, &prepared->plan, &unused);
     work_table(predicted, &prepared->results.predicted, &prepared->plan);
     work_table(actual, done ? done : &prepared->results.predicted, &prepared->plan);
     text_add(out, "%-16s %-8s %14s%s %10s %8s  %s\n", "effect", "", "evaluations", done ? "           done" : "",
@@ -117,17 +118,4 @@ void prepare_table(struct text *out, const struct prepared *prepared, const stru
     if (done)
         text_add(out, " %14llu", (unsigned long long)total_done);
     text_add(out, " %10.4f %5.1f MB\n", seconds, (memory + predicted[EFFECT_CONVERGENCE + 1].bytes) / 1e6);
-}
-
-uint64_t prepare_total(const struct prepared *prepared, const struct work *work, double *seconds)
-{
-    struct work_row rows[WORK_ROWS];
-    uint64_t total = 0;
-    *seconds = 0;
-    work_table(rows, work, &prepared->plan);
-    for (int r = 0; r < WORK_ROWS; r++) {
-        total += rows[r].evaluations;
-        *seconds += rows[r].seconds;
-    }
-    return total;
 }

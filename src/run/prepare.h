@@ -26,8 +26,6 @@ void prepared_free(struct prepared *prepared);
 /** The plan as a table for a terminal: effect, run or skipped, evaluations, seconds; the work that was done beside the
  * prediction when `done` is not NULL. */
 void prepare_table(struct text *out, const struct prepared *prepared, const struct work *done);
-/** Evaluations of all effects together, and their likely seconds on one core. */
-uint64_t prepare_total(const struct prepared *prepared, const struct work *work, double *seconds);
 
 /** Says what was refused and warned of, a line each; returns how many surfaces were refused. */
 size_t prepare_messages(struct text *messages, const struct surface_store *store);

@@ -1,9 +1,10 @@
 #include "run/run.h"
 
-#include "analysis/benchmark.h"
 #include "base/clock.h"
 #include "chart/figure.h"
+#include "output/json.h"
 #include "output/output.h"
+#include "output/tables.h"
 #include "report/report.h"
 #include "run/prepare.h"
 #include "run/workers.h"
@@ -21,7 +22,8 @@ struct run {
     struct output output;
     struct prepared prepared;
     struct results *results; /* of `prepared` */
-    struct benchmark cost;
+    struct benchmark benchmark;
+    struct figure_list figures;
     double *sweeps;
     uint64_t sweep_scales;
 };
@@ -68,27 +70,27 @@ static enum status_code rank_surfaces(struct run *run, struct status *status)
     return STATUS_OK;
 }
 
-/** The convergence study: every sweep, elastic and, where plasticity runs, elastic-plastic. */
+/** The convergence study: every sweep by every model that stacks scales. */
 static enum status_code run_sweeps(struct run *run, struct status *status)
 {
     const struct scene_convergence *study = &run->scene->convergence;
-    size_t curves = 0;
-    for (int s = 0; s < CONVERGENCE_SWEEP_COUNT; s++)
-        curves += 2 * convergence_sweeps[s].count;
-    run->sweeps = calloc(curves * study->scales, sizeof *run->sweeps);
+    const struct plan *plan = &run->prepared.plan;
+    run->sweeps = calloc(results_sweep_size(run->results), sizeof *run->sweeps);
     if (!run->sweeps)
         return status_memory(status);
     run->results->convergence = run->sweeps;
     for (int s = 0; s < CONVERGENCE_SWEEP_COUNT; s++)
         for (size_t v = 0; v < convergence_sweeps[s].count; v++)
-            for (int plastic = 0; plastic <= (int)plan_runs(&run->prepared.plan, EFFECT_PLASTICITY); plastic++) {
+            for (size_t m = 0; m < model_count; m++) {
+                if (!plan_runs_model(plan, m) || !model_rows[m]->stacks_scales)
+                    continue;
                 double value = convergence_sweeps[s].values[v];
                 struct convergence_law law = {study->alpha, study->gamma, study->scan_length_m, study->load,
                                               study->scales};
                 *(s == CONVERGENCE_ALPHA ? &law.alpha : &law.gamma) = value;
-                double *area = run->sweeps + (results_sweep(run->results, (enum convergence_sweep)s, plastic, v) -
+                double *area = run->sweeps + (results_sweep(run->results, (enum convergence_sweep)s, m, v) -
                                               run->results->convergence);
-                convergence_areas(area, &law, &run->prepared.plan.pair, plastic, &run->sweep_scales);
+                convergence_areas(area, &law, &plan->pair, model_rows[m]->plastic, &run->sweep_scales);
             }
     return STATUS_OK;
 }
@@ -101,9 +103,23 @@ static void add_times(struct run_times *times, const struct surface_store *store
         times->prepare += t->prepare;
         times->spectrum += t->spectrum;
         times->convergence += t->convergence;
-        for (int m = 0; m < MODEL_COUNT; m++)
-            times->models[m] += t->models[m];
+        for (size_t m = 0; times->models && store->summaries[i].models && m < model_count; m++)
+            times->models[m] += store->summaries[i].models[m].seconds;
     }
+}
+
+/** What accuracy costs, on the baseline surface. */
+static enum status_code measure_cost(struct run *run, struct status *status)
+{
+    const struct results *results = run->results;
+    struct surface_record baseline = {0};
+    const struct benchmark_task task = {&baseline, results->scene, results->plan, results->loads, results->load_count};
+    enum status_code rc = surface_store_get(&baseline, results->store, results->baseline, status);
+    if (rc == STATUS_OK)
+        rc = benchmark_measure(&run->benchmark, &task, status);
+    surface_record_free(&baseline, false);
+    run->results->benchmark = &run->benchmark;
+    return rc;
 }
 
 /** A stage's wall time: from the last call to this one. */
@@ -131,17 +147,16 @@ static enum status_code evaluate(struct run *run, struct run_outcome *out, struc
         rc = run_sweeps(run, status);
     out->times.convergence = lap(&last);
     if (rc == STATUS_OK && !run->options->no_cost) {
-        rc = benchmark_measure(&run->cost, run->results, status);
-        run->results->cost = &run->cost;
-        out->times.cost = run->cost.seconds;
+        rc = measure_cost(run, status);
+        out->times.cost = run->benchmark.seconds;
     }
     if (rc != STATUS_OK)
         return rc;
     struct work *done = &run->results->done;
-    *done = work_done(&prepared->store, run->sweep_scales);
+    *done = work_done(prepared->store.summaries, prepared->store.count, run->sweep_scales);
     out->work_agrees = memcmp(done, &run->results->predicted, sizeof *done) == 0;
     prepare_table(&out->work, prepared, done);
-    out->evaluations = prepare_total(prepared, done, &out->predicted_seconds);
+    out->evaluations = work_total(done, &prepared->plan, &out->predicted_seconds);
     add_times(&out->times, &prepared->store);
     return STATUS_OK;
 }
@@ -157,22 +172,20 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
     const struct run_options *options = run->options;
     const char *staging = run->output.staging;
     double last = clock_seconds();
-    if (tables_write(run->results, staging, status) != STATUS_OK ||
-        tables_write_spread(run->results, staging, status) != STATUS_OK || stopped(run))
+    if (tables_write(run->results, staging, status) != STATUS_OK || stopped(run))
         return status->code;
     if (json_write(run->results, staging, status) != STATUS_OK || stopped(run))
         return status->code;
-    if (run->results->cost && benchmark_write(run->results->cost, staging, status) != STATUS_OK)
-        return status->code;
     out->times.tables = lap(&last);
-    if (figure_write_all(run->results, staging, options->templates, status) != STATUS_OK || stopped(run))
+    if (figure_list_make(&run->figures, run->results, status) != STATUS_OK ||
+        figure_write_all(&run->figures, run->results, staging, options->templates, status) != STATUS_OK || stopped(run))
         return status->code;
     out->times.figures = lap(&last);
-    if (figure_draw_all(run->results, staging, options->terminal_size, &out->charts, &out->times.gnuplot, status) !=
+    if (figure_draw_all(&run->figures, staging, options->terminal_size, &out->charts, &out->times.gnuplot, status) !=
         STATUS_OK)
         return status->code;
     last = clock_seconds();
-    if (report_write(run->results, staging, options->templates, status) != STATUS_OK)
+    if (report_write(run->results, &run->figures, staging, options->templates, status) != STATUS_OK)
         return status->code;
     report_terminal_table(&out->table, run->results);
     out->times.report = lap(&last);
@@ -201,8 +214,8 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
 {
     struct run run = {.scene = scene, .options = options};
     double started = clock_seconds();
-    *out = (struct run_outcome){0};
-    enum status_code rc = gnuplot_check(status);
+    *out = (struct run_outcome){.times.models = calloc(model_count, sizeof *out->times.models)};
+    enum status_code rc = out->times.models ? gnuplot_check(status) : status_memory(status);
     if (rc == STATUS_OK)
         rc = begin_output(&run, status);
     if (rc == STATUS_OK)
@@ -220,7 +233,8 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
     prepared_free(&run.prepared);
     output_abandon(&run.output);
     free(run.sweeps);
-    benchmark_free(&run.cost);
+    benchmark_free(&run.benchmark);
+    figure_list_free(&run.figures);
     out->times.total = clock_seconds() - started;
     return rc;
 }
@@ -232,4 +246,5 @@ void run_outcome_free(struct run_outcome *outcome)
     text_free(&outcome->charts);
     text_free(&outcome->work);
     free(outcome->path);
+    free(outcome->times.models);
 }

@@ -8,6 +8,10 @@
 
 enum scan_kind { SCAN_PROFILE, SCAN_AREAL };
 
+/** Which profiles are taken from a map: its rows or its columns. */
+enum scan_direction { SCAN_DIRECTION_X, SCAN_DIRECTION_Y, SCAN_DIRECTION_COUNT };
+extern const char *const scan_direction_names[SCAN_DIRECTION_COUNT]; /* as a scene spells them */
+
 enum { SCAN_WARNINGS = 8, SCAN_WARNING_LENGTH = 240 };
 
 /** What a file holds, as read: not levelled, not resampled. */

@@ -2,6 +2,8 @@
 
 #include <stdlib.h>
 
+const char *const scan_direction_names[SCAN_DIRECTION_COUNT] = {"x", "y"};
+
 enum status_code scan_transpose(struct scan *scan, struct status *status)
 {
     double *z_m = malloc(scan->nx * scan->ny * sizeof *z_m);

@@ -19,7 +19,7 @@ static const off_t most_bytes = 1024 * 1024; /* of scene.yaml */
 static struct scene default_scene(void)
 {
     return (struct scene){
-        .models = SCENE_MODEL_MULTISCALE | SCENE_MODEL_STATISTICAL,
+        .models = model_defaults(),
         .effects_auto = true,
         .material = *material_find("tin"),
         .counterface_kind = MATERIAL_COUNTERFACE_RIGID,

@@ -3,30 +3,12 @@
 #define SCENE_SCENE_H
 
 #include "base/status.h"
-#include "contact/effect.h"
+#include "contact/model.h"
 #include "material/material.h"
+#include "profile/level.h"
+#include "scan/scan.h"
 #include <stdbool.h>
 #include <stddef.h>
-
-enum scene_model { SCENE_MODEL_MULTISCALE = 1, SCENE_MODEL_STATISTICAL = 2 }; /* bits */
-enum level {
-    LEVEL_NONE,
-    LEVEL_MEAN,
-    LEVEL_LINE,
-    LEVEL_PARABOLA,
-    LEVEL_CIRCLE, /* an arc */
-    LEVEL_ROBUST, /* a line that outliers do not move */
-    LEVEL_COUNT
-};
-enum spectrum_window { SPECTRUM_WINDOW_NONE, SPECTRUM_WINDOW_HANN, SPECTRUM_WINDOW_COUNT };
-enum roughness_moments { ROUGHNESS_MOMENTS_DIFFERENCE, ROUGHNESS_MOMENTS_SPECTRAL, ROUGHNESS_MOMENTS_COUNT };
-enum sinusoid_fit_id { SINUSOID_FIT_THESIS, SINUSOID_FIT_NUMERIC, SINUSOID_FIT_COUNT };
-
-/** Spellings in the scene, in the order of the enums above. */
-extern const char *const level_names[LEVEL_COUNT];
-extern const char *const spectrum_window_names[SPECTRUM_WINDOW_COUNT];
-extern const char *const roughness_moments_names[ROUGHNESS_MOMENTS_COUNT];
-extern const char *const sinusoid_fit_names[SINUSOID_FIT_COUNT];
 
 /** One surface to report: one scan file, or repeated scans of it. */
 struct scene_surface {
@@ -52,9 +34,6 @@ struct scene_convergence {
     size_t scales;
 };
 
-enum scan_direction { SCAN_DIRECTION_X, SCAN_DIRECTION_Y, SCAN_DIRECTION_COUNT };
-extern const char *const scan_direction_names[SCAN_DIRECTION_COUNT];
-
 enum scene_measured_quantity { SCENE_MEASURED_ECR, SCENE_MEASURED_TCR, SCENE_MEASURED_QUANTITY_COUNT };
 enum scene_load_unit { SCENE_LOAD_DIMENSIONLESS, SCENE_LOAD_PASCAL, SCENE_LOAD_NEWTON, SCENE_LOAD_UNIT_COUNT };
 
@@ -70,7 +49,7 @@ struct scene {
     char *directory; /* DIR as given */
     char *path;      /* of scene.yaml, NULL when there is none */
     char *title;
-    unsigned models; /* bits of enum scene_model */
+    uint64_t models; /* MODEL_BITs asked for */
     bool effects_auto;
     unsigned effects; /* EFFECT_BITs asked for, and those they build on, when !effects_auto */
     struct material material;

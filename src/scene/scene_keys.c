@@ -11,12 +11,7 @@
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
-const char *const level_names[LEVEL_COUNT] = {"none", "mean", "line", "parabola", "circle", "robust"};
-const char *const spectrum_window_names[SPECTRUM_WINDOW_COUNT] = {"none", "hann"};
-const char *const roughness_moments_names[ROUGHNESS_MOMENTS_COUNT] = {"difference", "spectral"};
-const char *const scan_direction_names[SCAN_DIRECTION_COUNT] = {"x", "y"};
-const char *const sinusoid_fit_names[SINUSOID_FIT_COUNT] = {"thesis", "numeric"};
-static const char *const model_names[] = {"multiscale", "statistical"};
+static const char *const closure_names[SINUSOID_FIT_COUNT] = {"thesis", "numeric"};
 static const char *const load_unit_names[] = {"dimensionless", "Pa"};
 
 /* Loads, in Pa or P/(A_n E'): any that keeps its distance from the ends of double. */
@@ -45,12 +40,14 @@ unsigned scene_keys_with_needed(unsigned effects)
     return effects;
 }
 
+enum { MODEL_NAMES = 128 }; /* a family and a name for each of at most 64 models */
+
 /* One or more words out of `names`, as a list or as one text: a bit for each in `bits`, its line in `lines`. */
 static enum status_code read_set(struct scene_source *source, const struct scene_key *key, const char *what,
-                                 const yaml_node_t *value, const char *const *names, size_t count, unsigned *bits,
+                                 const yaml_node_t *value, const char *const *names, size_t count, uint64_t bits[2],
                                  size_t *lines)
 {
-    *bits = 0;
+    bits[0] = bits[1] = 0;
     for (size_t i = 0; i < scene_source_item_count(value); i++) {
         const yaml_node_t *item = scene_source_item(source, value, i);
         if (item->type != YAML_SCALAR_NODE)
@@ -60,23 +57,46 @@ static enum status_code read_set(struct scene_source *source, const struct scene
             size_t n = scene_words_find(word, length, names, count);
             if (n == count)
                 return scene_source_unknown(source, item, what, names, count);
-            *bits |= 1u << n;
+            bits[n / 64] |= UINT64_C(1) << (n % 64);
             lines[n] = scene_source_line(item);
         }
     }
     return STATUS_OK;
 }
 
+/* Families, each once, then single models: what `models` may name. */
+static size_t model_names(const char *names[MODEL_NAMES])
+{
+    size_t count = 0;
+    for (size_t m = 0; m < model_count; m++) {
+        const char *family = model_rows[m]->family;
+        if (scene_words_find(family, strlen(family), names, count) == count)
+            names[count++] = family;
+    }
+    for (size_t m = 0; m < model_count; m++)
+        if (scene_words_find(model_rows[m]->name, strlen(model_rows[m]->name), names, count) == count)
+            names[count++] = model_rows[m]->name;
+    return count;
+}
+
 static enum status_code read_models(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
                                     void *field)
 {
     struct scene *scene = field;
-    size_t lines[COUNT(model_names)];
-    enum status_code code =
-        read_set(source, key, "model", value, model_names, COUNT(model_names), &scene->models, lines);
-    if (code == STATUS_OK && scene->models == 0)
-        return scene_source_fail(source, scene_source_line(value), "'models' names none; remove the line for both");
-    return code;
+    const char *names[MODEL_NAMES] = {0};
+    size_t lines[MODEL_NAMES], count = model_names(names);
+    uint64_t named[2];
+    enum status_code code = read_set(source, key, "model", value, names, count, named, lines);
+    if (code != STATUS_OK)
+        return code;
+    scene->models = 0;
+    for (size_t i = 0; i < count; i++)
+        if (named[i / 64] >> (i % 64) & 1)
+            scene->models |= model_find(names[i]);
+    if (scene->models == 0)
+        return scene_source_fail(source, scene_source_line(value),
+                                 "'models' names none; remove the line for the default ones");
+    return STATUS_OK;
 }
 
 static enum status_code read_effects(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
@@ -88,9 +108,9 @@ static enum status_code read_effects(struct scene_source *source, const struct s
     const char *names[EFFECT_COUNT];
     scene_keys_effect_names(names);
     scene->effects_auto = false;
-    enum status_code code =
-        read_set(source, key, "effect", value, names, EFFECT_COUNT, &scene->effects, source->effect_line);
-    scene->effects = scene_keys_with_needed(scene->effects);
+    uint64_t named[2];
+    enum status_code code = read_set(source, key, "effect", value, names, EFFECT_COUNT, named, source->effect_line);
+    scene->effects = scene_keys_with_needed((unsigned)named[0]);
     for (int i = 0; i < EFFECT_COUNT; i++)
         for (int needed = 0; needed < EFFECT_COUNT; needed++)
             if ((effect_rows[i].needs_effects & EFFECT_BIT(needed)) && source->effect_line[needed] == 0)
@@ -219,7 +239,7 @@ static const struct scene_key scene_keys[] = {
     {"window", scene_value_choice, CHOICES(struct scene, window, spectrum_window_names)},
     {"fit_band_m", read_fit_band, RANGE(struct scene, fit_band_m, 1e-12, 1e3), .word = "all"},
     {"moments", scene_value_choice, CHOICES(struct scene, moments, roughness_moments_names)},
-    {"closure", scene_value_choice, CHOICES(struct scene, closure, sinusoid_fit_names)},
+    {"closure", scene_value_choice, CHOICES(struct scene, closure, closure_names)},
     {"max_missing", NUMBER(struct scene, max_missing, 0.0, 0.9)},
     {"lambda_s_m", NUMBER(struct scene, lambda_s_m, 1e-12, 1e3), .word = "none"},
     {"lambda_c_m", NUMBER(struct scene, lambda_c_m, 1e-12, 1e3), .word = "none"},

@@ -4,6 +4,10 @@
 
 #include "spectrum/spectrum.h"
 
+/** Where m2 and m4 come from: finite differences of the heights, or the spectrum. */
+enum roughness_moments { ROUGHNESS_MOMENTS_DIFFERENCE, ROUGHNESS_MOMENTS_SPECTRAL, ROUGHNESS_MOMENTS_COUNT };
+extern const char *const roughness_moments_names[ROUGHNESS_MOMENTS_COUNT]; /* as a scene spells them */
+
 /** Of the profile itself. */
 struct roughness {
     double rq_m;      /* root mean square height */

@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+const char *const spectrum_window_names[SPECTRUM_WINDOW_COUNT] = {"none", "hann"};
+
 static double mean_of(const double *values, size_t count)
 {
     double sum = 0;

@@ -3,9 +3,12 @@
 #define SPECTRUM_SPECTRUM_H
 
 #include "base/status.h"
-#include "scene/scene.h"
 #include <stdbool.h>
 #include <stddef.h>
+
+/** What a record is multiplied by before its transform. */
+enum spectrum_window { SPECTRUM_WINDOW_NONE, SPECTRUM_WINDOW_HANN, SPECTRUM_WINDOW_COUNT };
+extern const char *const spectrum_window_names[SPECTRUM_WINDOW_COUNT]; /* as a scene spells them */
 
 /** Amplitudes of the harmonics n = 1 ... count of a record of length L = N h. Owned: spectrum_free(). */
 struct spectrum {

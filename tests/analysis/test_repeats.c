@@ -63,7 +63,7 @@ static void band_of_two(void **state)
     for (int i = 0; i < LOADS; i++)
         loads[i] = 1e-7 * pow(10, 3.0 * i / (LOADS - 1));
     struct model_task task = {
-        .pair = &pair, .loads = loads, .load_count = LOADS, .wanted = CONTACT_ELECTRICAL, .tolerance = 1e-8};
+        .pair = &pair, .loads = loads, .load_count = LOADS, .wanted = QUANTITY_BIT(QUANTITY_ECR), .tolerance = 1e-8};
     for (int m = 0; m < MODEL_COUNT; m++) {
         struct contact_point points[2][LOADS + 1] = {0};
         for (int p = 0; p < 2; p++) {

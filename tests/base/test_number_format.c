@@ -6,7 +6,7 @@
 static void assert_number(double value, int digits, const char *expected)
 {
     struct text text = {0};
-    number_format_number(&text, value, digits);
+    number_format(&text, value, digits);
     assert_string_equal(text_string(&text), expected);
     text_free(&text);
 }
@@ -77,7 +77,7 @@ static void test_every_magnitude_reads_back(void **state)
             struct text text = {0};
             char *rest;
             double value = 3.14159265 * pow(10, exponent), back;
-            number_format_number(&text, value, digits);
+            number_format(&text, value, digits);
             back = strtod(text_string(&text), &rest);
             if (strncmp(rest, "·10", strlen("·10")) == 0) {
                 int power = 0, sign = 1;
@@ -142,7 +142,7 @@ static void test_loads_are_powers_of_ten(void **state)
     (void)state;
     struct text text = {0};
     number_format_power(&text, 0.834, 3);
-    number_format_add(&text, " ", 1, 1, " ");
+    number_format_between(&text, " ", 1, 1, " ");
     number_format_power(&text, 1e-6, 3);
     assert_text(&text, "8.34·10⁻¹ 1 1.00·10⁻⁶");
 }

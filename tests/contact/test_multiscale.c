@@ -2,7 +2,7 @@
 #include "contact/multiscale.h"
 #include "support.h"
 
-enum { EVERYTHING = CONTACT_SEPARATION | CONTACT_ELECTRICAL | CONTACT_THERMAL | CONTACT_SCALE_DEPENDENT };
+enum { EVERYTHING = QUANTITY_BIT(QUANTITY_SEPARATION) | QUANTITY_RESISTANCES };
 
 static struct spectrum law_spectrum(double length, double alpha, double gamma, size_t count)
 {

@@ -8,9 +8,9 @@ static struct material_pair tin(void)
     return material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
 }
 
-enum { EVERYTHING = CONTACT_SEPARATION | CONTACT_ELECTRICAL | CONTACT_THERMAL | CONTACT_SCALE_DEPENDENT };
+enum { EVERYTHING = QUANTITY_BIT(QUANTITY_SEPARATION) | QUANTITY_RESISTANCES };
 
-static struct statistical make(double m0, double m2, double m4, enum asperity_model law, double tolerance,
+static struct statistical make(double m0, double m2, double m4, enum asperity_model_id law, double tolerance,
                                double lowest)
 {
     struct roughness roughness = {.m0_m2 = m0, .m2 = m2, .m4_per_m2 = m4};
@@ -26,7 +26,7 @@ static struct statistical make(double m0, double m2, double m4, enum asperity_mo
     return model;
 }
 
-static enum asperity_model law_of(const char *name)
+static enum asperity_model_id law_of(const char *name)
 {
     return strcmp(name, "gw") == 0 ? ASPERITY_HERTZ : ASPERITY_JG;
 }
@@ -100,8 +100,8 @@ static void beta_matches_reference(void **state)
 static void solve_inverts_at(void **state)
 {
     (void)state;
-    for (int law = 0; law < ASPERITY_LAW_COUNT; law++) {
-        struct statistical model = make(1.156e-13, 0.0012, 4.5e8, (enum asperity_model)law, 1e-10, INFINITY);
+    for (int law = 0; law < ASPERITY_MODEL_COUNT; law++) {
+        struct statistical model = make(1.156e-13, 0.0012, 4.5e8, (enum asperity_model_id)law, 1e-10, INFINITY);
         double d = 0, previous = INFINITY;
         for (double load = 1e-30; load < model.full_load; load *= 7) {
             struct contact_point found, again;
@@ -127,7 +127,7 @@ static double load_density(double u, void *context)
 {
     const struct integrand *in = context;
     struct asperity_contact contact;
-    asperity_laws[ASPERITY_JG].press(&contact, &in->model->asperity, u * in->model->surface.sigma_s_m);
+    asperity_models[ASPERITY_JG].press(&contact, &in->model->asperity, u * in->model->surface.sigma_s_m);
     return contact.load_N * exp(-(u + in->d) * (u + in->d) / 2);
 }
 

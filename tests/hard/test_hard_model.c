@@ -2,7 +2,7 @@
 #include "contact/model.h"
 #include "hard_support.h"
 
-enum { EVERYTHING = CONTACT_SEPARATION | CONTACT_ELECTRICAL | CONTACT_THERMAL | CONTACT_SCALE_DEPENDENT };
+enum { EVERYTHING = QUANTITY_BIT(QUANTITY_SEPARATION) | QUANTITY_RESISTANCES };
 enum { LOADS = 37, SCALES = 600 };
 
 static struct spectrum law_spectrum(double alpha, double gamma)
@@ -146,7 +146,7 @@ static void every_choice_of_quantities(void **state)
     const double loads[] = {1e-30, 1e-9, 1e-6, 1e-3, 1e6};
     for (int m = 0; m < MODEL_COUNT; m++)
         for (unsigned wanted = 0; wanted <= EVERYTHING; wanted++) {
-            bool conducts = wanted & (CONTACT_ELECTRICAL | CONTACT_THERMAL | CONTACT_SCALE_DEPENDENT);
+            bool conducts = wanted & (QUANTITY_RESISTANCES);
             struct contact_point all[6], some[6];
             struct model_curve reference = {.points = all}, curve = {.points = some};
             struct model_task task = {&spectrum, &surface, &known, loads, 5, EVERYTHING, 1e-10, SINUSOID_FIT_THESIS};
@@ -160,11 +160,11 @@ static void every_choice_of_quantities(void **state)
                 const double got[] = {some[i].ecr_ohm_m2, some[i].tcr_K_m2_per_W, some[i].tcr_sd_K_m2_per_W};
                 const double full[] = {all[i].ecr_ohm_m2, all[i].tcr_K_m2_per_W, all[i].tcr_sd_K_m2_per_W};
                 for (int k = 0; k < 3; k++)
-                    if (wanted & (CONTACT_ELECTRICAL << k))
+                    if (wanted & (QUANTITY_BIT(QUANTITY_ECR) << k))
                         assert_near(got[k], full[k], 1e-9);
                     else
                         assert_true(isnan(got[k]));
-                assert_true((wanted & CONTACT_SEPARATION) || model_rows[m].family == SCENE_MODEL_STATISTICAL ||
+                assert_true((wanted & QUANTITY_BIT(QUANTITY_SEPARATION)) || model_rows[m].family == SCENE_MODEL_STATISTICAL ||
                             isnan(some[i].separation_m));
             }
         }

@@ -3,7 +3,7 @@
 #include "contact/multiscale.h"
 #include "hard_support.h"
 
-enum { EVERYTHING = CONTACT_SEPARATION | CONTACT_ELECTRICAL | CONTACT_THERMAL | CONTACT_SCALE_DEPENDENT };
+enum { EVERYTHING = QUANTITY_BIT(QUANTITY_SEPARATION) | QUANTITY_RESISTANCES };
 static const double length_m = 3e-4;
 
 static struct spectrum law_spectrum(double alpha, double gamma, size_t count)
@@ -165,7 +165,7 @@ static struct steps scan(const struct multiscale *stack, int points)
         struct contact_point point;
         uint64_t evaluations = 0;
         double load = 2 * stack->closed_load * exp(((double)i / points - 1) * log(1e8));
-        multiscale_solve(&point, stack, &spot, CONTACT_SEPARATION, load, &evaluations);
+        multiscale_solve(&point, stack, &spot, QUANTITY_BIT(QUANTITY_SEPARATION), load, &evaluations);
         if (i > 0) {
             double area_step = point.area_ratio / before.area_ratio - 1;
             steps.fall = fmax(steps.fall, -area_step);

@@ -1,6 +1,7 @@
 /* Scans and scenes that strain the way from heights to loads: offsets, tilt, prime lengths, quantised heights. */
 #include "hard_support.h"
 #include "profile/profile.h"
+#include "scene/scene.h"
 #include "spectrum/power_law.h"
 #include "spectrum/roughness.h"
 

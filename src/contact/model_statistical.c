@@ -1,0 +1,116 @@
+/* The statistical models: asperities of one radius with Gaussian heights, by Hertz's law (GW) or Jackson and Green's
+ * (JG) (thesis 4.19-4.38, 4.43-4.46, 4.54). */
+#include "contact/multiscale.h"
+#include "contact/statistical.h"
+
+#include <math.h>
+
+static enum asperity_model_id asperity_model_of(const struct model_row *row)
+{
+    return (enum asperity_model_id)(row->asperity_model - asperity_models);
+}
+
+/** Laws at nodes under the name of what they are for: GW has closed forms for all but scale dependence. */
+static struct model_work work_of(const struct model_row *row, uint64_t nodes, uint64_t separations)
+{
+    struct model_work work = {.separations = separations};
+    *(row->plastic ? &work.nodes : &work.scale_dependent_nodes) = nodes;
+    return work;
+}
+
+/** The law at the quadrature's nodes, and one solution a load. */
+static struct model_work work(const struct model_row *row, const struct model_task *task)
+{
+    if (!task->asperities)
+        return (struct model_work){0};
+    return work_of(
+        row,
+        statistical_node_count(task->asperities, task->pair, asperity_model_of(row), task->wanted, task->tolerance),
+        task->load_count);
+}
+
+static enum status_code run(struct model_curve *curve, const struct model_row *row, const struct model_task *task,
+                            struct status *status)
+{
+    if (!task->asperities)
+        return STATUS_OK;
+    struct statistical model;
+    uint64_t nodes = 0, separations = 0;
+    enum status_code rc = statistical_make(&model, task->asperities, task->pair, asperity_model_of(row), task->wanted,
+                                           task->tolerance, INFINITY, &nodes, status);
+    if (rc == STATUS_OK) {
+        double d = 3; /* a first guess; the solution of one load starts the next */
+        for (size_t i = 0; i < task->load_count; i++) {
+            separations++;
+            if (statistical_solve(&curve->points[curve->count], &model, task->loads[i], &d))
+                curve->count++;
+        }
+        statistical_full(&curve->full, &model);
+        if (curve->count < task->load_count)
+            curve->points[curve->count++] = curve->full;
+        curve->full_load = curve->closed_load = model.full_load;
+        curve->beta = model.beta;
+        curve->work = work_of(row, nodes, separations);
+        curve->exists = true;
+    }
+    statistical_free(&model);
+    return rc;
+}
+
+enum {
+    COMPUTES = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_SEPARATION) |
+               QUANTITY_BIT(QUANTITY_ADJUSTED) | QUANTITY_RESISTANCES
+};
+#define TOUCHING_AREA 0.1 /* A/A_n up to which asperities may be taken as apart */
+
+const struct model_row model_gw = {
+    .name = "gw",
+    .label = "GW",
+    .short_label = "GW",
+    .family = "statistical",
+    .by_default = true,
+    .counterpart = &model_multiscale_elastic,
+    .asperity_model = &asperity_models[ASPERITY_HERTZ],
+    .quantities = COMPUTES,
+    .largest_area = TOUCHING_AREA,
+    .precedence = 1,
+    .thesis_place = 4,
+    .style = "gw",
+    .colour = "#E58A1F",
+    .marker = 4,
+    .equations = "4.19-4.30, 4.43, 4.54",
+    .source = "Greenwood and Williamson, Proc. R. Soc. A 295 (1966) 300; McCool, Wear 107 (1986) 37",
+    .assumes = "asperities of one radius, Gaussian heights, no interaction, no yield",
+    .valid = "A/A_n up to 0.1: asperities must not touch each other",
+    .method = "closed forms",
+    .scale_dependent_method = "Gauss-Legendre panels, since no closed form exists",
+    .work = work,
+    .run = run,
+};
+
+const struct model_row model_jg = {
+    .name = "jg",
+    .label = "JG",
+    .short_label = "JG",
+    .family = "statistical",
+    .by_default = true,
+    .plastic = true,
+    .elastic = &model_gw,
+    .counterpart = &model_multiscale_plastic,
+    .asperity_model = &asperity_models[ASPERITY_JG],
+    .quantities = COMPUTES,
+    .largest_area = TOUCHING_AREA,
+    .fitted_to = "a/R = 0.41",
+    .precedence = 2,
+    .thesis_place = 3,
+    .style = "jg",
+    .colour = "#B8400A",
+    .marker = 5,
+    .equations = "4.31-4.38, 4.45-4.46, 4.54",
+    .source = "Jackson and Green, J. Tribol. 127 (2005) 343; Jackson and Green, Tribol. Int. 39 (2006) 906",
+    .assumes = "as GW, with Jackson and Green's elastic-plastic sphere",
+    .valid = "A/A_n up to 0.1; fitted for contact radius / asperity radius up to 0.41",
+    .method = "Gauss-Legendre panels split where its law changes",
+    .work = work,
+    .run = run,
+};
