@@ -5,7 +5,15 @@
 #include "analysis/repeats.h"
 #include "contact/convergence.h"
 
+/** What is known of a model on a surface before it runs. */
+struct curve_bounds {
+    double yield;                      /* model_row.yield_bound: of the surface, its scans alone and its extension */
+    double scale_dependence;           /* model_row.scale_dependence_bound */
+    struct model_work repeats_work[2]; /* what the scans run alone will take: without and with scale dependence */
+};
+
 struct curve_summary {
+    struct curve_bounds bounds;
     bool exists;
     double full_load, closed_load, beta, beta_multiscale;
     double area_slope;        /* d ln A/d ln P, least squares over A/A_n < 0.1 */
@@ -24,8 +32,7 @@ struct curve_summary {
     bool extended; /* the fitted power law was carried on below the sampling limit */
     struct convergence_extension extension;
     struct repeats_number repeated_beta, repeated_log_full_load; /* over the scans run alone */
-    struct model_work repeats_work[2]; /* what these will take: without and with scale dependence */
-    double seconds;                    /* that the curve took */
+    double seconds;                                              /* that the curve took */
 };
 
 /** Share of the load beyond a law's fitted range from which a curve is drawn as outside its validity. */

@@ -1,84 +1,35 @@
 #include "analysis/effect_bounds.h"
 
-#include "contact/gaussian.h"
-#include "contact/multiscale.h"
-#include "contact/statistical.h"
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
-static void bound_yield(struct surface_record *record, const struct plan *plan, double highest_load)
+/** What yielding can change in plastic model `m`: on the surface, on each of its scans run alone, and on the fitted
+ * power law where that is carried on below the sampling limit (its slope is largest at one of its ends). */
+static double bound_yield(const struct surface_record *record, const struct scene *scene, const struct plan *plan,
+                          size_t m, const struct model_task *task)
 {
-    struct effect_bounds *bound = &record->summary.bound;
-    double modulus = plan->pair.effective_modulus_Pa, pressure_Pa = highest_load * modulus;
-    for (size_t i = 0; i < record->spectrum.count; i++) {
-        struct sinusoid_scale scale = sinusoid_scale(record->spectrum.amplitude_m[i],
-                                                     spectrum_frequency(&record->spectrum, i), &plan->pair, true);
-        if (isfinite(scale.critical_pressure_Pa)) {
-            bound->above_critical++;
-            bound->yield = fmax(bound->yield, fmin(pressure_Pa, scale.full_pressure_Pa) / scale.critical_pressure_Pa);
-        }
-        pressure_Pa = fmax(pressure_Pa, scale.full_pressure_Pa);
+    const struct model_row *row = model_rows[m];
+    const struct surface_summary *summary = &record->summary;
+    if (!row->yield_bound)
+        return INFINITY;
+    double most = row->yield_bound(row, task);
+    for (size_t r = 0; r < record->repeat_count; r++) {
+        struct asperities asperities;
+        struct model_task alone = repeats_task(&asperities, &record->repeats[r], task);
+        most = fmax(most, row->yield_bound(row, &alone));
     }
-}
-
-/** Smallest mean contact radius of any scale at the lowest load, from p >= P and the area's rising with p. */
-static void bound_multiscale_size(struct surface_record *record, const struct plan *plan, const struct scene *scene,
-                                  double lowest_load)
-{
-    struct effect_bounds *bound = &record->summary.bound;
-    double knudsen_m = constriction_make(&plan->pair).knudsen_length_m;
-    double pressure_Pa = lowest_load * plan->pair.effective_modulus_Pa;
-    for (size_t i = 0; i < record->spectrum.count; i++) {
-        double frequency = spectrum_frequency(&record->spectrum, i);
-        struct sinusoid_scale scale =
-            sinusoid_scale(record->spectrum.amplitude_m[i], frequency, &plan->pair, plan_runs(plan, EFFECT_PLASTICITY));
-        struct sinusoid_cell cell;
-        sinusoid_press(&cell, &scale, &sinusoid_fits[scene->closure], pressure_Pa, false);
-        if (cell.area_complement > 0)
-            bound->scale_dependent =
-                fmax(bound->scale_dependent, knudsen_m * frequency / sqrt(cell.area_ratio / (2 * M_PI)));
+    if (!row->stacks_scales || !plan_runs(plan, EFFECT_CONVERGENCE) || !surface_extends(summary, scene))
+        return most;
+    double ends_m[2] = {summary->length_m, convergence_atom_m};
+    for (int i = 0; i < (summary->power_law.gamma < 1 ? 2 : 1); i++) {
+        double amplitude_m = power_law_amplitude(&summary->power_law, ends_m[i]);
+        struct spectrum end = {.amplitude_m = &amplitude_m, .count = 1, .length_m = ends_m[i]};
+        struct model_task extension = *task;
+        extension.spectrum = &end;
+        most = fmax(most, row->yield_bound(row, &extension));
     }
-}
-
-/** d/sigma_s of the elastic statistical model at a load, or its full contact beyond it. */
-static double elastic_d(const struct surface_record *record, const struct plan *plan, double tolerance, double load)
-{
-    struct statistical model;
-    struct status status = {0};
-    uint64_t none = 0;
-    double d = 3;
-    if (statistical_make(&model, &record->summary.asperities, &plan->pair, ASPERITY_HERTZ, 0, tolerance, INFINITY,
-                         &none, &status) != STATUS_OK)
-        return NAN; /* closed forms allocate nothing, so this does not happen */
-    struct contact_point point;
-    if (!statistical_solve(&point, &model, load, &d))
-        d = model.full_d;
-    statistical_free(&model);
-    return d;
-}
-
-static void bound_statistical(struct surface_record *record, const struct scene *scene, const struct plan *plan,
-                              double lowest_load, double highest_load)
-{
-    struct effect_bounds *bound = &record->summary.bound;
-    const struct asperities *surface = &record->summary.asperities;
-    double sigma_s_m = surface->sigma_s_m;
-    if (plan_runs(plan, EFFECT_PLASTICITY)) {
-        struct asperity asperity = asperity_make(surface->radius_m, &plan->pair, ASPERITY_JG);
-        double d = elastic_d(record, plan, scene->tolerance, highest_load);
-        double onset = asperity_yield_onset * asperity.critical_interference_m / sigma_s_m;
-        struct gaussian_integrals all = gaussian_integrals(d), beyond = gaussian_integrals(d + onset);
-        /* int_onset u phi(u + d) du over the whole; asperities ten standard deviations up could gain (10/onset)^B */
-        double share = (beyond.one + onset * beyond.zero) / all.one * exp(beyond.log_factor - all.log_factor);
-        bound->jg_excess = share * pow(fmax(1, (10 + fmax(0, -d)) / onset), asperity.area_exponent);
-    }
-    if (plan_runs(plan, EFFECT_SCALE_DEPENDENT)) {
-        /* int a K/(a + K) phi <= K F_0, over int a phi = sqrt(R sigma_s) F_1/2 */
-        struct gaussian_integrals f = gaussian_integrals(elastic_d(record, plan, scene->tolerance, lowest_load));
-        double least =
-            constriction_make(&plan->pair).knudsen_length_m * f.zero / (sqrt(surface->radius_m * sigma_s_m) * f.half);
-        bound->scale_dependent = fmax(bound->scale_dependent, least);
-    }
+    return most;
 }
 
 static bool is_converged(const struct surface_summary *summary, const struct scene *scene, const struct plan *plan)
@@ -92,97 +43,145 @@ static bool is_converged(const struct surface_summary *summary, const struct sce
 }
 
 /** What the scans run alone will take in each model, without and with scale dependence. */
-static void count_repeats(struct surface_record *record, const struct scene *scene, const struct plan *plan,
-                          const double *loads, size_t load_count)
+static void count_repeats(struct surface_record *record, const struct plan *plan, struct model_task task)
 {
-    struct model_task task = surface_task(record, scene, plan, loads, load_count);
     for (size_t m = 0; m < model_count && record->repeat_count > 0; m++)
         for (int scale_dependent = 0; scale_dependent < 2 && plan_runs_model(plan, m); scale_dependent++) {
             const unsigned bit = QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT);
             task.wanted = scale_dependent ? plan->wanted : plan->wanted & ~bit;
-            record->summary.models[m].repeats_work[scale_dependent] =
+            record->summary.models[m].bounds.repeats_work[scale_dependent] =
                 repeats_work(record->repeats, record->repeat_count, model_rows[m], &task);
         }
 }
 
-void effect_bounds_surface(struct surface_record *record, const struct scene *scene, const struct plan *plan,
-                           const double *loads, size_t load_count)
+/** Scale dependence, model by model, until one that runs whatever is decided on plasticity exceeds the tolerance. A
+ * plastic model that nothing makes yield is its elastic partner. */
+static enum status_code bound_scale_dependence(struct surface_record *record, const struct scene *scene,
+                                               const struct plan *plan, const struct model_task *task,
+                                               struct status *status)
+{
+    bool decided = false;
+    for (size_t m = 0; m < model_count; m++) {
+        const struct model_row *row = model_rows[m];
+        struct curve_bounds *bounds = &record->summary.models[m].bounds;
+        if (decided || !plan_runs_model(plan, m) || !(row->quantities & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT)) ||
+            (row->plastic && bounds->yield == 0))
+            continue;
+        if (!row->scale_dependence_bound)
+            bounds->scale_dependence = INFINITY;
+        else if (row->scale_dependence_bound(&bounds->scale_dependence, &record->summary.bound.visits, row, task,
+                                             status) != STATUS_OK)
+            return status->code;
+        decided = !row->plastic && bounds->scale_dependence > scene->tolerance;
+    }
+    return STATUS_OK;
+}
+
+enum status_code effect_bounds_surface(struct surface_record *record, const struct scene *scene,
+                                       const struct plan *plan, const double *loads, size_t load_count,
+                                       struct status *status)
 {
     struct surface_summary *summary = &record->summary;
-    double lowest = loads[0], highest = loads[load_count - 1];
-    if (plan_stacks_scales(plan) && plan_runs(plan, EFFECT_PLASTICITY))
-        bound_yield(record, plan, highest);
-    if (plan_stacks_scales(plan) && plan_runs(plan, EFFECT_SCALE_DEPENDENT))
-        bound_multiscale_size(record, plan, scene, lowest);
-    if (plan_uses_asperities(plan) && summary->has_asperities)
-        bound_statistical(record, scene, plan, lowest, highest);
-    count_repeats(record, scene, plan, loads, load_count);
-    summary->bound.converged = is_converged(summary, scene, plan);
+    struct model_task task = surface_task(record, scene, plan, loads, load_count);
+    count_repeats(record, plan, task);
+    if (!scene->effects_auto)
+        return STATUS_OK;
+    summary->bound = (struct effect_bounds){.converged = is_converged(summary, scene, plan)};
+    for (size_t m = 0; m < model_count; m++)
+        if (plan_runs_model(plan, m) && model_rows[m]->plastic)
+            summary->models[m].bounds.yield = bound_yield(record, scene, plan, m, &task);
+    return plan_runs(plan, EFFECT_SCALE_DEPENDENT) ? bound_scale_dependence(record, scene, plan, &task, status)
+                                                   : STATUS_OK;
 }
 
-static void decide_plasticity(struct plan *plan, double yield, double excess, size_t above, double tolerance)
+/** The largest bound of model `m` over the usable surfaces. */
+static double largest(const struct surface_summary *surfaces, size_t count, size_t m,
+                      double (*bound)(const struct curve_bounds *))
+{
+    double most = 0;
+    for (size_t i = 0; i < count; i++)
+        if (surfaces[i].usable)
+            most = fmax(most, bound(&surfaces[i].models[m].bounds));
+    return most;
+}
+
+static double yield_of(const struct curve_bounds *bounds)
+{
+    return bounds->yield;
+}
+
+static double scale_dependence_of(const struct curve_bounds *bounds)
+{
+    return bounds->scale_dependence;
+}
+
+/** Runs where one plastic model calls for it, for that model's reason; else is skipped for the reasons of all. */
+static void decide_plasticity(struct plan *plan, const struct surface_summary *surfaces, size_t count, double tolerance)
 {
     char *reason = plan->effects[EFFECT_PLASTICITY].reason;
-    size_t size = sizeof plan->effects[EFFECT_PLASTICITY].reason;
-    if (yield > 1) {
-        snprintf(reason, size, "%zu scales have Δ > Δc, and pressure can reach %.3g pc", above, yield);
-    } else if (excess > tolerance) {
-        snprintf(reason, size, "asperities beyond 1.9 ωc can change the area by up to %.2g", excess);
-    } else if (above > 0) {
-        snprintf(reason, size, "no load reaches pc of a scale (at most %.2g of it) or moves JG from GW by over %.1g",
-                 yield, tolerance);
-        plan_switch_off(plan, EFFECT_PLASTICITY);
-    } else {
-        snprintf(reason, size, "Δ ≤ Δc at every scale, and JG stays within %.2g of GW", excess);
-        plan_switch_off(plan, EFFECT_PLASTICITY);
-    }
+    size_t size = sizeof plan->effects[EFFECT_PLASTICITY].reason, used = 0;
+    for (int needed = 1; needed >= 0; needed--)
+        for (size_t m = 0; m < model_count && used < size; m++) {
+            const struct model_row *row = model_rows[m];
+            if (!plan_runs_model(plan, m) || !row->plastic)
+                continue;
+            double bound = largest(surfaces, count, m, yield_of);
+            if (needed && !(bound > tolerance))
+                continue;
+            if (!needed && used > 0)
+                used += (size_t)snprintf(reason + used, size - used, ", and ");
+            if (row->yield_reason)
+                row->yield_reason(reason + used, size - used, bound, needed);
+            else
+                snprintf(reason + used, size - used, "%s yields", row->label);
+            if (needed)
+                return;
+            used += strlen(reason + used);
+        }
+    plan_switch_off(plan, EFFECT_PLASTICITY);
 }
 
-static void decide_scale_dependence(struct plan *plan, double most, double tolerance)
+static void decide_scale_dependence(struct plan *plan, const struct surface_summary *surfaces, size_t count,
+                                    double tolerance)
 {
     char *reason = plan->effects[EFFECT_SCALE_DEPENDENT].reason;
     size_t size = sizeof plan->effects[EFFECT_SCALE_DEPENDENT].reason;
+    double most = 0;
+    for (size_t m = 0; m < model_count; m++)
+        if (plan_runs_model(plan, m))
+            most = fmax(most, largest(surfaces, count, m, scale_dependence_of));
     if (most > tolerance) {
-        snprintf(reason, size, "(8/3π) λmfp/a can raise TCR by up to %.2g", most);
+        snprintf(reason, size, "(8/3π) λmfp/a can raise TCR by %.2g", most);
     } else {
         snprintf(reason, size, "(8/3π) λmfp/a raises TCR by at most %.2g, below the tolerance", most);
         plan_switch_off(plan, EFFECT_SCALE_DEPENDENT);
     }
 }
 
-static void decide_convergence(struct plan *plan, size_t settled, size_t usable)
+static void decide_convergence(struct plan *plan, const struct surface_summary *surfaces, size_t count)
 {
     char *reason = plan->effects[EFFECT_CONVERGENCE].reason;
-    size_t size = sizeof plan->effects[EFFECT_CONVERGENCE].reason;
-    if (settled == usable)
+    size_t size = sizeof plan->effects[EFFECT_CONVERGENCE].reason, converged = 0, usable = 0;
+    for (size_t i = 0; i < count; i++) {
+        usable += surfaces[i].usable;
+        converged += surfaces[i].usable && surfaces[i].bound.converged;
+    }
+    if (converged == usable)
         snprintf(reason, size, "sweeps only: no scale below the sampling limit can take area from any surface");
     else
-        snprintf(reason, size, "%zu of %zu surfaces may lose area below their sampling limit", usable - settled,
+        snprintf(reason, size, "%zu of %zu surfaces may lose area below their sampling limit", usable - converged,
                  usable);
 }
 
 void effect_bounds_plan(struct plan *plan, const struct scene *scene, const struct surface_summary *surfaces,
                         size_t count)
 {
-    double yield = 0, excess = 0, scale_dependent = 0;
-    size_t above = 0, settled = 0, usable = 0;
     if (!scene->effects_auto)
         return;
-    for (size_t i = 0; i < count; i++) {
-        const struct effect_bounds *bound = &surfaces[i].bound;
-        if (!surfaces[i].usable)
-            continue;
-        usable++;
-        yield = fmax(yield, bound->yield);
-        excess = fmax(excess, bound->jg_excess);
-        above += bound->above_critical;
-        scale_dependent = fmax(scale_dependent, bound->scale_dependent);
-        settled += bound->converged;
-    }
     if (plan_runs(plan, EFFECT_PLASTICITY))
-        decide_plasticity(plan, yield, excess, above, scene->tolerance);
+        decide_plasticity(plan, surfaces, count, scene->tolerance);
     if (plan_runs(plan, EFFECT_SCALE_DEPENDENT))
-        decide_scale_dependence(plan, scale_dependent, scene->tolerance);
+        decide_scale_dependence(plan, surfaces, count, scene->tolerance);
     if (plan_runs(plan, EFFECT_CONVERGENCE))
-        decide_convergence(plan, settled, usable);
+        decide_convergence(plan, surfaces, count);
 }

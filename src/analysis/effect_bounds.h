@@ -4,15 +4,15 @@
 
 #include "analysis/surface.h"
 
-/** Fills the bounds of a described surface for loads between the first and the last of `loads`.
- *  - yield: a scale sees at most max(P, p* of the longer scales), because the elastic area ratio is at least p/p*, so
- *    that p_{i+1} = p_i/a_i <= max(p_i, p*_i); held against p_c of each scale.
- *  - jg_excess: the share of the area on asperities pressed beyond 1.9 omega_c at the highest load, times what they
- *    could gain there.
- *  - scale_dependent: (8/3pi) lambda_mfp over the smallest mean contact radius, at the lowest load.
- *  - settled: gamma >= 1 and the nominal pressure alone is at least p* at the sampling limit. */
-void effect_bounds_surface(struct surface_record *record, const struct scene *scene, const struct plan *plan,
-                           const double *loads, size_t load_count);
+/** Fills the bounds of a described surface, for an `auto` scene, over all the numbers it reports. Not all of them lie
+ * between the first and the last of `loads`: the load of full contact and that of no gap, what is left of the gap
+ * there, beta and with it the adjusted separation at any load, the power law carried on below the sampling limit (at
+ * the convergence study's load), and the same of scans run alone. So each model bounds what yielding can change up to
+ * full contact, and scale dependence over the loads; a surface has converged when gamma >= 1 and the nominal pressure
+ * alone is at least p* at the sampling limit. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code effect_bounds_surface(struct surface_record *record, const struct scene *scene,
+                                                  const struct plan *plan, const double *loads, size_t load_count,
+                                                  struct status *status);
 
 /** Takes the effects out of an `auto` plan that no usable one of `count` surfaces calls for, and gives every effect its
  * reason with the number that decided. A plan from a list of effects keeps what was listed. */

@@ -129,9 +129,7 @@ static void limits(double out[2], const struct repeats_number *number, size_t co
     }
 }
 
-/** The task with one part in place of the mean of all; `asperities` is where its own go. */
-static struct model_task task_of_part(struct asperities *asperities, const struct repeat *part,
-                                      const struct model_task *task)
+struct model_task repeats_task(struct asperities *asperities, const struct repeat *part, const struct model_task *task)
 {
     struct model_task own = *task;
     struct status none = {0};
@@ -146,7 +144,7 @@ struct model_work repeats_work(const struct repeat *parts, size_t count, const s
     struct model_work sum = {0};
     for (size_t p = 0; p < count; p++) {
         struct asperities asperities;
-        struct model_task own = task_of_part(&asperities, &parts[p], task);
+        struct model_task own = repeats_task(&asperities, &parts[p], task);
         struct model_work work = model->work(model, &own);
         model_work_add(&sum, &work);
     }
@@ -163,7 +161,7 @@ enum status_code repeats_model(struct repeats_number *beta, struct repeats_numbe
     enum status_code rc = sums && points ? STATUS_OK : status_memory(status);
     for (size_t p = 0; p < count && rc == STATUS_OK; p++) {
         struct asperities asperities;
-        struct model_task own = task_of_part(&asperities, &parts[p], task);
+        struct model_task own = repeats_task(&asperities, &parts[p], task);
         struct model_curve curve = {.points = points};
         rc = model_run(&curve, model, &own, status);
         if (rc != STATUS_OK)

@@ -49,6 +49,9 @@ bool repeats_band_holds(enum quantity quantity);
 MUST_CHECK enum status_code repeats_laws(struct repeats *out, const struct repeat *parts, size_t count,
                                          const double band_m[2], struct status *status);
 
+/** `task` with one scan in place of the mean of all; `asperities` is where its own go. */
+struct model_task repeats_task(struct asperities *asperities, const struct repeat *scan, const struct model_task *task);
+
 /** Runs one model on every part alone: `band` (task->load_count entries, the caller's), and the model's `beta` and
  * logarithm of the load of full contact over the parts; adds what that took to *work. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code repeats_model(struct repeats_number *beta, struct repeats_number *log_full_load,

@@ -32,7 +32,9 @@ static void describe(struct surface_record *record, const struct scene *scene)
 
     const struct power_law *law = &summary->power_law;
     if (isnan(law->gamma)) {
-        gather_note(summary, "no power law: fewer than 3 harmonics lie in the fit band; widen fit_band_m");
+        gather_note(summary, "no power law: %s",
+                    law->harmonics < 3 ? "fewer than 3 harmonics lie in the fit band; widen fit_band_m"
+                                       : "its alpha is beyond the range of numbers; are the units right?");
         return;
     }
     /* a jump J at the border of the record adds J/(pi n) to harmonic n, an f^-1 tail */
@@ -135,6 +137,12 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
     model->seconds = clock_seconds() - started;
     if (curve->exists)
         curve_summary_make(model, curve, model_rows[m], record->summary.asperities.sigma_m);
+    else
+        model->work = curve->work;
+    if (curve->overflows)
+        gather_note(&record->summary,
+                    "no %s: its numbers leave what can be computed with; check the units, the material and the loads",
+                    model_rows[m]->label);
     return run_repeats(record, m, task, status);
 }
 

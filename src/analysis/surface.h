@@ -16,13 +16,10 @@ struct surface_times {
     double read, prepare, spectrum, convergence;
 };
 
-/** How far the surface could call for an effect, from bounds that cost next to nothing (bound.h). */
+/** What `effects: auto` decides by, besides the bounds of each model. */
 struct effect_bounds {
-    double yield;           /* largest p/p_c any scale can see; at most 1: no scale yields */
-    size_t above_critical;  /* scales with Delta > Delta_c */
-    double jg_excess;       /* bound on JG's relative difference from GW over the loads */
-    double scale_dependent; /* bound on TCR_sd/TCR - 1 over the loads and models */
-    bool converged;         /* no scale below the sampling limit can take any area at the convergence study's load */
+    uint64_t visits; /* scales visited to bound scale dependence */
+    bool converged;  /* no scale below the sampling limit can take any area at the convergence study's load */
 };
 
 struct surface_summary {

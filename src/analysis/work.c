@@ -23,6 +23,7 @@ struct work work_predict(const struct surface_summary *surfaces, size_t count, c
         if (!outline.summary.usable)
             continue;
         outline.spectrum.count = outline.summary.harmonics;
+        work.bounds += surfaces[i].bound.visits;
         struct model_task task = surface_task(&outline, scene, plan, NULL, load_count);
         for (size_t m = 0; m < model_count; m++) {
             if (!plan_runs_model(plan, m))
@@ -30,7 +31,7 @@ struct work work_predict(const struct surface_summary *surfaces, size_t count, c
             struct model_work more = model_rows[m]->work(model_rows[m], &task);
             model_work_add(share_of(&work, m), &more);
             model_work_add(share_of(&work, m),
-                           &surfaces[i].models[m].repeats_work[plan_runs(plan, EFFECT_SCALE_DEPENDENT)]);
+                           &surfaces[i].models[m].bounds.repeats_work[plan_runs(plan, EFFECT_SCALE_DEPENDENT)]);
             work.extensions += model_rows[m]->stacks_scales && plan_runs(plan, EFFECT_CONVERGENCE) &&
                                surface_extends(&outline.summary, scene);
         }
@@ -44,11 +45,13 @@ struct work work_predict(const struct surface_summary *surfaces, size_t count, c
 struct work work_done(const struct surface_summary *surfaces, size_t count, uint64_t sweep_scales)
 {
     struct work work = {.sweep_scales = sweep_scales};
-    for (size_t i = 0; i < count; i++)
+    for (size_t i = 0; i < count; i++) {
+        work.bounds += surfaces[i].bound.visits;
         for (size_t m = 0; surfaces[i].models && m < model_count; m++) {
             model_work_add(share_of(&work, m), &surfaces[i].models[m].work);
             work.extensions += surfaces[i].models[m].extended;
         }
+    }
     return work;
 }
 
@@ -80,10 +83,10 @@ static uint64_t share(const struct work *work, const struct plan *plan, enum eff
         count = first_conductor ? work->elastic.constrictions + work->plastic.constrictions : 0;
         *seconds = (double)count * constriction_seconds;
         return count;
-    case EFFECT_SCALE_DEPENDENT:
+    case EFFECT_SCALE_DEPENDENT: /* the decision, and laws at nodes where closed forms would do without it */
         count = work->elastic.scale_dependent_nodes;
-        *seconds = (double)count * node_seconds;
-        return count;
+        *seconds = (double)work->bounds * (scale_seconds + constriction_seconds) + (double)count * node_seconds;
+        return work->bounds + count;
     case EFFECT_CONVERGENCE:
         *seconds = (double)work->sweep_scales * scale_seconds + (double)work->extensions * extension_seconds;
         return work->sweep_scales + work->extensions;
@@ -155,10 +158,10 @@ void work_table(struct work_row rows[WORK_ROWS], const struct work *work, const 
         };
         if (e == EFFECT_CONVERGENCE)
             row->bytes = (double)work->sweep_scales * sizeof(double);
-        if (row->runs) {
+        if (row->runs)
             add_method(row, (enum effect)e, plan);
+        if (row->runs || e == EFFECT_SCALE_DEPENDENT) /* deciding against it takes some too */
             row->evaluations = share(work, plan, (enum effect)e, &row->seconds);
-        }
     }
 }
 

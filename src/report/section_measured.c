@@ -11,7 +11,11 @@ static void write(struct text *out, const struct section_context *context)
     const struct measured *measured = context->results->measured;
     text_add(out, "## Measured contact resistance\n\nDistance of each model from the measurements on ");
     section_named(out, "Surface ", context->results, context->results->baseline);
-    text_add(out, ": root mean square and mean of log₁₀(model/measured).\n\n");
+    text_add(out, ": root mean square and mean of log₁₀(model/measured). Measured loads were given in ");
+    text_add_markdown(out, measured->load_unit);
+    text_add(out, ", resistances in ");
+    text_add_markdown(out, measured->resistance_unit);
+    text_add(out, "; the charts join the points in the order in which they were measured.\n\n");
     text_add(out, "| model | points compared | loads compared | RMS distance (decades) | mean (decades) |\n"
                   "|---|---:|---|---:|---:|\n");
     for (size_t m = 0; m < model_count; m++) {

@@ -51,9 +51,11 @@ enum status_code workers_describe(struct surface_record *record, const struct re
         surface_record_free(record, true);
         return status->code;
     }
+    enum status_code rc = STATUS_OK;
     if (record->summary.usable)
-        effect_bounds_surface(record, scene, results->plan, results->loads, results->load_count);
-    enum status_code rc = surface_store_put(results->store, index, record, status);
+        rc = effect_bounds_surface(record, scene, results->plan, results->loads, results->load_count, status);
+    if (rc == STATUS_OK)
+        rc = surface_store_put(results->store, index, record, status);
     if (rc != STATUS_OK)
         surface_record_free(record, true);
     return rc;
@@ -64,10 +66,13 @@ enum status_code workers_model(struct surface_record *record, const struct resul
 {
     if (!results->store->summaries[index].usable)
         return STATUS_OK;
-    if (surface_store_get(record, results->store, index, status) != STATUS_OK ||
-        surface_run_models(record, results->scene, results->plan, results->loads, results->load_count, status) !=
-            STATUS_OK)
+    if (surface_store_get(record, results->store, index, status) != STATUS_OK)
         return status->code;
+    enum status_code rc =
+        surface_run_models(record, results->scene, results->plan, results->loads, results->load_count, status);
+    results->store->summaries[index] = record->summary; /* its texts may have been made anew */
+    if (rc != STATUS_OK)
+        return rc;
     return surface_store_put(results->store, index, record, status);
 }
 

@@ -3,6 +3,7 @@
 #define SCENE_SCENE_H
 
 #include "base/status.h"
+#include "base/unit.h"
 #include "contact/model.h"
 #include "material/material.h"
 #include "profile/level.h"
@@ -17,6 +18,8 @@ struct scene_surface {
     size_t file_count;
     char x_unit[16]; /* "" when the scene gives none */
     char z_unit[16];
+    enum scan_quantity quantity;     /* slopes are integrated to heights */
+    char x_column[64], z_column[64]; /* number from 1 or title; "": the file's header decides */
 };
 
 /** Loads as given; scene_loads() turns them into P/(A_n E'). */
@@ -35,14 +38,17 @@ struct scene_convergence {
 };
 
 enum scene_measured_quantity { SCENE_MEASURED_ECR, SCENE_MEASURED_TCR, SCENE_MEASURED_QUANTITY_COUNT };
-enum scene_load_unit { SCENE_LOAD_DIMENSIONLESS, SCENE_LOAD_PASCAL, SCENE_LOAD_NEWTON, SCENE_LOAD_UNIT_COUNT };
+
+/** What a measured load and, by quantity, a measured resistance may be: enum unit_quantity bits. */
+enum { SCENE_MEASURED_LOADS = UNIT_NUMBER | UNIT_FORCE | UNIT_PRESSURE };
+extern const unsigned scene_measured_resistances[SCENE_MEASURED_QUANTITY_COUNT];
 
 /** Measured contact resistance to hold the models against. */
 struct scene_measured {
-    char *file;                            /* path as given; NULL: none */
-    enum scene_measured_quantity quantity; /* resistance times nominal area (Ω·m², K·m²/W), or ohms/K per W with
-                                              nominal_area_m2 in the scene */
-    enum scene_load_unit load_unit;
+    char *file; /* path as given; NULL: none */
+    enum scene_measured_quantity quantity;
+    char load_unit[UNIT_LENGTH];       /* "" when the scene gives none */
+    char resistance_unit[UNIT_LENGTH]; /* the same: total, or times the nominal area */
 };
 
 struct scene {

@@ -72,7 +72,7 @@ static void test_reader_hands_the_header_spacing_over(void **state)
     static const char text[] = "Scan Parameters\nResolution,0.156 um/sample\n\nScan Data\nLateral um,Raw Micrometer,\n"
                                "0.0,1,,\n0.2,2,,\n0.3,1,,\n0.5,3,,\n";
     struct scan_bytes file = {text, sizeof text - 1, "d.csv"};
-    struct scan_options options = {"", ""};
+    struct scan_options options = {.x_unit = "", .z_unit = ""};
     struct scan scan;
     struct status status = {0};
     assert_int_equal(scan_read_bytes(&scan, &file, &options, &status), STATUS_OK);
@@ -100,6 +100,11 @@ static void test_filters(void **state)
     struct scan scan = scan_on(NULL, f->z, POINTS, 1e-6);
     assert_profile_refused(&scan, &(struct profile_options){.lambda_c_m = 0.01},
                            "lambda_c_m is 0.01, longer than the scan");
+    scan = scan_on(NULL, f->z, POINTS, 1e-12);
+    assert_profile_refused(&scan, &(struct profile_options){.lambda_s_m = 1e3}, "no roughness is left between");
+    for (size_t i = 0; i < POINTS; i++) /* such as a row of a map whose other rows are rough */
+        f->z[i] *= 1e-300;
+    assert_profile_refused(&scan, &(struct profile_options){.lambda_s_m = 0}, "differ by no more than");
 }
 
 /* Uneven points: kept as measured until a filter makes them something else. */

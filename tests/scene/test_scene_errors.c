@@ -137,6 +137,14 @@ static void test_choices(void **state)
         {"effects: [auto]\n", 1,
          "unknown effect 'auto'; allowed: plasticity, separation, electrical, thermal, scale-dependent, convergence"},
         {"effects: {thermal: yes}\n", 1, "'effects' is a mapping; give a list of names"},
+        {"measured: {file: a.csv,\n load_unit: furlong}\n", 2,
+         "'load_unit' is 'furlong'; understood: dimensionless; N, mN, cN, kN, gf, kgf, lbf; Pa, kPa, MPa, GPa, N/mm2, "
+         "bar, psi"},
+        {"measured:\n  file: a.csv\n  resistance_unit: K/W\n", 3,
+         "'resistance_unit' is 'K/W'; understood: ohm (Ω), nohm, uohm (µΩ), mohm (mΩ), kohm; ohm m2 (Ω·m²), ohm mm2, "
+         "mohm mm2, uohm cm2"},
+        {"measured: {file: a.csv, quantity: tcr, resistance_unit: mohm}\n", 1,
+         "'resistance_unit' is 'mohm'; understood: K/W, mK/W; K m2/W, K mm2/W, K cm2/W"},
         {"baseline: c\n", 1, "'baseline' is 'c', no surface's name; the first is 'a'"},
     };
     CHECK_WRONG(rows);
@@ -224,6 +232,18 @@ static void test_surfaces(void **state)
          "two surfaces are named '1', the first in line 2; give each its own 'name'"},
         {"surfaces:\n  - {file: a.csv}\n  - {file: a.csv}\n", 3,
          "two surfaces are named 'a', the first in line 2; give each its own 'name'"},
+        {"surfaces:\n  - {file: a.csv, quantity: angle}\n", 2, "unknown quantity 'angle'; allowed: height, slope"},
+        {"surfaces:\n  - {file: a.csv, column: 0}\n", 2,
+         "'column' is '0'; give a column's number, from 1, or its title"},
+        {"surfaces:\n  - {file: a.csv, column: [1, -2]}\n", 2,
+         "'column' is '-2'; give a column's number, from 1, or its title"},
+        {"surfaces:\n  - file: a.csv\n    column: 1.5\n", 3,
+         "'column' is '1.5'; give a column's number, from 1, or its title"},
+        {"surfaces:\n  - {file: a.csv, column: [1, 2, 3]}\n", 2,
+         "'column' is no column; give one, as in `column: 3`, or x and z, as in `column: [1, 3]`"},
+        {"surfaces:\n  - {file: a.csv, column: {x: 1}}\n", 2,
+         "'column' is no column; give one, as in `column: 3`, or x and z, as in `column: [1, 3]`"},
+        {"counterface: {surface: b.csv, quantity: slops}\n", 1, "unknown quantity 'slops'; did you mean 'slope'?"},
         {"surfaces:\n  - {file: a.csv, z_unit: micrometremicrometre}\n", 2,
          "'z_unit' is longer than 15 bytes; shorten it"},
         {"surfaces:\n  - {file: a.csv}\n\nbaseline: b\n", 4, "'baseline' is 'b', no surface's name; the first is 'a'"},
