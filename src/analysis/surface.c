@@ -85,6 +85,8 @@ struct model_task surface_task(const struct surface_record *record, const struct
         .wanted = plan->wanted,
         .tolerance = scene->tolerance,
         .sinusoid_fit = scene->closure,
+        .hardness_Pa =
+            isnan(scene->hardness_Pa) ? material_hardness_ratio * plan->pair.yield_strength_Pa : scene->hardness_Pa,
     };
 }
 

@@ -20,6 +20,7 @@ struct model_task {
     unsigned wanted; /* QUANTITY_BITs */
     double tolerance;
     enum sinusoid_fit_id sinusoid_fit;
+    double hardness_Pa; /* H_d of the softer body; NaN: not known */
 };
 
 /** What answering took: visits of scales, asperity laws at quadrature nodes, and loads solved for a separation. */

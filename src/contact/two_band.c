@@ -1,6 +1,6 @@
 #include "contact/two_band.h"
 
-#include "base/quadrature.h"
+#include "base/integral.h"
 
 #include <assert.h>
 #include <math.h>
@@ -64,7 +64,7 @@ enum status_code two_band_stack(struct multiscale *out, const struct two_band *b
 }
 
 /** ECR A_n/rho [m] of an elastic stack, to integrate over a load p: directly, over ln p, or over sqrt(end - p). */
-struct constriction {
+struct resistance_length {
     const struct multiscale *stack;
     double end; /* load at which a scale completes; above, ECR loses a term (end - p)^(3/2) */
     uint64_t *evaluations;
@@ -72,24 +72,24 @@ struct constriction {
 
 static const struct constriction unit = {.resistivity_ohm_m = 1};
 
-static double constriction_at(const struct constriction *constriction, double load)
+static double length_at(const struct resistance_length *length, double load)
 {
     struct contact_point point;
-    multiscale_solve(&point, constriction->stack, &unit, CONTACT_ELECTRICAL, load, constriction->evaluations);
+    multiscale_solve(&point, length->stack, &unit, QUANTITY_BIT(QUANTITY_ECR), load, length->evaluations);
     return point.ecr_ohm_m2;
 }
 
 static double over_logarithm(double logarithm, void *context)
 {
     double load = exp(logarithm);
-    return load * constriction_at(context, load);
+    return load * length_at(context, load);
 }
 
 static double over_root(double root, void *context)
 {
-    const struct constriction *constriction = context;
-    double load = fmax(constriction->end - root * root, 0.25 * constriction->end);
-    return 2 * root * constriction_at(constriction, load);
+    const struct resistance_length *length = context;
+    double load = fmax(length->end - root * root, 0.25 * length->end);
+    return 2 * root * length_at(length, load);
 }
 
 /** The load at which `scale`, the index-th, is pressed by x p*: p/A_above(p) = x p*, found by bisection down to
@@ -136,12 +136,11 @@ void two_band_separation(double *separation_m, const double *load, size_t count,
                 else
                     end = fmin(end, complete[band]);
             }
-            struct constriction constriction = {stack, end, evaluations};
+            struct resistance_length length = {stack, end, evaluations};
             if (lower > end / 2)
-                separation +=
-                    quadrature(over_root, &constriction, sqrt(fmax(end - upper, 0)), sqrt(end - lower), tolerance);
+                separation += integral(over_root, &length, sqrt(fmax(end - upper, 0)), sqrt(end - lower), tolerance);
             else
-                separation += quadrature(over_logarithm, &constriction, log(lower), log(upper), tolerance);
+                separation += integral(over_logarithm, &length, log(lower), log(upper), tolerance);
             upper = lower;
         }
         separation_m[i] = separation;

@@ -1,7 +1,7 @@
 #include "joint/gas.h"
 
 #include "base/constants.h"
-#include "base/quadrature.h"
+#include "base/integral.h"
 
 #include <math.h>
 #include <strings.h>
@@ -73,9 +73,9 @@ double gas_gap_integral(double separation_over_sigma, double jump_over_sigma, do
     struct gap gap = {separation_over_sigma, jump_over_sigma};
     double reach = sqrt(2 * (8 - log(fmax(tolerance, 1e-15)))); /* beyond, exp(-t²/2) counts no more */
     double lowest = fmax(0, gap.mean - reach) + gap.jump, base = gap.mean + gap.jump;
-    double integral = lowest > 1 ? quadrature(over_deviation, &gap, -fmin(gap.mean, reach), reach, tolerance)
-                                 : quadrature(over_logarithm, &gap, log(lowest), log(base + reach), tolerance);
-    return integral / sqrt(2 * M_PI);
+    double whole = lowest > 1 ? integral(over_deviation, &gap, -fmin(gap.mean, reach), reach, tolerance)
+                              : integral(over_logarithm, &gap, log(lowest), log(base + reach), tolerance);
+    return whole / sqrt(2 * M_PI);
 }
 
 double gas_conductance(const struct gas *gas, double sigma_m, double separation_m, double jump_length_m,
@@ -86,6 +86,6 @@ double gas_conductance(const struct gas *gas, double sigma_m, double separation_
         return 0;
     if (!(sigma_m > 0))
         return open * gas->conductivity_W_per_mK / (gap_m + jump_length_m);
-    double integral = gas_gap_integral(gap_m / sigma_m, jump_length_m / sigma_m, tolerance);
-    return open * gas->conductivity_W_per_mK / sigma_m * integral;
+    double whole = gas_gap_integral(gap_m / sigma_m, jump_length_m / sigma_m, tolerance);
+    return open * gas->conductivity_W_per_mK / sigma_m * whole;
 }

@@ -26,6 +26,7 @@ static struct scene default_scene(void)
         .counterface = material_unknown(""),
         .nominal_area_m2 = NAN,
         .load = {.from = 1e-6, .to = 0.1, .points = 121},
+        .hardness_Pa = NAN,
         .tolerance = 1e-6,
         .level = LEVEL_LINE,
         .max_missing = 0.1,

@@ -63,7 +63,8 @@ struct scene {
     struct material counterface;
     double nominal_area_m2; /* NaN: resistances stay per area */
     struct scene_load load;
-    double tolerance; /* relative */
+    double hardness_Pa; /* of the softer body; NaN: 2.84 times its yield strength */
+    double tolerance;   /* relative */
     enum level level;
     double max_missing;  /* share of a profile's points that may be missing */
     double lambda_s_m;   /* cut-off of the Gaussian low-pass; 0: none */

@@ -233,6 +233,7 @@ static const struct scene_key scene_keys[] = {
     {"direction", scene_value_choice, CHOICES(struct scene, direction, scan_direction_names)},
     {"measured", scene_pair_measured, .offset = offsetof(struct scene, measured)},
     {"nominal_area_m2", NUMBER(struct scene, nominal_area_m2, 1e-18, 1e6), .word = "none"},
+    {"hardness", NUMBER(struct scene, hardness_Pa, 1e3, 1e12)},
     {"load", read_load, .offset = offsetof(struct scene, load)},
     {"tolerance", NUMBER(struct scene, tolerance, SCENE_KEYS_TOLERANCE_LEAST, SCENE_KEYS_TOLERANCE_MOST)},
     {"level", scene_value_choice, CHOICES(struct scene, level, level_names)},

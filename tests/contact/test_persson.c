@@ -1,6 +1,6 @@
 /* Persson's area, separation and conductance against tests/data/golden/models/persson_lines.csv (a direct double
  * integral in 30 digits), against the sums over every wave, and in their limits. */
-#include "base/quadrature.h"
+#include "base/integral.h"
 #include "contact/persson.h"
 #include "random_surface.h"
 #include "support.h"
@@ -60,7 +60,7 @@ static double integral(struct integrand of)
     double sum = 0, from = of.from;
     while (from < of.from + 7) { /* geometric parts, for the pole at 0 */
         double to = fmin(2 * from, from + 1);
-        sum += quadrature(direct, &of, from, to, 1e-14);
+        sum += integral(direct, &of, from, to, 1e-14);
         from = to;
     }
     return sum;

@@ -1,4 +1,4 @@
-#include "base/quadrature.h"
+#include "base/integral.h"
 
 #include <gsl/gsl_integration.h>
 #include <math.h>
@@ -16,7 +16,7 @@ static double bisect(const gsl_function *f, double from, double to, double toler
     return bisect(f, from, middle, tolerance, least, depth + 1) + bisect(f, middle, to, tolerance, least, depth + 1);
 }
 
-double quadrature(quadrature_function *f, void *context, double from, double to, double tolerance)
+double integral(integral_function *f, void *context, double from, double to, double tolerance)
 {
     const gsl_function integrand = {f, context};
     return bisect(&integrand, from, to, fmax(tolerance, 1e-14), 0, 0);
