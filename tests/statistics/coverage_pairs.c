@@ -1,6 +1,6 @@
 #include "coverage.h"
 
-#include "statistics/comparison.h"
+#include "statistics/ranking.h"
 #include <math.h>
 
 static struct interval draw(size_t scans, double mean, double sd, gsl_rng *random)
@@ -20,8 +20,8 @@ static double share(size_t first, size_t second, double ratio, double first_sd, 
     double told = 0;
     for (size_t set = 0; set < sets; set++) {
         struct interval a = draw(first, log(ratio), first_sd, random), b = draw(second, 0, second_sd, random);
-        struct comparison welch = comparison_welch(&a, &b, 0.95);
-        told += comparison_verdict(welch.difference, welch.p, 0.95) != COMPARISON_NOT_TOLD_APART;
+        struct ranking welch = ranking_welch(&a, &b, 0.95);
+        told += ranking_verdict(welch.difference, welch.p, 0.95) != RANKING_NOT_TOLD_APART;
     }
     return told / (double)sets;
 }
@@ -39,10 +39,10 @@ static void four(FILE *out, size_t scans, size_t sets, const char *published, gs
             surface[i] = draw(scans, 0, 0.11, random);
         for (size_t i = 0; i < SURFACES; i++)
             for (size_t j = i + 1; j < SURFACES; j++)
-                p[comparison_pair(i, j, SURFACES)] = comparison_welch(&surface[i], &surface[j], 0.95).p;
+                p[ranking_pair(i, j, SURFACES)] = ranking_welch(&surface[i], &surface[j], 0.95).p;
         for (size_t k = 0; k < PAIRS; k++)
             least = fmin(least, p[k]);
-        coverage_must(comparison_holm(p, p, PAIRS, &status), &status);
+        coverage_must(ranking_holm(p, p, PAIRS, &status), &status);
         for (size_t k = 0; k < PAIRS; k++)
             least_adjusted = fmin(least_adjusted, p[k]);
         plain += (least < 0.05) / (double)sets;

@@ -1,4 +1,4 @@
-#include "statistics/comparison.h"
+#include "statistics/ranking.h"
 
 #include <assert.h>
 #include <float.h>
@@ -9,9 +9,9 @@
 
 static const double single_errors = 2.3;
 
-struct comparison comparison_welch(const struct interval *a, const struct interval *b, double level)
+struct ranking ranking_welch(const struct interval *a, const struct interval *b, double level)
 {
-    struct comparison out = {.difference = a->mean - b->mean, .s = hypot(a->s, b->s)};
+    struct ranking out = {.difference = a->mean - b->mean, .s = hypot(a->s, b->s)};
     if (out.s > 0) {
         double share = (a->s / out.s) * (a->s / out.s), rest = (b->s / out.s) * (b->s / out.s);
         out.degrees = 1 / (share * share / a->degrees + rest * rest / b->degrees);
@@ -29,22 +29,22 @@ struct comparison comparison_welch(const struct interval *a, const struct interv
     return out;
 }
 
-enum comparison_verdict comparison_verdict(double difference, double p, double level)
+enum ranking_verdict ranking_verdict(double difference, double p, double level)
 {
     if (p > 1 - level || difference == 0)
-        return COMPARISON_NOT_TOLD_APART;
-    return difference < 0 ? COMPARISON_FIRST_LOWER : COMPARISON_FIRST_HIGHER;
+        return RANKING_NOT_TOLD_APART;
+    return difference < 0 ? RANKING_FIRST_LOWER : RANKING_FIRST_HIGHER;
 }
 
-enum comparison_verdict comparison_single(double ln_first, const struct single_scan *first, double ln_second,
+enum ranking_verdict ranking_single(double ln_first, const struct single_scan *first, double ln_second,
                                           const struct single_scan *second)
 {
     double difference = ln_first - ln_second;
     if (first->heterogeneous || second->heterogeneous)
-        return COMPARISON_NO_VERDICT;
+        return RANKING_NO_VERDICT;
     if (!(fabs(difference) > single_errors * hypot(first->s, second->s)))
-        return COMPARISON_NOT_TOLD_APART;
-    return difference < 0 ? COMPARISON_FIRST_LOWER : COMPARISON_FIRST_HIGHER;
+        return RANKING_NOT_TOLD_APART;
+    return difference < 0 ? RANKING_FIRST_LOWER : RANKING_FIRST_HIGHER;
 }
 
 struct ranked {
@@ -59,7 +59,7 @@ static int smaller_first(const void *a, const void *b)
     return order ? order : (first->index > second->index) - (first->index < second->index);
 }
 
-enum status_code comparison_holm(double *adjusted, const double *p, size_t count, struct status *status)
+enum status_code ranking_holm(double *adjusted, const double *p, size_t count, struct status *status)
 {
     for (size_t i = 0; i < count; i++)
         if (!(p[i] >= 0 && p[i] <= 1))
@@ -79,7 +79,7 @@ enum status_code comparison_holm(double *adjusted, const double *p, size_t count
     return STATUS_OK;
 }
 
-size_t comparison_pair(size_t i, size_t j, size_t count)
+size_t ranking_pair(size_t i, size_t j, size_t count)
 {
     assert(i < j && j < count);
     return i * (2 * count - i - 1) / 2 + (j - i - 1);
@@ -87,11 +87,11 @@ size_t comparison_pair(size_t i, size_t j, size_t count)
 
 static bool alike(const bool *apart, size_t i, size_t j, size_t count)
 {
-    return i == j || !apart[i < j ? comparison_pair(i, j, count) : comparison_pair(j, i, count)];
+    return i == j || !apart[i < j ? ranking_pair(i, j, count) : ranking_pair(j, i, count)];
 }
 
 /** Do groups other than `except` hold both i and j (i = j: the one)? */
-static bool covered(const struct comparison_groups *groups, size_t i, size_t j, size_t except)
+static bool covered(const struct ranking_groups *groups, size_t i, size_t j, size_t except)
 {
     for (size_t g = 0; g < groups->groups; g++) {
         const bool *member = groups->member + g * groups->surfaces;
@@ -102,7 +102,7 @@ static bool covered(const struct comparison_groups *groups, size_t i, size_t j, 
 }
 
 /** Adds the group of i and j and of all that are like each in it, taken in order. */
-static void add_group(struct comparison_groups *groups, const bool *apart, size_t i, size_t j)
+static void add_group(struct ranking_groups *groups, const bool *apart, size_t i, size_t j)
 {
     bool *member = groups->member + groups->groups++ * groups->surfaces;
     member[i] = member[j] = true;
@@ -114,7 +114,7 @@ static void add_group(struct comparison_groups *groups, const bool *apart, size_
     }
 }
 
-static bool needed(const struct comparison_groups *groups, size_t group)
+static bool needed(const struct ranking_groups *groups, size_t group)
 {
     const bool *member = groups->member + group * groups->surfaces;
     for (size_t i = 0; i < groups->surfaces; i++)
@@ -124,7 +124,7 @@ static bool needed(const struct comparison_groups *groups, size_t group)
     return false;
 }
 
-static void remove_group(struct comparison_groups *groups, size_t group)
+static void remove_group(struct ranking_groups *groups, size_t group)
 {
     size_t row = groups->surfaces;
     memmove(groups->member + group * row, groups->member + (group + 1) * row, (groups->groups - group - 1) * row);
@@ -137,7 +137,7 @@ static bool comes_before(const bool *a, const bool *b, size_t surfaces)
     return memcmp(a, b, surfaces * sizeof *a) > 0;
 }
 
-static void sort_groups(struct comparison_groups *groups)
+static void sort_groups(struct ranking_groups *groups)
 {
     size_t row = groups->surfaces;
     for (size_t g = 1; g < groups->groups; g++)
@@ -149,12 +149,12 @@ static void sort_groups(struct comparison_groups *groups)
             }
 }
 
-enum status_code comparison_groups_make(struct comparison_groups *out, const bool *apart, size_t surfaces,
+enum status_code ranking_groups_make(struct ranking_groups *out, const bool *apart, size_t surfaces,
                                         struct status *status)
 {
     /* one group a pair at most, or one a surface */
     size_t room = surfaces * (surfaces + 1) / 2 + 1;
-    *out = (struct comparison_groups){.surfaces = surfaces, .member = calloc(room * (surfaces + 1), sizeof(bool))};
+    *out = (struct ranking_groups){.surfaces = surfaces, .member = calloc(room * (surfaces + 1), sizeof(bool))};
     if (!out->member)
         return status_memory(status);
     for (size_t i = 0; i < surfaces; i++)
@@ -171,18 +171,18 @@ enum status_code comparison_groups_make(struct comparison_groups *out, const boo
     return STATUS_OK;
 }
 
-void comparison_groups_free(struct comparison_groups *groups)
+void ranking_groups_free(struct ranking_groups *groups)
 {
     free(groups->member);
-    *groups = (struct comparison_groups){0};
+    *groups = (struct ranking_groups){0};
 }
 
-void comparison_groups_letters(char *out, const struct comparison_groups *groups, size_t surface)
+void ranking_groups_letters(char *out, const struct ranking_groups *groups, size_t surface)
 {
     static const char letter[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
     size_t length = 0;
     for (size_t g = 0; g < groups->groups; g++)
-        if (groups->member[g * groups->surfaces + surface] && length < COMPARISON_LETTERS)
-            out[length++] = g < COMPARISON_LETTERS ? letter[g] : '*';
+        if (groups->member[g * groups->surfaces + surface] && length < RANKING_LETTERS)
+            out[length++] = g < RANKING_LETTERS ? letter[g] : '*';
     out[length] = '\0';
 }
