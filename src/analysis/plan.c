@@ -105,3 +105,23 @@ bool plan_uses_asperities(const struct plan *plan)
             return true;
     return false;
 }
+
+size_t plan_leading_model(const struct plan *plan)
+{
+    size_t leading = 0;
+    int most = -1;
+    for (size_t m = 0; m < model_count; m++)
+        if (plan_runs_model(plan, m) && model_rows[m]->precedence > most) {
+            most = model_rows[m]->precedence;
+            leading = m;
+        }
+    return leading;
+}
+
+bool plan_beyond_thesis(const struct plan *plan)
+{
+    for (size_t m = 0; m < model_count; m++)
+        if (plan_runs_model(plan, m) && model_rows[m]->thesis_place == 0)
+            return true;
+    return false;
+}

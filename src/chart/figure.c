@@ -17,9 +17,10 @@ static bool is_called_for(const struct figure_row *row, const struct results *re
     case FIGURE_SWEEP:
         return results->convergence && plan_runs_model(plan, model) && model_rows[model]->stacks_scales;
     case FIGURE_SURFACES:
-        return plan_runs_model(plan, model) && (model_rows[model]->quantities & plan->wanted & needed) == needed;
+        return plan_runs_model(plan, model) && (model_rows[model]->quantities & plan->wanted & needed) == needed &&
+               (model_rows[model]->thesis_place > 0 || model == plan_leading_model(plan));
     case FIGURE_MODELS:
-        return (plan_quantities(plan) & needed) == needed;
+        return (plan_quantities(plan) & needed) == needed && (!row->beyond_thesis || plan_beyond_thesis(plan));
     case FIGURE_PROFILES:
     case FIGURE_SPECTRA:
         return true;

@@ -26,6 +26,7 @@ struct figure_row {
     enum quantity x, y;
     enum convergence_sweep sweep;
     enum benchmark_chart chart;
+    bool beyond_thesis; /* FIGURE_MODELS: every model, not the thesis's alone */
 };
 
 extern const struct figure_row figure_rows[];

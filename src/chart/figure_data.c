@@ -96,7 +96,8 @@ static void put_models(struct figure_file *out, const struct surface_record *rec
     enum quantity y = out->figure->row->y;
     for (size_t m = 0; m < model_count; m++) {
         const struct model_row *model = model_rows[m];
-        if (!record->curves[m].exists || !(model->quantities & QUANTITY_BIT(y)))
+        if (!record->curves[m].exists || !(model->quantities & QUANTITY_BIT(y)) ||
+            (model->thesis_place == 0 && !out->figure->row->beyond_thesis))
             continue;
         if (model_shown(model, y) == y)
             put_band(out, record, m, model->style);

@@ -6,6 +6,11 @@
         .number = (first), .kind = FIGURE_MODELS, .section = (where), .title = (words), .terminal = (in_terminal),     \
         .x = (across), .y = (up)                                                                                       \
     }
+#define BEYOND(file, words, up)                                                                                        \
+    {                                                                                                                  \
+        .name = (file), .kind = FIGURE_MODELS, .section = "beyond thesis", .title = (words), .x = QUANTITY_LOAD,       \
+        .y = (up), .beyond_thesis = true                                                                               \
+    }
 #define SURFACES(first, file, where, in_terminal, across, up)                                                          \
     {                                                                                                                  \
         .number = (first), .name = (file), .kind = FIGURE_SURFACES, .section = (where), .terminal = (in_terminal),     \
@@ -30,6 +35,9 @@ const struct figure_row figure_rows[] = {
     MODELS(8, "baseline electrical", "Electrical contact resistance against load", true, QUANTITY_LOAD, QUANTITY_ECR),
     MODELS(9, "baseline thermal", "Thermal contact resistance against load", false, QUANTITY_LOAD, QUANTITY_TCR),
     {.number = 10, .kind = FIGURE_PROFILES, .section = "profiles", .title = "Surface profiles"},
+    BEYOND("models-area", "Area against load, every model", QUANTITY_AREA),
+    BEYOND("models-separation", "Separation against load, every model", QUANTITY_SEPARATION),
+    BEYOND("models-ecr", "ECR against load, every model", QUANTITY_ECR),
     SURFACES(11, "area-load", "surfaces area", true, QUANTITY_LOAD, QUANTITY_AREA),
     SURFACES(15, "separation-load", "surfaces separation", true, QUANTITY_LOAD, QUANTITY_SEPARATION),
     SURFACES(19, "separation-area", "surfaces separation-area", false, QUANTITY_AREA, QUANTITY_SEPARATION),

@@ -121,18 +121,6 @@ static void note_middle(struct comparison *out, const struct surface_record *rec
         }
 }
 
-static size_t leading_model(const struct plan *plan)
-{
-    size_t leading = 0;
-    int most = -1;
-    for (size_t m = 0; m < model_count; m++)
-        if (plan_runs_model(plan, m) && model_rows[m]->precedence > most) {
-            most = model_rows[m]->precedence;
-            leading = m;
-        }
-    return leading;
-}
-
 /** What one surface adds; `previous` is the next smoother one, NULL for the first. */
 static void take_in(struct comparison *out, const struct results *results, const struct surface_record *record,
                     size_t index, const struct surface_record *previous)
@@ -155,7 +143,7 @@ enum status_code comparison_make(struct comparison *out, const struct results *r
 {
     *out = (struct comparison){.proportional_error = NAN,
                                .middle_load = results->loads[results->load_count / 2],
-                               .leading = leading_model(results->plan),
+                               .leading = plan_leading_model(results->plan),
                                .models = calloc(model_count, sizeof *out->models),
                                .middle = malloc(results->store->count * sizeof *out->middle)};
     if (!out->middle || !out->models)

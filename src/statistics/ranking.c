@@ -37,7 +37,7 @@ enum ranking_verdict ranking_verdict(double difference, double p, double level)
 }
 
 enum ranking_verdict ranking_single(double ln_first, const struct single_scan *first, double ln_second,
-                                          const struct single_scan *second)
+                                    const struct single_scan *second)
 {
     double difference = ln_first - ln_second;
     if (first->heterogeneous || second->heterogeneous)
@@ -150,7 +150,7 @@ static void sort_groups(struct ranking_groups *groups)
 }
 
 enum status_code ranking_groups_make(struct ranking_groups *out, const bool *apart, size_t surfaces,
-                                        struct status *status)
+                                     struct status *status)
 {
     /* one group a pair at most, or one a surface */
     size_t room = surfaces * (surfaces + 1) / 2 + 1;

@@ -30,7 +30,7 @@ enum ranking_verdict ranking_verdict(double difference, double p, double level);
 /** One scan each: do ln answers differ by more than 2.3 hypot(s1, s2), s the SDs that the place of the scan alone
  * makes? (2.3 where 1.96 would do for a known s.) No verdict when either scan is heterogeneous. */
 enum ranking_verdict ranking_single(double ln_first, const struct single_scan *first, double ln_second,
-                                          const struct single_scan *second);
+                                    const struct single_scan *second);
 
 /** Holm's step-down adjustment of `count` p values, so that any false verdict among them is as rare as p says:
  * p_(r) -> max over q <= r of min(1, (count - q + 1) p_(q)), r = 1 ... by size (Holm 1979, Scand. J. Stat. 6, 65).
@@ -51,7 +51,7 @@ struct ranking_groups {
 
 /** Surfaces in the order they are ranked in. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code ranking_groups_make(struct ranking_groups *out, const bool *apart, size_t surfaces,
-                                                   struct status *status);
+                                                struct status *status);
 void ranking_groups_free(struct ranking_groups *groups);
 
 enum { RANKING_LETTERS = 52 };
