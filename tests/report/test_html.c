@@ -146,7 +146,7 @@ static void paths_stay_in_figures(void **state)
 static void raw_html_is_text(void **state)
 {
     (void)state;
-    assert_body("<script>alert(1)</script>\n", "&lt;script&gt;alert(1)&lt;/script&gt;");
+    assert_body("<script>alert(1)</script>\n", "<p>&lt;script&gt;alert(1)&lt;/script&gt;</p>");
     assert_body("a <b onclick=\"x\">b</b> &lt;i&gt; &#60;u>\n",
                 "a &lt;b onclick=&quot;x&quot;&gt;b&lt;/b&gt; &lt;i&gt; &lt;u&gt;");
     assert_body("![<b>](figures/chart.svg)\n", "aria-label=\"&lt;b&gt;\"");

@@ -138,6 +138,21 @@ static void malformed(void **state)
                    "invalid");
 }
 
+static void cut_off_anywhere(void **state)
+{
+    (void)state;
+    struct text chart = read_chart();
+    size_t whole = (size_t)(strstr(chart.data, "</svg>") - chart.data) + strlen("</svg>");
+    for (size_t length = 0; length < whole; length++) {
+        struct text svg = {.data = chart.data, .length = length}, out = {0};
+        struct status status = {0};
+        assert_int_equal(svg_inline(&out, &svg, "figures/x.svg", 3, label, &status), STATUS_IO);
+        assert_int_equal(strncmp(status.message, "figures/x.svg:", 14), 0);
+        text_free(&out);
+    }
+    text_free(&chart);
+}
+
 static void entities(void **state)
 {
     (void)state;
@@ -287,9 +302,9 @@ static void mutations(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(gnuplot_chart), cmocka_unit_test(elements),  cmocka_unit_test(attributes),
-        cmocka_unit_test(malformed),     cmocka_unit_test(nul_byte),  cmocka_unit_test(entities),
-        cmocka_unit_test(too_deep),      cmocka_unit_test(mutations),
+        cmocka_unit_test(gnuplot_chart), cmocka_unit_test(elements), cmocka_unit_test(attributes),
+        cmocka_unit_test(malformed),     cmocka_unit_test(nul_byte), cmocka_unit_test(cut_off_anywhere),
+        cmocka_unit_test(entities),      cmocka_unit_test(too_deep), cmocka_unit_test(mutations),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
