@@ -31,22 +31,6 @@ struct page {
     struct status *status;
 };
 
-void html_add_text(struct text *out, const char *bytes, size_t size)
-{
-    static const char *const escapes[128] = {
-        ['<'] = "&lt;", ['>'] = "&gt;", ['&'] = "&amp;", ['"'] = "&quot;", ['\n'] = "\n", ['\t'] = "\t"};
-    for (const char *end = bytes + size; bytes < end;) {
-        unsigned char c = (unsigned char)*bytes;
-        const char *escape = c < 128 ? escapes[c] : NULL;
-        size_t length = text_character(bytes);
-        if (escape)
-            text_add(out, "%s", escape);
-        else
-            text_add_bytes(out, length ? bytes : "?", length ? length : 1);
-        bytes += length ? length : 1;
-    }
-}
-
 static void empty(struct text *text)
 {
     text->length = 0;
@@ -304,7 +288,7 @@ static void start_link(struct page *page, const MD_ATTRIBUTE *href)
     page->in_link = link_allowed(text_string(&page->target));
     if (page->in_link) {
         text_add(&page->line, "<a href=\"");
-        html_add_text(&page->line, text_string(&page->target), page->target.length);
+        text_add_html(&page->line, text_string(&page->target), page->target.length);
         text_add(&page->line, "\">");
     }
 }
@@ -357,7 +341,7 @@ static int add_words(MD_TEXTTYPE type, const MD_CHAR *bytes, MD_SIZE size, void 
     else if (type == MD_TEXT_ENTITY && !c)
         text_add_bytes(out, bytes, size); /* the browser knows them all */
     else
-        html_add_text(out, c ? &c : bytes, c ? 1 : size);
+        text_add_html(out, c ? &c : bytes, c ? 1 : size);
     if (page->images > 0)
         return 0;
     text_add_bytes(&page->words, text_string(out) + before, out->length - before);
@@ -369,7 +353,7 @@ static bool field(struct text *out, const char *name, void *context)
 {
     const struct page *page = context;
     if (strcmp(name, "title") == 0)
-        html_add_text(out, page->title, strlen(page->title));
+        text_add_html(out, page->title, strlen(page->title));
     else if (strcmp(name, "contents") == 0)
         text_add_bytes(out, text_string(&page->contents), page->contents.length);
     else if (strcmp(name, "body") == 0)

@@ -5,10 +5,6 @@
 #include "base/status.h"
 #include "base/text.h"
 
-/** Adds `size` bytes of plain text for HTML, in an element or a quoted value: what has a meaning there is escaped;
- * control characters and bytes that are no UTF-8 become '?'. `bytes` ends with a whole character or before a NUL. */
-void html_add_text(struct text *out, const char *bytes, size_t size);
-
 /** Renders `markdown` (GitHub tables, no raw HTML) to one self-contained page in `out`.
  * Images `![alt](figures/x.svg)` become inline SVG read from `directory`/figures/x.svg, wrapped in <figure> with the
  * alt text as caption; identifiers inside each SVG are made unique, its white background dropped and its ink colour

@@ -190,7 +190,7 @@ static void XMLCALL on_text(void *user, const XML_Char *text, int length)
 {
     struct drawing *drawing = user;
     if (drawing->texts > 0 && drawing->hidden == 0)
-        html_add_text(drawing->out, text, (size_t)length);
+        text_add_html(drawing->out, text, (size_t)length);
 }
 
 /* Gnuplot declares no entities; files that do want to make little bytes large. */

@@ -76,7 +76,7 @@ enum status_code workers_model(struct surface_record *record, const struct resul
     return surface_store_put(results->store, index, record, status);
 }
 
-static void *work(void *context)
+static void *run_tasks(void *context)
 {
     struct pool *pool = context;
     struct surface_record *record = malloc(sizeof *record);
@@ -102,9 +102,9 @@ enum status_code workers_run(const struct results *results, workers_task *task, 
         wanted = results->store->count;
     if (wanted > WORKERS_MOST)
         wanted = WORKERS_MOST;
-    while (started + 1 < wanted && pthread_create(&threads[started], NULL, work, &pool) == 0)
+    while (started + 1 < wanted && pthread_create(&threads[started], NULL, run_tasks, &pool) == 0)
         started++;
-    if (work(&pool))
+    if (run_tasks(&pool))
         (void)status_fail(&pool.status, STATUS_MEMORY, "out of memory");
     for (size_t i = 0; i < started; i++)
         pthread_join(threads[i], NULL);

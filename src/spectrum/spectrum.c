@@ -24,7 +24,7 @@ static double mean_square_about(const double *values, size_t count, double mean)
 }
 
 /** Copies the heights without their mean; with a Hann window, scaled so that their mean square stays. */
-static void prepare(double *record, const double *height_m, size_t points, enum spectrum_window window)
+static void take_window(double *record, const double *height_m, size_t points, enum spectrum_window window)
 {
     double mean = mean_of(height_m, points);
     for (size_t i = 0; i < points; i++)
@@ -54,7 +54,7 @@ enum status_code spectrum_compute(struct spectrum *out, const double *height_m, 
         fftw_free(transform);
         return status_memory(status);
     }
-    prepare(record, height_m, points, window);
+    take_window(record, height_m, points, window);
     fft_forward(transform, record, points);
     for (size_t n = 1; n <= count; n++)
         out->amplitude_m[n - 1] = 2 * hypot(transform[n][0], transform[n][1]) / (double)points;
