@@ -185,3 +185,14 @@ void effect_bounds_plan(struct plan *plan, const struct scene *scene, const stru
     if (plan_runs(plan, EFFECT_CONVERGENCE))
         decide_convergence(plan, surfaces, count);
 }
+
+void effect_bounds_heights(struct plan *plan, const struct scene *scene, const struct surface_summary *surfaces,
+                           size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        if (surfaces[i].usable && !roughness_is_gaussian(&surfaces[i].roughness))
+            return;
+    for (size_t m = 0; m < model_count && !scene->models_named; m++)
+        if (model_rows[m]->uses_heights)
+            plan->models &= ~MODEL_BIT(m);
+}

@@ -19,4 +19,9 @@ MUST_CHECK enum status_code effect_bounds_surface(struct surface_record *record,
 void effect_bounds_plan(struct plan *plan, const struct scene *scene, const struct surface_summary *surfaces,
                         size_t count);
 
+/** Takes the models that use heights out of a plan whose scene names no models, when every usable surface is Gaussian.
+ */
+void effect_bounds_heights(struct plan *plan, const struct scene *scene, const struct surface_summary *surfaces,
+                           size_t count);
+
 #endif

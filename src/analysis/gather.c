@@ -1,6 +1,7 @@
 #include "analysis/gather.h"
 
 #include "base/clock.h"
+#include "spectrum/areal.h"
 #include "spectrum/grid.h"
 #include <math.h>
 #include <stdarg.h>
@@ -88,6 +89,46 @@ static void keep_repeat(struct surface_record *record, struct spectrum *spectrum
     record->repeats[record->repeat_count++] = (struct repeat){*spectrum, *roughness};
 }
 
+/** Does a model that may run use heights? */
+static bool wants_points(const struct scene *scene)
+{
+    for (size_t m = 0; m < model_count; m++)
+        if ((scene->models & MODEL_BIT(m)) && model_rows[m]->uses_heights)
+            return true;
+    return false;
+}
+
+/** Room for `more` points behind those the surface has; NULL: out of memory. */
+static struct slope_point *more_points(struct surface_record *record, size_t more)
+{
+    struct slope_point *points = reallocarray(record->points, record->summary.heights + more, sizeof *points);
+    if (!points)
+        return NULL;
+    record->points = points;
+    return points + record->summary.heights;
+}
+
+/** Keeps the heights and slopes of a profile, or of a whole map over its plane, whose rows share one height. */
+static enum status_code keep_points(struct surface_record *record, const struct scan *scan,
+                                    const struct profile *profile, struct status *status)
+{
+    if (profile) {
+        struct slope_point *room = more_points(record, profile->points);
+        if (!room)
+            return status_memory(status);
+        record->summary.heights +=
+            contacting_slopes_of_profile(room, profile->height_m, profile->points, profile->spacing_m);
+        return STATUS_OK;
+    }
+    struct status none = {0};
+    double *height_m = malloc(scan->nx * scan->ny * sizeof *height_m);
+    struct slope_point *room = height_m ? more_points(record, scan->nx * scan->ny) : NULL;
+    if (room && areal_flatten(height_m, scan, &none) == STATUS_OK)
+        record->summary.heights += contacting_slopes_of_map(room, height_m, scan->nx, scan->ny, scan->dx_m, scan->dy_m);
+    free(height_m);
+    return room ? STATUS_OK : status_memory(status);
+}
+
 /** Adds one profile to the surface: averages its spectrum and moments into the record's. */
 static enum status_code add_profile(struct surface_record *record, const struct profile *profile,
                                     const struct scene *scene, struct status *status)
@@ -148,6 +189,8 @@ static enum status_code add_rows(struct surface_record *record, const struct sca
             note_scan(summary, scan, &profile, file);
         if (rc == STATUS_OK)
             rc = add_profile(record, &profile, scene, &problem);
+        if (rc == STATUS_OK && scan->kind == SCAN_PROFILE && wants_points(scene))
+            rc = keep_points(record, scan, &profile, &problem);
         profile_free(&profile);
         if (rc == STATUS_MEMORY)
             return status_memory(status);
@@ -156,6 +199,8 @@ static enum status_code add_rows(struct surface_record *record, const struct sca
     }
     if (unusable == scan->ny)
         return status_fail(status, first.code, "%s: %s", file, first.message);
+    if (scan->kind == SCAN_AREAL && wants_points(scene) && keep_points(record, scan, NULL, status) != STATUS_OK)
+        return status->code;
     if (scan->kind == SCAN_AREAL)
         gather_note(summary, "%s: a map; its %zu %s were averaged as profiles", file, scan->ny - unusable,
                     scene->direction == SCAN_DIRECTION_X ? "rows" : "columns");

@@ -134,6 +134,8 @@ struct model_task repeats_task(struct asperities *asperities, const struct repea
     struct model_task own = *task;
     struct status none = {0};
     own.spectrum = &part->spectrum;
+    own.points = NULL; /* the heights are those of all scans together */
+    own.point_count = 0;
     own.asperities = roughness_asperities(asperities, &part->roughness, &none) == STATUS_OK ? asperities : NULL;
     return own;
 }

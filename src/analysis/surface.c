@@ -85,6 +85,8 @@ struct model_task surface_task(const struct surface_record *record, const struct
         .wanted = plan->wanted,
         .tolerance = scene->tolerance,
         .sinusoid_fit = scene->closure,
+        .points = record->points,
+        .point_count = record->summary.heights,
         .hardness_Pa =
             isnan(scene->hardness_Pa) ? material_hardness_ratio * plan->pair.yield_strength_Pa : scene->hardness_Pa,
     };
@@ -166,6 +168,18 @@ enum status_code surface_run_models(struct surface_record *record, const struct 
     return STATUS_OK;
 }
 
+/** Heights stay where a model that was asked for uses them, or unasked where they are not Gaussian; two rough bodies
+ * have none in common. */
+static void drop_points(struct surface_record *record, const struct scene *scene)
+{
+    bool asked = scene->models_named || !roughness_is_gaussian(&record->summary.roughness);
+    if (asked && scene->counterface_surface.file_count == 0)
+        return;
+    free(record->points);
+    record->points = NULL;
+    record->summary.heights = 0;
+}
+
 enum status_code surface_describe(struct surface_record *out, const struct scene *scene,
                                   const struct scene_surface *surface, const struct surface_record *counterface,
                                   struct status *status)
@@ -191,6 +205,7 @@ enum status_code surface_describe(struct surface_record *out, const struct scene
     if (counterface && gather_counterface(out, counterface, status) != STATUS_OK)
         return status->code;
     describe(out, scene);
+    drop_points(out, scene);
     return gather_describe_repeats(out, scene, status);
 }
 
@@ -216,6 +231,8 @@ void surface_record_free(struct surface_record *record, bool with_summary)
     free(record->bands);
     record->curves = NULL;
     record->bands = NULL;
+    free(record->points);
+    record->points = NULL;
     gather_free_repeats(record);
     if (with_summary)
         surface_summary_free(&record->summary);

@@ -45,6 +45,7 @@ struct surface_summary {
     size_t harmonics;
     struct effect_bounds bound;
     struct curve_summary *models; /* model_count of them; owned like the texts */
+    size_t heights;               /* points kept in surface_record.points */
     struct surface_times times;
 };
 
@@ -57,6 +58,7 @@ struct surface_record {
     struct model_curve *curves;          /* model_count of them, NULL before any model ran */
     struct repeats_band **bands;         /* the same, each band_count long; NULL: none */
     size_t band_count;
+    struct slope_point *points; /* heights and slopes of all its scans, where a model uses them; NULL: not kept */
     double preview_x_m[SURFACE_PREVIEW], preview_z_m[SURFACE_PREVIEW];
     size_t preview_points;
 };

@@ -54,6 +54,21 @@ static void lay_lines(struct contacting_slopes *slopes, const struct slope_point
     }
 }
 
+size_t contacting_slopes_of_map(struct slope_point *out, const double *height_m, size_t nx, size_t ny, double dx_m,
+                                double dy_m)
+{
+    size_t count = 0;
+    for (size_t j = 1; j + 1 < ny; j++)
+        for (size_t i = 1; i + 1 < nx; i++) {
+            const double *z = height_m + j * nx + i;
+            double x_slope = (z[1] - z[-1]) / (2 * dx_m), y_slope = (z[nx] - *(z - nx)) / (2 * dy_m);
+            double square = (x_slope * x_slope + y_slope * y_slope) / 2;
+            if (!isnan(*z) && !isnan(square))
+                out[count++] = (struct slope_point){*z, square};
+        }
+    return count;
+}
+
 enum status_code contacting_slopes_make(struct contacting_slopes *out, const struct slope_point *point, size_t points,
                                         double energy_factor, struct status *status)
 {

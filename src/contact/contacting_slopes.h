@@ -21,6 +21,11 @@ struct slope_point {
  * another. */
 size_t contacting_slopes_of_profile(struct slope_point *out, const double *height_m, size_t points, double spacing_m);
 
+/** The same of a map of nx*ny heights over its plane, row after row, with both slopes: (s_x² + s_y²)/2 at the inner
+ * points whose four neighbours are there (NaN: missing). Writes and returns at most (nx - 2)(ny - 2) of them. */
+size_t contacting_slopes_of_map(struct slope_point *out, const double *height_m, size_t nx, size_t ny, double dx_m,
+                                double dy_m);
+
 /** Fewest points k whose slopes are averaged: 30. A surface needs one more. */
 extern const size_t contacting_slopes_least;
 /** Area ratio up to which separation and resistance are given: 0.15. Beyond, the line through the highest points no

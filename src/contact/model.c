@@ -52,7 +52,7 @@ enum status_code model_run(struct model_curve *curve, const struct model_row *ro
 {
     if (row->run(curve, row, task, status) != STATUS_OK)
         return status->code;
-    bool finite = !curve->exists || is_finite(&curve->full, row, task->wanted);
+    bool finite = !curve->exists || isnan(curve->full_load) || is_finite(&curve->full, row, task->wanted);
     for (size_t i = 0; i < curve->count && finite; i++)
         finite = is_finite(&curve->points[i], row, task->wanted);
     if (!finite) {

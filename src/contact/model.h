@@ -4,6 +4,7 @@
 #define CONTACT_MODEL_H
 
 #include "contact/asperity.h"
+#include "contact/contacting_slopes.h"
 #include "contact/quantity.h"
 #include "contact/sinusoid.h"
 #include "spectrum/roughness.h"
@@ -21,6 +22,9 @@ struct model_task {
     double tolerance;
     enum sinusoid_fit_id sinusoid_fit;
     double hardness_Pa; /* H_d of the softer body; NaN: not known */
+    const struct slope_point
+        *points; /* heights and slopes of the surface, for models that use_heights; NULL: not kept */
+    size_t point_count;
 };
 
 /** What answering took: visits of scales, asperity laws at quadrature nodes, and loads solved for a separation. */
@@ -61,7 +65,8 @@ struct model_row {
                                             against; NULL: none */
     bool stacks_scales;                  /* every harmonic is a scale: the convergence study speaks of it */
     const struct asperity_model *asperity_model; /* it sums this over model_task.asperities; NULL: it needs none */
-    unsigned quantities;                         /* QUANTITY_BITs it computes */
+    bool uses_heights;     /* works on model_task.points; runs unasked where a surface is not Gaussian */
+    unsigned quantities;   /* QUANTITY_BITs it computes */
     unsigned may_be_empty; /* those of them that it leaves empty (NaN) where it should not be trusted */
     double largest_area;   /* A/A_n up to which it is valid; 0: any */
     const char *fitted_to; /* end of its fitted range, which contact_point.beyond_fit is the share beyond; NULL: none */
@@ -103,7 +108,7 @@ extern const size_t model_count; /* at most 64: sets of models are bits of a uin
 size_t model_index(const struct model_row *row);
 /** Models of that name or family, as bits; 0: no such name. */
 uint64_t model_find(const char *name);
-/** Those that run when a scene names none. */
+/** Those that run when a scene names none; the ones that use heights only where a surface is not Gaussian. */
 uint64_t model_defaults(void);
 /** May model `m` of the set `models` run with these EFFECT_BITs: a plastic one needs plasticity. */
 bool model_runs(size_t m, uint64_t models, unsigned effects);

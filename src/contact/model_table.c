@@ -9,7 +9,8 @@
     X(jg)                                                                                                              \
     X(two_band_elastic)                                                                                                \
     X(two_band_plastic)                                                                                                \
-    X(persson)
+    X(persson)                                                                                                         \
+    X(contacting_slopes)
 
 #define DECLARE(name) extern const struct model_row model_##name;
 #define ENTRY(name)   &model_##name,

@@ -66,6 +66,28 @@ const struct surface_summary *section_smoothest(const struct section_context *co
     return section_surface(context, context->results->by_roughness[k]);
 }
 
+void section_gaussian_mark(struct text *out, const struct section_context *context, size_t index, size_t model)
+{
+    if (!model_rows[model]->uses_heights && !roughness_is_gaussian(&section_surface(context, index)->roughness))
+        text_add(out, " ‡");
+}
+
+size_t section_not_gaussian(const struct section_context *context)
+{
+    size_t count = 0;
+    for (size_t k = 0; k < context->results->usable_count; k++)
+        count += !roughness_is_gaussian(&section_smoothest(context, k)->roughness);
+    return count;
+}
+
+size_t section_heights_model(const struct section_context *context)
+{
+    size_t m = 0;
+    while (m < model_count && !(plan_runs_model(context->results->plan, m) && model_rows[m]->uses_heights))
+        m++;
+    return m;
+}
+
 bool section_extended(const struct section_context *context)
 {
     for (size_t k = 0; k < context->results->usable_count; k++)

@@ -46,6 +46,12 @@ void section_named(struct text *out, const char *article, const struct results *
 const struct surface_summary *section_surface(const struct section_context *context, size_t index);
 /** The k-th smoothest usable surface. */
 const struct surface_summary *section_smoothest(const struct section_context *context, size_t k);
+/** Marks what a model that takes heights as Gaussian says of surface `index`: " ‡" where they are not, else nothing. */
+void section_gaussian_mark(struct text *out, const struct section_context *context, size_t index, size_t model);
+/** Usable surfaces whose heights are not Gaussian. */
+size_t section_not_gaussian(const struct section_context *context);
+/** The running model that does not take heights as Gaussian; model_count: none. */
+size_t section_heights_model(const struct section_context *context);
 /** Was any surface's fitted power law carried on below its sampling limit? */
 bool section_extended(const struct section_context *context);
 /** Does a model run that computes this quantity? */

@@ -100,8 +100,7 @@ static void note_middle(struct comparison *out, const struct surface_record *rec
             const struct contact_point *point = &record->curves[m].points[i];
             if (point->load != out->middle_load)
                 continue;
-            if (m == out->leading)
-                out->middle[index] = *point;
+            out->models[m].middle[index] = *point;
             for (int q = 0; q < QUANTITY_COUNT; q++) {
                 struct comparison_extremes *extremes = &out->models[m].extremes[q];
                 double value = comparison_value(point, (enum quantity)q, m, record->summary.asperities.sigma_m);
@@ -141,17 +140,24 @@ static void take_in(struct comparison *out, const struct results *results, const
 
 enum status_code comparison_make(struct comparison *out, const struct results *results, struct status *status)
 {
+    static const struct contact_point nowhere = {NAN, NAN, NAN, NAN, NAN, NAN, NAN, 0, 0};
+    size_t surfaces = results->store->count;
     *out = (struct comparison){.proportional_error = NAN,
                                .middle_load = results->loads[results->load_count / 2],
                                .leading = plan_leading_model(results->plan),
-                               .models = calloc(model_count, sizeof *out->models),
-                               .middle = malloc(results->store->count * sizeof *out->middle)};
-    if (!out->middle || !out->models)
+                               .models = calloc(model_count, sizeof *out->models)};
+    struct contact_point *middle = malloc(model_count * surfaces * sizeof *middle);
+    if (!middle || !out->models) {
+        free(middle);
         return status_memory(status);
-    for (size_t m = 0; m < model_count; m++)
+    }
+    for (size_t i = 0; i < model_count * surfaces; i++)
+        middle[i] = nowhere;
+    for (size_t m = 0; m < model_count; m++) {
         out->models[m].gap = (struct comparison_gap){NAN, NAN};
-    for (size_t i = 0; i < results->store->count; i++)
-        out->middle[i] = (struct contact_point){.load = NAN};
+        out->models[m].middle = middle + m * surfaces;
+    }
+    out->middle = out->models[out->leading].middle;
     struct surface_record previous = {0};
     for (size_t k = 0; k < results->usable_count; k++) {
         struct surface_record record;
@@ -170,7 +176,8 @@ enum status_code comparison_make(struct comparison *out, const struct results *r
 
 void comparison_free(struct comparison *comparison)
 {
-    free(comparison->middle);
+    if (comparison->models)
+        free(comparison->models[0].middle); /* of all models together */
     free(comparison->models);
     *comparison = (struct comparison){0};
 }

@@ -38,6 +38,8 @@ struct comparison_model {
     struct comparison_plastic plastic;                   /* against its elastic partner; points 0: not compared */
     struct comparison_gap gap;                           /* against its counterpart */
     struct comparison_extremes extremes[QUANTITY_COUNT]; /* at the middle load */
+    struct contact_point *middle; /* at the middle load, one a surface of the scene; all NaN where it has no point;
+                                     owned */
 };
 
 struct comparison {
@@ -45,8 +47,7 @@ struct comparison {
     double proportional_error;       /* largest |TCR/ECR / (1/(rho k)) - 1|; NaN: not both computed */
     double middle_load;              /* P/(A_n E') at which surfaces and models are compared */
     size_t leading;                  /* the model the summary speaks of: the running one of the greatest precedence */
-    struct contact_point *middle;    /* the leading model at the middle load, one a surface of the scene; load is
-                                        NaN where it has no point; owned */
+    struct contact_point *middle;    /* the leading model at the middle load: models[leading].middle */
 };
 
 /** End it with comparison_free() whatever comes back. Errors: STATUS_IO, STATUS_MEMORY. */

@@ -56,6 +56,7 @@ static bool put_arrays(FILE *file, const struct surface_record *record)
         ok = ok &&
              put_array(file, record->bands[m], sizeof(struct repeats_band), record->bands[m] ? record->band_count : 0);
     }
+    ok = ok && put_array(file, record->points, sizeof *record->points, record->summary.heights);
     for (size_t p = 0; p < record->repeat_count; p++) {
         const struct spectrum *part = &record->repeats[p].spectrum;
         ok = ok && put_array(file, part->amplitude_m, sizeof(double), part->count);
@@ -108,6 +109,7 @@ enum status_code surface_store_get(struct surface_record *out, struct surface_st
         if (out->bands && out->bands[m])
             out->bands[m] = get_array(store->file, sizeof(struct repeats_band), out->band_count, &ok);
     }
+    out->points = get_array(store->file, sizeof *out->points, out->summary.heights, &ok);
     for (size_t p = 0; p < out->repeat_count; p++)
         out->repeats[p].spectrum.amplitude_m =
             get_array(store->file, sizeof(double), out->repeats[p].spectrum.count, &ok);

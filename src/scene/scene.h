@@ -55,7 +55,8 @@ struct scene {
     char *directory; /* DIR as given */
     char *path;      /* of scene.yaml, NULL when there is none */
     char *title;
-    uint64_t models; /* MODEL_BITs asked for */
+    uint64_t models;   /* MODEL_BITs asked for */
+    bool models_named; /* by the scene, so that they run whatever the surfaces are */
     bool effects_auto;
     unsigned effects; /* EFFECT_BITs asked for, and those they build on, when !effects_auto */
     struct material material;

@@ -90,6 +90,7 @@ static enum status_code read_models(struct scene_source *source, const struct sc
     if (code != STATUS_OK)
         return code;
     scene->models = 0;
+    scene->models_named = true;
     for (size_t i = 0; i < count; i++)
         if (named[i / 64] >> (i % 64) & 1)
             scene->models |= model_find(names[i]);

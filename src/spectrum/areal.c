@@ -186,8 +186,14 @@ enum status_code areal_compute(struct areal *out, const struct scan *scan, struc
     free(rows.x_m);
     if (code == STATUS_OK && (rows.m2.count == 0 || rows.m4.count == 0))
         return status_fail(status, STATUS_SCAN, "no row of the map has three heights side by side");
-    out->rows =
-        (struct roughness){sqrt(rows.m0.value), rows.ra.value, rows.pv_m, rows.m0.value, rows.m2.value, rows.m4.value};
+    out->rows = (struct roughness){.rq_m = sqrt(rows.m0.value),
+                                   .ra_m = rows.ra.value,
+                                   .pv_m = rows.pv_m,
+                                   .m0_m2 = rows.m0.value,
+                                   .m2 = rows.m2.value,
+                                   .m4_per_m2 = rows.m4.value,
+                                   .cube_m3 = NAN,
+                                   .fourth_m4 = NAN};
     return code;
 }
 
@@ -195,4 +201,16 @@ void areal_free(struct areal *areal)
 {
     spectrum_free(&areal->spectrum);
     *areal = (struct areal){0};
+}
+
+enum status_code areal_flatten(double *height_m, const struct scan *scan, struct status *status)
+{
+    struct plane plane;
+    if (fit_plane(&plane, scan, status) != STATUS_OK)
+        return status->code;
+    for (size_t i = 0; i < scan->nx * scan->ny; i++) {
+        double x = (double)(i % scan->nx) - plane.x, y = (double)(i / scan->nx) - plane.y;
+        height_m[i] = scan->z_m[i] - plane.z - plane.p * x - plane.q * y;
+    }
+    return STATUS_OK;
 }

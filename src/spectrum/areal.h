@@ -16,6 +16,10 @@ struct areal {
 /** Missing points are left out of every figure; a slope or curvature counts where all its points are there. Owned:
  * areal_free(), whatever comes back. Errors: STATUS_SCAN: too few points, a flat map; STATUS_MEMORY. */
 MUST_CHECK enum status_code areal_compute(struct areal *out, const struct scan *scan, struct status *status);
+/** The heights over the least-squares plane, in place of those of the scan: height_m (nx*ny, row after row, NaN where
+ * missing). Error: STATUS_SCAN: too few points for a plane. */
+MUST_CHECK enum status_code areal_flatten(double *height_m, const struct scan *scan, struct status *status);
+
 void areal_free(struct areal *areal);
 
 #endif
