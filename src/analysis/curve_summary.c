@@ -67,6 +67,7 @@ void curve_summary_make(struct curve_summary *model, const struct model_curve *c
         .repeated_beta = model->repeated_beta,
         .repeated_log_full_load = model->repeated_log_full_load,
         .bounds = model->bounds,
+        .sensitivity = model->sensitivity,
         .seconds = model->seconds,
     };
     fit_area_slope(model, curve);

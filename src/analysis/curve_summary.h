@@ -3,6 +3,7 @@
 #define ANALYSIS_CURVE_SUMMARY_H
 
 #include "analysis/repeats.h"
+#include "analysis/sensitivity.h"
 #include "contact/convergence.h"
 
 /** What is known of a model on a surface before it runs. */
@@ -10,6 +11,7 @@ struct curve_bounds {
     double yield;                      /* model_row.yield_bound: of the surface, its scans alone and its extension */
     double scale_dependence;           /* model_row.scale_dependence_bound */
     struct model_work repeats_work[2]; /* what the scans run alone will take: without and with scale dependence */
+    struct model_work sensitivity_work;
 };
 
 struct curve_summary {
@@ -32,7 +34,8 @@ struct curve_summary {
     bool extended; /* the fitted power law was carried on below the sampling limit */
     struct convergence_extension extension;
     struct repeats_number repeated_beta, repeated_log_full_load; /* over the scans run alone */
-    double seconds;                                              /* that the curve took */
+    struct sensitivity_factors sensitivity;
+    double seconds; /* that the curve took */
 };
 
 /** Share of the load beyond a law's fitted range from which a curve is drawn as outside its validity. */

@@ -54,6 +54,16 @@ static void count_repeats(struct surface_record *record, const struct plan *plan
         }
 }
 
+/** What the changed scans will take at the middle load. */
+static void count_sensitivity(struct surface_record *record, const struct plan *plan, const struct model_task *task)
+{
+    struct model_task one = surface_middle_task(task);
+    for (size_t m = 0; m < model_count; m++)
+        if (plan_runs_model(plan, m))
+            record->summary.models[m].bounds.sensitivity_work =
+                sensitivity_work(&record->sensitivity, model_rows[m], &one);
+}
+
 /** Scale dependence, model by model, until one that runs whatever is decided on plasticity exceeds the tolerance. A
  * plastic model that nothing makes yield is its elastic partner. */
 static enum status_code bound_scale_dependence(struct surface_record *record, const struct scene *scene,
@@ -84,6 +94,7 @@ enum status_code effect_bounds_surface(struct surface_record *record, const stru
     struct surface_summary *summary = &record->summary;
     struct model_task task = surface_task(record, scene, plan, loads, load_count);
     count_repeats(record, plan, task);
+    count_sensitivity(record, plan, &task);
     if (!scene->effects_auto)
         return STATUS_OK;
     summary->bound = (struct effect_bounds){.converged = is_converged(summary, scene, plan)};

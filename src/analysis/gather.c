@@ -189,6 +189,8 @@ static enum status_code add_rows(struct surface_record *record, const struct sca
             note_scan(summary, scan, &profile, file);
         if (rc == STATUS_OK)
             rc = add_profile(record, &profile, scene, &problem);
+        if (rc == STATUS_OK && scene->counterface_surface.file_count == 0)
+            rc = sensitivity_add(&record->sensitivity, &profile, &how, scene->window, scene->moments, &problem);
         if (rc == STATUS_OK && scan->kind == SCAN_PROFILE && wants_points(scene))
             rc = keep_points(record, scan, &profile, &problem);
         profile_free(&profile);

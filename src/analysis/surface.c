@@ -127,6 +127,28 @@ static enum status_code run_repeats(struct surface_record *record, size_t m, con
                          record->repeat_count, model_rows[m], task, &model->work, status);
 }
 
+struct model_task surface_middle_task(const struct model_task *task)
+{
+    struct model_task one = *task;
+    one.loads = task->loads ? &task->loads[task->load_count / 2] : NULL;
+    one.load_count = 1;
+    return one;
+}
+
+/** What area and resistance at the middle load hang on. */
+static enum status_code run_sensitivity(struct surface_record *record, size_t m, const struct model_task *task,
+                                        struct status *status)
+{
+    struct curve_summary *model = &record->summary.models[m];
+    struct model_task one = surface_middle_task(task);
+    struct contact_point as_is = {.area_ratio = NAN, .ecr_ohm_m2 = NAN};
+    for (size_t i = 0; i < record->curves[m].count; i++)
+        if (record->curves[m].points[i].load == one.loads[0])
+            as_is = record->curves[m].points[i];
+    return sensitivity_run(&model->sensitivity, &record->sensitivity, model_rows[m], &one, &as_is, &model->work,
+                           status);
+}
+
 static enum status_code run_model(struct surface_record *record, size_t m, const struct model_task *task,
                                   struct status *status)
 {
@@ -147,6 +169,8 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
         gather_note(&record->summary,
                     "no %s: its numbers leave what can be computed with; check the units, the material and the loads",
                     model_rows[m]->label);
+    if (run_sensitivity(record, m, task, status) != STATUS_OK)
+        return status->code;
     return run_repeats(record, m, task, status);
 }
 
@@ -233,6 +257,7 @@ void surface_record_free(struct surface_record *record, bool with_summary)
     record->bands = NULL;
     free(record->points);
     record->points = NULL;
+    sensitivity_free(&record->sensitivity);
     gather_free_repeats(record);
     if (with_summary)
         surface_summary_free(&record->summary);

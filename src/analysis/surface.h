@@ -58,7 +58,8 @@ struct surface_record {
     struct model_curve *curves;          /* model_count of them, NULL before any model ran */
     struct repeats_band **bands;         /* the same, each band_count long; NULL: none */
     size_t band_count;
-    struct slope_point *points; /* heights and slopes of all its scans, where a model uses them; NULL: not kept */
+    struct sensitivity sensitivity; /* scans 0 where there is a rough counterface */
+    struct slope_point *points;     /* heights and slopes of all its scans, where a model uses them; NULL: not kept */
     double preview_x_m[SURFACE_PREVIEW], preview_z_m[SURFACE_PREVIEW];
     size_t preview_points;
 };
@@ -74,6 +75,9 @@ MUST_CHECK enum status_code surface_describe(struct surface_record *out, const s
 /** What the models are asked of a described surface. */
 struct model_task surface_task(const struct surface_record *record, const struct scene *scene, const struct plan *plan,
                                const double *loads, size_t load_count);
+
+/** The same at the middle load alone. */
+struct model_task surface_middle_task(const struct model_task *task);
 
 /** Runs the models that `plan` calls for on a described surface. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code surface_run_models(struct surface_record *record, const struct scene *scene,

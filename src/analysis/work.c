@@ -32,6 +32,7 @@ struct work work_predict(const struct surface_summary *surfaces, size_t count, c
             model_work_add(share_of(&work, m), &more);
             model_work_add(share_of(&work, m),
                            &surfaces[i].models[m].bounds.repeats_work[plan_runs(plan, EFFECT_SCALE_DEPENDENT)]);
+            model_work_add(share_of(&work, m), &surfaces[i].models[m].bounds.sensitivity_work);
             work.extensions += model_rows[m]->stacks_scales && plan_runs(plan, EFFECT_CONVERGENCE) &&
                                surface_extends(&outline.summary, scene);
         }

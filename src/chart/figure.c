@@ -21,6 +21,8 @@ static bool is_called_for(const struct figure_row *row, const struct results *re
                (model_rows[model]->thesis_place > 0 || model == plan_leading_model(plan));
     case FIGURE_MODELS:
         return (plan_quantities(plan) & needed) == needed && (!row->beyond_thesis || plan_beyond_thesis(plan));
+    case FIGURE_SENSITIVITY:
+        return results->sensitivity && (plan_quantities(plan) & QUANTITY_BIT(row->y));
     case FIGURE_PROFILES:
     case FIGURE_SPECTRA:
         return true;
@@ -121,21 +123,22 @@ static enum status_code write_script(const struct figure_file *out, const struct
 {
     static const char *const templates[] = {
         [FIGURE_SWEEP] = "curves.gp",      [FIGURE_MODELS] = "curves.gp",   [FIGURE_SURFACES] = "curves.gp",
-        [FIGURE_PROFILES] = "profiles.gp", [FIGURE_SPECTRA] = "spectra.gp", [FIGURE_BENCHMARK] = "cost.gp"};
+        [FIGURE_PROFILES] = "profiles.gp", [FIGURE_SPECTRA] = "spectra.gp", [FIGURE_BENCHMARK] = "cost.gp",
+        [FIGURE_SENSITIVITY] = "curves.gp"};
     const struct figure_row *row = out->figure->row;
     struct text script = {0};
     const char *number = out->figure->number;
     const struct quantity_row *x = &quantity_rows[row->x], *y = &quantity_rows[row->y];
-    bool sweep = row->kind == FIGURE_SWEEP,
+    bool sweep = row->kind == FIGURE_SWEEP || row->kind == FIGURE_SENSITIVITY,
          curves = sweep || row->kind == FIGURE_MODELS || row->kind == FIGURE_SURFACES;
     text_add(&script, "# draws figure %s from %s.csv: gnuplot %s.gp\n", number, number, number);
-    if (row->kind == FIGURE_MODELS)
+    if (row->kind == FIGURE_MODELS || row->kind == FIGURE_SENSITIVITY)
         text_add(&script, "load 'models.gp'\n");
     text_add(&script, "call '%s' '%s.csv' ('%s' . (exists('dumb_size') ? '.txt' : '.svg')) '%s'", templates[row->kind],
              number, number, out->figure->title);
     if (curves) /* the others name their own axes */
         text_add(&script, " '%s' '%s' '%s'", sweep ? "shortest wavelength included (m)" : x->label,
-                 sweep ? quantity_rows[QUANTITY_AREA].label : y->label,
+                 row->kind == FIGURE_SWEEP ? quantity_rows[QUANTITY_AREA].label : y->label,
                  sweep || (x->logarithmic && y->logarithmic) ? "xy"
                  : x->logarithmic                            ? "x"
                                                              : "y");
@@ -144,6 +147,8 @@ static enum status_code write_script(const struct figure_file *out, const struct
     if (curves && !sweep && row->x == QUANTITY_LOAD)
         text_add(&script, " '%.6e %.6e %.6e'", results->loads[0], results->loads[results->load_count - 1],
                  isfinite(out->floor) ? out->floor : 0);
+    if (row->kind == FIGURE_SENSITIVITY)
+        text_add(&script, " '' '%.6e'", results->sensitivity->unsure_m);
     text_add(&script, "\n");
     char name[sizeof out->figure->number + 4];
     snprintf(name, sizeof name, "%s.gp", number);

@@ -12,7 +12,8 @@ enum figure_kind {
     FIGURE_SURFACES, /* all surfaces; a figure a model */
     FIGURE_PROFILES,
     FIGURE_SPECTRA,
-    FIGURE_BENCHMARK, /* error against time */
+    FIGURE_BENCHMARK,   /* error against time */
+    FIGURE_SENSITIVITY, /* the baseline against the shortest wavelength included, all models */
 };
 
 /** One row a figure, or a figure a model. */

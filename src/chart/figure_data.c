@@ -184,6 +184,24 @@ static void put_sweep(struct figure_file *out, const struct results *results)
     }
 }
 
+static void put_sensitivity(struct figure_file *out, const struct sensitivity_curves *curves)
+{
+    enum quantity y = out->figure->row->y;
+    for (size_t m = 0; m < model_count; m++) {
+        const struct contact_point *points = curves->points + m * SENSITIVITY_WAVELENGTHS;
+        bool any = false;
+        for (size_t w = 0; w < SENSITIVITY_WAVELENGTHS; w++)
+            any = any || quantity_value(&points[w], y) > 0;
+        if (!any)
+            continue;
+        begin_block(out, model_rows[m]->style, model_rows[m]->label);
+        for (size_t w = 0; w < SENSITIVITY_WAVELENGTHS; w++)
+            put_point(out, curves->wavelength_m[w], quantity_value(&points[w], y), true, true);
+    }
+    if (out->blocks == 0)
+        begin_block(out, model_rows[0]->style, "no model has a value");
+}
+
 /** One line a study and method, and a ring round what the report uses. */
 static void put_cost(struct figure_file *out, const struct benchmark *cost)
 {
@@ -216,6 +234,9 @@ enum status_code figure_data_put(struct figure_file *file, const struct results 
     switch (file->figure->row->kind) {
     case FIGURE_SWEEP:
         put_sweep(file, results);
+        break;
+    case FIGURE_SENSITIVITY:
+        put_sensitivity(file, results->sensitivity);
         break;
     case FIGURE_BENCHMARK:
         put_cost(file, results->benchmark);

@@ -21,6 +21,10 @@
         .number = (first), .name = (parameter), .kind = FIGURE_SWEEP, .section = "convergence", .title = (words),      \
         .sweep = (what)                                                                                                \
     }
+#define SENSITIVITY(file, words, up)                                                                                   \
+    {                                                                                                                  \
+        .name = (file), .kind = FIGURE_SENSITIVITY, .section = "sensitivity", .title = (words), .y = (up)              \
+    }
 #define BENCHMARK(file, words, what)                                                                                   \
     {                                                                                                                  \
         .name = (file), .kind = FIGURE_BENCHMARK, .section = "cost", .title = (words), .chart = (what)                 \
@@ -44,6 +48,8 @@ const struct figure_row figure_rows[] = {
     SURFACES(23, "ecr-load", "surfaces electrical", false, QUANTITY_LOAD, QUANTITY_ECR),
     SURFACES(27, "tcr-load", "surfaces thermal", false, QUANTITY_LOAD, QUANTITY_TCR),
     {.name = "power-law", .kind = FIGURE_SPECTRA, .section = "power law", .title = "Spectra and their power laws"},
+    SENSITIVITY("sensitivity-area", "Area against the shortest wavelength included", QUANTITY_AREA),
+    SENSITIVITY("sensitivity-ecr", "ECR against the shortest wavelength included", QUANTITY_ECR),
     BENCHMARK("cost-integrals", "Error against time, integrals of the statistical models", BENCHMARK_INTEGRALS),
     BENCHMARK("cost-curves", "Error against time, scales and loads left out", BENCHMARK_CURVES),
 };

@@ -344,11 +344,38 @@ static enum status_code write_bands(const struct results *results, const char *d
     return rc != STATUS_OK ? rc : closed;
 }
 
+static enum status_code write_sensitivity(const struct results *results, const char *directory, struct status *status)
+{
+    struct table table;
+    bool ecr = plan_runs(results->plan, EFFECT_ELECTRICAL);
+    if (table_open(&table, directory, "sensitivity.csv", status) != STATUS_OK)
+        return status->code;
+    text_add(&table.row, "surface,model,change,area_factor%s", ecr ? ",ecr_factor" : "");
+    end_row(&table);
+    for (size_t i = 0; i < results->store->count; i++)
+        for (size_t m = 0; m < model_count; m++) {
+            const struct surface_summary *s = &results->store->summaries[i];
+            if (!s->usable || !s->models[m].exists || model_rows[m]->uses_heights)
+                continue;
+            for (int c = 0; c < SENSITIVITY_CHANGES; c++) {
+                put_surface(&table, s);
+                text_add(&table.row, ",%s,%s", model_rows[m]->name, sensitivity_change_names[c]);
+                put_number(&table, "area_factor", s->models[m].sensitivity.area[c]);
+                if (ecr)
+                    put_number(&table, "ecr_factor", s->models[m].sensitivity.ecr[c]);
+                end_row(&table);
+            }
+        }
+    return table_close(&table);
+}
+
 enum status_code tables_write(const struct results *results, const char *directory, struct status *status)
 {
     enum status_code rc = write_surfaces(results, directory, status);
     if (rc == STATUS_OK)
         rc = write_curves(results, directory, status);
+    if (rc == STATUS_OK)
+        rc = write_sensitivity(results, directory, status);
     if (rc == STATUS_OK && results->convergence)
         rc = write_convergence(results, directory, status);
     if (rc == STATUS_OK && results->benchmark)

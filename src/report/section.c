@@ -28,7 +28,7 @@ void section_figures(struct text *out, const struct section_context *context, co
         if (figure->row->number > 0 && figure->number[0] == '6')
             text_add(out, "Figure %s. ", figure->number);
         text_add(out, "%s", figure->title);
-        if (figure->row->kind == FIGURE_MODELS) {
+        if (figure->row->kind == FIGURE_MODELS || figure->row->kind == FIGURE_SENSITIVITY) {
             text_add(out, ", ");
             section_named(out, "surface ", context->results, context->results->baseline);
         }

@@ -15,9 +15,10 @@ struct results {
     size_t load_count;
     struct surface_store *store;
     struct work predicted, done;
-    const struct surface_record *counterface; /* described; NULL: smooth */
-    const struct measured *measured;          /* NULL: none */
-    const struct benchmark *benchmark;        /* what accuracy costs; NULL: left out */
+    const struct surface_record *counterface;     /* described; NULL: smooth */
+    const struct measured *measured;              /* NULL: none */
+    const struct benchmark *benchmark;            /* what accuracy costs; NULL: left out */
+    const struct sensitivity_curves *sensitivity; /* of the baseline surface */
     const double *convergence; /* the sweeps' area ratios, see results_sweep(); NULL when the effect is off */
     size_t *shown;             /* indices of the surfaces the charts show: all usable ones up to 8, else spread by Rq */
     size_t shown_count;

@@ -56,6 +56,10 @@ static bool put_arrays(FILE *file, const struct surface_record *record)
         ok = ok &&
              put_array(file, record->bands[m], sizeof(struct repeats_band), record->bands[m] ? record->band_count : 0);
     }
+    for (int v = 0; v < SENSITIVITY_VARIANTS; v++) {
+        const struct spectrum *changed = &record->sensitivity.variants[v].spectrum;
+        ok = ok && put_array(file, changed->amplitude_m, sizeof(double), changed->count);
+    }
     ok = ok && put_array(file, record->points, sizeof *record->points, record->summary.heights);
     for (size_t p = 0; p < record->repeat_count; p++) {
         const struct spectrum *part = &record->repeats[p].spectrum;
@@ -108,6 +112,10 @@ enum status_code surface_store_get(struct surface_record *out, struct surface_st
         out->curves[m].points = get_array(store->file, sizeof(struct contact_point), out->curves[m].count, &ok);
         if (out->bands && out->bands[m])
             out->bands[m] = get_array(store->file, sizeof(struct repeats_band), out->band_count, &ok);
+    }
+    for (int v = 0; v < SENSITIVITY_VARIANTS; v++) {
+        struct spectrum *changed = &out->sensitivity.variants[v].spectrum;
+        changed->amplitude_m = get_array(store->file, sizeof(double), changed->count, &ok);
     }
     out->points = get_array(store->file, sizeof *out->points, out->summary.heights, &ok);
     for (size_t p = 0; p < out->repeat_count; p++)

@@ -23,6 +23,7 @@ struct run {
     struct prepared prepared;
     struct results *results; /* of `prepared` */
     struct benchmark benchmark;
+    struct sensitivity_curves sensitivity;
     struct figure_list figures;
     double *sweeps;
     uint64_t sweep_scales;
@@ -108,6 +109,26 @@ static void add_times(struct run_times *times, const struct surface_store *store
     }
 }
 
+/** The baseline against the shortest wavelength included. */
+static enum status_code run_sensitivity(struct run *run, struct status *status)
+{
+    struct results *results = run->results;
+    struct surface_record baseline = {0};
+    if (surface_store_get(&baseline, results->store, results->baseline, status) != STATUS_OK)
+        return status->code;
+    struct model_task task =
+        surface_task(&baseline, results->scene, results->plan, results->loads, results->load_count);
+    struct model_task one = surface_middle_task(&task);
+    double unsure_m = sensitivity_cutoff(baseline.summary.spacing_m, results->scene->lambda_s_m);
+    uint64_t models = 0;
+    for (size_t m = 0; m < model_count; m++)
+        models |= plan_runs_model(results->plan, m) ? MODEL_BIT(m) : 0;
+    enum status_code rc = sensitivity_curves_make(&run->sensitivity, &one, models, unsure_m, status);
+    surface_record_free(&baseline, false);
+    results->sensitivity = &run->sensitivity;
+    return rc;
+}
+
 /** What accuracy costs, on the baseline surface. */
 static enum status_code measure_cost(struct run *run, struct status *status)
 {
@@ -146,6 +167,8 @@ static enum status_code evaluate(struct run *run, struct run_outcome *out, struc
         text_free(&out->messages);
         prepare_messages(&out->messages, &prepared->store);
     }
+    if (rc == STATUS_OK)
+        rc = run_sensitivity(run, status);
     double last = clock_seconds();
     if (rc == STATUS_OK && plan_runs(&prepared->plan, EFFECT_CONVERGENCE))
         rc = run_sweeps(run, status);
@@ -238,6 +261,7 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
     output_abandon(&run.output);
     free(run.sweeps);
     benchmark_free(&run.benchmark);
+    sensitivity_curves_free(&run.sensitivity);
     figure_list_free(&run.figures);
     out->times.total = clock_seconds() - started;
     return rc;
