@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-/** The integrals of thesis (4.25), (4.26), (4.43) at d, in closed form for GW, else from the panels. */
+/** The integrals of (4.25), (4.26), (4.43*), (4.46*) at d, in closed form for GW, else from the panels. */
 static void integrate(struct quadrature_sums *sums, const struct statistical *model, double d)
 {
     if (model->law != ASPERITY_HERTZ) {
