@@ -45,7 +45,7 @@ void quadrature_free(struct quadrature *panels);
 size_t quadrature_count(const struct asperity *asperity, double sigma_s_m, double knudsen_length_m, double lowest_d,
                         double tolerance);
 
-/** All sums at separation d (in sigma_s), d >= the lowest_d of quadrature_make(). */
+/** All sums at separation d (in sigma_s) under the Gaussian of (4.23), d >= the lowest_d of quadrature_make(). */
 void quadrature_sum(struct quadrature_sums *out, const struct quadrature *panels, double d);
 
 #endif

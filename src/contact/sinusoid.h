@@ -62,7 +62,7 @@ double sinusoid_closed_pressure(const struct sinusoid_scale *scale);
 double sinusoid_full_area_pressure(const struct sinusoid_scale *scale);
 
 /** Area (and, when `with_gap`, gap) of the scale at mean pressure p > 0 [Pa]. Returns whether it deformed plastically.
- * Elastic: thesis (4.5), (4.6), (4.10); plastic: (4.17*), cut off at 1 and, with closure
+ * Elastic: thesis (4.5), (4.6), (4.10); plastic: (4.17*) with (4.15), cut off at 1 and, with closure
  * `numeric`, not below the elastic area: yield only adds contact. The area never falls with p, but for the link of
  * closure `thesis` at p/p* = 0.8 (by 0.05 %, as published). */
 bool sinusoid_press(struct sinusoid_cell *cell, const struct sinusoid_scale *scale, const struct sinusoid_fit *closure,

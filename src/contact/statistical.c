@@ -31,8 +31,8 @@ static void integrate(struct quadrature_sums *sums, const struct statistical *mo
     };
 }
 
-/** Solves ln(density integral(d)) = ln target by Newton's method. The logarithm falls and is concave in d (both laws
- * are log-concave), so that after one step the iterates close in from one side. */
+/** Solves ln(density integral(d)) = ln target, of (4.25) or (4.26), by Newton's method. The logarithm falls and is
+ * concave in d (both laws are log-concave), so that after one step the iterates close in from one side. */
 static double solve(const struct statistical *model, bool for_area, double log_target, double d)
 {
     static const double highest_d = 40; /* exp(-d²/2) is below the smallest double */
