@@ -206,7 +206,6 @@ enum status_code gather_file(struct surface_record *record, const struct scene *
     return rc;
 }
 
-/** Two rough bodies: amplitudes and moments of the surface and of its counterface add as squares (physics §2). */
 enum status_code gather_counterface(struct surface_record *record, const struct surface_record *counterface,
                                     struct status *status)
 {

@@ -130,7 +130,7 @@ static void test_every_number_exists_once(void **state)
         assert_null(strpbrk(figure_rows[i].title, "'\"\\\n")); /* it stands in a gnuplot string */
 }
 
-/* The contract's list of figures: what each needs. */
+/* The list of figures in docs/report.md: what each needs. */
 static bool is_called_for(int n, unsigned effects, unsigned families)
 {
     static const enum model_id order[4] = {MODEL_MULTISCALE_PLASTIC, MODEL_MULTISCALE_ELASTIC, MODEL_JG, MODEL_GW};
