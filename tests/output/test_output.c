@@ -1,5 +1,5 @@
 #include "output/output.h"
-#include "results/directory.h"
+#include "directory.h"
 #include "output/manifest.h"
 
 #include <errno.h>

@@ -3,7 +3,7 @@
 #define TEST_PIPELINE_H
 
 #include "profile/synth.h"
-#include "results/directory.h"
+#include "directory.h"
 #include "run/run.h"
 
 /* Writes a scan of `points` heights, spacing 0.5 um, in place/NAME. */
