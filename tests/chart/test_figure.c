@@ -243,7 +243,7 @@ static void test_the_files_are_those_of_the_figures(void **state)
                 files += directory_has(place, name);
             }
         snprintf(name, sizeof name, "%s/figures", outs[o]);
-        assert_int_equal(directory_entries(place, name), files + 3 + 8); /* power-law and the templates */
+        assert_int_equal(directory_entries(place, name), files + 3 + 9); /* power-law, the templates and models.gp */
     }
 }
 
@@ -371,6 +371,22 @@ static void test_the_models_of_the_baseline(void **state)
     }
 }
 
+/* Each model is drawn in the colour of its row. */
+static void test_models_have_their_colours(void **state)
+{
+    struct text svg = directory_read(*state, "out/figures/6-05.svg");
+    for (int k = 0; k < 4; k++) {
+        unsigned red, green, blue;
+        char colour[64];
+        const char *of_row = model_rows[model_named(thesis_models[k])]->colour;
+        assert_int_equal(sscanf(of_row, "#%2x%2x%2x", &red, &green, &blue), 3);
+        snprintf(colour, sizeof colour, "<path stroke='rgb(%3u, %3u, %3u)'", red, green, blue);
+        if (!strstr(svg.data, colour))
+            fail_msg("no %s", colour);
+    }
+    text_free(&svg);
+}
+
 /* A profile is thinned for its chart, but no peak is lost. */
 static void test_a_thinned_profile_keeps_its_spike(void **state)
 {
@@ -398,6 +414,7 @@ int main(void)
         cmocka_unit_test(test_a_hostile_name_is_only_a_legend),
         cmocka_unit_test(test_dashed_curves_begin_at_the_last_valid_point),
         cmocka_unit_test(test_the_models_of_the_baseline),
+        cmocka_unit_test(test_models_have_their_colours),
         cmocka_unit_test(test_a_thinned_profile_keeps_its_spike),
     };
     return cmocka_run_group_tests(tests, place_setup, place_teardown);

@@ -121,7 +121,8 @@ static inline void fake_put_curves(struct fake *fake, struct surface_store *stor
     record->summary = fake->summaries[index];
     record->summary.asperities.sigma_m = 1e-6;
     record->curves = calloc(model_count, sizeof *record->curves);
-    assert_non_null(record->curves);
+    record->bands = calloc(model_count, sizeof *record->bands);
+    assert_true(record->curves && record->bands);
     for (int m = 0; m < FAKE_MODELS; m++) {
         size_t model = model_named(fake_models[m]);
         struct model_curve *curve = &record->curves[model];
