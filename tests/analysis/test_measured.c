@@ -309,6 +309,8 @@ static void models_are_ranked(void **state)
     assert_int_equal(rank.farthest, 2);
     curves[1].exists = false;
     assert_int_equal(measured_rank(&measured, curves).nearest, 0);
+    points[3][1] = (struct contact_point){.load = 2e-3, .ecr_ohm_m2 = 5e-12}; /* three of five, and those are met */
+    assert_int_equal(measured_rank(&measured, curves).nearest, 3);
     loads[0] = loads[1] = loads[2] = loads[3] = loads[4] = 1;
     rank = measured_rank(&measured, curves);
     assert_int_equal(rank.nearest, model_count);
