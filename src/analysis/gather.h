@@ -1,4 +1,4 @@
-/* From the scans of a surface to its mean spectrum and roughness: read, conditioned, averaged. Private to src/results.
+/* From the scans of a surface to its mean spectrum and roughness: read, conditioned, averaged. Private to src/analysis.
  */
 #ifndef ANALYSIS_GATHER_H
 #define ANALYSIS_GATHER_H
@@ -15,7 +15,8 @@ MUST_CHECK enum status_code gather_file(struct surface_record *record, const str
                                         const struct scene_surface *surface, const char *file, struct hash *hash,
                                         struct status *status);
 
-/** Two rough bodies: amplitudes and moments of the surface and of its counterface add as squares (physics §2).
+/** Two rough bodies: amplitudes and moments of the surface and of its counterface add as squares (docs/equations.md,
+ * From scan to spectrum).
  * Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code gather_counterface(struct surface_record *record, const struct surface_record *counterface,
                                                struct status *status);

@@ -1,4 +1,4 @@
-/* Which effects run and why (contract: "effects: auto"). Decided once, before any model. */
+/* Which effects run and why (README, The scene: `effects: auto`). Decided once, before any model. */
 #ifndef ANALYSIS_PLAN_H
 #define ANALYSIS_PLAN_H
 

@@ -1,4 +1,4 @@
-/* Which figures a report may hold (contract "Figures of the report"). */
+/* Which figures a report may hold (docs/report.md, Figures). */
 #include "chart/figure.h"
 
 #define MODELS(first, where, words, in_terminal, across, up)                                                           \

@@ -20,7 +20,7 @@ static double hardness_ratio(double radius_ratio)
     return 2.84 - 0.92 * (1 - cos(M_PI * fmin(1, radius_ratio)));
 }
 
-/** Jackson and Green: Hertz below 1.9 omega_c; else (4.32), (4.33) in the forms of physics.md's errata. */
+/** Jackson and Green: Hertz below 1.9 omega_c; else (4.32*), (4.33*), with a/R of (4.38*). */
 static void press_jg(struct asperity_contact *out, const struct asperity *asperity, double interference_m)
 {
     double ratio = interference_m / asperity->critical_interference_m; /* omega* */

@@ -1,4 +1,4 @@
-/* One spherical asperity pressed by omega (physics §5; thesis 4.27-4.38). */
+/* One spherical asperity pressed by omega (4.27-4.38, 4.45); docs/equations.md, Statistical models. */
 #ifndef CONTACT_ASPERITY_H
 #define CONTACT_ASPERITY_H
 
@@ -39,11 +39,11 @@ extern const double asperity_yield_onset;
 /** a/R up to which the elastic-plastic law was fitted: 0.41. */
 extern const double asperity_fitted_radius_ratio;
 
-/** An asperity of radius R for `law`. */
+/** An asperity of radius R for `law`: omega_c (4.31), P_c (4.34), B (4.35) of e_y (4.36). */
 struct asperity asperity_make(double radius_m, const struct material_pair *pair, enum asperity_model_id law);
 
 /** Interference [m] at which the elastic-plastic contact radius reaches `ratio` R (not below 1.9 omega_c), from
- * a/R = sqrt[(omega/R)(omega/1.9 omega_c)^B] (4.38). INFINITY for the elastic law. */
+ * a/R = sqrt[(omega/R)(omega/1.9 omega_c)^B] (4.38*). INFINITY for the elastic law. */
 double asperity_interference_at(const struct asperity *asperity, double ratio);
 
 #endif

@@ -1,5 +1,6 @@
-/* The multiscale models: every harmonic of the surface is a scale, stacked longest first (physics §4; thesis 4.1, 4.2,
- * 4.11). The electrical and thermal resistance of the stack is summed in the same pass (physics §7). */
+/* The multiscale models: every harmonic of the surface is a scale, stacked longest first (4.1, 4.2, 4.11*);
+ * docs/equations.md, Stacked scales. The electrical and thermal resistance is summed in the same pass (4.42*, 4.48*).
+ */
 #ifndef CONTACT_MULTISCALE_H
 #define CONTACT_MULTISCALE_H
 
@@ -29,10 +30,10 @@ MUST_CHECK enum status_code multiscale_make(struct multiscale *out, const struct
 void multiscale_complete(struct multiscale *stack);
 void multiscale_free(struct multiscale *stack);
 
-/** Contact at P/(A_n E') = load > 0: A_i = a_i A_{i-1} under p_i = P/A_{i-1}; H = sum Delta_i G_i; the resistances of
- * `spot`, only the quantities in `wanted` (others stay NaN). Adds the scales visited to *evaluations. Returns at how
- * many of them the published plastic area had to be limited: cut off at 1 (4.17 exceeds it before p_p), or raised to
- * the elastic area (closure numeric). */
+/** Contact at P/(A_n E') = load > 0: A_i = a_i A_{i-1} (4.1) under p_i = P/A_{i-1} (4.2); H = sum Delta_i G_i
+ * (4.11*); the resistances of `spot`, only the quantities in `wanted` (others stay NaN). Adds the scales visited to
+ * *evaluations. Returns at how many of them the published plastic area had to be limited: cut off at 1 (4.17 exceeds it
+ * before p_p), or raised to the elastic area (closure numeric). */
 size_t multiscale_solve(struct contact_point *out, const struct multiscale *stack, const struct constriction *spot,
                         unsigned wanted, double load, uint64_t *evaluations);
 

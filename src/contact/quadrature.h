@@ -31,10 +31,10 @@ struct quadrature_sums {
     double log_factor;
 };
 
-/** Lays panels that break where the law changes (1.9 omega_c, a/R = 0.41, a/R = 1), in t = sqrt(u) so that the square
- * root at u = 0 does no harm, wide enough for d >= lowest_d (in sigma_s) and fine enough for `tolerance` (relative).
- * Adds the number of law evaluations to *evaluations. Errors: STATUS_MEMORY; STATUS_MODEL when lowest_d is below about
- * -2000. */
+/** For (4.25), (4.26), (4.43*), (4.46*) and (4.51) under the Gaussian of (4.23): lays panels that break where the law
+ * changes (1.9 omega_c, a/R = 0.41, a/R = 1), in t = sqrt(u) so that the square root at u = 0 does no harm, wide enough
+ * for d >= lowest_d (in sigma_s) and fine enough for `tolerance` (relative). Adds the number of law evaluations to
+ * *evaluations. Errors: STATUS_MEMORY; STATUS_MODEL when lowest_d is below about -2000. */
 MUST_CHECK enum status_code quadrature_make(struct quadrature *out, const struct asperity *asperity,
                                             enum asperity_model_id law, double sigma_s_m, double knudsen_length_m,
                                             double lowest_d, double tolerance, uint64_t *evaluations,
@@ -45,7 +45,7 @@ void quadrature_free(struct quadrature *panels);
 size_t quadrature_count(const struct asperity *asperity, double sigma_s_m, double knudsen_length_m, double lowest_d,
                         double tolerance);
 
-/** All sums at separation d (in sigma_s), d >= the lowest_d of quadrature_make(). */
+/** All sums at separation d (in sigma_s) under the Gaussian of (4.23), d >= the lowest_d of quadrature_make(). */
 void quadrature_sum(struct quadrature_sums *out, const struct quadrature *panels, double d);
 
 #endif

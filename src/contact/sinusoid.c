@@ -6,9 +6,9 @@ static const double link_area_low = 1.51; /* exponents of the linking equation (
 static const double link_area_high = 1.04;
 const double sinusoid_link_switch = 0.8;
 static const double critical_strain =
-    2.0 / 3; /* exp(2 nu/3) in Delta_c; the thesis's form, see physics.md "Unsettled" */
+    2.0 / 3; /* exp(2 nu/3) in Delta_c; the thesis's form, see docs/equations.md, Unsettled */
 
-/** a_1 = pi (3x/8pi)^(2/3), the Hertz limit (4.3); from ln x. */
+/** a_1 = pi (3x/8pi)^(2/3), the Hertz limit (4.3*); from ln x. */
 static double area_low(double ln_x)
 {
     static const double factor = 0.7616184731724445; /* pi (3/(8 pi))^(2/3) */
@@ -21,8 +21,8 @@ static double area_high_complement(double x)
     return 3 / (2 * M_PI) * (1 - x);
 }
 
-/** The linking equation a_low (1-x^1.51) + a_2 x^1.04 for 0 < x < 1, with a_low of either law. Its complement is summed
- * from small terms where x is near 1, so that 1 - sqrt(a) keeps its digits. */
+/** The linking equation a_low (1-x^1.51) + a_2 x^1.04 for 0 < x < 1, with a_low elastic (4.5) or plastic (4.17*). Its
+ * complement is summed from small terms where x is near 1, so that 1 - sqrt(a) keeps its digits. */
 static void link_areas(struct sinusoid_cell *cell, double low, double x, double ln_x)
 {
     double high_complement = area_high_complement(x);
@@ -61,7 +61,7 @@ static void thesis_area(struct sinusoid_cell *cell, double x)
     }
 }
 
-/** Mean gap / amplitude G = (1-x)^(5/2 (0.696x + 0.158)^-0.847), thesis (4.10) with the 5/2 of physics.md's errata. */
+/** Mean gap / amplitude G = (1-x)^(5/2 (0.696x + 0.158)^-0.847), (4.10*). */
 static double thesis_gap(double x)
 {
     if (x >= 1)

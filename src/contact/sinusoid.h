@@ -1,5 +1,5 @@
 /* One scale of a rough surface pressed flat: a double-sinusoidal surface Delta cos(2 pi f x) cos(2 pi f y) against a
- * flat (physics §3; thesis 4.3-4.18). Area ratio is real area / cell area, 0...1. */
+ * flat (4.3-4.18); docs/equations.md, One sinusoidal scale. Area ratio is real area / cell area, 0...1. */
 #ifndef CONTACT_SINUSOID_H
 #define CONTACT_SINUSOID_H
 
@@ -46,13 +46,15 @@ struct sinusoid_scale {
 /** p/p* from which the near-complete asymptote of the elastic area holds alone (4.6). */
 extern const double sinusoid_link_switch;
 
-/** p* = sqrt2 pi E' Delta f [Pa], thesis (4.7). */
+/** p* = sqrt2 pi E' Delta f [Pa] (4.7*). */
 double sinusoid_full_pressure(double amplitude_m, double frequency_per_m, double effective_modulus_Pa);
 
-/** Delta_c = sqrt2 S_y exp(2 nu/3) / (3 pi E' f) [m]: at or below it the scale is elastic at any load (physics §3). */
+/** Delta_c = sqrt2 S_y exp(2 nu/3) / (3 pi E' f) [m]: at or below it the scale is elastic at any load; goes
+ * with (4.18). */
 double sinusoid_critical_amplitude(double frequency_per_m, const struct material_pair *pair);
 
-/** Prepares a scale; `plastic` false leaves it elastic at any load. The caller may then set hardness_Pa. */
+/** Prepares a scale: p* (4.7*); p_c (4.14*, of the critical load 4.12*); the factor and the exponent of a_p (4.15) from
+ * A_c (4.13*) and q (4.16); p_p (4.18). `plastic` false leaves it elastic at any load. The caller may then set hardness_Pa. */
 struct sinusoid_scale sinusoid_scale(double amplitude_m, double frequency_per_m, const struct material_pair *pair,
                                      bool plastic);
 
@@ -64,7 +66,7 @@ double sinusoid_closed_pressure(const struct sinusoid_scale *scale);
 double sinusoid_full_area_pressure(const struct sinusoid_scale *scale);
 
 /** Area (and, when `with_gap`, gap) of the scale at mean pressure p > 0 [Pa]. Returns whether it deformed plastically.
- * Elastic: thesis (4.5), (4.6), (4.10); plastic: (4.17) with p_p in place of p*, cut off at 1 and, with closure
+ * Elastic: thesis (4.5), (4.6), (4.10); plastic: (4.17*) with (4.15), cut off at 1 and, with closure
  * `numeric`, not below the elastic area: yield only adds contact; with a hardness H, not below min(1, p/H), the gap as
  * without it. The area never falls with p, but for the link of
  * closure `thesis` at p/p* = 0.8 (by 0.05 %, as published). */

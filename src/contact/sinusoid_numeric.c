@@ -1,4 +1,5 @@
-/* Closure `numeric`: the elastic sinusoidal cell interpolated from a direct numerical solution (physics §3).
+/* Closure `numeric`: the elastic sinusoidal cell interpolated from a direct numerical solution (docs/equations.md,
+ * One sinusoidal scale).
  * ln[G/(1-x)^(5/2)] and a/x^(2/3) are smooth in x^(1/3); Steffen's cubic keeps both monotone between the nodes.
  * The ends are the exact limits: Hertz at x = 0 (4.3) and Johnson, Greenwood and Higginson's (4.9) at x = 1. */
 #include "contact/sinusoid.h"

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-/** The integrals of thesis (4.25), (4.26), (4.43) at d, in closed form for GW, else from the panels. */
+/** The integrals of (4.25), (4.26), (4.43*), (4.46*) at d, in closed form for GW, else from the panels. */
 static void integrate(struct quadrature_sums *sums, const struct statistical *model, double d)
 {
     if (model->law != ASPERITY_HERTZ) {
@@ -31,8 +31,8 @@ static void integrate(struct quadrature_sums *sums, const struct statistical *mo
     };
 }
 
-/** Solves ln(density integral(d)) = ln target by Newton's method. The logarithm falls and is concave in d (both laws
- * are log-concave), so that after one step the iterates close in from one side. */
+/** Solves ln(density integral(d)) = ln target, of (4.25) or (4.26), by Newton's method. The logarithm falls and is
+ * concave in d (both laws are log-concave), so that after one step the iterates close in from one side. */
 static double solve(const struct statistical *model, bool for_area, double log_target, double d)
 {
     static const double highest_d = 40; /* exp(-d²/2) is below the smallest double */

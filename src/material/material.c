@@ -96,6 +96,7 @@ static double compliance_per_Pa(const struct material *material)
     return (1.0 - material->poisson_ratio * material->poisson_ratio) / material->youngs_modulus_Pa;
 }
 
+/* lambda_mfp = 3k/(density v_s c_p) (4.52*). */
 static double mean_free_path_m(const struct material *material)
 {
     return kinetic_dimensions * material->conductivity_W_per_mK /

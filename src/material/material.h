@@ -1,4 +1,4 @@
-/* Materials: the built-in table and the pair of them that a contact is made of (physics §2). */
+/* Materials: the built-in table and the pair of them that a contact is made of (docs/equations.md, Material). */
 #ifndef MATERIAL_MATERIAL_H
 #define MATERIAL_MATERIAL_H
 
@@ -62,7 +62,7 @@ struct material_pair {
 extern const double material_hardness_ratio;
 
 /** Combines `material` with its counterface (`other` is read for MATERIAL_COUNTERFACE_ELASTIC only). The softer body is
- * the one with the lower yield strength. Source: physics §2; thesis (4.14), (4.52). */
+ * the one with the lower yield strength. Source: docs/equations.md, Material; thesis (4.14), (4.52). */
 struct material_pair material_pair(const struct material *material, enum material_counterface kind,
                                    const struct material *other);
 

@@ -1,5 +1,5 @@
-/* A scan made ready: gaps bridged, heights at a uniform spacing, levelled, filtered (physics §1). Every step that did
- * something leaves a line in `notes`. */
+/* A scan made ready: gaps bridged, heights at a uniform spacing, levelled, filtered (docs/equations.md, From scan to
+ * spectrum). Every step that did something leaves a line in `notes`. */
 #ifndef PROFILE_PROFILE_H
 #define PROFILE_PROFILE_H
 

@@ -65,7 +65,7 @@ enum status_code scan_al3d_read(struct scan *out, const struct scan_bytes *file,
         bytes_skip(&bytes, stride - nx * sizeof(float));
     }
     out->dx_m = fabs(header.dx);
-    out->dy_m = out->kind == SCAN_AREAL ? fabs(header.dy) : 0.0;
+    out->dy_m = fabs(header.dy);
     scan_set_units(out, "m", "m");
     return STATUS_OK;
 }

@@ -4,7 +4,6 @@
 #include "scan/reader.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 static const double mahr_unit_m = 1e-3;
@@ -12,7 +11,7 @@ enum { MAHR_SHORTEST = 8 }; /* bytes of the shortest line of a point, `0=1 2 3` 
 
 bool scan_mahr_text_sniff(const struct scan_bytes *file)
 {
-    return string_view_starts(scan_span(file), "[PROFILE_HEADER]");
+    return string_view_starts(scan_view(file), "[PROFILE_HEADER]");
 }
 
 /* Reads `index=x y z ...`; false when the line is not of that form. */
@@ -63,7 +62,7 @@ enum status_code scan_mahr_text_read(struct scan *out, const struct scan_bytes *
 {
     (void)options;
     size_t n = 0;
-    struct lines lines = lines_begin(scan_span(file));
+    struct lines lines = lines_begin(scan_view(file));
     for (struct string_view line; lines_next(&lines, &line);) {
         line = string_view_trim(line);
         if (string_view_starts(line, "NO_POINTS=") &&
@@ -72,11 +71,8 @@ enum status_code scan_mahr_text_read(struct scan *out, const struct scan_bytes *
         if (!string_view_equals(line, "[PROFILE_VALUES]"))
             continue;
         size_t room = (size_t)(lines.end - lines.next + 1) / MAHR_SHORTEST;
-        if (scan_reserve(out, n, 1, room, file, status) != STATUS_OK)
+        if (scan_reserve_x(out, n, room, file, status) != STATUS_OK)
             return status->code;
-        out->x_m = malloc(n * sizeof *out->x_m);
-        if (!out->x_m)
-            return status_memory(status);
         scan_set_units(out, "mm", "mm");
         return read_points(out, lines, file, status);
     }

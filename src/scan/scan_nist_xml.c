@@ -19,7 +19,7 @@ static const struct {
 bool scan_nist_xml_sniff(const struct scan_bytes *file)
 {
     size_t length = file->length < NIST_SNIFF ? file->length : NIST_SNIFF;
-    return string_view_starts(scan_span(file), "<") && memmem(file->bytes, length, "<DATAFILE>", 10) != NULL &&
+    return string_view_starts(scan_view(file), "<") && memmem(file->bytes, length, "<DATAFILE>", 10) != NULL &&
            memmem(file->bytes, length, "DATA_POINT_VALUES", 17) != NULL;
 }
 
@@ -45,11 +45,12 @@ static struct string_view element(struct string_view text, const char *tag)
 enum status_code scan_nist_xml_read(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
                                     struct status *status)
 {
-    struct string_view text = scan_span(file), data = {text.end, text.end}, word;
+    struct string_view text = scan_view(file), data = {text.end, text.end}, word = data;
     text.start = find(text, "<DATAFILE>");
-    for (size_t i = 0; i < sizeof nist_blocks / sizeof *nist_blocks && !scan_word(&data, &word); i++) {
+    for (size_t i = 0; i < sizeof nist_blocks / sizeof *nist_blocks && word.start == word.end; i++) {
         data = element(text, nist_blocks[i].tag);
         out->format = nist_blocks[i].format;
+        (void)scan_word(&data, &word);
     }
     if (word.start == word.end)
         return scan_fail(status, file, 0, "no heights in <DATA_POINT_VALUES>");
@@ -60,7 +61,7 @@ enum status_code scan_nist_xml_read(struct scan *out, const struct scan_bytes *f
         return scan_fail(status, file, 0, "no number of points in <NUMPOINTS>");
     if (!number_read(element(text, "SPACING"), &spacing))
         return scan_fail(status, file, 0, "no spacing in <SPACING>");
-    char unit[16];
+    char unit[SCAN_UNIT_SIZE];
     scan_copy(unit, sizeof unit, element(text, "UNITS"));
     if (scan_units(out, unit, unit, &x_m, &z_m, file, options, status) != STATUS_OK ||
         scan_reserve(out, n, 1, (string_view_length(data) + 1) / 2, file, status) != STATUS_OK ||

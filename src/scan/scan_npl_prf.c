@@ -9,13 +9,13 @@ enum { NPL_SNIFF = 512 };
 
 struct npl_axis {
     size_t n;
-    double unit_m, factor;
-    const char *unit;
+    struct scan_unit unit;
+    double factor;
 };
 
 bool scan_npl_prf_sniff(const struct scan_bytes *file)
 {
-    struct string_view text = scan_span(file), word;
+    struct string_view text = scan_view(file), word;
     size_t length = file->length < NPL_SNIFF ? file->length : NPL_SNIFF;
     return scan_word(&text, &word) && string_view_equals(word, "1") && scan_word(&text, &word) &&
            string_view_equals(word, "2") && memmem(file->bytes, length, "\nCX M ", 6) != NULL;
@@ -33,9 +33,8 @@ static bool read_axis(struct npl_axis *axis, struct string_view line)
     axis->n = (size_t)n;
     if (!scan_word(&line, &word))
         return false;
-    axis->unit = scan_unit_name(word.start, string_view_length(word));
-    axis->unit_m = scan_unit_m(word.start, string_view_length(word));
-    return axis->unit && scan_word(&line, &word) && number_read(word, &axis->factor);
+    axis->unit = scan_unit_find(word, SCAN_HEIGHT);
+    return axis->unit.name && scan_word(&line, &word) && number_read(word, &axis->factor);
 }
 
 enum status_code scan_npl_prf_read(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
@@ -45,7 +44,7 @@ enum status_code scan_npl_prf_read(struct scan *out, const struct scan_bytes *fi
     struct npl_axis x = {0}, z = {0};
     double spacing = 0;
     size_t records = 0;
-    struct lines lines = lines_begin(scan_span(file));
+    struct lines lines = lines_begin(scan_view(file));
     for (struct string_view line; records < 2 && lines_next(&lines, &line);) {
         line = string_view_trim(line);
         bool good = true;
@@ -61,18 +60,18 @@ enum status_code scan_npl_prf_read(struct scan *out, const struct scan_bytes *fi
             return scan_fail(status, file, lines.number, "'%s' is not as PRF has it; export the scan again",
                              scan_quote(line).text);
     }
-    if (records < 2 || !x.unit || !z.unit || !(spacing > 0))
+    if (records < 2 || !x.unit.name || !z.unit.name || !(spacing > 0))
         return scan_fail(status, file, lines.number,
                          "no CX, CZ or `SPACING CX` above the heights: only evenly spaced PRF profiles can be read");
     struct string_view data = {lines.next, lines.end};
     if (scan_reserve(out, z.n, 1, (string_view_length(data) + 1) / 2, file, status) != STATUS_OK ||
-        scan_fill(out, &data, z.factor * z.unit_m, file, status) != STATUS_OK)
+        scan_fill(out, &data, z.factor * z.unit.si, file, status) != STATUS_OK)
         return status->code;
     struct string_view word;
     if (scan_word(&data, &word) && !string_view_equals(word, "EOR"))
         return scan_fail(status, file, scan_line(file, word.start), "'%s' where the record should end (EOR)",
                          scan_quote(word).text);
-    out->dx_m = spacing * x.factor * x.unit_m;
-    scan_set_units(out, x.unit, z.unit);
+    out->dx_m = spacing * x.factor * x.unit.si;
+    scan_set_units(out, x.unit.name, z.unit.name);
     return STATUS_OK;
 }

@@ -11,13 +11,13 @@ static const char etx = 3;
 struct smd_axis {
     char type; /* 'I': evenly spaced, 'A': stored point by point */
     size_t n;
-    const char *unit;
-    double unit_m, scale, increment;
+    struct scan_unit unit;
+    double scale, increment;
 };
 
 bool scan_smd_sniff(const struct scan_bytes *file)
 {
-    return string_view_starts(scan_span(file), "ISO 5436") && memchr(file->bytes, etx, file->length) != NULL;
+    return string_view_starts(scan_view(file), "ISO 5436") && memchr(file->bytes, etx, file->length) != NULL;
 }
 
 /* Cuts the next field off a header line: NUL and blanks separate. */
@@ -41,9 +41,9 @@ static bool read_axis(struct smd_axis *axis, struct string_view line)
     axis->type = *field.start;
     if (!next_field(&line, &field) || !number_read_size(field, &axis->n) || !next_field(&line, &field))
         return false;
-    axis->unit = scan_unit_name(field.start, string_view_length(field));
-    axis->unit_m = scan_unit_m(field.start, string_view_length(field));
-    if (!axis->unit || !next_field(&line, &field) || !number_read(field, &axis->scale) || !next_field(&line, &field))
+    axis->unit = scan_unit_find(field, SCAN_HEIGHT);
+    if (!axis->unit.name || !next_field(&line, &field) || !number_read(field, &axis->scale) ||
+        !next_field(&line, &field))
         return false;
     return axis->type != 'I' || (next_field(&line, &field) && number_read(field, &axis->increment));
 }
@@ -71,9 +71,9 @@ static enum status_code read_header(struct smd_axis axis[3], struct string_view 
             return scan_fail(status, file, lines.number, "axis '%s' is not as ISO 5436-2 has it; export the scan again",
                              scan_quote(field).text);
     }
-    if (!axis[0].unit || !axis[2].unit)
+    if (!axis[0].unit.name || !axis[2].unit.name)
         return scan_fail(status, file, 0, "no axes CX and CZ in the header");
-    if (axis[0].type != 'I' || (axis[1].unit && axis[1].type != 'I') || axis[2].type != 'A')
+    if (axis[0].type != 'I' || (axis[1].unit.name && axis[1].type != 'I') || axis[2].type != 'A')
         return scan_fail(status, file, 0, "positions stored point by point: only evenly spaced SMD scans can be read");
     return STATUS_OK;
 }
@@ -94,23 +94,23 @@ enum status_code scan_smd_read(struct scan *out, const struct scan_bytes *file, 
 {
     (void)options;
     struct smd_axis axis[3] = {0};
-    struct string_view rest = scan_span(file);
+    struct string_view rest = scan_view(file);
     struct string_view header = next_record(&rest);
     (void)next_record(&rest); /* remarks */
     struct string_view heights = next_record(&rest);
     if (read_header(axis, header, file, status) != STATUS_OK)
         return status->code;
-    size_t nx = axis[0].n, ny = axis[1].unit ? axis[1].n : 1;
+    size_t nx = axis[0].n, ny = axis[1].unit.name ? axis[1].n : 1;
     if (scan_reserve(out, nx, ny, (string_view_length(heights) + 1) / 2, file, status) != STATUS_OK ||
-        scan_fill(out, &heights, axis[2].scale * axis[2].unit_m, file, status) != STATUS_OK)
+        scan_fill(out, &heights, axis[2].scale * axis[2].unit.si, file, status) != STATUS_OK)
         return status->code;
     struct string_view word;
     if (scan_word(&heights, &word))
         return scan_fail(status, file, scan_line(file, word.start), "more heights than the header says, %zu x %zu", nx,
                          ny);
-    out->dx_m = axis[0].increment * axis[0].scale * axis[0].unit_m;
-    out->dy_m = out->kind == SCAN_AREAL ? axis[1].increment * axis[1].scale * axis[1].unit_m : 0.0;
-    scan_set_units(out, axis[0].unit, axis[2].unit);
+    out->dx_m = axis[0].increment * axis[0].scale * axis[0].unit.si;
+    out->dy_m = axis[1].increment * axis[1].scale * axis[1].unit.si;
+    scan_set_units(out, axis[0].unit.name, axis[2].unit.name);
     while (rest.start < rest.end && (*rest.start == '\r' || *rest.start == '\n'))
         rest.start++;
     compare_checksum(out, rest, file->bytes + file->length, file->bytes);

@@ -17,7 +17,7 @@ struct surfer_grid {
 
 bool scan_surfer_sniff(const struct scan_bytes *file)
 {
-    struct string_view text = scan_span(file);
+    struct string_view text = scan_view(file);
     return string_view_starts(text, "DSAA") || string_view_starts(text, "DSBB") || string_view_starts(text, "DSRB");
 }
 
@@ -30,7 +30,7 @@ static enum status_code take_grid(struct scan *out, const struct surfer_grid *gr
         scan_reserve(out, grid->nx, grid->ny, room, file, status) != STATUS_OK)
         return status->code;
     out->dx_m = grid->dx * x_m;
-    out->dy_m = out->kind == SCAN_AREAL ? grid->dy * x_m : 0.0;
+    out->dy_m = grid->dy * x_m;
     return STATUS_OK;
 }
 
@@ -123,8 +123,8 @@ static enum status_code read_version7(struct scan *out, const struct scan_bytes 
 enum status_code scan_surfer_read(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
                                   struct status *status)
 {
-    if (string_view_starts(scan_span(file), "DSAA"))
+    if (string_view_starts(scan_view(file), "DSAA"))
         return read_text(out, file, options, status);
-    return string_view_starts(scan_span(file), "DSBB") ? read_version6(out, file, options, status)
+    return string_view_starts(scan_view(file), "DSBB") ? read_version6(out, file, options, status)
                                                        : read_version7(out, file, options, status);
 }

@@ -1,26 +1,35 @@
 #include "scan/string_view.h"
 
-#include <string.h>
 #include <strings.h>
 
-struct string_view string_view_trim(struct string_view span)
+struct string_view string_view_trim(struct string_view view)
 {
-    while (span.start < span.end && string_view_is_blank_char(*span.start))
-        span.start++;
-    while (span.start < span.end && string_view_is_blank_char(span.end[-1]))
-        span.end--;
-    return span;
+    while (view.start < view.end && string_view_is_blank_char(*view.start))
+        view.start++;
+    while (view.start < view.end && string_view_is_blank_char(view.end[-1]))
+        view.end--;
+    return view;
 }
 
-bool string_view_starts(struct string_view span, const char *prefix)
+bool string_view_starts(struct string_view view, const char *prefix)
 {
     size_t length = strlen(prefix);
-    return string_view_length(span) >= length && strncasecmp(span.start, prefix, length) == 0;
+    return string_view_length(view) >= length && strncasecmp(view.start, prefix, length) == 0;
 }
 
-bool string_view_equals(struct string_view span, const char *word)
+bool string_view_equals(struct string_view view, const char *word)
 {
-    return string_view_length(span) == strlen(word) && string_view_starts(span, word);
+    return string_view_length(view) == strlen(word) && string_view_starts(view, word);
+}
+
+bool string_view_is_one_of(struct string_view view, const char *words)
+{
+    struct string_view rest = string_view_of(words);
+    for (struct string_view word; cell_next(&rest, ' ', &word);)
+        if (string_view_length(view) == string_view_length(word) &&
+            strncasecmp(view.start, word.start, string_view_length(word)) == 0)
+            return true;
+    return false;
 }
 
 struct lines lines_begin(struct string_view text)

@@ -1,4 +1,4 @@
-/* What the user asks for: DIR/scene.yaml, with defaults for everything (contract "Scene"). */
+/* What the user asks for: DIR/scene.yaml, with defaults for everything (README, The scene). */
 #ifndef SCENE_SCENE_H
 #define SCENE_SCENE_H
 

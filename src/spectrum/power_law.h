@@ -1,4 +1,4 @@
-/* The power law Delta = alpha lambda^gamma through a spectrum (physics §1; thesis 4.53). */
+/* The power law Delta = alpha lambda^gamma through a spectrum (4.53); docs/equations.md, From scan to spectrum. */
 #ifndef SPECTRUM_POWER_LAW_H
 #define SPECTRUM_POWER_LAW_H
 
@@ -20,11 +20,11 @@ struct power_law {
     double gamma_below, gamma_above; /* slopes on the short and the long side of the knee */
 };
 
-/** Fits the harmonics whose wavelength lies in band_m = {shortest, longest}; amplitudes of zero are left out.
+/** Fits (4.53) to the harmonics whose wavelength lies in band_m = {shortest, longest}; amplitudes of zero are left out.
  * Fewer than 3 harmonics in the band, or an alpha beyond the range of double: every number NaN. */
 struct power_law power_law_fit(const struct spectrum *spectrum, const double band_m[2]);
 
-/** Amplitude of the law at a wavelength [m]. */
+/** Amplitude of the law at a wavelength [m] (4.53). */
 double power_law_amplitude(const struct power_law *law, double wavelength_m);
 
 #endif

@@ -1,4 +1,4 @@
-/* From heights to harmonics (physics §1). */
+/* From heights to harmonics (docs/equations.md, From scan to spectrum). */
 #ifndef SPECTRUM_SPECTRUM_H
 #define SPECTRUM_SPECTRUM_H
 

@@ -50,7 +50,7 @@ static struct sinusoid_cell cell_of(double area_ratio)
     return (struct sinusoid_cell){.area_ratio = area_ratio, .area_complement = 1 - area_ratio};
 }
 
-/* physics §7 written out for one scale on the whole nominal area: n = 2f² spots a unit area, all in parallel. */
+/* (4.39), (4.42*) written out for one scale on the whole nominal area: n = 2f² spots a unit area, all in parallel. */
 static void test_one_scale(void **state)
 {
     (void)state;

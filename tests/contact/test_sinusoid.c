@@ -120,7 +120,7 @@ static void complement_does_not_cancel(void **state)
     }
 }
 
-/** The step at p_c, as physics.md states it: area up, gap down, sizes nearly independent of the material. */
+/** The step at p_c, as docs/equations.md states it: area up, gap down, sizes nearly independent of the material. */
 static void step_at_critical_pressure(void **state)
 {
     (void)state;

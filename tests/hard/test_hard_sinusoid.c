@@ -157,7 +157,7 @@ static void critical_pressure_from_both_sides(void **state)
 {
     (void)state;
     static const struct {
-        double ratio, area_step, gap_least, gap_most; /* physics.md, known steps */
+        double ratio, area_step, gap_least, gap_most; /* docs/equations.md, known steps */
     } stated[] = {{1.05, 0.010, -0.21, -0.17}, {1.3, 0.023, -0.145, -0.135},  {2, 0.054, -0.157, -0.15},
                   {5, 0.078, -0.065, -0.06},   {30, 0.055, -0.0016, -0.0014}, {1000, 0.012, -1e-6, 0}};
     for (int y = 0; y < HARD_YIELD_RATIOS; y++)

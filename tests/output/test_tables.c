@@ -2,7 +2,7 @@
 #include "results/results.h"
 #include "run/pipeline.h"
 
-/* What the contract says, in its words. */
+/* What docs/report.md says. */
 static const char surfaces_columns[] =
     "surface,files,points,spacing_m,scan_length_m,rq_m,ra_m,m0_m2,m2,m4_per_m2,nayak,asperity_density_per_m2,"
     "asperity_radius_m,asperity_sigma_m,asperity_offset_m,alpha_SI,alpha_stderr,gamma,gamma_stderr,fit_rms_decades,"
