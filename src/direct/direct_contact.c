@@ -13,8 +13,8 @@ enum {
 /** Violation at which an elastic solution is good enough to start a hardness from. */
 static const double START = 1e-2;
 
-/** Below this tolerance the rounding of some dozens of updates shows. */
-static const double ROUNDING = 1e-10;
+/** Share in contact above which the last solution is no better to start from than an even pressure. */
+static const double WARM_MOST = 0.25;
 
 /** One solution in the making. */
 struct solver {
@@ -316,12 +316,8 @@ static enum status_code iterate(struct solver *solver, double tolerance, struct 
     for (;;) {
         double violation = lay_set(solver) / contact->rms_m;
         solver->effort->violation = violation;
-        if (violation < tolerance) {
-            if (tolerance > ROUNDING || solver->since_refresh == 0)
-                return STATUS_OK;
-            compute_gap(solver); /* as small as rounding, only a gap computed afresh tells */
-            continue;
-        }
+        if (violation < tolerance)
+            return STATUS_OK;
         if (solver->load->stop && *solver->load->stop)
             return status_fail(status, STATUS_INTERRUPTED, "stopped");
         waited++;
@@ -329,8 +325,9 @@ static enum status_code iterate(struct solver *solver, double tolerance, struct 
             best = violation;
             waited = 0;
         }
-        if (!isfinite(violation) || waited > PATIENCE) {
-            if (!solver->preconditioned || !isfinite(violation))
+        bool spent = solver->load->most_iterations && solver->effort->iterations >= solver->load->most_iterations;
+        if (spent || !isfinite(violation) || waited > PATIENCE) {
+            if (spent || !solver->preconditioned || !isfinite(violation))
                 return status_fail(status, STATUS_MODEL,
                                    "the direct solution does not converge at p/E' = %g (violation %.1e of the "
                                    "roughness after %zu iterations); use a finer grid or another load",
@@ -377,6 +374,7 @@ static enum status_code solve(struct solver *solver, struct status *status)
     struct direct_contact *contact = solver->contact;
     const struct direct_contact_load *load = solver->load;
     bool capped = isfinite(load->hardness), warm = load->warm && contact->solved;
+    warm &= contact->contact_share < WARM_MOST || (capped && contact->capped);
     solver->hardness = INFINITY;
     solver->preconditioned = true;
     start(solver, warm);
@@ -396,6 +394,16 @@ static enum status_code solve(struct solver *solver, struct status *status)
     return iterate(solver, load->tolerance, status);
 }
 
+static double share_in_contact(const struct direct_contact *contact)
+{
+    const struct direct_kernel *kernel = &contact->kernel;
+    size_t count = 0;
+    for (size_t j = 0; j < kernel->ny; j++)
+        for (size_t k = j * kernel->stride; k < j * kernel->stride + kernel->nx; k++)
+            count += contact->pressure[k] > 0;
+    return (double)count / (double)kernel->points;
+}
+
 enum status_code direct_contact_solve(struct direct_contact *contact, const struct direct_contact_load *load,
                                       struct direct_contact_effort *effort, struct status *status)
 {
@@ -413,5 +421,6 @@ enum status_code direct_contact_solve(struct direct_contact *contact, const stru
     effort->convolutions += contact->kernel.convolutions - before;
     contact->solved = rc == STATUS_OK;
     contact->capped = isfinite(load->hardness);
+    contact->contact_share = share_in_contact(contact);
     return rc;
 }

@@ -28,17 +28,19 @@ struct direct_contact {
     uint32_t *set;     /* the solver's points at work: their places in a field, ascending */
     uint8_t *member;   /* whether a point is in it */
     size_t set_count;
-    double rms_m; /* root mean square of the height about its mean */
-    bool solved;  /* pressure and gap_m hold a solution, to start the next from */
-    bool capped;  /* that with a hardness */
+    double contact_share; /* of the points, in the last solution */
+    double rms_m;         /* root mean square of the height about its mean */
+    bool solved;          /* pressure and gap_m hold a solution, to start the next from */
+    bool capped;          /* that with a hardness */
 };
 
 /** What to solve for. */
 struct direct_contact_load {
-    double mean_pressure; /* p̄/E' */
-    double hardness;      /* H/E'; INFINITY: elastic */
-    double tolerance;     /* largest violation of the conditions, as a share of rms_m: 1e-6 finds the right set */
-    bool warm;            /* start from the last solution, scaled, if there is one */
+    double mean_pressure;   /* p̄/E' */
+    double hardness;        /* H/E'; INFINITY: elastic */
+    double tolerance;       /* largest violation of the conditions, as a share of rms_m: 1e-6 finds the right set */
+    size_t most_iterations; /* 0: as many as halve the violation within 200 */
+    bool warm;              /* start from the last solution, scaled, if there is one */
     const volatile sig_atomic_t *stop; /* non-zero: end early; NULL: never. Looked at once an iteration */
 };
 

@@ -40,7 +40,7 @@ struct direct_contact contact_of(const double *height, size_t nx, size_t ny)
 
 struct direct_contact_load load_of(double mean_pressure, double hardness, double tolerance)
 {
-    return (struct direct_contact_load){mean_pressure, hardness, tolerance, false, NULL};
+    return (struct direct_contact_load){mean_pressure, hardness, tolerance, 0, false, NULL};
 }
 
 struct direct_quantities solved(struct direct_contact *contact, const struct direct_contact_load *load)
