@@ -145,20 +145,22 @@ static void fit_mean(struct solver *solver)
         least = fmin(least, pressure[contact->set[k]]);
     }
     double low = -most, high = hardness - least, shift = 0;
-    for (int step = 0; step < 200; step++) {
-        double sum = 0, slope = 0;
+    for (int step = 0; step < 100; step++) {
+        double sum = 0, slope = 0, full = 0;
         for (size_t k = 0; k < contact->set_count; k++) {
             double p = pressure[contact->set[k]] + shift;
             bool free = p > 0 && p < hardness;
-            sum += free ? p : p > 0 ? hardness : 0;
+            sum += free ? p : 0;
             slope += free;
+            full += p >= hardness;
         }
+        sum += full * hardness;
         if (sum < wanted)
             low = shift;
         else
             high = shift;
         double change = (wanted - sum) / slope;
-        if (fabs(sum - wanted) <= 1e-15 * wanted || fabs(change) <= 1e-15 * hardness)
+        if (fabs(sum - wanted) <= 5e-13 * wanted || high - low <= 1e-15 * hardness)
             break;
         shift = shift + change > low && shift + change < high ? shift + change : (low + high) / 2;
     }

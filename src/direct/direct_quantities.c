@@ -79,12 +79,13 @@ enum status_code direct_patches_find(struct direct_patches *out, struct direct_c
 {
     const struct direct_kernel *kernel = &contact->kernel;
     const double *pressure = contact->pressure;
-    uint32_t *parent = (uint32_t *)contact->direction, *size = parent + kernel->ny * kernel->stride;
+    size_t places = kernel->ny * kernel->stride;
+    uint32_t *parent = contact->set, *size = calloc(places, sizeof *size);
     *out = (struct direct_patches){0};
-    for (size_t k = 0; k < kernel->ny * kernel->stride; k++) {
+    if (!size)
+        return status_memory(status);
+    for (size_t k = 0; k < places; k++)
         parent[k] = (uint32_t)k;
-        size[k] = 0;
-    }
     for (size_t j = 0; j < kernel->ny; j++)
         for (size_t i = 0; i < kernel->nx; i++) {
             size_t k = j * kernel->stride + i, next[] = {right_of(kernel, i, j), above(kernel, i, j)};
@@ -96,14 +97,15 @@ enum status_code direct_patches_find(struct direct_patches *out, struct direct_c
         for (size_t k = j * kernel->stride; k < j * kernel->stride + kernel->nx; k++)
             if (pressure[k] > 0)
                 out->count += size[root(parent, (uint32_t)k)]++ == 0;
-    out->points = malloc((out->count ? out->count : 1) * sizeof *out->points);
-    if (!out->points)
-        return status_memory(status);
-    for (size_t k = 0, n = 0; k < kernel->ny * kernel->stride; k++)
-        if (size[k])
-            out->points[n++] = size[k];
-    qsort(out->points, out->count, sizeof *out->points, descending);
-    return STATUS_OK;
+    out->points = malloc((out->count + 1) * sizeof *out->points);
+    if (out->points) {
+        for (size_t k = 0, n = 0; k < places; k++)
+            if (size[k])
+                out->points[n++] = size[k];
+        qsort(out->points, out->count, sizeof *out->points, descending);
+    }
+    free(size);
+    return out->points ? STATUS_OK : status_memory(status);
 }
 
 void direct_patches_free(struct direct_patches *patches)

