@@ -330,6 +330,58 @@ static void scale_free(void **state)
     free(height);
 }
 
+/** Iterations count as a result: a solver that lost its preconditioner or its directions still converges, slowly. */
+static void effort_as_known(void **state)
+{
+    (void)state;
+    double *height = recipe_surface(256);
+    struct direct_contact contact = contact_of(height, 256, 256);
+    struct status status = {0};
+    struct {
+        double p, hardness;
+        size_t convolutions;
+    } cases[] = {{0.005, INFINITY, 60}, {0.1, INFINITY, 60}, {0.3, INFINITY, 65}, {0.005, 0.5, 90}, {0.1, 0.5, 120}};
+    for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
+        struct direct_contact_load load = load_of(cases[k].p, cases[k].hardness, 1e-6);
+        struct direct_contact_effort effort = {0};
+        assert_int_equal(direct_contact_solve(&contact, &load, &effort, &status), STATUS_OK);
+        if (effort.convolutions > cases[k].convolutions)
+            fail_msg("%zu convolutions at %g", effort.convolutions, cases[k].p);
+    }
+    direct_contact_free(&contact);
+    free(height);
+}
+
+/** Three quarters in contact and only a handful of points at the hardness: these change sides in every iteration unless
+ * violators wait until they are the worst, and 400 iterations would not do. */
+static void few_points_at_the_hardness(void **state)
+{
+    (void)state;
+    enum { N = 256 };
+    struct direct_law law = {1, 1.297, 1.0 / 40, 1};
+    struct direct_spectrum spectrum;
+    struct status status = {0};
+    double *height = malloc(N * N * sizeof *height);
+    assert_int_equal(direct_spectrum_of_law(&spectrum, &law, &status), STATUS_OK);
+    assert_int_equal(direct_surface_realise(height, N, direct_spectrum_variance, &spectrum, 1, &status), STATUS_OK);
+    struct direct_contact contact = contact_of(height, N, N);
+    for (size_t k = 0; k < N * N; k++)
+        height[k] *= 9.84e-4 / contact.rms_m;
+    direct_contact_free(&contact);
+    contact = contact_of(height, N, N);
+    struct direct_contact_load load = load_of(0.01, 0.05, 1e-6);
+    struct direct_contact_effort effort = {0};
+    if (direct_contact_solve(&contact, &load, &effort, &status) != STATUS_OK)
+        fail_msg("%s", status.message);
+    struct direct_quantities found = direct_quantities_of(&contact, &load);
+    assert_true(found.area_raw > 0.6 && found.capped_points > 0 && found.capped_points < 20);
+    assert_true(effort.convolutions < 200);
+    assert_true(violation_of(&contact, &load) < 1.1e-6);
+    direct_contact_free(&contact);
+    direct_spectrum_free(&spectrum);
+    free(height);
+}
+
 /** Patches of a set drawn by hand: one round the corner of the cell, one of three, one that touches it by a corner
  * only. */
 static void patches(void **state)
@@ -373,6 +425,8 @@ int main(void)
         cmocka_unit_test(complete_contact),
         cmocka_unit_test(monotone_and_warm),
         cmocka_unit_test(scale_free),
+        cmocka_unit_test(effort_as_known),
+        cmocka_unit_test(few_points_at_the_hardness),
         cmocka_unit_test(patches),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
