@@ -216,6 +216,8 @@ static double lay_set(struct solver *solver)
     double lambda = level(solver), hardness = solver->hardness, worst_free = 0, worst_other = 0;
     uint32_t *set = contact->set;
     size_t count = 0, kept = 0;
+    if (!isfinite(lambda))
+        return NAN; /* comparisons below would pass over it */
     for (size_t j = 0; j < kernel->ny; j++)
         for (size_t k = j * kernel->stride; k < j * kernel->stride + kernel->nx; k++) {
             double p = contact->pressure[k], g = contact->gap_m[k] - lambda;

@@ -18,7 +18,8 @@
 #include <stdint.h>
 
 /** A surface and the state of its contact. Fields have the kernel's rows and stride: the point (i along x, j along y)
- * is at j stride + i. About 58 bytes a point. Owned: direct_contact_free(). */
+ * is at j stride + i. About 50 bytes a point, and 8 more for each in contact while its constriction is solved. Owned:
+ * direct_contact_free(). */
 struct direct_contact {
     struct direct_kernel kernel;
     double *height_m;
