@@ -11,7 +11,9 @@ pkg_check_modules(zip REQUIRED IMPORTED_TARGET libzip)
 pkg_check_modules(expat REQUIRED IMPORTED_TARGET expat)
 pkg_check_modules(zlib REQUIRED IMPORTED_TARGET zlib)
 
+find_library(fftw_threads fftw3_threads REQUIRED) # Debian has no .pc file for it
+
 add_library(roughcontact_dependencies INTERFACE)
-target_link_libraries(roughcontact_dependencies INTERFACE PkgConfig::fftw PkgConfig::gsl PkgConfig::yaml
+target_link_libraries(roughcontact_dependencies INTERFACE ${fftw_threads} PkgConfig::fftw PkgConfig::gsl PkgConfig::yaml
                       PkgConfig::jansson PkgConfig::md PkgConfig::md4c PkgConfig::zip PkgConfig::expat
                       PkgConfig::zlib Threads::Threads m)

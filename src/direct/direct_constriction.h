@@ -1,0 +1,31 @@
+/* Resistance of a contact: the constriction of the current (or heat) that flows from one half space into the other.
+ *
+ * On the contact c both conductors share one potential, elsewhere no flux crosses; with a flat interface the potentials
+ * are +-rho ĵ/|q| under the flux density j. So j solves
+ *     (1/|q|) j = l on c,  j = 0 off c,  mean j = 1,
+ * and the constriction length l [m] gives, times nominal area,
+ *     electrical ECR A_n = (rho1 + rho2) l,   thermal TCR A_n = (1/k1 + 1/k2) l.
+ * For elastic contact l = -(E'/2) d(mean gap)/d(p̄) (Barber, Proc. R. Soc. A 459 (2003) 53). One circular spot of radius
+ * a in an infinite cell is Holm's: l = L²/4a.
+ */
+#ifndef DIRECT_CONSTRICTION_H
+#define DIRECT_CONSTRICTION_H
+
+#include "direct/direct_contact.h"
+
+/** Constriction length of a given set of `count` > 0 points (places in the kernel's field), by preconditioned conjugate
+ * gradients until the potential on the set is constant to `tolerance` of itself; l = <j, u>/<j> is then good to its
+ * square. 0 where every point is in contact. `scratch`: three arrays of `count` each. Adds to *effort. Errors:
+ * STATUS_MODEL: no convergence; STATUS_INTERRUPTED when *stop (NULL: never) becomes non-zero. */
+MUST_CHECK enum status_code direct_constriction_of_set(double *length_m, struct direct_kernel *kernel,
+                                                       const uint32_t *set, size_t count, double *const scratch[3],
+                                                       double tolerance, const volatile sig_atomic_t *stop,
+                                                       struct direct_contact_effort *effort, struct status *status);
+
+/** The same of the points p > 0 of a solved contact. Its gap_m is used up; its pressure stays. Errors: the same, and
+ * STATUS_MEMORY. */
+MUST_CHECK enum status_code direct_constriction_of_contact(double *length_m, struct direct_contact *contact,
+                                                           double tolerance, const volatile sig_atomic_t *stop,
+                                                           struct direct_contact_effort *effort, struct status *status);
+
+#endif

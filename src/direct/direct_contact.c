@@ -1,0 +1,430 @@
+#include "direct/direct_contact.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    REFRESH = 50,  /* iterations after which the gap is computed afresh, rounding having added up */
+    PATIENCE = 200 /* iterations in which the violation has to halve */
+};
+
+/** Violation at which an elastic solution is good enough to start a hardness from. */
+static const double START = 1e-2;
+
+/** Share in contact above which the last solution is no better to start from than an even pressure. */
+static const double WARM_MOST = 0.25;
+
+/** One solution in the making. */
+struct solver {
+    struct direct_contact *contact;
+    const struct direct_contact_load *load;
+    struct direct_contact_effort *effort;
+    double hardness;
+    bool preconditioned;
+    bool joined; /* some point has come into the set: directions so far are no longer conjugate */
+    double last; /* <g, z> of the iteration before */
+    size_t since_refresh;
+};
+
+enum status_code direct_contact_make(struct direct_contact *out, const double *height_m, size_t nx, size_t ny,
+                                     double spacing_m, struct status *status)
+{
+    *out = (struct direct_contact){0};
+    if (direct_kernel_make(&out->kernel, nx, ny, spacing_m, status) != STATUS_OK)
+        return status->code;
+    size_t stride = out->kernel.stride, places = ny * stride;
+    out->height_m = calloc(places, sizeof(double));
+    out->pressure = calloc(places, sizeof(double));
+    out->gap_m = calloc(places, sizeof(double));
+    out->direction = calloc(places, sizeof(double));
+    out->set = malloc(places * sizeof(uint32_t));
+    out->member = calloc(places, 1);
+    if (!out->height_m || !out->pressure || !out->gap_m || !out->direction || !out->set || !out->member) {
+        direct_contact_free(out);
+        return status_memory(status);
+    }
+    double mean = 0, square = 0, highest = 0;
+    for (size_t k = 0; k < nx * ny; k++) {
+        mean += height_m[k] / (double)(nx * ny);
+        highest = fmax(highest, fabs(height_m[k]));
+        if (!isfinite(height_m[k])) {
+            direct_contact_free(out);
+            return status_fail(status, STATUS_MODEL, "height %zu of the surface is missing or not finite; fill it", k);
+        }
+    }
+    for (size_t j = 0; j < ny; j++)
+        for (size_t i = 0; i < nx; i++) {
+            double height = height_m[j * nx + i] - mean; /* an offset would only cost digits */
+            out->height_m[j * stride + i] = height;
+            square += height * height;
+        }
+    out->rms_m = sqrt(square / (double)(nx * ny));
+    if (!(out->rms_m > 1e-14 * highest) || !isfinite(out->rms_m)) {
+        direct_contact_free(out);
+        return status_fail(status, STATUS_MODEL, "the surface is flat: it has no roughness to solve the contact of");
+    }
+    return STATUS_OK;
+}
+
+void direct_contact_free(struct direct_contact *contact)
+{
+    direct_kernel_free(&contact->kernel);
+    free(contact->height_m);
+    free(contact->pressure);
+    free(contact->gap_m);
+    free(contact->direction);
+    free(contact->set);
+    free(contact->member);
+    *contact = (struct direct_contact){0};
+}
+
+/* Sums over the set run in four parts: faster than one after the other, and the same everywhere. */
+
+static double sum_on(const struct direct_contact *contact, const double *a)
+{
+    const uint32_t *set = contact->set;
+    double part[4] = {0};
+    size_t n = contact->set_count, k = 0;
+    for (; k + 4 <= n; k += 4)
+        for (size_t l = 0; l < 4; l++)
+            part[l] += a[set[k + l]];
+    for (; k < n; k++)
+        part[0] += a[set[k]];
+    return (part[0] + part[1]) + (part[2] + part[3]);
+}
+
+/** <a - a0, b> over the set. */
+static double dot_on(const struct direct_contact *contact, const double *a, double a0, const double *b)
+{
+    const uint32_t *set = contact->set;
+    double part[4] = {0};
+    size_t n = contact->set_count, k = 0;
+    for (; k + 4 <= n; k += 4)
+        for (size_t l = 0; l < 4; l++)
+            part[l] += (a[set[k + l]] - a0) * b[set[k + l]];
+    for (; k < n; k++)
+        part[0] += (a[set[k]] - a0) * b[set[k]];
+    return (part[0] + part[1]) + (part[2] + part[3]);
+}
+
+/** g = K p - h, lambda still to be taken off. */
+static void compute_gap(struct solver *solver)
+{
+    struct direct_contact *contact = solver->contact;
+    struct direct_kernel *kernel = &contact->kernel;
+    size_t places = kernel->ny * kernel->stride;
+    memcpy(kernel->field, contact->pressure, places * sizeof(double));
+    direct_kernel_comply(kernel);
+    for (size_t k = 0; k < places; k++)
+        contact->gap_m[k] = 2 * kernel->field[k] - contact->height_m[k];
+    solver->since_refresh = 0;
+}
+
+/** Shifts the pressure where it is not 0, clipped to 0 ... H, until its mean is p̄ (Newton, kept within a bracket).
+ * `set` is used for the points. With less than p̄/H of the points loaded, all of them are shifted. */
+static void fit_mean(struct solver *solver)
+{
+    struct direct_contact *contact = solver->contact;
+    struct direct_kernel *kernel = &contact->kernel;
+    double *pressure = contact->pressure, hardness = solver->hardness, most = 0, least = 0;
+    double wanted = solver->load->mean_pressure * (double)kernel->points;
+    bool all = false;
+    do {
+        contact->set_count = 0;
+        for (size_t j = 0; j < kernel->ny; j++)
+            for (size_t k = j * kernel->stride; k < j * kernel->stride + kernel->nx; k++) {
+                contact->set[contact->set_count] = (uint32_t)k;
+                contact->set_count += all || pressure[k] != 0;
+            }
+        all = !all;
+    } while ((double)contact->set_count * hardness <= wanted && all);
+    for (size_t k = 0; k < contact->set_count; k++) {
+        most = fmax(most, pressure[contact->set[k]]);
+        least = fmin(least, pressure[contact->set[k]]);
+    }
+    double low = -most, high = hardness - least, shift = 0;
+    for (int step = 0; step < 100; step++) {
+        double sum = 0, slope = 0, full = 0;
+        for (size_t k = 0; k < contact->set_count; k++) {
+            double p = pressure[contact->set[k]] + shift;
+            bool free = p > 0 && p < hardness;
+            sum += free ? p : 0;
+            slope += free;
+            full += p >= hardness;
+        }
+        sum += full * hardness;
+        if (sum < wanted)
+            low = shift;
+        else
+            high = shift;
+        double change = (wanted - sum) / slope;
+        if (fabs(sum - wanted) <= 5e-13 * wanted || high - low <= 1e-15 * hardness)
+            break;
+        shift = shift + change > low && shift + change < high ? shift + change : (low + high) / 2;
+    }
+    for (size_t k = 0; k < contact->set_count; k++)
+        pressure[contact->set[k]] = fmin(fmax(pressure[contact->set[k]] + shift, 0), hardness);
+}
+
+/** Elastic: pulling pressures to 0 and the rest scaled to the mean, over the set. */
+static void scale_mean(struct solver *solver)
+{
+    struct direct_contact *contact = solver->contact;
+    double *pressure = contact->pressure;
+    for (size_t k = 0; k < contact->set_count; k++)
+        pressure[contact->set[k]] = fmax(pressure[contact->set[k]], 0);
+    double scale = solver->load->mean_pressure * (double)contact->kernel.points / sum_on(contact, pressure);
+    for (size_t k = 0; k < contact->set_count; k++)
+        pressure[contact->set[k]] *= scale;
+}
+
+/** The constant to take off the gap: its mean where 0 < p < H, all of which is in `set`. With no such point any value
+ * between the gaps of the points at H and of those at 0 will do; if the first are larger, the value between puts both
+ * wrong. */
+static double level(const struct solver *solver)
+{
+    const struct direct_contact *contact = solver->contact;
+    const struct direct_kernel *kernel = &contact->kernel;
+    double sum = 0, count = 0, highest = -INFINITY, lowest = INFINITY;
+    for (size_t k = 0; k < contact->set_count; k++) {
+        double p = contact->pressure[contact->set[k]];
+        bool free = p > 0 && p < solver->hardness;
+        sum += free ? contact->gap_m[contact->set[k]] : 0;
+        count += free;
+    }
+    if (count > 0)
+        return sum / count;
+    for (size_t j = 0; j < kernel->ny; j++)
+        for (size_t k = j * kernel->stride; k < j * kernel->stride + kernel->nx; k++) {
+            if (contact->pressure[k] > 0)
+                highest = fmax(highest, contact->gap_m[k]);
+            else
+                lowest = fmin(lowest, contact->gap_m[k]);
+        }
+    return (highest + lowest) / 2;
+}
+
+/** Takes lambda off the gap and lays the set anew: {0 < p < H}, and where a condition is violated, {p = 0, g < 0} and
+ * {p = H, g > 0}. Under a hardness these wait until they are the worst (proportioning: Dostál, SIAM J. Optim. 7 (1997)
+ * 871); else points change sides in every iteration and no direction lives. Returns max |g| over all of them. */
+static double lay_set(struct solver *solver)
+{
+    struct direct_contact *contact = solver->contact;
+    const struct direct_kernel *kernel = &contact->kernel;
+    double lambda = level(solver), hardness = solver->hardness, worst_free = 0, worst_other = 0;
+    uint32_t *set = contact->set;
+    size_t count = 0, kept = 0;
+    if (!isfinite(lambda))
+        return NAN; /* comparisons below would pass over it */
+    for (size_t j = 0; j < kernel->ny; j++)
+        for (size_t k = j * kernel->stride; k < j * kernel->stride + kernel->nx; k++) {
+            double p = contact->pressure[k], g = contact->gap_m[k] - lambda;
+            contact->gap_m[k] = g;
+            set[count] = (uint32_t)k;
+            count += !(((p <= 0) & (g >= 0)) | ((p >= hardness) & (g <= 0)));
+        }
+    for (size_t k = 0; k < count; k++) {
+        double p = contact->pressure[set[k]], g = fabs(contact->gap_m[set[k]]);
+        if (p > 0 && p < hardness)
+            worst_free = g > worst_free ? g : worst_free;
+        else
+            worst_other = g > worst_other ? g : worst_other;
+    }
+    if (isfinite(hardness) && worst_other < worst_free) {
+        for (size_t k = 0; k < count; k++) {
+            double p = contact->pressure[set[k]];
+            set[kept] = set[k];
+            kept += p > 0 && p < hardness;
+        }
+        count = kept;
+    }
+    for (size_t k = 0; k < count; k++)
+        solver->joined |= !contact->member[set[k]];
+    memset(contact->member, 0, kernel->ny * kernel->stride);
+    for (size_t k = 0; k < count; k++)
+        contact->member[set[k]] = 1;
+    contact->set_count = count;
+    return fmax(worst_free, worst_other);
+}
+
+/** The next direction t = z + (G/G of the last) t on the set, of sum zero; z = M g, M = |q| on the set. Returns <g, t>.
+ */
+static double turn(struct solver *solver, double gap_mean)
+{
+    struct direct_contact *contact = solver->contact;
+    struct direct_kernel *kernel = &contact->kernel;
+    const uint32_t *set = contact->set;
+    double *z = contact->gap_m, z_mean = gap_mean, *t = contact->direction, n = (double)contact->set_count;
+    if (solver->preconditioned) {
+        z = kernel->field;
+        memset(z, 0, kernel->ny * kernel->stride * sizeof(double));
+        for (size_t k = 0; k < contact->set_count; k++)
+            z[set[k]] = contact->gap_m[set[k]] - gap_mean;
+        direct_kernel_stiffen(kernel);
+        z_mean = sum_on(contact, z) / n;
+    }
+    double product = dot_on(contact, z, z_mean, contact->gap_m);
+    double share = solver->joined ? 0 : product / solver->last;
+    solver->last = product;
+    solver->joined = false;
+    for (size_t k = 0; k < contact->set_count; k++)
+        t[set[k]] = z[set[k]] - z_mean + (share != 0 ? share * t[set[k]] : 0);
+    double t_mean = sum_on(contact, t) / n;
+    for (size_t k = 0; k < contact->set_count; k++)
+        t[set[k]] -= t_mean;
+    return dot_on(contact, contact->gap_m, gap_mean, t);
+}
+
+/** One step of conjugate gradients along the direction, and back onto the bounds. */
+static void step(struct solver *solver)
+{
+    struct direct_contact *contact = solver->contact;
+    struct direct_kernel *kernel = &contact->kernel;
+    const uint32_t *set = contact->set;
+    double *pressure = contact->pressure, *t = contact->direction, *field = kernel->field;
+    double slope = turn(solver, sum_on(contact, contact->gap_m) / (double)contact->set_count);
+    size_t places = kernel->ny * kernel->stride;
+    memset(field, 0, places * sizeof(double));
+    for (size_t k = 0; k < contact->set_count; k++)
+        field[set[k]] = t[set[k]];
+    direct_kernel_comply(kernel);
+    double tau = slope / (2 * dot_on(contact, field, 0, t));
+    bool inside = true;
+    for (size_t k = 0; k < contact->set_count; k++) {
+        double p = pressure[set[k]] - tau * t[set[k]];
+        inside &= (p >= 0) & (p <= solver->hardness);
+        pressure[set[k]] = p;
+    }
+    if (!inside) {
+        if (isinf(solver->hardness))
+            scale_mean(solver);
+        else
+            fit_mean(solver);
+    }
+    if (!inside || ++solver->since_refresh >= REFRESH)
+        compute_gap(solver);
+    else
+        for (size_t k = 0; k < places; k++)
+            contact->gap_m[k] -= tau * 2 * field[k];
+}
+
+/** Iterates to `tolerance`. */
+static enum status_code iterate(struct solver *solver, double tolerance, struct status *status)
+{
+    struct direct_contact *contact = solver->contact;
+    double best = INFINITY;
+    size_t waited = 0;
+    solver->joined = true;
+    for (;;) {
+        double violation = lay_set(solver) / contact->rms_m;
+        solver->effort->violation = violation;
+        if (violation < tolerance)
+            return STATUS_OK;
+        if (solver->load->stop && *solver->load->stop)
+            return status_fail(status, STATUS_INTERRUPTED, "stopped");
+        waited++;
+        if (violation < best / 2) {
+            best = violation;
+            waited = 0;
+        }
+        bool spent = solver->load->most_iterations && solver->effort->iterations >= solver->load->most_iterations;
+        if (spent || !isfinite(violation) || waited > PATIENCE) {
+            if (spent || !solver->preconditioned || !isfinite(violation))
+                return status_fail(status, STATUS_MODEL,
+                                   "the direct solution does not converge at p/E' = %g (violation %.1e of the "
+                                   "roughness after %zu iterations); use a finer grid or another load",
+                                   solver->load->mean_pressure, violation, solver->effort->iterations);
+            solver->preconditioned = false; /* once more, without */
+            solver->joined = true;
+            waited = 0;
+            best = INFINITY;
+        }
+        step(solver);
+        solver->effort->iterations++;
+    }
+}
+
+/** Pressures to start from: those of the last solution, scaled, or p̄ everywhere. `set` becomes all points. */
+static void start(struct solver *solver, bool warm)
+{
+    struct direct_contact *contact = solver->contact;
+    const struct direct_kernel *kernel = &contact->kernel;
+    double mean = solver->load->mean_pressure, sum = 0;
+    contact->set_count = 0;
+    for (size_t j = 0; j < kernel->ny; j++)
+        for (size_t k = j * kernel->stride; k < j * kernel->stride + kernel->nx; k++) {
+            contact->set[contact->set_count++] = (uint32_t)k;
+            if (!warm)
+                contact->pressure[k] = mean;
+        }
+    if (warm)
+        sum = sum_on(contact, contact->pressure);
+    for (size_t k = 0; warm && k < contact->set_count; k++)
+        contact->pressure[contact->set[k]] *= mean * (double)kernel->points / sum;
+}
+
+static bool exceeds(const struct direct_contact *contact, double hardness)
+{
+    for (size_t k = 0; k < contact->set_count; k++)
+        if (contact->pressure[contact->set[k]] > hardness)
+            return true;
+    return false;
+}
+
+static enum status_code solve(struct solver *solver, struct status *status)
+{
+    struct direct_contact *contact = solver->contact;
+    const struct direct_contact_load *load = solver->load;
+    bool capped = isfinite(load->hardness), warm = load->warm && contact->solved;
+    warm &= contact->contact_share < WARM_MOST || (capped && contact->capped);
+    solver->hardness = INFINITY;
+    solver->preconditioned = true;
+    start(solver, warm);
+    if (!(capped && warm && contact->capped)) {
+        compute_gap(solver);
+        if (iterate(solver, capped ? fmax(START, load->tolerance) : load->tolerance, status) != STATUS_OK || !capped)
+            return status->code;
+        if (!exceeds(contact, load->hardness) && iterate(solver, load->tolerance, status) != STATUS_OK)
+            return status->code;
+        if (!exceeds(contact, load->hardness)) /* the hardness is not reached anywhere */
+            return STATUS_OK;
+    }
+    solver->hardness = load->hardness;
+    solver->preconditioned = false; /* with it points chatter between 0 and H */
+    fit_mean(solver);
+    compute_gap(solver);
+    return iterate(solver, load->tolerance, status);
+}
+
+static double share_in_contact(const struct direct_contact *contact)
+{
+    const struct direct_kernel *kernel = &contact->kernel;
+    size_t count = 0;
+    for (size_t j = 0; j < kernel->ny; j++)
+        for (size_t k = j * kernel->stride; k < j * kernel->stride + kernel->nx; k++)
+            count += contact->pressure[k] > 0;
+    return (double)count / (double)kernel->points;
+}
+
+enum status_code direct_contact_solve(struct direct_contact *contact, const struct direct_contact_load *load,
+                                      struct direct_contact_effort *effort, struct status *status)
+{
+    assert(load->tolerance > 0 && load->hardness > 0);
+    if (!(load->mean_pressure > 0) || !isfinite(load->mean_pressure))
+        return status_fail(status, STATUS_MODEL, "a mean pressure of %g E' cannot be solved; it has to be positive",
+                           load->mean_pressure);
+    if (load->mean_pressure >= load->hardness)
+        return status_fail(status, STATUS_MODEL,
+                           "complete contact: a hardness of %g E' is not defined for a mean pressure of %g E'",
+                           load->hardness, load->mean_pressure);
+    size_t before = contact->kernel.convolutions;
+    struct solver solver = {.contact = contact, .load = load, .effort = effort};
+    enum status_code rc = solve(&solver, status);
+    effort->convolutions += contact->kernel.convolutions - before;
+    contact->solved = rc == STATUS_OK;
+    contact->capped = isfinite(load->hardness);
+    contact->contact_share = share_in_contact(contact);
+    return rc;
+}

@@ -1,0 +1,67 @@
+/* Contact of an elastic half space with a rigid rough surface, periodic, frictionless, without adhesion, by boundary
+ * elements: conjugate gradients on the set of points in contact, projected onto the bounds of the pressure.
+ *
+ * h height of the roughness, p pressure, u = K p displacement (direct_kernel.h), g = u - h - lambda gap, lambda
+ * constant. All pressures are over the effective modulus E'. For a mean pressure p̄ the solution meets elastic: p >= 0,
+ * g >= 0, p g = 0, mean p = p̄; with a hardness:  0 <= p <= H; g >= 0 where p = 0, g = 0 where 0 < p < H, g <= 0 where p
+ * = H (what overlaps has flowed; Almqvist, Sahlin, Larsson and Glavatskih, Tribol. Int. 40 (2007) 574). Both are the
+ * conditions of min 1/2 <p, K p> - <p, h> over 0 <= p <= H, mean p = p̄, strictly convex: the solution on a grid is
+ * unique.
+ */
+#ifndef DIRECT_CONTACT_H
+#define DIRECT_CONTACT_H
+
+#include "direct/direct_kernel.h"
+
+#include <signal.h>
+#include <stdbool.h>
+#include <stdint.h>
+
+/** A surface and the state of its contact. Fields have the kernel's rows and stride: the point (i along x, j along y)
+ * is at j stride + i. About 50 bytes a point, and 8 more for each in contact while its constriction is solved. Owned:
+ * direct_contact_free(). */
+struct direct_contact {
+    struct direct_kernel kernel;
+    double *height_m;
+    double *pressure;  /* p/E' */
+    double *gap_m;     /* g; overlap that has flowed is negative */
+    double *direction; /* the solver's */
+    uint32_t *set;     /* the solver's points at work: their places in a field, ascending */
+    uint8_t *member;   /* whether a point is in it */
+    size_t set_count;
+    double contact_share; /* of the points, in the last solution */
+    double rms_m;         /* root mean square of the height about its mean */
+    bool solved;          /* pressure and gap_m hold a solution, to start the next from */
+    bool capped;          /* that with a hardness */
+};
+
+/** What to solve for. */
+struct direct_contact_load {
+    double mean_pressure;   /* p̄/E' */
+    double hardness;        /* H/E'; INFINITY: elastic */
+    double tolerance;       /* largest violation of the conditions, as a share of rms_m: 1e-6 finds the right set */
+    size_t most_iterations; /* 0: as many as halve the violation within 200 */
+    bool warm;              /* start from the last solution, scaled, if there is one */
+    const volatile sig_atomic_t *stop; /* non-zero: end early; NULL: never. Looked at once an iteration */
+};
+
+/** What it took. */
+struct direct_contact_effort {
+    size_t iterations, convolutions;
+    double violation; /* reached: max |g| on the set / rms_m */
+};
+
+/** Takes a copy of ny rows of nx heights. Errors: those of direct_kernel_make(); STATUS_MODEL: a height that is not
+ * finite, or a flat surface. */
+MUST_CHECK enum status_code direct_contact_make(struct direct_contact *out, const double *height_m, size_t nx,
+                                                size_t ny, double spacing_m, struct status *status);
+void direct_contact_free(struct direct_contact *contact);
+
+/** Solves for one load; adds the effort to *effort. Method: Polonsky and Keer, Wear 231 (1999) 206, with points that
+ * violate a condition taken into the set at once, and, for elastic contact, the preconditioner |q|E'/2 on the set. A
+ * hardness starts from the elastic solution. Errors: STATUS_MODEL: p̄ >= H (complete contact, which the hardness does
+ * not define), a load that is no positive number, no convergence; STATUS_INTERRUPTED. */
+MUST_CHECK enum status_code direct_contact_solve(struct direct_contact *contact, const struct direct_contact_load *load,
+                                                 struct direct_contact_effort *effort, struct status *status);
+
+#endif

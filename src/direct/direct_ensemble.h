@@ -1,0 +1,67 @@
+/* Direct solutions of several surfaces with one spectrum: what one random surface scatters by, averaged out.
+ *
+ * Q = mean over seeds on the coarse grid x Q_fine/Q_coarse of the first seed: seeds scatter by 5 to 20 %, the grid by 1
+ * to 3 %, so many coarse surfaces and one fine one are worth more than a few fine ones.
+ */
+#ifndef DIRECT_ENSEMBLE_H
+#define DIRECT_ENSEMBLE_H
+
+#include "direct/direct_ladder.h"
+#include "direct/direct_surface.h"
+
+enum {
+    DIRECT_ENSEMBLE_POINTS =
+        100,                  /* contact points below which a grid gives no number (112: A off by 1.5 %, 59: 2.8 %) */
+    DIRECT_ENSEMBLE_BATCH = 4 /* seeds after which scatter is looked at */
+};
+
+struct direct_ensemble_def {
+    struct direct_ladder_def ladder;
+    double length_m;   /* L */
+    size_t n;          /* points a side, even; lambda_s/dx >= 6 and n >= 256 keep the errors below 1 % */
+    size_t fine_times; /* the first seed also on fine_times n points a side; 0 or 1: not */
+    direct_variance *variance;
+    const void *context;   /* its */
+    const double *given_m; /* heights whose distribution the surfaces take; NULL: Gaussian */
+    size_t given_count;
+    uint64_t first_seed; /* 1 */
+    size_t seeds;        /* at most */
+    double enough;  /* standard error of the mean log constriction (without resistance: gap) at which to stop; 0: all */
+    size_t threads; /* 0: one a processor. The result does not depend on it */
+};
+
+/** A mean over seeds, corrected for the grid. */
+struct direct_mean {
+    double value;          /* NaN: none */
+    double standard_error; /* of the mean; NaN from one seed */
+    double fine_ratio; /* by which the grid has been corrected (plane gap: the difference), 1 (0) without a fine one */
+};
+
+/** What hinders a number at one load. */
+enum direct_ensemble_state {
+    DIRECT_ENSEMBLE_GIVEN,
+    DIRECT_ENSEMBLE_FEW_POINTS, /* some seed has fewer than DIRECT_ENSEMBLE_POINTS points in contact */
+    DIRECT_ENSEMBLE_COMPLETE    /* p̄ >= H */
+};
+
+struct direct_ensemble_point {
+    enum direct_ensemble_state state;
+    size_t least_points; /* in contact, of the seeds */
+    struct direct_mean area_ratio, gap_m, plane_gap_m, constriction_m, patches_per_m2;
+};
+
+/** Owned: direct_ensemble_free(). */
+struct direct_ensemble {
+    struct direct_ensemble_point *point; /* one a load */
+    struct direct_point *seed_point;     /* seeds x loads, as solved on the coarse grid */
+    size_t loads, seeds;                 /* done */
+    size_t convolutions, fine_convolutions;
+    double rms_m; /* Sq of the first seed's surface */
+};
+
+/** Solves the ensemble. Errors: those of surfaces and solutions, of the first task that failed; STATUS_INTERRUPTED. */
+MUST_CHECK enum status_code direct_ensemble_run(struct direct_ensemble *out, const struct direct_ensemble_def *def,
+                                                struct status *status);
+void direct_ensemble_free(struct direct_ensemble *ensemble);
+
+#endif

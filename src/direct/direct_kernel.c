@@ -1,0 +1,163 @@
+#include "direct/direct_kernel.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    BLOCK = 8, /* columns copied out together: two lines of cache a row */
+    GAP = 4    /* values between them, lest all begin at the same place of the cache */
+};
+
+/** FFTW's planner is shared by all of the process, and base/fft has a lock of its own. So FFTW is told to take turns by
+ * itself, which has to come before any thread plans. */
+__attribute__((constructor)) static void let_threads_plan(void)
+{
+    fftw_make_planner_thread_safe();
+}
+
+/** Both tables, the 1/points of an unnormalised pair of transforms included. */
+static void fill_tables(struct direct_kernel *kernel)
+{
+    size_t rows = kernel->ny / 2 + 1;
+    double fx = 2 * M_PI / ((double)kernel->nx * kernel->spacing_m), n = (double)kernel->points;
+    double fy = 2 * M_PI / ((double)kernel->ny * kernel->spacing_m);
+    for (size_t i = 0; i <= kernel->nx / 2; i++)
+        for (size_t j = 0; j < rows; j++) {
+            double q = hypot(fx * (double)i, fy * (double)j);
+            kernel->compliance[i * rows + j] = q > 0 ? 1 / (q * n) : 0;
+            kernel->stiffness[i * rows + j] = q / n;
+        }
+}
+
+static void make_plans(struct direct_kernel *kernel)
+{
+    int nx = (int)kernel->nx, ny = (int)kernel->ny;
+    kernel->row_forward = fftw_plan_dft_r2c_1d(nx, kernel->field, kernel->row, FFTW_ESTIMATE);
+    kernel->row_backward = fftw_plan_dft_c2r_1d(nx, kernel->row, kernel->field, FFTW_ESTIMATE);
+    kernel->column_forward = fftw_plan_dft_1d(ny, kernel->columns, kernel->transformed, FFTW_FORWARD, FFTW_ESTIMATE);
+    kernel->column_backward = fftw_plan_dft_1d(ny, kernel->transformed, kernel->columns, FFTW_BACKWARD, FFTW_ESTIMATE);
+}
+
+enum status_code direct_kernel_make(struct direct_kernel *out, size_t nx, size_t ny, double spacing_m,
+                                    struct status *status)
+{
+    *out = (struct direct_kernel){.nx = nx, .ny = ny, .points = nx * ny, .stride = 2 * (nx / 2 + 1)};
+    out->spacing_m = spacing_m;
+    if (nx < 2 || ny < 2 || nx > DIRECT_KERNEL_MOST || ny > DIRECT_KERNEL_MOST)
+        return status_fail(status, STATUS_USAGE, "a grid of %zu x %zu points cannot be solved; take 2 to %d a side", nx,
+                           ny, DIRECT_KERNEL_MOST);
+    if (!(spacing_m > 0) || !isfinite(spacing_m))
+        return status_fail(status, STATUS_USAGE, "a spacing of %g m cannot be; give a positive length", spacing_m);
+    size_t quarter = (nx / 2 + 1) * (ny / 2 + 1);
+    out->field = fftw_alloc_real(ny * out->stride);
+    out->row = fftw_alloc_complex(nx / 2 + 1);
+    out->columns = fftw_alloc_complex(BLOCK * (ny + GAP));
+    out->transformed = fftw_alloc_complex(ny);
+    out->compliance = malloc(quarter * sizeof(double));
+    out->stiffness = malloc(quarter * sizeof(double));
+    if (out->field && out->row && out->columns && out->transformed && out->compliance && out->stiffness)
+        make_plans(out);
+    if (!out->row_forward || !out->row_backward || !out->column_forward || !out->column_backward) {
+        direct_kernel_free(out);
+        return status_memory(status);
+    }
+    fill_tables(out);
+    return STATUS_OK;
+}
+
+void direct_kernel_free(struct direct_kernel *kernel)
+{
+    fftw_destroy_plan(kernel->row_forward);
+    fftw_destroy_plan(kernel->row_backward);
+    fftw_destroy_plan(kernel->column_forward);
+    fftw_destroy_plan(kernel->column_backward);
+    fftw_free(kernel->field);
+    fftw_free(kernel->row);
+    fftw_free(kernel->columns);
+    fftw_free(kernel->transformed);
+    free(kernel->compliance);
+    free(kernel->stiffness);
+    *kernel = (struct direct_kernel){0};
+}
+
+static bool is_zero(const double *values, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        if (values[i] != 0)
+            return false;
+    return true;
+}
+
+/** Transforms the rows to where they are. A row of zeros, as a field on a small contact mostly has, is its own
+ * transform. */
+static void transform_rows(struct direct_kernel *kernel)
+{
+    for (size_t j = 0; j < kernel->ny; j++) {
+        double *row = kernel->field + j * kernel->stride;
+        if (is_zero(row, kernel->nx)) {
+            memset(row, 0, kernel->stride * sizeof *row);
+            continue;
+        }
+        fftw_execute_dft_r2c(kernel->row_forward, row, kernel->row);
+        memcpy(row, kernel->row, kernel->stride * sizeof *row);
+    }
+}
+
+static void transform_rows_back(struct direct_kernel *kernel)
+{
+    for (size_t j = 0; j < kernel->ny; j++) {
+        double *row = kernel->field + j * kernel->stride;
+        memcpy(kernel->row, row, kernel->stride * sizeof *row);
+        fftw_execute_dft_c2r(kernel->row_backward, kernel->row, row);
+    }
+}
+
+/** One column forth, times `factor` of |j|, and back. */
+static void filter_column(struct direct_kernel *kernel, fftw_complex *column, const double *factor)
+{
+    fftw_complex *transformed = kernel->transformed;
+    size_t ny = kernel->ny;
+    fftw_execute_dft(kernel->column_forward, column, transformed);
+    for (size_t j = 0; j < ny; j++) {
+        double f = factor[j <= ny / 2 ? j : ny - j];
+        transformed[j][0] *= f;
+        transformed[j][1] *= f;
+    }
+    fftw_execute_dft(kernel->column_backward, transformed, column);
+}
+
+static void convolve(struct direct_kernel *kernel, const double *table)
+{
+    size_t count = kernel->nx / 2 + 1, length = kernel->ny + GAP, rows = kernel->ny / 2 + 1;
+    transform_rows(kernel);
+    for (size_t first = 0; first < count; first += BLOCK) {
+        size_t width = count - first < BLOCK ? count - first : BLOCK;
+        fftw_complex *columns = kernel->columns;
+        for (size_t j = 0; j < kernel->ny; j++) {
+            const double *from = kernel->field + j * kernel->stride + 2 * first;
+            for (size_t i = 0; i < width; i++)
+                memcpy(columns[i * length + j], from + 2 * i, sizeof *columns);
+        }
+        for (size_t i = 0; i < width; i++)
+            filter_column(kernel, columns + i * length, table + (first + i) * rows);
+        for (size_t j = 0; j < kernel->ny; j++) {
+            double *to = kernel->field + j * kernel->stride + 2 * first;
+            for (size_t i = 0; i < width; i++)
+                memcpy(to + 2 * i, columns[i * length + j], sizeof *columns);
+        }
+    }
+    transform_rows_back(kernel);
+    kernel->convolutions++;
+}
+
+void direct_kernel_comply(struct direct_kernel *kernel)
+{
+    convolve(kernel, kernel->compliance);
+}
+
+void direct_kernel_stiffen(struct direct_kernel *kernel)
+{
+    convolve(kernel, kernel->stiffness);
+}

@@ -1,0 +1,47 @@
+/* The periodic elastic half space on a grid: convolutions by FFTW's real transforms, in place.
+ *
+ * A pressure p on the surface of a half space displaces it by u with û(q) = 2 p̂(q)/(E' |q|) (Johnson, Contact
+ * Mechanics, 1985, sec. 13.2; Stanley and Kato 1997); the same 1/|q| gives the potential under a current density. The
+ * kernel is the continuous one at the grid's wave numbers, q = 2 pi (i/(nx dx), j/(ny dx)): nodal collocation, for
+ * which the mean gap of a smooth surface converges faster than with the kernel of a pressed pixel. q = 0 is left out:
+ * mean u = 0.
+ */
+#ifndef DIRECT_KERNEL_H
+#define DIRECT_KERNEL_H
+
+#include "base/status.h"
+#include <fftw3.h>
+#include <stddef.h>
+
+enum { DIRECT_KERNEL_MOST = 16384 }; /* points a side: numbers of points fit 32 bits */
+
+/** A grid of ny rows of nx points and one field on it to transform. Owned: direct_kernel_free(). */
+struct direct_kernel {
+    size_t nx, ny;
+    size_t points;                       /* nx ny */
+    size_t stride;                       /* values from row to row of `field`: 2 (nx/2 + 1), the last ones unused */
+    double spacing_m;                    /* dx, the same in both directions */
+    double *field;                       /* ny x stride */
+    double *compliance;                  /* 1/|q| [m] over the points, (nx/2 + 1) x (ny/2 + 1) */
+    double *stiffness;                   /* |q| [1/m] over the points, the same shape; 0 at q = 0 */
+    fftw_complex *row;                   /* one row's transform */
+    fftw_complex *columns, *transformed; /* some columns and one's transform */
+    fftw_plan row_forward, row_backward, column_forward, column_backward;
+    size_t convolutions; /* done so far */
+};
+
+/** nx, ny >= 2. A transform is made of transforms of rows and columns, each column copied to a place of its own and its
+ * product transformed back at once: from 512 points a side on that is 1.2 to 1.9 times as fast as FFTW's own plan of
+ * two dimensions. Plans are made with FFTW_ESTIMATE: the same plan, hence the same bytes, in every thread and run,
+ * within 1 ms (FFTW_MEASURE would take 0.2 to 2 s and choose by the clock). Any thread may call this at any time.
+ * Errors: STATUS_MEMORY; STATUS_USAGE: a grid too large or too small, a spacing that is no length. */
+MUST_CHECK enum status_code direct_kernel_make(struct direct_kernel *out, size_t nx, size_t ny, double spacing_m,
+                                               struct status *status);
+void direct_kernel_free(struct direct_kernel *kernel);
+
+/** Replaces `field` [a] by the field with the transform f̂/|q| [a m]. */
+void direct_kernel_comply(struct direct_kernel *kernel);
+/** Replaces `field` [a] by the field with the transform |q| f̂ [a/m]: the inverse, for a field of mean 0. */
+void direct_kernel_stiffen(struct direct_kernel *kernel);
+
+#endif

@@ -1,0 +1,29 @@
+/* One surface under rising loads, each started from the solution before. */
+#ifndef DIRECT_LADDER_H
+#define DIRECT_LADDER_H
+
+#include "direct/direct_quantities.h"
+
+struct direct_ladder_def {
+    const double *load; /* p̄/E', ascending */
+    size_t loads;
+    double hardness;  /* H/E'; INFINITY: elastic */
+    double tolerance; /* of the contact; its root serves the constriction, which is good to the square of its own */
+    bool resistance;
+    const volatile sig_atomic_t *stop; /* NULL: never */
+};
+
+/** At one load. */
+struct direct_point {
+    bool exists; /* false: p̄ >= H, complete contact, which a hardness does not define; no number then */
+    struct direct_quantities quantities;
+    double constriction_m; /* NaN where not asked for. The mean gap falls by 2 constriction_m per p̄/E' if elastic */
+    size_t patches, largest_patch; /* connected patches of contact, points of the largest */
+    size_t convolutions;
+};
+
+/** Solves every load of the ladder: `loads` points. Errors: those of the solutions. */
+MUST_CHECK enum status_code direct_ladder_run(struct direct_point *out, struct direct_contact *contact,
+                                              const struct direct_ladder_def *def, struct status *status);
+
+#endif

@@ -1,0 +1,51 @@
+#include "direct/direct_predict.h"
+
+#include <math.h>
+
+enum { POINTS, ELASTIC, CAPPED, CONSTRICTION, ELASTIC_SECONDS, CAPPED_SECONDS, COLUMNS };
+
+/** Convolutions a load, and seconds a convolution with everything between (of which a hardness has more), by points a
+ * side. */
+static const double table[][COLUMNS] = {
+    {64, 28, 13, 10, 4.0e-5, 6.5e-5},  {128, 37, 15, 12.5, 1.3e-4, 2.3e-4}, {256, 53, 17, 16, 5.8e-4, 1.2e-3},
+    {512, 88, 19, 20, 2.6e-3, 4.0e-3}, {1024, 92, 21, 22, 1.15e-2, 1.8e-2},
+};
+enum { ROWS = sizeof table / sizeof table[0] };
+
+/** A column at n points a side, by a power of n between two rows and beyond the ends. */
+static double column_at(double n, int column)
+{
+    size_t row = 0;
+    while (row + 2 < ROWS && table[row + 1][POINTS] < n)
+        row++;
+    const double *low = table[row], *high = table[row + 1];
+    return low[column] * pow(high[column] / low[column], log(n / low[POINTS]) / log(high[POINTS] / low[POINTS]));
+}
+
+/** One surface's ladder. */
+static double ladder(const struct direct_predict_def *def, double n, double *seconds)
+{
+    double contact = column_at(n, def->capped ? CAPPED : ELASTIC) * (double)def->loads;
+    double constriction = def->resistance ? column_at(n, CONSTRICTION) * (double)def->loads : 0;
+    *seconds = contact * column_at(n, def->capped ? CAPPED_SECONDS : ELASTIC_SECONDS) +
+               constriction * column_at(n, ELASTIC_SECONDS);
+    return contact + constriction;
+}
+
+struct direct_prediction direct_predict(const struct direct_predict_def *def)
+{
+    static const double bytes_a_point = 60;
+    double n = (double)def->n, seeds = (double)def->seeds, threads = (double)def->threads, coarse, fine = 0;
+    struct direct_prediction out = {0};
+    double busy = fmin(threads, seeds);
+    out.convolutions = seeds * ladder(def, n, &coarse);
+    out.bytes = busy * bytes_a_point * n * n;
+    if (def->fine_times > 1) {
+        double times = (double)def->fine_times;
+        out.fine_convolutions = ladder(def, n * times, &fine);
+        out.bytes = ((busy < threads ? busy : busy - 1) + times * times) * bytes_a_point * n * n;
+    }
+    /* The fine grid is begun first; the seeds share what is left of the threads' time. */
+    out.seconds = fmax((fine + seeds * coarse) / threads, fmax(fine, ceil(seeds / threads) * coarse));
+    return out;
+}

@@ -1,0 +1,42 @@
+/* What a solved contact amounts to: area, gap, patches. */
+#ifndef DIRECT_QUANTITIES_H
+#define DIRECT_QUANTITIES_H
+
+#include "direct/direct_contact.h"
+
+/** A point of a grid stands for dx² of contact; where the outline passes, that is too much by kappa dx² a face between
+ * a point in contact and one that is not. DIRECT_KAPPA was measured on random surfaces against extrapolation to dx = 0
+ * (0.084 ... 0.125); Yastrebov, Anciaux and Molinari, J. Mech. Phys. Solids 107 (2017) 469, have (pi - 1 + ln 2)/24 for
+ * outlines in all directions. */
+extern const double direct_kappa, direct_kappa_yastrebov;
+
+/** Of one solution. */
+struct direct_quantities {
+    size_t contact_points;  /* p > 0 */
+    size_t perimeter_faces; /* between such a point and one that is not, periodic; outline S_d = faces dx */
+    size_t capped_points;   /* p = H */
+    double area_raw;        /* contact points over all */
+    double area_ratio;  /* A/A_n = area_raw - kappa S_d dx/L², kappa = direct_kappa; under a hardness at least p̄/H */
+    double gap_m;       /* mean of max(g, 0): 0 at complete contact */
+    double plane_gap_m; /* mean g, the distance of the mean planes: less than gap_m by what has flowed */
+};
+
+/** Of a contact just solved for `load`. */
+struct direct_quantities direct_quantities_of(const struct direct_contact *contact,
+                                              const struct direct_contact_load *load);
+
+/** Area corrected with another kappa, neither limited by the hardness nor below 0. */
+double direct_area_corrected(const struct direct_quantities *quantities, size_t points, double kappa);
+
+/** Connected patches of contact, points touching along a face, periodic. Owned: direct_patches_free(). */
+struct direct_patches {
+    size_t count;
+    uint32_t *points; /* in each, largest first */
+};
+
+/** Uses the contact's `set` for its labels. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code direct_patches_find(struct direct_patches *out, struct direct_contact *contact,
+                                                struct status *status);
+void direct_patches_free(struct direct_patches *patches);
+
+#endif

@@ -1,0 +1,394 @@
+#include "direct/direct_surface.h"
+
+#include <assert.h>
+#include <fftw3.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+size_t direct_law_harmonics(const struct direct_law *law)
+{
+    return (size_t)fmax(1, floor(3.2 * law->length_m / law->lambda_s_m));
+}
+
+/** Delta_m/(alpha L^gamma). */
+static double shape(double gamma, double cut, size_t m)
+{
+    double above = (double)m / cut; /* lambda_s/lambda */
+    return pow((double)m, -gamma) * (above > 1 ? exp(-M_LN2 * (above * above - 1)) : 1);
+}
+
+double direct_law_amplitude(const struct direct_law *law, size_t m)
+{
+    return law->alpha * pow(law->length_m, law->gamma) * shape(law->gamma, law->length_m / law->lambda_s_m, m);
+}
+
+/** sum of shape²/2, and the ratio of sum m² shape² to sum shape². */
+static double half_square(double gamma, double cut, size_t count, double *mean_square_m)
+{
+    double square = 0, slope = 0;
+    for (size_t m = 1; m <= count; m++) {
+        double amplitude = shape(gamma, cut, m);
+        square += amplitude * amplitude;
+        slope += amplitude * amplitude * (double)m * (double)m;
+    }
+    *mean_square_m = slope / square;
+    return square / 2;
+}
+
+enum status_code direct_law_match(struct direct_law *out, double m0_m2, double m2, double length_m, double lambda_s_m,
+                                  struct status *status)
+{
+    *out = (struct direct_law){NAN, NAN, lambda_s_m, length_m};
+    if (!(m0_m2 > 0 && m2 > 0 && length_m > 0 && lambda_s_m > 0 && lambda_s_m <= length_m))
+        return status_fail(status, STATUS_MODEL,
+                           "no power law can be matched to m0 = %g m², m2 = %g, L = %g m and lambda_s = %g m", m0_m2,
+                           m2, length_m, lambda_s_m);
+    size_t count = direct_law_harmonics(out);
+    double cut = length_m / lambda_s_m, low = -2, high = 8, at_low, at_high, at;
+    double wanted = m2 / m0_m2 * pow(length_m / (2 * M_PI), 2);
+    (void)half_square(low, cut, count, &at_low);
+    (void)half_square(high, cut, count, &at_high);
+    if (!(wanted <= at_low && wanted >= at_high))
+        return status_fail(status, STATUS_MODEL,
+                           "no power law cut off at %g m has the measured heights and slopes (rms %g m and %g): it "
+                           "reaches slopes from %.3g to %.3g; choose another lambda_s",
+                           lambda_s_m, sqrt(m0_m2), sqrt(m2), sqrt(at_high * m2 / wanted), sqrt(at_low * m2 / wanted));
+    while (high - low > 1e-15 * 8) { /* falls with gamma */
+        double middle = (low + high) / 2;
+        (void)half_square(middle, cut, count, &at);
+        if (middle <= low || middle >= high)
+            break;
+        if (at > wanted)
+            low = middle;
+        else
+            high = middle;
+    }
+    out->gamma = (low + high) / 2;
+    out->alpha = sqrt(m0_m2 / half_square(out->gamma, cut, count, &at)) / pow(length_m, out->gamma);
+    return STATUS_OK;
+}
+
+enum status_code direct_spectrum_of_rows(struct direct_spectrum *out, const double *row_m2, size_t count, double gamma,
+                                         struct status *status)
+{
+    assert(count > 0);
+    *out = (struct direct_spectrum){
+        .weight_m2 = calloc(count + 2, sizeof(double)), .count = count, .exponent = 2 * gamma + 1, .positive = true};
+    if (!out->weight_m2)
+        return status_memory(status);
+    double *w = out->weight_m2, end = (double)((count + 1) * (count + 1));
+    for (size_t m = count; m >= 1; m--) {
+        /* P1(m)/2 = v(m, 0) + 2 sum_{j > 0} v(m, j), of which the part with w_m is not known yet */
+        double known = 0, factor = pow((double)m, -out->exponent);
+        for (size_t j = 1; (double)(m * m + j * j) < end; j++) {
+            double r = sqrt((double)(m * m + j * j)), power = 2 * pow(r, -out->exponent);
+            size_t below = (size_t)r;
+            double share = r - (double)below;
+            known += power * share * w[below]; /* w_{below + 1} */
+            if (below == m)
+                factor += power * (1 - share);
+            else
+                known += power * (1 - share) * w[below - 1];
+        }
+        w[m - 1] = (row_m2[m - 1] / 2 - known) / factor;
+        out->positive &= w[m - 1] >= 0;
+    }
+    return STATUS_OK;
+}
+
+enum status_code direct_spectrum_of_law(struct direct_spectrum *out, const struct direct_law *law,
+                                        struct status *status)
+{
+    *out = (struct direct_spectrum){0};
+    size_t count = direct_law_harmonics(law);
+    double *row_m2 = malloc(count * sizeof *row_m2);
+    if (!row_m2)
+        return status_memory(status);
+    for (size_t m = 1; m <= count; m++)
+        row_m2[m - 1] = pow(direct_law_amplitude(law, m), 2) / 2;
+    enum status_code rc = direct_spectrum_of_rows(out, row_m2, count, law->gamma, status);
+    free(row_m2);
+    if (rc == STATUS_OK && !out->positive)
+        return status_fail(status, STATUS_MODEL,
+                           "no isotropic surface has rows of the law with gamma = %g: it would need negative powers",
+                           law->gamma);
+    return rc;
+}
+
+void direct_spectrum_free(struct direct_spectrum *spectrum)
+{
+    free(spectrum->weight_m2);
+    *spectrum = (struct direct_spectrum){0};
+}
+
+double direct_spectrum_variance(double r, const void *context)
+{
+    const struct direct_spectrum *spectrum = context;
+    size_t below = (size_t)r;
+    if (below > spectrum->count || below < 1)
+        return 0;
+    double share = r - (double)below;
+    return ((1 - share) * spectrum->weight_m2[below - 1] + share * spectrum->weight_m2[below]) *
+           pow(r, -spectrum->exponent);
+}
+
+/** splitmix64's finaliser (Steele, Lea and Flood 2014; Vigna). Whole numbers: the same everywhere. */
+static uint64_t mix(uint64_t x)
+{
+    x += 0x9E3779B97F4A7C15u;
+    x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
+    x = (x ^ (x >> 27)) * 0x94D049BB133111EBu;
+    return x ^ (x >> 31);
+}
+
+/** Phase of the mode (i, j) of the half plane j > 0 or (j = 0, i > 0). */
+static double phase(uint64_t seed, long i, long j)
+{
+    uint64_t index = ((uint64_t)(i + 32768) << 16) | (uint64_t)(j + 32768);
+    return 2 * M_PI * ldexp((double)(mix(mix(seed) ^ index) >> 11), -53);
+}
+
+/** Heights of n x n points and their transform, in one place. */
+struct modes {
+    size_t n, stride;
+    double *field;     /* n x stride */
+    double *amplitude; /* sqrt(v) of |i|, |j| = 0 ... n/2, square; NULL where not asked for */
+    fftw_plan forward, backward;
+};
+
+static void modes_free(struct modes *modes)
+{
+    fftw_destroy_plan(modes->forward);
+    fftw_destroy_plan(modes->backward);
+    fftw_free(modes->field);
+    free(modes->amplitude);
+}
+
+static enum status_code modes_make(struct modes *out, size_t n, struct status *status)
+{
+    assert(n >= 4 && n % 2 == 0);
+    *out = (struct modes){.n = n, .stride = n + 2, .field = fftw_alloc_real(n * (n + 2))};
+    if (out->field) {
+        fftw_complex *spectrum = (fftw_complex *)out->field;
+        out->forward = fftw_plan_dft_r2c_2d((int)n, (int)n, out->field, spectrum, FFTW_ESTIMATE);
+        out->backward = fftw_plan_dft_c2r_2d((int)n, (int)n, spectrum, out->field, FFTW_ESTIMATE);
+        memset(out->field, 0, n * out->stride * sizeof(double));
+    }
+    if (!out->forward || !out->backward) {
+        modes_free(out);
+        return status_memory(status);
+    }
+    return STATUS_OK;
+}
+
+/** The table of amplitudes; none at n/2 and none for the mean. */
+static enum status_code modes_amplitudes(struct modes *modes, direct_variance *variance, const void *context,
+                                         struct status *status)
+{
+    size_t half = modes->n / 2;
+    modes->amplitude = calloc((half + 1) * (half + 1), sizeof(double));
+    if (!modes->amplitude)
+        return status_memory(status);
+    for (size_t j = 0; j < half; j++)
+        for (size_t i = 0; i < half; i++) {
+            double v = i + j > 0 ? variance(sqrt((double)(i * i + j * j)), context) : 0;
+            if (!(v >= 0) || !isfinite(v))
+                return status_fail(status, STATUS_MODEL,
+                                   "the surface's spectrum is negative or not finite at (%zu, %zu)", i, j);
+            modes->amplitude[j * (half + 1) + i] = sqrt(v);
+        }
+    return STATUS_OK;
+}
+
+/** Complex mode of column i, row j of the transform. */
+static double *mode_at(const struct modes *modes, size_t i, size_t j)
+{
+    return modes->field + j * modes->stride + 2 * i;
+}
+
+static double amplitude_at(const struct modes *modes, size_t i, size_t j)
+{
+    return modes->amplitude[(j <= modes->n / 2 ? j : modes->n - j) * (modes->n / 2 + 1) + i];
+}
+
+static void store(double *height_m, const struct modes *modes)
+{
+    for (size_t j = 0; j < modes->n; j++)
+        memcpy(height_m + j * modes->n, modes->field + j * modes->stride, modes->n * sizeof(double));
+}
+
+enum status_code direct_surface_realise(double *height_m, size_t n, direct_variance *variance, const void *context,
+                                        uint64_t seed, struct status *status)
+{
+    struct modes modes;
+    if (modes_make(&modes, n, status) != STATUS_OK)
+        return status->code;
+    if (modes_amplitudes(&modes, variance, context, status) == STATUS_OK) {
+        for (size_t j = 0; j < n; j++)
+            for (size_t i = 0; i < n / 2; i++) {
+                long y = j < n / 2 ? (long)j : (long)j - (long)n, x = (long)i;
+                bool upper = y > 0 || (y == 0 && x > 0); /* else it is the conjugate of (-i, -j) */
+                double angle = upper ? phase(seed, x, y) : -phase(seed, -x, -y);
+                mode_at(&modes, i, j)[0] = amplitude_at(&modes, i, j) * cos(angle);
+                mode_at(&modes, i, j)[1] = amplitude_at(&modes, i, j) * sin(angle);
+            }
+        fftw_execute(modes.backward);
+        store(height_m, &modes);
+    }
+    modes_free(&modes);
+    return status->code;
+}
+
+enum status_code direct_surface_refine(double *fine_m, size_t times, const double *height_m, size_t n,
+                                       struct status *status)
+{
+    struct modes coarse, fine;
+    if (modes_make(&coarse, n, status) != STATUS_OK)
+        return status->code;
+    if (modes_make(&fine, times * n, status) == STATUS_OK) {
+        for (size_t j = 0; j < n; j++)
+            memcpy(coarse.field + j * coarse.stride, height_m + j * n, n * sizeof(double));
+        fftw_execute(coarse.forward);
+        for (size_t j = 0; j < n; j++)
+            for (size_t i = 0; i < n / 2 && j != n / 2; i++)
+                for (int part = 0; part < 2; part++)
+                    mode_at(&fine, i, j < n / 2 ? j : times * n - (n - j))[part] =
+                        mode_at(&coarse, i, j)[part] / (double)(n * n);
+        fftw_execute(fine.backward);
+        store(fine_m, &fine);
+        modes_free(&fine);
+    }
+    modes_free(&coarse);
+    return status->code;
+}
+
+/** A height to be ranked: bits in the order of the numbers, and where it is. */
+struct ranked {
+    uint64_t key;
+    uint32_t place;
+};
+
+static uint64_t key_of(double value)
+{
+    uint64_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    return bits >> 63 ? ~bits : bits | (uint64_t)1 << 63;
+}
+
+/** Ascending by key, equal keys in the order they came in (radix sort, 11 bits a pass). The result is in `items`. */
+static void rank(struct ranked *items, struct ranked *other, size_t count)
+{
+    enum { BITS = 11, PASSES = 6, BINS = 1 << BITS };
+    for (int pass = 0; pass < PASSES; pass++) { /* an even number of passes ends where it began */
+        size_t start[BINS + 1] = {0};
+        for (size_t k = 0; k < count; k++)
+            start[(items[k].key >> (pass * BITS) & (BINS - 1)) + 1]++;
+        for (size_t bin = 0; bin < BINS; bin++)
+            start[bin + 1] += start[bin];
+        for (size_t k = 0; k < count; k++)
+            other[start[items[k].key >> (pass * BITS) & (BINS - 1)]++] = items[k];
+        struct ranked *swap = items;
+        items = other;
+        other = swap;
+    }
+}
+
+static int ascending(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/** `count` quantiles of the given heights, ascending, of mean 0 and the given mean square. */
+static enum status_code quantiles(double *out, size_t count, const double *given_m, size_t given_count,
+                                  double mean_square, struct status *status)
+{
+    double *sorted = given_count >= 2 ? malloc(given_count * sizeof *sorted) : NULL, mean = 0, square = 0;
+    if (!sorted && given_count >= 2)
+        return status_memory(status);
+    bool finite = sorted != NULL;
+    for (size_t k = 0; finite && k < given_count; k++) {
+        sorted[k] = given_m[k];
+        finite = isfinite(given_m[k]);
+    }
+    if (finite) {
+        qsort(sorted, given_count, sizeof *sorted, ascending);
+        finite = sorted[given_count - 1] > sorted[0];
+    }
+    if (!finite) {
+        free(sorted);
+        return status_fail(status, STATUS_MODEL, "the heights to give a surface are too few, all equal or not finite");
+    }
+    for (size_t k = 0; k < count; k++) {
+        double at = ((double)k + 0.5) / (double)count * (double)given_count - 0.5;
+        at = fmin(fmax(at, 0), (double)(given_count - 1));
+        size_t below = (size_t)fmin(floor(at), (double)(given_count - 2));
+        out[k] = sorted[below] + (at - (double)below) * (sorted[below + 1] - sorted[below]);
+        mean += (out[k] - sorted[0]) / (double)count;
+    }
+    mean += sorted[0];
+    for (size_t k = 0; k < count; k++) {
+        out[k] -= mean;
+        square += out[k] * out[k] / (double)count;
+    }
+    for (size_t k = 0; k < count; k++)
+        out[k] *= sqrt(mean_square / square);
+    free(sorted);
+    return STATUS_OK;
+}
+
+/** Gives every mode its amplitude and leaves its phase. A mode that is 0 gets the phase 0. */
+static void impose_amplitudes(struct modes *modes)
+{
+    fftw_execute(modes->forward);
+    for (size_t j = 0; j < modes->n; j++)
+        for (size_t i = 0; i <= modes->n / 2; i++) {
+            double *mode = mode_at(modes, i, j), size = hypot(mode[0], mode[1]), amplitude = amplitude_at(modes, i, j);
+            mode[0] = size > 0 ? mode[0] * (amplitude / size) : amplitude;
+            mode[1] = size > 0 ? mode[1] * (amplitude / size) : 0;
+        }
+    fftw_execute(modes->backward);
+}
+
+/** The rounds proper; items: 2 n² of them. */
+static void adjust(struct modes *modes, const double *heights, struct ranked *items, uint64_t seed)
+{
+    enum { ROUNDS = 60 };
+    size_t n = modes->n, count = n * n;
+    for (size_t k = 0; k < count; k++)
+        items[k] = (struct ranked){mix(mix(seed) ^ k), (uint32_t)k};
+    for (int round = 0; round <= ROUNDS; round++) {
+        rank(items, items + count, count);
+        for (size_t k = 0; k < count; k++)
+            modes->field[items[k].place / n * modes->stride + items[k].place % n] = heights[k];
+        impose_amplitudes(modes);
+        for (size_t k = 0; k < count; k++)
+            items[k] = (struct ranked){key_of(modes->field[k / n * modes->stride + k % n]), (uint32_t)k};
+    }
+}
+
+enum status_code direct_surface_with_heights(double *height_m, size_t n, direct_variance *variance, const void *context,
+                                             const double *given_m, size_t given_count, uint64_t seed,
+                                             struct status *status)
+{
+    struct modes modes;
+    if (modes_make(&modes, n, status) != STATUS_OK)
+        return status->code;
+    if (modes_amplitudes(&modes, variance, context, status) == STATUS_OK) {
+        double mean_square = 0;
+        for (size_t j = 0; j < n; j++)
+            for (size_t i = 0; i < n / 2; i++)
+                mean_square += (i > 0 ? 2 : 1) * pow(amplitude_at(&modes, i, j), 2);
+        struct ranked *items = malloc(2 * n * n * sizeof *items);
+        if (!items)
+            (void)status_memory(status);
+        else if (quantiles(height_m, n * n, given_m, given_count, mean_square, status) == STATUS_OK) {
+            adjust(&modes, height_m, items, seed);
+            store(height_m, &modes);
+        }
+        free(items);
+    }
+    modes_free(&modes);
+    return status->code;
+}

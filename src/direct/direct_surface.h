@@ -1,0 +1,80 @@
+/* Rough surfaces to solve the contact of, made from what a profile tells.
+ *
+ * Wave numbers are counted as harmonics of the cell: the mode (i, j) of an L x L surface has r = sqrt(i² + j²) waves in
+ * L. v(i, j) is the variance of a complex mode; a row of the surface has at harmonic m >= 1 the mean square
+ *     P1(m) = Delta_m²/2 = 2 sum_j v(m, j).
+ * A row also contains the modes (0, j) as its mean, so the surface is rougher than its rows: Sq > Rq.
+ */
+#ifndef DIRECT_SURFACE_H
+#define DIRECT_SURFACE_H
+
+#include "base/status.h"
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/** Variance [m²] of a complex mode with r > 0 waves in the cell. */
+typedef double direct_variance(double r, const void *context);
+
+/** Delta = alpha lambda^gamma down to lambda_s, below which amplitudes fall as exp(-ln2 ((lambda_s/lambda)² - 1)), the
+ * Gaussian filter of ISO 16610-21 relative to its value at lambda_s. */
+struct direct_law {
+    double alpha; /* m^(1-gamma) */
+    double gamma;
+    double lambda_s_m;
+    double length_m; /* L */
+};
+
+/** Harmonics that a law has before its cut-off leaves less than 2e-3 of an amplitude: 3.2 L/lambda_s. */
+size_t direct_law_harmonics(const struct direct_law *law);
+/** Delta_m [m], m = 1, 2, ... */
+double direct_law_amplitude(const struct direct_law *law, size_t m);
+
+/** The law with the cut-off lambda_s whose rows have the given m0 = sum Delta_m²/2 [m²] and m2 = sum (2 pi m/L)²
+ * Delta_m²/2, which a fit through a measured spectrum's logarithms has not (the mean logarithm of a Gaussian surface's
+ * power is exp(-0.577) of its mean power). One root in gamma, within -2 ... 8. Error: STATUS_MODEL: no such law. */
+MUST_CHECK enum status_code direct_law_match(struct direct_law *out, double m0_m2, double m2, double length_m,
+                                             double lambda_s_m, struct status *status);
+
+/** Isotropic: v(r) = w(r) r^-(2 gamma + 1), w linear between w_1 ... w_M at whole r and 0 from M + 1 on (w_1 below r =
+ * 1, which no mode has). Owned: direct_spectrum_free(). */
+struct direct_spectrum {
+    double *weight_m2; /* w_r at index r - 1 */
+    size_t count;      /* M */
+    double exponent;   /* 2 gamma + 1 */
+    bool positive;     /* no v is negative: an isotropic surface with these rows exists */
+};
+
+/** The surface whose rows have the mean squares row_m2[m - 1] at harmonics m = 1 ... count: the discrete counterpart of
+ * C2(q) = -1/pi int_q^inf C1'(k)/sqrt(k² - q²) dk (Nayak, Wear 26 (1973) 305), triangular and solved from m = count
+ * down. gamma sets only the shape between whole r; the rows come out exactly whatever it is. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code direct_spectrum_of_rows(struct direct_spectrum *out, const double *row_m2, size_t count,
+                                                    double gamma, struct status *status);
+/** The same of a law's rows. Errors: STATUS_MEMORY; STATUS_MODEL: no isotropic surface has them. */
+MUST_CHECK enum status_code direct_spectrum_of_law(struct direct_spectrum *out, const struct direct_law *law,
+                                                   struct status *status);
+void direct_spectrum_free(struct direct_spectrum *spectrum);
+/** v(r) of a struct direct_spectrum: a direct_variance. */
+double direct_spectrum_variance(double r, const void *spectrum);
+
+/** Fills n x n heights, n even: each pair of modes +-(i, j), |i|, |j| < n/2, gets the amplitude sqrt(4 v) and a phase
+ * hashed from seed, i and j alone. So every seed has the same row spectrum, and a seed is the same surface on every
+ * grid that holds its modes. Errors: STATUS_MEMORY; STATUS_MODEL: a variance negative or not finite. */
+MUST_CHECK enum status_code direct_surface_realise(double *height_m, size_t n, direct_variance *variance,
+                                                   const void *context, uint64_t seed, struct status *status);
+
+/** Fills n x n heights, n even, that have the spectrum and, as nearly as that allows, the distribution of the `given`
+ * heights (their quantiles, shifted and scaled to the spectrum's mean square): the iterated amplitude-adjusted Fourier
+ * transform (Schreiber and Schmitz, Phys. Rev. Lett. 77 (1996) 635), 60 rounds from a shuffle hashed from the seed,
+ * ending with the exact spectrum. Equal heights rank by their place. Errors: as direct_surface_realise(); STATUS_MODEL:
+ * fewer than 2 given heights, all equal, or one not finite. */
+MUST_CHECK enum status_code direct_surface_with_heights(double *height_m, size_t n, direct_variance *variance,
+                                                        const void *context, const double *given_m, size_t given_count,
+                                                        uint64_t seed, struct status *status);
+
+/** The same surface on a grid of `times` n points a side (n even): `fine_m` interpolates the heights by their Fourier
+ * series, without the modes at n/2. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code direct_surface_refine(double *fine_m, size_t times, const double *height_m, size_t n,
+                                                  struct status *status);
+
+#endif

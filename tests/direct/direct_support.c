@@ -1,0 +1,115 @@
+#include "direct_support.h"
+
+#include "direct/direct_constriction.h"
+
+double recipe_variance(double r, const void *scale)
+{
+    double square = round(r * r);
+    return square <= 256 ? *(const double *)scale * pow(fmax(square, 4), -1.8) : 0;
+}
+
+double recipe_scale(void)
+{
+    double sum = 0, one = 1;
+    for (int i = -16; i <= 16; i++)
+        for (int j = -16; j <= 16; j++)
+            if (i != 0 || j != 0) {
+                double r = sqrt((double)(i * i + j * j));
+                sum += recipe_variance(r, &one) * pow(2 * M_PI * r, 2);
+            }
+    return 1 / sum;
+}
+
+double *recipe_surface(size_t n)
+{
+    double *height = malloc(n * n * sizeof *height), scale = recipe_scale();
+    struct status status = {0};
+    assert_non_null(height);
+    assert_int_equal(direct_surface_realise(height, n, recipe_variance, &scale, 1, &status), STATUS_OK);
+    return height;
+}
+
+struct direct_contact contact_of(const double *height, size_t nx, size_t ny)
+{
+    struct direct_contact contact;
+    struct status status = {0};
+    if (direct_contact_make(&contact, height, nx, ny, 1 / (double)nx, &status) != STATUS_OK)
+        fail_msg("%s", status.message);
+    return contact;
+}
+
+struct direct_contact_load load_of(double mean_pressure, double hardness, double tolerance)
+{
+    return (struct direct_contact_load){mean_pressure, hardness, tolerance, 0, false, NULL};
+}
+
+struct direct_quantities solved(struct direct_contact *contact, const struct direct_contact_load *load)
+{
+    struct direct_contact_effort effort = {0};
+    struct status status = {0};
+    if (direct_contact_solve(contact, load, &effort, &status) != STATUS_OK)
+        fail_msg("%s", status.message);
+    assert_true(effort.convolutions > 0 && effort.violation < load->tolerance);
+    return direct_quantities_of(contact, load);
+}
+
+double constriction_of(struct direct_contact *contact, double tolerance)
+{
+    struct direct_contact_effort effort = {0};
+    struct status status = {0};
+    double length;
+    if (direct_constriction_of_contact(&length, contact, tolerance, NULL, &effort, &status) != STATUS_OK)
+        fail_msg("%s", status.message);
+    return length;
+}
+
+/** K p by FFTW's own transform of two dimensions, not in place. */
+static double *displacement(const struct direct_contact *contact)
+{
+    const struct direct_kernel *kernel = &contact->kernel;
+    size_t nx = kernel->nx, ny = kernel->ny, columns = nx / 2 + 1;
+    double *field = fftw_alloc_real(kernel->points);
+    fftw_complex *modes = fftw_alloc_complex(ny * columns);
+    fftw_plan forth = fftw_plan_dft_r2c_2d((int)ny, (int)nx, field, modes, FFTW_ESTIMATE);
+    fftw_plan back = fftw_plan_dft_c2r_2d((int)ny, (int)nx, modes, field, FFTW_ESTIMATE);
+    for (size_t j = 0; j < ny; j++)
+        memcpy(field + j * nx, contact->pressure + j * kernel->stride, nx * sizeof *field);
+    fftw_execute(forth);
+    for (size_t j = 0; j < ny; j++)
+        for (size_t i = 0; i < columns; i++) {
+            double x = (double)i / (double)nx, y = (double)(j <= ny / 2 ? j : ny - j) / (double)ny;
+            double q = 2 * M_PI / kernel->spacing_m * hypot(x, y);
+            for (int part = 0; part < 2; part++)
+                modes[j * columns + i][part] *= i + j > 0 ? 2 / (q * (double)kernel->points) : 0;
+        }
+    fftw_execute(back);
+    fftw_destroy_plan(forth);
+    fftw_destroy_plan(back);
+    fftw_free(modes);
+    return field;
+}
+
+double violation_of(const struct direct_contact *contact, const struct direct_contact_load *load)
+{
+    const struct direct_kernel *kernel = &contact->kernel;
+    double *gap = displacement(contact), mean = 0, sum = 0, count = 0, worst = 0;
+    for (size_t j = 0; j < kernel->ny; j++)
+        for (size_t i = 0; i < kernel->nx; i++) {
+            double p = contact->pressure[j * kernel->stride + i], *g = gap + j * kernel->nx + i;
+            assert_true(p >= 0 && p <= load->hardness);
+            mean += p / (double)kernel->points;
+            *g -= contact->height_m[j * kernel->stride + i];
+            if (p > 0 && p < load->hardness) {
+                sum += *g;
+                count++;
+            }
+        }
+    assert_near(mean, load->mean_pressure, 1e-12);
+    for (size_t j = 0; j < kernel->ny && count > 0; j++)
+        for (size_t i = 0; i < kernel->nx; i++) {
+            double p = contact->pressure[j * kernel->stride + i], g = gap[j * kernel->nx + i] - sum / count;
+            worst = fmax(worst, p <= 0 ? -g : p >= load->hardness ? g : fabs(g));
+        }
+    fftw_free(gap);
+    return worst / contact->rms_m;
+}

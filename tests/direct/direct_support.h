@@ -1,0 +1,33 @@
+/* What the tests of the direct solution share. */
+#ifndef DIRECT_SUPPORT_H
+#define DIRECT_SUPPORT_H
+
+#include "direct/direct_quantities.h"
+#include "direct/direct_surface.h"
+#include "support.h"
+
+/** P(i, j) in proportion to max(r², 4)^-1.8, r² = i² + j² <= 256, scaled to an rms gradient of 1 in a cell of length 1.
+ */
+double recipe_variance(double r, const void *scale);
+/** The scale for it. */
+double recipe_scale(void);
+/** The recipe surface, seed 1. To be freed. */
+double *recipe_surface(size_t n);
+
+/** A contact of ny rows of nx heights, cell length 1 along x; fails the test when it cannot be made. */
+struct direct_contact contact_of(const double *height, size_t nx, size_t ny);
+
+/** A load without warm start. */
+struct direct_contact_load load_of(double mean_pressure, double hardness, double tolerance);
+
+/** Solves and takes the quantities; fails the test when it cannot. */
+struct direct_quantities solved(struct direct_contact *contact, const struct direct_contact_load *load);
+
+/** Constriction length of a contact just solved. */
+double constriction_of(struct direct_contact *contact, double tolerance);
+
+/** Largest violation of the conditions of contact, by a gap computed anew with the pixel's sums left to FFTW alone: the
+ * pressure's bounds and mean, and the gap's sign on each side, as a share of the heights' rms. */
+double violation_of(const struct direct_contact *contact, const struct direct_contact_load *load);
+
+#endif

@@ -1,0 +1,147 @@
+#include "direct_support.h"
+
+#include "direct/direct_constriction.h"
+
+/** Constriction length of a set drawn on an n x n grid of a cell of length 1, the first point `shift` spacings from 0.
+ */
+static double length_of_set(size_t n, bool (*inside)(double x, double y, const void *context), const void *context,
+                            double shift, size_t *points)
+{
+    struct direct_kernel kernel;
+    struct status status = {0};
+    struct direct_contact_effort effort = {0};
+    double length;
+    assert_int_equal(direct_kernel_make(&kernel, n, n, 1 / (double)n, &status), STATUS_OK);
+    uint32_t *set = malloc(n * n * sizeof *set);
+    double *block = malloc(3 * n * n * sizeof *block);
+    double *const scratch[3] = {block, block + n * n, block + 2 * n * n};
+    *points = 0;
+    for (size_t j = 0; j < n; j++)
+        for (size_t i = 0; i < n; i++)
+            if (inside(((double)i + shift) / (double)n, ((double)j + shift) / (double)n, context))
+                set[(*points)++] = (uint32_t)(j * kernel.stride + i);
+    if (direct_constriction_of_set(&length, &kernel, set, *points, scratch, 1e-9, NULL, &effort, &status) != STATUS_OK)
+        fail_msg("%s", status.message);
+    assert_true(effort.iterations > 0 && effort.iterations < 20); /* 10 to 21 to 1e-12 */
+    direct_kernel_free(&kernel);
+    free(set);
+    free(block);
+    return length;
+}
+
+struct circle {
+    double x, y, radius;
+};
+
+/** Within a circle of a periodic cell. */
+static bool in_circle(double x, double y, const void *context)
+{
+    const struct circle *circle = context;
+    double dx = remainder(x - circle->x, 1), dy = remainder(y - circle->y, 1);
+    return dx * dx + dy * dy <= circle->radius * circle->radius;
+}
+
+/** l/L = (L/4a)(1 - 2.482986 a/L + 1.9172 (a/L)³ ...): Holm's spot among its images on a square lattice. */
+static void one_spot(void **state)
+{
+    (void)state;
+    struct table table = table_read("golden/direct/spot.csv");
+    for (size_t row = 0; row < table.rows; row++) {
+        size_t n = (size_t)table_number(&table, row, "N"), points;
+        double a = table_number(&table, row, "a_over_L");
+        if (n > 512 && a > 0.15)
+            continue; /* no more to be learnt */
+        struct circle circle = {0.5 + 0.123 / (double)n, 0.5 + 0.234 / (double)n, a};
+        double length = length_of_set(n, in_circle, &circle, 0, &points);
+        assert_near((double)points, table_number(&table, row, "points"), 0);
+        assert_near(length, table_number(&table, row, "constriction_length_over_L"), 1e-9);
+        if (n >= 512 && a < 0.15)
+            assert_near(length, 1 / (4 * a) - 2.482986 / 4 + 1.9172 * a * a / 4, 6e-3);
+    }
+    table_free(&table);
+}
+
+struct circles {
+    size_t count;
+    struct circle circle[32];
+};
+
+static bool in_circles(double x, double y, const void *context)
+{
+    const struct circles *circles = context;
+    for (size_t k = 0; k < circles->count; k++)
+        if (in_circle(x, y, &circles->circle[k]))
+            return true;
+    return false;
+}
+
+/** Twenty spots: Greenwood's sum with the periodic Green's function, extrapolated from 512 and 1024 points a side. */
+static void twenty_spots(void **state)
+{
+    (void)state;
+    struct table spots = table_read("golden/direct/greenwood_spots.csv"),
+                 table = table_read("golden/direct/greenwood.csv");
+    struct circles circles = {.count = spots.rows};
+    double length[3];
+    size_t points;
+    for (size_t k = 0; k < spots.rows; k++)
+        circles.circle[k] =
+            (struct circle){table_number(&spots, k, "x"), table_number(&spots, k, "y"), table_number(&spots, k, "a")};
+    for (size_t row = 0; row < table.rows; row++) {
+        length[row] = length_of_set((size_t)table_number(&table, row, "N"), in_circles, &circles, 0.5, &points);
+        assert_near(length[row], table_number(&table, row, "constriction_length"), 1e-9);
+    }
+    assert_near(2 * length[2] - length[1], table_number(&table, 0, "greenwood_periodic"), 5e-3);
+    table_free(&spots);
+    table_free(&table);
+}
+
+static bool in_strip(double x, double y, const void *context)
+{
+    (void)y;
+    return fabs(remainder(x - 0.4997, 1)) <= *(const double *)context;
+}
+
+/** Strips of half width a, period L: l = -(L/2 pi) ln sin²(pi a/L), first order in dx. */
+static void strips(void **state)
+{
+    (void)state;
+    for (double a = 0.05; a < 0.45; a += 0.05) {
+        size_t points;
+        double length = length_of_set(1024, in_strip, &a, 0, &points), half = (double)points / 1024 / 1024 / 2;
+        assert_near(length, -log(pow(sin(M_PI * half), 2)) / (2 * M_PI), 0.02);
+    }
+}
+
+/** l = -(E'/2) d(mean gap)/d(p̄): the exact derivative on the grid while the set stays. */
+static void derivative_of_the_gap(void **state)
+{
+    (void)state;
+    double *height = recipe_surface(64), gap[2];
+    struct direct_contact contact = contact_of(height, 64, 64);
+    size_t points[2];
+    for (double p = 0.02; p < 0.35; p *= 2) {
+        double step = 1e-6 * p;
+        for (int side = 0; side < 2; side++) {
+            struct direct_contact_load load = load_of(side ? p + step : p - step, INFINITY, 1e-13);
+            struct direct_quantities found = solved(&contact, &load);
+            gap[side] = found.gap_m;
+            points[side] = found.contact_points;
+        }
+        assert_int_equal(points[0], points[1]);
+        assert_near(constriction_of(&contact, 1e-10), (gap[0] - gap[1]) / (4 * step), 1e-5);
+    }
+    direct_contact_free(&contact);
+    free(height);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(one_spot),
+        cmocka_unit_test(twenty_spots),
+        cmocka_unit_test(strips),
+        cmocka_unit_test(derivative_of_the_gap),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

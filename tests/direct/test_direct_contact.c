@@ -1,0 +1,433 @@
+#include "direct_support.h"
+
+#include "direct/direct_constriction.h"
+
+/** Rows of a table with a grid of n points a side against solutions to 1e-12. */
+static void random_rows(const char *file, size_t n)
+{
+    struct table table = table_read(file);
+    double *height = recipe_surface(n);
+    struct direct_contact contact = contact_of(height, n, n);
+    int rows = 0;
+    for (size_t row = 0; row < table.rows; row++) {
+        if (table_number(&table, row, "N") != (double)n)
+            continue;
+        double hardness = strcmp(table_text(&table, row, "hardness"), "inf") == 0 ? INFINITY : 0.5;
+        struct direct_contact_load load = load_of(table_number(&table, row, "p"), hardness, 1e-12);
+        struct direct_quantities found = solved(&contact, &load);
+        assert_near((double)found.contact_points, table_number(&table, row, "contact_points"), 0);
+        assert_near((double)found.perimeter_faces, table_number(&table, row, "perimeter_faces"), 0);
+        assert_near((double)found.capped_points, table_number(&table, row, "capped_points"), 0);
+        assert_near(found.area_raw, table_number(&table, row, "area"), 1e-11);
+        assert_near(direct_area_corrected(&found, n * n, direct_kappa_yastrebov),
+                    table_number(&table, row, "area_corrected"), 1e-9);
+        assert_near(found.gap_m, table_number(&table, row, "open_gap"), 1e-9);
+        assert_near(found.plane_gap_m, table_number(&table, row, "mean_plane_gap"), 1e-9);
+        assert_true(violation_of(&contact, &load) < (n > 256 ? 1e-11 : 2e-12)); /* rounding grows with n */
+        double length = constriction_of(&contact, 1e-10);
+        assert_near(length, table_number(&table, row, "constriction_length"), 1e-9);
+        assert_near(2 * length, table_number(&table, row, "minus_dgap_dp_fixed_set"), 1e-9);
+        rows++;
+    }
+    assert_int_equal(rows, 12);
+    direct_contact_free(&contact);
+    free(height);
+    table_free(&table);
+}
+
+static void random_surface_64(void **state)
+{
+    (void)state;
+    random_rows("golden/direct/random.csv", 64);
+}
+
+static void random_surface_128(void **state)
+{
+    (void)state;
+    random_rows("golden/direct/random.csv", 128);
+}
+
+static void random_surface_256(void **state)
+{
+    (void)state;
+    random_rows("golden/direct/random.csv", 256);
+}
+
+/** Half a minute; only where the environment asks for it. */
+static void random_surface_fine(void **state)
+{
+    (void)state;
+    if (!getenv("ROUGHCONTACT_SLOW_TESTS"))
+        skip();
+    random_rows("golden/direct/random_fine.csv", 512);
+    random_rows("golden/direct/random_fine.csv", 1024);
+}
+
+/** One wave along x: A = (2/pi) asin sqrt x, gap = Delta (1 - x + x ln x), x = p/(pi E' Delta/L) (Westergaard 1939). */
+static void westergaard_strip(void **state)
+{
+    (void)state;
+    struct table table = table_read("golden/direct/westergaard.csv");
+    double amplitude = 0.01;
+    for (size_t row = 0; row < table.rows; row++) {
+        size_t n = (size_t)table_number(&table, row, "N");
+        double *height = malloc(2 * n * sizeof *height), x = table_number(&table, row, "p_over_pstar");
+        for (size_t i = 0; i < n; i++)
+            height[i] = height[n + i] = amplitude * cos(2 * M_PI * ((double)i + 0.3) / (double)n);
+        struct direct_contact contact = contact_of(height, n, 2);
+        struct direct_contact_load load = load_of(x * M_PI * amplitude, INFINITY, 1e-12);
+        struct direct_quantities found = solved(&contact, &load);
+        assert_near((double)found.contact_points, 2 * table_number(&table, row, "contact_points"), 0);
+        assert_within(found.gap_m / amplitude, table_number(&table, row, "gap_over_amplitude"), 2e-12);
+        if (n == 4096)
+            assert_near(found.gap_m / amplitude, table_number(&table, row, "gap_exact"), 7.5e-7);
+        assert_near(2 * M_PI * constriction_of(&contact, 1e-10), table_number(&table, row, "minus_dgap_dx_fixed_set"),
+                    1e-9);
+        direct_contact_free(&contact);
+        free(height);
+    }
+    table_free(&table);
+}
+
+/** cos cos, shifted so that no points tie, against the same cell solved on 1024 x 1024. */
+static void sinusoidal_cell(void **state)
+{
+    (void)state;
+    struct table table = table_read("golden/direct/sinusoid.csv");
+    for (size_t row = 0; row < table.rows; row++) {
+        size_t n = (size_t)table_number(&table, row, "N");
+        double *height = malloc(n * n * sizeof *height), x = table_number(&table, row, "p_over_pstar");
+        for (size_t j = 0; j < n; j++)
+            for (size_t i = 0; i < n; i++)
+                height[j * n + i] = 0.01 * cos(2 * M_PI * ((double)i + 0.25) / (double)n) *
+                                    cos(2 * M_PI * ((double)j + 0.4) / (double)n);
+        struct direct_contact contact = contact_of(height, n, n);
+        struct direct_contact_load load = load_of(x * sqrt(2) * M_PI * 0.01, INFINITY, n < 512 ? 1e-12 : 1e-9);
+        struct direct_quantities found = solved(&contact, &load);
+        assert_near((double)found.contact_points, table_number(&table, row, "contact_points"), 0);
+        assert_near((double)found.perimeter_faces, table_number(&table, row, "perimeter_faces"), 0);
+        assert_within(found.gap_m / 0.01, table_number(&table, row, "gap_over_amplitude"), n < 512 ? 1e-11 : 1e-9);
+        if (n == 512) {
+            assert_within(found.gap_m / 0.01, table_number(&table, row, "gap_golden_1024"), 1.5e-6);
+            assert_within(direct_area_corrected(&found, n * n, direct_kappa_yastrebov),
+                          table_number(&table, row, "area_golden_1024"), 3.6e-4);
+        }
+        direct_contact_free(&contact);
+        free(height);
+    }
+    table_free(&table);
+}
+
+/** A paraboloid of radius 1, a = 0.05 L: a³ = 3 P R/4E', p = 2 E' a/(pi R) sqrt(1 - r²/a²) (Hertz 1882). */
+static void sphere_after_hertz(void **state)
+{
+    (void)state;
+    enum { N = 256 };
+    double *height = malloc(N * N * sizeof *height), a = 0.05;
+    for (size_t j = 0; j < N; j++)
+        for (size_t i = 0; i < N; i++)
+            height[j * N + i] = -(pow((double)i / N - 0.5007, 2) + pow((double)j / N - 0.5013, 2)) / 2;
+    struct direct_contact contact = contact_of(height, N, N);
+    struct direct_contact_load load = load_of(4.0 / 3 * a * a * a, INFINITY, 1e-10);
+    struct direct_quantities found = solved(&contact, &load);
+    for (size_t j = 0; j < N; j++)
+        for (size_t i = 0; i < N; i++) {
+            double square = -2 * height[j * N + i] / (a * a);
+            if (square < 0.5)
+                assert_near(contact.pressure[j * contact.kernel.stride + i], 2 * a / M_PI * sqrt(1 - square), 4e-3);
+        }
+    assert_near(found.area_ratio, M_PI * a * a, 0.01);
+    direct_contact_free(&contact);
+    free(height);
+}
+
+static enum status_code result_of(const double *height, size_t n, const struct direct_contact_load *load,
+                                  struct status *status)
+{
+    struct direct_contact contact;
+    struct direct_contact_effort effort = {0};
+    if (direct_contact_make(&contact, height, n, n, 1 / (double)n, status) != STATUS_OK)
+        return status->code;
+    enum status_code rc = direct_contact_solve(&contact, load, &effort, status);
+    direct_contact_free(&contact);
+    return rc;
+}
+
+static void refuses_what_cannot_be_solved(void **state)
+{
+    (void)state;
+    enum { N = 16 };
+    double height[N * N] = {0}, *rough = recipe_surface(64);
+    static const volatile sig_atomic_t stop = 1;
+    struct direct_contact_load load = load_of(0.01, INFINITY, 1e-6);
+    struct {
+        const char *says;
+        double p, hardness, tolerance;
+        const volatile sig_atomic_t *stop;
+        enum status_code code;
+    } cases[] = {
+        {"complete contact", 0.5, 0.5, 1e-6, NULL, STATUS_MODEL},
+        {"complete contact", 0.6, 0.5, 1e-6, NULL, STATUS_MODEL},
+        {"positive", 0, INFINITY, 1e-6, NULL, STATUS_MODEL},
+        {"positive", NAN, INFINITY, 1e-6, NULL, STATUS_MODEL},
+        {"positive", INFINITY, INFINITY, 1e-6, NULL, STATUS_MODEL},
+        {"not converge", 0.01, INFINITY, 1e-6, NULL, STATUS_MODEL},
+        {"not converge", 0.01, 0.5, 1e-6, NULL, STATUS_MODEL},
+        {"stopped", 0.01, INFINITY, 1e-6, &stop, STATUS_INTERRUPTED},
+    };
+    struct status status = {0};
+    assert_int_equal(result_of(height, N, &load, &status), STATUS_MODEL);
+    assert_non_null(strstr(status.message, "flat"));
+    for (size_t k = 0; k < N * N; k++)
+        height[k] = 0.1; /* flat but for rounding */
+    status = (struct status){0};
+    assert_int_equal(result_of(height, N, &load, &status), STATUS_MODEL);
+    height[7] = NAN;
+    status = (struct status){0};
+    assert_int_equal(result_of(height, N, &load, &status), STATUS_MODEL);
+    assert_non_null(strstr(status.message, "height 7"));
+    height[7] = INFINITY;
+    status = (struct status){0};
+    assert_int_equal(result_of(height, N, &load, &status), STATUS_MODEL);
+    for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
+        load = load_of(cases[k].p, cases[k].hardness, cases[k].tolerance);
+        load.stop = cases[k].stop;
+        load.most_iterations = strcmp(cases[k].says, "not converge") == 0 ? 8 : 0;
+        status = (struct status){0};
+        if (result_of(rough, 64, &load, &status) != cases[k].code)
+            fail_msg("case %zu: %s", k, status.message);
+        assert_non_null(strstr(status.message, cases[k].says));
+    }
+    free(rough);
+}
+
+/** One point carries everything: p = p̄ n², and with a hardness the load spreads to p̄ n²/H points. */
+static void spike(void **state)
+{
+    (void)state;
+    enum { N = 16 };
+    double height[N * N] = {0};
+    height[5 * N + 11] = 1;
+    struct direct_contact contact = contact_of(height, N, N);
+    struct direct_contact_load load = load_of(1e-3, INFINITY, 1e-9);
+    struct direct_quantities found = solved(&contact, &load);
+    assert_int_equal(found.contact_points, 1);
+    assert_int_equal(found.perimeter_faces, 4);
+    assert_near(contact.pressure[5 * contact.kernel.stride + 11], 1e-3 * N * N, 1e-12);
+    assert_true(violation_of(&contact, &load) < 1e-9);
+    assert_true(constriction_of(&contact, 1e-9) > 0);
+    load = load_of(1e-3, 1e-3 * N * N / 10.5, 1e-9); /* the spike flows down to the plane */
+    found = solved(&contact, &load);
+    assert_true(found.contact_points >= 11 && found.capped_points >= 1 && found.plane_gap_m < found.gap_m);
+    assert_true(violation_of(&contact, &load) < 1e-9);
+    direct_contact_free(&contact);
+}
+
+/** The smallest grids, odd ones too, and loads from one point to all. */
+static void small_grids(void **state)
+{
+    (void)state;
+    for (size_t n = 4; n <= 17; n++) {
+        double *height = malloc(n * n * sizeof *height);
+        uint32_t random = 12345;
+        for (size_t k = 0; k < n * n; k++) {
+            random = random * 1664525u + 1013904223u;
+            height[k] = (double)random / 4294967296.0;
+        }
+        struct direct_contact contact = contact_of(height, n, n);
+        for (double p = 1e-3; p < 1e3; p *= 10)
+            for (int capped = 0; capped < 2; capped++) {
+                struct direct_contact_load load = load_of(p, capped ? 3 * p : INFINITY, 1e-9);
+                struct direct_quantities found = solved(&contact, &load);
+                assert_true(violation_of(&contact, &load) < 1.1e-9);
+                assert_true(found.area_ratio > 0 || !capped);
+                assert_true(!capped || found.area_raw >= 1.0 / 3);
+                assert_true(found.gap_m >= 0 && found.gap_m >= found.plane_gap_m);
+            }
+        direct_contact_free(&contact);
+        free(height);
+    }
+}
+
+/** The mean pressure that closes a surface everywhere leaves no gap and no resistance. */
+static void complete_contact(void **state)
+{
+    (void)state;
+    double *height = recipe_surface(64);
+    struct direct_contact contact = contact_of(height, 64, 64);
+    struct direct_contact_load load = load_of(5, INFINITY, 1e-9);
+    struct direct_quantities found = solved(&contact, &load);
+    assert_int_equal(found.contact_points, 64 * 64);
+    assert_int_equal(found.perimeter_faces, 0);
+    assert_true(found.area_ratio == 1 && found.gap_m == 0);
+    assert_true(constriction_of(&contact, 1e-9) == 0);
+    direct_contact_free(&contact);
+    free(height);
+}
+
+/** More load: more area, less gap, less constriction; a hardness in between does the same, and one that is nowhere
+ * reached changes nothing. */
+static void monotone_and_warm(void **state)
+{
+    (void)state;
+    double *height = recipe_surface(128);
+    struct direct_contact cold = contact_of(height, 128, 128), warm = contact_of(height, 128, 128);
+    for (int capped = 0; capped < 2; capped++) {
+        struct direct_quantities last = {.gap_m = INFINITY};
+        double last_length = INFINITY;
+        size_t cold_effort = 0, warm_effort = 0;
+        for (double p = 1e-3; p < 0.4; p *= 1.8) {
+            struct direct_contact_load load = load_of(p, capped ? 0.5 : INFINITY, 1e-9);
+            struct direct_contact_effort efforts[2] = {0};
+            struct status status = {0};
+            assert_int_equal(direct_contact_solve(&cold, &load, &efforts[0], &status), STATUS_OK);
+            load.warm = true;
+            assert_int_equal(direct_contact_solve(&warm, &load, &efforts[1], &status), STATUS_OK);
+            struct direct_quantities found = direct_quantities_of(&cold, &load);
+            struct direct_quantities other = direct_quantities_of(&warm, &load);
+            assert_int_equal(found.contact_points, other.contact_points);
+            assert_int_equal(found.capped_points, other.capped_points);
+            assert_near(found.gap_m, other.gap_m, 1e-7);
+            double length = constriction_of(&cold, 1e-9);
+            assert_true(found.contact_points >= last.contact_points && found.gap_m < last.gap_m);
+            assert_true(length < last_length);
+            last = found;
+            last_length = length;
+            cold_effort += efforts[0].convolutions;
+            warm_effort += efforts[1].convolutions;
+        }
+        assert_true(warm_effort < cold_effort);
+    }
+    struct direct_contact_load load = load_of(0.01, INFINITY, 1e-9);
+    struct direct_quantities free_found = solved(&cold, &load);
+    load.hardness = 10;
+    struct direct_quantities found = solved(&cold, &load);
+    assert_int_equal(found.capped_points, 0);
+    assert_int_equal(found.contact_points, free_found.contact_points);
+    assert_near(found.gap_m, free_found.gap_m, 1e-8);
+    direct_contact_free(&cold);
+    direct_contact_free(&warm);
+    free(height);
+}
+
+/** Everything scales: heights and cell by s, at the same p/E'. */
+static void scale_free(void **state)
+{
+    (void)state;
+    double *height = recipe_surface(64);
+    struct direct_contact contact = contact_of(height, 64, 64), small;
+    struct status status = {0};
+    for (size_t k = 0; k < 64 * 64; k++)
+        height[k] = height[k] * 1e-9 + 1e-3; /* far off its datum */
+    assert_int_equal(direct_contact_make(&small, height, 64, 64, 1e-9 / 64, &status), STATUS_OK);
+    struct direct_contact_load load = load_of(0.05, INFINITY, 1e-9);
+    struct direct_quantities found = solved(&contact, &load), other = solved(&small, &load);
+    assert_int_equal(found.contact_points, other.contact_points);
+    assert_near(other.gap_m, 1e-9 * found.gap_m, 1e-6); /* 1e-3 m leaves 1e-8 of the roughness */
+    assert_near(constriction_of(&small, 1e-9), 1e-9 * constriction_of(&contact, 1e-9), 1e-6);
+    direct_contact_free(&contact);
+    direct_contact_free(&small);
+    free(height);
+}
+
+/** Iterations count as a result: a solver that lost its preconditioner or its directions still converges, slowly. */
+static void effort_as_known(void **state)
+{
+    (void)state;
+    double *height = recipe_surface(256);
+    struct direct_contact contact = contact_of(height, 256, 256);
+    struct status status = {0};
+    struct {
+        double p, hardness;
+        size_t convolutions;
+    } cases[] = {{0.005, INFINITY, 60}, {0.1, INFINITY, 60}, {0.3, INFINITY, 65}, {0.005, 0.5, 90}, {0.1, 0.5, 120}};
+    for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
+        struct direct_contact_load load = load_of(cases[k].p, cases[k].hardness, 1e-6);
+        struct direct_contact_effort effort = {0};
+        assert_int_equal(direct_contact_solve(&contact, &load, &effort, &status), STATUS_OK);
+        if (effort.convolutions > cases[k].convolutions)
+            fail_msg("%zu convolutions at %g", effort.convolutions, cases[k].p);
+    }
+    direct_contact_free(&contact);
+    free(height);
+}
+
+/** Three quarters in contact and only a handful of points at the hardness: these change sides in every iteration unless
+ * violators wait until they are the worst, and 400 iterations would not do. */
+static void few_points_at_the_hardness(void **state)
+{
+    (void)state;
+    enum { N = 256 };
+    struct direct_law law = {1, 1.297, 1.0 / 40, 1};
+    struct direct_spectrum spectrum;
+    struct status status = {0};
+    double *height = malloc(N * N * sizeof *height);
+    assert_int_equal(direct_spectrum_of_law(&spectrum, &law, &status), STATUS_OK);
+    assert_int_equal(direct_surface_realise(height, N, direct_spectrum_variance, &spectrum, 1, &status), STATUS_OK);
+    struct direct_contact contact = contact_of(height, N, N);
+    for (size_t k = 0; k < N * N; k++)
+        height[k] *= 9.84e-4 / contact.rms_m;
+    direct_contact_free(&contact);
+    contact = contact_of(height, N, N);
+    struct direct_contact_load load = load_of(0.01, 0.05, 1e-6);
+    struct direct_contact_effort effort = {0};
+    if (direct_contact_solve(&contact, &load, &effort, &status) != STATUS_OK)
+        fail_msg("%s", status.message);
+    struct direct_quantities found = direct_quantities_of(&contact, &load);
+    assert_true(found.area_raw > 0.6 && found.capped_points > 0 && found.capped_points < 20);
+    assert_true(effort.convolutions < 200);
+    assert_true(violation_of(&contact, &load) < 1.1e-6);
+    direct_contact_free(&contact);
+    direct_spectrum_free(&spectrum);
+    free(height);
+}
+
+/** Patches of a set drawn by hand: one round the corner of the cell, one of three, one that touches it by a corner
+ * only. */
+static void patches(void **state)
+{
+    (void)state;
+    enum { N = 8 };
+    static const int drawn[][2] = {{0, 0}, {7, 0}, {0, 7}, {7, 7}, {3, 3}, {4, 3}, {4, 4}, {5, 5}};
+    double height[N * N] = {1};
+    struct direct_contact contact = contact_of(height, N, N);
+    struct direct_patches found;
+    struct status status = {0};
+    for (size_t k = 0; k < 8; k++)
+        contact.pressure[(size_t)drawn[k][1] * contact.kernel.stride + (size_t)drawn[k][0]] = 1;
+    struct direct_contact_load load = load_of(0.125, INFINITY, 1e-9);
+    struct direct_quantities quantities = direct_quantities_of(&contact, &load);
+    assert_int_equal(quantities.contact_points, 8);
+    assert_int_equal(quantities.perimeter_faces, 8 + 8 + 4);
+    assert_near(quantities.area_ratio, (8 - 0.1 * 20) / 64, 1e-15);
+    assert_int_equal(direct_patches_find(&found, &contact, &status), STATUS_OK);
+    assert_int_equal(found.count, 3);
+    assert_int_equal(found.points[0], 4);
+    assert_int_equal(found.points[1], 3);
+    assert_int_equal(found.points[2], 1);
+    direct_patches_free(&found);
+    direct_contact_free(&contact);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(random_surface_64),
+        cmocka_unit_test(random_surface_128),
+        cmocka_unit_test(random_surface_256),
+        cmocka_unit_test(random_surface_fine),
+        cmocka_unit_test(westergaard_strip),
+        cmocka_unit_test(sinusoidal_cell),
+        cmocka_unit_test(sphere_after_hertz),
+        cmocka_unit_test(refuses_what_cannot_be_solved),
+        cmocka_unit_test(spike),
+        cmocka_unit_test(small_grids),
+        cmocka_unit_test(complete_contact),
+        cmocka_unit_test(monotone_and_warm),
+        cmocka_unit_test(scale_free),
+        cmocka_unit_test(effort_as_known),
+        cmocka_unit_test(few_points_at_the_hardness),
+        cmocka_unit_test(patches),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

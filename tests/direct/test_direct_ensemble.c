@@ -1,0 +1,211 @@
+#include "direct_support.h"
+
+#include "direct/direct_constriction.h"
+#include "direct/direct_ensemble.h"
+#include "direct/direct_predict.h"
+
+static const double loads[] = {1e-3, 5e-3, 0.02, 0.08, 0.3, 0.6};
+enum { LOADS = sizeof loads / sizeof loads[0] };
+
+static struct direct_ensemble_def def_of(const double *scale, size_t threads)
+{
+    return (struct direct_ensemble_def){.ladder = {loads, LOADS, INFINITY, 1e-6, true, NULL},
+                                        .length_m = 1,
+                                        .n = 64,
+                                        .fine_times = 2,
+                                        .variance = recipe_variance,
+                                        .context = scale,
+                                        .first_seed = 1,
+                                        .seeds = 6,
+                                        .threads = threads};
+}
+
+static struct direct_ensemble ensemble_of(const struct direct_ensemble_def *def)
+{
+    struct direct_ensemble ensemble;
+    struct status status = {0};
+    if (direct_ensemble_run(&ensemble, def, &status) != STATUS_OK)
+        fail_msg("%s", status.message);
+    return ensemble;
+}
+
+/** Seed 1 is the golden surface; the mean, its error and the fine grid's ratio are those of the single solutions. */
+static void means_of_single_solutions(void **state)
+{
+    (void)state;
+    double scale = recipe_scale();
+    struct direct_ensemble_def def = def_of(&scale, 0);
+    struct direct_ensemble found = ensemble_of(&def);
+    double *coarse = recipe_surface(64), *fine = recipe_surface(128);
+    struct direct_contact contact = contact_of(coarse, 64, 64), finer = contact_of(fine, 128, 128);
+    assert_int_equal(found.seeds, 6);
+    assert_near(found.rms_m, contact.rms_m, 1e-12);
+    for (size_t i = 0; i < LOADS; i++) {
+        const struct direct_ensemble_point *point = &found.point[i];
+        struct direct_contact_load load = load_of(loads[i], INFINITY, 1e-9);
+        struct direct_quantities one = solved(&contact, &load), two = solved(&finer, &load);
+        double length = constriction_of(&contact, 1e-6), finer_length = constriction_of(&finer, 1e-6);
+        assert_int_equal(found.seed_point[i].quantities.contact_points, one.contact_points);
+        assert_near(found.seed_point[i].quantities.gap_m, one.gap_m, 1e-5);
+        assert_near(found.seed_point[i].constriction_m, length, 1e-6);
+        assert_true(found.seed_point[i].patches >= 1 && found.seed_point[i].largest_patch <= one.contact_points);
+        double gap = 0, square = 0, least = INFINITY;
+        for (size_t k = 0; k < 6; k++) {
+            gap += found.seed_point[k * LOADS + i].quantities.gap_m / 6;
+            least = fmin(least, (double)found.seed_point[k * LOADS + i].quantities.contact_points);
+        }
+        for (size_t k = 0; k < 6; k++)
+            square += pow(found.seed_point[k * LOADS + i].quantities.gap_m - gap, 2);
+        assert_near((double)point->least_points, least, 0);
+        assert_int_equal(point->state, least < 100 ? DIRECT_ENSEMBLE_FEW_POINTS : DIRECT_ENSEMBLE_GIVEN);
+        if (point->state != DIRECT_ENSEMBLE_GIVEN) {
+            assert_true(isnan(point->area_ratio.value) && isnan(point->gap_m.value));
+            continue;
+        }
+        double ratio = two.gap_m / one.gap_m;
+        assert_near(point->gap_m.fine_ratio, ratio, 1e-5);
+        assert_near(point->gap_m.value, gap * ratio, 1e-5);
+        assert_near(point->gap_m.standard_error, sqrt(square / 5 / 6) * ratio, 1e-5);
+        assert_near(point->constriction_m.fine_ratio, finer_length / length, 1e-5);
+        assert_near(point->area_ratio.fine_ratio, two.area_ratio / one.area_ratio, 1e-9);
+    }
+    assert_int_equal(found.point[0].state, DIRECT_ENSEMBLE_FEW_POINTS);
+    assert_int_equal(found.point[LOADS - 1].state, DIRECT_ENSEMBLE_GIVEN);
+    direct_ensemble_free(&found);
+    direct_contact_free(&contact);
+    direct_contact_free(&finer);
+    free(coarse);
+    free(fine);
+}
+
+/** The same bytes from any number of threads, from Gaussian surfaces and from surfaces with given heights. */
+static void threads_do_not_matter(void **state)
+{
+    (void)state;
+    double scale = recipe_scale(), given[200];
+    for (size_t k = 0; k < 200; k++)
+        given[k] = pow((double)k, 2);
+    for (int skewed = 0; skewed < 2; skewed++) {
+        struct direct_ensemble first = {0};
+        for (size_t threads = 1; threads <= 5; threads += 2) {
+            struct direct_ensemble_def def = def_of(&scale, threads);
+            def.given_m = skewed ? given : NULL;
+            def.given_count = 200;
+            struct direct_ensemble found = ensemble_of(&def);
+            if (threads == 1) {
+                first = found;
+                continue;
+            }
+            for (size_t k = 0; k < 6 * LOADS; k++) {
+                assert_true(first.seed_point[k].quantities.gap_m == found.seed_point[k].quantities.gap_m);
+                assert_true(first.seed_point[k].constriction_m == found.seed_point[k].constriction_m);
+                assert_int_equal(first.seed_point[k].convolutions, found.seed_point[k].convolutions);
+            }
+            assert_true(first.point[3].gap_m.value == found.point[3].gap_m.value);
+            assert_true(first.point[3].area_ratio.fine_ratio == found.point[3].area_ratio.fine_ratio);
+            assert_int_equal(first.fine_convolutions, found.fine_convolutions);
+            direct_ensemble_free(&found);
+        }
+        direct_ensemble_free(&first);
+    }
+}
+
+/** Under a hardness: no number from p̄ = H on, at least p̄/H in contact below it. */
+static void ladder_with_a_hardness(void **state)
+{
+    (void)state;
+    double scale = recipe_scale();
+    struct direct_ensemble_def def = def_of(&scale, 2);
+    def.ladder.hardness = 0.3;
+    struct direct_ensemble found = ensemble_of(&def);
+    for (size_t i = 0; i < LOADS; i++) {
+        assert_true((found.point[i].state == DIRECT_ENSEMBLE_COMPLETE) == (loads[i] >= 0.3));
+        if (found.point[i].state == DIRECT_ENSEMBLE_GIVEN)
+            assert_true(found.point[i].area_ratio.value > loads[i] / 0.3 - 0.05);
+        assert_true(found.seed_point[i].exists == (loads[i] < 0.3));
+    }
+    assert_true(isnan(found.point[LOADS - 1].gap_m.value));
+    direct_ensemble_free(&found);
+}
+
+/** Few seeds are enough when little is asked for; errors and the stop come through, of the first surface. */
+static void ends_early(void **state)
+{
+    (void)state;
+    double scale = recipe_scale(), negative = -1;
+    static const volatile sig_atomic_t stop = 1;
+    struct direct_ensemble_def def = def_of(&scale, 2);
+    struct status status = {0};
+    def.seeds = 20;
+    def.enough = 10;
+    struct direct_ensemble found = ensemble_of(&def);
+    assert_int_equal(found.seeds, DIRECT_ENSEMBLE_BATCH);
+    direct_ensemble_free(&found);
+    def.enough = 1e-9;
+    def.seeds = 6;
+    found = ensemble_of(&def);
+    assert_int_equal(found.seeds, 6);
+    direct_ensemble_free(&found);
+    def.ladder.stop = &stop;
+    assert_int_equal(direct_ensemble_run(&found, &def, &status), STATUS_INTERRUPTED);
+    assert_null(found.point);
+    def.ladder.stop = NULL;
+    def.context = &negative;
+    status = (struct status){0};
+    assert_int_equal(direct_ensemble_run(&found, &def, &status), STATUS_MODEL);
+}
+
+/** Predicted convolutions against those of ladders solved, elastic and with a hardness; time and memory by what they
+ * are in proportion to. */
+static void predictions(void **state)
+{
+    (void)state;
+    double load[13];
+    struct direct_law law = {1, 1.297, 3e-4 / (128.0 / 6), 3e-4};
+    struct direct_spectrum spectrum;
+    struct status status = {0};
+    double m0 = 0;
+    for (size_t m = 1; m <= direct_law_harmonics(&law); m++)
+        m0 += pow(direct_law_amplitude(&law, m), 2) / 2;
+    law.alpha *= 0.242e-6 / sqrt(m0);
+    assert_int_equal(direct_spectrum_of_law(&spectrum, &law, &status), STATUS_OK);
+    for (int capped = 0; capped < 2; capped++) {
+        for (int i = 0; i < 13; i++)
+            load[i] = (capped ? 0.45e-5 : 1e-5) * pow(10, i / 4.0) * (capped ? 0.1 : 1);
+        struct direct_ensemble_def def = {.ladder = {load, 13, capped ? 4.97e-4 : INFINITY, 1e-6, true, NULL},
+                                          .length_m = 3e-4,
+                                          .n = 128,
+                                          .variance = direct_spectrum_variance,
+                                          .context = &spectrum,
+                                          .first_seed = 1,
+                                          .seeds = 2};
+        struct direct_ensemble found = ensemble_of(&def);
+        struct direct_predict_def asked = {128, 0, 13, 2, 2, capped, true};
+        struct direct_prediction predicted = direct_predict(&asked);
+        assert_true(predicted.convolutions < 1.5 * (double)found.convolutions);
+        assert_true(predicted.convolutions > (double)found.convolutions / 1.5);
+        assert_true(predicted.fine_convolutions == 0);
+        direct_ensemble_free(&found);
+    }
+    direct_spectrum_free(&spectrum);
+    struct direct_predict_def one = {256, 1, 13, 12, 1, false, true}, two = one, fine = one;
+    two.threads = 2;
+    fine.fine_times = 4;
+    assert_near(direct_predict(&two).seconds, direct_predict(&one).seconds / 2, 1e-12);
+    assert_near(direct_predict(&two).bytes, 2 * direct_predict(&one).bytes, 1e-12);
+    assert_near(direct_predict(&fine).bytes, 16 * direct_predict(&one).bytes, 1e-12);
+    assert_true(direct_predict(&fine).seconds > 1.5 * direct_predict(&one).seconds);
+    assert_near(direct_predict(&one).convolutions, 12 * 13 * (53 + 16), 1e-12);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(means_of_single_solutions),
+        cmocka_unit_test(threads_do_not_matter),
+        cmocka_unit_test(ladder_with_a_hardness),
+        cmocka_unit_test(ends_early),
+        cmocka_unit_test(predictions),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

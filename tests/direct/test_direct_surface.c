@@ -1,0 +1,207 @@
+#include "direct_support.h"
+
+/** Mean square at harmonic m of the rows of n x n heights, averaged over the rows. */
+static void row_powers(double *power, size_t count, const double *height, size_t n)
+{
+    for (size_t m = 1; m <= count; m++) {
+        power[m - 1] = 0;
+        for (size_t j = 0; j < n; j++) {
+            double re = 0, im = 0;
+            for (size_t i = 0; i < n; i++) {
+                double angle = 2 * M_PI * (double)(m * i % n) / (double)n;
+                re += height[j * n + i] * cos(angle) / (double)n;
+                im += height[j * n + i] * sin(angle) / (double)n;
+            }
+            power[m - 1] += 2 * (re * re + im * im) / (double)n; /* Delta²/2 = 2 |Z/N|² */
+        }
+    }
+}
+
+/** The recipe surface at some points, its extremes and its rms, on three grids. */
+static void recipe_heights(void **state)
+{
+    (void)state;
+    struct table table = table_read("golden/direct/random_heights.csv");
+    for (size_t row = 0; row < table.rows; row++) {
+        size_t n = (size_t)table_number(&table, row, "N");
+        double *h = recipe_surface(n), most = -INFINITY, least = INFINITY, square = 0;
+        for (size_t k = 0; k < n * n; k++) {
+            most = fmax(most, h[k]);
+            least = fmin(least, h[k]);
+            square += h[k] * h[k] / (double)(n * n);
+        }
+        /* the table's first index is along y */
+        assert_near(h[0], table_number(&table, row, "h_0_0"), 1e-10);
+        assert_near(h[n + 2], table_number(&table, row, "h_1_2"), 1e-10);
+        assert_near(h[n / 2 * n + n / 4], table_number(&table, row, "h_N2_N4"), 1e-10);
+        assert_near(h[(n - 1) * n + 3], table_number(&table, row, "h_N1_3"), 1e-10);
+        assert_near(most, table_number(&table, row, "max"), 1e-10);
+        assert_near(least, table_number(&table, row, "min"), 1e-10);
+        assert_near(sqrt(square), table_number(&table, row, "std"), 1e-10);
+        free(h);
+    }
+    table_free(&table);
+}
+
+/** A law's rows come back from the synthesised surface, harmonic by harmonic, whatever the exponent; so do those of
+ * a spectrum that is no law at all. */
+static void rows_have_the_law(void **state)
+{
+    (void)state;
+    enum { N = 128 };
+    double *height = malloc(N * N * sizeof *height), power[N / 2];
+    struct status status = {0};
+    for (double gamma = 0.5; gamma <= 2; gamma += 0.25) {
+        struct direct_law law = {1e-3, gamma, 3e-4 / 19, 3e-4};
+        struct direct_spectrum spectrum;
+        size_t count = direct_law_harmonics(&law);
+        assert_true(count == 60);
+        assert_int_equal(direct_spectrum_of_law(&spectrum, &law, &status), STATUS_OK);
+        for (uint64_t seed = 1; seed < 3; seed++) {
+            assert_int_equal(direct_surface_realise(height, N, direct_spectrum_variance, &spectrum, seed, &status),
+                             STATUS_OK);
+            row_powers(power, count, height, N);
+            for (size_t m = 1; m <= count; m++)
+                assert_near(power[m - 1], pow(direct_law_amplitude(&law, m), 2) / 2, m < 40 ? 1e-10 : 1e-6);
+        }
+        direct_spectrum_free(&spectrum);
+    }
+    double rows[20];
+    struct direct_spectrum spectrum;
+    for (size_t m = 1; m <= 20; m++)
+        rows[m - 1] = 1 / (1 + pow((double)m / 5, 4));
+    assert_int_equal(direct_spectrum_of_rows(&spectrum, rows, 20, 1.3, &status), STATUS_OK);
+    assert_true(spectrum.positive);
+    assert_int_equal(direct_surface_realise(height, N, direct_spectrum_variance, &spectrum, 7, &status), STATUS_OK);
+    row_powers(power, 20, height, N);
+    for (size_t m = 1; m <= 20; m++)
+        assert_near(power[m - 1], rows[m - 1], 1e-11);
+    direct_spectrum_free(&spectrum);
+    rows[10] = 5; /* a peak: no isotropic surface */
+    assert_int_equal(direct_spectrum_of_rows(&spectrum, rows, 20, 1.3, &status), STATUS_OK);
+    assert_false(spectrum.positive);
+    assert_int_equal(direct_surface_realise(height, N, direct_spectrum_variance, &spectrum, 7, &status), STATUS_MODEL);
+    direct_spectrum_free(&spectrum);
+    free(height);
+}
+
+/** In mid band the exact weights are those of the continuous inversion: B = alpha² L^(2 gamma)/4 Gamma(gamma +
+ * 1/2)/(sqrt pi Gamma(gamma)). */
+static void weights_near_the_integral(void **state)
+{
+    (void)state;
+    struct status status = {0};
+    for (double gamma = 0.75; gamma < 1.7; gamma += 0.25) {
+        struct direct_law law = {1e-3, gamma, 3e-4 / 200, 3e-4};
+        struct direct_spectrum spectrum;
+        double b = pow(1e-3 * pow(3e-4, gamma), 2) / 4 * tgamma(gamma + 0.5) / (sqrt(M_PI) * tgamma(gamma));
+        assert_int_equal(direct_spectrum_of_law(&spectrum, &law, &status), STATUS_OK);
+        for (size_t r = 8; r <= 16; r++)
+            assert_near(spectrum.weight_m2[r - 1], b, 0.01);
+        direct_spectrum_free(&spectrum);
+    }
+}
+
+static void matched_law(void **state)
+{
+    (void)state;
+    struct direct_law found;
+    struct status status = {0};
+    for (double gamma = 0.5; gamma <= 2; gamma += 0.1) {
+        struct direct_law law = {0.085, gamma, 8e-6, 3e-4};
+        double m0 = 0, m2 = 0;
+        for (size_t m = 1; m <= direct_law_harmonics(&law); m++) {
+            double power = pow(direct_law_amplitude(&law, m), 2) / 2;
+            m0 += power;
+            m2 += pow(2 * M_PI * (double)m / law.length_m, 2) * power;
+        }
+        assert_int_equal(direct_law_match(&found, m0, m2, 3e-4, 8e-6, &status), STATUS_OK);
+        assert_near(found.gamma, gamma, 1e-12);
+        assert_near(found.alpha, 0.085, 1e-10);
+    }
+    assert_int_equal(direct_law_match(&found, 1e-12, 1e9, 3e-4, 8e-6, &status), STATUS_MODEL);
+    status = (struct status){0};
+    assert_int_equal(direct_law_match(&found, 1e-12, 1e-12, 3e-4, 8e-6, &status), STATUS_MODEL);
+    status = (struct status){0};
+    assert_int_equal(direct_law_match(&found, 1e-12, NAN, 3e-4, 8e-6, &status), STATUS_MODEL);
+}
+
+/** A finer grid holds the same surface: point for point by interpolation as by synthesis. */
+static void refined_surface(void **state)
+{
+    (void)state;
+    double *coarse = recipe_surface(64), *fine = recipe_surface(192), *refined = malloc(192 * 192 * sizeof *refined);
+    struct status status = {0};
+    assert_int_equal(direct_surface_refine(refined, 3, coarse, 64, &status), STATUS_OK);
+    for (size_t k = 0; k < 192 * 192; k++)
+        assert_within(refined[k], fine[k], 1e-14);
+    free(coarse);
+    free(fine);
+    free(refined);
+}
+
+static double moment(const double *values, size_t count, int power)
+{
+    double mean = 0, square = 0, sum = 0;
+    for (size_t k = 0; k < count; k++)
+        mean += values[k] / (double)count;
+    for (size_t k = 0; k < count; k++) {
+        square += pow(values[k] - mean, 2) / (double)count;
+        sum += pow(values[k] - mean, power) / (double)count;
+    }
+    return sum / pow(square, power / 2.0);
+}
+
+/** Skewed heights: the surface has them to a few per cent of its moments and the spectrum exactly; the same seed the
+ * same bytes, another seed another surface. */
+static void surface_with_heights(void **state)
+{
+    (void)state;
+    enum { N = 128, GIVEN = 3000 };
+    double *height = malloc(N * N * sizeof *height), *other = malloc(N * N * sizeof *other), given[GIVEN];
+    double power[40], expected[40], scale = 1;
+    struct status status = {0};
+    for (size_t k = 0; k < GIVEN; k++) /* chi squared of 8 degrees of freedom, upside down: plateaus with pits */
+        given[k] = 3 - pow(1 - 2.0 / 72 + sqrt(2.0 / 72) * 3 * cos(M_PI * ((double)k + 0.5) / GIVEN), 3);
+    assert_int_equal(direct_surface_realise(other, N, recipe_variance, &scale, 1, &status), STATUS_OK);
+    row_powers(expected, 16, other, N);
+    assert_int_equal(direct_surface_with_heights(height, N, recipe_variance, &scale, given, GIVEN, 1, &status),
+                     STATUS_OK);
+    row_powers(power, 16, height, N);
+    for (size_t m = 1; m <= 16; m++)
+        assert_near(power[m - 1], expected[m - 1], 1e-10);
+    assert_true(fabs(moment(other, N * N, 3)) < 0.3);
+    assert_within(moment(height, N * N, 3), moment(given, GIVEN, 3), 0.1);
+    assert_within(moment(height, N * N, 4), moment(given, GIVEN, 4), 0.2);
+    assert_int_equal(direct_surface_with_heights(other, N, recipe_variance, &scale, given, GIVEN, 1, &status),
+                     STATUS_OK);
+    assert_memory_equal(height, other, N * N * sizeof *height);
+    assert_int_equal(direct_surface_with_heights(other, N, recipe_variance, &scale, given, GIVEN, 2, &status),
+                     STATUS_OK);
+    assert_memory_not_equal(height, other, N * N * sizeof *height);
+    given[5] = NAN;
+    assert_int_equal(direct_surface_with_heights(other, N, recipe_variance, &scale, given, GIVEN, 2, &status),
+                     STATUS_MODEL);
+    status = (struct status){0};
+    assert_int_equal(direct_surface_with_heights(other, N, recipe_variance, &scale, given, 1, 2, &status),
+                     STATUS_MODEL);
+    given[0] = given[1] = 4;
+    status = (struct status){0};
+    assert_int_equal(direct_surface_with_heights(other, N, recipe_variance, &scale, given, 2, 2, &status),
+                     STATUS_MODEL);
+    free(height);
+    free(other);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(recipe_heights),
+        cmocka_unit_test(rows_have_the_law),
+        cmocka_unit_test(weights_near_the_integral),
+        cmocka_unit_test(matched_law),
+        cmocka_unit_test(refined_surface),
+        cmocka_unit_test(surface_with_heights),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
