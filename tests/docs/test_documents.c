@@ -1,6 +1,7 @@
 /* The documents against the program: what they name exists, and what exists is named. */
 #include "contact/model.h"
 #include "material/material.h"
+#include "scan/reader.h"
 #include "scan/scan.h"
 #include "support.h"
 
@@ -327,8 +328,9 @@ static void tables_are_described(void **state)
     char *report = read_document("docs/report.md");
     for (size_t m = 0; m < model_count; m++)
         expect_named("docs/equations.md", laws, model_rows[m]->name);
-    for (size_t i = 0; i < scan_reader_count; i++)
-        expect_named("docs/formats.md", formats, scan_readers[i].name);
+#define EXPECT_FORMAT(reader, name) expect_named("docs/formats.md", formats, name);
+    SCAN_FORMATS(EXPECT_FORMAT)
+#undef EXPECT_FORMAT
     for (int q = 0; q < QUANTITY_COUNT; q++)
         expect_named("docs/report.md", report, q == QUANTITY_LOAD ? "load_over_AnEp" : quantity_rows[q].name);
     for (size_t p = 0; p < material_property_count; p++)
