@@ -1,9 +1,6 @@
 #include "scene/scene.h"
-#include "base/text.h"
 #include "scene/scene_keys.h"
 #include "scene/scene_listing.h"
-#include "scene/scene_material.h"
-#include "scene/scene_source.h"
 #include "scene/scene_surfaces.h"
 #include "scene/scene_words.h"
 
@@ -73,41 +70,32 @@ static enum status_code check_directory(const char *directory, struct status *st
     return STATUS_OK;
 }
 
-static enum status_code parse(struct scene *scene, struct scene_source *source)
-{
-    struct stat info;
-    if (stat(scene->path, &info) != 0)
-        return status_fail(source->status, STATUS_IO, "cannot open '%s': %s", scene->path, strerror(errno));
-    if (!S_ISREG(info.st_mode))
-        return status_fail(source->status, STATUS_SCENE, "'%s' is no regular file; remove it", scene->path);
-    if (info.st_size > most_bytes)
-        return status_fail(source->status, STATUS_SCENE, "'%s' is larger than 1 MiB; a scene is a few lines of text",
-                           scene->path);
-    struct text bytes = {0};
-    enum status_code code = text_read_file(&bytes, scene->path, source->status);
-    if (code == STATUS_OK)
-        code = scene_source_open(source, text_string(&bytes), bytes.length);
-    if (code == STATUS_OK)
-        code = scene_keys_read(scene, source);
-    scene_source_close(source);
-    text_free(&bytes);
-    return code;
-}
-
 /* Reads scene.yaml when there is one; a dangling link of that name is an error, not an absence. */
 static enum status_code read_text(struct scene *scene, struct scene_source *source)
 {
+    struct status *status = source->status;
     struct stat info;
     scene->path = scene_file_path(scene, "scene.yaml");
     if (!scene->path)
-        return status_memory(source->status);
+        return status_memory(status);
     if (lstat(scene->path, &info) != 0 && errno == ENOENT) {
         free(scene->path);
         scene->path = NULL;
         return STATUS_OK;
     }
-    source->path = scene->path;
-    return parse(scene, source);
+    if (stat(scene->path, &info) != 0)
+        return status_fail(status, STATUS_IO, "cannot open '%s': %s", scene->path, strerror(errno));
+    if (!S_ISREG(info.st_mode))
+        return status_fail(status, STATUS_SCENE, "'%s' is no regular file; remove it", scene->path);
+    if (info.st_size > most_bytes)
+        return status_fail(status, STATUS_SCENE, "'%s' is larger than 1 MiB; a scene is a few lines of text",
+                           scene->path);
+    struct text bytes = {0};
+    enum status_code code = text_read_file(&bytes, scene->path, status);
+    if (code == STATUS_OK && !scene_source_read(source, text_string(&bytes), bytes.length, scene_keys_read))
+        code = status->code;
+    text_free(&bytes);
+    return code;
 }
 
 static enum status_code override_effects(struct scene *scene, struct scene_source *source, const char *words)
@@ -141,10 +129,12 @@ static enum status_code override_values(struct scene *scene, struct scene_source
 {
     if (overrides->material) {
         const struct material *material = material_find(overrides->material);
-        struct scene_words_shown shown = scene_words_show(overrides->material, strlen(overrides->material));
+        const char *names[SCENE_SURFACES_MATERIALS];
+        size_t count = scene_surfaces_materials(names, NULL, 0);
         if (!material)
-            return status_fail(source->status, STATUS_USAGE, "--material: unknown material '%s'; %s", shown.text,
-                               scene_material_hint(overrides->material).text);
+            return status_fail(source->status, STATUS_USAGE, "--material: unknown material '%s'; %s",
+                               scene_words_show(overrides->material, strlen(overrides->material)).text,
+                               scene_words_hint(overrides->material, names, count).text);
         scene->material = *material;
     }
     double tolerance = overrides->tolerance;
@@ -157,18 +147,17 @@ static enum status_code override_values(struct scene *scene, struct scene_source
     return overrides->effects ? override_effects(scene, source, overrides->effects) : STATUS_OK;
 }
 
+/* A unit for every surface; `offset` is that of its field. */
 static enum status_code override_unit(struct scene *scene, size_t offset, const char *unit, const char *option,
                                       struct status *status)
 {
-    size_t size = sizeof scene->surfaces->x_unit;
     if (!unit)
         return STATUS_OK;
-    if (*unit == '\0' || strlen(unit) >= size)
+    if (*unit == '\0' || strlen(unit) >= sizeof scene->surfaces->x_unit)
         return status_fail(status, STATUS_USAGE, "%s is '%s'; give a unit of length such as mm or um", option,
                            scene_words_show(unit, strlen(unit)).text);
-    for (size_t i = 0; i < scene->surface_count; i++)
-        memcpy((char *)&scene->surfaces[i] + offset, unit, strlen(unit) + 1);
-    memcpy((char *)&scene->counterface_surface + offset, unit, strlen(unit) + 1);
+    for (size_t i = 0; i <= scene->surface_count; i++)
+        strcpy((char *)(i ? &scene->surfaces[i - 1] : &scene->counterface_surface) + offset, unit);
     return STATUS_OK;
 }
 
@@ -192,9 +181,9 @@ static enum status_code check_effects(const struct scene *scene, struct scene_so
             if (has_property(material, *key))
                 continue;
             if (source->effect_line[i])
-                return scene_source_fail(source, source->effect_line[i],
-                                         "effect '%s' needs '%s'; add it to '%s' or leave the effect out",
-                                         effect_rows[i].name, *key, body);
+                scene_source_fail(source, source->effect_line[i],
+                                  "effect '%s' needs '%s'; add it to '%s' or leave the effect out", effect_rows[i].name,
+                                  *key, body);
             return status_fail(source->status, STATUS_SCENE, "--effects: '%s' needs '%s'; add it to '%s' in '%s'",
                                effect_rows[i].name, *key, body, scene->path);
         }
@@ -210,9 +199,10 @@ static enum status_code check_baseline(const struct scene *scene, struct scene_s
         if (strcmp(scene->surfaces[i].name, scene->baseline) == 0)
             return STATUS_OK;
     const char *first = scene->surfaces[0].name;
-    return scene_source_fail(source, source->baseline_line, "'baseline' is '%s', no surface's name; the first is '%s'",
-                             scene_words_show(scene->baseline, strlen(scene->baseline)).text,
-                             scene_words_show(first, strlen(first)).text);
+    scene_source_fail(source, source->baseline_line, "'baseline' is '%s', no surface's name; the first is '%s'",
+                      scene_words_show(scene->baseline, strlen(scene->baseline)).text,
+                      scene_words_show(first, strlen(first)).text);
+    return STATUS_SCENE;
 }
 
 static enum status_code complete(struct scene *scene, struct scene_source *source,
@@ -245,7 +235,7 @@ enum status_code scene_read(struct scene *out, const char *directory, const stru
                             struct status *status)
 {
     static const struct scene_overrides nothing = {0};
-    struct scene_source source = {.directory = directory, .status = status};
+    struct scene_source source = {.scene = out, .status = status};
     *out = default_scene();
     enum status_code code = check_directory(directory, status);
     if (code != STATUS_OK)
@@ -274,5 +264,53 @@ void scene_free(struct scene *scene)
 
 char *scene_file_path(const struct scene *scene, const char *file)
 {
-    return scene_surfaces_path(scene->directory, file);
+    struct text path = {0};
+    size_t length = strlen(scene->directory);
+    if (file[0] != '/')
+        text_add(&path, "%s%s", scene->directory, length > 0 && scene->directory[length - 1] == '/' ? "" : "/");
+    text_add(&path, "%s", file);
+    if (!path.failed)
+        return path.data;
+    text_free(&path);
+    return NULL;
+}
+
+static int compare_doubles(const void *a, const void *b)
+{
+    double first = *(const double *)a, second = *(const double *)b;
+    return (first > second) - (first < second);
+}
+
+/* `points` loads in equal steps of their logarithm; by powers of ten, so that whole decades come out exactly. */
+static void fill_decades(double *loads, const struct scene_load *load)
+{
+    double first = log10(load->from), last = log10(load->to);
+    for (size_t i = 1; i + 1 < load->points; i++) {
+        double step = (last - first) * (double)i / (double)(load->points - 1);
+        loads[i] = fmin(fmax(pow(10.0, first + step), load->from), load->to);
+    }
+    loads[load->points - 1] = load->to;
+    loads[0] = load->from;
+}
+
+enum status_code scene_loads(double **loads, size_t *count, const struct scene *scene, double effective_modulus_Pa,
+                             struct status *status)
+{
+    const struct scene_load *load = &scene->load;
+    double *all = malloc(load->points * sizeof *all);
+    *loads = all;
+    *count = 0;
+    if (!all)
+        return status_memory(status);
+    if (load->values)
+        memcpy(all, load->values, load->points * sizeof *all);
+    else
+        fill_decades(all, load);
+    for (size_t i = 0; load->in_pascal && i < load->points; i++)
+        all[i] /= effective_modulus_Pa;
+    qsort(all, load->points, sizeof *all, compare_doubles);
+    for (size_t i = 0; i < load->points; i++)
+        if (i == 0 || all[i] != all[*count - 1])
+            all[(*count)++] = all[i];
+    return STATUS_OK;
 }

@@ -2,17 +2,14 @@
 #include "scan/sidecar.h"
 #include "scene/scene_surfaces.h"
 
+#include <ctype.h>
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-
-static bool is_digit(char c)
-{
-    return c >= '0' && c <= '9';
-}
+#include <unistd.h>
 
 /* Compares the numbers that `*a` and `*b` start with, and moves both past them. */
 static int compare_numbers(const char **a, const char **b)
@@ -32,7 +29,7 @@ static int compare_natural(const char *a, const char *b)
     const char *first = a, *second = b;
     while (*first && *second) {
         int order;
-        if (is_digit(*first) && is_digit(*second))
+        if (isdigit((unsigned char)*first) && isdigit((unsigned char)*second))
             order = compare_numbers(&first, &second);
         else
             order = (unsigned char)*first++ - (unsigned char)*second++;
@@ -51,16 +48,8 @@ static int compare_surfaces(const void *a, const void *b)
     return order ? order : strcmp(first->files[0], second->files[0]);
 }
 
-static enum status_code add_surface(struct scene *scene, size_t *capacity, const char *file, struct status *status)
+static enum status_code add_surface(struct scene *scene, const char *file, struct status *status)
 {
-    if (scene->surface_count == *capacity) {
-        size_t larger = *capacity ? 2 * *capacity : 64;
-        struct scene_surface *surfaces = realloc(scene->surfaces, larger * sizeof *surfaces);
-        if (!surfaces)
-            return status_memory(status);
-        scene->surfaces = surfaces;
-        *capacity = larger;
-    }
     struct scene_surface *surface = &scene->surfaces[scene->surface_count++];
     *surface = (struct scene_surface){.name = scene_surfaces_name(file, false), .files = calloc(1, sizeof(char *))};
     if (!surface->files)
@@ -115,12 +104,6 @@ static bool is_candidate(const struct scene *scene, int directory, const char *f
            S_ISREG(info.st_mode) && !is_taken(scene, directory, &info);
 }
 
-static const char *last_component(const char *path)
-{
-    const char *slash = strrchr(path, '/');
-    return slash ? slash + 1 : path;
-}
-
 static int compare_texts(const void *a, const void *b)
 {
     return strcmp(*(const char *const *)a, *(const char *const *)b);
@@ -143,7 +126,7 @@ static bool has_scan(const struct scene *scene, const char *const *names, size_t
         if (sidecar_fits(file, names[low]))
             return true;
     for (size_t i = 0; i < scene->counterface_surface.file_count; i++)
-        if (sidecar_fits(file, last_component(scene->counterface_surface.files[i])))
+        if (sidecar_fits(file, basename(scene->counterface_surface.files[i])))
             return true;
     return false;
 }
@@ -158,7 +141,7 @@ static enum status_code drop_sidecars(struct scene *scene, struct status *status
     for (size_t i = 0; i < count && code == STATUS_OK; i++) {
         const char *file = scene->surfaces[i].files[0];
         struct sidecar sidecar;
-        char *path = sidecar_ending(file, &stem) ? scene_surfaces_path(scene->directory, file) : NULL;
+        char *path = sidecar_ending(file, &stem) ? scene_file_path(scene, file) : NULL;
         beside[i] = path && sidecar_read(&sidecar, path);
         free(path);
         if (!beside[i])
@@ -182,23 +165,22 @@ static enum status_code drop_sidecars(struct scene *scene, struct status *status
 
 enum status_code scene_listing_read(struct scene *scene, struct status *status)
 {
-    DIR *directory = opendir(scene->directory);
-    if (!directory)
-        return status_fail(status, STATUS_IO, "cannot list '%s': %s", scene->directory, strerror(errno));
+    struct dirent **entries = NULL;
+    int directory = open(scene->directory, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    int count = directory < 0 ? -1 : scandirat(directory, ".", &entries, NULL, NULL);
     enum status_code code = STATUS_OK;
-    size_t capacity = 0;
-    while (code == STATUS_OK) {
-        errno = 0;
-        const struct dirent *entry = readdir(directory);
-        if (!entry) {
-            if (errno != 0)
-                code = status_fail(status, STATUS_IO, "cannot list '%s': %s", scene->directory, strerror(errno));
-            break;
-        }
-        if (is_candidate(scene, dirfd(directory), entry->d_name))
-            code = add_surface(scene, &capacity, entry->d_name, status);
+    if (count < 0)
+        code = status_fail(status, STATUS_IO, "cannot list '%s': %s", scene->directory, strerror(errno));
+    else if (!(scene->surfaces = calloc((size_t)count + 1, sizeof *scene->surfaces)))
+        code = status_memory(status);
+    for (int i = 0; i < count; i++) {
+        if (code == STATUS_OK && is_candidate(scene, directory, entries[i]->d_name))
+            code = add_surface(scene, entries[i]->d_name, status);
+        free(entries[i]);
     }
-    closedir(directory);
+    free(entries);
+    if (directory >= 0)
+        close(directory);
     if (code != STATUS_OK || scene->surface_count == 0)
         return code;
     code = drop_sidecars(scene, status);

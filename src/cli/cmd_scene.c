@@ -1,8 +1,9 @@
+/* The commands on a scene, `report` and `plan`. */
 #include "cli/command.h"
-#include "cli/scene_options.h"
-#include "contact/model.h"
+#include "run/prepare.h"
 #include "run/run.h"
 
+#include <argp.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -17,9 +18,70 @@ struct arguments {
     bool show, verbose;
 };
 
-enum { KEY_NO_COST = 0x200 };
+enum { KEY_X_UNIT = 0x100, KEY_Z_UNIT, KEY_NO_COST };
 
-static const struct argp_option options[] = {
+/* What both take: the directory, and what overrides its scene. */
+static const struct argp_option scene_options[] = {
+    {"material", 'm', "NAME", 0, "a built-in material (default: the scene's, else tin)", 1},
+    {"effects", 'e', "LIST", 0,
+     "auto, or some of plasticity,separation,electrical,thermal,scale-dependent,convergence "
+     "(default: the scene's, else auto)",
+     1},
+    {"tolerance", 't', "REL", 0, "relative tolerance of every number, 1e-14 to 0.1 (default: the scene's, else 1e-6)",
+     1},
+    {"x-unit", KEY_X_UNIT, "UNIT", 0, "unit of x where a file names none (default: the scene's)", 1},
+    {"z-unit", KEY_Z_UNIT, "UNIT", 0, "unit of z where a file names none (default: the scene's)", 1},
+    {0},
+};
+
+static const char *unit(const char *value, const char *name, struct argp_state *state)
+{
+    if (scan_unit_m(value, strlen(value)) == 0)
+        argp_error(state, "--%s must be a unit of length such as m, mm, um, nm or in, not '%s'", name, value);
+    return value;
+}
+
+static error_t parse_scene(int key, char *value, struct argp_state *state)
+{
+    struct arguments *arguments = state->input;
+    struct scene_overrides *overrides = &arguments->overrides;
+    char *end;
+    switch (key) {
+    case 'm':
+        overrides->material = value;
+        return 0;
+    case 'e':
+        overrides->effects = value;
+        return 0;
+    case 't':
+        overrides->tolerance = strtod(value, &end);
+        if (*end != '\0' || end == value || !(overrides->tolerance >= 1e-14 && overrides->tolerance <= 0.1))
+            argp_error(state, "--tolerance must be a number from 1e-14 to 0.1, not '%s'", value);
+        return 0;
+    case KEY_X_UNIT:
+        overrides->x_unit = unit(value, "x-unit", state);
+        return 0;
+    case KEY_Z_UNIT:
+        overrides->z_unit = unit(value, "z-unit", state);
+        return 0;
+    case ARGP_KEY_ARG:
+        if (arguments->directory)
+            argp_error(state, "one directory at a time: '%s' is too many", value);
+        arguments->directory = value;
+        return 0;
+    case ARGP_KEY_END:
+        if (!arguments->directory)
+            argp_error(state, "which directory of scans?");
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static const struct argp scene_argp = {scene_options, parse_scene, NULL, NULL, NULL, NULL, NULL};
+static const struct argp_child scene_child[] = {{&scene_argp, 0, "What the scene says, overridden:", 1}, {0}};
+
+static const struct argp_option report_options[] = {
     {"output", 'o', "OUT", 0, "where the report goes (default: out/<name of DIR>)", 0},
     {"jobs", 'j', "N", 0, "threads, 1 to 64 (default: one a processor)", 0},
     {"show", 's', 0, 0, "also draw the main charts as text (default: not)", 0},
@@ -28,13 +90,13 @@ static const struct argp_option options[] = {
     {0},
 };
 
-static error_t parse(int key, char *value, struct argp_state *state)
+static error_t parse_report(int key, char *value, struct argp_state *state)
 {
     struct arguments *arguments = state->input;
     char *end;
     switch (key) {
     case ARGP_KEY_INIT:
-        state->child_inputs[0] = &arguments->overrides;
+        state->child_inputs[0] = arguments;
         return 0;
     case 'o':
         arguments->run.output = value;
@@ -52,15 +114,6 @@ static error_t parse(int key, char *value, struct argp_state *state)
         return 0;
     case 'v':
         arguments->verbose = true;
-        return 0;
-    case ARGP_KEY_ARG:
-        if (arguments->directory)
-            argp_error(state, "one directory at a time: '%s' is too many", value);
-        arguments->directory = value;
-        return 0;
-    case ARGP_KEY_END:
-        if (!arguments->directory)
-            argp_error(state, "which directory of scans?");
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -169,13 +222,12 @@ static int report(struct arguments *arguments, struct scene *scene, struct statu
 
 int command_report(int argc, char **argv)
 {
-    static const struct argp_child children[] = {{&scene_options_argp, 0, "What the scene says, overridden:", 1}, {0}};
-    static const struct argp argp = {options,
-                                     parse,
+    static const struct argp argp = {report_options,
+                                     parse_report,
                                      "DIR",
                                      "Reads the scans in DIR (with DIR/scene.yaml, if there is one), runs the contact "
                                      "models and writes report.md, report.html, figures, data and results.json.",
-                                     children,
+                                     scene_child,
                                      NULL,
                                      NULL};
     struct arguments arguments = {0};
@@ -187,6 +239,54 @@ int command_report(int argc, char **argv)
         exit_status = command_fail(&status);
     else
         exit_status = report(&arguments, &scene, &status);
+    scene_free(&scene);
+    return command_finish(exit_status);
+}
+
+static void print_plan(const struct scene *scene, const struct prepared *prepared)
+{
+    const struct plan *plan = &prepared->plan;
+    struct text table = {0};
+    prepare_table(&table, prepared, NULL);
+    fputs(text_string(&table), stdout);
+    text_free(&table);
+    printf("\n%-28s %-8s %s\n", "model", "", "valid");
+    for (size_t m = 0; m < model_count; m++)
+        printf("%-28s %-8s %s\n", model_rows[m]->label, plan_runs_model(plan, m) ? "run" : "skipped",
+               model_rows[m]->valid);
+    printf("\n%zu surface%s, %zu loads, tolerance %g, closure %s\n", scene->surface_count,
+           scene->surface_count == 1 ? "" : "s", prepared->results.load_count, scene->tolerance,
+           sinusoid_fits[scene->closure].name);
+}
+
+int command_plan(int argc, char **argv)
+{
+    static const struct argp argp = {
+        NULL,
+        NULL,
+        "DIR",
+        "Says what `report DIR` would simulate, why, and at which cost. Reads the scans and runs no model.",
+        scene_child,
+        NULL,
+        NULL};
+    struct arguments arguments = {0};
+    struct status status = {0};
+    struct scene scene = {0};
+    struct prepared prepared = {0};
+    struct text messages = {0};
+    argp_parse(&argp, argc, argv, 0, NULL, &arguments);
+    enum status_code rc = scene_read(&scene, arguments.directory, &arguments.overrides, &status);
+    if (rc == STATUS_OK)
+        rc = prepare(&prepared, &scene, &arguments.run, NULL, &status);
+    size_t refused = prepare_messages(&messages, &prepared.store);
+    fputs(text_string(&messages), stderr);
+    if (rc == STATUS_OK && refused == scene.surface_count)
+        rc = status_fail(&status, STATUS_SCAN, "no readable scan in '%s'", scene.directory);
+    if (rc == STATUS_OK)
+        print_plan(&scene, &prepared);
+    int exit_status = rc != STATUS_OK ? command_fail(&status) : refused > 0 ? COMMAND_REFUSED : COMMAND_DONE;
+    text_free(&messages);
+    prepared_free(&prepared);
     scene_free(&scene);
     return command_finish(exit_status);
 }
