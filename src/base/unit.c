@@ -103,19 +103,15 @@ static const struct {
 bool unit_spell(char spelling[UNIT_LENGTH], const char *text, size_t length)
 {
     size_t used = 0;
-    for (size_t i = 0; i < length;) {
-        const char *letters = NULL;
-        for (size_t k = 0; k < COUNT(unit_letters) && !letters; k++) {
-            size_t bytes = strlen(unit_letters[k].bytes);
-            if (length - i >= bytes && memcmp(text + i, unit_letters[k].bytes, bytes) == 0) {
+    for (size_t i = 0, bytes; i < length; i += bytes) {
+        const char same[] = {text[i], '\0'}, *letters = same;
+        bytes = 1;
+        for (size_t k = 0; k < COUNT(unit_letters) && letters == same; k++) {
+            size_t known = strlen(unit_letters[k].bytes);
+            if (length - i >= known && memcmp(text + i, unit_letters[k].bytes, known) == 0) {
                 letters = unit_letters[k].letters;
-                i += bytes;
+                bytes = known;
             }
-        }
-        char same[2] = {'\0', '\0'};
-        if (!letters) {
-            same[0] = text[i++];
-            letters = same;
         }
         if (used + strlen(letters) >= UNIT_LENGTH)
             return false;
@@ -128,9 +124,8 @@ bool unit_spell(char spelling[UNIT_LENGTH], const char *text, size_t length)
 
 /* A unit as it is put together: decimal powers are counted, so that mm² is 1e-6 and no rounded square of 1e-3. */
 struct product {
-    double mantissa;
-    int exponent;
-    int power[UNIT_BASES];
+    struct unit unit;
+    int exponent; /* of ten, beside the unit's factor */
 };
 
 /* Is the word the prefix and the name, in any case? An o goes where the prefix's vowel meets it: microhm, kilohm. */
@@ -202,10 +197,10 @@ static const char *read_power(struct product *out, const char *p, int sign)
     if (isdigit((unsigned char)*p))
         return NULL;
     times *= sign;
-    out->mantissa *= pow(row->mantissa, times);
+    out->unit.factor *= pow(row->mantissa, times);
     out->exponent += exponent * times;
     for (int i = 0; i < UNIT_BASES; i++)
-        out->power[i] += row->power[i] * times;
+        out->unit.power[i] += row->power[i] * times;
     return p;
 }
 
@@ -251,20 +246,20 @@ bool unit_read(struct unit *out, const char *text, size_t length)
     char *spelling = letters + strspn(letters, " \t");
     for (size_t end = strlen(spelling); end > 0 && strchr(" \t", spelling[end - 1]); end--)
         spelling[end - 1] = '\0';
-    struct product product = {.mantissa = 1};
+    struct product product = {.unit.factor = 1};
     const struct unit_row *alone = find_word(spelling, strlen(spelling), &product.exponent); /* also no letter: % */
     if (alone) {
-        product.mantissa = alone->mantissa;
-        memcpy(product.power, alone->power, sizeof product.power);
+        product.unit.factor = alone->mantissa;
+        memcpy(product.unit.power, alone->power, sizeof alone->power);
     } else {
         const char *end = read_product(&product, spelling, 1);
         if (!end || *end != '\0')
             return false;
     }
-    memcpy(out->power, product.power, sizeof out->power);
+    *out = product.unit;
     /* dividing by a power of ten that double holds exactly rounds once */
-    out->factor = product.exponent < 0 ? product.mantissa / pow(10, -product.exponent)
-                                       : product.mantissa * pow(10, product.exponent);
+    out->factor =
+        product.exponent < 0 ? out->factor / pow(10, -product.exponent) : out->factor * pow(10, product.exponent);
     return isfinite(out->factor) && out->factor > 0;
 }
 

@@ -61,16 +61,16 @@ static double parse_length(const char *text, struct argp_state *state)
 static unsigned parse_name(const char *what, const char *value, const char *const *names, unsigned count,
                            struct argp_state *state)
 {
+    unsigned which = 0;
     struct text allowed = {0};
-    for (unsigned i = 0; i < count; i++) {
-        if (strcmp(value, names[i]) == 0) {
-            text_free(&allowed);
-            return i;
-        }
+    while (which < count && strcmp(value, names[which]) != 0)
+        which++;
+    for (unsigned i = 0; which == count && i < count; i++)
         text_add(&allowed, "%s%s", i ? ", " : "", names[i]);
-    }
-    argp_error(state, "unknown %s '%s'; allowed: %s", what, value, text_string(&allowed));
-    return 0;
+    if (which == count)
+        argp_error(state, "unknown %s '%s'; allowed: %s", what, value, text_string(&allowed));
+    text_free(&allowed);
+    return which;
 }
 
 /** `Z` or `X,Z`. */
@@ -137,12 +137,17 @@ static error_t parse(int key, char *value, struct argp_state *state)
     }
 }
 
-/** Thins `count` points to what a terminal can show; `at` maps an index to a point. */
-static void write_points(FILE *file, const struct inspection *f, bool spectrum)
+static const char *const chart_names[] = {"profile", "spectrum"};
+
+/** Writes the data of a chart, thinned to what a terminal can show. */
+static enum status_code write_points(const char *directory, const struct inspection *f, bool spectrum,
+                                     struct status *status)
 {
     enum { MOST = 400 };
     size_t count = spectrum ? f->spectrum.count : f->profile.points, last = SIZE_MAX;
-    fprintf(file, "\"%s\"\n", spectrum ? "amplitude" : "height");
+    struct text csv = {0};
+    char path[600];
+    text_add(&csv, "\"%s\"\n", spectrum ? "amplitude" : "height");
     for (size_t k = 0; k < MOST; k++) {
         double share = (double)k / (MOST - 1);
         size_t i =
@@ -151,23 +156,14 @@ static void write_points(FILE *file, const struct inspection *f, bool spectrum)
             continue;
         last = i;
         if (!spectrum)
-            fprintf(file, "%.9g,%.9g\n", (double)i * f->profile.spacing_m * 1e3, f->profile.height_m[i] * 1e6);
+            text_add(&csv, "%.9g,%.9g\n", (double)i * f->profile.spacing_m * 1e3, f->profile.height_m[i] * 1e6);
         else if (f->spectrum.amplitude_m[i] > 0)
-            fprintf(file, "%.9g,%.9g\n", 1e6 / spectrum_frequency(&f->spectrum, i), f->spectrum.amplitude_m[i] * 1e6);
+            text_add(&csv, "%.9g,%.9g\n", 1e6 / spectrum_frequency(&f->spectrum, i), f->spectrum.amplitude_m[i] * 1e6);
     }
-}
-
-static enum status_code write_chart_data(const char *directory, const char *name, const struct inspection *f,
-                                         bool spectrum, struct status *status)
-{
-    struct text path = {0};
-    text_add(&path, "%s/%s", directory, name);
-    FILE *file = fopen(text_string(&path), "w");
-    text_free(&path);
-    if (!file)
-        return status_fail(status, STATUS_IO, "cannot write in '%s'", directory);
-    write_points(file, f, spectrum);
-    return fclose(file) == 0 ? STATUS_OK : status_fail(status, STATUS_IO, "cannot write in '%s'", directory);
+    snprintf(path, sizeof path, "%s/%s.csv", directory, chart_names[spectrum]);
+    enum status_code rc = csv.failed ? status_memory(status) : text_write_file(path, csv.data, csv.length, status);
+    text_free(&csv);
+    return rc;
 }
 
 /** Draws profile and spectrum as text, sized to the terminal. */
@@ -184,9 +180,9 @@ static enum status_code draw(const struct inspection *f, struct status *status)
         text_free(&templates);
         return status_fail(status, STATUS_IO, "cannot make a directory like '%s'", directory);
     }
-    enum status_code rc = write_chart_data(directory, "profile.csv", f, false, status);
+    enum status_code rc = write_points(directory, f, false, status);
     if (rc == STATUS_OK)
-        rc = write_chart_data(directory, "spectrum.csv", f, true, status);
+        rc = write_points(directory, f, true, status);
     if (rc == STATUS_OK && (rc = gnuplot_start(&gnuplot, directory, status)) == STATUS_OK) {
         gnuplot_quote(quoted, sizeof quoted, text_string(&templates));
         gnuplot_send(&gnuplot, "set loadpath %s", quoted);
@@ -196,14 +192,13 @@ static enum status_code draw(const struct inspection *f, struct status *status)
                                "'amplitude (um)' 'xy' 's1'");
         rc = gnuplot_finish(&gnuplot, status);
     }
-    static const char *const names[] = {"profile", "spectrum"};
     for (int i = 0; i < 2; i++) {
         char path[600];
-        snprintf(path, sizeof path, "%s/%s.txt", directory, names[i]);
+        snprintf(path, sizeof path, "%s/%s.txt", directory, chart_names[i]);
         if (rc == STATUS_OK)
             rc = gnuplot_take_text(&charts, path, status);
         unlink(path);
-        snprintf(path, sizeof path, "%s/%s.csv", directory, names[i]);
+        snprintf(path, sizeof path, "%s/%s.csv", directory, chart_names[i]);
         unlink(path);
     }
     rmdir(directory);
@@ -216,8 +211,10 @@ static enum status_code draw(const struct inspection *f, struct status *status)
 int command_inspect(int argc, char **argv)
 {
     static const struct argp argp = {
-        options, parse, "FILE...", "Says what is in each scan: format, points, spacing, units, roughness, power law.",
-        NULL,    NULL,  NULL};
+        .options = options,
+        .parser = parse,
+        .args_doc = "FILE...",
+        .doc = "Says what is in each scan: format, points, spacing, units, roughness, power law."};
     struct arguments arguments = {.how = profile_defaults};
     argp_parse(&argp, argc, argv, 0, NULL, &arguments);
     json_t *all = json_array();

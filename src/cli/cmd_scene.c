@@ -78,7 +78,7 @@ static error_t parse_scene(int key, char *value, struct argp_state *state)
     }
 }
 
-static const struct argp scene_argp = {scene_options, parse_scene, NULL, NULL, NULL, NULL, NULL};
+static const struct argp scene_argp = {.options = scene_options, .parser = parse_scene};
 static const struct argp_child scene_child[] = {{&scene_argp, 0, "What the scene says, overridden:", 1}, {0}};
 
 static const struct argp_option report_options[] = {
@@ -137,30 +137,28 @@ static void progress(size_t done, size_t total, const char *name)
     text_free(&shown);
 }
 
+static void print_time(const char *stage, double seconds)
+{
+    fprintf(stderr, "%-28s %10.4f\n", stage, seconds);
+}
+
 static void print_times(const struct run_times *times)
 {
-    const struct {
-        const char *stage;
-        double seconds;
-    } before[] = {{"read scans", times->read}, {"level", times->prepare}, {"spectra", times->spectrum}},
-      after[] = {
-          {"convergence", times->convergence},
-          {"what accuracy costs", times->cost},
-          {"tables and json", times->tables},
-          {"chart data", times->figures},
-          {"gnuplot", times->gnuplot},
-          {"report", times->report},
-          {"total", times->total},
-          {"total without gnuplot", times->total - times->gnuplot},
-      };
     struct rusage usage;
     fprintf(stderr, "\n%-28s %10s\n", "stage", "seconds");
-    for (size_t i = 0; i < sizeof before / sizeof before[0]; i++)
-        fprintf(stderr, "%-28s %10.4f\n", before[i].stage, before[i].seconds);
+    print_time("read scans", times->read);
+    print_time("level", times->prepare);
+    print_time("spectra", times->spectrum);
     for (size_t m = 0; m < model_count; m++)
-        fprintf(stderr, "%-28s %10.4f\n", model_rows[m]->label, times->models[m]);
-    for (size_t i = 0; i < sizeof after / sizeof after[0]; i++)
-        fprintf(stderr, "%-28s %10.4f\n", after[i].stage, after[i].seconds);
+        print_time(model_rows[m]->label, times->models[m]);
+    print_time("convergence", times->convergence);
+    print_time("what accuracy costs", times->cost);
+    print_time("tables and json", times->tables);
+    print_time("chart data", times->figures);
+    print_time("gnuplot", times->gnuplot);
+    print_time("report", times->report);
+    print_time("total", times->total);
+    print_time("total without gnuplot", times->total - times->gnuplot);
     if (getrusage(RUSAGE_SELF, &usage) == 0)
         fprintf(stderr, "%-28s %7.1f MB\n", "largest memory", (double)usage.ru_maxrss / 1024);
 }
@@ -222,14 +220,13 @@ static int report(struct arguments *arguments, struct scene *scene, struct statu
 
 int command_report(int argc, char **argv)
 {
-    static const struct argp argp = {report_options,
-                                     parse_report,
-                                     "DIR",
-                                     "Reads the scans in DIR (with DIR/scene.yaml, if there is one), runs the contact "
-                                     "models and writes report.md, report.html, figures, data and results.json.",
-                                     scene_child,
-                                     NULL,
-                                     NULL};
+    static const struct argp argp = {
+        .options = report_options,
+        .parser = parse_report,
+        .args_doc = "DIR",
+        .doc = "Reads the scans in DIR (with DIR/scene.yaml, if there is one), runs the contact models and writes "
+               "report.md, report.html, figures, data and results.json.",
+        .children = scene_child};
     struct arguments arguments = {0};
     struct status status = {0};
     struct scene scene = {0};
@@ -262,13 +259,9 @@ static void print_plan(const struct scene *scene, const struct prepared *prepare
 int command_plan(int argc, char **argv)
 {
     static const struct argp argp = {
-        NULL,
-        NULL,
-        "DIR",
-        "Says what `report DIR` would simulate, why, and at which cost. Reads the scans and runs no model.",
-        scene_child,
-        NULL,
-        NULL};
+        .args_doc = "DIR",
+        .doc = "Says what `report DIR` would simulate, why, and at which cost. Reads the scans and runs no model.",
+        .children = scene_child};
     struct arguments arguments = {0};
     struct status status = {0};
     struct scene scene = {0};

@@ -5,8 +5,6 @@
 #include <stdio.h>
 #include <string.h>
 
-static const double all_wavelengths[2] = {0, INFINITY};
-
 static enum status_code look_at_map(struct inspection *out, struct status *status)
 {
     if (areal_compute(&out->areal, &out->scan, status) != STATUS_OK)
@@ -66,11 +64,12 @@ enum status_code inspection_make(struct inspection *out, const char *path, const
     *out = (struct inspection){.options = *options};
     if (scan_read(&out->scan, path, units, status) != STATUS_OK)
         return status->code;
-    enum status_code code = out->scan.kind == SCAN_AREAL ? look_at_map(out, status) : look_at_profile(out, status);
-    if (code != STATUS_OK)
+    bool map = out->scan.kind == SCAN_AREAL; /* which no filter has cut */
+    if ((map ? look_at_map(out, status) : look_at_profile(out, status)) != STATUS_OK)
         return status_prefix(status, "%s", path);
-    double cut[2] = {options->lambda_s_m, options->lambda_c_m > 0 ? options->lambda_c_m : INFINITY};
-    out->power_law = power_law_fit(&out->spectrum, out->scan.kind == SCAN_AREAL ? all_wavelengths : cut);
+    const double band[2] = {map ? 0 : options->lambda_s_m,
+                            !map && options->lambda_c_m > 0 ? options->lambda_c_m : INFINITY};
+    out->power_law = power_law_fit(&out->spectrum, band);
     return STATUS_OK;
 }
 
@@ -145,16 +144,6 @@ void inspection_add_json(json_t *object, const struct inspection *inspection)
     const struct profile_options *options = &inspection->options;
     const struct scan *scan = &inspection->scan;
     const struct roughness *r = &inspection->roughness;
-    const struct {
-        const char *key;
-        double value;
-    } numbers[] = {{"rq_m", r->rq_m},
-                   {"ra_m", r->ra_m},
-                   {"pv_m", r->pv_m},
-                   {"m2", r->m2},
-                   {"m4_per_m2", r->m4_per_m2},
-                   {"alpha_SI", inspection->power_law.alpha},
-                   {"gamma", inspection->power_law.gamma}};
     json_t *said = json_pack("{s:s, s:s, s:I, s:o, s:o, s:s, s:s, s:I}", "format", scan->format, "kind",
                              scan->kind == SCAN_AREAL ? "areal" : "profile", "points",
                              (json_int_t)(scan->nx * scan->ny), "spacing_m", real(inspection_spacing_m(inspection)),
@@ -162,8 +151,13 @@ void inspection_add_json(json_t *object, const struct inspection *inspection)
                              scan->z_unit, "missing", (json_int_t)scan->missing);
     json_object_update(object, said);
     json_decref(said);
-    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
-        add_real(object, numbers[i].key, numbers[i].value);
+    add_real(object, "rq_m", r->rq_m);
+    add_real(object, "ra_m", r->ra_m);
+    add_real(object, "pv_m", r->pv_m);
+    add_real(object, "m2", r->m2);
+    add_real(object, "m4_per_m2", r->m4_per_m2);
+    add_real(object, "alpha_SI", inspection->power_law.alpha);
+    add_real(object, "gamma", inspection->power_law.gamma);
     json_t *warnings = json_array();
     const char *warning;
     for (size_t w = 0; (warning = warning_at(inspection, w)); w++)
@@ -198,15 +192,11 @@ static void print_parameters(const struct parameters *parameters)
         bool length = strcmp(row->unit, "m") == 0, ratio = strncmp(row->name, "mrk", 3) == 0;
         if (p % 8 == 0)
             printf(p == 0 ? "  parameters  " : "\n              ");
-        double value = parameters->value[p];
+        double value = parameters->value[p], scale = length ? 1e6 : ratio ? 100 : 1;
         if (isnan(value))
             printf("%c%s - ", parameters->letter, row->name);
         else
-            printf("%c%s %.5g%s ", parameters->letter, row->name,
-                   value * (length  ? 1e6
-                            : ratio ? 100
-                                    : 1),
-                   ratio ? "%" : "");
+            printf("%c%s %.5g%s ", parameters->letter, row->name, value * scale, ratio ? "%" : "");
     }
     printf("\n              lengths in um, over %.6g mm in %zu sampling length%s, slope %s\n",
            parameters->evaluation_length_m * 1e3, parameters->sampling_lengths,

@@ -7,7 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char byte_order_mark[] = "\xEF\xBB\xBF";
 static const char *const column_names[MEASURED_COLUMNS] = {"load", "resistance", "error"};
 /* Headings that say P/(A_n E'): the column of contact.csv, and how it is written. */
 static const char *const dimensionless_names[] = {"load_over_AnEp", "P/(A_n E')", "P/(An E')", "P/(AnE')", "P/(Aₙ E′)"};
@@ -266,7 +265,6 @@ struct numbered_line {
 };
 struct above {
     struct numbered_line line[2], comment; /* the last two, and the last comment */
-    size_t count;
 };
 
 static void above_note(struct above *above, struct string_view line, size_t number)
@@ -283,14 +281,13 @@ static void above_note(struct above *above, struct string_view line, size_t numb
     }
     above->line[0] = above->line[1];
     above->line[1] = (struct numbered_line){line, number};
-    above->count++;
 }
 
 /* The units of the headings. What is no unit in one line may be told by the other. */
 static enum status_code headings_use(struct reading *in, const struct above *above)
 {
     struct heading heading[2];
-    size_t first = above->count >= 2 ? 0 : above->count == 1 ? 1 : 2;
+    size_t first = above->line[0].text.start ? 0 : above->line[1].text.start ? 1 : 2;
     for (size_t i = first; i < 2; i++) {
         heading[i] = heading_read(above->line[i].text, in->quantities, i > first);
         in->line = above->line[i].number;
@@ -338,13 +335,12 @@ static enum status_code row_read(const struct reading *in, struct measured_row *
     }
     if (!(row->value[MEASURED_LOAD] > 0 && row->value[MEASURED_RESISTANCE] > 0))
         return status_fail(in->status, STATUS_SCENE, "load and resistance must be positive");
-    static const char *const columns[MEASURED_COLUMNS] = {"a load", "a resistance", "an error"};
     static const double least = 1e-100, most = 1e100; /* any that keeps its distance from the ends of double */
     for (size_t c = 0; c < cells.count; c++) {
         double size = fabs(row->value[c]), lowest = c == MEASURED_ERROR ? 0 : least;
         if (!(size >= lowest && size <= most))
-            return status_fail(in->status, STATUS_SCENE, "%s of %g; allowed is %g to %g", columns[c], row->value[c],
-                               lowest, most);
+            return status_fail(in->status, STATUS_SCENE, "%s %s of %g; allowed is %g to %g",
+                               c == MEASURED_ERROR ? "an" : "a", column_names[c], row->value[c], lowest, most);
     }
     return STATUS_OK;
 }
@@ -368,11 +364,10 @@ static enum status_code row_add(const struct reading *in, size_t *capacity, stru
             return status_memory(in->status);
         out->rows = more;
     }
-    struct measured_row row = {{0, 0, NAN}, in->line};
-    if (row_read(in, &row, line) != STATUS_OK)
-        return in->status->code;
-    out->rows[out->count++] = row;
-    return STATUS_OK;
+    out->rows[out->count] = (struct measured_row){{0, 0, NAN}, in->line};
+    enum status_code rc = row_read(in, &out->rows[out->count], line);
+    out->count += rc == STATUS_OK;
+    return rc;
 }
 
 enum status_code measured_file_read(struct measured_file *out, struct string_view content, const char *name,
@@ -380,10 +375,10 @@ enum status_code measured_file_read(struct measured_file *out, struct string_vie
 {
     *out = (struct measured_file){0};
     struct reading in = {out, quantities, 0, status};
-    struct above above = {.count = 0};
+    struct above above = {0};
     size_t capacity = 0;
-    if (string_view_starts(content, byte_order_mark))
-        content.start += strlen(byte_order_mark);
+    if (string_view_starts(content, "\xEF\xBB\xBF"))
+        content.start += 3;
     struct lines lines = lines_begin(content);
     enum status_code rc = STATUS_OK;
     for (struct string_view line; rc == STATUS_OK && lines_next(&lines, &line);) {

@@ -7,6 +7,7 @@
 #include <assert.h>
 #include <errno.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -51,11 +52,9 @@ static char *last_component(const char *path)
 
 static char *directory_title(const char *directory)
 {
-    char *title = last_component(directory);
-    if (title)
-        return title;
-    char *resolved = realpath(directory, NULL);
-    title = resolved ? last_component(resolved) : NULL;
+    char *resolved = NULL, *title = last_component(directory);
+    if (!title && (resolved = realpath(directory, NULL)))
+        title = last_component(resolved);
     free(resolved);
     return title ? title : strdup(directory);
 }
@@ -100,74 +99,69 @@ static enum status_code read_text(struct scene *scene, struct scene_source *sour
 
 static enum status_code override_effects(struct scene *scene, struct scene_source *source, const char *words)
 {
+    const char *names[EFFECT_COUNT], *word;
     memset(source->effect_line, 0, sizeof source->effect_line);
     scene->effects = 0;
     scene->effects_auto = strcmp(words, "auto") == 0;
     if (scene->effects_auto)
         return STATUS_OK;
-    const char *names[EFFECT_COUNT], *word;
     scene_keys_effect_names(names);
     size_t length;
     for (const char *rest = words; (word = scene_words_next(&rest, &length));) {
         struct scene_words_shown shown = scene_words_show(word, length);
-        enum effect effect = (enum effect)scene_words_find(word, length, names, EFFECT_COUNT);
+        size_t effect = scene_words_find(word, length, names, EFFECT_COUNT);
         if (effect == EFFECT_COUNT)
             return status_fail(source->status, STATUS_USAGE, "--effects: unknown effect '%s'; %s", shown.text,
                                scene_words_hint(shown.text, names, EFFECT_COUNT).text);
         scene->effects |= EFFECT_BIT(effect);
     }
-    if (scene->effects == 0)
-        return status_fail(source->status, STATUS_USAGE,
-                           "--effects names none; give 'auto' or names such as "
-                           "'electrical,thermal'");
     scene->effects = scene_keys_with_needed(scene->effects);
-    return STATUS_OK;
+    return scene->effects ? STATUS_OK
+                          : status_fail(source->status, STATUS_USAGE,
+                                        "--effects names none; give 'auto' or names such as 'electrical,thermal'");
 }
 
 static enum status_code override_values(struct scene *scene, struct scene_source *source,
                                         const struct scene_overrides *overrides)
 {
-    if (overrides->material) {
-        const struct material *material = material_find(overrides->material);
-        const char *names[SCENE_SURFACES_MATERIALS];
-        size_t count = scene_surfaces_materials(names, NULL, 0);
-        if (!material)
-            return status_fail(source->status, STATUS_USAGE, "--material: unknown material '%s'; %s",
-                               scene_words_show(overrides->material, strlen(overrides->material)).text,
-                               scene_words_hint(overrides->material, names, count).text);
-        scene->material = *material;
-    }
-    double tolerance = overrides->tolerance;
-    if (tolerance != 0.0) {
-        if (!(tolerance >= SCENE_KEYS_TOLERANCE_LEAST && tolerance <= SCENE_KEYS_TOLERANCE_MOST))
-            return status_fail(source->status, STATUS_USAGE, "--tolerance is %g; allowed is %g to %g", tolerance,
-                               SCENE_KEYS_TOLERANCE_LEAST, SCENE_KEYS_TOLERANCE_MOST);
-        scene->tolerance = tolerance;
-    }
+    const char *word = overrides->material, *names[SCENE_SURFACES_MATERIALS];
+    const struct material *material = word ? material_find(word) : &scene->material;
+    if (!material)
+        return status_fail(source->status, STATUS_USAGE, "--material: unknown material '%s'; %s",
+                           scene_words_show(word, strlen(word)).text,
+                           scene_words_hint(word, names, scene_surfaces_materials(names, NULL, 0)).text);
+    scene->material = *material;
+    double tolerance = overrides->tolerance != 0.0 ? overrides->tolerance : scene->tolerance;
+    if (!(tolerance >= SCENE_KEYS_TOLERANCE_LEAST && tolerance <= SCENE_KEYS_TOLERANCE_MOST))
+        return status_fail(source->status, STATUS_USAGE, "--tolerance is %g; allowed is %g to %g", tolerance,
+                           SCENE_KEYS_TOLERANCE_LEAST, SCENE_KEYS_TOLERANCE_MOST);
+    scene->tolerance = tolerance;
     return overrides->effects ? override_effects(scene, source, overrides->effects) : STATUS_OK;
 }
 
-/* A unit for every surface; `offset` is that of its field. */
-static enum status_code override_unit(struct scene *scene, size_t offset, const char *unit, const char *option,
-                                      struct status *status)
+static enum status_code override_units(struct scene *scene, const struct scene_overrides *overrides,
+                                       struct status *status)
 {
-    if (!unit)
-        return STATUS_OK;
-    if (*unit == '\0' || strlen(unit) >= sizeof scene->surfaces->x_unit)
-        return status_fail(status, STATUS_USAGE, "%s is '%s'; give a unit of length such as mm or um", option,
-                           scene_words_show(unit, strlen(unit)).text);
-    for (size_t i = 0; i <= scene->surface_count; i++)
-        strcpy((char *)(i ? &scene->surfaces[i - 1] : &scene->counterface_surface) + offset, unit);
+    const char *const units[] = {overrides->x_unit, overrides->z_unit};
+    for (size_t axis = 0; axis < 2; axis++) {
+        const char *unit = units[axis];
+        if (unit && (*unit == '\0' || strlen(unit) >= sizeof scene->surfaces->x_unit))
+            return status_fail(status, STATUS_USAGE, "--%c-unit is '%s'; give a unit of length such as mm or um",
+                               "xz"[axis], scene_words_show(unit, strlen(unit)).text);
+        for (size_t i = 0; unit && i <= scene->surface_count; i++) {
+            struct scene_surface *surface = i ? &scene->surfaces[i - 1] : &scene->counterface_surface;
+            strcpy(axis ? surface->z_unit : surface->x_unit, unit);
+        }
+    }
     return STATUS_OK;
 }
 
 static bool has_property(const struct material *material, const char *key)
 {
-    for (size_t i = 0; i < material_property_count; i++)
-        if (strcmp(material_properties[i].key, key) == 0)
-            return !isnan(material_value(material, &material_properties[i]));
-    assert(!"an effect needs a property that no material has");
-    return false;
+    size_t p = 0;
+    for (; strcmp(material_properties[p].key, key) != 0; p++)
+        assert(p + 1 < material_property_count); /* else an effect needs a property that no material has */
+    return !isnan(material_value(material, &material_properties[p]));
 }
 
 /* Fails when `body` ("material" or "counterface") lacks a property that an effect asked for by name needs. */
@@ -208,27 +202,21 @@ static enum status_code check_baseline(const struct scene *scene, struct scene_s
 static enum status_code complete(struct scene *scene, struct scene_source *source,
                                  const struct scene_overrides *overrides)
 {
-    enum status_code code = override_values(scene, source, overrides);
+    struct status *status = source->status;
+    if (override_values(scene, source, overrides) != STATUS_OK)
+        return status->code;
     scene->counterface_kind = source->counterface_elastic ? MATERIAL_COUNTERFACE_ELASTIC : MATERIAL_COUNTERFACE_RIGID;
-    if (code == STATUS_OK && source->counterface_same)
+    if (source->counterface_same)
         scene->counterface = scene->material;
-    if (code == STATUS_OK)
-        code = check_effects(scene, source, "material", &scene->material);
-    if (code == STATUS_OK && source->counterface_elastic)
-        code = check_effects(scene, source, "counterface", &scene->counterface);
-    if (code == STATUS_OK && scene->surface_count == 0)
-        code = scene_listing_read(scene, source->status);
-    if (code == STATUS_OK)
-        code =
-            override_unit(scene, offsetof(struct scene_surface, x_unit), overrides->x_unit, "--x-unit", source->status);
-    if (code == STATUS_OK)
-        code =
-            override_unit(scene, offsetof(struct scene_surface, z_unit), overrides->z_unit, "--z-unit", source->status);
-    if (code == STATUS_OK)
-        code = check_baseline(scene, source);
-    if (code == STATUS_OK && !scene->title && !(scene->title = directory_title(scene->directory)))
-        code = status_memory(source->status);
-    return code;
+    if (check_effects(scene, source, "material", &scene->material) != STATUS_OK ||
+        (source->counterface_elastic &&
+         check_effects(scene, source, "counterface", &scene->counterface) != STATUS_OK) ||
+        (scene->surface_count == 0 && scene_listing_read(scene, status) != STATUS_OK) ||
+        override_units(scene, overrides, status) != STATUS_OK || check_baseline(scene, source) != STATUS_OK)
+        return status->code;
+    if (!scene->title)
+        scene->title = directory_title(scene->directory);
+    return scene->title ? STATUS_OK : status_memory(status);
 }
 
 enum status_code scene_read(struct scene *out, const char *directory, const struct scene_overrides *overrides,
@@ -240,8 +228,7 @@ enum status_code scene_read(struct scene *out, const char *directory, const stru
     enum status_code code = check_directory(directory, status);
     if (code != STATUS_OK)
         return code;
-    out->directory = strdup(directory);
-    if (!out->directory)
+    if (!(out->directory = strdup(directory)))
         return status_memory(status);
     code = read_text(out, &source);
     return code == STATUS_OK ? complete(out, &source, overrides ? overrides : &nothing) : code;
@@ -264,15 +251,11 @@ void scene_free(struct scene *scene)
 
 char *scene_file_path(const struct scene *scene, const char *file)
 {
-    struct text path = {0};
-    size_t length = strlen(scene->directory);
-    if (file[0] != '/')
-        text_add(&path, "%s%s", scene->directory, length > 0 && scene->directory[length - 1] == '/' ? "" : "/");
-    text_add(&path, "%s", file);
-    if (!path.failed)
-        return path.data;
-    text_free(&path);
-    return NULL;
+    const char *directory = file[0] == '/' ? "" : scene->directory;
+    size_t length = strlen(directory);
+    char *path;
+    bool joined = length == 0 || directory[length - 1] == '/';
+    return asprintf(&path, "%s%s%s", directory, joined ? "" : "/", file) < 0 ? NULL : path;
 }
 
 static int compare_doubles(const void *a, const void *b)

@@ -44,8 +44,9 @@ bool scene_surfaces_material(struct scene_source *source, const struct scene_key
     assert(material_property_count < SCENE_COUNT(keys));
     for (size_t i = 0; i < material_property_count; i++) {
         const struct material_property *property = &material_properties[i];
-        double *number = (double *)((char *)material + property->offset);
-        keys[1 + i] = (struct scene_key){property->key, SCENE_NUMBER(*number, property->least, property->most)};
+        keys[1 + i] =
+            (struct scene_key){property->key, scene_source_number, .field = (char *)material + property->offset,
+                               .least = property->least, .most = property->most};
     }
     *material = material_unknown("custom");
     strcpy(material->source, "given in scene.yaml");
