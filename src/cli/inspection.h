@@ -33,12 +33,12 @@ void inspection_free(struct inspection *inspection);
 /** Spacing along x [m] and first to last point [m]. */
 double inspection_spacing_m(const struct inspection *inspection);
 double inspection_length_m(const struct inspection *inspection);
-/** Warnings of scan and profile in one row; NULL beyond the last. */
-const char *inspection_warning(const struct inspection *inspection, size_t i);
 
-/** Adds what a map has beyond a profile, and the object "parameters". */
+/** `hostile` as it may be shown: JSON is UTF-8, a file name need not be. */
+json_t *inspection_text(const char *hostile);
+/** Adds what was found out to an object. */
 void inspection_add_json(json_t *object, const struct inspection *inspection);
 /** Prints the same as lines of text. */
-void inspection_print(const struct inspection *inspection);
+void inspection_print(const char *path, const struct inspection *inspection);
 
 #endif

@@ -2,7 +2,7 @@
 #ifndef SCENE_SCENE_H
 #define SCENE_SCENE_H
 
-#include "base/status.h"
+#include "base/text.h"
 #include "base/unit.h"
 #include "contact/model.h"
 #include "material/material.h"

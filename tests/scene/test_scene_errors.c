@@ -100,6 +100,7 @@ static void test_numbers(void **state)
         {"tolerance: 0,001\n", 1, "'tolerance' is '0,001'; give a number such as 1.5e-6"},
         {"tolerance: 1e\n", 1, "'tolerance' is '1e'; give a number such as 1.5e-6"},
         {"tolerance: .\n", 1, "'tolerance' is '.'; give a number such as 1.5e-6"},
+        {"tolerance: 1d-3\n", 1, "'tolerance' is '1d-3'; give a number such as 1.5e-6"},
         {"tolerance: 1e-3 m\n", 1, "'tolerance' is '1e-3 m'; give a number such as 1.5e-6"},
         {"tolerance: 0\n", 1, "'tolerance' is 0; allowed is 1e-14 to 0.1"},
         {"tolerance: 0.11\n", 1, "'tolerance' is 0.11; allowed is 1e-14 to 0.1"},
