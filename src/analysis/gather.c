@@ -130,6 +130,27 @@ static enum status_code keep_points(struct surface_record *record, const struct 
     return room ? STATUS_OK : status_memory(status);
 }
 
+enum { DIRECT_HEIGHTS = 65536, DIRECT_SIDE = 400 }; /* kept for the direct solution: heights, and points along a map */
+
+/** Keeps what a direct solution is made from: heights of a profile, thinned evenly, or the first square of a map. */
+static enum status_code keep_direct(struct surface_record *record, const struct scan *scan,
+                                    const struct profile *profile, struct status *status)
+{
+    size_t side = scan->nx < scan->ny ? scan->nx : scan->ny, room = DIRECT_HEIGHTS - record->direct_count;
+    size_t step = profile ? (profile->points + DIRECT_HEIGHTS - 1) / DIRECT_HEIGHTS : 1;
+    side = side < DIRECT_SIDE ? side : DIRECT_SIDE;
+    size_t more = profile ? profile->points / step : side * side;
+    if (profile && more > room)
+        more = room;
+    double *all = reallocarray(record->direct_m, record->direct_count + more + 1, sizeof *all);
+    if (!all)
+        return status_memory(status);
+    record->direct_m = all;
+    for (size_t k = 0; k < more; k++)
+        all[record->direct_count++] = profile ? profile->height_m[k * step] : scan->z_m[k / side * scan->nx + k % side];
+    return STATUS_OK;
+}
+
 /** Adds one profile to the surface: averages its spectrum and moments into the record's. */
 static enum status_code add_profile(struct surface_record *record, const struct profile *profile,
                                     const struct scene *scene, struct status *status)
@@ -170,6 +191,15 @@ static enum status_code add_profile(struct surface_record *record, const struct 
     return rc;
 }
 
+/** Is a direct solution called for, and the surface its own? A map is alone; two rough bodies have no heights in
+ * common.
+ */
+static bool keeps_direct(const struct surface_record *record, const struct scene *scene)
+{
+    return scene->direct.called && scene->counterface_surface.file_count == 0 &&
+           (record->summary.map_side == 0 || record->direct_count == 0);
+}
+
 /** Every row of a scan (a profile has one) into the surface. A row of a map that cannot be used (all missing, flat) is
  * left out and counted; the map is refused when none is left. */
 static enum status_code add_rows(struct surface_record *record, const struct scan *scan, const struct scene *scene,
@@ -194,6 +224,8 @@ static enum status_code add_rows(struct surface_record *record, const struct sca
             rc = sensitivity_add(&record->sensitivity, &profile, &how, scene->window, scene->moments, &problem);
         if (rc == STATUS_OK && scan->kind == SCAN_PROFILE && wants_points(scene))
             rc = keep_points(record, scan, &profile, &problem);
+        if (rc == STATUS_OK && scan->kind == SCAN_PROFILE && keeps_direct(record, scene))
+            rc = keep_direct(record, scan, &profile, &problem);
         profile_free(&profile);
         if (rc == STATUS_MEMORY)
             return status_memory(status);
@@ -204,6 +236,13 @@ static enum status_code add_rows(struct surface_record *record, const struct sca
         return status_fail(status, first.code, "%s: %s", file, first.message);
     if (scan->kind == SCAN_AREAL && wants_points(scene) && keep_points(record, scan, NULL, status) != STATUS_OK)
         return status->code;
+    if (scan->kind == SCAN_AREAL && summary->scans == scan->ny - unusable &&
+        scene->counterface_surface.file_count == 0) { /* the first file: it speaks for all */
+        summary->map_side = scan->nx < scan->ny ? scan->nx : scan->ny;
+        summary->map_dy_m = scan->dy_m;
+        if (keeps_direct(record, scene) && keep_direct(record, scan, NULL, status) != STATUS_OK)
+            return status->code;
+    }
     if (scan->kind == SCAN_AREAL)
         gather_note(summary, "%s: a map; its %zu %s were averaged as profiles", file, scan->ny - unusable,
                     scene->direction == SCAN_DIRECTION_X ? "rows" : "columns");

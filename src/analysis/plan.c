@@ -33,6 +33,8 @@ static void decide(struct plan *plan, enum effect effect, const struct scene *sc
     unsigned lacking = row->needs_effects & ~plan->running;
     if (effect == EFFECT_CONVERGENCE && !plan_stacks_scales(plan)) {
         snprintf(out->reason, sizeof out->reason, "a question to the multiscale models, which do not run");
+    } else if (effect == EFFECT_DIRECT) { /* seconds where the rest takes milliseconds: never unasked */
+        out->runs = scene->direct.called;
     } else if (!scene->effects_auto) {
         out->runs = scene->effects & EFFECT_BIT(effect);
         snprintf(out->reason, sizeof out->reason, out->runs ? "listed in the scene" : "not listed in the scene");

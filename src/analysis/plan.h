@@ -7,7 +7,7 @@
 
 struct plan_effect {
     bool runs;
-    char reason[160];
+    char reason[400];
 };
 
 struct plan {

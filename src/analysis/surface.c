@@ -238,6 +238,8 @@ void surface_summary_free(struct surface_summary *summary)
     free(summary->refusal);
     free(summary->notes);
     free(summary->models);
+    free(summary->direct);
+    summary->direct = NULL;
     summary->refusal = summary->notes = NULL;
     summary->models = NULL;
 }
@@ -257,6 +259,8 @@ void surface_record_free(struct surface_record *record, bool with_summary)
     record->bands = NULL;
     free(record->points);
     record->points = NULL;
+    free(record->direct_m);
+    record->direct_m = NULL;
     sensitivity_free(&record->sensitivity);
     gather_free_repeats(record);
     if (with_summary)

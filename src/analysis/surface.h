@@ -3,6 +3,7 @@
 #define ANALYSIS_SURFACE_H
 
 #include "analysis/curve_summary.h"
+#include "analysis/direct_plan.h"
 #include "analysis/plan.h"
 #include "base/text.h"
 #include "contact/model.h"
@@ -46,6 +47,9 @@ struct surface_summary {
     struct effect_bounds bound;
     struct curve_summary *models; /* model_count of them; owned like the texts */
     size_t heights;               /* points kept in surface_record.points */
+    size_t map_side;              /* points along the square that a map offers; 0: profiles */
+    double map_dy_m;              /* from row to row of it */
+    struct direct_plan *direct;   /* how its contact is solved directly; owned, NULL: it is not called for */
     struct surface_times times;
 };
 
@@ -60,6 +64,9 @@ struct surface_record {
     size_t band_count;
     struct sensitivity sensitivity; /* scans 0 where there is a rough counterface */
     struct slope_point *points;     /* heights and slopes of all its scans, where a model uses them; NULL: not kept */
+    double *direct_m;               /* where a direct solution is called for: heights of the profiles, or the square of
+                                       a map row after row, as measured; else NULL */
+    size_t direct_count;
     double preview_x_m[SURFACE_PREVIEW], preview_z_m[SURFACE_PREVIEW];
     size_t preview_points;
 };

@@ -91,6 +91,9 @@ static uint64_t share(const struct work *work, const struct plan *plan, enum eff
     case EFFECT_CONVERGENCE:
         *seconds = (double)work->sweep_scales * scale_seconds + (double)work->extensions * extension_seconds;
         return work->sweep_scales + work->extensions;
+    case EFFECT_DIRECT:
+        *seconds = work->contact_seconds;
+        return work->contacts;
     case EFFECT_COUNT:
         break;
     }
@@ -130,6 +133,9 @@ static void add_method(struct work_row *row, enum effect effect, const struct pl
                  plan_runs(plan, EFFECT_ELECTRICAL) ? "the sums of electrical in other units, so nothing of its own"
                                                     : "in the same pass as the area");
         break;
+    case EFFECT_DIRECT:
+        snprintf(row->method, size, "boundary elements; evaluations are contacts solved");
+        break;
     case EFFECT_SEPARATION:
     case EFFECT_ELECTRICAL:
         snprintf(row->method, size, "in the same pass as the area");
@@ -159,6 +165,8 @@ void work_table(struct work_row rows[WORK_ROWS], const struct work *work, const 
         };
         if (e == EFFECT_CONVERGENCE)
             row->bytes = (double)work->sweep_scales * sizeof(double);
+        if (e == EFFECT_DIRECT)
+            row->bytes = work->contact_bytes;
         if (row->runs)
             add_method(row, (enum effect)e, plan);
         if (row->runs || e == EFFECT_SCALE_DEPENDENT) /* deciding against it takes some too */

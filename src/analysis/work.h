@@ -6,10 +6,12 @@
 #include "analysis/surface.h"
 
 struct work {
-    struct model_work elastic, plastic; /* of all surfaces in the models without and with yielding */
-    uint64_t sweep_scales;              /* scales of the synthetic spectra of the convergence study */
-    uint64_t extensions;                /* fitted power laws carried on below the sampling limit */
-    uint64_t bounds;                    /* scales visited to decide on scale dependence */
+    struct model_work elastic, plastic;    /* of all surfaces in the models without and with yielding */
+    uint64_t sweep_scales;                 /* scales of the synthetic spectra of the convergence study */
+    uint64_t extensions;                   /* fitted power laws carried on below the sampling limit */
+    uint64_t bounds;                       /* scales visited to decide on scale dependence */
+    uint64_t contacts;                     /* solved directly */
+    double contact_seconds, contact_bytes; /* likely for those, on one core, and most at once */
 };
 
 /** One row of the plan: an effect, or the base that always runs (the elastic models' area). */

@@ -24,7 +24,7 @@ enum { KEY_X_UNIT = 0x100, KEY_Z_UNIT, KEY_NO_COST };
 static const struct argp_option scene_options[] = {
     {"material", 'm', "NAME", 0, "a built-in material (default: the scene's, else tin)", 1},
     {"effects", 'e', "LIST", 0,
-     "auto, or some of plasticity,separation,electrical,thermal,scale-dependent,convergence "
+     "auto, or some of plasticity,separation,electrical,thermal,scale-dependent,convergence,direct "
      "(default: the scene's, else auto)",
      1},
     {"tolerance", 't', "REL", 0, "relative tolerance of every number, 1e-14 to 0.1 (default: the scene's, else 1e-6)",
@@ -152,6 +152,7 @@ static void print_times(const struct run_times *times)
     for (size_t m = 0; m < model_count; m++)
         print_time(model_rows[m]->label, times->models[m]);
     print_time("convergence", times->convergence);
+    print_time("direct solution", times->direct);
     print_time("what accuracy costs", times->cost);
     print_time("tables and json", times->tables);
     print_time("chart data", times->figures);
@@ -200,7 +201,7 @@ static int report(struct arguments *arguments, struct scene *scene, struct statu
         if (outcome.refused > 0)
             exit_status = COMMAND_REFUSED;
         const struct run_times *times = &outcome.times;
-        double models = times->convergence;
+        double models = times->convergence + times->direct;
         for (size_t m = 0; m < model_count; m++)
             models += times->models[m];
         fprintf(stderr, "models: %llu evaluations%s; %.3g s predicted, %.3g s taken\n",
@@ -218,6 +219,33 @@ static int report(struct arguments *arguments, struct scene *scene, struct statu
     return exit_status;
 }
 
+static int run(int argc, char **argv, const struct argp *argp, bool direct)
+{
+    struct arguments arguments = {.overrides.direct = direct};
+    struct status status = {0};
+    struct scene scene = {0};
+    argp_parse(argp, argc, argv, 0, NULL, &arguments);
+    int exit_status;
+    if (scene_read(&scene, arguments.directory, &arguments.overrides, &status) != STATUS_OK)
+        exit_status = command_fail(&status);
+    else
+        exit_status = report(&arguments, &scene, &status);
+    scene_free(&scene);
+    return command_finish(exit_status);
+}
+
+int command_direct(int argc, char **argv)
+{
+    static const struct argp argp = {
+        .options = report_options,
+        .parser = parse_report,
+        .args_doc = "DIR",
+        .doc = "Writes the report, with a direct numerical solution of the contact beside the models (the scene's "
+               "`direct:` says how; `plan` says what it costs).",
+        .children = scene_child};
+    return run(argc, argv, &argp, true);
+}
+
 int command_report(int argc, char **argv)
 {
     static const struct argp argp = {
@@ -227,17 +255,7 @@ int command_report(int argc, char **argv)
         .doc = "Reads the scans in DIR (with DIR/scene.yaml, if there is one), runs the contact models and writes "
                "report.md, report.html, figures, data and results.json.",
         .children = scene_child};
-    struct arguments arguments = {0};
-    struct status status = {0};
-    struct scene scene = {0};
-    argp_parse(&argp, argc, argv, 0, NULL, &arguments);
-    int exit_status;
-    if (scene_read(&scene, arguments.directory, &arguments.overrides, &status) != STATUS_OK)
-        exit_status = command_fail(&status);
-    else
-        exit_status = report(&arguments, &scene, &status);
-    scene_free(&scene);
-    return command_finish(exit_status);
+    return run(argc, argv, &argp, false);
 }
 
 static void print_plan(const struct scene *scene, const struct prepared *prepared)

@@ -22,6 +22,7 @@ struct command_row {
 };
 
 int command_report(int argc, char **argv);
+int command_direct(int argc, char **argv);
 int command_plan(int argc, char **argv);
 int command_inspect(int argc, char **argv);
 int command_synth(int argc, char **argv);

@@ -7,6 +7,8 @@
 #include "analysis/work.h"
 #include "results/surface_store.h"
 
+struct direct_study; /* analysis/direct_study.h */
+
 /** Everything that the report is about, from here on read-only. */
 struct results {
     const struct scene *scene;
@@ -19,6 +21,8 @@ struct results {
     const struct measured *measured;              /* NULL: none */
     const struct benchmark *benchmark;            /* what accuracy costs; NULL: left out */
     const struct sensitivity_curves *sensitivity; /* of the baseline surface */
+    const struct direct_study *direct;            /* the surfaces solved directly; NULL: none */
+    size_t direct_count;
     const double *convergence; /* the sweeps' area ratios, see results_sweep(); NULL when the effect is off */
     size_t *shown;             /* indices of the surfaces the charts show: all usable ones up to 8, else spread by Rq */
     size_t shown_count;

@@ -61,6 +61,7 @@ static bool put_arrays(FILE *file, const struct surface_record *record)
         ok = ok && put_array(file, changed->amplitude_m, sizeof(double), changed->count);
     }
     ok = ok && put_array(file, record->points, sizeof *record->points, record->summary.heights);
+    ok = ok && put_array(file, record->direct_m, sizeof(double), record->direct_count);
     for (size_t p = 0; p < record->repeat_count; p++) {
         const struct spectrum *part = &record->repeats[p].spectrum;
         ok = ok && put_array(file, part->amplitude_m, sizeof(double), part->count);
@@ -118,6 +119,7 @@ enum status_code surface_store_get(struct surface_record *out, struct surface_st
         changed->amplitude_m = get_array(store->file, sizeof(double), changed->count, &ok);
     }
     out->points = get_array(store->file, sizeof *out->points, out->summary.heights, &ok);
+    out->direct_m = get_array(store->file, sizeof(double), out->direct_count, &ok);
     for (size_t p = 0; p < out->repeat_count; p++)
         out->repeats[p].spectrum.amplitude_m =
             get_array(store->file, sizeof(double), out->repeats[p].spectrum.count, &ok);

@@ -1,7 +1,9 @@
 #include "run/prepare.h"
 
+#include "analysis/direct_study.h"
 #include "analysis/effect_bounds.h"
 #include "run/workers.h"
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -21,6 +23,117 @@ static enum status_code read_counterface(struct prepared *out, const struct scen
                            out->counterface->summary.refusal);
     out->results.counterface = out->counterface;
     return STATUS_OK;
+}
+
+enum { SHOWN_MOST = 8 };
+
+static int compare_roughness(const void *a, const void *b, void *context)
+{
+    const struct surface_summary *summaries = context;
+    size_t i = *(const size_t *)a, j = *(const size_t *)b;
+    double x = summaries[i].roughness.rq_m, y = summaries[j].roughness.rq_m;
+    return x < y ? -1 : x > y ? 1 : i < j ? -1 : 1;
+}
+
+/** Ranks the usable surfaces and chooses which the charts show and which is the baseline. */
+static enum status_code rank_surfaces(struct results *results, struct status *status)
+{
+    const struct surface_store *store = results->store;
+    const struct scene *scene = results->scene;
+    size_t usable = 0, *order = malloc((store->count + SHOWN_MOST) * sizeof *order);
+    if (!order)
+        return status_memory(status);
+    for (size_t i = 0; i < store->count; i++)
+        if (store->summaries[i].usable)
+            order[usable++] = i;
+    results->by_roughness = order;
+    results->usable_count = usable;
+    results->shown = order + store->count;
+    results->shown_count = usable < SHOWN_MOST ? usable : SHOWN_MOST;
+    if (usable == 0)
+        return STATUS_OK;
+    memcpy(results->shown, order, results->shown_count * sizeof *order);
+    qsort_r(order, usable, sizeof *order, compare_roughness, store->summaries);
+    for (size_t k = 0; usable > SHOWN_MOST && k < SHOWN_MOST; k++) /* from smoothest to roughest, evenly */
+        results->shown[k] = order[k * (usable - 1) / (SHOWN_MOST - 1)];
+    results->baseline = order[usable > 1 ? 1 : 0];
+    if (scene->baseline)
+        for (size_t i = 0; i < usable; i++)
+            if (strcmp(store->summaries[order[i]].scene->name, scene->baseline) == 0)
+                results->baseline = order[i];
+    return STATUS_OK;
+}
+
+bool prepare_solves(const struct results *results, size_t index)
+{
+    const struct surface_summary *summary = &results->store->summaries[index];
+    bool called = results->scene->direct.surfaces == SCENE_DIRECT_ALL || index == results->baseline;
+    return called && summary->usable && summary->direct && summary->direct->possible;
+}
+
+/** "256 x 256 points, 12 surfaces, 13 loads, about 9e3 convolutions, 5 s of one core". */
+static void describe_direct(char *out, size_t size, const struct direct_plan *plan)
+{
+    int used = snprintf(out, size, "%zu x %zu points, ", plan->grid, plan->grid);
+    if (plan->side > 0)
+        used += snprintf(out + used, size - (size_t)used, "the map mirrored, ");
+    else
+        used += snprintf(out + used, size - (size_t)used, "%zu surface%s%s, ", plan->seeds, plan->seeds == 1 ? "" : "s",
+                         plan->fine_times > 1 ? " and a finer grid" : "");
+    snprintf(out + used, size - (size_t)used, "%zu load%s: about %.2g convolutions, %.2g s of one core", plan->loads,
+             plan->loads == 1 ? "" : "s", plan->convolutions, plan->seconds);
+}
+
+/** The direct solution's part of the plan: its work, and what it says of itself, or would cost. */
+static void plan_direct(struct plan *plan, struct results *results)
+{
+    struct plan_effect *effect = &plan->effects[EFFECT_DIRECT];
+    struct surface_store *store = results->store;
+    const struct direct_plan *first = NULL;
+    struct work *work = &results->predicted;
+    size_t surfaces = 0;
+    char cost[200];
+    if (results->usable_count == 0)
+        return;
+    for (size_t i = 0; i < store->count && effect->runs; i++) {
+        struct surface_summary *summary = &store->summaries[i];
+        if (summary->direct && !plan_runs(plan, EFFECT_PLASTICITY))
+            direct_plan_elastic(summary->direct);
+        if (!prepare_solves(results, i))
+            continue;
+        work->contacts += summary->direct->solutions;
+        work->contact_seconds += summary->direct->seconds;
+        work->contact_bytes = fmax(work->contact_bytes, summary->direct->bytes);
+        first = first && i != results->baseline ? first : summary->direct;
+        surfaces++;
+    }
+    if (!effect->runs) {
+        struct direct_plan outline;
+        direct_study_outline(&outline, &store->summaries[results->baseline], results->scene, plan, results->loads,
+                             results->load_count);
+        describe_direct(cost, sizeof cost, &outline);
+        if (outline.possible)
+            snprintf(effect->reason, sizeof effect->reason,
+                     "not called for; it would say how far each model is off: %s", cost);
+        else
+            snprintf(effect->reason, sizeof effect->reason, "not called for; %s", outline.problem);
+    } else if (!first) {
+        const struct direct_plan *none = store->summaries[results->baseline].direct;
+        snprintf(effect->reason, sizeof effect->reason, "called for, but %s",
+                 none ? none->problem : "no surface can be solved");
+    } else {
+        describe_direct(cost, sizeof cost, first);
+        int used = snprintf(effect->reason, sizeof effect->reason, "called for on %zu surface%s: %s", surfaces,
+                            surfaces == 1 ? "" : "s", cost);
+        if (first->over_budget)
+            snprintf(effect->reason + used, sizeof effect->reason - (size_t)used,
+                     ", more than the budget of %g s, which nothing fits", results->scene->direct.budget_s);
+        else if (first->more_seconds > 0)
+            snprintf(effect->reason + used, sizeof effect->reason - (size_t)used,
+                     " of the budget of %g s; the next better (%zu x %zu points, %zu surfaces) would take %.2g s",
+                     results->scene->direct.budget_s, first->more_grid, first->more_grid, first->more_seeds,
+                     first->more_seconds);
+    }
 }
 
 enum status_code prepare(struct prepared *out, const struct scene *scene, const struct run_options *options,
@@ -49,6 +162,9 @@ enum status_code prepare(struct prepared *out, const struct scene *scene, const 
         out->results.measured = &out->measured;
     }
     out->results.predicted = work_predict(out->store.summaries, out->store.count, scene, &out->plan, load_count);
+    if (rank_surfaces(&out->results, status) != STATUS_OK)
+        return status->code;
+    plan_direct(&out->plan, &out->results);
     return STATUS_OK;
 }
 
@@ -60,6 +176,7 @@ void prepared_free(struct prepared *prepared)
         surface_record_free(prepared->counterface, true);
     free(prepared->counterface);
     free(prepared->loads);
+    free(prepared->results.by_roughness);
     *prepared = (struct prepared){0};
 }
 
@@ -118,5 +235,6 @@ void prepare_table(struct text *out, const struct prepared *prepared, const stru
     text_add(out, "%-16s %-8s %14llu", "all", "", (unsigned long long)total);
     if (done)
         text_add(out, " %14llu", (unsigned long long)total_done);
-    text_add(out, " %10.4f %5.1f MB\n", seconds, (memory + predicted[EFFECT_CONVERGENCE + 1].bytes) / 1e6);
+    text_add(out, " %10.4f %5.1f MB\n", seconds,
+             (memory + predicted[EFFECT_CONVERGENCE + 1].bytes + predicted[EFFECT_DIRECT + 1].bytes) / 1e6);
 }

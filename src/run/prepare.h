@@ -23,6 +23,9 @@ MUST_CHECK enum status_code prepare(struct prepared *out, const struct scene *sc
                                     const char *directory, struct status *status);
 void prepared_free(struct prepared *prepared);
 
+/** Is surface `index` to be solved directly? */
+bool prepare_solves(const struct results *results, size_t index);
+
 /** The plan as a table for a terminal: effect, run or skipped, evaluations, seconds; the work that was done beside the
  * prediction when `done` is not NULL. */
 void prepare_table(struct text *out, const struct prepared *prepared, const struct work *done);

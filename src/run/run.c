@@ -1,5 +1,6 @@
 #include "run/run.h"
 
+#include "analysis/direct_study.h"
 #include "base/clock.h"
 #include "chart/figure.h"
 #include "output/json.h"
@@ -13,8 +14,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SHOWN_MOST = 8 };
-
 /** A run in progress: what each stage leaves for the next. */
 struct run {
     const struct scene *scene;
@@ -27,49 +26,10 @@ struct run {
     struct figure_list figures;
     double *sweeps;
     uint64_t sweep_scales;
+    struct direct_study *direct;
+    size_t direct_count;
+    uint64_t contacts;
 };
-
-static const struct surface_summary *summary_of(const struct run *run, size_t index)
-{
-    return &run->prepared.store.summaries[index];
-}
-
-static int compare_roughness(const void *a, const void *b, void *context)
-{
-    const struct surface_summary *summaries = context;
-    size_t i = *(const size_t *)a, j = *(const size_t *)b;
-    double x = summaries[i].roughness.rq_m, y = summaries[j].roughness.rq_m;
-    return x < y ? -1 : x > y ? 1 : i < j ? -1 : 1;
-}
-
-/** Ranks the usable surfaces and chooses which the charts show and which is the baseline. */
-static enum status_code rank_surfaces(struct run *run, struct status *status)
-{
-    struct results *results = run->results;
-    const struct surface_store *store = &run->prepared.store;
-    size_t usable = 0, *order = malloc((store->count + SHOWN_MOST) * sizeof *order);
-    if (!order)
-        return status_memory(status);
-    for (size_t i = 0; i < store->count; i++)
-        if (summary_of(run, i)->usable)
-            order[usable++] = i;
-    results->by_roughness = order;
-    results->usable_count = usable;
-    if (usable == 0)
-        return status_fail(status, STATUS_SCAN, "no readable scan in '%s'", run->scene->directory);
-    results->shown = order + store->count;
-    results->shown_count = usable < SHOWN_MOST ? usable : SHOWN_MOST;
-    memcpy(results->shown, order, results->shown_count * sizeof *order);
-    qsort_r(order, usable, sizeof *order, compare_roughness, store->summaries);
-    for (size_t k = 0; usable > SHOWN_MOST && k < SHOWN_MOST; k++) /* from smoothest to roughest, evenly */
-        results->shown[k] = order[k * (usable - 1) / (SHOWN_MOST - 1)];
-    results->baseline = order[usable > 1 ? 1 : 0];
-    if (run->scene->baseline)
-        for (size_t i = 0; i < usable; i++)
-            if (strcmp(summary_of(run, order[i])->scene->name, run->scene->baseline) == 0)
-                results->baseline = order[i];
-    return STATUS_OK;
-}
 
 /** The convergence study: every sweep by every model that stacks scales. */
 static enum status_code run_sweeps(struct run *run, struct status *status)
@@ -129,6 +89,42 @@ static enum status_code run_sensitivity(struct run *run, struct status *status)
     return rc;
 }
 
+/** The direct solutions that the plan calls for, one surface after another, each on all threads. */
+static enum status_code run_direct(struct run *run, struct status *status)
+{
+    struct results *results = run->results;
+    run->direct = calloc(results->store->count, sizeof *run->direct);
+    if (!run->direct)
+        return status_memory(status);
+    for (size_t i = 0; i < results->store->count; i++) {
+        struct surface_record record = {0};
+        if (!prepare_solves(results, i))
+            continue;
+        if (surface_store_get(&record, results->store, i, status) != STATUS_OK)
+            return status->code;
+        struct direct_study_task task = {&record,
+                                         i,
+                                         results->scene,
+                                         results->plan,
+                                         run->options->jobs,
+                                         run->options->stop,
+                                         !run->options->no_cost && i == results->baseline};
+        struct status problem = {0};
+        enum status_code rc = direct_study_run(&run->direct[run->direct_count], &task, &problem);
+        if (rc == STATUS_OK)
+            run->contacts += run->direct[run->direct_count++].solutions;
+        else
+            rc = status_fail(status, rc, "surface '%s', solved directly: %s", record.summary.scene->name,
+                             problem.message);
+        surface_record_free(&record, false);
+        if (rc != STATUS_OK)
+            return rc;
+    }
+    results->direct = run->direct;
+    results->direct_count = run->direct_count;
+    return STATUS_OK;
+}
+
 /** What accuracy costs, on the baseline surface. */
 static enum status_code measure_cost(struct run *run, struct status *status)
 {
@@ -159,8 +155,8 @@ static enum status_code evaluate(struct run *run, struct run_outcome *out, struc
     run->results = &prepared->results;
     out->refused = prepare_messages(&out->messages, &prepared->store);
     out->surfaces = prepared->store.count - out->refused;
-    if (rc == STATUS_OK)
-        rc = rank_surfaces(run, status);
+    if (rc == STATUS_OK && run->results->usable_count == 0)
+        rc = status_fail(status, STATUS_SCAN, "no readable scan in '%s'", run->scene->directory);
     if (rc == STATUS_OK)
         rc = workers_run(run->results, workers_model, run->options, status);
     if (rc == STATUS_OK) { /* once more: the models may have something to say */
@@ -173,6 +169,9 @@ static enum status_code evaluate(struct run *run, struct run_outcome *out, struc
     if (rc == STATUS_OK && plan_runs(&prepared->plan, EFFECT_CONVERGENCE))
         rc = run_sweeps(run, status);
     out->times.convergence = lap(&last);
+    if (rc == STATUS_OK && plan_runs(&prepared->plan, EFFECT_DIRECT))
+        rc = run_direct(run, status);
+    out->times.direct = lap(&last);
     if (rc == STATUS_OK && !run->options->no_cost) {
         rc = measure_cost(run, status);
         out->times.cost = run->benchmark.seconds;
@@ -181,6 +180,9 @@ static enum status_code evaluate(struct run *run, struct run_outcome *out, struc
         return rc;
     struct work *done = &run->results->done;
     *done = work_done(prepared->store.summaries, prepared->store.count, run->sweep_scales);
+    done->contacts = run->contacts;
+    done->contact_seconds = run->results->predicted.contact_seconds;
+    done->contact_bytes = run->results->predicted.contact_bytes;
     out->work_agrees = memcmp(done, &run->results->predicted, sizeof *done) == 0;
     prepare_table(&out->work, prepared, done);
     out->evaluations = work_total(done, &prepared->plan, &out->predicted_seconds);
@@ -256,11 +258,13 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
     }
     if (rc == STATUS_OK && asprintf(&out->path, "%s/report.html", run.output.target) < 0)
         rc = status_memory(status);
-    free(run.prepared.results.by_roughness);
     prepared_free(&run.prepared);
     output_abandon(&run.output);
     free(run.sweeps);
     benchmark_free(&run.benchmark);
+    for (size_t k = 0; k < run.direct_count; k++)
+        direct_study_free(&run.direct[k]);
+    free(run.direct);
     sensitivity_curves_free(&run.sensitivity);
     figure_list_free(&run.figures);
     out->times.total = clock_seconds() - started;

@@ -1,5 +1,6 @@
 #include "run/workers.h"
 
+#include "analysis/direct_study.h"
 #include "analysis/effect_bounds.h"
 
 #include <pthread.h>
@@ -54,6 +55,8 @@ enum status_code workers_describe(struct surface_record *record, const struct re
     enum status_code rc = STATUS_OK;
     if (record->summary.usable)
         rc = effect_bounds_surface(record, scene, results->plan, results->loads, results->load_count, status);
+    if (rc == STATUS_OK && record->summary.usable && plan_runs(results->plan, EFFECT_DIRECT))
+        rc = direct_study_plan(record, scene, results->plan, results->loads, results->load_count, status);
     if (rc == STATUS_OK)
         rc = surface_store_put(results->store, index, record, status);
     if (rc != STATUS_OK)

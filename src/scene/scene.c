@@ -33,6 +33,7 @@ static struct scene default_scene(void)
         .moments = ROUGHNESS_MOMENTS_DIFFERENCE,
         .closure = SINUSOID_FIT_THESIS,
         .convergence = {.alpha = 0.085, .gamma = 1.5, .load = 1e-3, .scan_length_m = 3e-4, .scales = 4096},
+        .direct = {.hardness_Pa = NAN},
     };
 }
 
@@ -137,7 +138,12 @@ static enum status_code override_values(struct scene *scene, struct scene_source
         return status_fail(source->status, STATUS_USAGE, "--tolerance is %g; allowed is %g to %g", tolerance,
                            SCENE_KEYS_TOLERANCE_LEAST, SCENE_KEYS_TOLERANCE_MOST);
     scene->tolerance = tolerance;
-    return overrides->effects ? override_effects(scene, source, overrides->effects) : STATUS_OK;
+    if (overrides->effects && override_effects(scene, source, overrides->effects) != STATUS_OK)
+        return source->status->code;
+    if (overrides->effects) /* as they are listed there */
+        scene->direct.called = scene->effects_auto ? scene->direct.called : scene->effects & EFFECT_BIT(EFFECT_DIRECT);
+    scene->direct.called = scene->direct.called || overrides->direct || (scene->effects & EFFECT_BIT(EFFECT_DIRECT));
+    return STATUS_OK;
 }
 
 static enum status_code override_units(struct scene *scene, const struct scene_overrides *overrides,
@@ -243,6 +249,7 @@ void scene_free(struct scene *scene)
     scene_surfaces_free(&scene->counterface_surface);
     free(scene->measured.file);
     free(scene->load.values);
+    free(scene->direct.values);
     free(scene->baseline);
     free(scene->title);
     free(scene->path);

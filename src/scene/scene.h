@@ -51,6 +51,27 @@ struct scene_measured {
     char resistance_unit[UNIT_LENGTH]; /* the same: total, or times the nominal area */
 };
 
+enum {
+    SCENE_DIRECT_GRID_LEAST = 16,
+    SCENE_DIRECT_GRID_MOST = 8192,
+    SCENE_DIRECT_SEEDS = 1000,
+    SCENE_DIRECT_LOADS = 64
+};
+
+enum scene_direct_surfaces { SCENE_DIRECT_BASELINE, SCENE_DIRECT_ALL, SCENE_DIRECT_SURFACES_COUNT };
+
+/** How the contact is solved directly; 0 where the program is to choose. */
+struct scene_direct {
+    bool called;        /* for, by the scene's key or the command: it runs whatever `effects` says */
+    size_t grid;        /* points a side */
+    size_t seeds;       /* surfaces synthesised */
+    size_t loads;       /* how many */
+    double *values;     /* `loads` of them, P/(A_n E'), or NULL */
+    double hardness_Pa; /* NaN: the scene's hardness */
+    double budget_s;    /* time of one core that grid and seeds are chosen to fit in; 0: none */
+    enum scene_direct_surfaces surfaces;
+};
+
 struct scene {
     char *directory; /* DIR as given */
     char *path;      /* of scene.yaml, NULL when there is none */
@@ -77,6 +98,7 @@ struct scene {
     enum sinusoid_fit_id closure;
     char *baseline; /* surface name, NULL: the second smoothest */
     struct scene_convergence convergence;
+    struct scene_direct direct;
     enum scan_direction direction;            /* of the profiles taken from an areal map */
     struct scene_surface counterface_surface; /* file_count 0: the counterface is smooth */
     struct scene_measured measured;
@@ -90,6 +112,7 @@ struct scene_overrides {
     const char *effects;  /* "auto" or names separated by commas or blanks */
     double tolerance;
     const char *x_unit, *z_unit; /* for every surface */
+    bool direct;                 /* calls for the direct solution */
 };
 
 /** Reads `directory`/scene.yaml when there is one, applies the overrides and lists the surfaces: those of the scene,

@@ -2,6 +2,7 @@
 #include "scene/scene_surfaces.h"
 #include "scene/scene_words.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -232,6 +233,92 @@ static bool read_measured(struct scene_source *source, const struct scene_key *k
            check_unit(source, &keys[3], scene_measured_resistances[measured->quantity]);
 }
 
+/* A number, or one with its unit as text: the number in SI goes to key->field. */
+static bool read_with_unit(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+{
+    static const struct {
+        const char *unit;
+        double factor;
+        bool pressure;
+    } units[] = {{"GPa", 1e9, true}, {"MPa", 1e6, true}, {"Pa", 1, true}, {"s", 1, false}};
+    char text[64];
+    if (value->type != YAML_SCALAR_NODE || value->data.scalar.length >= sizeof text)
+        return scene_source_number(source, key, value);
+    memcpy(text, value->data.scalar.value, value->data.scalar.length);
+    text[value->data.scalar.length] = '\0';
+    yaml_node_t number = *value;
+    double factor = 1, *field = key->field, before = *field;
+    for (size_t u = 0; u < SCENE_COUNT(units); u++) {
+        size_t length = strlen(text), size = strlen(units[u].unit);
+        if (units[u].pressure != (key->choices != NULL) || length <= size ||
+            strcmp(text + length - size, units[u].unit) != 0)
+            continue;
+        for (length -= size; length > 0 && text[length - 1] == ' ';)
+            length--;
+        text[length] = '\0';
+        factor = units[u].factor;
+        number.data.scalar.value = (yaml_char_t *)text;
+        number.data.scalar.length = length;
+        break;
+    }
+    struct scene_key plain = {key->name, .field = field, .least = key->least / factor, .most = key->most / factor,
+                              .word = key->word};
+    *field = NAN;
+    if (!scene_source_number(source, &plain, &number))
+        return false;
+    *field = isnan(*field) ? before : *field * factor;
+    return true;
+}
+
+/* How many, or which. */
+static bool read_direct_loads(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+{
+    struct scene_direct *direct = key->field;
+    if (value->type != YAML_SEQUENCE_NODE)
+        return scene_source_whole(
+            source, &(struct scene_key){key->name, SCENE_WHOLE(direct->loads, 2, SCENE_DIRECT_LOADS)}, value);
+    size_t count = scene_source_item_count(value);
+    if (count < 1 || count > SCENE_DIRECT_LOADS)
+        return scene_source_fail(source, scene_source_line(value), "'loads' holds %zu loads; allowed is 1 to %d", count,
+                                 SCENE_DIRECT_LOADS);
+    direct->values = malloc(count * sizeof *direct->values);
+    if (!direct->values)
+        return scene_source_memory(source);
+    direct->loads = count;
+    if (!read_numbers(source, &(struct scene_key){key->name, .field = direct->values, .least = 1e-12, .most = 1e3},
+                      value))
+        return false;
+    for (size_t i = 1; i < count; i++)
+        if (!(direct->values[i] > direct->values[i - 1]))
+            return scene_source_fail(source, scene_source_line(value), "'loads' do not rise; order them, each once");
+    return true;
+}
+
+static bool read_direct(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+{
+    static const char *const surfaces[SCENE_DIRECT_SURFACES_COUNT] = {"baseline", "all"};
+    static const char *const pressures[] = {"Pa"};
+    struct scene_direct *direct = key->field;
+    if (scene_source_is(value, "off"))
+        return true;
+    struct scene_key keys[] = {
+        {"grid", SCENE_WHOLE(direct->grid, SCENE_DIRECT_GRID_LEAST, SCENE_DIRECT_GRID_MOST)},
+        {"seeds", SCENE_WHOLE(direct->seeds, 1, SCENE_DIRECT_SEEDS)},
+        {"loads", read_direct_loads, .field = direct},
+        {"hardness", .read = read_with_unit, .field = &direct->hardness_Pa, .least = 1e3, .most = 1e12,
+         .choices = pressures, .word = "auto"},
+        {"budget", .read = read_with_unit, .field = &direct->budget_s, .least = 1e-3, .most = 1e7},
+        {"surfaces", SCENE_CHOICE(direct->surfaces, surfaces)},
+    };
+    direct->called = true;
+    if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys)))
+        return false;
+    if (direct->grid % 2 != 0)
+        return scene_source_fail(source, scene_source_line_of(keys, "grid"), "'grid' is %zu; give an even number",
+                                 direct->grid);
+    return true;
+}
+
 static bool read_baseline(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
 {
     source->baseline_line = scene_source_line(value);
@@ -263,11 +350,14 @@ bool scene_keys_read(struct scene_source *source, const yaml_node_t *root)
         {"lambda_c_m", SCENE_NUMBER(scene->lambda_c_m, 1e-12, 1e3), .word = "none"},
         {"tip_radius_m", SCENE_NUMBER(scene->tip_radius_m, 1e-12, 1.0), .word = "none"},
         {"baseline", read_baseline, .field = &scene->baseline},
+        {"direct", read_direct, .field = &scene->direct},
         {"convergence", read_convergence, .field = &scene->convergence},
         {"surfaces", scene_surfaces_read, .field = NULL},
     };
     if (!scene_source_mapping(source, root, "scene", keys, SCENE_COUNT(keys)))
         return false;
+    if (scene->direct.called)
+        scene->effects |= EFFECT_BIT(EFFECT_DIRECT);
     if (scene->lambda_s_m > 0 && scene->lambda_c_m > 0 && !(scene->lambda_s_m < scene->lambda_c_m))
         return scene_source_fail(source, scene_source_line_of(keys, "lambda_c_m"),
                                  "'lambda_c_m' is %g, not above 'lambda_s_m', %g; nothing would be left between them",

@@ -1,0 +1,222 @@
+#include "analysis/direct_plan.h"
+
+#include "direct/direct_ensemble.h"
+#include "direct/direct_predict.h"
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { GRID_LEAST = 64, GRID_USUAL = 256, GRID_MOST = 1024, FINE_MOST = 2048, SIDE_MOST = 400, LOADS = 13, SEEDS = 12 };
+
+/** Points that the shortest wave needs: gap within 3e-4, constriction within 0.5 %, area within 1 %. */
+static const double points_a_wave = 6;
+
+/** m0 and m2 of a spectrum, low-passed like the law's taper where `cut`. */
+static void moments(double out[2], const struct spectrum *spectrum, double lambda_s_m, bool cut)
+{
+    out[0] = out[1] = 0;
+    for (size_t i = 0; i < spectrum->count; i++) {
+        double frequency = spectrum_frequency(spectrum, i), above = lambda_s_m * frequency;
+        double power = spectrum_power(spectrum, i) * (cut && above > 1 ? exp(-2 * M_LN2 * (above * above - 1)) : 1);
+        out[0] += power;
+        out[1] += power * pow(2 * M_PI * frequency, 2);
+    }
+}
+
+/** Loads from 100 points in contact (with a third to spare, as surfaces scatter) to about 0.9 of the area: A is about
+ * 2 p/(E' g), g the root mean square gradient. */
+static void range_of_loads(double range[2], const struct direct_plan *plan, const struct direct_plan_task *task)
+{
+    double points = (double)plan->grid * (double)plan->grid, known[2] = {0, task->slope * task->slope};
+    if (task->spectrum && (plan->coarse || plan->side > 0))
+        moments(known, task->spectrum, plan->lambda_s_m, true);
+    double gradient = sqrt(2 * known[1]);
+    range[0] = 1.3 * DIRECT_ENSEMBLE_POINTS / (2 * points) * gradient;
+    range[1] = 0.8 * gradient;
+}
+
+/** Loads as the scene lists them for it, else spread evenly over those of its own that lie in the range, the middle
+ * one among them where it does. */
+static void choose_loads(struct direct_plan *plan, const struct direct_plan_task *task)
+{
+    const struct scene_direct *direct = task->direct;
+    double range[2], middle = task->loads[task->load_count / 2];
+    size_t first = 0, end = task->load_count, wanted = direct->loads ? direct->loads : LOADS, nearest = 0;
+    plan->loads = 0;
+    if (direct->values) {
+        memcpy(plan->load, direct->values, direct->loads * sizeof *plan->load);
+        plan->loads = direct->loads;
+    } else {
+        range_of_loads(range, plan, task);
+        while (first < end && task->loads[first] < range[0])
+            first++;
+        while (end > first && task->loads[end - 1] > range[1])
+            end--;
+        wanted = wanted < end - first ? wanted : end - first;
+        for (size_t k = 0; k < wanted; k++) {
+            size_t steps = wanted > 1 ? wanted - 1 : 1;
+            plan->load[plan->loads++] = task->loads[first + (k * (end - first - 1) + steps / 2) / steps];
+        }
+    }
+    for (size_t k = 0; k < plan->loads; k++)
+        if (fabs(log(plan->load[k] / middle)) < fabs(log(plan->load[nearest] / middle)))
+            nearest = k;
+    plan->picture = nearest;
+    bool inside = plan->loads > 0 && plan->load[0] <= middle && middle <= plan->load[plan->loads - 1];
+    if (inside && !direct->values)
+        plan->load[nearest] = middle;
+    plan->hardness = task->hardness;
+    for (plan->capped_loads = 0; plan->capped_loads < plan->loads;)
+        if (plan->load[plan->capped_loads] < plan->hardness && isfinite(plan->hardness))
+            plan->capped_loads++;
+        else
+            break;
+}
+
+/** Making a surface with given heights: 60 rounds of two transforms and a sort. */
+static double synthesis_seconds(size_t grid)
+{
+    static const double point_seconds = 1.1e-7; /* a round, a point and a doubling of the points */
+    double points = (double)grid * (double)grid;
+    return 60 * point_seconds / 16 * points * log2(points);
+}
+
+/** Adds an ensemble to the counts. */
+static void add_ensemble(struct direct_plan *plan, size_t loads, size_t seeds, size_t fine_times, bool capped)
+{
+    struct direct_predict_def def = {plan->grid, fine_times, loads, seeds, 1, capped, plan->resistance};
+    if (loads == 0 || seeds == 0)
+        return;
+    struct direct_prediction prediction = direct_predict(&def);
+    plan->solutions += loads * (seeds + (fine_times > 1));
+    plan->convolutions += prediction.convolutions + prediction.fine_convolutions;
+    plan->seconds += prediction.seconds;
+    plan->bytes = fmax(plan->bytes, prediction.bytes);
+}
+
+static void count_work(struct direct_plan *plan)
+{
+    plan->solutions = 0;
+    plan->convolutions = plan->seconds = plan->bytes = 0;
+    add_ensemble(plan, plan->loads, plan->seeds, plan->fine_times, false);
+    add_ensemble(plan, plan->capped_loads, plan->fewer, 0, true);
+    if (plan->side == 0) {
+        add_ensemble(plan, plan->loads, plan->fewer, 0, false);
+        plan->seconds += synthesis_seconds(plan->grid) * (double)(plan->seeds + (plan->fine_times > 1) +
+                                                                  (plan->capped_loads > 0 ? plan->fewer : 0) + 1);
+    }
+    add_ensemble(plan, plan->loads > 0, 1, 0, false); /* the picture */
+}
+
+/** One way to do it; `seeds` of a profile. */
+static void try(struct direct_plan *plan, const struct direct_plan_task *task, size_t size, size_t seeds, bool fine)
+{
+    bool map = task->side > 0;
+    plan->side = map ? size : 0;
+    plan->grid = map ? 2 * size : size;
+    plan->seeds = map ? 1 : seeds;
+    plan->fewer = map ? 1 : seeds < 2 ? seeds : seeds < 6 ? 2 : (seeds + 2) / 3;
+    plan->fine_times = fine && 2 * plan->grid <= FINE_MOST ? 2 : 0;
+    plan->length_m = map ? 2 * task->length_m * (double)size / (double)task->side : task->length_m;
+    double resolved_m = points_a_wave * plan->length_m / (double)plan->grid;
+    plan->coarse = !map && resolved_m > task->lambda_s_m * (1 + 1e-9);
+    plan->lambda_s_m = plan->coarse || map ? resolved_m : task->lambda_s_m;
+    plan->resistance = task->resistance;
+    choose_loads(plan, task);
+    count_work(plan);
+}
+
+/** The grid that resolves the scan, within reason. */
+static size_t usual_size(const struct direct_plan_task *task)
+{
+    size_t grid = GRID_USUAL;
+    if (task->side > 0)
+        return task->side < SIDE_MOST ? task->side : SIDE_MOST;
+    while (grid < GRID_MOST && (double)grid < points_a_wave * task->length_m / task->lambda_s_m)
+        grid *= 2;
+    return grid;
+}
+
+/** From the best choice to the least: fewer surfaces before a coarser grid. The first within the budget is taken. */
+static void choose(struct direct_plan *plan, const struct direct_plan_task *task)
+{
+    static const struct {
+        size_t seeds;
+        bool fine;
+    } ways[] = {{SEEDS, true}, {8, true}, {SEEDS, false}, {8, false}, {6, false}, {4, false}, {3, false}, {2, false}};
+    enum { WAYS = sizeof ways / sizeof *ways };
+    const struct scene_direct *direct = task->direct;
+    bool map = task->side > 0, free_size = map || direct->grid == 0;
+    size_t size = free_size ? usual_size(task) : direct->grid, least = map ? GRID_LEAST / 2 : GRID_LEAST;
+    struct direct_plan before = {0};
+    plan->over_budget = direct->budget_s > 0;
+    for (bool last = false; !last; size /= 2) {
+        last = !(direct->budget_s > 0) || !free_size || size / 2 < least;
+        for (size_t w = 0; w < (map ? 1 : WAYS); w++) {
+            if (!map && direct->seeds > 0 && w > 0 && ways[w].fine == ways[w - 1].fine)
+                continue; /* the surfaces are given; the fine grid is not */
+            try(plan, task, size, direct->seeds > 0 ? direct->seeds : ways[w].seeds, ways[w].fine && !map);
+            if (!(direct->budget_s > 0) || plan->seconds <= direct->budget_s) {
+                plan->over_budget = false;
+                last = true;
+                break;
+            }
+            before = *plan;
+        }
+    }
+    plan->more_grid = before.grid;
+    plan->more_seeds = before.seeds;
+    plan->more_seconds = before.seconds;
+}
+
+void direct_plan_make(struct direct_plan *out, const struct direct_plan_task *task)
+{
+    *out = (struct direct_plan){.possible = true};
+    choose(out, task);
+    if (out->loads == 0) {
+        double range[2];
+        range_of_loads(range, out, task);
+        out->possible = false;
+        snprintf(out->problem, sizeof out->problem,
+                 "no load of the scene lies between %.2g and %.2g E', where the grid of %zu points a side resolves the "
+                 "contact",
+                 range[0], range[1], out->grid);
+    }
+    if (!out->possible)
+        out->solutions = 0;
+}
+
+void direct_plan_give_up(struct direct_plan *plan, const char *problem)
+{
+    plan->possible = false;
+    plan->solutions = 0;
+    plan->convolutions = plan->seconds = plan->bytes = 0;
+    snprintf(plan->problem, sizeof plan->problem, "%.*s", (int)sizeof plan->problem - 1, problem);
+}
+
+enum status_code direct_plan_match(struct direct_plan *plan, const struct spectrum *spectrum, struct status *status)
+{
+    double known[2];
+    struct status problem = {0};
+    struct direct_spectrum areal = {0};
+    if (!plan->possible || plan->side > 0)
+        return STATUS_OK;
+    moments(known, spectrum, plan->lambda_s_m, plan->coarse);
+    enum status_code rc = direct_law_match(&plan->law, known[0], known[1], plan->length_m, plan->lambda_s_m, &problem);
+    if (rc == STATUS_OK)
+        rc = direct_spectrum_of_law(&areal, &plan->law, &problem);
+    direct_spectrum_free(&areal);
+    if (rc == STATUS_MEMORY)
+        return status_memory(status);
+    if (rc != STATUS_OK)
+        direct_plan_give_up(plan, problem.message);
+    return STATUS_OK;
+}
+
+void direct_plan_elastic(struct direct_plan *plan)
+{
+    plan->hardness = INFINITY;
+    plan->capped_loads = 0;
+    if (plan->possible)
+        count_work(plan);
+}

@@ -1,0 +1,63 @@
+/* How the contact of one surface will be solved directly: grid, surfaces and loads from counts and fixed constants,
+ * before anything runs, so that the same input gives the same numbers on every machine. */
+#ifndef ANALYSIS_DIRECT_PLAN_H
+#define ANALYSIS_DIRECT_PLAN_H
+
+#include "direct/direct_surface.h"
+#include "scene/scene.h"
+#include "spectrum/spectrum.h"
+
+/** What it is decided from. */
+struct direct_plan_task {
+    const struct scene_direct *direct;
+    const double *loads; /* P/(A_n E'), ascending: the scene's */
+    size_t load_count;
+    size_t side;                     /* points along the square that a map offers; 0: a profile */
+    double length_m;                 /* of a profile; of a map its spacing times `side` */
+    double lambda_s_m;               /* shortest wavelength that the scan stands for */
+    double slope;                    /* root mean square slope of the scan: sets the range of loads */
+    const struct spectrum *spectrum; /* where the grid leaves short waves out, its slope instead; NULL: not known yet */
+    double hardness;                 /* H/E'; INFINITY: elastic alone */
+    bool resistance;                 /* constriction too */
+};
+
+struct direct_plan {
+    bool possible; /* false: `problem` says why not */
+    char problem[320];
+    size_t side;       /* a map: points along the square taken, of which the grid has twice as many; 0: a profile */
+    size_t grid;       /* points a side */
+    size_t seeds;      /* surfaces with the scan's heights; 1 of a map */
+    size_t fewer;      /* surfaces with Gaussian heights, and surfaces with a hardness */
+    size_t fine_times; /* the first surface also on a grid so much finer; 0: not */
+    double length_m;   /* L of the cell */
+    double lambda_s_m; /* cut-off of the law: the scan's, or what the grid resolves */
+    bool coarse;       /* the latter */
+    struct direct_law law;
+    double hardness; /* H/E' */
+    bool resistance;
+    double load[SCENE_DIRECT_LOADS];     /* P/(A_n E') */
+    size_t loads, capped_loads;          /* those below the hardness come first */
+    size_t picture;                      /* the load whose patches are drawn: the middle one */
+    uint64_t solutions;                  /* contacts to be solved, exactly */
+    double convolutions, seconds, bytes; /* likely, on one core */
+    bool over_budget;                    /* nothing fits into the budget; this is the least */
+    size_t more_grid, more_seeds;        /* the next better choice that the budget forbids; 0: none */
+    double more_seconds;
+};
+
+/** Chooses. Never fails: see out->possible. */
+void direct_plan_make(struct direct_plan *out, const struct direct_plan_task *task);
+
+/** Matches the law to the scan's spectrum: the power law with the cut-off lambda_s whose rows have the spectrum's own
+ * m0 and m2; where the grid is too coarse for the scan's cut-off, those of the spectrum low-passed at the grid's. What
+ * cannot be matched makes the plan impossible. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code direct_plan_match(struct direct_plan *plan, const struct spectrum *spectrum,
+                                              struct status *status);
+
+/** Makes a plan impossible. */
+void direct_plan_give_up(struct direct_plan *plan, const char *problem);
+
+/** Takes the hardness out again. */
+void direct_plan_elastic(struct direct_plan *plan);
+
+#endif

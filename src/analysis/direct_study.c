@@ -1,0 +1,508 @@
+#include "analysis/direct_study.h"
+
+#include "base/clock.h"
+#include "direct/direct_map.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char *const direct_study_kind_names[DIRECT_STUDY_KINDS] = {"scan", "gaussian", "scan"};
+const enum quantity direct_study_quantities[DIRECT_STUDY_QUANTITIES] = {QUANTITY_AREA, QUANTITY_SEPARATION,
+                                                                        QUANTITY_ECR};
+static const double contact_tolerance = 1e-6; /* finds the set of points that 1e-12 finds */
+static const double load_step = 0.01;         /* of a model's gap for its slope */
+static const double map_cutoff = 6;           /* spacings: what a map holds below is noise and steps to a solution */
+
+/** What the surfaces of a study are made of. */
+struct maker {
+    const struct direct_study_task *task;
+    struct direct_study *study;
+    struct direct_spectrum spectrum; /* of a profile's surfaces */
+    struct direct_map map;
+};
+
+static enum status_code make_map(struct direct_map *out, const struct surface_record *record,
+                                 const struct direct_plan *plan, struct status *status)
+{
+    size_t kept = (size_t)lround(sqrt((double)record->direct_count));
+    return direct_map_make(out, record->direct_m, kept, kept, record->summary.spacing_m, record->summary.map_dy_m,
+                           plan->side, map_cutoff, status);
+}
+
+static struct direct_plan_task plan_task(const struct surface_summary *surface, const struct scene *scene,
+                                         const struct plan *plan, const double *loads, size_t load_count)
+{
+    double hardness_Pa = !isnan(scene->direct.hardness_Pa) ? scene->direct.hardness_Pa
+                         : !isnan(scene->hardness_Pa)      ? scene->hardness_Pa
+                                                           : material_hardness_ratio * plan->pair.yield_strength_Pa;
+    bool capped = plan_runs(plan, EFFECT_PLASTICITY) && hardness_Pa > 0;
+    double resolved_m = 4 * surface->spacing_m; /* two points a wave is all a scan has, of which noise is half */
+    return (struct direct_plan_task){
+        .direct = &scene->direct,
+        .loads = loads,
+        .load_count = load_count,
+        .side = surface->map_side,
+        .length_m = surface->map_side > 0 ? surface->spacing_m * (double)surface->map_side : surface->length_m,
+        .lambda_s_m = fmin(scene->lambda_s_m > 0      ? scene->lambda_s_m
+                           : scene->fit_band_m[0] > 0 ? fmax(scene->fit_band_m[0], resolved_m)
+                                                      : resolved_m,
+                           surface->length_m / 2),
+        .slope = sqrt(surface->roughness.m2),
+        .hardness = capped ? hardness_Pa / plan->pair.effective_modulus_Pa : INFINITY,
+        .resistance = plan->running & (EFFECT_BIT(EFFECT_ELECTRICAL) | EFFECT_BIT(EFFECT_THERMAL)),
+    };
+}
+
+void direct_study_outline(struct direct_plan *out, const struct surface_summary *surface, const struct scene *scene,
+                          const struct plan *plan, const double *loads, size_t load_count)
+{
+    struct direct_plan_task task = plan_task(surface, scene, plan, loads, load_count);
+    direct_plan_make(out, &task);
+}
+
+enum status_code direct_study_plan(struct surface_record *record, const struct scene *scene, const struct plan *plan,
+                                   const double *loads, size_t load_count, struct status *status)
+{
+    struct direct_plan *out = calloc(1, sizeof *out);
+    if (!out)
+        return status_memory(status);
+    record->summary.direct = out;
+    struct direct_plan_task task = plan_task(&record->summary, scene, plan, loads, load_count);
+    task.spectrum = &record->spectrum;
+    direct_plan_make(out, &task);
+    if (out->possible && out->side > 0) {
+        struct status problem = {0};
+        struct direct_map map = {0};
+        if (make_map(&map, record, out, &problem) == STATUS_MEMORY)
+            return status_memory(status);
+        direct_map_free(&map);
+        if (problem.code != STATUS_OK)
+            direct_plan_give_up(out, problem.message);
+    }
+    return direct_plan_match(out, &record->spectrum, status);
+}
+
+/** The spectrum that the models are given: of the law, as every surface of it has it, or the mean of the map's rows. */
+static enum status_code find_rows(struct maker *maker, struct status *status)
+{
+    struct direct_study *study = maker->study;
+    const struct direct_plan *plan = &study->plan;
+    if (plan->side == 0) {
+        size_t count = direct_law_harmonics(&plan->law), most = plan->grid / 2 - 1;
+        count = count < most ? count : most;
+        study->rows = (struct spectrum){malloc(count * sizeof(double)), count, plan->length_m, false};
+        if (!study->rows.amplitude_m)
+            return status_memory(status);
+        for (size_t i = 0; i < count; i++)
+            study->rows.amplitude_m[i] = direct_law_amplitude(&plan->law, i + 1);
+        return STATUS_OK;
+    }
+    for (size_t row = 0; row < maker->map.n; row++) {
+        struct spectrum one = {0};
+        if (spectrum_compute(row > 0 ? &one : &study->rows, maker->map.height_m + row * maker->map.n, maker->map.n,
+                             maker->map.spacing_m, SPECTRUM_WINDOW_NONE, status) != STATUS_OK) {
+            spectrum_free(&one);
+            return status->code;
+        }
+        if (row > 0)
+            spectrum_average(&study->rows, &one, row);
+        spectrum_free(&one);
+    }
+    return STATUS_OK;
+}
+
+static struct direct_ensemble_def ensemble_def(const struct maker *maker, enum direct_study_kind kind)
+{
+    const struct direct_plan *plan = &maker->study->plan;
+    const struct surface_record *surface = maker->task->surface;
+    bool capped = kind == DIRECT_STUDY_CAPPED, heights = kind != DIRECT_STUDY_GAUSSIAN && surface->direct_count > 0;
+    return (struct direct_ensemble_def){
+        .ladder = {plan->load, capped ? plan->capped_loads : plan->loads, capped ? plan->hardness : INFINITY,
+                   contact_tolerance, plan->resistance, maker->task->stop},
+        .length_m = plan->length_m,
+        .n = plan->grid,
+        .fine_times = kind == DIRECT_STUDY_HEIGHTS ? plan->fine_times : 0,
+        .variance = direct_spectrum_variance,
+        .context = &maker->spectrum,
+        .given_m = heights ? surface->direct_m : NULL,
+        .given_count = surface->direct_count,
+        .first_seed = 1,
+        .seeds = kind == DIRECT_STUDY_HEIGHTS ? plan->seeds : plan->fewer,
+        .threads = maker->task->threads,
+    };
+}
+
+static struct direct_mean single(double value)
+{
+    return (struct direct_mean){value, NAN, 1};
+}
+
+/** The ladder of a map, in the form of an ensemble of one. */
+static enum status_code solve_map(struct direct_ensemble_point *out, const struct maker *maker,
+                                  const struct direct_ladder_def *ladder, struct status *status)
+{
+    const struct direct_map *map = &maker->map;
+    struct direct_contact contact = {0};
+    struct direct_point *points = calloc(ladder->loads, sizeof *points);
+    double cell_m2 = pow(map->spacing_m * (double)map->n, 2);
+    if (!points)
+        return status_memory(status);
+    enum status_code rc = direct_contact_make(&contact, map->height_m, map->n, map->n, map->spacing_m, status);
+    if (rc == STATUS_OK)
+        rc = direct_ladder_run(points, &contact, ladder, status);
+    for (size_t i = 0; i < ladder->loads && rc == STATUS_OK; i++) {
+        const struct direct_quantities *q = &points[i].quantities;
+        bool given = points[i].exists && q->contact_points >= DIRECT_ENSEMBLE_POINTS;
+        out[i] = (struct direct_ensemble_point){
+            given               ? DIRECT_ENSEMBLE_GIVEN
+            : !points[i].exists ? DIRECT_ENSEMBLE_COMPLETE
+                                : DIRECT_ENSEMBLE_FEW_POINTS,
+            q->contact_points,
+            single(given ? q->area_ratio : NAN),
+            single(given ? q->gap_m : NAN),
+            single(given ? q->plane_gap_m : NAN),
+            single(given ? points[i].constriction_m : NAN),
+            single(given ? (double)points[i].patches / cell_m2 : NAN),
+        };
+    }
+    direct_contact_free(&contact);
+    free(points);
+    return rc;
+}
+
+static enum status_code solve(struct maker *maker, enum direct_study_kind kind, struct status *status)
+{
+    struct direct_study *study = maker->study;
+    struct direct_study_curve *curve = &study->curves[kind];
+    struct direct_ensemble_def def = ensemble_def(maker, kind);
+    if (def.ladder.loads == 0 || def.seeds == 0)
+        return STATUS_OK;
+    double started = clock_seconds();
+    *curve = (struct direct_study_curve){.loads = def.ladder.loads, .seeds = def.seeds};
+    if (study->plan.side > 0) {
+        curve->points = calloc(curve->loads, sizeof *curve->points);
+        if (!curve->points)
+            return status_memory(status);
+        if (solve_map(curve->points, maker, &def.ladder, status) != STATUS_OK)
+            return status->code;
+    } else {
+        struct direct_ensemble ensemble;
+        if (direct_ensemble_run(&ensemble, &def, status) != STATUS_OK)
+            return status->code;
+        curve->points = ensemble.point;
+        ensemble.point = NULL;
+        if (kind == DIRECT_STUDY_HEIGHTS)
+            study->rms_m = ensemble.rms_m;
+        direct_ensemble_free(&ensemble);
+    }
+    curve->seconds = clock_seconds() - started;
+    study->solutions += def.ladder.loads * (def.seeds + (def.fine_times > 1));
+    return STATUS_OK;
+}
+
+/** Heights of the first surface. */
+static enum status_code first_surface(double *height_m, const struct maker *maker, struct status *status)
+{
+    size_t n = maker->study->plan.grid;
+    struct direct_ensemble_def def = ensemble_def(maker, DIRECT_STUDY_HEIGHTS);
+    if (maker->study->plan.side > 0) {
+        memcpy(height_m, maker->map.height_m, n * n * sizeof *height_m);
+        return STATUS_OK;
+    }
+    if (def.given_m)
+        return direct_surface_with_heights(height_m, n, def.variance, def.context, def.given_m, def.given_count,
+                                           def.first_seed, status);
+    return direct_surface_realise(height_m, n, def.variance, def.context, def.first_seed, status);
+}
+
+/** Where the first surface touches at the picture's load. */
+static enum status_code draw(struct maker *maker, const double *height_m, struct status *status)
+{
+    struct direct_study *study = maker->study;
+    const struct direct_plan *plan = &study->plan;
+    struct direct_contact contact = {0};
+    struct direct_point point;
+    struct direct_ladder_def ladder = {&plan->load[plan->picture], 1, INFINITY, contact_tolerance, plan->resistance,
+                                       maker->task->stop};
+    size_t n = plan->grid;
+    study->contact = malloc(n * n);
+    if (!study->contact)
+        return status_memory(status);
+    if (direct_contact_make(&contact, height_m, n, n, plan->length_m / (double)n, status) == STATUS_OK &&
+        direct_ladder_run(&point, &contact, &ladder, status) == STATUS_OK) {
+        study->patches = point.patches;
+        study->solutions++;
+        for (size_t k = 0; k < n * n; k++)
+            study->contact[k] = contact.pressure[k / n * contact.kernel.stride + k % n] > 0;
+    }
+    direct_contact_free(&contact);
+    return status->code;
+}
+
+/** The models on the surface's rows, at each load and a step below and above. */
+static enum status_code run_models(struct maker *maker, const double *height_m, struct status *status)
+{
+    struct direct_study *study = maker->study;
+    const struct direct_study_task *task = maker->task;
+    const struct direct_plan *plan = &study->plan;
+    struct asperities asperities;
+    struct status none = {0};
+    bool has_asperities = roughness_asperities(&asperities, &study->moments, &none) == STATUS_OK;
+    size_t n = plan->grid, points = 0;
+    struct slope_point *slopes = malloc(n * n * sizeof *slopes);
+    study->models = calloc(model_count, sizeof *study->models);
+    study->model_seconds = calloc(model_count, sizeof *study->model_seconds);
+    if (!slopes || !study->models || !study->model_seconds) {
+        free(slopes);
+        return status_memory(status);
+    }
+    points = contacting_slopes_of_map(slopes, height_m, n, n, plan->length_m / (double)n, plan->length_m / (double)n);
+    for (size_t i = 0; i < plan->loads; i++)
+        for (int side = -1; side <= 1; side++)
+            study->load_triples[3 * i + (size_t)(side + 1)] = plan->load[i] * (1 + side * load_step);
+    struct model_task ask = surface_task(task->surface, task->scene, task->plan, study->load_triples, 3 * plan->loads);
+    ask.spectrum = &study->rows;
+    ask.asperities = has_asperities ? &asperities : NULL;
+    ask.points = slopes;
+    ask.point_count = points;
+    enum status_code rc = STATUS_OK;
+    for (size_t m = 0; m < model_count && rc == STATUS_OK; m++) {
+        struct model_curve *curve = &study->models[m];
+        if (!plan_runs_model(task->plan, m))
+            continue;
+        curve->points = calloc(ask.load_count + 1, sizeof *curve->points);
+        if (!curve->points)
+            rc = status_memory(status);
+        double started = clock_seconds();
+        if (rc == STATUS_OK)
+            rc = model_run(curve, model_rows[m], &ask, status);
+        study->model_seconds[m] = (clock_seconds() - started) / 3;
+    }
+    free(slopes);
+    return rc;
+}
+
+/** The same curve at less expense: what its error is against all of it. */
+static enum status_code run_efforts(struct maker *maker, struct status *status)
+{
+    static const struct {
+        size_t divisor, seeds;
+    } efforts[] = {{4, 1}, {2, 1}, {1, 1}, {1, 4}};
+    struct direct_study *study = maker->study;
+    for (size_t e = 0; e < sizeof efforts / sizeof *efforts && study->plan.side == 0; e++) {
+        struct direct_ensemble_def def = ensemble_def(maker, DIRECT_STUDY_HEIGHTS);
+        struct direct_study_effort *effort = &study->effort[study->efforts];
+        struct direct_ensemble ensemble;
+        def.n = def.n / efforts[e].divisor / 2 * 2;
+        def.fine_times = 0;
+        if (def.n < SCENE_DIRECT_GRID_LEAST || efforts[e].seeds >= def.seeds)
+            continue;
+        def.seeds = efforts[e].seeds;
+        def.first_seed = study->plan.seeds + 1; /* surfaces of its own, or it would be held against itself */
+        double started = clock_seconds();
+        if (direct_ensemble_run(&ensemble, &def, status) != STATUS_OK)
+            return status->code;
+        *effort = (struct direct_study_effort){def.n, def.seeds, clock_seconds() - started, {0}};
+        const struct direct_ensemble_point *best = study->curves[DIRECT_STUDY_HEIGHTS].points;
+        const size_t offsets[DIRECT_STUDY_QUANTITIES] = {offsetof(struct direct_ensemble_point, area_ratio),
+                                                         offsetof(struct direct_ensemble_point, gap_m),
+                                                         offsetof(struct direct_ensemble_point, constriction_m)};
+        for (int q = 0; q < DIRECT_STUDY_QUANTITIES; q++) {
+            double sum = 0;
+            size_t count = 0;
+            for (size_t i = 0; i < ensemble.loads; i++) {
+                struct direct_mean one, all;
+                memcpy(&one, (const char *)&ensemble.point[i] + offsets[q], sizeof one);
+                memcpy(&all, (const char *)&best[i] + offsets[q], sizeof all);
+                if (one.value > 0 && all.value > 0) {
+                    sum += fabs(log(one.value / all.value));
+                    count++;
+                }
+            }
+            effort->error[direct_study_quantities[q]] = count > 0 ? expm1(sum / (double)count) : NAN;
+        }
+        study->efforts++;
+        direct_ensemble_free(&ensemble);
+    }
+    return STATUS_OK;
+}
+
+static enum status_code run(struct maker *maker, struct status *status)
+{
+    struct direct_study *study = maker->study;
+    const struct surface_record *surface = maker->task->surface;
+    if (study->plan.side > 0) {
+        if (make_map(&maker->map, surface, &study->plan, status) != STATUS_OK)
+            return status->code;
+        study->rms_m = maker->map.rms_m;
+    } else if (direct_spectrum_of_law(&maker->spectrum, &study->plan.law, status) != STATUS_OK) {
+        return status->code;
+    }
+    if (find_rows(maker, status) != STATUS_OK)
+        return status->code;
+    study->moments = surface->summary.roughness;
+    roughness_from_spectrum(&study->moments, &study->rows);
+    study->m4_over_scan = study->moments.m4_per_m2 / spectrum_moment(&surface->spectrum, 2);
+    for (int kind = 0; kind < DIRECT_STUDY_KINDS; kind++)
+        if ((kind != DIRECT_STUDY_GAUSSIAN || study->plan.side == 0) &&
+            solve(maker, (enum direct_study_kind)kind, status) != STATUS_OK)
+            return status->code;
+    double *height_m = malloc(study->plan.grid * study->plan.grid * sizeof *height_m);
+    enum status_code rc = height_m ? first_surface(height_m, maker, status) : status_memory(status);
+    if (rc == STATUS_OK)
+        rc = draw(maker, height_m, status);
+    if (rc == STATUS_OK)
+        rc = run_models(maker, height_m, status);
+    free(height_m);
+    return rc == STATUS_OK && maker->task->efforts ? run_efforts(maker, status) : rc;
+}
+
+enum status_code direct_study_run(struct direct_study *out, const struct direct_study_task *task, struct status *status)
+{
+    *out = (struct direct_study){.surface = task->index, .plan = *task->surface->summary.direct};
+    struct maker maker = {.task = task, .study = out};
+    enum status_code rc = run(&maker, status);
+    direct_spectrum_free(&maker.spectrum);
+    direct_map_free(&maker.map);
+    if (rc != STATUS_OK)
+        direct_study_free(out);
+    return rc;
+}
+
+void direct_study_free(struct direct_study *study)
+{
+    for (int kind = 0; kind < DIRECT_STUDY_KINDS; kind++)
+        free(study->curves[kind].points);
+    for (size_t m = 0; study->models && m < model_count; m++)
+        free(study->models[m].points);
+    free(study->models);
+    free(study->model_seconds);
+    free(study->contact);
+    spectrum_free(&study->rows);
+    *study = (struct direct_study){0};
+}
+
+/** The mean that a quantity is made from, and the factor to it; NULL: not solved. */
+static const struct direct_mean *mean_of(const struct direct_study *study, const struct material_pair *pair,
+                                         enum direct_study_kind kind, enum quantity quantity, size_t i, double *factor)
+{
+    const struct direct_study_curve *curve = &study->curves[kind];
+    if (!curve->points || i >= curve->loads)
+        return NULL;
+    const struct direct_ensemble_point *point = &curve->points[i];
+    *factor = 1;
+    switch ((int)quantity) {
+    case QUANTITY_AREA:
+        return &point->area_ratio;
+    case QUANTITY_SEPARATION:
+        return &point->gap_m;
+    case QUANTITY_ECR:
+        *factor = 2 * pair->resistivity_ohm_m; /* rho1 + rho2 */
+        return &point->constriction_m;
+    case QUANTITY_TCR:
+        *factor = 2 / pair->conductivity_W_per_mK; /* 1/k1 + 1/k2 */
+        return &point->constriction_m;
+    default:
+        return NULL;
+    }
+}
+
+double direct_study_value(const struct direct_study *study, const struct material_pair *pair,
+                          enum direct_study_kind kind, enum quantity quantity, size_t i, double *error)
+{
+    double factor;
+    const struct direct_mean *mean = mean_of(study, pair, kind, quantity, i, &factor);
+    if (error)
+        *error = mean ? mean->standard_error * factor : NAN;
+    return mean ? mean->value * factor : NAN;
+}
+
+double direct_study_grid_error(const struct direct_study *study, enum direct_study_kind kind, enum quantity quantity,
+                               size_t i)
+{
+    static const struct material_pair unit = {.resistivity_ohm_m = 1, .conductivity_W_per_mK = 1};
+    double factor;
+    const struct direct_mean *mean = mean_of(study, &unit, kind, quantity, i, &factor);
+    return mean && isfinite(mean->fine_ratio) ? fabs(mean->fine_ratio - 1) : 0;
+}
+
+enum direct_study_kind direct_study_kind_of(const struct direct_study *study, size_t model)
+{
+    return model_rows[model]->plastic && study->curves[DIRECT_STUDY_CAPPED].points ? DIRECT_STUDY_CAPPED
+                                                                                   : DIRECT_STUDY_HEIGHTS;
+}
+
+/** The model's point at one of the three loads round load `i`. */
+static const struct contact_point *point_at(const struct direct_study *study, size_t model, size_t i, int side)
+{
+    const struct model_curve *curve = &study->models[model];
+    double load = study->load_triples[3 * i + (size_t)(side + 1)];
+    for (size_t k = 0; curve->exists && k < curve->count; k++)
+        if (curve->points[k].load == load)
+            return &curve->points[k];
+    return NULL;
+}
+
+const struct contact_point *direct_study_model(const struct direct_study *study, size_t model, size_t i)
+{
+    return point_at(study, model, i, 0);
+}
+
+double direct_study_ratio(const struct direct_study *study, const struct material_pair *pair, size_t model,
+                          enum quantity quantity, size_t i)
+{
+    const struct contact_point *point = direct_study_model(study, model, i);
+    double direct = direct_study_value(study, pair, direct_study_kind_of(study, model), quantity, i, NULL);
+    double value = point ? quantity_value(point, quantity) : NAN;
+    return value > 0 && direct > 0 ? value / direct : NAN;
+}
+
+double direct_study_conductance(const struct direct_study *study, const struct material_pair *pair, size_t model,
+                                size_t i)
+{
+    const struct contact_point *low = point_at(study, model, i, -1), *at = point_at(study, model, i, 0),
+                               *high = point_at(study, model, i, 1);
+    if (model_rows[model]->plastic || !low || !at || !high || !(at->ecr_ohm_m2 > 0))
+        return NAN;
+    double slope_m = (high->separation_m - low->separation_m) / (high->load - low->load);
+    return -pair->resistivity_ohm_m * slope_m / at->ecr_ohm_m2;
+}
+
+struct direct_study_distance direct_study_distance(const struct direct_study *study, const struct material_pair *pair,
+                                                   size_t model, enum quantity quantity)
+{
+    struct direct_study_distance out = {0, NAN, INFINITY, -INFINITY};
+    double sum = 0;
+    for (size_t i = 0; i < study->plan.loads; i++) {
+        double ratio = direct_study_ratio(study, pair, model, quantity, i);
+        if (isnan(ratio))
+            continue;
+        sum += fabs(log(ratio));
+        out.loads++;
+        out.least = fmin(out.least, ratio);
+        out.most = fmax(out.most, ratio);
+    }
+    if (out.loads > 0)
+        out.mean_factor = exp(sum / (double)out.loads);
+    return out;
+}
+
+size_t direct_study_nearest(const struct direct_study *study, const struct material_pair *pair, enum quantity quantity)
+{
+    size_t nearest = model_count, most = 0;
+    double least = INFINITY;
+    for (size_t m = 0; m < model_count; m++) /* of those that answer at most loads: one load is no curve */
+        if (direct_study_kind_of(study, m) == DIRECT_STUDY_HEIGHTS) {
+            size_t loads = direct_study_distance(study, pair, m, quantity).loads;
+            most = loads > most ? loads : most;
+        }
+    for (size_t m = 0; m < model_count; m++) {
+        struct direct_study_distance distance = direct_study_distance(study, pair, m, quantity);
+        if (direct_study_kind_of(study, m) == DIRECT_STUDY_HEIGHTS && 2 * distance.loads > most &&
+            distance.mean_factor < least) {
+            least = distance.mean_factor;
+            nearest = m;
+        }
+    }
+    return nearest;
+}
