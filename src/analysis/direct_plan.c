@@ -101,7 +101,7 @@ static void count_work(struct direct_plan *plan)
     add_ensemble(plan, plan->loads, plan->seeds, plan->fine_times, false);
     add_ensemble(plan, plan->capped_loads, plan->fewer, 0, true);
     if (plan->side == 0) {
-        add_ensemble(plan, plan->loads, plan->fewer, 0, false);
+        add_ensemble(plan, plan->loads, plan->heights ? plan->fewer : 0, 0, false);
         plan->seconds += synthesis_seconds(plan->grid) * (double)(plan->seeds + (plan->fine_times > 1) +
                                                                   (plan->capped_loads > 0 ? plan->fewer : 0) + 1);
     }
@@ -121,6 +121,7 @@ static void try(struct direct_plan *plan, const struct direct_plan_task *task, s
     double resolved_m = points_a_wave * plan->length_m / (double)plan->grid;
     plan->coarse = !map && resolved_m > task->lambda_s_m * (1 + 1e-9);
     plan->lambda_s_m = plan->coarse || map ? resolved_m : task->lambda_s_m;
+    plan->heights = task->heights && !map;
     plan->resistance = task->resistance;
     choose_loads(plan, task);
     count_work(plan);

@@ -19,6 +19,7 @@ struct direct_plan_task {
     const struct spectrum *spectrum; /* where the grid leaves short waves out, its slope instead; NULL: not known yet */
     double hardness;                 /* H/E'; INFINITY: elastic alone */
     bool resistance;                 /* constriction too */
+    bool heights; /* the scan tells how heights are distributed; a rough counterface hides it */
 };
 
 struct direct_plan {
@@ -26,8 +27,9 @@ struct direct_plan {
     char problem[320];
     size_t side;       /* a map: points along the square taken, of which the grid has twice as many; 0: a profile */
     size_t grid;       /* points a side */
-    size_t seeds;      /* surfaces with the scan's heights; 1 of a map */
-    size_t fewer;      /* surfaces with Gaussian heights, and surfaces with a hardness */
+    size_t seeds;      /* surfaces; 1 of a map */
+    size_t fewer;      /* surfaces with the other heights (the scan's, or Gaussian), and with a hardness */
+    bool heights;      /* there are others */
     size_t fine_times; /* the first surface also on a grid so much finer; 0: not */
     double length_m;   /* L of the cell */
     double lambda_s_m; /* cut-off of the law: the scan's, or what the grid resolves */

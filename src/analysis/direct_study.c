@@ -6,11 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char *const direct_study_kind_names[DIRECT_STUDY_KINDS] = {"scan", "gaussian", "scan"};
 const enum quantity direct_study_quantities[DIRECT_STUDY_QUANTITIES] = {QUANTITY_AREA, QUANTITY_SEPARATION,
                                                                         QUANTITY_ECR};
 static const double contact_tolerance = 1e-6; /* finds the set of points that 1e-12 finds */
 static const double load_step = 0.01;         /* of a model's gap for its slope */
+static const double significance = 0.05;      /* below which heights differ from Gaussian ones, of two tests */
 static const double map_cutoff = 6;           /* spacings: what a map holds below is noise and steps to a solution */
 
 /** What the surfaces of a study are made of. */
@@ -50,6 +50,7 @@ static struct direct_plan_task plan_task(const struct surface_summary *surface, 
         .slope = sqrt(surface->roughness.m2),
         .hardness = capped ? hardness_Pa / plan->pair.effective_modulus_Pa : INFINITY,
         .resistance = plan->running & (EFFECT_BIT(EFFECT_ELECTRICAL) | EFFECT_BIT(EFFECT_THERMAL)),
+        .heights = scene->counterface_surface.file_count == 0,
     };
 }
 
@@ -115,21 +116,83 @@ static struct direct_ensemble_def ensemble_def(const struct maker *maker, enum d
 {
     const struct direct_plan *plan = &maker->study->plan;
     const struct surface_record *surface = maker->task->surface;
-    bool capped = kind == DIRECT_STUDY_CAPPED, heights = kind != DIRECT_STUDY_GAUSSIAN && surface->direct_count > 0;
+    enum direct_study_kind leading = maker->study->leading;
+    bool capped = kind == DIRECT_STUDY_CAPPED, heights = (capped ? leading : kind) == DIRECT_STUDY_HEIGHTS;
     return (struct direct_ensemble_def){
         .ladder = {plan->load, capped ? plan->capped_loads : plan->loads, capped ? plan->hardness : INFINITY,
                    contact_tolerance, plan->resistance, maker->task->stop},
         .length_m = plan->length_m,
         .n = plan->grid,
-        .fine_times = kind == DIRECT_STUDY_HEIGHTS ? plan->fine_times : 0,
+        .fine_times = kind == leading ? plan->fine_times : 0,
         .variance = direct_spectrum_variance,
         .context = &maker->spectrum,
         .given_m = heights ? surface->direct_m : NULL,
         .given_count = surface->direct_count,
         .first_seed = 1,
-        .seeds = kind == DIRECT_STUDY_HEIGHTS ? plan->seeds : plan->fewer,
+        .seeds = kind == leading ? plan->seeds : plan->fewer,
         .threads = maker->task->threads,
     };
+}
+
+/** Share of `count` values as far from their median as `value`, two-sided. */
+static double chance_of(const double *values, size_t count, double value)
+{
+    size_t below = 0, above = 0;
+    for (size_t k = 0; k < count; k++) {
+        below += values[k] <= value;
+        above += values[k] >= value;
+    }
+    return fmin(1, 2 * (double)(below < above ? below : above) / (double)count);
+}
+
+enum { TEST_SURFACES = 16, TEST_ROWS = 16, TEST_SCANS_MOST = 8, TEST_GRID = 256 };
+
+/** Do the scan's heights differ from what a Gaussian surface of this spectrum shows in a scan? A scan that is no longer
+ * than the longest wave has few independent heights: its Rsk and Rku scatter, and say little. Rows of Gaussian surfaces,
+ * levelled like the scan and averaged over as many, are the measure. */
+static enum status_code choose_leading(struct maker *maker, struct status *status)
+{
+    struct direct_study *study = maker->study;
+    const struct surface_summary *surface = &maker->task->surface->summary;
+    study->leading = study->plan.side > 0 ? DIRECT_STUDY_HEIGHTS : DIRECT_STUDY_GAUSSIAN;
+    study->chance[0] = study->chance[1] = NAN;
+    if (study->plan.side > 0 || !study->plan.heights)
+        return STATUS_OK;
+    size_t n = study->plan.grid < TEST_GRID ? study->plan.grid : TEST_GRID, count = 0, so_far = 0;
+    size_t scans = surface->scans < TEST_SCANS_MOST ? surface->scans : TEST_SCANS_MOST;
+    double skewness[TEST_SURFACES * TEST_ROWS], kurtosis[TEST_SURFACES * TEST_ROWS];
+    double *height_m = malloc(n * n * sizeof *height_m);
+    enum status_code rc = height_m ? STATUS_OK : status_memory(status);
+    struct roughness mean = {0};
+    enum level level = maker->task->scene->level == LEVEL_CIRCLE ? LEVEL_PARABOLA : maker->task->scene->level;
+    for (uint64_t seed = 1; seed <= TEST_SURFACES && rc == STATUS_OK; seed++) {
+        rc = direct_surface_realise(height_m, n, direct_spectrum_variance, &maker->spectrum, seed, status);
+        for (size_t row = 0; row < TEST_ROWS && rc == STATUS_OK; row++) {
+            double *z_m = height_m + row * (n / TEST_ROWS) * n;
+            struct levelling levelling;
+            rc = level_remove(&levelling, z_m, NULL, n, study->plan.length_m / (double)n, level, status);
+            if (rc != STATUS_OK)
+                break;
+            struct roughness one = roughness_of_heights(z_m, n, study->plan.length_m / (double)n);
+            if (so_far == 0)
+                mean = one;
+            else
+                roughness_average(&mean, &one, so_far);
+            if (++so_far < scans)
+                continue;
+            skewness[count] = roughness_skewness(&mean);
+            kurtosis[count++] = roughness_kurtosis(&mean);
+            so_far = 0;
+        }
+    }
+    free(height_m);
+    if (rc != STATUS_OK)
+        return rc;
+    study->chance[0] = chance_of(skewness, count, roughness_skewness(&surface->roughness));
+    study->chance[1] = chance_of(kurtosis, count, roughness_kurtosis(&surface->roughness));
+    if (fmin(study->chance[0], study->chance[1]) < significance / 2)
+        study->leading = DIRECT_STUDY_HEIGHTS;
+    return STATUS_OK;
 }
 
 static struct direct_mean single(double value)
@@ -191,7 +254,7 @@ static enum status_code solve(struct maker *maker, enum direct_study_kind kind, 
             return status->code;
         curve->points = ensemble.point;
         ensemble.point = NULL;
-        if (kind == DIRECT_STUDY_HEIGHTS)
+        if (kind == study->leading)
             study->rms_m = ensemble.rms_m;
         direct_ensemble_free(&ensemble);
     }
@@ -204,7 +267,7 @@ static enum status_code solve(struct maker *maker, enum direct_study_kind kind, 
 static enum status_code first_surface(double *height_m, const struct maker *maker, struct status *status)
 {
     size_t n = maker->study->plan.grid;
-    struct direct_ensemble_def def = ensemble_def(maker, DIRECT_STUDY_HEIGHTS);
+    struct direct_ensemble_def def = ensemble_def(maker, maker->study->leading);
     if (maker->study->plan.side > 0) {
         memcpy(height_m, maker->map.height_m, n * n * sizeof *height_m);
         return STATUS_OK;
@@ -290,7 +353,7 @@ static enum status_code run_efforts(struct maker *maker, struct status *status)
     } efforts[] = {{4, 1}, {2, 1}, {1, 1}, {1, 4}};
     struct direct_study *study = maker->study;
     for (size_t e = 0; e < sizeof efforts / sizeof *efforts && study->plan.side == 0; e++) {
-        struct direct_ensemble_def def = ensemble_def(maker, DIRECT_STUDY_HEIGHTS);
+        struct direct_ensemble_def def = ensemble_def(maker, maker->study->leading);
         struct direct_study_effort *effort = &study->effort[study->efforts];
         struct direct_ensemble ensemble;
         def.n = def.n / efforts[e].divisor / 2 * 2;
@@ -303,7 +366,7 @@ static enum status_code run_efforts(struct maker *maker, struct status *status)
         if (direct_ensemble_run(&ensemble, &def, status) != STATUS_OK)
             return status->code;
         *effort = (struct direct_study_effort){def.n, def.seeds, clock_seconds() - started, {0}};
-        const struct direct_ensemble_point *best = study->curves[DIRECT_STUDY_HEIGHTS].points;
+        const struct direct_ensemble_point *best = study->curves[study->leading].points;
         const size_t offsets[DIRECT_STUDY_QUANTITIES] = {offsetof(struct direct_ensemble_point, area_ratio),
                                                          offsetof(struct direct_ensemble_point, gap_m),
                                                          offsetof(struct direct_ensemble_point, constriction_m)};
@@ -343,8 +406,10 @@ static enum status_code run(struct maker *maker, struct status *status)
     study->moments = surface->summary.roughness;
     roughness_from_spectrum(&study->moments, &study->rows);
     study->m4_over_scan = study->moments.m4_per_m2 / spectrum_moment(&surface->spectrum, 2);
+    if (choose_leading(maker, status) != STATUS_OK)
+        return status->code;
     for (int kind = 0; kind < DIRECT_STUDY_KINDS; kind++)
-        if ((kind != DIRECT_STUDY_GAUSSIAN || study->plan.side == 0) &&
+        if ((kind == DIRECT_STUDY_CAPPED || kind == (int)study->leading || study->plan.heights) &&
             solve(maker, (enum direct_study_kind)kind, status) != STATUS_OK)
             return status->code;
     double *height_m = malloc(study->plan.grid * study->plan.grid * sizeof *height_m);
@@ -380,6 +445,12 @@ void direct_study_free(struct direct_study *study)
     free(study->contact);
     spectrum_free(&study->rows);
     *study = (struct direct_study){0};
+}
+
+const char *direct_study_heights(const struct direct_study *study, enum direct_study_kind kind)
+{
+    enum direct_study_kind whose = kind == DIRECT_STUDY_CAPPED ? study->leading : kind;
+    return study->plan.side > 0 ? "map" : whose == DIRECT_STUDY_HEIGHTS ? "scan" : "gaussian";
 }
 
 /** The mean that a quantity is made from, and the factor to it; NULL: not solved. */
@@ -429,7 +500,7 @@ double direct_study_grid_error(const struct direct_study *study, enum direct_stu
 enum direct_study_kind direct_study_kind_of(const struct direct_study *study, size_t model)
 {
     return model_rows[model]->plastic && study->curves[DIRECT_STUDY_CAPPED].points ? DIRECT_STUDY_CAPPED
-                                                                                   : DIRECT_STUDY_HEIGHTS;
+                                                                                   : study->leading;
 }
 
 /** The model's point at one of the three loads round load `i`. */
@@ -492,13 +563,13 @@ size_t direct_study_nearest(const struct direct_study *study, const struct mater
     size_t nearest = model_count, most = 0;
     double least = INFINITY;
     for (size_t m = 0; m < model_count; m++) /* of those that answer at most loads: one load is no curve */
-        if (direct_study_kind_of(study, m) == DIRECT_STUDY_HEIGHTS) {
+        if (direct_study_kind_of(study, m) == study->leading) {
             size_t loads = direct_study_distance(study, pair, m, quantity).loads;
             most = loads > most ? loads : most;
         }
     for (size_t m = 0; m < model_count; m++) {
         struct direct_study_distance distance = direct_study_distance(study, pair, m, quantity);
-        if (direct_study_kind_of(study, m) == DIRECT_STUDY_HEIGHTS && 2 * distance.loads > most &&
+        if (direct_study_kind_of(study, m) == study->leading && 2 * distance.loads > most &&
             distance.mean_factor < least) {
             least = distance.mean_factor;
             nearest = m;

@@ -16,10 +16,9 @@
 enum direct_study_kind {
     DIRECT_STUDY_HEIGHTS,  /* elastic, with the scan's heights, or of the map */
     DIRECT_STUDY_GAUSSIAN, /* elastic, Gaussian heights, of a profile */
-    DIRECT_STUDY_CAPPED,   /* the first kind with a hardness, at the loads below it */
+    DIRECT_STUDY_CAPPED,   /* the leading kind with a hardness, at the loads below it */
     DIRECT_STUDY_KINDS
 };
-extern const char *const direct_study_kind_names[DIRECT_STUDY_KINDS];
 
 struct direct_study_curve {
     struct direct_ensemble_point *points; /* one a load; NULL: not solved */
@@ -39,6 +38,9 @@ enum { DIRECT_STUDY_EFFORTS = 8 };
 struct direct_study {
     size_t surface; /* its index */
     struct direct_plan plan;
+    enum direct_study_kind leading; /* what models are held against: the map; or the scan's heights where they are none
+                                       that a Gaussian surface of this spectrum shows in such a scan, else Gaussian */
+    double chance[2]; /* share of such scans with Rsk, Rku as far out, two-sided; NaN: not asked */
     struct direct_study_curve curves[DIRECT_STUDY_KINDS];
     struct spectrum rows;       /* of the surface solved */
     struct roughness moments;   /* the same: m0, m2, m4 */
@@ -79,6 +81,8 @@ MUST_CHECK enum status_code direct_study_run(struct direct_study *out, const str
                                              struct status *status);
 void direct_study_free(struct direct_study *study);
 
+/** Whose heights they are: "map", "scan" or "gaussian". */
+const char *direct_study_heights(const struct direct_study *study, enum direct_study_kind kind);
 /** A quantity at load `i` by one kind of direct solution, SI, NaN where there is none: the mean gap, ECR A_n =
  * (rho1 + rho2) l, TCR A_n = (1/k1 + 1/k2) l. *error (NULL: not wanted): standard error over the surfaces. */
 double direct_study_value(const struct direct_study *study, const struct material_pair *pair,

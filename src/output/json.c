@@ -2,6 +2,7 @@
 
 #include "output/cell.h"
 
+#include "analysis/direct_study.h"
 #include "base/version.h"
 #include "output/cell.h"
 #include <errno.h>
@@ -217,6 +218,76 @@ static json_t *surface_json(const struct surface_record *record, const struct pl
     return json;
 }
 
+/** One kind of direct solution of a surface, load by load. */
+static json_t *direct_curve_json(const struct direct_study *study, const struct results *results,
+                                 enum direct_study_kind kind, const struct cell_guard *guard)
+{
+    static const enum quantity quantities[] = {QUANTITY_AREA, QUANTITY_SEPARATION, QUANTITY_ECR, QUANTITY_TCR};
+    const struct direct_study_curve *curve = &study->curves[kind];
+    json_t *json = json_pack("{s:s, s:I}", "heights", direct_study_heights(study, kind),
+                             "seeds", (json_int_t)curve->seeds);
+    set(json, guard, "hardness_Pa",
+        kind == DIRECT_STUDY_CAPPED ? study->plan.hardness * results->plan->pair.effective_modulus_Pa : NAN);
+    for (int q = -1; q < (int)(sizeof quantities / sizeof *quantities); q++) {
+        json_t *values = json_array(), *errors = json_array();
+        char error_name[64];
+        enum quantity quantity = q < 0 ? QUANTITY_LOAD : quantities[q];
+        for (size_t i = 0; i < curve->loads; i++) {
+            double error = NAN,
+                   value = q < 0 ? study->plan.load[i]
+                                 : direct_study_value(study, &results->plan->pair, kind, quantity, i, &error);
+            json_array_append_new(values, cell_json(guard, quantity_rows[quantity].name, value));
+            json_array_append_new(errors, cell_json(guard, quantity_rows[quantity].name, error));
+        }
+        snprintf(error_name, sizeof error_name, "%s_stderr", quantity_rows[quantity].name);
+        if (results->plan->wanted & QUANTITY_BIT(quantity)) {
+            json_object_set(json, quantity_rows[quantity].name, values);
+            if (q >= 0)
+                json_object_set(json, error_name, errors);
+        }
+        json_decref(values);
+        json_decref(errors);
+    }
+    return json;
+}
+
+static json_t *direct_json(const struct direct_study *study, const struct results *results, struct status *status)
+{
+    const struct surface_summary *surface = &results->store->summaries[study->surface];
+    const struct cell_guard guard = {surface->scene->name, status};
+    const struct direct_plan *plan = &study->plan;
+    json_t *solutions = json_array(), *ratios = json_object();
+    for (int kind = 0; kind < DIRECT_STUDY_KINDS; kind++)
+        if (study->curves[kind].points)
+            json_array_append_new(solutions, direct_curve_json(study, results, (enum direct_study_kind)kind, &guard));
+    for (size_t m = 0; m < model_count; m++) {
+        json_t *model = json_object();
+        for (int q = 0; q < DIRECT_STUDY_QUANTITIES; q++) {
+            enum quantity quantity = direct_study_quantities[q];
+            json_t *values = json_array();
+            for (size_t i = 0; i < study->curves[direct_study_kind_of(study, m)].loads; i++)
+                json_array_append_new(
+                    values,
+                    cell_json(&guard, "ratio", direct_study_ratio(study, &results->plan->pair, m, quantity, i)));
+            if (results->plan->wanted & QUANTITY_BIT(quantity))
+                json_object_set(model, quantity_rows[quantity].short_symbol, values);
+            json_decref(values);
+        }
+        if (study->models[m].exists)
+            json_object_set(ratios, model_rows[m]->name, model);
+        json_decref(model);
+    }
+    json_t *json = json_pack("{s:o, s:s, s:I, s:I, s:o, s:o}", "surface", string(surface->scene->name), "source",
+                             plan->side > 0 ? "map" : "law", "grid", (json_int_t)plan->grid, "contacts_solved",
+                             (json_int_t)study->solutions, "solutions", solutions, "model_over_direct", ratios);
+    set(json, &guard, "cell_m", plan->length_m);
+    set(json, &guard, "lambda_s_m", plan->lambda_s_m);
+    set(json, &guard, "alpha_SI", plan->side > 0 ? NAN : plan->law.alpha);
+    set(json, &guard, "gamma", plan->side > 0 ? NAN : plan->law.gamma);
+    set(json, &guard, "sq_m", study->rms_m);
+    return json;
+}
+
 /** Evaluations by effect, predicted and done. */
 static json_t *work_json(const struct results *results)
 {
@@ -272,7 +343,12 @@ enum status_code json_write(const struct results *results, const char *directory
         first = false;
         ok = print(file, json_pack("{s:o, s:o}", "surface", string(s->scene->name), "error", string(s->refusal)));
     }
-    fputs("],\n\"work\": ", file);
+    fputs("],\n", file);
+    for (size_t k = 0; k < results->direct_count && ok; k++) {
+        fputs(k == 0 ? "\"direct\": [\n" : ",\n", file);
+        ok = print(file, direct_json(&results->direct[k], results, status));
+    }
+    fputs(results->direct_count > 0 ? "],\n\"work\": " : "\"work\": ", file);
     ok = ok && print(file, work_json(results));
     fputs("}\n", file);
     bool bad = ferror(file) || !ok;

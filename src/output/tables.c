@@ -1,5 +1,6 @@
 #include "output/tables.h"
 
+#include "analysis/direct_study.h"
 #include "output/cell.h"
 #include <errno.h>
 #include <math.h>
@@ -369,6 +370,101 @@ static enum status_code write_sensitivity(const struct results *results, const c
     return table_close(&table);
 }
 
+/** What direct.csv says of each quantity: value and error. */
+static const struct {
+    enum quantity quantity;
+    const char *column, *error; /* NULL: none */
+    const char *ratio;          /* in direct_ratio.csv; NULL: not there */
+} direct_columns[] = {
+    {QUANTITY_AREA, "area_ratio", "area_stderr", "area"},
+    {QUANTITY_SEPARATION, "gap_m", "gap_stderr", "gap"},
+    {QUANTITY_ECR, "ecr_ohm_m2", "ecr_stderr", "ecr"},
+    {QUANTITY_TCR, "tcr_K_m2_per_W", NULL, NULL},
+};
+enum { DIRECT_COLUMNS = sizeof direct_columns / sizeof *direct_columns };
+
+static bool has_column(const struct results *results, int column)
+{
+    return results->plan->wanted & QUANTITY_BIT(direct_columns[column].quantity);
+}
+
+static void put_direct(struct table *table, const struct results *results, const struct direct_study *study,
+                       enum direct_study_kind kind)
+{
+    const struct direct_study_curve *curve = &study->curves[kind];
+    for (size_t i = 0; curve->points && i < curve->loads; i++) {
+        put_surface(table, &results->store->summaries[study->surface]);
+        text_add(&table->row, ",%s", study->plan.side > 0 ? "map" : "law");
+        put_number(table, "load_over_AnEp", study->plan.load[i]);
+        for (int c = 0; c < DIRECT_COLUMNS; c++) {
+            double error,
+                value = direct_study_value(study, &results->plan->pair, kind, direct_columns[c].quantity, i, &error);
+            if (has_column(results, c))
+                put_number(table, direct_columns[c].column, value);
+            if (has_column(results, c) && direct_columns[c].error)
+                put_number(table, direct_columns[c].error, error);
+        }
+        double cell_m2 = study->plan.length_m * study->plan.length_m;
+        put_number(table, "patches", curve->points[i].patches_per_m2.value * cell_m2);
+        text_add(&table->row, ",%zu,%zu,%s", curve->seeds, study->plan.grid, direct_study_heights(study, kind));
+        put_number(table, "hardness_Pa",
+                   kind == DIRECT_STUDY_CAPPED ? study->plan.hardness * results->plan->pair.effective_modulus_Pa : NAN);
+        end_row(table);
+    }
+}
+
+static enum status_code write_direct(const struct results *results, const char *directory, struct status *status)
+{
+    struct table table;
+    if (table_open(&table, directory, "direct.csv", status) != STATUS_OK)
+        return status->code;
+    text_add(&table.row, "surface,source,load_over_AnEp");
+    for (int c = 0; c < DIRECT_COLUMNS; c++)
+        if (has_column(results, c)) {
+            text_add(&table.row, ",%s", direct_columns[c].column);
+            if (direct_columns[c].error)
+                text_add(&table.row, ",%s", direct_columns[c].error);
+        }
+    text_add(&table.row, ",patches,seeds,grid,heights,hardness_Pa");
+    end_row(&table);
+    for (size_t k = 0; k < results->direct_count; k++)
+        for (int kind = 0; kind < DIRECT_STUDY_KINDS; kind++)
+            put_direct(&table, results, &results->direct[k], (enum direct_study_kind)kind);
+    return table_close(&table);
+}
+
+static enum status_code write_direct_ratio(const struct results *results, const char *directory, struct status *status)
+{
+    struct table table;
+    if (table_open(&table, directory, "direct_ratio.csv", status) != STATUS_OK)
+        return status->code;
+    text_add(&table.row, "surface,model,load_over_AnEp");
+    for (int c = 0; c < DIRECT_COLUMNS; c++)
+        if (has_column(results, c) && direct_columns[c].ratio)
+            text_add(&table.row, ",%s", direct_columns[c].ratio);
+    bool both = has_column(results, 1) && has_column(results, 2);
+    text_add(&table.row, both ? ",conductance" : "");
+    end_row(&table);
+    for (size_t k = 0; k < results->direct_count; k++)
+        for (size_t m = 0; m < model_count; m++) {
+            const struct direct_study *study = &results->direct[k];
+            size_t loads = study->curves[direct_study_kind_of(study, m)].loads;
+            for (size_t i = 0; study->models[m].exists && i < loads; i++) {
+                put_surface(&table, &results->store->summaries[study->surface]);
+                text_add(&table.row, ",%s", model_rows[m]->name);
+                put_number(&table, "load_over_AnEp", study->plan.load[i]);
+                for (int c = 0; c < DIRECT_COLUMNS; c++)
+                    if (has_column(results, c) && direct_columns[c].ratio)
+                        put_number(&table, direct_columns[c].ratio,
+                                   direct_study_ratio(study, &results->plan->pair, m, direct_columns[c].quantity, i));
+                if (both)
+                    put_number(&table, "conductance", direct_study_conductance(study, &results->plan->pair, m, i));
+                end_row(&table);
+            }
+        }
+    return table_close(&table);
+}
+
 enum status_code tables_write(const struct results *results, const char *directory, struct status *status)
 {
     enum status_code rc = write_surfaces(results, directory, status);
@@ -378,6 +474,10 @@ enum status_code tables_write(const struct results *results, const char *directo
         rc = write_sensitivity(results, directory, status);
     if (rc == STATUS_OK && results->convergence)
         rc = write_convergence(results, directory, status);
+    if (rc == STATUS_OK && results->direct)
+        rc = write_direct(results, directory, status);
+    if (rc == STATUS_OK && results->direct)
+        rc = write_direct_ratio(results, directory, status);
     if (rc == STATUS_OK && results->benchmark)
         rc = write_cost(results->benchmark, directory, status);
     if (rc == STATUS_OK && results_repeated(results))
