@@ -3,7 +3,7 @@
 # LOGARITHMIC: 'xy', 'x', 'y' or ''. STYLES: one word a block of DATA: s1..s8 surfaces, two letters a model (models.gp), with `a` its
 # adjusted separation, with `S` scale-dependent, r1..r9 steps of a sweep; with x at its end the part of that curve outside
 # its range of validity, with b the band of repeated scans around it (rows x,low,high); these get no legend entry. meas:
-# measured points (rows x,y,low,high), joined in their order. AXES: 'A B C': the x axis holds at least A to B; the y axis ends a
+# measured points, dirl, diro, dirp: directly solved ones (rows x,y,low,high), joined in their order. AXES: 'A B C': the x axis holds at least A to B; the y axis ends a
 # little below C when the data go further down (0: it does not).
 # UNSURE: left of this x the chart is shaded.
 data = ARG1; output = ARG2; title_text = ARG3; x_label = ARG4; y_label = ARG5; logarithmic = ARG6; style_words = ARG7
@@ -24,8 +24,8 @@ do for [i = 1:BLOCKS] {
     do for [j = 1:i - 1] { if (stem(word(style_words, j)) eq stem(w)) { NUMBER[i] = NUMBER[j] } }
     if (NUMBER[i] == 0) { numbers = numbers + 1; NUMBER[i] = numbers }
     if (ROWS[i] > 1 && band(w)) { bands = bands . sprintf(' %d', i) }
-    if (ROWS[i] > 0 && w eq 'meas') { measured = measured . sprintf(' %d', i) }
-    if (band(w) || w eq 'meas') { continue }
+    if (ROWS[i] > 0 && in_bars(w)) { measured = measured . sprintf(' %d', i) }
+    if (band(w) || in_bars(w)) { continue }
     if (ROWS[i] > 1 && outside(w)) { dashed = dashed . sprintf(' %d', i) }
     if (ROWS[i] > 1 && !outside(w)) { solid = solid . sprintf(' %d', i) }
     if (ROWS[i] > 0) { stems = stems . stem(w) . ' ' }
@@ -40,7 +40,7 @@ longest = 1; count = 0
 do for [i = 1:BLOCKS] {
     w = word(style_words, i)
     LEGEND[i] = short(LEGEND[i], 60)
-    if (band(w) || w eq 'meas') { continue }
+    if (band(w) || in_bars(w)) { continue }
     if (!outside(w) && strstrt(stems, ' ' . w . ' ')) {
         entries = entries . sprintf(' %d', i); count = count + 1; longest = most(longest, strlen(LEGEND[i]))
     }
@@ -48,8 +48,9 @@ do for [i = 1:BLOCKS] {
 }
 note_outside = 'outside the range of validity'
 note_band = 'one standard deviation of the scans'
+do for [i = 1:BLOCKS] { if (ROWS[i] > 1 && band(word(style_words, i)) && LEGEND[i] ne 'band') { note_band = LEGEND[i] } }
 if (strlen(bands) && !text_mode) { count = count + 1; longest = most(longest, strlen(note_band)) }
-if (strlen(measured)) { count = count + 1; longest = most(longest, 8) }
+do for [i = 1:BLOCKS] { if (ROWS[i] > 0 && in_bars(word(style_words, i))) { count = count + 1; longest = most(longest, strlen(LEGEND[i])) } }
 if (strlen(dashed)) { count = count + 1; longest = most(longest, strlen(note_outside)) }
 load 'legend.gp'
 if (words(axes) == 3 && !empty) {
@@ -80,7 +81,7 @@ if (text_mode) {
     if (strlen(entries)) { command = command . \
         ', for [i in entries] keyentry with points pt NUMBER[int(i)] title LEGEND[int(i)]' }
     if (strlen(measured)) { command = command . \
-        ', for [i in measured] data index int(i) - 1 using 1:2 with points pt 15 title "measured"' }
+        ', for [i in measured] data index int(i) - 1 using 1:2 with points pt 15 title LEGEND[int(i)]' }
 } else {
     if (strlen(bands)) { command = command . \
         ', for [i in bands] data index int(i) - 1 using 1:2:3 with filledcurves fc rgb hue(int(i)) fs transparent solid 0.2 noborder notitle' }
@@ -101,8 +102,8 @@ if (text_mode) {
     if (strlen(bands)) { command = command . \
         ', keyentry with boxes fc rgb quiet fs transparent solid 0.3 noborder title note_band' }
     if (strlen(measured)) { command = command . \
-        ', for [i in measured] data index int(i) - 1 using 1:2 with lines lw 0.9 lc rgb ink notitle' . \
-        ', for [i in measured] data index int(i) - 1 using 1:2:3:4 with yerrorbars pt 2 ps 0.9 lw 1.4 lc rgb ink title "measured"' }
+        ', for [i in measured] data index int(i) - 1 using 1:2 with lines lw 0.9 lc rgb hue(int(i)) notitle' . \
+        ', for [i in measured] data index int(i) - 1 using 1:2:3:4 with yerrorbars pt marker(word(style_words, int(i))) ps 0.9 lw 1.4 lc rgb hue(int(i)) title LEGEND[int(i)]' }
 }
 eval command
 set output

@@ -27,10 +27,15 @@ colour_c6 = colour_s6; colour_c7 = colour_s7; colour_c8 = colour_s8; colour_c9 =
 marker_c1 = 7; marker_c2 = 5; marker_c3 = 9; marker_c4 = 13; marker_c5 = 11
 marker_c6 = 6; marker_c7 = 4; marker_c8 = 8; marker_c9 = 12
 
-colour_meas = ink
+colour_meas = ink; marker_meas = 2
+# Direct solutions: the leading one, the one with other heights, the one with a hardness.
+colour_dirl = ink; colour_diro = quiet; colour_dirp = '#C2185B'
+marker_dirl = 7; marker_diro = 6; marker_dirp = 5
 
 # A style word is a name of the tables above, then perhaps `a` (adjusted) or `S` (scale-dependent), then perhaps `x`
-# (outside the range of validity) or `b` (the band of repeated scans). `meas` is what was measured.
+# (outside the range of validity) or `b` (the band of repeated scans). `meas` is what was measured, `dirl`, `diro` and
+# `dirp` what was solved directly.
+in_bars(w) = w eq 'meas' || w eq 'dirl' || w eq 'diro' || w eq 'dirp'
 outside(w) = strlen(w) > 1 && w[strlen(w):*] eq 'x'
 band(w) = strlen(w) > 1 && w[strlen(w):*] eq 'b'
 stem(w) = outside(w) || band(w) ? w[1:strlen(w) - 1] : w

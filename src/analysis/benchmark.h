@@ -5,7 +5,16 @@
 
 #include "analysis/surface.h"
 
-enum benchmark_chart { BENCHMARK_INTEGRALS, BENCHMARK_CURVES, BENCHMARK_CHARTS };
+struct direct_study;
+
+enum benchmark_chart {
+    BENCHMARK_INTEGRALS,
+    BENCHMARK_CURVES,
+    BENCHMARK_DIRECT_AREA, /* against the direct solution, by quantity */
+    BENCHMARK_DIRECT_GAP,
+    BENCHMARK_DIRECT_ECR,
+    BENCHMARK_CHARTS
+};
 
 /** One method at one setting. */
 struct benchmark_row {
@@ -34,6 +43,7 @@ struct benchmark_task {
     const struct plan *plan;
     const double *loads;
     size_t load_count;
+    const struct direct_study *direct; /* of that surface; NULL: not solved directly */
 };
 
 /** Runs the studies for what the plan computes. Error: STATUS_MEMORY. */
@@ -53,6 +63,10 @@ MUST_CHECK enum status_code benchmark_add(struct benchmark *cost, const struct b
 MUST_CHECK enum status_code benchmark_integrals(struct benchmark *cost, const struct benchmark_task *task,
                                                 struct status *status);
 MUST_CHECK enum status_code benchmark_curves(struct benchmark *cost, const struct benchmark_task *task,
+                                             struct status *status);
+
+/** What each model is off by on a surface solved directly, and the direct solution itself at less expense. */
+MUST_CHECK enum status_code benchmark_direct(struct benchmark *cost, const struct benchmark_task *task,
                                              struct status *status);
 
 /** Times `work(context)`: the least of at least two runs, more while they are short. */

@@ -9,7 +9,7 @@
 enum { GRID_LEAST = 64, GRID_USUAL = 256, GRID_MOST = 1024, FINE_MOST = 2048, SIDE_MOST = 400, LOADS = 13, SEEDS = 12 };
 
 /** Points that the shortest wave needs: gap within 3e-4, constriction within 0.5 %, area within 1 %. */
-static const double points_a_wave = 6;
+const double direct_plan_points_a_wave = 6;
 
 /** m0 and m2 of a spectrum, low-passed like the law's taper where `cut`. */
 static void moments(double out[2], const struct spectrum *spectrum, double lambda_s_m, bool cut)
@@ -76,9 +76,9 @@ static void choose_loads(struct direct_plan *plan, const struct direct_plan_task
 /** Making a surface with given heights: 60 rounds of two transforms and a sort. */
 static double synthesis_seconds(size_t grid)
 {
-    static const double point_seconds = 1.1e-7; /* a round, a point and a doubling of the points */
+    static const double point_seconds = 4.3e-9; /* a round, a point and a doubling of the points */
     double points = (double)grid * (double)grid;
-    return 60 * point_seconds / 16 * points * log2(points);
+    return 60 * point_seconds * points * log2(points);
 }
 
 /** Adds an ensemble to the counts. */
@@ -102,8 +102,10 @@ static void count_work(struct direct_plan *plan)
     add_ensemble(plan, plan->capped_loads, plan->fewer, 0, true);
     if (plan->side == 0) {
         add_ensemble(plan, plan->loads, plan->heights ? plan->fewer : 0, 0, false);
-        plan->seconds += synthesis_seconds(plan->grid) * (double)(plan->seeds + (plan->fine_times > 1) +
-                                                                  (plan->capped_loads > 0 ? plan->fewer : 0) + 1);
+        size_t leading = plan->seeds + (plan->fine_times > 1) + (plan->capped_loads > 0 ? plan->fewer : 0) + 1;
+        plan->seconds += synthesis_seconds(plan->grid) * (double)(!plan->heights   ? 0
+                                                                  : plan->gaussian ? plan->fewer
+                                                                                   : leading);
     }
     add_ensemble(plan, plan->loads > 0, 1, 0, false); /* the picture */
 }
@@ -115,13 +117,14 @@ static void try(struct direct_plan *plan, const struct direct_plan_task *task, s
     plan->side = map ? size : 0;
     plan->grid = map ? 2 * size : size;
     plan->seeds = map ? 1 : seeds;
-    plan->fewer = map ? 1 : seeds < 2 ? seeds : seeds < 6 ? 2 : (seeds + 2) / 3;
+    plan->fewer = map || seeds < 4 ? 1 : seeds < 6 ? 2 : (seeds + 2) / 3;
     plan->fine_times = fine && 2 * plan->grid <= FINE_MOST ? 2 : 0;
     plan->length_m = map ? 2 * task->length_m * (double)size / (double)task->side : task->length_m;
-    double resolved_m = points_a_wave * plan->length_m / (double)plan->grid;
+    double resolved_m = direct_plan_points_a_wave * plan->length_m / (double)plan->grid;
     plan->coarse = !map && resolved_m > task->lambda_s_m * (1 + 1e-9);
     plan->lambda_s_m = plan->coarse || map ? resolved_m : task->lambda_s_m;
     plan->heights = task->heights && !map;
+    plan->gaussian = task->gaussian && !map;
     plan->resistance = task->resistance;
     choose_loads(plan, task);
     count_work(plan);
@@ -133,7 +136,7 @@ static size_t usual_size(const struct direct_plan_task *task)
     size_t grid = GRID_USUAL;
     if (task->side > 0)
         return task->side < SIDE_MOST ? task->side : SIDE_MOST;
-    while (grid < GRID_MOST && (double)grid < points_a_wave * task->length_m / task->lambda_s_m)
+    while (grid < GRID_MOST && (double)grid < direct_plan_points_a_wave * task->length_m / task->lambda_s_m)
         grid *= 2;
     return grid;
 }

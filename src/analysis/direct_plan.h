@@ -19,7 +19,8 @@ struct direct_plan_task {
     const struct spectrum *spectrum; /* where the grid leaves short waves out, its slope instead; NULL: not known yet */
     double hardness;                 /* H/E'; INFINITY: elastic alone */
     bool resistance;                 /* constriction too */
-    bool heights; /* the scan tells how heights are distributed; a rough counterface hides it */
+    bool gaussian;                   /* surfaces with Gaussian heights lead */
+    bool heights;                    /* the scan tells how heights are distributed; a rough counterface hides it */
 };
 
 struct direct_plan {
@@ -30,6 +31,8 @@ struct direct_plan {
     size_t seeds;      /* surfaces; 1 of a map */
     size_t fewer;      /* surfaces with the other heights (the scan's, or Gaussian), and with a hardness */
     bool heights;      /* there are others */
+    bool gaussian;     /* models are held against surfaces with Gaussian heights, not with the scan's */
+    double chance[2];  /* share of such scans of a Gaussian surface with Rsk, Rku as far out; NaN: not asked */
     size_t fine_times; /* the first surface also on a grid so much finer; 0: not */
     double length_m;   /* L of the cell */
     double lambda_s_m; /* cut-off of the law: the scan's, or what the grid resolves */
@@ -46,6 +49,9 @@ struct direct_plan {
     size_t more_grid, more_seeds;        /* the next better choice that the budget forbids; 0: none */
     double more_seconds;
 };
+
+/** Points that the shortest wave needs. */
+extern const double direct_plan_points_a_wave;
 
 /** Chooses. Never fails: see out->possible. */
 void direct_plan_make(struct direct_plan *out, const struct direct_plan_task *task);

@@ -2,6 +2,7 @@
 
 #include "base/clock.h"
 #include "direct/direct_map.h"
+#include "profile/level.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,6 +20,8 @@ struct maker {
     struct direct_study *study;
     struct direct_spectrum spectrum; /* of a profile's surfaces */
     struct direct_map map;
+    struct direct_point *first; /* the leading kind's solutions, of the first surface in front */
+    double coarse_share;        /* of their time, without the fine grid's */
 };
 
 static enum status_code make_map(struct direct_map *out, const struct surface_record *record,
@@ -51,6 +54,7 @@ static struct direct_plan_task plan_task(const struct surface_summary *surface, 
         .hardness = capped ? hardness_Pa / plan->pair.effective_modulus_Pa : INFINITY,
         .resistance = plan->running & (EFFECT_BIT(EFFECT_ELECTRICAL) | EFFECT_BIT(EFFECT_THERMAL)),
         .heights = scene->counterface_surface.file_count == 0,
+        .gaussian = true,
     };
 }
 
@@ -59,6 +63,74 @@ void direct_study_outline(struct direct_plan *out, const struct surface_summary 
 {
     struct direct_plan_task task = plan_task(surface, scene, plan, loads, load_count);
     direct_plan_make(out, &task);
+}
+
+/** Share of `count` values as far from their median as `value`, two-sided. */
+static double chance_of(const double *values, size_t count, double value)
+{
+    size_t below = 0, above = 0;
+    for (size_t k = 0; k < count; k++) {
+        below += values[k] <= value;
+        above += values[k] >= value;
+    }
+    return fmin(1, 2 * (double)(below < above ? below : above) / (double)count);
+}
+
+enum { TEST_SURFACES = 16, TEST_ROWS = 16, TEST_SCANS_MOST = 8, TEST_GRID = 128 };
+
+/** Do the scan's heights differ from what a Gaussian surface of this spectrum shows in a scan? A scan that is no longer
+ * than the longest wave has few independent heights: its Rsk and Rku scatter, and say little. Rows of Gaussian
+ * surfaces, levelled like the scan and averaged over as many, are the measure. */
+static enum status_code compare_heights(double chance[2], const struct surface_record *record,
+                                        const struct direct_plan_task *ask, enum level level, struct status *status)
+{
+    const struct surface_summary *surface = &record->summary;
+    double resolved_m = direct_plan_points_a_wave * ask->length_m / TEST_GRID;
+    struct direct_plan test = {.possible = true, .grid = TEST_GRID, .length_m = ask->length_m};
+    struct direct_spectrum spectrum = {0};
+    chance[0] = chance[1] = NAN;
+    test.coarse = resolved_m > ask->lambda_s_m;
+    test.lambda_s_m = test.coarse ? resolved_m : ask->lambda_s_m;
+    if (direct_plan_match(&test, &record->spectrum, status) != STATUS_OK)
+        return status->code;
+    if (!test.possible) /* nor will be the plan */
+        return STATUS_OK;
+    size_t n = TEST_GRID, count = 0, so_far = 0;
+    size_t scans = surface->scans < TEST_SCANS_MOST ? surface->scans : TEST_SCANS_MOST;
+    double skewness[TEST_SURFACES * TEST_ROWS], kurtosis[TEST_SURFACES * TEST_ROWS];
+    double *height_m = malloc(n * n * sizeof *height_m);
+    enum status_code rc = height_m ? STATUS_OK : status_memory(status);
+    struct roughness mean = {0};
+    level = level == LEVEL_CIRCLE ? LEVEL_PARABOLA : level;
+    if (rc == STATUS_OK)
+        rc = direct_spectrum_of_law(&spectrum, &test.law, status);
+    for (uint64_t seed = 1; seed <= TEST_SURFACES && rc == STATUS_OK; seed++) {
+        rc = direct_surface_realise(height_m, n, direct_spectrum_variance, &spectrum, seed, status);
+        for (size_t row = 0; row < TEST_ROWS && rc == STATUS_OK; row++) {
+            double *z_m = height_m + row * (n / TEST_ROWS) * n;
+            struct levelling levelling;
+            rc = level_remove(&levelling, z_m, NULL, n, ask->length_m / (double)n, level, status);
+            if (rc != STATUS_OK)
+                break;
+            struct roughness one = roughness_of_heights(z_m, n, ask->length_m / (double)n);
+            if (so_far == 0)
+                mean = one;
+            else
+                roughness_average(&mean, &one, so_far);
+            if (++so_far < scans)
+                continue;
+            skewness[count] = roughness_skewness(&mean);
+            kurtosis[count++] = roughness_kurtosis(&mean);
+            so_far = 0;
+        }
+    }
+    free(height_m);
+    direct_spectrum_free(&spectrum);
+    if (rc != STATUS_OK)
+        return rc;
+    chance[0] = chance_of(skewness, count, roughness_skewness(&surface->roughness));
+    chance[1] = chance_of(kurtosis, count, roughness_kurtosis(&surface->roughness));
+    return STATUS_OK;
 }
 
 enum status_code direct_study_plan(struct surface_record *record, const struct scene *scene, const struct plan *plan,
@@ -70,7 +142,12 @@ enum status_code direct_study_plan(struct surface_record *record, const struct s
     record->summary.direct = out;
     struct direct_plan_task task = plan_task(&record->summary, scene, plan, loads, load_count);
     task.spectrum = &record->spectrum;
+    double chance[2] = {NAN, NAN};
+    if (task.side == 0 && task.heights && compare_heights(chance, record, &task, scene->level, status) != STATUS_OK)
+        return status->code;
+    task.gaussian = !(fmin(chance[0], chance[1]) < significance / 2);
     direct_plan_make(out, &task);
+    memcpy(out->chance, chance, sizeof chance);
     if (out->possible && out->side > 0) {
         struct status problem = {0};
         struct direct_map map = {0};
@@ -134,67 +211,6 @@ static struct direct_ensemble_def ensemble_def(const struct maker *maker, enum d
     };
 }
 
-/** Share of `count` values as far from their median as `value`, two-sided. */
-static double chance_of(const double *values, size_t count, double value)
-{
-    size_t below = 0, above = 0;
-    for (size_t k = 0; k < count; k++) {
-        below += values[k] <= value;
-        above += values[k] >= value;
-    }
-    return fmin(1, 2 * (double)(below < above ? below : above) / (double)count);
-}
-
-enum { TEST_SURFACES = 16, TEST_ROWS = 16, TEST_SCANS_MOST = 8, TEST_GRID = 256 };
-
-/** Do the scan's heights differ from what a Gaussian surface of this spectrum shows in a scan? A scan that is no longer
- * than the longest wave has few independent heights: its Rsk and Rku scatter, and say little. Rows of Gaussian surfaces,
- * levelled like the scan and averaged over as many, are the measure. */
-static enum status_code choose_leading(struct maker *maker, struct status *status)
-{
-    struct direct_study *study = maker->study;
-    const struct surface_summary *surface = &maker->task->surface->summary;
-    study->leading = study->plan.side > 0 ? DIRECT_STUDY_HEIGHTS : DIRECT_STUDY_GAUSSIAN;
-    study->chance[0] = study->chance[1] = NAN;
-    if (study->plan.side > 0 || !study->plan.heights)
-        return STATUS_OK;
-    size_t n = study->plan.grid < TEST_GRID ? study->plan.grid : TEST_GRID, count = 0, so_far = 0;
-    size_t scans = surface->scans < TEST_SCANS_MOST ? surface->scans : TEST_SCANS_MOST;
-    double skewness[TEST_SURFACES * TEST_ROWS], kurtosis[TEST_SURFACES * TEST_ROWS];
-    double *height_m = malloc(n * n * sizeof *height_m);
-    enum status_code rc = height_m ? STATUS_OK : status_memory(status);
-    struct roughness mean = {0};
-    enum level level = maker->task->scene->level == LEVEL_CIRCLE ? LEVEL_PARABOLA : maker->task->scene->level;
-    for (uint64_t seed = 1; seed <= TEST_SURFACES && rc == STATUS_OK; seed++) {
-        rc = direct_surface_realise(height_m, n, direct_spectrum_variance, &maker->spectrum, seed, status);
-        for (size_t row = 0; row < TEST_ROWS && rc == STATUS_OK; row++) {
-            double *z_m = height_m + row * (n / TEST_ROWS) * n;
-            struct levelling levelling;
-            rc = level_remove(&levelling, z_m, NULL, n, study->plan.length_m / (double)n, level, status);
-            if (rc != STATUS_OK)
-                break;
-            struct roughness one = roughness_of_heights(z_m, n, study->plan.length_m / (double)n);
-            if (so_far == 0)
-                mean = one;
-            else
-                roughness_average(&mean, &one, so_far);
-            if (++so_far < scans)
-                continue;
-            skewness[count] = roughness_skewness(&mean);
-            kurtosis[count++] = roughness_kurtosis(&mean);
-            so_far = 0;
-        }
-    }
-    free(height_m);
-    if (rc != STATUS_OK)
-        return rc;
-    study->chance[0] = chance_of(skewness, count, roughness_skewness(&surface->roughness));
-    study->chance[1] = chance_of(kurtosis, count, roughness_kurtosis(&surface->roughness));
-    if (fmin(study->chance[0], study->chance[1]) < significance / 2)
-        study->leading = DIRECT_STUDY_HEIGHTS;
-    return STATUS_OK;
-}
-
 static struct direct_mean single(double value)
 {
     return (struct direct_mean){value, NAN, 1};
@@ -254,6 +270,12 @@ static enum status_code solve(struct maker *maker, enum direct_study_kind kind, 
             return status->code;
         curve->points = ensemble.point;
         ensemble.point = NULL;
+        if (kind == study->leading) {
+            double coarse = (double)ensemble.convolutions;
+            maker->coarse_share = coarse / (coarse + 4 * (double)ensemble.fine_convolutions);
+            maker->first = ensemble.seed_point; /* the first surface comes first */
+            ensemble.seed_point = NULL;
+        }
         if (kind == study->leading)
             study->rms_m = ensemble.rms_m;
         direct_ensemble_free(&ensemble);
@@ -345,45 +367,64 @@ static enum status_code run_models(struct maker *maker, const double *height_m, 
     return rc;
 }
 
-/** The same curve at less expense: what its error is against all of it. */
+/** A quantity of one surface's solution. */
+static double seed_value(const struct direct_point *point, enum quantity quantity)
+{
+    return quantity == QUANTITY_AREA         ? point->quantities.area_ratio
+           : quantity == QUANTITY_SEPARATION ? point->quantities.gap_m
+                                             : point->constriction_m;
+}
+
+/** Mean |ln| of what the grid of one surface's solution, or the scatter of `seeds` surfaces, moves a quantity by. */
+static double effort_error(const struct maker *maker, const struct direct_point *coarse, size_t seeds,
+                           enum quantity quantity)
+{
+    static const struct material_pair unit = {.resistivity_ohm_m = 0.5, .conductivity_W_per_mK = 2};
+    const struct direct_study *study = maker->study;
+    double sum = 0, count = 0;
+    for (size_t i = 0; i < study->plan.loads; i++) {
+        double error, value = direct_study_value(study, &unit, study->leading, quantity, i, &error);
+        double grid = coarse ? log(seed_value(&coarse[i], quantity) / seed_value(&maker->first[i], quantity))
+                             : direct_study_grid_error(study, study->leading, quantity, i);
+        double scatter = error / value * sqrt((double)study->plan.seeds / (double)seeds);
+        if (value > 0 && isfinite(grid) && isfinite(scatter)) {
+            sum += hypot(grid, scatter);
+            count++;
+        }
+    }
+    return count > 0 ? sum / count : NAN;
+}
+
+/** The same curve at less expense: coarser grids on the first surface, fewer surfaces on the grid itself. */
 static enum status_code run_efforts(struct maker *maker, struct status *status)
 {
     static const struct {
-        size_t divisor, seeds;
-    } efforts[] = {{4, 1}, {2, 1}, {1, 1}, {1, 4}};
+        size_t divisor, seeds; /* 0: all */
+    } efforts[] = {{4, 1}, {2, 1}, {1, 1}, {1, 4}, {1, 0}};
     struct direct_study *study = maker->study;
-    for (size_t e = 0; e < sizeof efforts / sizeof *efforts && study->plan.side == 0; e++) {
-        struct direct_ensemble_def def = ensemble_def(maker, maker->study->leading);
+    const struct direct_study_curve *all = &study->curves[study->leading];
+    for (size_t e = 0; e < sizeof efforts / sizeof *efforts && maker->first; e++) {
+        struct direct_ensemble_def def = ensemble_def(maker, study->leading);
         struct direct_study_effort *effort = &study->effort[study->efforts];
-        struct direct_ensemble ensemble;
-        def.n = def.n / efforts[e].divisor / 2 * 2;
-        def.fine_times = 0;
-        if (def.n < SCENE_DIRECT_GRID_LEAST || efforts[e].seeds >= def.seeds)
+        struct direct_ensemble ensemble = {0};
+        size_t seeds = efforts[e].seeds > 0 ? efforts[e].seeds : def.seeds;
+        bool whole = efforts[e].divisor == 1;
+        *effort = (struct direct_study_effort){def.n / efforts[e].divisor / 2 * 2, seeds, all->seconds, {0}};
+        if (effort->grid < SCENE_DIRECT_GRID_LEAST || (efforts[e].seeds > 1 && seeds >= def.seeds))
             continue;
-        def.seeds = efforts[e].seeds;
-        def.first_seed = study->plan.seeds + 1; /* surfaces of its own, or it would be held against itself */
+        if (whole) /* without the fine grid, whose share is known by its convolutions */
+            effort->seconds *= efforts[e].seeds > 0 ? maker->coarse_share * (double)seeds / (double)def.seeds : 1;
+        def.n = effort->grid;
+        def.seeds = 1;
+        def.fine_times = 0;
         double started = clock_seconds();
-        if (direct_ensemble_run(&ensemble, &def, status) != STATUS_OK)
+        if (!whole && direct_ensemble_run(&ensemble, &def, status) != STATUS_OK)
             return status->code;
-        *effort = (struct direct_study_effort){def.n, def.seeds, clock_seconds() - started, {0}};
-        const struct direct_ensemble_point *best = study->curves[study->leading].points;
-        const size_t offsets[DIRECT_STUDY_QUANTITIES] = {offsetof(struct direct_ensemble_point, area_ratio),
-                                                         offsetof(struct direct_ensemble_point, gap_m),
-                                                         offsetof(struct direct_ensemble_point, constriction_m)};
-        for (int q = 0; q < DIRECT_STUDY_QUANTITIES; q++) {
-            double sum = 0;
-            size_t count = 0;
-            for (size_t i = 0; i < ensemble.loads; i++) {
-                struct direct_mean one, all;
-                memcpy(&one, (const char *)&ensemble.point[i] + offsets[q], sizeof one);
-                memcpy(&all, (const char *)&best[i] + offsets[q], sizeof all);
-                if (one.value > 0 && all.value > 0) {
-                    sum += fabs(log(one.value / all.value));
-                    count++;
-                }
-            }
-            effort->error[direct_study_quantities[q]] = count > 0 ? expm1(sum / (double)count) : NAN;
-        }
+        if (!whole)
+            effort->seconds = clock_seconds() - started;
+        for (int q = 0; q < DIRECT_STUDY_QUANTITIES; q++)
+            effort->error[direct_study_quantities[q]] =
+                effort_error(maker, ensemble.seed_point, seeds, direct_study_quantities[q]);
         study->efforts++;
         direct_ensemble_free(&ensemble);
     }
@@ -406,8 +447,7 @@ static enum status_code run(struct maker *maker, struct status *status)
     study->moments = surface->summary.roughness;
     roughness_from_spectrum(&study->moments, &study->rows);
     study->m4_over_scan = study->moments.m4_per_m2 / spectrum_moment(&surface->spectrum, 2);
-    if (choose_leading(maker, status) != STATUS_OK)
-        return status->code;
+    study->leading = study->plan.gaussian ? DIRECT_STUDY_GAUSSIAN : DIRECT_STUDY_HEIGHTS;
     for (int kind = 0; kind < DIRECT_STUDY_KINDS; kind++)
         if ((kind == DIRECT_STUDY_CAPPED || kind == (int)study->leading || study->plan.heights) &&
             solve(maker, (enum direct_study_kind)kind, status) != STATUS_OK)
@@ -429,6 +469,7 @@ enum status_code direct_study_run(struct direct_study *out, const struct direct_
     enum status_code rc = run(&maker, status);
     direct_spectrum_free(&maker.spectrum);
     direct_map_free(&maker.map);
+    free(maker.first);
     if (rc != STATUS_OK)
         direct_study_free(out);
     return rc;

@@ -40,7 +40,6 @@ struct direct_study {
     struct direct_plan plan;
     enum direct_study_kind leading; /* what models are held against: the map; or the scan's heights where they are none
                                        that a Gaussian surface of this spectrum shows in such a scan, else Gaussian */
-    double chance[2]; /* share of such scans with Rsk, Rku as far out, two-sided; NaN: not asked */
     struct direct_study_curve curves[DIRECT_STUDY_KINDS];
     struct spectrum rows;       /* of the surface solved */
     struct roughness moments;   /* the same: m0, m2, m4 */

@@ -1,5 +1,6 @@
 #include "chart/figure.h"
 
+#include "analysis/direct_study.h"
 #include "chart/figure_data.h"
 
 #include <errno.h>
@@ -7,6 +8,19 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+
+const struct direct_study *figure_direct(const struct results *results)
+{
+    for (size_t k = 0; k < results->direct_count; k++)
+        if (results->direct[k].surface == results->baseline)
+            return &results->direct[k];
+    return NULL;
+}
+
+const char *figure_extension(const struct figure_row *row)
+{
+    return row->kind == FIGURE_PATCHES ? ".png" : ".svg";
+}
 
 /** The effects and models that the row needs; for a figure a model, in that model. */
 static bool is_called_for(const struct figure_row *row, const struct results *results, size_t model)
@@ -21,6 +35,10 @@ static bool is_called_for(const struct figure_row *row, const struct results *re
                (model_rows[model]->thesis_place > 0 || model == plan_leading_model(plan));
     case FIGURE_MODELS:
         return (plan_quantities(plan) & needed) == needed && (!row->beyond_thesis || plan_beyond_thesis(plan));
+    case FIGURE_DIRECT:
+    case FIGURE_DIRECT_RATIO:
+    case FIGURE_PATCHES:
+        return figure_direct(results) && (plan->wanted & needed) == needed;
     case FIGURE_SENSITIVITY:
         return results->sensitivity && (plan_quantities(plan) & QUANTITY_BIT(row->y));
     case FIGURE_PROFILES:
@@ -122,29 +140,35 @@ static enum status_code write_script(const struct figure_file *out, const struct
                                      const char *directory, struct status *status)
 {
     static const char *const templates[] = {
-        [FIGURE_SWEEP] = "curves.gp",      [FIGURE_MODELS] = "curves.gp",   [FIGURE_SURFACES] = "curves.gp",
-        [FIGURE_PROFILES] = "profiles.gp", [FIGURE_SPECTRA] = "spectra.gp", [FIGURE_BENCHMARK] = "cost.gp",
-        [FIGURE_SENSITIVITY] = "curves.gp"};
+        [FIGURE_SWEEP] = "curves.gp",       [FIGURE_MODELS] = "curves.gp",   [FIGURE_SURFACES] = "curves.gp",
+        [FIGURE_PROFILES] = "profiles.gp",  [FIGURE_SPECTRA] = "spectra.gp", [FIGURE_BENCHMARK] = "cost.gp",
+        [FIGURE_SENSITIVITY] = "curves.gp", [FIGURE_DIRECT] = "curves.gp",   [FIGURE_DIRECT_RATIO] = "curves.gp",
+        [FIGURE_PATCHES] = "patches.gp"};
     const struct figure_row *row = out->figure->row;
     struct text script = {0};
     const char *number = out->figure->number;
     const struct quantity_row *x = &quantity_rows[row->x], *y = &quantity_rows[row->y];
     bool sweep = row->kind == FIGURE_SWEEP || row->kind == FIGURE_SENSITIVITY,
-         curves = sweep || row->kind == FIGURE_MODELS || row->kind == FIGURE_SURFACES;
+         direct = row->kind == FIGURE_DIRECT || row->kind == FIGURE_DIRECT_RATIO,
+         curves = sweep || direct || row->kind == FIGURE_MODELS || row->kind == FIGURE_SURFACES;
     text_add(&script, "# draws figure %s from %s.csv: gnuplot %s.gp\n", number, number, number);
-    if (row->kind == FIGURE_MODELS || row->kind == FIGURE_SENSITIVITY)
+    if (direct || row->kind == FIGURE_MODELS || row->kind == FIGURE_SENSITIVITY)
         text_add(&script, "load 'models.gp'\n");
-    text_add(&script, "call '%s' '%s.csv' ('%s' . (exists('dumb_size') ? '.txt' : '.svg')) '%s'", templates[row->kind],
-             number, number, out->figure->title);
+    text_add(&script, "call '%s' '%s.csv' ('%s' . (exists('dumb_size') ? '.txt' : '%s')) '%s'", templates[row->kind],
+             number, number, figure_extension(row), out->figure->title);
+    if (row->kind == FIGURE_PATCHES)
+        text_add(&script, " '%.6e'", figure_direct(results)->plan.length_m * 1e6);
     if (curves) /* the others name their own axes */
         text_add(&script, " '%s' '%s' '%s'", sweep ? "shortest wavelength included (m)" : x->label,
-                 row->kind == FIGURE_SWEEP ? quantity_rows[QUANTITY_AREA].label : y->label,
-                 sweep || (x->logarithmic && y->logarithmic) ? "xy"
-                 : x->logarithmic                            ? "x"
-                                                             : "y");
+                 row->kind == FIGURE_SWEEP          ? quantity_rows[QUANTITY_AREA].label
+                 : row->kind == FIGURE_DIRECT_RATIO ? "model / direct solution"
+                                                    : y->label,
+                 sweep || row->kind == FIGURE_DIRECT_RATIO || (x->logarithmic && y->logarithmic) ? "xy"
+                 : x->logarithmic                                                                ? "x"
+                                                                                                 : "y");
     text_add(&script, " '%s'", text_string(&out->styles));
     /* One load axis for all, so that they compare. gnuplot reads '1.0e-06' from a string, but not '1e-06'. */
-    if (curves && !sweep && row->x == QUANTITY_LOAD)
+    if (curves && !sweep && !direct && row->x == QUANTITY_LOAD)
         text_add(&script, " '%.6e %.6e %.6e'", results->loads[0], results->loads[results->load_count - 1],
                  isfinite(out->floor) ? out->floor : 0);
     if (row->kind == FIGURE_SENSITIVITY)
@@ -206,9 +230,10 @@ static enum status_code copy_template(const char *name, const char *templates, c
 enum status_code figure_write_all(const struct figure_list *list, const struct results *results, const char *directory,
                                   const char *templates, struct status *status)
 {
-    static const char *const files[] = {"style.gp",  "blocks.gp",   "axis.gp",    "legend.gp",
-                                        "curves.gp", "profiles.gp", "spectra.gp", "cost.gp"};
-    for (size_t i = 0; i < sizeof files / sizeof files[0]; i++)
+    static const char *const files[] = {"style.gp",    "blocks.gp",  "axis.gp", "legend.gp", "curves.gp",
+                                        "profiles.gp", "spectra.gp", "cost.gp", "patches.gp"};
+    size_t count = sizeof files / sizeof files[0] - (figure_direct(results) ? 0 : 1);
+    for (size_t i = 0; i < count; i++)
         if (copy_template(files[i], templates, directory, status) != STATUS_OK)
             return status->code;
     if (write_models(directory, status) != STATUS_OK)

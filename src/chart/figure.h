@@ -12,8 +12,11 @@ enum figure_kind {
     FIGURE_SURFACES, /* all surfaces; a figure a model */
     FIGURE_PROFILES,
     FIGURE_SPECTRA,
-    FIGURE_BENCHMARK,   /* error against time */
-    FIGURE_SENSITIVITY, /* the baseline against the shortest wavelength included, all models */
+    FIGURE_BENCHMARK,    /* error against time */
+    FIGURE_DIRECT,       /* the baseline solved directly, with all models on the same surface */
+    FIGURE_DIRECT_RATIO, /* these over the direct solution */
+    FIGURE_PATCHES,      /* where it touches: a picture */
+    FIGURE_SENSITIVITY,  /* the baseline against the shortest wavelength included, all models */
 };
 
 /** One row a figure, or a figure a model. */
@@ -41,6 +44,12 @@ struct figure {
     char title[128];
     bool terminal;
 };
+
+/** Ending of its file: ".svg", or ".png" for a picture. */
+const char *figure_extension(const struct figure_row *row);
+
+/** The direct solution of the baseline; NULL: none. */
+const struct direct_study *figure_direct(const struct results *results);
 
 /** Those that what ran calls for, in the rows' order. Owned: figure_list_free(). */
 struct figure_list {

@@ -1,5 +1,7 @@
 #include "chart/figure_data.h"
 
+#include "analysis/direct_study.h"
+
 #include <errno.h>
 #include <math.h>
 #include <string.h>
@@ -202,10 +204,95 @@ static void put_sensitivity(struct figure_file *out, const struct sensitivity_cu
         begin_block(out, model_rows[0]->style, "no model has a value");
 }
 
+/** The direct solutions as points with their errors. */
+static void put_direct_points(struct figure_file *out, const struct direct_study *study,
+                              const struct material_pair *pair)
+{
+    static const char *const styles[] = {"dirl", "diro", "dirp"}, *const heights[] = {"scan's heights", "Gaussian"};
+    enum quantity y = out->figure->row->y;
+    double scale = quantity_rows[y].over_sigma ? 1 / sqrt(study->moments.m0_m2) : 1;
+    for (int kind = 0; kind < DIRECT_STUDY_KINDS; kind++) {
+        const struct direct_study_curve *curve = &study->curves[kind];
+        bool leading = kind == (int)study->leading, capped = kind == DIRECT_STUDY_CAPPED;
+        char legend[80] = "direct, elastic";
+        if (!curve->points)
+            continue;
+        if (capped)
+            snprintf(legend, sizeof legend, "direct, with the hardness");
+        else if (study->plan.heights)
+            snprintf(legend, sizeof legend, "direct, %s", heights[kind]);
+        begin_block(out, styles[leading ? 0 : capped ? 2 : 1], legend);
+        for (size_t i = 0; i < curve->loads; i++) {
+            double error, value = scale * direct_study_value(study, pair, (enum direct_study_kind)kind, y, i, &error);
+            error = isnan(error) ? 0 : scale * error;
+            if (value > 0)
+                fprintf(out->file, "%.17g,%.17g,%.17g,%.17g\n", study->plan.load[i], value,
+                        fmax(value - error, value * 1e-3), value + error);
+        }
+    }
+}
+
+static void put_direct(struct figure_file *out, const struct direct_study *study, const struct plan *plan)
+{
+    enum quantity y = out->figure->row->y;
+    for (size_t m = 0; m < model_count; m++) {
+        struct contact_point points[SCENE_DIRECT_LOADS];
+        struct model_curve curve = {.exists = true, .points = points};
+        for (size_t i = 0; i < study->plan.loads; i++)
+            if (direct_study_model(study, m, i))
+                points[curve.count++] = *direct_study_model(study, m, i);
+        if (curve.count > 0 && (model_rows[m]->quantities & plan->wanted & QUANTITY_BIT(y)))
+            put_curve(out, &curve, model_rows[m], y, sqrt(study->moments.m0_m2), model_rows[m]->style,
+                      model_rows[m]->label);
+    }
+    put_direct_points(out, study, &plan->pair);
+}
+
+/** The direct solution's own error as a band round 1: standard error and what the grid leaves. */
+static void put_direct_ratio(struct figure_file *out, const struct direct_study *study, const struct plan *plan)
+{
+    enum quantity y = out->figure->row->y;
+    begin_block(out, "dirlb", "error of the direct solution");
+    for (size_t i = 0; i < study->plan.loads; i++) {
+        double error, value = direct_study_value(study, &plan->pair, study->leading, y, i, &error);
+        double share = (isnan(error) ? 0 : error / value) + direct_study_grid_error(study, study->leading, y, i);
+        if (value > 0)
+            fprintf(out->file, "%.17g,%.17g,%.17g\n", study->plan.load[i], 1 / (1 + share), 1 + share);
+    }
+    for (size_t m = 0; m < model_count; m++) {
+        bool any = false;
+        for (size_t i = 0; i < study->plan.loads; i++)
+            any = any || direct_study_ratio(study, &plan->pair, m, y, i) > 0;
+        if (!any)
+            continue;
+        begin_block(out, model_rows[m]->style, model_rows[m]->label);
+        for (size_t i = 0; i < study->plan.loads; i++)
+            put_point(out, study->plan.load[i], direct_study_ratio(study, &plan->pair, m, y, i), true, true);
+    }
+}
+
+/** Runs of points in contact, row by row [um]. */
+static void put_patches(struct figure_file *out, const struct direct_study *study)
+{
+    size_t n = study->plan.grid;
+    double step_um = study->plan.length_m * 1e6 / (double)n;
+    begin_block(out, "patches", "x from, x to, y from, y to (um)");
+    for (size_t j = 0; j < n; j++)
+        for (size_t i = 0; i < n; i++) {
+            size_t from = i;
+            while (i < n && study->contact[j * n + i])
+                i++;
+            if (i > from)
+                fprintf(out->file, "%.9g,%.9g,%.9g,%.9g\n", (double)from * step_um, (double)i * step_um,
+                        (double)j * step_um, (double)(j + 1) * step_um);
+        }
+}
+
 /** One line a study and method, and a ring round what the report uses. */
 static void put_cost(struct figure_file *out, const struct benchmark *cost)
 {
-    const double floor = 1e-16; /* an error of exactly 0 has no place on a logarithmic axis */
+    bool direct_chart = out->figure->row->chart >= BENCHMARK_DIRECT_AREA;
+    const double floor = direct_chart ? 1e-3 : 1e-16; /* an error of exactly 0 has no place on a logarithmic axis */
     size_t methods = 0;
     const struct benchmark_row *before = NULL;
     for (size_t i = 0; i < cost->count; before = &cost->rows[i++]) {
@@ -214,14 +301,19 @@ static void put_cost(struct figure_file *out, const struct benchmark *cost)
             continue;
         if (!before || strcmp(before->study, row->study) != 0 || strcmp(before->method, row->method) != 0) {
             char legend[80], style[24];
-            bool integral = row->chart == BENCHMARK_INTEGRALS;
+            bool integral = row->chart == BENCHMARK_INTEGRALS, direct = row->chart >= BENCHMARK_DIRECT_AREA;
             snprintf(style, sizeof style, "c%zu", methods++ % 9 + 1);
             snprintf(legend, sizeof legend, "%s, %s", integral ? row->model->label : row->method,
                      integral ? row->method : row->study);
-            begin_block(out, style, legend);
+            begin_block(out, style, direct ? row->method : legend);
         }
         fprintf(out->file, "%.17g,%.17g\n", row->seconds, fmax(row->error, floor));
     }
+    bool chosen = false;
+    for (size_t i = 0; i < cost->count; i++)
+        chosen = chosen || (cost->rows[i].chart == out->figure->row->chart && cost->rows[i].chosen);
+    if (!chosen && out->figure->row->chart >= BENCHMARK_DIRECT_AREA)
+        return;
     begin_block(out, "choice", "used in this report");
     for (size_t i = 0; i < cost->count; i++)
         if (cost->rows[i].chart == out->figure->row->chart && cost->rows[i].chosen)
@@ -234,6 +326,15 @@ enum status_code figure_data_put(struct figure_file *file, const struct results 
     switch (file->figure->row->kind) {
     case FIGURE_SWEEP:
         put_sweep(file, results);
+        break;
+    case FIGURE_DIRECT:
+        put_direct(file, figure_direct(results), results->plan);
+        break;
+    case FIGURE_DIRECT_RATIO:
+        put_direct_ratio(file, figure_direct(results), results->plan);
+        break;
+    case FIGURE_PATCHES:
+        put_patches(file, figure_direct(results));
         break;
     case FIGURE_SENSITIVITY:
         put_sensitivity(file, results->sensitivity);

@@ -30,6 +30,12 @@
         .name = (file), .kind = FIGURE_BENCHMARK, .section = "cost", .title = (words), .chart = (what)                 \
     }
 
+#define DIRECT(file, what, words, in_terminal, up)                                                                     \
+    {                                                                                                                  \
+        .name = (file), .kind = (what), .section = "direct", .title = (words), .terminal = (in_terminal),              \
+        .x = QUANTITY_LOAD, .y = (up)                                                                                  \
+    }
+
 const struct figure_row figure_rows[] = {
     SWEEP(1, "alpha", "Area against wavelength, α varied", CONVERGENCE_ALPHA),
     SWEEP(3, "gamma", "Area against wavelength, γ varied", CONVERGENCE_GAMMA),
@@ -42,6 +48,15 @@ const struct figure_row figure_rows[] = {
     BEYOND("models-area", "Area against load, every model", QUANTITY_AREA),
     BEYOND("models-separation", "Separation against load, every model", QUANTITY_SEPARATION),
     BEYOND("models-ecr", "ECR against load, every model", QUANTITY_ECR),
+    DIRECT("direct-area", FIGURE_DIRECT, "Area against load, models and direct solution", true, QUANTITY_AREA),
+    DIRECT("direct-gap", FIGURE_DIRECT, "Separation against load, models and direct solution", false,
+           QUANTITY_SEPARATION),
+    DIRECT("direct-ecr", FIGURE_DIRECT, "ECR against load, models and direct solution", false, QUANTITY_ECR),
+    DIRECT("direct-ratio-area", FIGURE_DIRECT_RATIO, "Area, model over direct solution", false, QUANTITY_AREA),
+    DIRECT("direct-ratio-gap", FIGURE_DIRECT_RATIO, "Separation, model over direct solution", false,
+           QUANTITY_SEPARATION),
+    DIRECT("direct-ratio-ecr", FIGURE_DIRECT_RATIO, "ECR, model over direct solution", false, QUANTITY_ECR),
+    DIRECT("direct-patches", FIGURE_PATCHES, "Where the surfaces touch", false, QUANTITY_AREA),
     SURFACES(11, "area-load", "surfaces area", true, QUANTITY_LOAD, QUANTITY_AREA),
     SURFACES(15, "separation-load", "surfaces separation", true, QUANTITY_LOAD, QUANTITY_SEPARATION),
     SURFACES(19, "separation-area", "surfaces separation-area", false, QUANTITY_AREA, QUANTITY_SEPARATION),
@@ -50,6 +65,10 @@ const struct figure_row figure_rows[] = {
     {.name = "power-law", .kind = FIGURE_SPECTRA, .section = "power law", .title = "Spectra and their power laws"},
     SENSITIVITY("sensitivity-area", "Area against the shortest wavelength included", QUANTITY_AREA),
     SENSITIVITY("sensitivity-ecr", "ECR against the shortest wavelength included", QUANTITY_ECR),
+    BENCHMARK("cost-direct-area", "Error of the area against time, models and direct solution", BENCHMARK_DIRECT_AREA),
+    BENCHMARK("cost-direct-gap", "Error of the separation against time, models and direct solution",
+              BENCHMARK_DIRECT_GAP),
+    BENCHMARK("cost-direct-ecr", "Error of ECR against time, models and direct solution", BENCHMARK_DIRECT_ECR),
     BENCHMARK("cost-integrals", "Error against time, integrals of the statistical models", BENCHMARK_INTEGRALS),
     BENCHMARK("cost-curves", "Error against time, scales and loads left out", BENCHMARK_CURVES),
 };

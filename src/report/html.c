@@ -215,16 +215,43 @@ static int leave_block(MD_BLOCKTYPE type, void *detail, void *user)
     return 0;
 }
 
+static const char picture_extension[] = ".png";
+
+static bool ends_with(const char *name, const char *extension)
+{
+    size_t length = strlen(name), size = strlen(extension);
+    return length > size && strcmp(name + length - size, extension) == 0;
+}
+
+/* A picture as a data URI, in base 64 (RFC 4648). */
+static void add_picture(struct text *out, const struct text *bytes, const char *label)
+{
+    static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    text_add(out, "<img alt=\"");
+    text_add_bytes(out, label, strlen(label)); /* escaped already */
+    text_add(out, "\" src=\"data:image/png;base64,");
+    for (size_t i = 0; i < bytes->length; i += 3) {
+        unsigned group = 0;
+        size_t here = bytes->length - i < 3 ? bytes->length - i : 3;
+        for (size_t k = 0; k < 3; k++)
+            group = group << 8 | (k < here ? (unsigned char)bytes->data[i + k] : 0u);
+        char quad[4];
+        for (size_t k = 0; k < 4; k++)
+            quad[k] = k <= here ? digits[group >> (18 - 6 * k) & 63] : '=';
+        text_add_bytes(out, quad, sizeof quad);
+    }
+    text_add(out, "\">");
+}
+
 /* The chart's file name, or NULL for a picture that is none of the report's charts. */
 static const char *chart_name(const char *source)
 {
-    static const char directory[] = "figures/", extension[] = ".svg";
+    static const char directory[] = "figures/";
     if (strncmp(source, directory, strlen(directory)) != 0)
         return NULL;
     const char *name = source + strlen(directory);
     size_t length = strspn(name, "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-");
-    bool chart =
-        name[length] == '\0' && length > strlen(extension) && strcmp(name + length - strlen(extension), extension) == 0;
+    bool chart = name[length] == '\0' && (ends_with(name, ".svg") || ends_with(name, picture_extension));
     return chart ? name : NULL;
 }
 
@@ -245,7 +272,9 @@ static enum status_code add_chart(struct page *page, const char *name)
     text_add(&path, "%s/figures/%s", page->directory, name);
     enum status_code code =
         path.failed ? status_memory(page->status) : text_read_file(&svg, text_string(&path), page->status);
-    if (code == STATUS_OK)
+    if (code == STATUS_OK && ends_with(name, picture_extension))
+        add_picture(&page->line, &svg, text_string(&page->label));
+    else if (code == STATUS_OK)
         code =
             svg_inline(&page->line, &svg, text_string(&path), ++page->charts, text_string(&page->label), page->status);
     if (code == STATUS_OK) {

@@ -28,14 +28,16 @@ void section_figures(struct text *out, const struct section_context *context, co
         if (figure->row->number > 0 && figure->number[0] == '6')
             text_add(out, "Figure %s. ", figure->number);
         text_add(out, "%s", figure->title);
-        if (figure->row->kind == FIGURE_MODELS || figure->row->kind == FIGURE_SENSITIVITY) {
+        if (figure->row->kind == FIGURE_MODELS || figure->row->kind == FIGURE_SENSITIVITY ||
+            figure->row->kind == FIGURE_DIRECT || figure->row->kind == FIGURE_DIRECT_RATIO ||
+            figure->row->kind == FIGURE_PATCHES) {
             text_add(out, ", ");
             section_named(out, "surface ", context->results, context->results->baseline);
         }
         text_add(out, ".");
         if (caption)
             caption(out, context, figure);
-        text_add(out, "](figures/%s.svg)\n\n", figure->number);
+        text_add(out, "](figures/%s%s)\n\n", figure->number, figure_extension(figure->row));
     }
 }
 

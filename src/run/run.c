@@ -130,7 +130,8 @@ static enum status_code measure_cost(struct run *run, struct status *status)
 {
     const struct results *results = run->results;
     struct surface_record baseline = {0};
-    const struct benchmark_task task = {&baseline, results->scene, results->plan, results->loads, results->load_count};
+    const struct benchmark_task task = {&baseline,      results->scene,      results->plan,
+                                        results->loads, results->load_count, figure_direct(results)};
     enum status_code rc = surface_store_get(&baseline, results->store, results->baseline, status);
     if (rc == STATUS_OK)
         rc = benchmark_measure(&run->benchmark, &task, status);
