@@ -144,6 +144,10 @@ static void caption(struct text *out, const struct section_context *context, con
     bool marked = false; /* does the chart hold a setting that the report uses? */
     for (size_t i = 0; i < benchmark->count; i++)
         marked = marked || (benchmark->rows[i].chart == figure->row->chart && benchmark->rows[i].chosen);
+    if (figure->row->chart >= BENCHMARK_DIRECT_AREA) {
+        text_add(out, " Mean error over the loads; lower left is better.");
+        return;
+    }
     text_add(out, " Lower left is better%s.", marked ? "; ringed: what this report uses" : "");
 }
 
@@ -152,9 +156,52 @@ static bool called_for(const struct section_context *context)
     return context->results->benchmark != NULL;
 }
 
+/** The cheapest model that is within each bound of the direct solution, in area, gap and ECR together. */
+static void physics_text(struct text *out, const struct section_context *context)
+{
+    static const struct {
+        double error;
+        const char *words;
+    } bounds[] = {{1, "a factor 2"}, {0.25, "25 %"}, {0.05, "5 %"}};
+    static const char *const studies[] = {"direct-area", "direct-gap", "direct-ecr"};
+    const struct benchmark *cost = context->results->benchmark;
+    const struct benchmark_row *first = NULL;
+    for (size_t i = 0; i < cost->count && !first; i++)
+        first = strncmp(cost->rows[i].study, "direct-", 7) == 0 ? &cost->rows[i] : NULL;
+    if (!first)
+        return;
+    text_add(out, "**Physically**, against the direct solution (mean over its loads): ");
+    for (size_t b = 0; b < sizeof bounds / sizeof *bounds; b++) {
+        const struct benchmark_row *cheapest = NULL;
+        for (size_t i = 0; i < cost->count; i++) { /* rows of one method in the first study stand for all */
+            const struct benchmark_row *row = &cost->rows[i];
+            bool within = strcmp(row->study, first->study) == 0 && (!row->model || !row->model->plastic);
+            for (size_t s = 0; s < sizeof studies / sizeof *studies && within; s++) {
+                const struct benchmark_row *same = benchmark_find(cost, studies[s], row->method, row->setting);
+                bool there = false;
+                for (size_t k = 0; k < cost->count && !there; k++)
+                    there = strcmp(cost->rows[k].study, studies[s]) == 0;
+                within = !there || (same && same->error <= bounds[b].error);
+            }
+            if (within && (!cheapest || row->seconds < cheapest->seconds))
+                cheapest = row;
+        }
+        text_add(out, "%swithin %s in every quantity ", b > 0 ? "; " : "", bounds[b].words);
+        if (cheapest) {
+            text_add(out, "the cheapest is %s%s%s%s, ", cheapest->method, cheapest->model ? "" : " (",
+                     cheapest->model ? "" : cheapest->setting, cheapest->model ? "" : ")");
+            number_format_between(out, "", cheapest->seconds * 1e3, 2, " ms");
+        } else {
+            text_add(out, "comes nothing tried here");
+        }
+    }
+    text_add(out, ".\n\n");
+}
+
 static void write_cost(struct text *out, const struct section_context *context)
 {
     text_add(out, "## What accuracy costs\n\n");
+    physics_text(out, context);
     cost_text(out, context);
     text_add(out, "\n\n");
     section_figures(out, context, "cost", caption);

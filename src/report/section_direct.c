@@ -1,0 +1,282 @@
+/* How far each model is from a direct numerical solution on the same surface. */
+#include "analysis/direct_study.h"
+#include "report/section.h"
+
+#include <math.h>
+
+/** Does a quantity that is compared belong to this run? */
+static bool has(const struct section_context *context, int q)
+{
+    return context->results->plan->wanted & QUANTITY_BIT(direct_study_quantities[q]);
+}
+
+static const char *const quantity_words[DIRECT_STUDY_QUANTITIES] = {"area", "gap", "ECR"};
+
+static void resolution(struct text *out, const struct direct_study *study)
+{
+    const struct direct_plan *plan = &study->plan;
+    if (plan->side > 0) {
+        text_add(out,
+                 " the map itself: the first square of %zu points a side, its plane off, low-passed at 6 spacings and "
+                 "mirrored to %zu × %zu points, which makes it periodic.",
+                 plan->side, plan->grid, plan->grid);
+        return;
+    }
+    text_add(out,
+             " %zu isotropic surface%s of %zu × %zu points, as long as the scan, whose rows have its mean square "
+             "height and slope: ",
+             plan->seeds, plan->seeds == 1 ? "" : "s", plan->grid, plan->grid);
+    number_format_between(out, "Δ = α λ^γ with γ = ", plan->law.gamma, 4, "");
+    number_format_between(out, ", α = ", plan->law.alpha, 3, "");
+    number_format_between(out, " (SI) down to λs = ", plan->lambda_s_m * 1e6, 3, " µm");
+    if (plan->coarse)
+        text_add(out, ", which is what this grid resolves and not all that the scan holds");
+    number_format_between(out, " (their mean square curvature is then ", study->m4_over_scan, 2, " times the scan's).");
+    number_format_between(out,
+                          " Below λs there is nothing: the solution is true at this resolution. A row is levelled, "
+                          "a surface is not, so its Sq is ",
+                          study->rms_m * 1e6, 3, "");
+    number_format_between(out, " µm where its rows' Rq is ", sqrt(study->moments.m0_m2) * 1e6, 3, " µm.");
+}
+
+static void heights(struct text *out, const struct direct_study *study)
+{
+    const struct direct_plan *plan = &study->plan;
+    if (!plan->heights)
+        return;
+    if (plan->gaussian && isfinite(plan->chance[0])) {
+        number_format_between(out, " Of scans as long as this one, of Gaussian surfaces with this spectrum, ",
+                              100 * plan->chance[0], 2, " % have an Rsk");
+        number_format_between(out, " and ", 100 * plan->chance[1], 2,
+                              " % an Rku as far out: it cannot tell its heights from Gaussian ones, so the models are "
+                              "held against Gaussian surfaces. Surfaces that are given the scan's heights stand "
+                              "beside them; few long waves make those uncertain.");
+    } else {
+        text_add(out, " The scan's heights are not Gaussian beyond the scatter of its few long waves, so the surfaces "
+                      "are given its distribution of heights; Gaussian ones with the same spectrum stand beside them, "
+                      "which shows what skewness does.");
+    }
+}
+
+static void introduction(struct text *out, const struct section_context *context, const struct direct_study *study)
+{
+    section_named(out, "Surface ", context->results, study->surface);
+    text_add(out, ", solved by boundary elements without the models' assumptions:");
+    resolution(out, study);
+    heights(out, study);
+    text_add(out,
+             " The models are given the spectrum of the same surface%s rows, so a ratio is the model's error and "
+             "not the scan's.",
+             study->plan.side > 0 ? "'s" : "s'");
+    if (study->curves[DIRECT_STUDY_CAPPED].points) {
+        number_format_between(out,
+                              " Elastic-plastic models are held against a solution whose pressure is capped at a "
+                              "hardness of ",
+                              study->plan.hardness * context->results->plan->pair.effective_modulus_Pa * 1e-6, 3,
+                              " MPa, at the loads below it; its area is P over the hardness, whatever the roughness, "
+                              "so there area tests the hardness alone.");
+    }
+    text_add(out, "\n\n");
+}
+
+/** The three loads of the table. */
+static size_t table_load(const struct direct_study *study, int k)
+{
+    return (size_t)k * (study->plan.loads - 1) / 2;
+}
+
+static void direct_row(struct text *out, const struct section_context *context, const struct direct_study *study,
+                       enum direct_study_kind kind, size_t i, const char *name)
+{
+    const struct material_pair *pair = &context->results->plan->pair;
+    if (!study->curves[kind].points || i >= study->curves[kind].loads)
+        return;
+    text_add(out, "| ");
+    number_format_power(out, study->plan.load[i], 3);
+    text_add(out, " | %s", name);
+    for (int q = 0; q < DIRECT_STUDY_QUANTITIES; q++) {
+        double error, value = direct_study_value(study, pair, kind, direct_study_quantities[q], i, &error);
+        double scale = direct_study_quantities[q] == QUANTITY_SEPARATION ? 1e6 : 1;
+        if (!has(context, q))
+            continue;
+        text_add(out, " | ");
+        if (isfinite(error) && error > 0)
+            number_format_uncertain(out, value * scale, error * scale);
+        else
+            number_format(out, value * scale, 3);
+    }
+    text_add(out, " | | |\n");
+}
+
+static void model_row(struct text *out, const struct section_context *context, const struct direct_study *study,
+                      const struct surface_record *scan, size_t m, size_t i)
+{
+    const struct material_pair *pair = &context->results->plan->pair;
+    double as_scanned = NAN;
+    if (i >= study->curves[direct_study_kind_of(study, m)].loads)
+        return;
+    text_add(out, "| ");
+    number_format_power(out, study->plan.load[i], 3);
+    text_add(out, " | %s over it", model_rows[m]->label);
+    section_gaussian_mark(out, context, study->surface, m);
+    for (int q = 0; q < DIRECT_STUDY_QUANTITIES; q++)
+        if (has(context, q))
+            section_cell(out, direct_study_ratio(study, pair, m, direct_study_quantities[q], i), 3);
+    for (size_t p = 0; p < scan->curves[m].count; p++)
+        if (scan->curves[m].points[p].load == study->plan.load[i])
+            as_scanned = scan->curves[m].points[p].area_ratio /
+                         direct_study_value(study, pair, direct_study_kind_of(study, m), QUANTITY_AREA, i, NULL);
+    section_cell(out, as_scanned, 3);
+    section_cell(out, direct_study_conductance(study, pair, m, i), 3);
+    text_add(out, " |\n");
+}
+
+static void table(struct text *out, const struct section_context *context, const struct direct_study *study,
+                  const struct surface_record *scan)
+{
+    static const char *const columns[DIRECT_STUDY_QUANTITIES] = {"A/Aₙ", "gap (µm)", "ECR·Aₙ (Ω·m²)"};
+    struct text rule = {0};
+    text_add(out, "| P/(Aₙ E′) | ");
+    text_add(&rule, "|---:|---");
+    for (int q = 0; q < DIRECT_STUDY_QUANTITIES; q++)
+        if (has(context, q)) {
+            text_add(out, " | %s", columns[q]);
+            text_add(&rule, "|---:");
+        }
+    text_add(out, " | area, the scan's own | conductance |\n%s|---:|---:|\n", text_string(&rule));
+    text_free(&rule);
+    for (int k = 0; k < 3; k++) {
+        size_t i = table_load(study, k);
+        if (k > 0 && i == table_load(study, k - 1))
+            continue;
+        enum direct_study_kind other =
+            study->leading == DIRECT_STUDY_HEIGHTS ? DIRECT_STUDY_GAUSSIAN : DIRECT_STUDY_HEIGHTS;
+        direct_row(out, context, study, study->leading, i, "**direct, elastic**");
+        direct_row(out, context, study, other, i,
+                   other == DIRECT_STUDY_GAUSSIAN ? "direct, Gaussian heights" : "direct, the scan's heights");
+        direct_row(out, context, study, DIRECT_STUDY_CAPPED, i, "**direct, with the hardness**");
+        for (size_t m = 0; m < model_count; m++)
+            if (study->models[m].exists)
+                model_row(out, context, study, scan, m, i);
+    }
+    text_add(out,
+             "\nModels as ratios to the direct solution; the last but one column for the scan's own spectrum "
+             "instead of the surface's rows. Conductance: −½(ρ₁+ρ₂)E′ dḡ/dp̄ of an elastic model's own gap over its "
+             "own ECR, 1 in a consistent model (Barber). ± is one standard error over the surfaces.\n\n");
+}
+
+/** "area within 25 % (0.97 to 1.05)". */
+static void add_distance(struct text *out, const struct direct_study_distance *distance, int q)
+{
+    double worst = fmax(distance->most, 1 / distance->least);
+    text_add(out, "%s %s (", quantity_words[q],
+             worst <= 1.25 ? "within 25 %"
+             : worst <= 2  ? "within a factor 2"
+                           : "beyond a factor 2");
+    number_format_range(out, distance->least, distance->most, 2);
+    text_add(out, ")");
+}
+
+static void sentences(struct text *out, const struct section_context *context, const struct direct_study *study)
+{
+    const struct material_pair *pair = &context->results->plan->pair;
+    for (size_t m = 0; m < model_count; m++) {
+        bool first = true;
+        for (int q = 0; q < DIRECT_STUDY_QUANTITIES; q++) {
+            struct direct_study_distance distance = direct_study_distance(study, pair, m, direct_study_quantities[q]);
+            if (!study->models[m].exists || !has(context, q) || distance.loads == 0)
+                continue;
+            if (first)
+                text_add(out, "- **%s**", model_rows[m]->label);
+            text_add(out, first ? ": " : "; ");
+            add_distance(out, &distance, q);
+            if (q == 0 || distance.loads < study->curves[direct_study_kind_of(study, m)].loads)
+                text_add(out, " at %zu load%s", distance.loads, distance.loads == 1 ? "" : "s");
+            first = false;
+        }
+        if (!first)
+            text_add(out, ".\n");
+    }
+    size_t nearest[DIRECT_STUDY_QUANTITIES];
+    bool any = false;
+    for (int q = 0; q < DIRECT_STUDY_QUANTITIES; q++) {
+        nearest[q] = has(context, q) ? direct_study_nearest(study, pair, direct_study_quantities[q]) : model_count;
+        if (nearest[q] == model_count)
+            continue;
+        text_add(out, any ? ", for %s " : "\nOf the elastic models the nearest for %s is ", quantity_words[q]);
+        text_add(out, "**%s**", model_rows[nearest[q]]->label);
+        number_format_between(out, " (a factor ",
+                              direct_study_distance(study, pair, nearest[q], direct_study_quantities[q]).mean_factor, 3,
+                              " off on average)");
+        any = true;
+    }
+    text_add(out, any ? ".\n\n" : "\n");
+}
+
+static void caption(struct text *out, const struct section_context *context, const struct figure *figure)
+{
+    const struct direct_study *study = figure_direct(context->results);
+    enum quantity quantity = figure->row->y;
+    double error = NAN, load = study->plan.load[study->plan.picture];
+    double value =
+        direct_study_value(study, &context->results->plan->pair, study->leading, quantity, study->plan.picture, &error);
+    text_add(out, " At P/(Aₙ E′) = ");
+    number_format_power(out, load, 3);
+    if (figure->row->kind == FIGURE_PATCHES) {
+        text_add(out, " the first surface touches in %zu patch%s; ", study->patches, study->patches == 1 ? "" : "es");
+        number_format_between(out, "the picture is ", study->plan.length_m * 1e6, 3, " µm wide.");
+    } else if (figure->row->kind == FIGURE_DIRECT) {
+        const struct quantity_row *row = &quantity_rows[quantity];
+        text_add(out, " the direct solution has ");
+        number_format(out, row->over_sigma ? value / sqrt(study->moments.m0_m2) : value, 3);
+        text_add(out, "%s%s; error bars: one standard error.", row->unit[0] ? " " : "", row->unit);
+    } else {
+        size_t nearest = direct_study_nearest(study, &context->results->plan->pair, quantity);
+        if (nearest < model_count)
+            number_format_between(
+                out, " the nearest elastic model over the whole range has ",
+                direct_study_ratio(study, &context->results->plan->pair, nearest, quantity, study->plan.picture), 3,
+                "");
+        text_add(out, nearest < model_count ? " (%s)." : "%s no model has a value.",
+                 nearest < model_count ? model_rows[nearest]->label : "");
+    }
+}
+
+static bool called_for(const struct section_context *context)
+{
+    return plan_runs(context->results->plan, EFFECT_DIRECT);
+}
+
+static void write_direct(struct text *out, const struct section_context *context)
+{
+    const struct results *results = context->results;
+    text_add(out, "## Against a direct solution\n\n");
+    if (results->direct_count == 0) {
+        text_add(out, "There is none: ");
+        text_add_markdown(out, results->plan->effects[EFFECT_DIRECT].reason);
+        text_add(out, ".\n");
+        return;
+    }
+    for (size_t k = 0; k < results->direct_count && k < SECTION_ROWS; k++) {
+        const struct direct_study *study = &results->direct[k];
+        struct surface_record scan = {0};
+        struct status status = {0};
+        bool baseline = study->surface == results->baseline;
+        if (!baseline && surface_store_get(&scan, results->store, study->surface, &status) != STATUS_OK)
+            continue;
+        introduction(out, context, study);
+        sentences(out, context, study);
+        table(out, context, study, baseline ? context->baseline : &scan);
+        if (baseline)
+            section_figures(out, context, "direct", caption);
+        else
+            surface_record_free(&scan, false);
+    }
+    if (results->scene->direct.budget_s > 0) {
+        text_add(out, "The direct solution was ");
+        text_add_markdown(out, results->plan->effects[EFFECT_DIRECT].reason);
+        text_add(out, ".\n");
+    }
+}
+
+const struct section section_direct = {"direct", called_for, write_direct};
