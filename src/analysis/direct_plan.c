@@ -130,12 +130,26 @@ static void try(struct direct_plan *plan, const struct direct_plan_task *task, s
     count_work(plan);
 }
 
+/** The largest number up to `most` without prime factors above 5: transforms of others take several times as long. */
+static size_t smooth(size_t most)
+{
+    for (size_t n = most; n > 1; n--) {
+        size_t rest = n;
+        for (size_t factor = 2; factor <= 5; factor++)
+            while (rest % factor == 0)
+                rest /= factor;
+        if (rest == 1)
+            return n;
+    }
+    return most;
+}
+
 /** The grid that resolves the scan, within reason. */
 static size_t usual_size(const struct direct_plan_task *task)
 {
     size_t grid = GRID_USUAL;
     if (task->side > 0)
-        return task->side < SIDE_MOST ? task->side : SIDE_MOST;
+        return smooth(task->side < SIDE_MOST ? task->side : SIDE_MOST);
     while (grid < GRID_MOST && (double)grid < direct_plan_points_a_wave * task->length_m / task->lambda_s_m)
         grid *= 2;
     return grid;
