@@ -120,7 +120,7 @@ static enum status_code run_direct(struct run *run, struct status *status)
         if (rc != STATUS_OK)
             return rc;
     }
-    results->direct = run->direct;
+    results->direct = run->direct_count > 0 ? run->direct : NULL;
     results->direct_count = run->direct_count;
     return STATUS_OK;
 }

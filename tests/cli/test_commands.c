@@ -46,7 +46,7 @@ static void test_usage(void **state)
 {
     const char *place = *state;
     expect_failure(place, 2, 1, "unknown command 'reprot'; did you mean 'report'?", "reprot", "d");
-    expect_failure(place, 2, 1, "unknown command '--bogus'; allowed: report, plan, inspect, synth, models, materials",
+    expect_failure(place, 2, 1, "unknown command '--bogus'; allowed: report, direct, plan, inspect, synth, models, materials",
                    "--bogus");
     expect_failure(place, 2, 1, "unknown command 'a?b'",
                    "a\x1b"

@@ -1,0 +1,335 @@
+/* The direct solution from the command line to the report: on call, what it writes, and nothing where it is not. */
+#include "cli/process.h"
+#include "support.h"
+
+#include <jansson.h>
+#include <signal.h>
+#include <stdio.h>
+#include <time.h>
+
+#define EFFECTS "effects: [plasticity, separation, electrical, thermal]\n"
+#define SMALL   "direct: {grid: 64, seeds: 2, loads: [1e-3, 1.05e-3, 1.1e-3, 4e-3]}\n"
+
+static void write_scene(const char *place, const char *text)
+{
+    char scene[512];
+    snprintf(scene, sizeof scene, "material: tin\nsurfaces: [{name: a, file: a.csv}]\n%s", text);
+    workspace_write(place, "d/scene.yaml", scene);
+}
+
+static void write_profile(const char *place, const char *scene)
+{
+    workspace_scan(place, "d/a.csv", 400, 3);
+    write_scene(place, scene);
+}
+
+/** Runs `report --no-cost` into OUT and checks that the work was as planned. */
+static void report(const char *place, const char *out, const char *jobs)
+{
+    struct process run = expect_exit(place, 0, "report", "d", "-o", out, "--no-cost", "-j", jobs);
+    expect_part(run.err, ", as predicted;");
+    process_free(&run);
+}
+
+static struct table data(const char *place, const char *path)
+{
+    char full[512];
+    snprintf(full, sizeof full, "%s/%s", place, path);
+    return table_read_path(full);
+}
+
+static json_t *results(const char *place)
+{
+    char full[512];
+    snprintf(full, sizeof full, "%s/out/results.json", place);
+    json_t *all = json_load_file(full, 0, NULL);
+    assert_non_null(all);
+    return all;
+}
+
+/** Root mean square gradient of the surfaces, sqrt(2 m2), of the law in results.json. */
+static double gradient_of(const json_t *direct)
+{
+    double alpha = json_number_value(json_object_get(direct, "alpha_SI")),
+           gamma = json_number_value(json_object_get(direct, "gamma")),
+           length = json_number_value(json_object_get(direct, "cell_m")),
+           cut = json_number_value(json_object_get(direct, "lambda_s_m")), m2 = 0;
+    for (int m = 1; m <= 3.2 * length / cut; m++) {
+        double above = m * cut / length, amplitude = alpha * pow(length / m, gamma);
+        amplitude *= above > 1 ? exp(-log(2) * (above * above - 1)) : 1;
+        m2 += pow(2 * 3.14159265358979 * m / length * amplitude, 2) / 2;
+    }
+    return sqrt(2 * m2);
+}
+
+static void test_files(void **state)
+{
+    const char *place = *state;
+    write_profile(place, EFFECTS SMALL);
+    report(place, "out", "2");
+    char *csv = workspace_read(place, "out/data/direct.csv"),
+         *ratios = workspace_read(place, "out/data/direct_ratio.csv");
+    csv[strcspn(csv, "\n")] = ratios[strcspn(ratios, "\n")] = '\0';
+    assert_string_equal(csv,
+                        "surface,source,load_over_AnEp,area_ratio,area_stderr,gap_m,gap_stderr,ecr_ohm_m2,ecr_stderr,"
+                        "tcr_K_m2_per_W,patches,seeds,grid,heights,hardness_Pa");
+    assert_string_equal(ratios, "surface,model,load_over_AnEp,area,gap,ecr,conductance");
+    free(csv);
+    free(ratios);
+    static const char *const figures[] = {"area", "gap", "ecr", "ratio-area", "ratio-gap", "ratio-ecr"};
+    for (size_t f = 0; f < sizeof figures / sizeof *figures; f++) {
+        char path[128];
+        snprintf(path, sizeof path, "out/figures/direct-%s.svg", figures[f]);
+        assert_true(workspace_has(place, path));
+    }
+    assert_true(workspace_has(place, "out/figures/direct-patches.png"));
+    char *html = workspace_read(place, "out/report.html"), *page = workspace_read(place, "out/report.md");
+    expect_part(html, "src=\"data:image/png;base64,iVBORw0KGgo"); /* a PNG's first bytes */
+    expect_part(page, "## Against a direct solution");
+    expect_part(page, "Of the elastic models the nearest for area is **");
+    free(html);
+    free(page);
+}
+
+/* What the numbers are: area as literature has it, resistance as the gap's slope says, the cap's area. */
+static void test_numbers(void **state)
+{
+    const char *place = *state;
+    write_profile(place,
+                  EFFECTS "direct: {grid: 64, seeds: 2, loads: [1e-3, 1.05e-3, 1.1e-3, 4e-3], hardness: 400 MPa}\n");
+    report(place, "out", "1");
+    struct table t = data(place, "out/data/direct.csv"), r = data(place, "out/data/direct_ratio.csv");
+    json_t *all = results(place);
+    double g = gradient_of(json_array_get(json_object_get(all, "direct"), 0)), modulus = 41.4e9 / (1 - 0.36 * 0.36);
+    size_t elastic = 0, capped = 0;
+    for (size_t i = 0; i < t.rows; i++) {
+        bool cap = *table_text(&t, i, "hardness_Pa") != '\0',
+             gaussian = !strcmp(table_text(&t, i, "heights"), "gaussian");
+        double load = table_number(&t, i, "load_over_AnEp"), area = table_number(&t, i, "area_ratio");
+        assert_near(table_number(&t, i, "tcr_K_m2_per_W") / table_number(&t, i, "ecr_ohm_m2"), 1 / (66.8 * 11.5e-8),
+                    1e-12);
+        if (cap) {
+            assert_near(table_number(&t, i, "hardness_Pa"), 400e6, 1e-12);
+            assert_true(area >= load * modulus / 400e6 * (1 - 1e-12));
+            capped++;
+        } else if (gaussian && i + 2 < t.rows && load == 1e-3) {
+            assert_within(area * g / load, 2.05, 0.35);
+            double slope = (table_number(&t, i + 2, "gap_m") - table_number(&t, i, "gap_m")) / 1e-4;
+            assert_near(table_number(&t, i + 1, "ecr_ohm_m2"), -11.5e-8 * slope, 0.01);
+            elastic++;
+        }
+    }
+    assert_int_equal(elastic, 1);
+    assert_int_equal(capped, 4); /* 4e-3 E' = 190 MPa */
+    size_t persson = 0;
+    for (size_t i = 0; i < r.rows; i++)
+        if (strcmp(table_text(&r, i, "model"), "two-band-elastic") == 0 && *table_text(&r, i, "conductance")) {
+            assert_near(table_number(&r, i, "conductance"), 1, 0.01); /* its resistance is Barber's */
+            assert_within(log(table_number(&r, i, "area")), 0, log(2));
+            persson++;
+        }
+    assert_true(persson > 0);
+    json_decref(all);
+    table_free(&t);
+    table_free(&r);
+}
+
+static void test_same_bytes(void **state)
+{
+    const char *place = *state;
+    write_profile(place, EFFECTS SMALL);
+    report(place, "one", "1");
+    report(place, "two", "2");
+    char *one = workspace_digest(place, "one"), *two = workspace_digest(place, "two");
+    assert_string_equal(one, two);
+    free(one);
+    free(two);
+}
+
+static void test_off(void **state)
+{
+    const char *place = *state;
+    static const char *const scenes[] = {EFFECTS, EFFECTS "direct: off\n", "effects: auto\n"};
+    for (size_t s = 0; s < 3; s++) {
+        write_profile(place, scenes[s]);
+        report(place, "out", "1");
+        assert_int_equal(workspace_count(place, "direct"), 0);
+        assert_int_equal(workspace_count(place, "patches"), 0);
+        char *page = workspace_read(place, "out/report.md");
+        expect_no_part(page, "## Against a direct solution");
+        expect_part(page, "| direct | skipped | not called for; it would say how far each model is off: ");
+        free(page);
+        json_t *all = results(place);
+        assert_null(json_object_get(all, "direct"));
+        json_decref(all);
+        struct process plan = expect_exit(place, 0, "plan", "d");
+        expect_part(plan.out,
+                    "it would say how far each model is off: 1024 x 1024 points, 12 surfaces and a finer grid");
+        process_free(&plan);
+    }
+}
+
+/* What the command line says stands over the scene. */
+static void test_called_for(void **state)
+{
+    const char *place = *state;
+    write_profile(place, "effects: [separation]\ndirect: {grid: 32, seeds: 1, loads: [2e-2]}\n");
+    struct process run = expect_exit(place, 0, "report", "d", "--no-cost", "--effects", "separation");
+    assert_false(workspace_has(place, "out/d/data/direct.csv"));
+    process_free(&run);
+    run = expect_exit(place, 0, "direct", "d", "--no-cost", "--effects", "separation");
+    assert_true(workspace_has(place, "out/d/data/direct.csv"));
+    process_free(&run);
+    struct table t = data(place, "out/d/data/direct.csv");
+    assert_int_equal(t.columns, 12); /* no resistance: no column */
+    table_free(&t);
+    run = expect_exit(place, 0, "report", "d", "--no-cost", "-o", "o2", "--effects", "direct");
+    assert_true(workspace_has(place, "o2/data/direct.csv"));
+    assert_false(workspace_has(place, "o2/figures/direct-gap.svg"));
+    process_free(&run);
+}
+
+/** What `plan` says of the direct solution under a budget, to be freed. */
+static char *planned(const char *place, const char *direct)
+{
+    char scene[256];
+    snprintf(scene, sizeof scene, EFFECTS "direct: %s\n", direct);
+    write_scene(place, scene);
+    struct process plan = expect_exit(place, 0, "plan", "d");
+    const char *line = strstr(plan.out, "\ndirect ");
+    assert_non_null(line);
+    char *copy = strndup(line + 1, strcspn(line + 1, "\n"));
+    process_free(&plan);
+    return copy;
+}
+
+/** The number that stands before `unit` in the line. */
+static double number_before(const char *line, const char *unit)
+{
+    const char *at = strstr(line, unit);
+    if (!at)
+        fail_msg("no '%s' in '%s'", unit, line);
+    while (at > line && strchr("0123456789.e+-", at[-1]))
+        at--;
+    return strtod(at, NULL);
+}
+
+/* A budget is kept by counts alone: the same twice, more solved for more, never above it where anything fits. */
+static void test_budget(void **state)
+{
+    const char *place = *state;
+    static const char *const budgets[] = {"0.2", "1 s", "3", "10 s", "100"};
+    double before = 0;
+    workspace_scan(place, "d/a.csv", 400, 3);
+    for (size_t b = 0; b < sizeof budgets / sizeof *budgets; b++) {
+        char key[64];
+        snprintf(key, sizeof key, "{budget: %s}", budgets[b]);
+        char *once = planned(place, key), *twice = planned(place, key);
+        assert_string_equal(once, twice);
+        double seconds = number_before(once, " s of one core");
+        assert_true(seconds <= 1.05 * strtod(budgets[b], NULL)); /* two digits are printed */
+        assert_true(seconds >= before);
+        before = seconds;
+        free(once);
+        free(twice);
+    }
+    char *tiny = planned(place, "{budget: 1e-3, grid: 512}");
+    expect_part(tiny, "more than the budget of 0.001 s, which nothing fits");
+    free(tiny);
+    char *given = planned(place, "{grid: 128, seeds: 3, loads: 4}");
+    expect_part(given, "128 x 128 points, 3 surfaces and a finer grid, 4 loads");
+    free(given);
+}
+
+/* A map is its own surface: one solution, no law, no other heights. */
+static void test_map(void **state)
+{
+    const char *place = *state;
+    char text[20000];
+    size_t used = (size_t)snprintf(text, sizeof text, "DSAA\n24 20\n0 23e-6\n0 19e-6\n-1e-6 1e-6\n");
+    for (int j = 0; j < 20; j++)
+        for (int i = 0; i < 24; i++)
+            used += (size_t)snprintf(text + used, sizeof text - used, "%.9e\n",
+                                     4e-7 * sin(0.7 * i + 0.2 * j) * cos(0.9 * j) + 1e-7 * sin(1.1 * i * j));
+    workspace_write(place, "d/map.grd", text);
+    workspace_write(place, "d/scene.yaml",
+                    "material: tin\neffects: [separation, electrical, direct]\nload: {from: 1e-4, to: 1, points: 41}\n"
+                    "surfaces: [{name: m, file: map.grd, x_unit: m, z_unit: m}]\ndirect: {loads: 5}\n");
+    report(place, "out", "2");
+    struct table t = data(place, "out/data/direct.csv");
+    assert_int_equal(t.rows, 5);
+    size_t numbers = 0;
+    for (size_t i = 0; i < t.rows; i++) {
+        assert_string_equal(table_text(&t, i, "source"), "map");
+        assert_string_equal(table_text(&t, i, "grid"), "40");
+        assert_string_equal(table_text(&t, i, "seeds"), "1");
+        assert_string_equal(table_text(&t, i, "area_stderr"), "");
+        if (*table_text(&t, i, "area_ratio") && numbers++ > 0)
+            assert_true(table_number(&t, i, "gap_m") < table_number(&t, i - 1, "gap_m"));
+    }
+    assert_true(numbers >= 2);
+    table_free(&t);
+    char *page = workspace_read(place, "out/report.md");
+    expect_part(page, "the map itself: the first square of 20 points a side");
+    free(page);
+}
+
+static void test_impossible(void **state)
+{
+    const char *place = *state;
+    write_profile(place, EFFECTS "load: {values: [1e-9]}\ndirect: {grid: 64, seeds: 1}\n");
+    report(place, "out", "1");
+    assert_false(workspace_has(place, "out/data/direct.csv"));
+    char *page = workspace_read(place, "out/report.md");
+    expect_part(page, "There is none: called for, but no load of the scene lies between");
+    free(page);
+}
+
+static void test_key(void **state)
+{
+    const char *place = *state;
+    static const struct {
+        const char *key, *message;
+    } wrong[] = {
+        {"{grid: 63}", "'grid' is 63; give an even number"},
+        {"{grid: 8}", "'grid' is 8; allowed is 16 to 8192"},
+        {"{loads: [1e-3, 1e-4]}", "'loads' do not rise"},
+        {"{budget: 3 MPa}", "'budget'"},
+        {"{hardness: -4 MPa}", "'hardness'"},
+        {"{surfaces: some}", "allowed: baseline, all"},
+        {"{gird: 64}", "unknown key 'gird'; did you mean 'grid'?"},
+    };
+    workspace_scan(place, "d/a.csv", 400, 3);
+    for (size_t w = 0; w < sizeof wrong / sizeof *wrong; w++) {
+        char scene[128];
+        snprintf(scene, sizeof scene, "direct: %s\n", wrong[w].key);
+        write_scene(place, scene);
+        expect_failure(place, 3, 1, wrong[w].message, "plan", "d");
+    }
+}
+
+/* Ctrl-C in the midst of it: OUT is as it was. */
+static void test_stopped(void **state)
+{
+    const char *place = *state;
+    write_profile(place, EFFECTS "direct: {grid: 1024, seeds: 100}\n");
+    struct process_running running = process_start(place, "report", "d", "-o", "out", "--no-cost");
+    nanosleep(&(struct timespec){1, 0}, NULL);
+    kill(running.pid, SIGINT);
+    struct process run = process_end(running);
+    assert_int_equal(run.status, 4);
+    expect_part(run.err, "stopped by a signal; 'out' is as it was before");
+    assert_false(workspace_has(place, "out"));
+    process_free(&run);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        workspace_test(test_files),   workspace_test(test_numbers), workspace_test(test_same_bytes),
+        workspace_test(test_off),     workspace_test(test_budget),  workspace_test(test_called_for),
+        workspace_test(test_map),     workspace_test(test_key),     workspace_test(test_impossible),
+        workspace_test(test_stopped),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
