@@ -224,8 +224,8 @@ static json_t *direct_curve_json(const struct direct_study *study, const struct 
 {
     static const enum quantity quantities[] = {QUANTITY_AREA, QUANTITY_SEPARATION, QUANTITY_ECR, QUANTITY_TCR};
     const struct direct_study_curve *curve = &study->curves[kind];
-    json_t *json = json_pack("{s:s, s:I}", "heights", direct_study_heights(study, kind),
-                             "seeds", (json_int_t)curve->seeds);
+    json_t *json =
+        json_pack("{s:s, s:I}", "heights", direct_study_heights(study, kind), "seeds", (json_int_t)curve->seeds);
     set(json, guard, "hardness_Pa",
         kind == DIRECT_STUDY_CAPPED ? study->plan.hardness * results->plan->pair.effective_modulus_Pa : NAN);
     for (int q = -1; q < (int)(sizeof quantities / sizeof *quantities); q++) {

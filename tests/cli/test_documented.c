@@ -125,8 +125,8 @@ static size_t check_sections(const char *document, const char *place)
 static void report_is_described(void **state)
 {
     const char *place = *state;
-    static const char *const tables[] = {"surfaces.csv", "spectrum.csv", "contact.csv", "convergence.csv",
-                                         "cost.csv",     "spread.csv",   "bands.csv"};
+    static const char *const tables[] = {"surfaces.csv", "spectrum.csv", "contact.csv", "convergence.csv", "cost.csv",
+                                         "spread.csv",   "bands.csv",    "direct.csv",  "direct_ratio.csv"};
     char *document = read_document();
     workspace_scan(place, "in/a.csv", 300, 1);
     workspace_scan(place, "in/b.csv", 300, 2);
@@ -137,7 +137,8 @@ static void report_is_described(void **state)
     workspace_write(place, "in/scene.yaml",
                     "effects: [plasticity, separation, electrical, thermal, scale-dependent, convergence]\n"
                     "load: {from: 1e-6, to: 1e-2, points: 7}\nnominal_area_m2: 1e-6\n"
-                    "convergence: {scales: 64}\ncounterface: {surface: flat.csv, material: copper}\n"
+                    "convergence: {scales: 64}\ndirect: {grid: 64, seeds: 1, loads: [1e-3, 5e-3]}\ncounterface: "
+                    "{surface: flat.csv, material: copper}\n"
                     "measured: {file: ecr.txt, quantity: ecr}\n"
                     "surfaces:\n  - {name: one, file: [a.csv, b.csv]}\n  - {name: two, file: c.csv}\n"
                     "  - {name: three, file: broken.csv}\n");
@@ -153,7 +154,7 @@ static void report_is_described(void **state)
     assert_true(check_keys(document, results) > 200);
     json_decref(results);
     free(text);
-    assert_int_equal(check_sections(document, place), 13); /* all but the title's */
+    assert_int_equal(check_sections(document, place), 14); /* all but the title's */
     free(document);
 }
 

@@ -128,6 +128,9 @@ static void images_among_text(void **state)
     assert_body("see ![that](figures/chart.svg) one\n",
                 "<p>see <svg viewBox=\"0 0 600 420\" role=\"img\" aria-label=\"that\">");
     assert_body("![that](figures/chart.svg) one\n", "</svg> one</p>");
+    assert_body("![a <b>](figures/picture.png)\n",
+                "<figure>\n<img alt=\"a &lt;b&gt;\" src=\"data:image/png;base64,iVBORw0KGgo=\">");
+    assert_body("![words](figures/picture.gif)\n", "<p>words</p>");
     assert_body("a ![photo \"x\"](photo.png)\n", "<p>a photo &quot;x&quot;</p>");
     assert_body("![far](http://example.org/x.svg)\n", "<p>far</p>");
 }

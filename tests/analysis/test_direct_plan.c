@@ -1,0 +1,171 @@
+/* What is decided before a direct solution runs: the matched law, loads, hardness, and the budget's order. */
+#include "analysis/direct_plan.h"
+#include "support.h"
+
+enum { LOADS = 121 };
+
+static double loads[LOADS];
+
+static void fill_loads(void)
+{
+    for (int i = 0; i < LOADS; i++)
+        loads[i] = pow(10, -6 + 5.0 * i / (LOADS - 1));
+}
+
+/** A profile of 300 um, cut off at 8 um. */
+static struct direct_plan_task a_task(const struct scene_direct *direct)
+{
+    return (struct direct_plan_task){.direct = direct,
+                                     .loads = loads,
+                                     .load_count = LOADS,
+                                     .length_m = 3e-4,
+                                     .lambda_s_m = 8e-6,
+                                     .slope = 0.02,
+                                     .hardness = INFINITY,
+                                     .resistance = true,
+                                     .heights = true,
+                                     .gaussian = true};
+}
+
+static struct spectrum rough_spectrum(size_t count)
+{
+    struct spectrum spectrum = {malloc(count * sizeof(double)), count, 3e-4, false};
+    assert_non_null(spectrum.amplitude_m);
+    for (size_t i = 0; i < count; i++) /* steep, with an uneven part */
+        spectrum.amplitude_m[i] = 3e-7 * pow((double)(i + 1), -1.3) * (1 + 0.5 * sin(2.3 * (double)i));
+    return spectrum;
+}
+
+/** m0 and m2 of the law's rows over those of the spectrum, low-passed below `cut_m` as the law is. */
+static void assert_moments(const struct direct_law *law, const struct spectrum *spectrum, double cut_m)
+{
+    double of_law[2] = {0}, of_scan[2] = {0};
+    for (size_t m = 1; m <= direct_law_harmonics(law); m++)
+        for (int k = 0; k < 2; k++)
+            of_law[k] += pow(2 * M_PI * (double)m / 3e-4, 2 * k) * pow(direct_law_amplitude(law, m), 2) / 2;
+    for (size_t i = 0; i < spectrum->count; i++) {
+        double above = cut_m * (double)(i + 1) / 3e-4, share = above > 1 ? exp(-log(2) * (above * above - 1)) : 1;
+        for (int k = 0; k < 2; k++)
+            of_scan[k] += pow(2 * M_PI * (double)(i + 1) / 3e-4, 2 * k) * pow(share * spectrum->amplitude_m[i], 2) / 2;
+    }
+    assert_near(of_law[0], of_scan[0], 1e-9);
+    assert_near(of_law[1], of_scan[1], 1e-9);
+}
+
+static void the_law_has_the_scans_moments(void **state)
+{
+    (void)state;
+    struct status status = {0};
+    struct direct_plan plan;
+    struct spectrum spectrum = rough_spectrum(40), noisy = rough_spectrum(500);
+    struct direct_plan_task task = a_task(&(struct scene_direct){.seeds = 1});
+    direct_plan_make(&plan, &task);
+    assert_int_equal(plan.grid, 256);
+    assert_false(plan.coarse);
+    assert_int_equal(direct_plan_match(&plan, &spectrum, &status), STATUS_OK);
+    assert_true(plan.possible);
+    assert_moments(&plan.law, &spectrum, 0);
+    task = a_task(&(struct scene_direct){.seeds = 1, .grid = 64});
+    direct_plan_make(&plan, &task);
+    assert_true(plan.coarse);
+    assert_near(plan.lambda_s_m, 6 * 3e-4 / 64, 1e-12);
+    assert_int_equal(direct_plan_match(&plan, &noisy, &status), STATUS_OK);
+    assert_moments(&plan.law, &noisy, plan.lambda_s_m);
+    spectrum_free(&spectrum);
+    spectrum_free(&noisy);
+}
+
+/* Loads are the scene's own, the middle one among them, where the grid resolves the contact. */
+static void loads_are_the_scenes(void **state)
+{
+    (void)state;
+    struct direct_plan plan;
+    struct direct_plan_task task = a_task(&(struct scene_direct){.seeds = 2});
+    task.hardness = 8e-4;
+    direct_plan_make(&plan, &task);
+    assert_int_equal(plan.loads, 13);
+    for (size_t k = 0; k < plan.loads; k++) {
+        size_t i = 0;
+        while (i < LOADS && loads[i] != plan.load[k])
+            i++;
+        assert_true(i < LOADS);
+        assert_true(k == 0 || plan.load[k] > plan.load[k - 1]);
+        assert_true(plan.load[k] * 2 / (M_SQRT2 * 0.02) * 256 * 256 > 100); /* points in contact */
+        assert_true((plan.load[k] < 8e-4) == (k < plan.capped_loads));
+    }
+    assert_near(plan.load[plan.picture], loads[LOADS / 2], 0);
+    size_t capped = plan.capped_loads;
+    assert_true(capped > 0);
+    assert_int_equal(plan.solutions, 13 * 2 + 13 + 13 * 1 + capped * 1 + 1);
+    direct_plan_elastic(&plan);
+    assert_int_equal(plan.capped_loads, 0);
+    assert_int_equal(plan.solutions, 13 * 2 + 13 + 13 * 1 + 1); /* surfaces, finer grid, other heights, picture */
+    task = a_task(&(struct scene_direct){.seeds = 2, .loads = 2, .values = (double[]){1e-4, 3e-4}});
+    direct_plan_make(&plan, &task);
+    assert_int_equal(plan.loads, 2);
+    assert_near(plan.load[1], 3e-4, 0);
+}
+
+/* More budget never buys a coarser grid, nor fewer surfaces on the same one. */
+static void a_budget_buys_in_order(void **state)
+{
+    (void)state;
+    struct direct_plan plan, before = {0};
+    for (double budget = 0.01; budget < 100; budget *= 1.3) {
+        struct direct_plan_task task = a_task(&(struct scene_direct){.budget_s = budget});
+        direct_plan_make(&plan, &task);
+        assert_true(plan.over_budget || plan.seconds <= budget);
+        assert_true(plan.grid > before.grid ||
+                    (plan.grid == before.grid && (plan.seeds >= before.seeds || plan.fine_times > before.fine_times)));
+        assert_true(plan.grid <= 256);
+        if (plan.more_seconds > 0 && !plan.over_budget)
+            assert_true(plan.more_seconds > budget);
+        before = plan;
+    }
+    assert_int_equal(plan.grid, 256);
+    assert_int_equal(plan.seeds, 12);
+    assert_int_equal(plan.fine_times, 2);
+}
+
+static void a_map_is_one_surface(void **state)
+{
+    (void)state;
+    struct direct_plan plan;
+    struct direct_plan_task task = a_task(&(struct scene_direct){.grid = 64, .seeds = 5});
+    task.side = 101;
+    direct_plan_make(&plan, &task);
+    assert_int_equal(plan.side, 100); /* transforms of 101 points are slow */
+    assert_int_equal(plan.grid, 200);
+    assert_int_equal(plan.seeds, 1);
+    assert_int_equal(plan.fine_times, 0);
+    assert_false(plan.heights);
+    assert_near(plan.length_m, 2 * 3e-4 * 100 / 101, 1e-12);
+    assert_int_equal(plan.solutions, plan.loads + 1);
+}
+
+static void no_load_is_said(void **state)
+{
+    (void)state;
+    static const double one = 1e-9;
+    struct direct_plan plan;
+    struct direct_plan_task task = a_task(&(struct scene_direct){.grid = 64});
+    task.loads = &one;
+    task.load_count = 1;
+    direct_plan_make(&plan, &task);
+    assert_false(plan.possible);
+    assert_int_equal(plan.solutions, 0);
+    assert_non_null(strstr(plan.problem, "no load of the scene lies between"));
+}
+
+int main(void)
+{
+    fill_loads();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_law_has_the_scans_moments),
+        cmocka_unit_test(loads_are_the_scenes),
+        cmocka_unit_test(a_budget_buys_in_order),
+        cmocka_unit_test(a_map_is_one_surface),
+        cmocka_unit_test(no_load_is_said),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
