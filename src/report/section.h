@@ -23,8 +23,8 @@ struct section {
 };
 
 extern const struct section section_summary, section_surfaces, section_material, section_convergence, section_baseline,
-    section_beyond_thesis, section_direct, section_all_surfaces, section_checks, section_sensitivity, section_repeats, section_measured,
-    section_validity, section_cost, section_computed, section_methods, section_sources;
+    section_beyond_thesis, section_direct, section_all_surfaces, section_checks, section_sensitivity, section_repeats,
+    section_measured, section_validity, section_cost, section_computed, section_methods, section_sources;
 
 /** Surfaces that a table or list of the report shows at most; data/ and results.json have all. */
 enum { SECTION_ROWS = 100 };

@@ -21,7 +21,7 @@ static void measured_maps(void **state)
         if (table_number(&table, row, "points_a_side") > 200 && !getenv("ROUGHCONTACT_SLOW_TESTS"))
             continue;
         struct scan scan;
-        struct scan_options options = {"", ""};
+        struct scan_options options = {0};
         struct status status = {0};
         struct direct_map map;
         struct direct_contact contact;
