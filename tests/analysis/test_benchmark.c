@@ -2,8 +2,11 @@
 #include "analysis/benchmark.h"
 #include "contact/convergence.h"
 #include "contact/multiscale.h"
+#include "contact/statistical.h"
 #include "profile/synth.h"
 #include "support.h"
+
+#include <stdio.h>
 
 enum { POINTS = 256, LOADS = 13 };
 
@@ -106,6 +109,52 @@ static void test_effort_and_error(void **state)
         assert_true(find(studies[s], "adaptive", "1e-12")->evaluations >
                     find(studies[s], "adaptive", "1e-03")->evaluations);
     }
+}
+
+/** int_0^inf law(u) phi(u + d) du but for a factor: area, load, radius, and radius with scale dependence k; by
+ * Simpson's rule in u (`squared` false: as the thesis does), or in sqrt(u). */
+static double simpson(int quantity, double d, double k, size_t intervals, bool squared)
+{
+    double last = d > 0 ? 80 / (d + sqrt(d * d + 80)) : sqrt(80) - d; /* the Gaussian has fallen by e^-40 */
+    double end_of_range = squared ? sqrt(last) : last, step = end_of_range / (double)intervals, sum = 0;
+    for (size_t i = 0; i <= intervals; i++) {
+        double t = step * (double)i, u = squared ? t * t : t;
+        const double laws[] = {u, u * sqrt(u), sqrt(u), u > 0 ? u / (sqrt(u) + k) : 0};
+        double value = laws[quantity] * exp(-u * u / 2 - u * d) * (squared ? 2 * t : 1);
+        sum += value * (i == 0 || i == intervals ? 1 : i % 2 ? 4 : 2);
+    }
+    return sum * step / 3;
+}
+
+/* The error of GW by the thesis's rule, from integrals of its own at the same three separations. */
+static void test_the_error_itself(void **state)
+{
+    (void)state;
+    static const size_t intervals[] = {10, 30, 100, 1000};
+    const struct asperities *surface = &record->summary.asperities;
+    struct status status = {0};
+    struct statistical gw;
+    struct contact_point point;
+    uint64_t none = 0;
+    assert_int_equal(statistical_make(&gw, surface, &plan.pair, ASPERITY_HERTZ, 0, 1, INFINITY, &none, &status),
+                     STATUS_OK);
+    size_t last = LOADS;
+    while (loads[last - 1] >= gw.full_load)
+        last--;
+    const size_t index[] = {0, last / 2, last - 1};
+    double k = gw.spot.knudsen_length_m / sqrt(surface->radius_m * surface->sigma_s_m), d = 3;
+    for (size_t i = 0; i < sizeof intervals / sizeof *intervals; i++) {
+        double error = 0;
+        for (int s = 0; s < 3; s++) {
+            assert_true(statistical_solve(&point, &gw, loads[index[s]], &d));
+            for (int q = 0; q < 4; q++)
+                error = fmax(error, fabs(simpson(q, d, k, intervals[i], false) / simpson(q, d, k, 20000, true) - 1));
+        }
+        char setting[24];
+        snprintf(setting, sizeof setting, "%zu", intervals[i]);
+        assert_near(find("gw-integrals", "Simpson", setting)->error, error, 1e-4);
+    }
+    statistical_free(&gw);
 }
 
 /* What the report uses: the closed forms and the panels at the scene's tolerance, one closure. */
@@ -241,6 +290,7 @@ int main(void)
         cmocka_unit_test(test_what_is_chosen),      cmocka_unit_test(test_closed_forms_alone),
         cmocka_unit_test(test_the_cut_off),         cmocka_unit_test(test_the_number_of_loads),
         cmocka_unit_test(test_the_closures),        cmocka_unit_test(test_the_clock),
+        cmocka_unit_test(test_the_error_itself),
     };
     return cmocka_run_group_tests(tests, make, end);
 }
