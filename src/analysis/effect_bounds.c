@@ -158,10 +158,15 @@ static void decide_scale_dependence(struct plan *plan, const struct surface_summ
     char *reason = plan->effects[EFFECT_SCALE_DEPENDENT].reason;
     size_t size = sizeof plan->effects[EFFECT_SCALE_DEPENDENT].reason;
     double most = 0;
-    for (size_t m = 0; m < model_count; m++)
-        if (plan_runs_model(plan, m))
-            most = fmax(most, largest(surfaces, count, m, scale_dependence_of));
-    if (most > tolerance) {
+    size_t at = 0;
+    for (size_t m = 0; m < model_count; m++) {
+        double bound = plan_runs_model(plan, m) ? largest(surfaces, count, m, scale_dependence_of) : 0;
+        at = bound > most ? m : at;
+        most = fmax(most, bound);
+    }
+    if (isinf(most)) {
+        snprintf(reason, size, "%s has no bound on it", model_rows[at]->label);
+    } else if (most > tolerance) {
         snprintf(reason, size, "(8/3π) λmfp/a can raise TCR by %.2g", most);
     } else {
         snprintf(reason, size, "(8/3π) λmfp/a raises TCR by at most %.2g, below the tolerance", most);

@@ -36,7 +36,7 @@ static void put_curve(struct figure_file *out, const struct model_curve *curve, 
             out->floor = fmin(out->floor, quantity_value(&curve->points[i], y));
     char outside_style[32];
     snprintf(outside_style, sizeof outside_style, "%sx", style);
-    for (int outside = 0; outside <= (border < curve->count); outside++) {
+    for (int outside = 0; outside < (border < curve->count ? 2 : 1); outside++) {
         begin_block(out, outside ? outside_style : style, legend);
         for (size_t i = outside && border > 0 ? border - 1
                         : outside             ? border

@@ -97,6 +97,12 @@ bool section_extended(const struct section_context *context)
     return false;
 }
 
+const char *section_law(size_t model, const char *plastic)
+{
+    const struct model_row *row = model_rows[model];
+    return row->thesis_place == 0 ? row->label : row->plastic ? plastic : "elastic";
+}
+
 bool section_computes(const struct section_context *context, enum quantity quantity)
 {
     return plan_quantities(context->results->plan) & QUANTITY_BIT(quantity);

@@ -54,6 +54,8 @@ size_t section_not_gaussian(const struct section_context *context);
 size_t section_heights_model(const struct section_context *context);
 /** Was any surface's fitted power law carried on below its sampling limit? */
 bool section_extended(const struct section_context *context);
+/** "elastic" or `plastic` for a model of the thesis where its family is understood; any other goes by its label. */
+const char *section_law(size_t model, const char *plastic);
 /** Does a model run that computes this quantity? */
 bool section_computes(const struct section_context *context, enum quantity quantity);
 

@@ -172,7 +172,7 @@ static enum verdict check_families(struct text *out, const struct section_contex
             section_named(out, "surface ", context->results, context->results->baseline);
             text_add(out, ", mean distance of the multiscale and the statistical curve: ");
         }
-        text_add(out, "%s%s: ", tested > 0 ? "; " : "", model_rows[m]->plastic ? "plastic" : "elastic");
+        text_add(out, "%s%s: ", tested > 0 ? "; " : "", section_law(m, "plastic"));
         number_format_between(out, "ECR ", gap->ecr, 2, ", area ");
         number_format_between(out, "", gap->area, 2, " decades");
         better += gap->ecr <= gap->area;
@@ -274,7 +274,7 @@ static enum verdict check_convergence(struct text *out, const struct section_con
         text_add(out, "%s%s: settled for %zu of %zu α, %zu of %zu γ ≥ 1 and %zu of %zu γ < 1",
                  all > convergence_sweeps[CONVERGENCE_ALPHA].count + convergence_sweeps[CONVERGENCE_GAMMA].count ? "; "
                                                                                                                  : "",
-                 model_rows[m]->plastic ? "elastic-plastic" : "elastic", converged[CONVERGENCE_ALPHA],
+                 section_law(m, "elastic-plastic"), converged[CONVERGENCE_ALPHA],
                  convergence_sweeps[CONVERGENCE_ALPHA].count, converged[CONVERGENCE_GAMMA],
                  convergence_sweeps[CONVERGENCE_GAMMA].count - below, converged_below, below);
     }
