@@ -35,7 +35,7 @@ static double bound_yield(const struct surface_record *record, const struct scen
 static bool is_converged(const struct surface_summary *summary, const struct scene *scene, const struct plan *plan)
 {
     const struct power_law *law = &summary->power_law;
-    if (!(law->gamma >= 1))
+    if (!power_law_holds(law) || !(law->gamma >= 1))
         return false;
     double limit_m = 2 * summary->spacing_m, modulus = plan->pair.effective_modulus_Pa;
     double full_Pa = sinusoid_full_pressure(power_law_amplitude(law, limit_m), 1 / limit_m, modulus);

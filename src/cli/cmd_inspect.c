@@ -15,6 +15,7 @@ struct arguments {
     struct scan_options scan;
     char x_column[64];
     struct profile_options how;
+    enum power_law_method fit;
     bool json, chart, no_chart;
     char **files;
     int file_count;
@@ -30,7 +31,8 @@ enum {
     KEY_LAMBDA_S,
     KEY_LAMBDA_C,
     KEY_QUANTITY,
-    KEY_COLUMN
+    KEY_COLUMN,
+    KEY_FIT
 };
 
 static const struct argp_option options[] = {
@@ -41,9 +43,11 @@ static const struct argp_option options[] = {
     {"z-unit", KEY_Z_UNIT, "UNIT", 0, "unit of z where the file names none (default: such a file is refused)", 0},
     {"quantity", KEY_QUANTITY, "NAME", 0, "height or slope, which is integrated to heights (default: height)", 0},
     {"column", KEY_COLUMN, "Z|X,Z", 0, "columns by number or title (default: the first two that can be x and z)", 0},
-    {"level", KEY_LEVEL, "NAME", 0, "none, mean, line, parabola, circle or robust (default: line; maps: plane)", 0},
+    {"level", KEY_LEVEL, "NAME", 0,
+     "none, mean, line, parabola, circle or robust (default: line, mean of a periodic record; maps: plane)", 0},
     {"lambda-s", KEY_LAMBDA_S, "METRES", 0, "cut-off of a Gaussian low-pass (default: none; profiles only)", 0},
     {"lambda-c", KEY_LAMBDA_C, "METRES", 0, "cut-off of a high-pass: R beside P parameters (default: none)", 0},
+    {"fit", KEY_FIT, "NAME", 0, "power law: auto, in the band found, or thesis, all harmonics (default: auto)", 0},
     {0},
 };
 
@@ -64,6 +68,15 @@ static enum level parse_level(const char *name, struct argp_state *state)
             return (enum level)level;
     argp_error(state, "unknown level '%s'; allowed: none, mean, line, parabola, circle, robust", name);
     return LEVEL_LINE;
+}
+
+static enum power_law_method parse_fit(const char *name, struct argp_state *state)
+{
+    for (int method = 0; method < POWER_LAW_METHOD_COUNT; method++)
+        if (strcmp(name, power_law_method_names[method]) == 0)
+            return (enum power_law_method)method;
+    argp_error(state, "unknown fit '%s'; allowed: auto, thesis", name);
+    return POWER_LAW_AUTO;
 }
 
 static enum scan_quantity parse_quantity(const char *name, struct argp_state *state)
@@ -116,6 +129,10 @@ static error_t parse(int key, char *value, struct argp_state *state)
         return 0;
     case KEY_LEVEL:
         arguments->how.level = parse_level(value, state);
+        arguments->how.periodic_mean = false;
+        return 0;
+    case KEY_FIT:
+        arguments->fit = parse_fit(value, state);
         return 0;
     case KEY_LAMBDA_S:
         arguments->how.lambda_s_m = parse_length(value, state);
@@ -179,6 +196,44 @@ static json_t *finding_json(const char *path, const struct inspection *f)
     return json;
 }
 
+/** Knees and lines, behind the law. */
+static void print_spectrum(const struct power_law_band *band)
+{
+    bool first = true;
+    for (size_t k = 0; k + 1 < band->pieces; k++, first = false)
+        printf("%s%.3g um", first ? "              knees at " : ", ", band->knee_m[k] * 1e6);
+    printf("%s", first ? "" : "\n");
+    first = true;
+    for (size_t j = 0; j < band->bins; j++)
+        if (band->use[j] == POWER_LAW_BAND_LINE) {
+            printf("%s%.3g um", first ? "              lines at " : ", ", pow(10, band->bin[j].x) * 1e6);
+            first = false;
+        }
+    printf("%s", first ? "" : "\n");
+}
+
+static void print_law(const struct inspection *f)
+{
+    const struct power_law *law = &f->power_law;
+    if (f->fit == POWER_LAW_THESIS && isnan(law->gamma)) {
+        printf("  power law   - (%s)\n",
+               law->harmonics < 3 ? "it takes 3 harmonics" : "alpha leaves the range of numbers");
+    } else if (f->fit == POWER_LAW_THESIS) {
+        printf("  power law   alpha %.4g +- %.2g, gamma %.3f +- %.3f, scatter %.3f decades\n", law->alpha,
+               law->alpha_error, law->gamma, law->gamma_error, law->misfit_decades);
+    } else if (law->found == POWER_LAW_BAND_NONE) {
+        printf("  power law   - (no power law found)\n");
+    } else {
+        printf("  power law   gamma %.3f +- %.3f from %.3g to %.3g um%s, misfit %.2g decades\n", law->gamma,
+               law->gamma_error, law->band_m[0] * 1e6, law->band_m[1] * 1e6,
+               law->found == POWER_LAW_BAND_NARROW ? " (narrow)" : "", law->misfit_decades);
+        printf("              rms amplitude %.4g um x/: %.3g at %.3g um, C %.3g m3; alpha %.3g follows\n",
+               law->amplitude_m * 1e6, pow(10, law->amplitude_error_decades), law->wavelength_m * 1e6, law->psd_m3,
+               law->alpha);
+    }
+    print_spectrum(&f->band);
+}
+
 static void print_finding(const char *path, const struct inspection *f)
 {
     const struct roughness *r = &f->roughness;
@@ -196,9 +251,10 @@ static void print_finding(const char *path, const struct inspection *f)
     else
         printf("  points      %zu, spacing %.6g um (%s), length %.6g mm\n", f->scan.nx, f->profile.spacing_m * 1e6,
                grids[f->profile.grid], inspection_length_m(f) * 1e3);
+    enum level level = f->options.periodic_mean && f->profile.periodic ? LEVEL_MEAN : f->options.level;
     if (f->scan.kind == SCAN_PROFILE)
-        printf("  %-11s tilt %.4g um/mm, end-to-end jump left %.4g um\n", level_labels[f->options.level],
-               f->profile.tilt * 1e3, f->profile.end_jump_m * 1e6);
+        printf("  %-11s tilt %.4g um/mm, end-to-end jump left %.4g um%s\n", level_labels[level], f->profile.tilt * 1e3,
+               f->profile.end_jump_m * 1e6, f->profile.periodic ? ", periodic" : "");
     inspection_print(f);
     printf("  roughness   Rq %.6g um, Ra %.6g um, peak to valley %.6g um\n", r->rq_m * 1e6, r->ra_m * 1e6,
            r->pv_m * 1e6);
@@ -208,12 +264,7 @@ static void print_finding(const char *path, const struct inspection *f)
         printf("Nayak - (no slope from a point to the next but one)\n");
     else
         printf("Nayak %.4g\n", nayak);
-    if (isnan(f->power_law.gamma))
-        printf("  power law   - (%s)\n",
-               f->power_law.harmonics < 3 ? "it takes 3 harmonics" : "alpha leaves the range of numbers");
-    else
-        printf("  power law   alpha %.4g +- %.2g, gamma %.3f +- %.3f, scatter %.3f decades\n", f->power_law.alpha,
-               f->power_law.alpha_error, f->power_law.gamma, f->power_law.gamma_error, f->power_law.rms_decades);
+    print_law(f);
     const char *warning;
     for (size_t w = 0; (warning = inspection_warning(f, w)); w++) {
         struct text note = {0};
@@ -317,7 +368,7 @@ int command_inspect(int argc, char **argv)
         struct status status = {0}, chart = {0};
         struct inspection inspection;
         const char *path = arguments.files[i];
-        if (inspection_make(&inspection, path, &arguments.scan, &arguments.how, &status) != STATUS_OK) {
+        if (inspection_make(&inspection, path, &arguments.scan, &arguments.how, arguments.fit, &status) != STATUS_OK) {
             refused++;
             if (arguments.json)
                 json_array_append_new(all, error_json(path, status.message));

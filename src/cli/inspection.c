@@ -56,21 +56,44 @@ static enum status_code look_at_profile(struct inspection *out, struct status *s
     if (compute_parameters(out, status) != STATUS_OK)
         return status->code;
     return spectrum_compute(&out->spectrum, profile->height_m, profile->points, profile->spacing_m,
-                            SPECTRUM_WINDOW_NONE, status);
+                            spectrum_window_for(SPECTRUM_WINDOW_AUTO, profile->periodic), status);
+}
+
+/** The law as a report would fit it. */
+static enum status_code fit_law(struct inspection *out, struct status *status)
+{
+    const struct profile_options *options = &out->options;
+    bool map = out->scan.kind == SCAN_AREAL;
+    const double cut[2] = {options->lambda_s_m, options->lambda_c_m > 0 ? options->lambda_c_m : INFINITY};
+    if (out->fit == POWER_LAW_THESIS) {
+        out->power_law = power_law_fit(&out->spectrum, map ? all_wavelengths : cut);
+        return STATUS_OK;
+    }
+    const struct power_law_scans_def def = {map ? 0 : options->lambda_s_m, NULL};
+    const struct profile *profile = &out->profile;
+    struct power_law_scans single = {0}, *scans = map ? &out->areal.scans : &single;
+    enum status_code code = STATUS_OK;
+    if (!map)
+        code = power_law_scans_add(&single, profile->height_m, profile->points, profile->spacing_m, profile->digit_m,
+                                   status);
+    if (code == STATUS_OK)
+        code = power_law_scans_fit(&out->band, scans, &def, status);
+    out->power_law = power_law_of_band(&out->band);
+    power_law_scans_free(&single);
+    return code;
 }
 
 enum status_code inspection_make(struct inspection *out, const char *path, const struct scan_options *units,
-                                 const struct profile_options *options, struct status *status)
+                                 const struct profile_options *options, enum power_law_method fit,
+                                 struct status *status)
 {
-    *out = (struct inspection){.options = *options};
+    *out = (struct inspection){.options = *options, .fit = fit};
     if (scan_read(&out->scan, path, units, status) != STATUS_OK)
         return status->code;
     enum status_code code = out->scan.kind == SCAN_AREAL ? look_at_map(out, status) : look_at_profile(out, status);
-    if (code != STATUS_OK)
-        return status_prefix(status, "%s", path);
-    double cut[2] = {options->lambda_s_m, options->lambda_c_m > 0 ? options->lambda_c_m : INFINITY};
-    out->power_law = power_law_fit(&out->spectrum, out->scan.kind == SCAN_AREAL ? all_wavelengths : cut);
-    return STATUS_OK;
+    if (code == STATUS_OK)
+        code = fit_law(out, status);
+    return code == STATUS_OK ? STATUS_OK : status_prefix(status, "%s", path);
 }
 
 void inspection_free(struct inspection *inspection)

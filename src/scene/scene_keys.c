@@ -238,6 +238,7 @@ static const struct scene_key scene_keys[] = {
     {"tolerance", NUMBER(struct scene, tolerance, SCENE_KEYS_TOLERANCE_LEAST, SCENE_KEYS_TOLERANCE_MOST)},
     {"level", scene_value_choice, CHOICES(struct scene, level, level_names)},
     {"window", scene_value_choice, CHOICES(struct scene, window, spectrum_window_names)},
+    {"fit", scene_value_choice, CHOICES(struct scene, fit, power_law_method_names)},
     {"fit_band_m", read_fit_band, RANGE(struct scene, fit_band_m, 1e-12, 1e3), .word = "all"},
     {"moments", scene_value_choice, CHOICES(struct scene, moments, roughness_moments_names)},
     {"closure", scene_value_choice, CHOICES(struct scene, closure, closure_names)},
@@ -266,6 +267,9 @@ static enum status_code join_filters(struct scene *scene, struct scene_source *s
         return scene_source_fail(source, line_of(lines, "lambda_c_m"),
                                  "'lambda_c_m' is %g, not above 'lambda_s_m', %g; nothing would be left between them",
                                  scene->lambda_c_m, scene->lambda_s_m);
+    scene->level_given = line_of(lines, "level") > 0;
+    scene->fit_band_given =
+        line_of(lines, "fit_band_m") > 0 && (scene->fit_band_m[0] > 0 || isfinite(scene->fit_band_m[1]));
     if (line_of(lines, "fit_band_m"))
         return STATUS_OK;
     scene->fit_band_m[0] = scene->lambda_s_m;
