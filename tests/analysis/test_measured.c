@@ -1,5 +1,5 @@
 #include "analysis/measured.h"
-#include "results/directory.h"
+#include "directory.h"
 #include "scene/measured_file.h"
 
 static struct directory place;
@@ -288,10 +288,13 @@ static void distance_is_in_decades(void **state)
 static void models_are_ranked(void **state)
 {
     (void)state;
-    struct contact_point points[MODEL_COUNT][2];
-    struct model_curve curves[MODEL_COUNT];
-    static const double above[MODEL_COUNT] = {3, 0.5, 7, 1};
-    for (int m = 0; m < MODEL_COUNT; m++) {
+    enum { MODELS = 4 }; /* that have a curve: the first in the table */
+    struct contact_point points[MODELS][2];
+    struct model_curve *curves = calloc(model_count, sizeof *curves);
+    static const double above[MODELS] = {3, 0.5, 7, 1};
+    assert_non_null(curves);
+    assert_true(model_count >= MODELS);
+    for (int m = 0; m < MODELS; m++) {
         curves[m] = (struct model_curve){.exists = true, .points = points[m], .count = 2};
         points[m][0] = (struct contact_point){.load = 1e-6, .ecr_ohm_m2 = 1e-8 * above[m]};
         points[m][1] = (struct contact_point){.load = 1e-2, .ecr_ohm_m2 = 1e-12 * above[m]};
@@ -306,10 +309,13 @@ static void models_are_ranked(void **state)
     assert_int_equal(rank.farthest, 2);
     curves[1].exists = false;
     assert_int_equal(measured_rank(&measured, curves).nearest, 0);
+    points[3][1] = (struct contact_point){.load = 2e-3, .ecr_ohm_m2 = 5e-12}; /* three of five, and those are met */
+    assert_int_equal(measured_rank(&measured, curves).nearest, 3);
     loads[0] = loads[1] = loads[2] = loads[3] = loads[4] = 1;
     rank = measured_rank(&measured, curves);
-    assert_int_equal(rank.nearest, MODEL_COUNT);
-    assert_int_equal(rank.farthest, MODEL_COUNT);
+    assert_int_equal(rank.nearest, model_count);
+    assert_int_equal(rank.farthest, model_count);
+    free(curves);
 }
 
 static int set_up(void **state)

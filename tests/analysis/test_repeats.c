@@ -44,10 +44,10 @@ static void laws_of_parts(void **state)
     assert_int_equal(repeats_laws(&again, parts, 4, band, &status), STATUS_OK);
     assert_memory_equal(&first, &again, sizeof first);
     assert_int_equal(repeats_laws(&again, parts, 2, band, &status), STATUS_OK);
-    assert_int_equal(again.parts, 2);
+    assert_int_equal(again.count, 2);
     assert_true(isnan(again.gamma_interval[0])); /* two scans cannot be resampled */
     assert_int_equal(repeats_laws(&again, parts, 1, band, &status), STATUS_OK);
-    assert_int_equal(again.parts, 0);
+    assert_int_equal(again.count, 0);
     for (int p = 0; p < 4; p++)
         spectrum_free(&parts[p].spectrum);
 }
@@ -64,7 +64,7 @@ static void band_of_two(void **state)
         loads[i] = 1e-7 * pow(10, 3.0 * i / (LOADS - 1));
     struct model_task task = {
         .pair = &pair, .loads = loads, .load_count = LOADS, .wanted = QUANTITY_BIT(QUANTITY_ECR), .tolerance = 1e-8};
-    for (int m = 0; m < MODEL_COUNT; m++) {
+    for (size_t m = 0; m < model_count; m++) {
         struct contact_point points[2][LOADS + 1] = {0};
         for (int p = 0; p < 2; p++) {
             struct asperities asperities;
@@ -72,20 +72,24 @@ static void band_of_two(void **state)
             assert_int_equal(roughness_asperities(&asperities, &parts[p].roughness, &status), STATUS_OK);
             task.spectrum = &parts[p].spectrum;
             task.asperities = &asperities;
-            assert_int_equal(model_rows[m].run(&curve, &model_rows[m], &task, &status), STATUS_OK);
+            assert_int_equal(model_rows[m]->run(&curve, model_rows[m], &task, &status), STATUS_OK);
         }
-        struct repeats spread = {0};
+        struct repeats_number beta = {0}, log_full_load = {0};
         struct repeats_band band[LOADS] = {0};
         struct model_work work = {0};
-        assert_int_equal(repeats_model(&spread, band, parts, 2, (enum model_id)m, &task, &work, &status), STATUS_OK);
+        assert_int_equal(repeats_model(&beta, &log_full_load, band, parts, 2, model_rows[m], &task, &work, &status),
+                         STATUS_OK);
         assert_true(work.scales + work.separations > 0);
-        assert_int_equal(spread.log_full_load[m].count, 2);
+        struct model_work predicted = repeats_work(parts, 2, model_rows[m], &task);
+        assert_memory_equal(&work, &predicted, sizeof work);
+        assert_int_equal(log_full_load.count, 2);
+        assert_int_equal(beta.count, model_rows[m]->quantities & QUANTITY_BIT(QUANTITY_ADJUSTED) ? 2 : 0);
         for (int i = 0; i < LOADS; i++) {
             double a = log(points[0][i].ecr_ohm_m2), b = log(points[1][i].ecr_ohm_m2);
             double half = fabs(a - b) / sqrt(2);
-            assert_near(band[i].ecr_ohm_m2[0], exp((a + b) / 2 - half), 1e-9);
-            assert_near(band[i].ecr_ohm_m2[1], exp((a + b) / 2 + half), 1e-9);
-            assert_true(isnan(band[i].tcr_K_m2_per_W[0]) && isnan(band[i].separation_m[0]));
+            assert_near(band[i].limits[QUANTITY_ECR][0], exp((a + b) / 2 - half), 1e-9);
+            assert_near(band[i].limits[QUANTITY_ECR][1], exp((a + b) / 2 + half), 1e-9);
+            assert_true(isnan(band[i].limits[QUANTITY_TCR][0]) && isnan(band[i].limits[QUANTITY_SEPARATION][0]));
         }
     }
     spectrum_free(&parts[0].spectrum);

@@ -117,20 +117,6 @@ static void test_ranges(void **state)
     assert_range(-1e-6, 0, 1, "−1·10⁻⁶ to 0");
 }
 
-static void test_surface_names_are_harmless(void **state)
-{
-    (void)state;
-    static char name[] = "| <script>*x*\n";
-    struct scene_surface surface = {.name = name};
-    struct surface_summary summary = {.scene = &surface};
-    struct surface_store store = {.summaries = &summary, .count = 1};
-    struct results results = {.store = &store};
-    struct text text = {0};
-    section_surface_name(&text, &results, 0);
-    assert_string_equal(text_string(&text), "\\| &#60;script&#62;\\*x\\*?");
-    text_free(&text);
-}
-
 static void assert_text(struct text *text, const char *expected)
 {
     assert_string_equal(text_string(text), expected);
@@ -189,23 +175,6 @@ static void test_value_and_error_have_the_same_decimals(void **state)
     }
 }
 
-/* A name that begins with the word goes without it. */
-static void test_surfaces_are_named_once(void **state)
-{
-    (void)state;
-    static char names[2][16] = {"2", "Surface-2"};
-    struct scene_surface surfaces[2] = {{.name = names[0]}, {.name = names[1]}};
-    struct surface_summary summaries[2] = {{.scene = &surfaces[0]}, {.scene = &surfaces[1]}};
-    struct surface_store store = {.summaries = summaries, .count = 2};
-    struct results results = {.store = &store};
-    struct text text = {0};
-    section_named(&text, "surface ", &results, 0);
-    section_named(&text, ", surface ", &results, 0);
-    text_add(&text, " and ");
-    section_named(&text, "surface ", &results, 1);
-    assert_text(&text, "surface 2, surface 2 and Surface-2");
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -216,11 +185,9 @@ int main(void)
         cmocka_unit_test(test_what_is_no_number),
         cmocka_unit_test(test_every_magnitude_reads_back),
         cmocka_unit_test(test_ranges),
-        cmocka_unit_test(test_surface_names_are_harmless),
         cmocka_unit_test(test_loads_are_powers_of_ten),
         cmocka_unit_test(test_given_numbers_keep_no_zeros),
         cmocka_unit_test(test_value_and_error_have_the_same_decimals),
-        cmocka_unit_test(test_surfaces_are_named_once),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

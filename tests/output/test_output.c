@@ -1,6 +1,6 @@
-#include "output/output.h"
-#include "results/directory.h"
+#include "directory.h"
 #include "output/manifest.h"
+#include "output/output.h"
 
 #include <errno.h>
 #include <fcntl.h>

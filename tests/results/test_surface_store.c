@@ -1,4 +1,4 @@
-#include "results/directory.h"
+#include "directory.h"
 #include "results/surface_store.h"
 
 enum { SURFACES = 7 };
@@ -16,7 +16,11 @@ static struct surface_record *make(size_t k)
     record->spectrum.amplitude_m = calloc(record->spectrum.count, sizeof(double));
     for (size_t i = 0; i < record->spectrum.count; i++)
         record->spectrum.amplitude_m[i] = (double)(1000 * k + i);
-    for (size_t m = 0; m < MODEL_COUNT; m++) {
+    record->curves = calloc(model_count, sizeof *record->curves);
+    record->bands = calloc(model_count, sizeof *record->bands);
+    assert_true(record->curves && record->bands);
+    record->band_count = 2 + k;
+    for (size_t m = 0; m < model_count; m++) {
         struct model_curve *curve = &record->curves[m];
         curve->exists = (k + m) % 3 != 0;
         curve->count = curve->exists ? 3 * k + m : 0;
@@ -25,6 +29,9 @@ static struct surface_record *make(size_t k)
         for (size_t i = 0; i < curve->count; i++)
             curve->points[i] =
                 (struct contact_point){.load = (double)i, .area_ratio = (double)(100 * k + m), .tcr_K_m2_per_W = NAN};
+        record->bands[m] = (k + m) % 4 == 0 ? calloc(record->band_count, sizeof **record->bands) : NULL;
+        for (size_t i = 0; record->bands[m] && i < record->band_count; i++)
+            record->bands[m][i] = (struct repeats_band){.load = (double)(k + m + i), .limits = {{NAN, (double)i}}};
     }
     record->preview_points = 2;
     record->preview_z_m[1] = (double)k;
@@ -43,12 +50,16 @@ static void assert_same(const struct surface_record *got, size_t k)
     assert_near(got->spectrum.length_m, expected->spectrum.length_m, 0);
     assert_memory_equal(got->spectrum.amplitude_m, expected->spectrum.amplitude_m,
                         got->spectrum.count * sizeof(double));
-    for (int m = 0; m < MODEL_COUNT; m++) {
+    for (size_t m = 0; m < model_count; m++) {
         const struct model_curve *a = &got->curves[m], *b = &expected->curves[m];
         assert_true(a->exists == b->exists && a->count == b->count && a->full_load == b->full_load);
         if (a->count > 0)
             assert_memory_equal(a->points, b->points, a->count * sizeof *a->points);
+        assert_int_equal(got->bands[m] != NULL, expected->bands[m] != NULL);
+        if (got->bands[m])
+            assert_memory_equal(got->bands[m], expected->bands[m], got->band_count * sizeof **got->bands);
     }
+    assert_int_equal(got->band_count, expected->band_count);
     assert_int_equal(got->preview_points, 2);
     assert_near(got->preview_z_m[1], (double)k, 0);
     surface_record_free(expected, true);
@@ -64,15 +75,21 @@ static void put(struct surface_store *store, size_t k)
     free(record);
 }
 
-static void get(struct surface_store *store, size_t k)
+/* Reads surface `index`, which is to be that of `k`. */
+static void get_as(struct surface_store *store, size_t index, size_t k)
 {
     struct surface_record *record = malloc(sizeof *record);
     struct status status = {0};
     assert_non_null(record);
-    assert_int_equal(surface_store_get(record, store, k, &status), STATUS_OK);
+    assert_int_equal(surface_store_get(record, store, index, &status), STATUS_OK);
     assert_same(record, k);
     surface_record_free(record, false);
     free(record);
+}
+
+static void get(struct surface_store *store, size_t k)
+{
+    get_as(store, k, k);
 }
 
 static void test_surfaces_come_back_in_any_order(void **state)
@@ -126,6 +143,37 @@ static void test_several_threads_may_put(void **state)
         pthread_join(writers[t].thread, NULL);
     for (size_t k = 0; k < MANY; k++)
         get(&store, k);
+    surface_store_close(&store);
+    directory_remove(&place);
+}
+
+/* A surface that was described has no curves yet; once its models ran it is stored again. */
+static void test_a_surface_is_put_again_with_its_curves(void **state)
+{
+    (void)state;
+    struct directory place = directory_make();
+    struct surface_store store;
+    struct status status = {0};
+    assert_int_equal(surface_store_open(&store, place.path, 2, &status), STATUS_OK);
+    struct surface_record *record = make(2), got;
+    struct model_curve *curves = record->curves;
+    struct repeats_band **bands = record->bands;
+    record->curves = NULL;
+    record->bands = NULL;
+    assert_int_equal(surface_store_put(&store, 0, record, &status), STATUS_OK);
+    put(&store, 1);
+    assert_int_equal(surface_store_get(&got, &store, 0, &status), STATUS_OK);
+    assert_true(got.curves == NULL && got.bands == NULL);
+    assert_memory_equal(got.spectrum.amplitude_m, record->spectrum.amplitude_m, got.spectrum.count * sizeof(double));
+    surface_record_free(&got, false);
+    record->curves = curves;
+    record->bands = bands;
+    assert_int_equal(surface_store_put(&store, 0, record, &status), STATUS_OK);
+    get_as(&store, 0, 2);
+    get(&store, 1);
+    assert_int_equal(store.summaries[0].points, 102);
+    surface_record_free(record, false);
+    free(record);
     surface_store_close(&store);
     directory_remove(&place);
 }
@@ -191,6 +239,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_surfaces_come_back_in_any_order),
         cmocka_unit_test(test_several_threads_may_put),
+        cmocka_unit_test(test_a_surface_is_put_again_with_its_curves),
         cmocka_unit_test(test_refusals_are_kept),
         cmocka_unit_test(test_a_directory_that_cannot_be_written_is_named),
         cmocka_unit_test(test_a_full_disk_leaves_the_record_to_the_caller),

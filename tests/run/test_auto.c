@@ -20,9 +20,9 @@ static double difference(double a, double b)
 }
 
 /** Change of a curve by plasticity. */
-static double plastic_change(const struct surface_record *record, enum model_id elastic, enum model_id plastic)
+static double plastic_change(const struct surface_record *record, const char *elastic, const char *plastic)
 {
-    const struct model_curve *a = &record->curves[elastic], *b = &record->curves[plastic];
+    const struct model_curve *a = &record->curves[model_named(elastic)], *b = &record->curves[model_named(plastic)];
     double sigma_m = record->summary.roughness.rq_m;
     if (!a->exists)
         return 0;
@@ -39,14 +39,14 @@ static double plastic_change(const struct surface_record *record, enum model_id 
     return most;
 }
 
-static void prepare_scene(struct prepared *prepared, struct scene *scene, const char *text, const char *spool_directory)
+static void prepare_scene(struct prepared *prepared, struct scene *scene, const char *text, const char *store_directory)
 {
     struct run_options options = {.templates = PROJECT_SOURCE "/templates", .jobs = 1};
     struct status status = {0};
     directory_write(&place, "scene.yaml", text);
     if (scene_read(scene, place.path, &(struct scene_overrides){0}, &status) != STATUS_OK)
         fail_msg("%s", status.message);
-    if (prepare(prepared, scene, &options, spool_directory, &status) != STATUS_OK)
+    if (prepare(prepared, scene, &options, store_directory, &status) != STATUS_OK)
         fail_msg("%s", status.message);
 }
 
@@ -64,10 +64,9 @@ static struct truth truth_of(const char *text)
             surface_run_models(&record, &scene, &prepared.plan, prepared.loads, prepared.results.load_count, &status),
             STATUS_OK);
         prepared.store.summaries[s] = record.summary; /* it may have got a note */
-        truth.plastic =
-            fmax(truth.plastic, plastic_change(&record, MODEL_MULTISCALE_ELASTIC, MODEL_MULTISCALE_PLASTIC));
-        truth.plastic = fmax(truth.plastic, plastic_change(&record, MODEL_GW, MODEL_JG));
-        for (int m = 0; m < MODEL_COUNT; m++)
+        truth.plastic = fmax(truth.plastic, plastic_change(&record, "multiscale-elastic", "multiscale-plastic"));
+        truth.plastic = fmax(truth.plastic, plastic_change(&record, "gw", "jg"));
+        for (size_t m = 0; m < model_count; m++)
             for (size_t i = 0; i < record.curves[m].count; i++) {
                 const struct contact_point *point = &record.curves[m].points[i];
                 if (point->tcr_K_m2_per_W > 0)

@@ -1,5 +1,5 @@
-#include "pipeline.h"
 #include "output/manifest.h"
+#include "pipeline.h"
 
 static int place_setup(void **state)
 {

@@ -2,11 +2,13 @@
 
 #include <locale.h>
 
-#define DATA(name) TEST_DATA "/scene/" name
+#define NAMED(name) MODEL_BIT(model_named(name))
+#define DATA(name)  TEST_DATA "/scene/" name
 
 static void check_defaults(const struct scene *scene)
 {
-    assert_int_equal(scene->models, SCENE_MODEL_MULTISCALE | SCENE_MODEL_STATISTICAL);
+    assert_int_equal(scene->models,
+                     NAMED("multiscale-elastic") | NAMED("multiscale-plastic") | NAMED("gw") | NAMED("jg"));
     assert_true(scene->effects_auto);
     assert_string_equal(scene->material.name, "tin");
     assert_int_equal(scene->counterface_kind, MATERIAL_COUNTERFACE_RIGID);
@@ -93,7 +95,7 @@ static void test_every_key(void **state)
     struct scene scene = scene_directory_read(DATA("full"), NULL);
     assert_string_equal(scene.path, DATA("full") "/scene.yaml");
     assert_string_equal(scene.title, "Two brass blanks");
-    assert_int_equal(scene.models, SCENE_MODEL_MULTISCALE);
+    assert_int_equal(scene.models, NAMED("multiscale-elastic") | NAMED("multiscale-plastic"));
     assert_false(scene.effects_auto);
     assert_int_equal(scene.effects,
                      EFFECT_BIT(EFFECT_ELECTRICAL) | EFFECT_BIT(EFFECT_THERMAL) | EFFECT_BIT(EFFECT_SCALE_DEPENDENT));

@@ -1,5 +1,5 @@
 /* Numbers on their way into files: what is absent, and what must not be. */
-#include "results/cell.h"
+#include "output/cell.h"
 #include "support.h"
 
 static void test_cells(void **state)
