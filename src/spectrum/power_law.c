@@ -176,7 +176,7 @@ struct power_law power_law_of_band(const struct power_law_band *band)
 
 bool power_law_holds(const struct power_law *law)
 {
-    return law->found == POWER_LAW_BAND_LAW;
+    return law->found == POWER_LAW_BAND_LAW && isfinite(law->gamma);
 }
 
 double power_law_amplitude(const struct power_law *law, double wavelength_m)
