@@ -45,26 +45,20 @@ static void note_thesis_fit(struct surface_summary *summary)
                     law->gamma_above, law->knee_m * 1e6, law->gamma_below);
 }
 
-/** Adds the wavelengths of the bins that are lines: "143 um, 71.2 um". */
-static size_t add_lines(struct text *out, const struct power_law_band *band)
-{
-    size_t count = 0;
-    for (size_t j = 0; j < band->bins; j++)
-        if (band->use[j] == POWER_LAW_BAND_LINE)
-            text_add(out, "%s%.3g um", count++ > 0 ? ", " : "", pow(10, band->bin[j].x) * 1e6);
-    return count;
-}
-
 static void note_band(struct surface_summary *summary, const struct power_law_band *band)
 {
     const struct power_law *law = &summary->power_law;
+    double line_m[LOG_BIN_MOST];
+    size_t count = power_law_band_lines(line_m, band);
     struct text lines = {0};
     if (law->found == POWER_LAW_BAND_NONE)
         gather_note(summary, "no power law found");
     else if (law->found == POWER_LAW_BAND_NARROW)
         gather_note(summary, "the power law is narrow: it holds from %.3g to %.3g um only, under a decade",
                     law->band_m[0] * 1e6, law->band_m[1] * 1e6);
-    if (add_lines(&lines, band) > 0)
+    for (size_t i = 0; i < count; i++)
+        text_add(&lines, "%s%.3g um", i > 0 ? ", " : "", line_m[i] * 1e6);
+    if (count > 0)
         gather_note(summary, "lines of periodic marks, left out of the fit: %s", text_string(&lines));
     text_free(&lines);
 }

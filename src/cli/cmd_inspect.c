@@ -203,13 +203,11 @@ static void print_spectrum(const struct power_law_band *band)
     for (size_t k = 0; k + 1 < band->pieces; k++, first = false)
         printf("%s%.3g um", first ? "              knees at " : ", ", band->knee_m[k] * 1e6);
     printf("%s", first ? "" : "\n");
-    first = true;
-    for (size_t j = 0; j < band->bins; j++)
-        if (band->use[j] == POWER_LAW_BAND_LINE) {
-            printf("%s%.3g um", first ? "              lines at " : ", ", pow(10, band->bin[j].x) * 1e6);
-            first = false;
-        }
-    printf("%s", first ? "" : "\n");
+    double line_m[LOG_BIN_MOST];
+    size_t lines = power_law_band_lines(line_m, band);
+    for (size_t i = 0; i < lines; i++)
+        printf("%s%.3g um", i == 0 ? "              lines at " : ", ", line_m[i] * 1e6);
+    printf("%s", lines == 0 ? "" : "\n");
 }
 
 static void print_law(const struct inspection *f)

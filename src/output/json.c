@@ -182,9 +182,10 @@ static json_t *fit_json(const struct surface_record *record, enum power_law_meth
     json_t *knees = json_array(), *lines = json_array(), *others = json_array();
     for (size_t k = 0; k + 1 < band->pieces; k++)
         json_array_append_new(knees, cell_json(guard, "knees_m", band->knee_m[k]));
-    for (size_t j = 0; j < band->bins; j++)
-        if (band->use[j] == POWER_LAW_BAND_LINE)
-            json_array_append_new(lines, cell_json(guard, "lines_m", pow(10, band->bin[j].x)));
+    double line_m[LOG_BIN_MOST];
+    size_t line_count = power_law_band_lines(line_m, band);
+    for (size_t i = 0; i < line_count; i++)
+        json_array_append_new(lines, cell_json(guard, "lines_m", line_m[i]));
     for (size_t k = 0; k < band->pieces; k++) {
         if (isnan(band->piece[k].candidate_gamma) || (law->found != POWER_LAW_BAND_NONE && k == band->chosen))
             continue;
