@@ -285,6 +285,27 @@ static void test_rows_of_a_map(void **state)
     assert_true(error[1] > 1.5 * error[0]);
 }
 
+/* Against a rough counterface the law is that of both together. */
+static void test_the_counterface_is_in_the_law(void **state)
+{
+    const struct directory *place = *state;
+    double height_m[POINTS];
+    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
+    for (size_t i = 0; i < POINTS; i++)
+        height_m[i] = 1e-11 * gsl_ran_gaussian(random, 1);
+    gsl_rng_free(random);
+    mkdir(directory_path(place, "pair"), 0777);
+    pipeline_scan(place, "pair/smooth.csv", height_m, POINTS);
+    write_law(place, "pair/rough.csv", POINTS, 1, 0, 3);
+    directory_write(place, "pair/scene.yaml",
+                    "counterface: {surface: rough.csv}\nsurfaces: [{name: smooth, file: smooth.csv}]\n");
+    assert_int_equal(pipeline_run(place, "pair", "pair-out", 1), 0);
+    json_t *root, *surface = read_surface(place, "pair-out", "smooth", &root);
+    assert_string_equal(law_class(surface), "law");
+    assert_within(number(surface, "gamma"), gamma_made, 3 * number(surface, "gamma_stderr"));
+    json_decref(root);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -295,6 +316,7 @@ int main(void)
         cmocka_unit_test(test_no_law),
         cmocka_unit_test(test_a_narrow_law),
         cmocka_unit_test(test_rows_of_a_map),
+        cmocka_unit_test(test_the_counterface_is_in_the_law),
     };
     return cmocka_run_group_tests(tests, place_setup, place_teardown);
 }
