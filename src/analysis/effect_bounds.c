@@ -35,7 +35,7 @@ static double bound_yield(const struct surface_record *record, const struct scen
 static bool is_converged(const struct surface_summary *summary, const struct scene *scene, const struct plan *plan)
 {
     const struct power_law *law = &summary->power_law;
-    if (!(law->gamma >= 1))
+    if (!power_law_holds(law) || !(law->gamma >= 1))
         return false;
     double limit_m = 2 * summary->spacing_m, modulus = plan->pair.effective_modulus_Pa;
     double full_Pa = sinusoid_full_pressure(power_law_amplitude(law, limit_m), 1 / limit_m, modulus);
@@ -177,16 +177,21 @@ static void decide_scale_dependence(struct plan *plan, const struct surface_summ
 static void decide_convergence(struct plan *plan, const struct surface_summary *surfaces, size_t count)
 {
     char *reason = plan->effects[EFFECT_CONVERGENCE].reason;
-    size_t size = sizeof plan->effects[EFFECT_CONVERGENCE].reason, converged = 0, usable = 0;
+    size_t size = sizeof plan->effects[EFFECT_CONVERGENCE].reason, converged = 0, lawless = 0, usable = 0;
     for (size_t i = 0; i < count; i++) {
         usable += surfaces[i].usable;
         converged += surfaces[i].usable && surfaces[i].bound.converged;
+        lawless += surfaces[i].usable && !power_law_holds(&surfaces[i].power_law);
     }
     if (converged == usable)
         snprintf(reason, size, "sweeps only: no scale below the sampling limit can take area from any surface");
-    else
-        snprintf(reason, size, "%zu of %zu surfaces may lose area below their sampling limit", usable - converged,
+    else if (converged + lawless == usable)
+        snprintf(reason, size,
+                 "sweeps only: %zu of %zu surfaces have no power law to carry on below their sampling limit", lawless,
                  usable);
+    else
+        snprintf(reason, size, "%zu of %zu surfaces may lose area below their sampling limit",
+                 usable - converged - lawless, usable);
 }
 
 void effect_bounds_plan(struct plan *plan, const struct scene *scene, const struct surface_summary *surfaces,

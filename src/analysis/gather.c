@@ -132,21 +132,32 @@ static enum status_code keep_points(struct surface_record *record, const struct 
 
 /** Adds one profile to the surface: averages its spectrum and moments into the record's. */
 static enum status_code add_profile(struct surface_record *record, const struct profile *profile,
-                                    const struct scene *scene, struct status *status)
+                                    struct power_law_scans *scans, bool row, const struct scene *scene,
+                                    struct status *status)
 {
     struct surface_summary *summary = &record->summary;
     struct spectrum spectrum;
+    enum spectrum_window window = spectrum_window_for(scene->window, profile->periodic);
     struct roughness roughness =
         profile->measured_x_m ? roughness_of_points(profile->measured_x_m, profile->measured_z_m, profile->points)
                               : roughness_of_heights(profile->height_m, profile->points, profile->spacing_m);
     double started = clock_seconds();
-    if (spectrum_compute(&spectrum, profile->height_m, profile->points, profile->spacing_m, scene->window, status) !=
+    if (spectrum_compute(&spectrum, profile->height_m, profile->points, profile->spacing_m, window, status) !=
         STATUS_OK) {
         spectrum_free(&spectrum);
         return status->code;
     }
     if (scene->moments == ROUGHNESS_MOMENTS_SPECTRAL)
         roughness_from_spectrum(&roughness, &spectrum);
+    /* of a map also to know how many independent rows it has */
+    if ((scene->fit == POWER_LAW_AUTO || row) &&
+        power_law_scans_add(scans, profile->height_m, profile->points, profile->spacing_m, profile->digit_m, status) !=
+            STATUS_OK) {
+        spectrum_free(&spectrum);
+        return status->code;
+    }
+    summary->periodic += profile->periodic;
+    summary->windowed += window == SPECTRUM_WINDOW_HANN;
     summary->times.spectrum += clock_seconds() - started;
     double jumps =
         (double)summary->scans * summary->jump_m * summary->jump_m + profile->end_jump_m * profile->end_jump_m;
@@ -172,12 +183,11 @@ static enum status_code add_profile(struct surface_record *record, const struct 
 
 /** Every row of a scan (a profile has one) into the surface. A row of a map that cannot be used (all missing, flat) is
  * left out and counted; the map is refused when none is left. */
-static enum status_code add_rows(struct surface_record *record, const struct scan *scan, const struct scene *scene,
-                                 const char *file, struct status *status)
+static enum status_code add_rows(struct surface_record *record, struct power_law_scans *scans, const struct scan *scan,
+                                 const struct scene *scene, const char *file, struct status *status)
 {
     struct surface_summary *summary = &record->summary;
-    const struct profile_options how = {scene->level, scene->max_missing, scene->lambda_s_m, scene->lambda_c_m,
-                                        scene->tip_radius_m};
+    const struct profile_options how = gather_profile_options(scene);
     size_t unusable = 0;
     struct status first = {0};
     for (size_t row = 0; row < scan->ny; row++) {
@@ -189,7 +199,7 @@ static enum status_code add_rows(struct surface_record *record, const struct sca
         if (rc == STATUS_OK && row == unusable) /* the first usable one speaks for all */
             note_scan(summary, scan, &profile, file);
         if (rc == STATUS_OK)
-            rc = add_profile(record, &profile, scene, &problem);
+            rc = add_profile(record, &profile, scans, scan->kind == SCAN_AREAL, scene, &problem);
         if (rc == STATUS_OK && scene->counterface_surface.file_count == 0)
             rc = sensitivity_add(&record->sensitivity, &profile, &how, scene->window, scene->moments, &problem);
         if (rc == STATUS_OK && scan->kind == SCAN_PROFILE && wants_points(scene))
@@ -210,10 +220,20 @@ static enum status_code add_rows(struct surface_record *record, const struct sca
     if (unusable > 0)
         gather_note(summary, "%s: %zu %s%s left out, the first because %s", file, unusable,
                     scene->direction == SCAN_DIRECTION_X ? "row" : "column", unusable == 1 ? "" : "s", first.message);
-    return STATUS_OK;
+    return power_law_scans_end_file(scans, scan->ny - unusable, scan->kind == SCAN_AREAL, status);
 }
 
-enum status_code gather_file(struct surface_record *record, const struct scene *scene,
+struct profile_options gather_profile_options(const struct scene *scene)
+{
+    return (struct profile_options){.level = scene->level,
+                                    .max_missing = scene->max_missing,
+                                    .lambda_s_m = scene->lambda_s_m,
+                                    .lambda_c_m = scene->lambda_c_m,
+                                    .tip_radius_m = scene->tip_radius_m,
+                                    .periodic_mean = !scene->level_given};
+}
+
+enum status_code gather_file(struct surface_record *record, struct power_law_scans *scans, const struct scene *scene,
                              const struct scene_surface *surface, const char *file, struct hash *hash,
                              struct status *status)
 {
@@ -247,7 +267,7 @@ enum status_code gather_file(struct surface_record *record, const struct scene *
     if (rc == STATUS_OK) {
         snprintf(summary->format, sizeof summary->format, "%s", scan.format);
         snprintf(summary->units, sizeof summary->units, "x %s, z %s", scan.x_unit, scan.z_unit);
-        rc = add_rows(record, &scan, scene, file, status);
+        rc = add_rows(record, scans, &scan, scene, file, status);
     }
     scan_free(&scan);
     free(path);
@@ -271,8 +291,8 @@ static void note_counterface(struct surface_summary *summary, const struct surfa
     }
 }
 
-enum status_code gather_counterface(struct surface_record *record, const struct surface_record *counterface,
-                                    struct status *status)
+enum status_code gather_counterface(struct surface_record *record, struct power_law_scans *scans,
+                                    const struct surface_record *counterface, struct status *status)
 {
     struct roughness *own = &record->summary.roughness;
     double own_rq_m = own->rq_m;
@@ -285,6 +305,12 @@ enum status_code gather_counterface(struct surface_record *record, const struct 
         if (grid_add(&record->repeats[p].spectrum, &counterface->spectrum, status) != STATUS_OK)
             return status->code;
     }
+    for (size_t i = 0; i < scans->scan_count && counterface->tapered.count > 0; i++)
+        if (grid_add(&scans->scan[i], &counterface->tapered, status) != STATUS_OK)
+            return status->code;
+    if (scans->scan_count > 0 && counterface->tapered.count > 0 &&
+        grid_add(&scans->mean, &counterface->tapered, status) != STATUS_OK)
+        return status->code;
     return grid_add(&record->spectrum, &counterface->spectrum, status);
 }
 
@@ -304,5 +330,6 @@ enum status_code gather_describe_repeats(struct surface_record *record, const st
         spectrum_free(own);
         *own = same;
     }
-    return repeats_laws(&record->summary.repeats, record->repeats, record->repeat_count, scene->fit_band_m, status);
+    return repeats_laws(&record->summary.repeats, record->repeats, record->repeat_count,
+                        scene->fit == POWER_LAW_THESIS ? scene->fit_band_m : NULL, status);
 }

@@ -75,15 +75,17 @@ enum status_code repeats_laws(struct repeats *out, const struct repeat *parts, s
     *out = (struct repeats){.count = count < 2 ? 0 : count, .gamma_interval = {NAN, NAN}, .alpha_interval = {NAN, NAN}};
     bool fitted = true;
     for (size_t p = 0; p < out->count; p++) {
-        struct power_law law = power_law_fit(&parts[p].spectrum, band_m);
         repeats_add(&out->rq_m, parts[p].roughness.rq_m);
+        if (!band_m)
+            continue;
+        struct power_law law = power_law_fit(&parts[p].spectrum, band_m);
         fitted = fitted && isfinite(law.gamma);
         if (isfinite(law.gamma)) {
             repeats_add(&out->gamma, law.gamma);
             repeats_add(&out->log_alpha, log(law.alpha));
         }
     }
-    return out->count >= 3 && fitted ? bootstrap(out, parts, count, band_m, status) : STATUS_OK;
+    return out->count >= 3 && band_m && fitted ? bootstrap(out, parts, count, band_m, status) : STATUS_OK;
 }
 
 bool repeats_band_holds(enum quantity quantity)

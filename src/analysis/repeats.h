@@ -44,8 +44,8 @@ struct repeats_band {
 /** Does a band hold this quantity? */
 bool repeats_band_holds(enum quantity quantity);
 
-/** Fits each part's law and bootstraps gamma and alpha over the parts (fixed seed: the same input, the same numbers).
- * Error: STATUS_MEMORY. */
+/** Fits each part's law (band_m NULL: not, that is done elsewhere) and bootstraps gamma and alpha over the parts (fixed
+ * seed: the same input, the same numbers). Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code repeats_laws(struct repeats *out, const struct repeat *parts, size_t count,
                                          const double band_m[2], struct status *status);
 

@@ -1,6 +1,7 @@
 #include "analysis/sensitivity.h"
 
 #include "profile/filter.h"
+#include "profile/record_window.h"
 #include "spectrum/grid.h"
 #include <math.h>
 #include <stdlib.h>
@@ -16,9 +17,13 @@ double sensitivity_cutoff(double spacing_m, double lambda_s_m)
 }
 
 static enum status_code add_variant(struct sensitivity_scan *out, size_t so_far, const double *height_m, size_t points,
-                                    double spacing_m, enum level level, enum spectrum_window window,
-                                    enum roughness_moments moments, struct status *status)
+                                    const struct profile *of, const struct profile_options *how,
+                                    enum spectrum_window asked, enum roughness_moments moments, struct status *status)
 {
+    double spacing_m = of->spacing_m;
+    bool periodic = of->periodic && record_window_is_periodic(height_m, points);
+    enum level level = periodic && how->periodic_mean ? LEVEL_MEAN : how->level;
+    enum spectrum_window window = spectrum_window_for(asked, periodic);
     struct levelling levelling;
     struct spectrum spectrum = {0};
     struct roughness roughness;
@@ -71,8 +76,8 @@ enum status_code sensitivity_add(struct sensitivity *out, const struct profile *
         [SENSITIVITY_SECOND_HALF] = {profile->height_m + (points - half), half},
     };
     for (int v = 0; v < SENSITIVITY_VARIANTS && rc == STATUS_OK; v++)
-        rc = add_variant(&out->variants[v], out->scans, pieces[v].height_m, pieces[v].points, profile->spacing_m,
-                         how->level, window, moments, status);
+        rc = add_variant(&out->variants[v], out->scans, pieces[v].height_m, pieces[v].points, profile, how, window,
+                         moments, status);
     if (rc == STATUS_OK)
         out->scans++;
     free(smooth_m);

@@ -19,17 +19,9 @@ static void note_models_lost(struct surface_summary *summary, uint64_t models, c
     text_free(&names);
 }
 
-/** Power law, statistical parameters, and what the end-to-end jump may have leaked into them. */
-static void describe(struct surface_record *record, const struct scene *scene)
+/** What the line through all harmonics leaves to say: a step between the ends, two slopes. */
+static void note_thesis_fit(struct surface_summary *summary)
 {
-    struct surface_summary *summary = &record->summary;
-    summary->harmonics = record->spectrum.count;
-    summary->power_law = power_law_fit(&record->spectrum, scene->fit_band_m);
-    struct status status = {0};
-    summary->has_asperities = roughness_asperities(&summary->asperities, &summary->roughness, &status) == STATUS_OK;
-    if (!summary->has_asperities)
-        note_models_lost(summary, scene->models, status.message);
-
     const struct power_law *law = &summary->power_law;
     if (isnan(law->gamma)) {
         gather_note(summary, "no power law: %s",
@@ -39,7 +31,8 @@ static void describe(struct surface_record *record, const struct scene *scene)
     }
     /* a jump J at the border of the record adds J/(pi n) to harmonic n, an f^-1 tail */
     double shortest = law->band_m[0], leak_m = summary->jump_m * shortest / (M_PI * summary->length_m);
-    summary->jump_share = scene->window == SPECTRUM_WINDOW_HANN ? 0 : leak_m / power_law_amplitude(law, shortest);
+    bool leaks = summary->windowed < summary->scans && summary->periodic < summary->scans;
+    summary->jump_share = leaks ? leak_m / power_law_amplitude(law, shortest) : 0;
     if (summary->jump_share > 0.5)
         gather_note(
             summary,
@@ -50,10 +43,82 @@ static void describe(struct surface_record *record, const struct scene *scene)
         gather_note(summary,
                     "two slopes fit better than one: gamma %.2f above %.3g um, %.2f below; consider fit_band_m",
                     law->gamma_above, law->knee_m * 1e6, law->gamma_below);
-    if (law->gamma < 1)
+}
+
+static void note_band(struct surface_summary *summary, const struct power_law_band *band)
+{
+    const struct power_law *law = &summary->power_law;
+    double line_m[LOG_BIN_MOST];
+    size_t count = power_law_band_lines(line_m, band);
+    struct text lines = {0};
+    if (law->found == POWER_LAW_BAND_NONE)
+        gather_note(summary, "no power law found");
+    else if (law->found == POWER_LAW_BAND_NARROW)
+        gather_note(summary, "the power law is narrow: it holds from %.3g to %.3g um only, under a decade",
+                    law->band_m[0] * 1e6, law->band_m[1] * 1e6);
+    for (size_t i = 0; i < count; i++)
+        text_add(&lines, "%s%.3g um", i > 0 ? ", " : "", line_m[i] * 1e6);
+    if (count > 0)
+        gather_note(summary, "lines of periodic marks, left out of the fit: %s", text_string(&lines));
+    text_free(&lines);
+}
+
+/** Every scan's law in the band of their mean. */
+static enum status_code fit_alone(struct surface_record *record, const struct power_law_scans *scans,
+                                  const struct power_law_scans_def *def, struct status *status)
+{
+    struct repeats *repeats = &record->summary.repeats;
+    for (size_t i = 0; i < scans->scan_count && repeats->count > 0; i++) {
+        struct power_law_band alone;
+        if (power_law_scans_fit_alone(&alone, scans, i, def, &record->band, status) != STATUS_OK)
+            return status->code;
+        if (alone.law == POWER_LAW_BAND_NONE)
+            continue;
+        repeats_add(&repeats->gamma, alone.fit.gamma);
+        repeats_add(&repeats->log_alpha, log(alone.alpha));
+    }
+    return STATUS_OK;
+}
+
+static enum status_code fit_band(struct surface_record *record, struct power_law_scans *scans,
+                                 const struct scene *scene, struct status *status)
+{
+    const struct power_law_scans_def def = {scene->lambda_s_m, scene->fit_band_given ? scene->fit_band_m : NULL};
+    if (power_law_scans_fit(&record->band, scans, &def, status) != STATUS_OK)
+        return status->code;
+    record->summary.power_law = power_law_of_band(&record->band);
+    note_band(&record->summary, &record->band);
+    if (record->band.law != POWER_LAW_BAND_NONE && fit_alone(record, scans, &def, status) != STATUS_OK)
+        return status->code;
+    record->tapered = scans->mean;
+    scans->mean = (struct spectrum){0};
+    return STATUS_OK;
+}
+
+/** Power law and statistical parameters. */
+static enum status_code describe(struct surface_record *record, struct power_law_scans *scans,
+                                 const struct scene *scene, struct status *status)
+{
+    struct surface_summary *summary = &record->summary;
+    struct status none = {0};
+    double started = clock_seconds();
+    summary->harmonics = record->spectrum.count;
+    summary->independent = fmax(1, scans->independent);
+    if (scene->fit == POWER_LAW_THESIS) {
+        summary->power_law = power_law_fit(&record->spectrum, scene->fit_band_m);
+        note_thesis_fit(summary);
+    } else if (fit_band(record, scans, scene, status) != STATUS_OK) {
+        return status->code;
+    }
+    summary->times.spectrum += clock_seconds() - started;
+    summary->has_asperities = roughness_asperities(&summary->asperities, &summary->roughness, &none) == STATUS_OK;
+    if (!summary->has_asperities)
+        note_models_lost(summary, scene->models, none.message);
+    if (power_law_holds(&summary->power_law) && summary->power_law.gamma < 1)
         gather_note(summary,
                     "gamma = %.2f is below 1: the elastic multiscale area depends on the shortest wavelength sampled",
-                    law->gamma);
+                    summary->power_law.gamma);
+    return STATUS_OK;
 }
 
 /** The second estimate of beta, against the multiscale model of the same material law. */
@@ -94,7 +159,7 @@ struct model_task surface_task(const struct surface_record *record, const struct
 
 bool surface_extends(const struct surface_summary *summary, const struct scene *scene)
 {
-    return !isnan(summary->power_law.gamma) && !(scene->effects_auto && summary->bound.converged);
+    return power_law_holds(&summary->power_law) && !(scene->effects_auto && summary->bound.converged);
 }
 
 /** Carries the fitted law on below the sampling limit (twice the spacing), where that can change anything. */
@@ -204,12 +269,27 @@ static void drop_points(struct surface_record *record, const struct scene *scene
     record->summary.heights = 0;
 }
 
+/** From what was gathered to the description of the surface. */
+static enum status_code conclude(struct surface_record *record, struct power_law_scans *scans,
+                                 const struct scene *scene, const struct surface_record *counterface,
+                                 struct status *status)
+{
+    if (counterface && gather_counterface(record, scans, counterface, status) != STATUS_OK)
+        return status->code;
+    if (gather_describe_repeats(record, scene, status) != STATUS_OK ||
+        describe(record, scans, scene, status) != STATUS_OK)
+        return status->code;
+    drop_points(record, scene);
+    return STATUS_OK;
+}
+
 enum status_code surface_describe(struct surface_record *out, const struct scene *scene,
                                   const struct scene_surface *surface, const struct surface_record *counterface,
                                   struct status *status)
 {
     struct surface_summary *summary = &out->summary;
     struct status problem = {0};
+    struct power_law_scans scans = {0};
     struct hash hash = hash_start();
     summary->scene = surface;
     summary->models = calloc(model_count, sizeof *summary->models);
@@ -217,20 +297,21 @@ enum status_code surface_describe(struct surface_record *out, const struct scene
         return status_memory(status);
     enum status_code rc = STATUS_OK;
     for (size_t f = 0; f < surface->file_count && rc == STATUS_OK; f++)
-        rc = gather_file(out, scene, surface, surface->files[f], &hash, &problem);
+        rc = gather_file(out, &scans, scene, surface, surface->files[f], &hash, &problem);
     hash_finish(&hash, summary->hash);
+    if (rc == STATUS_OK) {
+        summary->usable = true;
+        rc = conclude(out, &scans, scene, counterface, &problem);
+    }
+    power_law_scans_free(&scans);
     if (rc == STATUS_MEMORY)
         return status_memory(status);
     if (rc != STATUS_OK) {
+        summary->usable = false;
         summary->refusal = strdup(problem.message);
         return summary->refusal ? STATUS_OK : status_memory(status);
     }
-    summary->usable = true;
-    if (counterface && gather_counterface(out, counterface, status) != STATUS_OK)
-        return status->code;
-    describe(out, scene);
-    drop_points(out, scene);
-    return gather_describe_repeats(out, scene, status);
+    return STATUS_OK;
 }
 
 void surface_summary_free(struct surface_summary *summary)
@@ -245,6 +326,7 @@ void surface_summary_free(struct surface_summary *summary)
 void surface_record_free(struct surface_record *record, bool with_summary)
 {
     spectrum_free(&record->spectrum);
+    spectrum_free(&record->tapered);
     for (size_t m = 0; m < model_count; m++) {
         if (record->curves)
             free(record->curves[m].points);

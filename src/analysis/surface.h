@@ -7,7 +7,7 @@
 #include "base/text.h"
 #include "contact/model.h"
 #include "profile/profile.h"
-#include "spectrum/power_law.h"
+#include "spectrum/power_law_scans.h"
 
 enum { SURFACE_PREVIEW = 1000 }; /* points of a profile kept for the chart */
 
@@ -42,6 +42,9 @@ struct surface_summary {
     struct asperities asperities;
     bool has_asperities; /* a statistical model exists */
     struct power_law power_law;
+    double independent; /* scans averaged; rows of a map count less */
+    size_t periodic;    /* of the scans: those that close on themselves */
+    size_t windowed;    /* of the scans: those whose spectrum was taken under a Hann window */
     size_t harmonics;
     struct effect_bounds bound;
     struct curve_summary *models; /* model_count of them; owned like the texts */
@@ -53,6 +56,8 @@ struct surface_summary {
 struct surface_record {
     struct surface_summary summary;
     struct spectrum spectrum;
+    struct spectrum tapered;             /* rms amplitudes the law is fitted to; count 0: fit: thesis */
+    struct power_law_band band;          /* the same law with its bins, knees and lines */
     struct repeat repeats[REPEATS_MOST]; /* scans to be run alone too */
     size_t repeat_count, repeat_stride;  /* every repeat_stride-th scan is one */
     struct model_curve *curves;          /* model_count of them, NULL before any model ran */

@@ -116,6 +116,54 @@ static void surface_legend(char *legend, size_t size, const struct surface_summa
     snprintf(legend, size, "%s, Rq %.3g µm", summary->scene->name, summary->roughness.rq_m * 1e6);
 }
 
+/** Bins of the spectrum the law is fitted to: wavelength, amplitude, one standard error below and above, decades over
+ * the law (empty: no law). */
+static void put_bins(struct figure_file *out, const struct power_law_band *band, const char *style, const char *legend,
+                     bool (*is_one)(enum power_law_band_use))
+{
+    begin_block(out, style, legend);
+    for (size_t j = 0; j < band->bins; j++) {
+        const struct log_bin *bin = &band->bin[j];
+        double s = sqrt(bin->variance), high_m = pow(10, bin->y + s), low_m = pow(10, bin->y - s);
+        if (!is_one(band->use[j]) || !isfinite(high_m) || !(low_m > 0))
+            continue;
+        fprintf(out->file, "%.9g,%.9g,%.9g,%.9g", pow(10, bin->x), pow(10, bin->y), low_m, high_m);
+        if (isfinite(band->residual_decades[j]))
+            fprintf(out->file, ",%.6g", band->residual_decades[j]);
+        fprintf(out->file, "\n");
+    }
+}
+
+static bool is_used(enum power_law_band_use use)
+{
+    return use == POWER_LAW_BAND_USED;
+}
+
+static bool is_line(enum power_law_band_use use)
+{
+    return use == POWER_LAW_BAND_LINE;
+}
+
+static bool is_left_out(enum power_law_band_use use)
+{
+    return !is_used(use) && !is_line(use);
+}
+
+/** What the law was found in. A knee's row has the amplitude of the bin next to it. */
+static void put_found(struct figure_file *out, const struct power_law_band *band)
+{
+    put_bins(out, band, "bin", "in the fit", is_used);
+    put_bins(out, band, "binx", "not in the fit", is_left_out);
+    put_bins(out, band, "line", "lines", is_line);
+    begin_block(out, "knee", "knees");
+    for (size_t k = 0; k + 1 < band->pieces; k++)
+        for (size_t j = 0; j < band->bins; j++)
+            if (pow(10, band->bin[j].x) < band->knee_m[k]) {
+                put_point(out, band->knee_m[k], pow(10, band->bin[j].y), true, true);
+                break;
+            }
+}
+
 /** Spectrum of one surface: points (thinned evenly in log wavelength), the fit over its band, the fit beyond. */
 static void put_spectrum(struct figure_file *out, const struct surface_record *record, const char *style,
                          const char *legend)
@@ -129,14 +177,19 @@ static void put_spectrum(struct figure_file *out, const struct surface_record *r
         put_point(out, 1 / spectrum_frequency(&record->spectrum, index[k]), record->spectrum.amplitude_m[index[k]],
                   true, true);
     char fit[80] = "no power law";
-    if (isfinite(law->gamma))
+    if (isfinite(law->alpha_error))
         snprintf(fit, sizeof fit, "α %.3g, γ %.3f ± %.3f", law->alpha, law->gamma, law->gamma_error);
+    else if (isfinite(law->gamma))
+        snprintf(fit, sizeof fit, "γ %.2f ± %.2f%s", law->gamma, law->gamma_error,
+                 law->found == POWER_LAW_BAND_NARROW ? ", narrow" : "");
     begin_block(out, "fit", fit);
     for (int i = 0; i < 2; i++)
         put_point(out, law->band_m[i], power_law_amplitude(law, law->band_m[i]), true, true);
     begin_block(out, "fitx", fit);
     put_point(out, shortest, power_law_amplitude(law, shortest), true, true);
     put_point(out, law->band_m[0], power_law_amplitude(law, law->band_m[0]), true, true);
+    if (record->band.bins > 0)
+        put_found(out, &record->band);
 }
 
 static enum status_code put_surfaces(struct figure_file *out, const struct results *results, struct status *status)

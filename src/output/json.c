@@ -89,6 +89,7 @@ static json_t *scene_json(const struct results *results, const struct cell_guard
         json_object_set_new(json, "counterface_surface",
                             json_pack("{s:o, s:s}", "file", string(scene->counterface_surface.files[0]), "sha256",
                                       results->counterface->summary.hash));
+    json_object_set_new(json, "fit", json_string(power_law_method_names[scene->fit]));
     double band_m[2] = {scene->fit_band_m[0], scene->fit_band_m[1]};
     if (isinf(band_m[1])) /* up to the whole record */
         band_m[1] = NAN;
@@ -168,7 +169,40 @@ static json_t *lines_json(const char *lines)
     return array;
 }
 
-static json_t *surface_json(const struct surface_record *record, const struct plan *plan,
+/** What was found beside the law's numbers; of fit: thesis its class alone. */
+static json_t *fit_json(const struct surface_record *record, enum power_law_method method,
+                        const struct cell_guard *guard)
+{
+    const struct power_law_band *band = &record->band;
+    const struct power_law *law = &record->summary.power_law;
+    json_t *json = json_pack("{s:s, s:s}", "method", power_law_method_names[method], "class",
+                             power_law_band_class_names[law->found]);
+    if (method == POWER_LAW_THESIS)
+        return json;
+    json_t *knees = json_array(), *lines = json_array(), *others = json_array();
+    for (size_t k = 0; k + 1 < band->pieces; k++)
+        json_array_append_new(knees, cell_json(guard, "knees_m", band->knee_m[k]));
+    double line_m[LOG_BIN_MOST];
+    size_t line_count = power_law_band_lines(line_m, band);
+    for (size_t i = 0; i < line_count; i++)
+        json_array_append_new(lines, cell_json(guard, "lines_m", line_m[i]));
+    for (size_t k = 0; k < band->pieces; k++) {
+        if (isnan(band->piece[k].candidate_gamma) || (law->found != POWER_LAW_BAND_NONE && k == band->chosen))
+            continue;
+        json_t *other = json_object();
+        set(other, guard, "gamma", band->piece[k].candidate_gamma);
+        set(other, guard, "low_m", band->piece[k].band_m[0]);
+        set(other, guard, "high_m", band->piece[k].band_m[1]);
+        json_array_append_new(others, other);
+    }
+    json_object_set_new(json, "knees_m", knees);
+    json_object_set_new(json, "lines_m", lines);
+    json_object_set_new(json, "other_candidates", others);
+    set(json, guard, "share_of_m2", band->slope_share);
+    return json;
+}
+
+static json_t *surface_json(const struct surface_record *record, const struct scene *scene, const struct plan *plan,
                             const struct cell_guard *guard)
 {
     const struct surface_summary *s = &record->summary;
@@ -200,16 +234,25 @@ static json_t *surface_json(const struct surface_record *record, const struct pl
         {"asperity_sigma_m", s->asperities.sigma_s_m},
         {"asperity_offset_m", s->asperities.offset_m},
         {"alpha_SI", s->power_law.alpha},
-        {"alpha_stderr", s->power_law.alpha_error},
         {"gamma", s->power_law.gamma},
         {"gamma_stderr", s->power_law.gamma_error},
-        {"fit_rms_decades", s->power_law.rms_decades},
+        {"fit_amplitude_m", s->power_law.amplitude_m},
+        {"fit_amplitude_stderr_decades", s->power_law.amplitude_error_decades},
+        {"fit_wavelength_m", s->power_law.wavelength_m},
+        {"fit_low_m", s->power_law.band_m[0]},
+        {"fit_high_m", s->power_law.band_m[1]},
+        {"fit_misfit_decades", s->power_law.misfit_decades},
+        {"fit_psd_m3", s->power_law.psd_m3},
         {"end_jump_m", s->jump_m},
         {"end_jump_share", s->jump_share},
     };
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
         set(json, guard, numbers[i].name, numbers[i].value);
+    json_object_set_new(json, "fit", fit_json(record, scene->fit, guard));
     json_object_set_new(json, "scans", json_integer((json_int_t)s->scans));
+    json_object_set_new(json, "scans_periodic", json_integer((json_int_t)s->periodic));
+    json_object_set_new(json, "scans_windowed", json_integer((json_int_t)s->windowed));
+    set(json, guard, "scans_independent", s->independent);
     if (s->repeats.count > 0)
         json_object_set_new(json, "spread", repeats_json(s, guard));
     json_object_set_new(json, "notes", lines_json(s->notes));
@@ -259,7 +302,7 @@ enum status_code json_write(const struct results *results, const char *directory
         ok = surface_store_get(&record, results->store, i, status) == STATUS_OK;
         fputs(first ? "\n" : ",\n", file);
         first = false;
-        ok = ok && print(file, surface_json(&record, results->plan, &guard));
+        ok = ok && print(file, surface_json(&record, results->scene, results->plan, &guard));
         surface_record_free(&record, false);
     }
     fputs("],\n\"refused\": [", file);

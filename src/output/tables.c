@@ -77,10 +77,14 @@ static const struct surface_column {
     COLUMN("asperity_sigma_m", asperities.sigma_s_m, true),
     COLUMN("asperity_offset_m", asperities.offset_m, true),
     COLUMN("alpha_SI", power_law.alpha, false),
-    COLUMN("alpha_stderr", power_law.alpha_error, false),
     COLUMN("gamma", power_law.gamma, false),
     COLUMN("gamma_stderr", power_law.gamma_error, false),
-    COLUMN("fit_rms_decades", power_law.rms_decades, false),
+    COLUMN("fit_amplitude_m", power_law.amplitude_m, false),
+    COLUMN("fit_amplitude_stderr_decades", power_law.amplitude_error_decades, false),
+    COLUMN("fit_wavelength_m", power_law.wavelength_m, false),
+    COLUMN("fit_low_m", power_law.band_m[0], false),
+    COLUMN("fit_high_m", power_law.band_m[1], false),
+    COLUMN("fit_misfit_decades", power_law.misfit_decades, false),
 #undef COLUMN
 };
 enum { SURFACE_COLUMNS = sizeof surface_columns / sizeof *surface_columns };

@@ -230,7 +230,9 @@ static enum verdict check_gamma(struct text *out, const struct section_context *
     for (size_t k = 0; k < context->results->usable_count; k++) {
         const struct power_law *law = &section_smoothest(context, k)->power_law;
         bool knee = isfinite(law->knee_m);
-        fitted += isfinite(law->gamma);
+        if (!power_law_holds(law))
+            continue;
+        fitted++;
         knees += knee;
         converging += (knee ? law->gamma_below : law->gamma) + law->gamma_error >= 1;
     }
@@ -251,7 +253,7 @@ static enum verdict check_gamma(struct text *out, const struct section_context *
         text_add(out, " at P/(Aₙ E′) = ");
         number_format_power(out, context->results->scene->convergence.load, 3);
     }
-    return verdict_of(converging, fitted);
+    return fitted == 0 ? VERDICT_NOT_TESTED : verdict_of(converging, fitted);
 }
 
 static enum verdict check_convergence(struct text *out, const struct section_context *context)
@@ -380,10 +382,11 @@ static enum verdict check_gamma_rank(struct text *out, const struct section_cont
 {
     size_t pairs = 0, falling = 0;
     for (size_t k = 1; k < context->results->usable_count; k++) {
-        double smooth = section_smoothest(context, k - 1)->power_law.gamma,
-               rough = section_smoothest(context, k)->power_law.gamma;
-        pairs += isfinite(smooth) && isfinite(rough);
-        falling += smooth > rough;
+        const struct power_law *smooth = &section_smoothest(context, k - 1)->power_law,
+                               *rough = &section_smoothest(context, k)->power_law;
+        bool both = power_law_holds(smooth) && power_law_holds(rough);
+        pairs += both;
+        falling += both && smooth->gamma > rough->gamma;
     }
     text_add(out, "γ falls from the smoother to the rougher neighbour in %zu of %zu pairs", falling, pairs);
     return pairs == 0 ? VERDICT_NOT_TESTED : verdict_of(falling, pairs);

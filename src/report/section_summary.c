@@ -228,7 +228,7 @@ static void limits(struct text *out, const struct section_context *context)
 {
     const struct results *results = context->results;
     double load = context->comparison->middle_load, fall = 0;
-    size_t leaks = 0, knees = 0, diverging = 0;
+    size_t leaks = 0, knees = 0, diverging = 0, lawless = 0;
     struct text list = {0};
     for (size_t m = 0; m < model_count; m++) {
         size_t invalid = 0;
@@ -246,7 +246,8 @@ static void limits(struct text *out, const struct section_context *context)
         const struct surface_summary *s = section_smoothest(context, k);
         leaks += s->jump_share > 0.5;
         knees += isfinite(s->power_law.knee_m);
-        diverging += s->power_law.gamma + s->power_law.gamma_error < 1;
+        lawless += !power_law_holds(&s->power_law);
+        diverging += power_law_holds(&s->power_law) && s->power_law.gamma + s->power_law.gamma_error < 1;
     }
     if (plan_stacks_scales(results->plan))
         limit(&list, context, diverging, "γ is below 1", ", so the elastic area depends on the sampling");
@@ -256,6 +257,7 @@ static void limits(struct text *out, const struct section_context *context)
                               " % more of the area");
     }
     limit(&list, context, leaks, "a jump between the ends of the record draws γ towards 1", "");
+    limit(&list, context, lawless, "no power law of a decade was found in the spectrum", "");
     limit(&list, context, knees, "two slopes fit the spectrum better than one law", "");
     if (list.length > 0)
         text_add(out, "- **Limits**: %s.\n", text_string(&list));

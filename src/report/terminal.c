@@ -135,8 +135,9 @@ static void put_surface(const struct terminal_table *table, size_t row, const st
 {
     size_t column = FIRST_COLUMNS;
     put_number(cell_at(table, row, 1), s->roughness.rq_m * 1e6);
-    put_uncertain(cell_at(table, row, 2), s->power_law.alpha, s->power_law.alpha_error);
-    put_uncertain(cell_at(table, row, 3), s->power_law.gamma, s->power_law.gamma_error);
+    bool law = power_law_holds(&s->power_law);
+    put_uncertain(cell_at(table, row, 2), law ? s->power_law.alpha : NAN, s->power_law.alpha_error);
+    put_uncertain(cell_at(table, row, 3), law ? s->power_law.gamma : NAN, s->power_law.gamma_error);
     for (size_t m = 0; m < model_count; m++)
         if (has_beta(plan, m))
             put_beta(cell_at(table, row, column++), &s->models[m]);

@@ -49,6 +49,7 @@ static bool put_arrays(FILE *file, const struct surface_record *record)
 {
     bool ok = put_array(file, record, sizeof *record, 1);
     ok = ok && put_array(file, record->spectrum.amplitude_m, sizeof(double), record->spectrum.count);
+    ok = ok && put_array(file, record->tapered.amplitude_m, sizeof(double), record->tapered.count);
     ok = ok && put_array(file, record->curves, sizeof *record->curves, record->curves ? model_count : 0);
     ok = ok && put_array(file, record->bands, sizeof *record->bands, record->bands ? model_count : 0);
     for (size_t m = 0; record->curves && m < model_count; m++) {
@@ -106,6 +107,7 @@ enum status_code surface_store_get(struct surface_record *out, struct surface_st
         memset(out, 0, sizeof *out);
     out->summary = store->summaries[index];
     out->spectrum.amplitude_m = get_array(store->file, sizeof(double), out->spectrum.count, &ok);
+    out->tapered.amplitude_m = get_array(store->file, sizeof(double), out->tapered.count, &ok);
     out->curves = get_array(store->file, sizeof *out->curves, out->curves ? model_count : 0, &ok);
     out->bands = get_array(store->file, sizeof *out->bands, out->bands ? model_count : 0, &ok);
     for (size_t m = 0; out->curves && m < model_count; m++) {

@@ -20,7 +20,9 @@ static void check_defaults(const struct scene *scene)
     assert_false(scene->load.in_pascal);
     assert_near(scene->tolerance, 1e-6, 0);
     assert_int_equal(scene->level, LEVEL_LINE);
-    assert_int_equal(scene->window, SPECTRUM_WINDOW_NONE);
+    assert_int_equal(scene->window, SPECTRUM_WINDOW_AUTO);
+    assert_int_equal(scene->fit, POWER_LAW_AUTO);
+    assert_false(scene->level_given || scene->fit_band_given);
     assert_true(scene->fit_band_m[0] == 0 && isinf(scene->fit_band_m[1]));
     assert_int_equal(scene->moments, ROUGHNESS_MOMENTS_DIFFERENCE);
     assert_int_equal(scene->closure, SINUSOID_FIT_THESIS);
