@@ -2,6 +2,7 @@
 #include "scene/scene_surfaces.h"
 #include "scene/scene_words.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
