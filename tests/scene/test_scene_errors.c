@@ -61,12 +61,12 @@ static void test_keys(void **state)
         {"Level: line\n", 1, "unknown key 'Level'; did you mean 'level'?"},
         {"foo: 1\n", 1,
          "unknown key 'foo'; allowed: title, models, effects, material, counterface, direction, measured, "
-         "nominal_area_m2, load, tolerance, "
+         "nominal_area_m2, hardness, load, tolerance, "
          "level, window, fit_band_m, moments, closure, max_missing, "
          "lambda_s_m, lambda_c_m, tip_radius_m, baseline, convergence, surfaces"},
         {"stylus: 2e-6\n", 1,
          "unknown key 'stylus'; allowed: title, models, effects, material, counterface, direction, measured, "
-         "nominal_area_m2, load, "
+         "nominal_area_m2, hardness, load, "
          "tolerance, level, window, fit_band_m, moments, closure, max_missing, "
          "lambda_s_m, lambda_c_m, tip_radius_m, baseline, convergence, surfaces"},
         {"level: line\ntitle: a\nlevel: mean\n", 3, "'level' is given twice, first in line 1; remove one"},
@@ -133,7 +133,8 @@ static void test_choices(void **state)
         {"moments: [spectral]\n", 1, "'moments' is a list; give one word"},
         {"closure: bem\n", 1, "unknown closure 'bem'; allowed: thesis, numeric"},
         {"models: [multiscale,\n  greenwood]\n", 2,
-         "unknown model 'greenwood'; allowed: multiscale, statistical, multiscale-elastic, multiscale-plastic, gw, jg"},
+         "unknown model 'greenwood'; allowed: multiscale, statistical, two-band, persson, contacting-slopes, "
+         "multiscale-elastic, multiscale-plastic, gw, jg, two-band-elastic, two-band-plastic"},
         {"models: []\n", 1, "'models' names none; remove the line for the default ones"},
         {"effects:\n  - thermal\n  - electric\n", 3, "unknown effect 'electric'; did you mean 'electrical'?"},
         {"effects: [auto]\n", 1,
