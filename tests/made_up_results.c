@@ -104,14 +104,16 @@ static void make_surface(struct made_up *made, size_t index, void (*change)(stru
         summary->refusal = strdup("broken.csv: no number in it");
     } else {
         double rq_m = surfaces[index].rq_m, gamma = surfaces[index].gamma;
-        summary->roughness = (struct roughness){rq_m, 0.8 * rq_m, 6 * rq_m, rq_m * rq_m, 0.01, 1e9};
+        summary->roughness =
+            (struct roughness){rq_m, 0.8 * rq_m, 6 * rq_m, rq_m * rq_m, 0.01, 1e9, 0, 3 * pow(rq_m, 4)};
         summary->asperities = (struct asperities){10, 1e10, 2e-6, 0.9 * rq_m, 0.1 * rq_m, rq_m};
         summary->has_asperities = true;
-        summary->power_law = (struct power_law){.alpha = 0.5,
+        summary->power_law = (struct power_law){.found = POWER_LAW_BAND_LAW,
+                                                .alpha = 0.5,
                                                 .alpha_error = 0.05,
                                                 .gamma = gamma,
                                                 .gamma_error = 0.01,
-                                                .rms_decades = 0.2,
+                                                .misfit_decades = 0.2,
                                                 .band_m = {2e-6, 1e-4},
                                                 .harmonics = 3,
                                                 .knee_m = NAN};
@@ -287,6 +289,7 @@ void made_up_make_of(struct made_up *made, uint64_t models, unsigned effects,
         .models = made->plan.models,
         .nominal_area_m2 = 1e-6,
         .tolerance = 1e-8,
+        .fit = POWER_LAW_THESIS,
         .fit_band_m = {0, INFINITY},
         .counterface_kind = MATERIAL_COUNTERFACE_RIGID,
         .material = *material_find("tin"),

@@ -23,10 +23,11 @@ struct curve_summary {
     double elbow_load;        /* where |d ln ECR/d ln P| first exceeds 2; NaN: nowhere */
     double sd_least, sd_most; /* TCR_sd/TCR - 1 over the curve */
     double invalid_area_load; /* first load beyond the model's largest valid area; NaN: none */
-    double invalid_fit_load;  /* first load with over 10 % of it beyond the fitted range; NaN: none */
-    double most_beyond_fit;   /* largest share of the load beyond the fitted range */
-    double gap_at_full;       /* separation/sigma as shown, at the load of A = A_n */
-    double area_low;          /* A/A_n at the lowest load */
+    double
+        invalid_fit_load;   /* first load from a valid one on with over 10 % of it beyond the fitted range; NaN: none */
+    double most_beyond_fit; /* largest share of the load beyond the fitted range */
+    double gap_at_full;     /* separation/sigma as shown, at the load of A = A_n */
+    double area_low;        /* A/A_n at the lowest load */
     size_t yielding_scales;
     uint64_t clamped;           /* visits in which the published plastic area was cut off at 1 */
     double most_radius_clamped; /* largest share of the load on asperities whose a/R is clamped to 1 */
@@ -41,8 +42,12 @@ struct curve_summary {
 /** Share of the load beyond a law's fitted range from which a curve is drawn as outside its validity. */
 extern const double curve_summary_beyond_fit_share;
 
-/** First point of a curve that is outside the model's validity; curve->count when all are inside. */
-size_t curve_summary_first_invalid(const struct model_curve *curve, const struct model_row *row);
+/** Points of a curve inside the model's validity: from `first` to before `end`, which are the same when none is. Light
+ * loads may be outside too (contacting slopes: too few points touch). */
+struct curve_validity {
+    size_t first, end;
+};
+struct curve_validity curve_summary_validity(const struct model_curve *curve, const struct model_row *row);
 
 /** Condenses one model's curve on a surface of rms height sigma_m; what is known of its repeats is kept. */
 void curve_summary_make(struct curve_summary *out, const struct model_curve *curve, const struct model_row *row,

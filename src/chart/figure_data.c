@@ -1,6 +1,8 @@
 #include "chart/figure_data.h"
 
+#include "contact/persson.h"
 #include <errno.h>
+#include <gsl/gsl_cdf.h>
 #include <math.h>
 #include <string.h>
 
@@ -24,27 +26,33 @@ static void put_point(struct figure_file *out, double x, double y, bool x_logari
         fprintf(out->file, "%.17g,%.17g\n", x, y);
 }
 
-/** A curve as two blocks: inside the model's validity, and (dashed, starting at the last valid point) outside. `y` is
- * the quantity drawn, which may be another form of the figure's. */
+/** Points `from` to before `to` of a curve as one block. */
+static void put_part(struct figure_file *out, const struct model_curve *curve, size_t from, size_t to, enum quantity y,
+                     double sigma_m, const char *style, const char *legend)
+{
+    enum quantity x = out->figure->row->x;
+    begin_block(out, style, legend);
+    for (size_t i = from; i < to; i++)
+        put_point(out, quantity_shown(&curve->points[i], x, sigma_m), quantity_shown(&curve->points[i], y, sigma_m),
+                  quantity_rows[x].logarithmic, quantity_rows[y].logarithmic);
+}
+
+/** A curve as up to three blocks: inside the model's validity, and (dashed, meeting the first or the last valid point)
+ * outside. `y` is the quantity drawn, which may be another form of the figure's. */
 static void put_curve(struct figure_file *out, const struct model_curve *curve, const struct model_row *model,
                       enum quantity y, double sigma_m, const char *style, const char *legend)
 {
-    enum quantity x = out->figure->row->x;
-    size_t border = curve_summary_first_invalid(curve, model);
+    struct curve_validity valid = curve_summary_validity(curve, model);
     if (QUANTITY_BIT(y) & QUANTITY_RESISTANCES)
         for (size_t i = 0; i < curve->count && curve->points[i].area_ratio <= nearly_full_area; i++)
             out->floor = fmin(out->floor, quantity_value(&curve->points[i], y));
     char outside_style[32];
     snprintf(outside_style, sizeof outside_style, "%sx", style);
-    for (int outside = 0; outside < (border < curve->count ? 2 : 1); outside++) {
-        begin_block(out, outside ? outside_style : style, legend);
-        for (size_t i = outside && border > 0 ? border - 1
-                        : outside             ? border
-                                              : 0;
-             i < (outside ? curve->count : border); i++)
-            put_point(out, quantity_shown(&curve->points[i], x, sigma_m), quantity_shown(&curve->points[i], y, sigma_m),
-                      quantity_rows[x].logarithmic, quantity_rows[y].logarithmic);
-    }
+    put_part(out, curve, valid.first, valid.end, y, sigma_m, style, legend);
+    if (valid.first > 0)
+        put_part(out, curve, 0, valid.first + 1, y, sigma_m, outside_style, legend);
+    if (valid.end < curve->count)
+        put_part(out, curve, valid.end > 0 ? valid.end - 1 : 0, curve->count, y, sigma_m, outside_style, legend);
 }
 
 /** The band of repeated scans against load, where there is one. */
@@ -192,9 +200,74 @@ static void put_spectrum(struct figure_file *out, const struct surface_record *r
         put_found(out, &record->band);
 }
 
+size_t figure_data_heights_model(const struct surface_summary *summary)
+{
+    size_t m = 0;
+    while (m < model_count && !(model_rows[m]->uses_heights && summary->models && summary->models[m].exists))
+        m++;
+    return m;
+}
+
+/** Every so many of the sorted heights, evenly over their normal scores: both ends in full. */
+static void put_scores(struct figure_file *out, const struct contacting_slopes *slopes)
+{
+    enum { MOST = 300 };
+    size_t next = 0;
+    double highest = contacting_slopes_score(0, slopes->points);
+    for (size_t k = 0; k <= MOST; k++) {
+        double share = gsl_cdf_ugaussian_Q(highest * (1 - 2.0 * (double)k / MOST));
+        size_t i = (size_t)fmin(share * (double)slopes->points, (double)(slopes->points - 1));
+        if (i < next)
+            continue;
+        fprintf(out->file, "%.9g,%.9g\n", contacting_slopes_score(i, slopes->points), slopes->height_m[i] * 1e6);
+        next = i + 1;
+    }
+}
+
+/** The line through the points that touch and as many again, and carried on down to the lowest point. */
+static void put_contact_line(struct figure_file *out, const struct contacting_slopes *slopes, double area_ratio)
+{
+    size_t fitted = contacting_slopes_fitted(slopes, area_ratio);
+    double offset_m = slopes->line[fitted].offset_m, scale_m = slopes->line[fitted].scale_m;
+    double low_m = slopes->height_m[slopes->points - 1], highest = contacting_slopes_score(0, slopes->points);
+    double from = contacting_slopes_score(fitted - 1, slopes->points);
+    double to = scale_m > 0 ? fmin(from, fmax(-highest, (low_m - offset_m) / scale_m)) : -highest;
+    const double ends[] = {highest, from, to};
+    char legend[80];
+    snprintf(legend, sizeof legend, "A/Aₙ %.3g", area_ratio);
+    for (int part = 0; part < 2; part++) {
+        begin_block(out, part == 0 ? "fit" : "fitx", legend);
+        for (int e = 0; e < 2; e++)
+            fprintf(out->file, "%.9g,%.9g\n", ends[part + e], (offset_m + scale_m * ends[part + e]) * 1e6);
+    }
+}
+
+/** Heights against normal score, and the line where it touches at the middle load. */
+static enum status_code put_probability(struct figure_file *out, const struct surface_record *record,
+                                        const struct results *results, const char *style, const char *legend,
+                                        struct status *status)
+{
+    size_t m = figure_data_heights_model(&record->summary);
+    struct contacting_slopes slopes;
+    double load = results->loads[results->load_count / 2];
+    if (m == model_count)
+        return STATUS_OK;
+    if (contacting_slopes_make(&slopes, record->points, record->summary.heights, persson_energy_factor, status) !=
+        STATUS_OK)
+        return status->code;
+    begin_block(out, style, legend);
+    put_scores(out, &slopes);
+    double area_ratio = contacting_slopes_area(&slopes, load).area_ratio;
+    if (area_ratio <= contacting_slopes_separation_area) /* beyond, no line stands for what touches */
+        put_contact_line(out, &slopes, area_ratio);
+    contacting_slopes_free(&slopes);
+    return STATUS_OK;
+}
+
 static enum status_code put_surfaces(struct figure_file *out, const struct results *results, struct status *status)
 {
-    for (size_t k = 0; k < results->shown_count; k++) {
+    enum status_code rc = STATUS_OK;
+    for (size_t k = 0; k < results->shown_count && rc == STATUS_OK; k++) {
         struct surface_record record;
         if (surface_store_get(&record, results->store, results->shown[k], status) != STATUS_OK)
             return status->code;
@@ -206,6 +279,8 @@ static enum status_code put_surfaces(struct figure_file *out, const struct resul
             begin_block(out, style, legend);
             for (size_t i = 0; i < record.preview_points; i++)
                 fprintf(out->file, "%.9g,%.9g\n", record.preview_x_m[i] * 1e3, record.preview_z_m[i] * 1e6);
+        } else if (row->kind == FIGURE_PROBABILITY) {
+            rc = put_probability(out, &record, results, style, legend, status);
         } else if (row->kind == FIGURE_SPECTRA) {
             put_spectrum(out, &record, style, legend);
         } else {
@@ -216,7 +291,7 @@ static enum status_code put_surfaces(struct figure_file *out, const struct resul
         }
         surface_record_free(&record, false);
     }
-    return STATUS_OK;
+    return rc;
 }
 
 static void put_sweep(struct figure_file *out, const struct results *results)
@@ -301,6 +376,7 @@ enum status_code figure_data_put(struct figure_file *file, const struct results 
     case FIGURE_SURFACES:
     case FIGURE_PROFILES:
     case FIGURE_SPECTRA:
+    case FIGURE_PROBABILITY:
         return put_surfaces(file, results, status);
     }
     return STATUS_OK;

@@ -10,6 +10,7 @@ enum { POINTS = 64 };
 static char place[64];
 static struct scene scene;
 static struct surface_record *record;
+static struct power_law_scans scans;
 
 static int make(void **state)
 {
@@ -18,7 +19,10 @@ static int make(void **state)
     assert_non_null(mkdtemp(place));
     scene = (struct scene){.directory = place,
                            .level = LEVEL_NONE,
+                           .level_given = true,
                            .max_missing = 0.5,
+                           .window = SPECTRUM_WINDOW_NONE,
+                           .fit = POWER_LAW_THESIS,
                            .fit_band_m = {0, INFINITY},
                            .models = (UINT64_C(1) << model_count) - 1};
     record = calloc(1, sizeof *record);
@@ -31,6 +35,7 @@ static int end(void **state)
     char path[128];
     (void)state;
     surface_record_free(record, true);
+    power_law_scans_free(&scans);
     free(record);
     snprintf(path, sizeof path, "%s/scan.csv", place);
     remove(path);
@@ -71,7 +76,7 @@ static void add_scan(double amplitude_m, double jump_m, double spacing_um)
     double height_m[POINTS];
     sine(height_m, amplitude_m, jump_m);
     write_scan(height_m, POINTS, spacing_um);
-    if (gather_file(record, &scene, &surface, name, &hash, &status) != STATUS_OK)
+    if (gather_file(record, &scans, &scene, &surface, name, &hash, &status) != STATUS_OK)
         fail_msg("%s", status.message);
 }
 
@@ -168,9 +173,9 @@ static void test_a_rough_counterface(void **state)
     assert_non_null(counterface);
     counterface->spectrum = (struct spectrum){other_m, POINTS / 2, POINTS * 1e-6, true};
     other_m[2] = 4e-6;
-    counterface->summary.roughness = (struct roughness){4e-6, NAN, NAN, 16e-12, 0.5, 1e10};
+    counterface->summary.roughness = (struct roughness){4e-6, NAN, NAN, 16e-12, 0.5, 1e10, 0, 0};
     struct roughness own = record->summary.roughness;
-    assert_int_equal(gather_counterface(record, counterface, &status), STATUS_OK);
+    assert_int_equal(gather_counterface(record, &scans, counterface, &status), STATUS_OK);
     assert_near(record->spectrum.amplitude_m[2], 5e-6, 1e-6);
     assert_near(record->spectrum.amplitude_m[6], 1.5e-6, 1e-6);
     assert_near(record->summary.roughness.m2, own.m2 + 0.5, 1e-9);

@@ -66,6 +66,9 @@ static void band_of_two(void **state)
         .pair = &pair, .loads = loads, .load_count = LOADS, .wanted = QUANTITY_BIT(QUANTITY_ECR), .tolerance = 1e-8};
     for (size_t m = 0; m < model_count; m++) {
         struct contact_point points[2][LOADS + 1] = {0};
+        size_t full = 0;
+        if (model_rows[m]->uses_heights)
+            continue;
         for (int p = 0; p < 2; p++) {
             struct asperities asperities;
             struct model_curve curve = {.points = points[p]};
@@ -73,6 +76,7 @@ static void band_of_two(void **state)
             task.spectrum = &parts[p].spectrum;
             task.asperities = &asperities;
             assert_int_equal(model_rows[m]->run(&curve, model_rows[m], &task, &status), STATUS_OK);
+            full += isfinite(curve.full_load);
         }
         struct repeats_number beta = {0}, log_full_load = {0};
         struct repeats_band band[LOADS] = {0};
@@ -82,13 +86,19 @@ static void band_of_two(void **state)
         assert_true(work.scales + work.separations > 0);
         struct model_work predicted = repeats_work(parts, 2, model_rows[m], &task);
         assert_memory_equal(&work, &predicted, sizeof work);
-        assert_int_equal(log_full_load.count, 2);
+        assert_int_equal(log_full_load.count, full);
+        assert_int_equal(full, strcmp(model_rows[m]->name, "persson") == 0 ? 0 : 2);
         assert_int_equal(beta.count, model_rows[m]->quantities & QUANTITY_BIT(QUANTITY_ADJUSTED) ? 2 : 0);
         for (int i = 0; i < LOADS; i++) {
             double a = log(points[0][i].ecr_ohm_m2), b = log(points[1][i].ecr_ohm_m2);
             double half = fabs(a - b) / sqrt(2);
-            assert_near(band[i].limits[QUANTITY_ECR][0], exp((a + b) / 2 - half), 1e-9);
-            assert_near(band[i].limits[QUANTITY_ECR][1], exp((a + b) / 2 + half), 1e-9);
+            bool empty = isnan(a) || isnan(b); /* where a model should not be trusted */
+            assert_false(empty && !(model_rows[m]->may_be_empty & QUANTITY_BIT(QUANTITY_ECR)));
+            assert_true(empty ? isnan(band[i].limits[QUANTITY_ECR][0]) : isfinite(band[i].limits[QUANTITY_ECR][0]));
+            if (!empty) {
+                assert_near(band[i].limits[QUANTITY_ECR][0], exp((a + b) / 2 - half), 1e-9);
+                assert_near(band[i].limits[QUANTITY_ECR][1], exp((a + b) / 2 + half), 1e-9);
+            }
             assert_true(isnan(band[i].limits[QUANTITY_TCR][0]) && isnan(band[i].limits[QUANTITY_SEPARATION][0]));
         }
     }
