@@ -47,7 +47,7 @@ do for [i = 1:BLOCKS] {
     if (ROWS[i] > 1 && !outside(w) && shape(w) > 0) { marked = marked . sprintf(' %d', i) }
 }
 note_outside = 'outside the range of validity'
-note_band = 'one standard deviation of the scans'
+note_band = '95 % interval of the mean'
 if (strlen(bands) && !text_mode) { count = count + 1; longest = most(longest, strlen(note_band)) }
 if (strlen(measured)) { count = count + 1; longest = most(longest, 8) }
 if (strlen(dashed)) { count = count + 1; longest = most(longest, strlen(note_outside)) }

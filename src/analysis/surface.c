@@ -112,19 +112,55 @@ static void extend(struct surface_summary *summary, const struct scene *scene, c
     summary->times.convergence = clock_seconds() - started;
 }
 
-/** Every scan of the surface alone in one model. */
-static enum status_code run_repeats(struct surface_record *record, size_t m, const struct model_task *task,
-                                    struct status *status)
+static enum status_code make_band(struct surface_record *record, size_t m, const struct model_task *task,
+                                  struct status *status)
 {
-    struct curve_summary *model = &record->summary.models[m];
-    if (record->repeat_count < 2)
-        return STATUS_OK;
     record->band_count = task->load_count;
-    record->bands[m] = calloc(task->load_count, sizeof *record->bands[m]);
-    if (!record->bands[m])
+    record->bands[m] = repeats_band_make(task->loads, task->load_count);
+    return record->bands[m] ? STATUS_OK : status_memory(status);
+}
+
+/** Every scan of the surface alone in one model; the curve is their mean. */
+static enum status_code run_repeats(struct surface_record *record, size_t m, const struct model_task *task,
+                                    struct repeats_result *result, struct status *status)
+{
+    if (make_band(record, m, task, status) != STATUS_OK)
+        return status->code;
+    result->band = record->bands[m];
+    if (repeats_model(&record->curves[m], result, &record->repeats, model_rows[m], task, status) != STATUS_OK)
+        return status->code;
+    if (result->left_out > 0 && record->curves[m].exists)
+        gather_note(&record->summary, "%s has no solution for %zu of the scans run alone; its curve is of the others",
+                    model_rows[m]->label, result->left_out);
+    return STATUS_OK;
+}
+
+/** What simulated records say of how far another place of a surface with one scan may answer. */
+static enum status_code run_uncertainty(struct surface_record *record, const struct scene *scene,
+                                        const struct plan *plan, const struct model_task *task, struct status *status)
+{
+    struct surface_summary *summary = &record->summary;
+    const struct uncertainty_scan scan = {record->height_m, summary->single_points, summary->spacing_m,
+                                          piece_how_of(scene), task};
+    struct uncertainty *all = calloc(model_count, sizeof *all);
+    if (!all)
         return status_memory(status);
-    return repeats_model(&model->repeated_beta, &model->repeated_log_full_load, record->bands[m], record->repeats,
-                         record->repeat_count, model_rows[m], task, &model->work, status);
+    enum status_code rc = uncertainty_run(all, &scan, plan, &summary->simulated, status);
+    for (size_t m = 0; m < model_count && rc == STATUS_OK; m++) {
+        const struct model_curve *curve = &record->curves[m];
+        if (!curve->exists || !uncertainty_holds(plan, m))
+            continue;
+        for (size_t i = 0; i < curve->count; i++)
+            for (int q = 0; q < QUANTITY_COUNT && curve->points[i].load == task->loads[task->load_count / 2]; q++)
+                summary->models[m].middle[q] = uncertainty_estimate(
+                    &all[m], (enum quantity)q,
+                    quantity_value(&curve->points[i], model_shown(model_rows[m], (enum quantity)q)));
+        rc = make_band(record, m, task, status);
+        if (rc == STATUS_OK)
+            uncertainty_band(record->bands[m], &all[m], curve, model_rows[m]);
+    }
+    free(all);
+    return rc;
 }
 
 struct model_task surface_middle_task(const struct model_task *task)
@@ -145,8 +181,9 @@ static enum status_code run_sensitivity(struct surface_record *record, size_t m,
     for (size_t i = 0; i < record->curves[m].count; i++)
         if (record->curves[m].points[i].load == one.loads[0])
             as_is = record->curves[m].points[i];
-    return sensitivity_run(&model->sensitivity, &record->sensitivity, model_rows[m], &one, &as_is, &model->work,
-                           status);
+    bool averaged = record->repeats.count > 0; /* as the changed scans are: the curve is not of the mean spectrum */
+    return sensitivity_run(&model->sensitivity, &record->sensitivity, model_rows[m], &one, averaged ? NULL : &as_is,
+                           &model->work, status);
 }
 
 static enum status_code run_model(struct surface_record *record, size_t m, const struct model_task *task,
@@ -158,20 +195,25 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
     if (!curve->points)
         return status_memory(status);
     double started = clock_seconds();
-    if (model_run(curve, model_rows[m], task, status) != STATUS_OK)
+    bool several = repeats_several(&record->repeats, model_rows[m]);
+    struct repeats_result result = {.left_out = 0};
+    if (several ? run_repeats(record, m, task, &result, status) != STATUS_OK
+                : model_run(curve, model_rows[m], task, status) != STATUS_OK)
         return status->code;
     model->seconds = clock_seconds() - started;
     if (curve->exists)
         curve_summary_make(model, curve, model_rows[m], record->summary.asperities.sigma_m);
     else
         model->work = curve->work;
+    model->full_load_estimate = several ? result.full_load : estimate_none;
+    model->beta_estimate = several ? result.beta : estimate_none;
+    for (int q = 0; q < QUANTITY_COUNT; q++)
+        model->middle[q] = several ? result.middle[q] : estimate_none;
     if (curve->overflows)
         gather_note(&record->summary,
                     "no %s: its numbers leave what can be computed with; check the units, the material and the loads",
                     model_rows[m]->label);
-    if (run_sensitivity(record, m, task, status) != STATUS_OK)
-        return status->code;
-    return run_repeats(record, m, task, status);
+    return run_sensitivity(record, m, task, status);
 }
 
 enum status_code surface_run_models(struct surface_record *record, const struct scene *scene, const struct plan *plan,
@@ -185,6 +227,9 @@ enum status_code surface_run_models(struct surface_record *record, const struct 
     for (size_t m = 0; m < model_count; m++)
         if (plan_runs_model(plan, m) && run_model(record, m, &task, status) != STATUS_OK)
             return status->code;
+    if (plan_runs(plan, EFFECT_UNCERTAINTY) && record->height_m &&
+        run_uncertainty(record, scene, plan, &task, status) != STATUS_OK)
+        return status->code;
     for (size_t m = 0; m < model_count && plan_runs(plan, EFFECT_SEPARATION); m++)
         estimate_beta(record, m);
     if (plan_runs(plan, EFFECT_CONVERGENCE))
@@ -204,6 +249,24 @@ static void drop_points(struct surface_record *record, const struct scene *scene
     record->summary.heights = 0;
 }
 
+static int by_name(const void *a, const void *b)
+{
+    return strcmp(*(const char *const *)a, *(const char *const *)b);
+}
+
+/** The files by name: what comes out does not depend on the order in which a scene lists them. malloc'ed; NULL: out of
+ * memory. */
+static const char **sorted_files(const struct scene_surface *surface)
+{
+    const char **files = malloc((surface->file_count + 1) * sizeof *files);
+    if (!files)
+        return NULL;
+    for (size_t f = 0; f < surface->file_count; f++)
+        files[f] = surface->files[f];
+    qsort(files, surface->file_count, sizeof *files, by_name);
+    return files;
+}
+
 enum status_code surface_describe(struct surface_record *out, const struct scene *scene,
                                   const struct scene_surface *surface, const struct surface_record *counterface,
                                   struct status *status)
@@ -215,10 +278,16 @@ enum status_code surface_describe(struct surface_record *out, const struct scene
     summary->models = calloc(model_count, sizeof *summary->models);
     if (!summary->models)
         return status_memory(status);
+    const char **files = sorted_files(surface);
+    if (!files)
+        return status_memory(status);
     enum status_code rc = STATUS_OK;
     for (size_t f = 0; f < surface->file_count && rc == STATUS_OK; f++)
-        rc = gather_file(out, scene, surface, surface->files[f], &hash, &problem);
+        rc = gather_file(out, scene, surface, files[f], &hash, &problem);
     hash_finish(&hash, summary->hash);
+    if (rc == STATUS_OK)
+        rc = gather_conclude(out, scene, files, &problem);
+    free(files);
     if (rc == STATUS_MEMORY)
         return status_memory(status);
     if (rc != STATUS_OK) {
@@ -230,7 +299,14 @@ enum status_code surface_describe(struct surface_record *out, const struct scene
         return status->code;
     describe(out, scene);
     drop_points(out, scene);
-    return gather_describe_repeats(out, scene, status);
+    return gather_describe_repeats(out, status);
+}
+
+void surface_drop_scans(struct surface_record *record)
+{
+    repeats_free(&record->repeats);
+    free(record->height_m);
+    record->height_m = NULL;
 }
 
 void surface_summary_free(struct surface_summary *summary)
@@ -258,7 +334,7 @@ void surface_record_free(struct surface_record *record, bool with_summary)
     free(record->points);
     record->points = NULL;
     sensitivity_free(&record->sensitivity);
-    gather_free_repeats(record);
+    surface_drop_scans(record);
     if (with_summary)
         surface_summary_free(&record->summary);
 }
