@@ -148,7 +148,21 @@ bool repeats_several(const struct repeat_set *set, const struct model_row *model
     return set->count > 1 && run_count(set, model) > 1;
 }
 
-/** Task of run r, and the scan it is of. A model that uses heights has the spectrum of all. */
+/** The spectrum of a whole scan; NULL where it was cut, or is a map. */
+static const struct spectrum *whole_spectrum(const struct repeat_set *set, size_t scan)
+{
+    const struct spectrum *found = NULL;
+    size_t parts = 0;
+    for (size_t p = 0; p < set->count; p++)
+        if (set->parts[p].scan == scan) {
+            found = &set->parts[p].spectrum;
+            parts++;
+        }
+    return parts == 1 ? found : NULL;
+}
+
+/** Task of run r, and the scan it is of. A model that uses heights takes them of whole scans; where such a one has no
+ * spectrum of its own, with that of all. */
 static struct model_task run_task(struct asperities *asperities, size_t *scan, const struct repeat_set *set, size_t r,
                                   const struct model_row *model, const struct model_task *task)
 {
@@ -157,7 +171,9 @@ static struct model_task run_task(struct asperities *asperities, size_t *scan, c
         return repeats_task(asperities, &set->parts[r], task);
     }
     struct model_task own = *task;
+    const struct spectrum *whole = whole_spectrum(set, r);
     *scan = r;
+    own.spectrum = whole ? whole : task->spectrum;
     own.points = task->points ? task->points + set->scans[r].first_point : NULL;
     own.point_count = task->point_count > 0 ? set->scans[r].point_count : 0;
     return own;

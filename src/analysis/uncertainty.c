@@ -14,11 +14,12 @@ enum {
     FIRST_SEED = 1
 };
 
-const double uncertainty_most_seconds = 1, uncertainty_height_seconds = 0.4e-6;
+const double uncertainty_most_seconds = 1, uncertainty_height_seconds = 0.25e-6;
 
 bool uncertainty_holds(const struct plan *plan, size_t model)
 {
-    return plan_runs_model(plan, model) && !model_rows[model]->uses_heights;
+    return plan_runs_model(plan, model) && !model_rows[model]->uses_heights &&
+           (plan->all_uncertain || model == plan_leading_model(plan));
 }
 
 /** All answers, as logarithms where the quantity is logarithmic. */

@@ -32,8 +32,8 @@ struct uncertainty {
     struct single_scan middle[QUANTITY_COUNT]; /* s NaN: not known */
 };
 
-/** Does it say anything of a model: of those that know the spectrum, not of those that use heights, which are not
- * Gaussian where they are called for. */
+/** Does it say anything of a model: unasked of the one that the summary speaks of, listed of all; not of those that use
+ * heights, which are not Gaussian where they are called for. */
 bool uncertainty_holds(const struct plan *plan, size_t model);
 
 /** SINGLE_SCAN_RECORDS simulated records through the running models at UNCERTAINTY_LOADS of the task's loads, and from

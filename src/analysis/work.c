@@ -154,8 +154,8 @@ static void add_method(struct work_row *row, enum effect effect, const struct pl
         snprintf(row->method, size, "direct sum over scales");
         break;
     case EFFECT_UNCERTAINTY:
-        snprintf(row->method, size, "%d simulated records of each, through all models at %d loads", SINGLE_SCAN_RECORDS,
-                 UNCERTAINTY_LOADS);
+        snprintf(row->method, size, "%d simulated records of each, through %s at %d loads", SINGLE_SCAN_RECORDS,
+                 plan->all_uncertain ? "all models" : model_rows[plan_leading_model(plan)]->label, UNCERTAINTY_LOADS);
         break;
     case EFFECT_THERMAL:
         snprintf(row->method, size, "%s",

@@ -24,20 +24,21 @@ static bool has_several(const struct section_context *context)
 }
 
 /** What a surface's interval comes from. */
-static void origin(struct text *out, const struct surface_summary *summary, const struct estimate *area, bool simulated)
+static void origin(struct text *out, const struct surface_summary *summary, const struct estimate *middle, bool simulated)
 {
     const struct repeats *repeats = &summary->repeats;
     text_add(out, " | ");
     if (repeats->count == 0) {
         text_add(out, summary->single_points > 0 && simulated ? "1 scan, %d simulated records" : "1 scan",
                  SINGLE_SCAN_RECORDS);
-        if (area->heterogeneous)
+        if (middle->heterogeneous)
             text_add(out, "; **not the same along the scan**");
     } else if (repeats->scans == 1) {
+        double effective = middle->count > 0 ? middle->effective : repeats->rq_m.effective;
         text_add(out, "%zu rows of a map", repeats->count);
-        if (isfinite(area->effective)) {
-            number_format_between(out, ", worth ", area->effective, 2, "");
-            if (area->effective < ESTIMATE_LEAST_EFFECTIVE)
+        if (isfinite(effective)) {
+            number_format_between(out, ", worth ", effective, 2, " independent ones");
+            if (effective < ESTIMATE_LEAST_EFFECTIVE)
                 text_add(out, "; **the map is too small for its longest waves**");
         }
     } else {
