@@ -259,7 +259,7 @@ static void a_map_by_blocks(void **state)
     mkdir(directory_path(place, "in"), 0777);
     directory_write(place, "in/map.grd", text_string(&grid));
     text_free(&grid);
-    scene(place, "in", listed, "{name: m, file: map.grd, x_unit: m, z_unit: m}");
+    scene(place, "in", "effects: [separation, electrical]\n", "{name: m, file: map.grd, x_unit: m, z_unit: m}");
     assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
     struct table spread = read_data(place, "out/data/spread.csv");
     assert_near(table_number(&spread, 0, "scans"), 16, 1e-12);    /* blocks */
