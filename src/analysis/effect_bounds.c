@@ -204,7 +204,8 @@ static void decide_convergence(struct plan *plan, const struct surface_summary *
                  usable);
 }
 
-/** Runs where a surface has one scan and all of them together take less than a second, by the count of what they take. */
+/** Runs where a surface has one scan and all of them together take less than a second, by the count of what they take.
+ */
 static void decide_uncertainty(struct plan *plan, const struct scene *scene, const struct surface_summary *surfaces,
                                size_t count, size_t load_count)
 {

@@ -12,8 +12,9 @@ extern const double estimate_level;
 struct estimate {
     size_t count; /* scans, or blocks of a map's rows; 1: one scan; 0: not known, and the rest is NaN */
     double mean;
-    double sd, s, degrees; /* of a single scan; standard error of the mean; 0 degrees of freedom: by simulated records */
-    double half_width;     /* of the 95 % interval of the surface's mean; NaN: not known */
+    double sd, s,
+        degrees;       /* of a single scan; standard error of the mean; 0 degrees of freedom: by simulated records */
+    double half_width; /* of the 95 % interval of the surface's mean; NaN: not known */
     double next_half_width; /* of that in which another scan lies; NaN: not known */
     double effective;       /* independent rows that the blocks are worth; else the scans' weights */
     bool logarithmic;
@@ -23,8 +24,8 @@ struct estimate {
 /** Not known. */
 extern const struct estimate estimate_none;
 
-/** Of `count` scans in any order, of the weights given (NULL: 1 each); values as they are, not their logarithms. A value
- * that is not finite (or not positive, of a logarithmic one): not known; one value: its mean alone. Error:
+/** Of `count` scans in any order, of the weights given (NULL: 1 each); values as they are, not their logarithms. A
+ * value that is not finite (or not positive, of a logarithmic one): not known; one value: its mean alone. Error:
  * STATUS_MEMORY. */
 MUST_CHECK enum status_code estimate_scans(struct estimate *out, const double *value, const double *weight,
                                            size_t count, bool logarithmic, struct status *status);
@@ -33,8 +34,8 @@ enum {
     ESTIMATE_BLOCKS = 16,
     ESTIMATE_LEAST_EFFECTIVE = 4 /* fewer independent rows: the map is too small for its longest waves */
 };
-/** Of a map's rows in their order: of the means over ESTIMATE_BLOCKS blocks of them (of the rows where there are fewer).
- * As estimate_scans(). */
+/** Of a map's rows in their order: of the means over ESTIMATE_BLOCKS blocks of them (of the rows where there are
+ * fewer). As estimate_scans(). */
 MUST_CHECK enum status_code estimate_rows(struct estimate *out, const double *value, size_t count, bool logarithmic,
                                           struct status *status);
 

@@ -103,7 +103,8 @@ static enum status_code keep_part(struct repeat_set *set, enum part part, const 
     return STATUS_OK;
 }
 
-/** Is this row of a map one of those run alone? All are where there are few; else some of every block, evenly spaced. */
+/** Is this row of a map one of those run alone? All are where there are few; else some of every block, evenly spaced.
+ */
 static bool row_is_run(size_t row, size_t rows)
 {
     if (rows <= REPEATS_ROWS_MOST)
@@ -233,9 +234,9 @@ static enum status_code add_rows(struct surface_record *record, const struct sca
             note_scan(summary, scan, &profile, file);
         if (rc == STATUS_OK)
             rc = add_profile(record, &profile, scene,
-                             scan->ny == 1                    ? PART_SCAN
-                             : row_is_run(row, scan->ny)      ? PART_ROW
-                                                              : PART_NONE,
+                             scan->ny == 1               ? PART_SCAN
+                             : row_is_run(row, scan->ny) ? PART_ROW
+                                                         : PART_NONE,
                              &problem);
         if (rc == STATUS_OK && scene->counterface_surface.file_count == 0)
             rc = sensitivity_add(&record->sensitivity, &profile, &how, scene->window, scene->moments, &problem);
@@ -257,8 +258,10 @@ static enum status_code add_rows(struct surface_record *record, const struct sca
     size_t run = record->repeats.count - run_before, used = scan->ny - unusable;
     const char *rows = scene->direction == SCAN_DIRECTION_X ? "rows" : "columns";
     if (scan->kind == SCAN_AREAL && run < used)
-        gather_note(summary, "%s: a map; its %zu %s were averaged as profiles for spectrum and fit, and %zu of them, "
-                    "evenly spaced, go through the models", file, used, rows, run);
+        gather_note(summary,
+                    "%s: a map; its %zu %s were averaged as profiles for spectrum and fit, and %zu of them, "
+                    "evenly spaced, go through the models",
+                    file, used, rows, run);
     else if (scan->kind == SCAN_AREAL)
         gather_note(summary, "%s: a map; its %zu %s were averaged as profiles for spectrum and fit", file, used, rows);
     if (unusable > 0)

@@ -20,8 +20,8 @@ MUST_CHECK enum status_code gather_file(struct surface_record *record, const str
 MUST_CHECK enum status_code gather_counterface(struct surface_record *record, const struct surface_record *counterface,
                                                struct status *status);
 
-/** Once all of the files were added, in this order: a single scan (or several that are identical) is the surface itself;
- * of several profiles the longer ones are cut to pieces as long as the shortest. Error: STATUS_MEMORY. */
+/** Once all of the files were added, in this order: a single scan (or several that are identical) is the surface
+ * itself; of several profiles the longer ones are cut to pieces as long as the shortest. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code gather_conclude(struct surface_record *record, const struct scene *scene,
                                             const char *const *files, struct status *status);
 

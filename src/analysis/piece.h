@@ -12,8 +12,8 @@ struct piece_how {
 };
 struct piece_how piece_how_of(const struct scene *scene);
 
-/** Levels a copy of the heights and takes its spectrum (owned: spectrum_free()) and roughness. A form that no longer fits
- * leaves it as it is. Error: STATUS_MEMORY. */
+/** Levels a copy of the heights and takes its spectrum (owned: spectrum_free()) and roughness. A form that no longer
+ * fits leaves it as it is. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code piece_describe(struct spectrum *spectrum, struct roughness *roughness,
                                            const double *height_m, size_t points, double spacing_m,
                                            const struct piece_how *how, struct status *status);

@@ -29,7 +29,8 @@ struct grouping {
     size_t count;
 };
 
-/** The mean of every scan's values (of logarithms where logarithmic), and its weight. Returns how many scans have any. */
+/** The mean of every scan's values (of logarithms where logarithmic), and its weight. Returns how many scans have any.
+ */
 static size_t scan_means(double *mean, double *weight, const double *value, const struct grouping *of, bool logarithmic)
 {
     size_t scans = 0;
@@ -231,8 +232,8 @@ static enum status_code run_all(struct runs *out, struct model_curve *curve, str
         model_work_add(&curve->work, &own->work);
         curve->overflows = curve->overflows || own->overflows;
         curve->clamped += own->clamped;
-        curve->yielding_scales = own->yielding_scales > curve->yielding_scales ? own->yielding_scales
-                                                                                : curve->yielding_scales;
+        curve->yielding_scales =
+            own->yielding_scales > curve->yielding_scales ? own->yielding_scales : curve->yielding_scales;
         out->count += own->exists;
     }
     result->left_out = all - out->count;
@@ -277,8 +278,7 @@ static enum status_code mean_point(struct contact_point *out, struct estimate *e
         bool logarithmic = quantity && quantity_rows[q].logarithmic;
         double mean = NAN;
         for (size_t r = 0; r < runs->count; r++) {
-            const struct contact_point *point =
-                at == SIZE_MAX ? &runs->curves[r].full : &runs->curves[r].points[at];
+            const struct contact_point *point = at == SIZE_MAX ? &runs->curves[r].full : &runs->curves[r].points[at];
             memcpy(&runs->value[r], (const char *)point + offset, sizeof *runs->value);
         }
         if (mean_of(&mean, quantity && estimates ? &estimates[q] : &unused, runs, set, logarithmic, status) !=

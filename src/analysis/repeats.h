@@ -57,8 +57,8 @@ MUST_CHECK enum status_code repeats_estimate(struct estimate *out, const double 
 
 /** Rq, and gamma and C = Delta² L/2 (power spectral density at the middle of `law`, the mean spectrum's) of a fit to
  * each part in that law's band. Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code repeats_laws(struct repeats *out, const struct repeat_set *set,
-                                         const struct power_law *law, struct status *status);
+MUST_CHECK enum status_code repeats_laws(struct repeats *out, const struct repeat_set *set, const struct power_law *law,
+                                         struct status *status);
 
 /** Intervals at a load, low and high, of the quantity that the model shows as separation, and of the others as they
  * are. NaN where not known. */

@@ -30,12 +30,12 @@ struct surface_summary {
     char *notes;                       /* one line a warning; owned, NULL: none */
     char hash[65];                     /* SHA-256 of the first file (of all of them one after another), hexadecimal */
     char format[32];
-    char units[40];         /* "x mm, z um" as read */
-    size_t scans;           /* averaged: files, or rows of a map */
-    struct repeats repeats; /* what they say apart */
-    size_t single_points;   /* of a surface with one scan, which records can be simulated of; else 0 */
+    char units[40];                    /* "x mm, z um" as read */
+    size_t scans;                      /* averaged: files, or rows of a map */
+    struct repeats repeats;            /* what they say apart */
+    size_t single_points;              /* of a surface with one scan, which records can be simulated of; else 0 */
     struct uncertainty_work simulated; /* that was */
-    size_t points;          /* of the first */
+    size_t points;                     /* of the first */
     double spacing_m, length_m;
     enum profile_spacing grid;
     double tilt;
@@ -56,8 +56,8 @@ struct surface_summary {
 struct surface_record {
     struct surface_summary summary;
     struct spectrum spectrum;
-    struct repeat_set repeats;   /* scans to be run alone, until they have been; count 0: there is one */
-    double *height_m;            /* of the one scan, summary.single_points long, until the models have run; NULL: not kept */
+    struct repeat_set repeats; /* scans to be run alone, until they have been; count 0: there is one */
+    double *height_m; /* of the one scan, summary.single_points long, until the models have run; NULL: not kept */
     struct model_curve *curves;  /* model_count of them, NULL before any model ran */
     struct repeats_band **bands; /* the same, each band_count long; NULL: none */
     size_t band_count;

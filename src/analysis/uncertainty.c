@@ -291,8 +291,9 @@ void uncertainty_band(struct repeats_band *band, const struct uncertainty *uncer
             const struct contact_point *point = &curve->points[i];
             bool logarithmic = quantity_rows[q].logarithmic;
             double value = answer(point, (enum quantity)q, model);
-            double half_width =
-                repeats_band_holds((enum quantity)q) ? half_width_at(uncertainty, (enum quantity)q, log(point->load)) : NAN;
+            double half_width = repeats_band_holds((enum quantity)q)
+                                    ? half_width_at(uncertainty, (enum quantity)q, log(point->load))
+                                    : NAN;
             if (point->load != band[i].load)
                 continue; /* a statistical curve closes at a load of its own */
             for (int side = 0; side < 2; side++) {

@@ -148,8 +148,8 @@ static json_t *estimate_json(const struct estimate *estimate, const struct cell_
 static json_t *repeats_json(const struct surface_summary *summary, const struct cell_guard *guard)
 {
     const struct repeats *spread = &summary->repeats;
-    json_t *json = json_pack("{s:I, s:I}", "scans_run_alone", (json_int_t)spread->count, "files",
-                             (json_int_t)spread->scans);
+    json_t *json =
+        json_pack("{s:I, s:I}", "scans_run_alone", (json_int_t)spread->count, "files", (json_int_t)spread->scans);
     json_object_set_new(json, "rq_m", estimate_json(&spread->rq_m, guard));
     json_object_set_new(json, "gamma", estimate_json(&spread->gamma, guard));
     json_object_set_new(json, "fit_psd_m3", estimate_json(&spread->psd_m3, guard));

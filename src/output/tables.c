@@ -259,8 +259,8 @@ static enum status_code write_cost(const struct benchmark *benchmark, const char
     return table_close(&table);
 }
 
-/** surface, quantity, scans (or blocks of a map's rows), what they are worth, mean, standard deviation of one of them (of
- * the logarithm where the mean is geometric), ends of the 95 % interval of the mean, and of another scan's. */
+/** surface, quantity, scans (or blocks of a map's rows), what they are worth, mean, standard deviation of one of them
+ * (of the logarithm where the mean is geometric), ends of the 95 % interval of the mean, and of another scan's. */
 static void put_spread_number(struct table *table, const struct surface_summary *surface, const char *quantity,
                               const struct estimate *estimate)
 {

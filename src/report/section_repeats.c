@@ -24,7 +24,8 @@ static bool has_several(const struct section_context *context)
 }
 
 /** What a surface's interval comes from. */
-static void origin(struct text *out, const struct surface_summary *summary, const struct estimate *middle, bool simulated)
+static void origin(struct text *out, const struct surface_summary *summary, const struct estimate *middle,
+                   bool simulated)
 {
     const struct repeats *repeats = &summary->repeats;
     text_add(out, " | ");

@@ -91,12 +91,14 @@ static void pair_text(struct text *out, const struct section_context *context, s
         text_add(out, pair->p < 1e-4 ? ", p < 0.0001" : ", p = %.2g", pair->p);
     size_t counts[2];
     for (int k = 0; k < 2; k++)
-        counts[k] = section_surface(context, ranking->surface[k ? j : i])->models[leading].middle[ranking->criterion].count;
+        counts[k] =
+            section_surface(context, ranking->surface[k ? j : i])->models[leading].middle[ranking->criterion].count;
     if (counts[0] == 1 && counts[1] == 1)
         text_add(out, ", one scan each)");
     else
         text_add(out, ", %zu and %zu %s)", counts[0], counts[1],
-                 section_surface(context, ranking->surface[i])->repeats.scans == 1 ? "scans or blocks of rows" : "scans");
+                 section_surface(context, ranking->surface[i])->repeats.scans == 1 ? "scans or blocks of rows"
+                                                                                   : "scans");
 }
 
 /** "surface 2": at place i. */
@@ -184,10 +186,11 @@ static void ranking_text(struct text *out, const struct section_context *context
     }
     if (ranking->tested == 0) {
         text_add(out, "- **The surfaces are not ranked by %s**: ", symbol);
-        text_add(out, context->results->counterface
-                          ? "how far the rough counterface's scans scatter is not known"
-                          : "there is one scan of a surface, and the effect `uncertainty`, which tells how far a scan at "
-                            "another place would be off, did not run");
+        text_add(out,
+                 context->results->counterface
+                     ? "how far the rough counterface's scans scatter is not known"
+                     : "there is one scan of a surface, and the effect `uncertainty`, which tells how far a scan at "
+                       "another place would be off, did not run");
         number_format_between(out, "; as scanned, the largest value is ", extremes->most / extremes->least, 3,
                               " times the smallest.\n");
         return;
@@ -357,9 +360,7 @@ static void surface_key(struct text *out, const struct section_context *context,
         if (has_column(context, q)) {
             double value = comparison_value(point, (enum quantity)q, leading, s->asperities.sigma_m);
             const struct estimate *estimate = &s->models[leading].middle[q];
-            double scale = q == QUANTITY_AREA               ? 100
-                           : quantity_rows[q].over_sigma    ? 1 / s->asperities.sigma_m
-                                                            : 1;
+            double scale = q == QUANTITY_AREA ? 100 : quantity_rows[q].over_sigma ? 1 / s->asperities.sigma_m : 1;
             if (estimate->count == 0) {
                 section_cell(out, isnan(point->load) ? NAN : q == QUANTITY_AREA ? 100 * value : value, 3);
                 continue;
@@ -395,11 +396,12 @@ static void key_table(struct text *out, const struct section_context *context)
     if (results_intervals(context->results))
         text_add(out, "\nIn brackets: the 95 %% interval of the surface's mean.");
     if (ranking->tested > 0)
-        text_add(out,
-                 " Surfaces that share a letter are not told apart by their %s: Welch's test of the scans, with Holm's "
-                 "adjustment over all pairs, or, of one scan, whether the difference exceeds what the place of the scan "
-                 "alone makes.",
-                 quantity_rows[ranking->criterion].short_symbol);
+        text_add(
+            out,
+            " Surfaces that share a letter are not told apart by their %s: Welch's test of the scans, with Holm's "
+            "adjustment over all pairs, or, of one scan, whether the difference exceeds what the place of the scan "
+            "alone makes.",
+            quantity_rows[ranking->criterion].short_symbol);
     text_add(out, results_intervals(context->results) ? "\n" : "");
 }
 

@@ -155,17 +155,13 @@ static struct comparison_pair compare_pair(const struct estimate *a, double valu
         const struct interval first = {.mean = a->mean, .s = a->s, .degrees = a->degrees},
                               second = {.mean = b->mean, .s = b->s, .degrees = b->degrees};
         struct ranking welch = ranking_welch(&first, &second, estimate_level);
-        out = (struct comparison_pair){.test = COMPARISON_WELCH,
-                                       .ratio = welch.ratio,
-                                       .low = welch.low,
-                                       .high = welch.high,
-                                       .p = welch.p};
+        out = (struct comparison_pair){
+            .test = COMPARISON_WELCH, .ratio = welch.ratio, .low = welch.low, .high = welch.high, .p = welch.p};
         return out;
     }
     /* of one scan 2.3 s; of several, Student's: two intervals of 95 %, as those of one scan each are */
-    double half_width = a->count == 1 && b->count == 1
-                            ? single_scan_half_width(hypot(a->s, b->s))
-                            : hypot(a->half_width, b->half_width);
+    double half_width = a->count == 1 && b->count == 1 ? single_scan_half_width(hypot(a->s, b->s))
+                                                       : hypot(a->half_width, b->half_width);
     double difference = a->mean - b->mean;
     out.test = COMPARISON_PLACE;
     out.low = exp(difference - half_width);

@@ -60,9 +60,9 @@ enum { COMPARISON_RANKED_MOST = 100 /* surfaces; more are not ranked */ };
 
 /** Which surface is better in the leading model at the middle load, by ln of the criterion. */
 struct comparison_ranking {
-    enum quantity criterion;       /* ECR, else TCR, else area */
-    size_t count;                  /* surfaces that have an answer; 0 where there are more than COMPARISON_RANKED_MOST */
-    size_t *surface;               /* their indices, the best first; owned, as are: */
+    enum quantity criterion; /* ECR, else TCR, else area */
+    size_t count;            /* surfaces that have an answer; 0 where there are more than COMPARISON_RANKED_MOST */
+    size_t *surface;         /* their indices, the best first; owned, as are: */
     struct comparison_pair *pairs; /* [ranking_pair(i, j, count)], i and j places in `surface` */
     struct ranking_groups groups;  /* of places: those that share one are not told apart */
     size_t tested;                 /* pairs */

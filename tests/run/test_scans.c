@@ -41,7 +41,8 @@ static struct table read_data(const struct directory *place, const char *name)
 static size_t row_of(const struct table *table, const char *surface, const char *model, double load)
 {
     for (size_t r = 0; r < table->rows; r++)
-        if (strcmp(table_text(table, r, "surface"), surface) == 0 && strcmp(table_text(table, r, "model"), model) == 0 &&
+        if (strcmp(table_text(table, r, "surface"), surface) == 0 &&
+            strcmp(table_text(table, r, "model"), model) == 0 &&
             fabs(table_number(table, r, "load_over_AnEp") / load - 1) < 1e-9)
             return r;
     fail_msg("no row of %s, %s at %g", surface, model, load);
@@ -189,7 +190,8 @@ static void identical_scans(void **state)
     assert_int_equal(pipeline_run(place, "in", "one", 1), 0);
     struct table three = read_data(place, "three/data/bands.csv"), one = read_data(place, "one/data/bands.csv");
     size_t a = row_of(&three, "m", "gw", 1e-5), b = row_of(&one, "m", "gw", 1e-5);
-    double low = table_number(&one, b, "ecr_ohm_m2_mean_low_95"), high = table_number(&one, b, "ecr_ohm_m2_mean_high_95");
+    double low = table_number(&one, b, "ecr_ohm_m2_mean_low_95"),
+           high = table_number(&one, b, "ecr_ohm_m2_mean_high_95");
     assert_true(low > 0 && low < 0.99 * high);
     assert_near(table_number(&three, a, "ecr_ohm_m2_mean_low_95"), low, 1e-9);
     assert_near(table_number(&three, a, "ecr_ohm_m2_mean_high_95"), high, 1e-9);
@@ -231,7 +233,8 @@ static void ranked_in_words(void **state)
         rough(place, name, POINTS, s < 6 ? 1 : 100, (unsigned long)s + 1);
     }
     static const char more[] = "effects: [separation, electrical]\nmodels: [gw]\n";
-    scene(place, "in", more, "{name: a, file: [a0.csv, a1.csv, a2.csv]}, {name: b, file: [b0.csv, b1.csv, b2.csv]}, "
+    scene(place, "in", more,
+          "{name: a, file: [a0.csv, a1.csv, a2.csv]}, {name: b, file: [b0.csv, b1.csv, b2.csv]}, "
           "{name: c, file: [c0.csv, c1.csv, c2.csv]}");
     assert_int_equal(pipeline_run(place, "in", "three", 1), 0);
     assert_true(report_says(place, "three/report.md", "No surface stands out by its ECR"));
