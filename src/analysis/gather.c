@@ -467,6 +467,7 @@ enum status_code gather_conclude(struct surface_record *record, const struct sce
             free(set->parts[p].height_m);
         }
         set->count = 1;
+        record->summary.heights = set->scans[0].point_count; /* of one, too */
     }
     if (set->count == 1)
         return keep_single(record, scene, status);
