@@ -247,6 +247,38 @@ static void ranked_in_words(void **state)
     assert_true(report_says(place, "two/report.md", "| a | "));
 }
 
+/* The first p value that a report prints. */
+static double first_p(const struct directory *place, const char *report)
+{
+    struct text text = directory_read(place, report);
+    const char *at = strstr(text_string(&text), ", p = ");
+    if (!at)
+        fail_msg("%s prints no p", report);
+    double p = strtod(at + strlen(", p = "), NULL);
+    text_free(&text);
+    return p;
+}
+
+/** Holm's adjustment: the same two surfaces, best and next, beside a third far from both have a larger p. */
+static void more_pairs_ask_for_more(void **state)
+{
+    const struct directory *place = *state;
+    char name[64];
+    mkdir(directory_path(place, "in"), 0777);
+    for (int s = 0; s < 6; s++) {
+        snprintf(name, sizeof name, "in/%c%d.csv", "abc"[s / 2], s % 2);
+        rough(place, name, POINTS, s < 2 ? 1 : s < 4 ? 20 : 300, (unsigned long)s + 1);
+    }
+    static const char more[] = "effects: [separation, electrical]\nmodels: [gw]\n";
+    scene(place, "in", more, "{name: a, file: [a0.csv, a1.csv]}, {name: b, file: [b0.csv, b1.csv]}");
+    assert_int_equal(pipeline_run(place, "in", "two", 1), 0);
+    scene(place, "in", more,
+          "{name: a, file: [a0.csv, a1.csv]}, {name: b, file: [b0.csv, b1.csv]}, {name: c, file: [c0.csv, c1.csv]}");
+    assert_int_equal(pipeline_run(place, "in", "three", 1), 0);
+    double two = first_p(place, "two/report.md"), three = first_p(place, "three/report.md");
+    assert_true(two < 0.2 && three >= 1.4 * two); /* printed to two digits */
+}
+
 /** A map of more rows than are run: 8 of each of 16 blocks, which it says; rows that are all alike have no spread. */
 static void a_map_by_blocks(void **state)
 {
@@ -296,6 +328,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(identical_scans, make, clean),
         cmocka_unit_test_setup_teardown(one_scan_each, make, clean),
         cmocka_unit_test_setup_teardown(ranked_in_words, make, clean),
+        cmocka_unit_test_setup_teardown(more_pairs_ask_for_more, make, clean),
         cmocka_unit_test_setup_teardown(a_map_by_blocks, make, clean),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
