@@ -73,8 +73,6 @@ void curve_summary_make(struct curve_summary *model, const struct model_curve *c
         .yielding_scales = curve->yielding_scales,
         .clamped = curve->clamped,
         .work = curve->work,
-        .repeated_beta = model->repeated_beta,
-        .repeated_log_full_load = model->repeated_log_full_load,
         .bounds = model->bounds,
         .sensitivity = model->sensitivity,
         .seconds = model->seconds,

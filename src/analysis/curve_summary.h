@@ -8,9 +8,9 @@
 
 /** What is known of a model on a surface before it runs. */
 struct curve_bounds {
-    double yield;                      /* model_row.yield_bound: of the surface, its scans alone and its extension */
-    double scale_dependence;           /* model_row.scale_dependence_bound */
-    struct model_work repeats_work[2]; /* what the scans run alone will take: without and with scale dependence */
+    double yield;              /* model_row.yield_bound: of the surface, its scans alone and its extension */
+    double scale_dependence;   /* model_row.scale_dependence_bound */
+    struct model_work work[2]; /* what the scans will take: without and with scale dependence */
     struct model_work sensitivity_work;
 };
 
@@ -34,7 +34,8 @@ struct curve_summary {
     struct model_work work;
     bool extended; /* the fitted power law was carried on below the sampling limit */
     struct convergence_extension extension;
-    struct repeats_number repeated_beta, repeated_log_full_load; /* over the scans run alone */
+    struct estimate full_load_estimate, beta_estimate; /* over the scans run alone */
+    struct estimate middle[QUANTITY_COUNT];            /* at the middle load, as shown: area, separation, ECR, TCR */
     struct sensitivity_factors sensitivity;
     double seconds; /* that the curve took */
 };

@@ -63,33 +63,47 @@ static void note_band(struct surface_summary *summary, const struct power_law_ba
     text_free(&lines);
 }
 
+static struct power_law_scans_def fit_def(const struct scene *scene)
+{
+    return (struct power_law_scans_def){scene->lambda_s_m, scene->fit_band_given ? scene->fit_band_m : NULL};
+}
+
 /** Every scan's law in the band of their mean. */
 static enum status_code fit_alone(struct surface_record *record, const struct power_law_scans *scans,
-                                  const struct power_law_scans_def *def, struct status *status)
+                                  const struct scene *scene, struct status *status)
 {
+    const struct power_law_scans_def def = fit_def(scene);
     struct repeats *repeats = &record->summary.repeats;
-    for (size_t i = 0; i < scans->scan_count && repeats->count > 0; i++) {
+    const struct repeats_grouping of = {&record->repeats, scans->file, scans->scan_count};
+    if (repeats->count == 0)
+        return STATUS_OK;
+    double *gamma = malloc(2 * of.count * sizeof *gamma), *psd_m3 = gamma + of.count;
+    if (!gamma)
+        return status_memory(status);
+    enum status_code rc = STATUS_OK;
+    for (size_t i = 0; i < of.count && rc == STATUS_OK; i++) {
         struct power_law_band alone;
-        if (power_law_scans_fit_alone(&alone, scans, i, def, &record->band, status) != STATUS_OK)
-            return status->code;
-        if (alone.law == POWER_LAW_BAND_NONE)
-            continue;
-        repeats_add(&repeats->gamma, alone.fit.gamma);
-        repeats_add(&repeats->log_alpha, log(alone.alpha));
+        rc = power_law_scans_fit_alone(&alone, scans, i, &def, &record->band, status);
+        struct power_law law = power_law_of_band(&alone);
+        gamma[i] = law.gamma;
+        psd_m3[i] = law.psd_m3;
     }
-    return STATUS_OK;
+    if (rc == STATUS_OK)
+        rc = repeats_estimate_grouped(&repeats->gamma, gamma, &of, false, status);
+    if (rc == STATUS_OK)
+        rc = repeats_estimate_grouped(&repeats->psd_m3, psd_m3, &of, true, status);
+    free(gamma);
+    return rc;
 }
 
 static enum status_code fit_band(struct surface_record *record, struct power_law_scans *scans,
                                  const struct scene *scene, struct status *status)
 {
-    const struct power_law_scans_def def = {scene->lambda_s_m, scene->fit_band_given ? scene->fit_band_m : NULL};
+    const struct power_law_scans_def def = fit_def(scene);
     if (power_law_scans_fit(&record->band, scans, &def, status) != STATUS_OK)
         return status->code;
     record->summary.power_law = power_law_of_band(&record->band);
     note_band(&record->summary, &record->band);
-    if (record->band.law != POWER_LAW_BAND_NONE && fit_alone(record, scans, &def, status) != STATUS_OK)
-        return status->code;
     record->tapered = scans->mean;
     scans->mean = (struct spectrum){0};
     return STATUS_OK;
@@ -177,19 +191,55 @@ static void extend(struct surface_summary *summary, const struct scene *scene, c
     summary->times.convergence = clock_seconds() - started;
 }
 
-/** Every scan of the surface alone in one model. */
-static enum status_code run_repeats(struct surface_record *record, size_t m, const struct model_task *task,
-                                    struct status *status)
+static enum status_code make_band(struct surface_record *record, size_t m, const struct model_task *task,
+                                  struct status *status)
 {
-    struct curve_summary *model = &record->summary.models[m];
-    if (record->repeat_count < 2)
-        return STATUS_OK;
     record->band_count = task->load_count;
-    record->bands[m] = calloc(task->load_count, sizeof *record->bands[m]);
-    if (!record->bands[m])
+    record->bands[m] = repeats_band_make(task->loads, task->load_count);
+    return record->bands[m] ? STATUS_OK : status_memory(status);
+}
+
+/** Every scan of the surface alone in one model; the curve is their mean. */
+static enum status_code run_repeats(struct surface_record *record, size_t m, const struct model_task *task,
+                                    struct repeats_result *result, struct status *status)
+{
+    if (make_band(record, m, task, status) != STATUS_OK)
+        return status->code;
+    result->band = record->bands[m];
+    if (repeats_model(&record->curves[m], result, &record->repeats, model_rows[m], task, status) != STATUS_OK)
+        return status->code;
+    if (result->left_out > 0 && record->curves[m].exists)
+        gather_note(&record->summary, "%s has no solution for %zu of the scans run alone; its curve is of the others",
+                    model_rows[m]->label, result->left_out);
+    return STATUS_OK;
+}
+
+/** What simulated records say of how far another place of a surface with one scan may answer. */
+static enum status_code run_uncertainty(struct surface_record *record, const struct scene *scene,
+                                        const struct plan *plan, const struct model_task *task, struct status *status)
+{
+    struct surface_summary *summary = &record->summary;
+    const struct uncertainty_scan scan = {record->height_m, summary->single_points, summary->spacing_m,
+                                          piece_how_of(scene, false), task};
+    struct uncertainty *all = calloc(model_count, sizeof *all);
+    if (!all)
         return status_memory(status);
-    return repeats_model(&model->repeated_beta, &model->repeated_log_full_load, record->bands[m], record->repeats,
-                         record->repeat_count, model_rows[m], task, &model->work, status);
+    enum status_code rc = uncertainty_run(all, &scan, plan, &summary->simulated, status);
+    for (size_t m = 0; m < model_count && rc == STATUS_OK; m++) {
+        const struct model_curve *curve = &record->curves[m];
+        if (!curve->exists || !uncertainty_holds(plan, m))
+            continue;
+        for (size_t i = 0; i < curve->count; i++)
+            for (int q = 0; q < QUANTITY_COUNT && curve->points[i].load == task->loads[task->load_count / 2]; q++)
+                summary->models[m].middle[q] = uncertainty_estimate(
+                    &all[m], (enum quantity)q,
+                    quantity_value(&curve->points[i], model_shown(model_rows[m], (enum quantity)q)));
+        rc = make_band(record, m, task, status);
+        if (rc == STATUS_OK)
+            uncertainty_band(record->bands[m], &all[m], curve, model_rows[m]);
+    }
+    free(all);
+    return rc;
 }
 
 struct model_task surface_middle_task(const struct model_task *task)
@@ -210,8 +260,9 @@ static enum status_code run_sensitivity(struct surface_record *record, size_t m,
     for (size_t i = 0; i < record->curves[m].count; i++)
         if (record->curves[m].points[i].load == one.loads[0])
             as_is = record->curves[m].points[i];
-    return sensitivity_run(&model->sensitivity, &record->sensitivity, model_rows[m], &one, &as_is, &model->work,
-                           status);
+    bool averaged = record->repeats.count > 0; /* as the changed scans are: the curve is not of the mean spectrum */
+    return sensitivity_run(&model->sensitivity, &record->sensitivity, model_rows[m], &one, averaged ? NULL : &as_is,
+                           &model->work, status);
 }
 
 static enum status_code run_model(struct surface_record *record, size_t m, const struct model_task *task,
@@ -223,20 +274,25 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
     if (!curve->points)
         return status_memory(status);
     double started = clock_seconds();
-    if (model_run(curve, model_rows[m], task, status) != STATUS_OK)
+    bool several = repeats_several(&record->repeats, model_rows[m]);
+    struct repeats_result result = {.left_out = 0};
+    if (several ? run_repeats(record, m, task, &result, status) != STATUS_OK
+                : model_run(curve, model_rows[m], task, status) != STATUS_OK)
         return status->code;
     model->seconds = clock_seconds() - started;
     if (curve->exists)
         curve_summary_make(model, curve, model_rows[m], record->summary.asperities.sigma_m);
     else
         model->work = curve->work;
+    model->full_load_estimate = several ? result.full_load : estimate_none;
+    model->beta_estimate = several ? result.beta : estimate_none;
+    for (int q = 0; q < QUANTITY_COUNT; q++)
+        model->middle[q] = several ? result.middle[q] : estimate_none;
     if (curve->overflows)
         gather_note(&record->summary,
                     "no %s: its numbers leave what can be computed with; check the units, the material and the loads",
                     model_rows[m]->label);
-    if (run_sensitivity(record, m, task, status) != STATUS_OK)
-        return status->code;
-    return run_repeats(record, m, task, status);
+    return run_sensitivity(record, m, task, status);
 }
 
 enum status_code surface_run_models(struct surface_record *record, const struct scene *scene, const struct plan *plan,
@@ -250,6 +306,9 @@ enum status_code surface_run_models(struct surface_record *record, const struct 
     for (size_t m = 0; m < model_count; m++)
         if (plan_runs_model(plan, m) && run_model(record, m, &task, status) != STATUS_OK)
             return status->code;
+    if (plan_runs(plan, EFFECT_UNCERTAINTY) && record->height_m &&
+        run_uncertainty(record, scene, plan, &task, status) != STATUS_OK)
+        return status->code;
     for (size_t m = 0; m < model_count && plan_runs(plan, EFFECT_SEPARATION); m++)
         estimate_beta(record, m);
     if (plan_runs(plan, EFFECT_CONVERGENCE))
@@ -269,6 +328,24 @@ static void drop_points(struct surface_record *record, const struct scene *scene
     record->summary.heights = 0;
 }
 
+static int by_name(const void *a, const void *b)
+{
+    return strcmp(*(const char *const *)a, *(const char *const *)b);
+}
+
+/** The files by name: what comes out does not depend on the order in which a scene lists them. malloc'ed; NULL: out of
+ * memory. */
+static const char **sorted_files(const struct scene_surface *surface)
+{
+    const char **files = malloc((surface->file_count + 1) * sizeof *files);
+    if (!files)
+        return NULL;
+    for (size_t f = 0; f < surface->file_count; f++)
+        files[f] = surface->files[f];
+    qsort(files, surface->file_count, sizeof *files, by_name);
+    return files;
+}
+
 /** From what was gathered to the description of the surface. */
 static enum status_code conclude(struct surface_record *record, struct power_law_scans *scans,
                                  const struct scene *scene, const struct surface_record *counterface,
@@ -276,11 +353,13 @@ static enum status_code conclude(struct surface_record *record, struct power_law
 {
     if (counterface && gather_counterface(record, scans, counterface, status) != STATUS_OK)
         return status->code;
-    if (gather_describe_repeats(record, scene, status) != STATUS_OK ||
-        describe(record, scans, scene, status) != STATUS_OK)
+    if (describe(record, scans, scene, status) != STATUS_OK)
         return status->code;
     drop_points(record, scene);
-    return STATUS_OK;
+    if (gather_describe_repeats(record, scene, status) != STATUS_OK)
+        return status->code;
+    bool found = scene->fit == POWER_LAW_AUTO && record->band.law != POWER_LAW_BAND_NONE;
+    return found ? fit_alone(record, scans, scene, status) : STATUS_OK;
 }
 
 enum status_code surface_describe(struct surface_record *out, const struct scene *scene,
@@ -295,10 +374,16 @@ enum status_code surface_describe(struct surface_record *out, const struct scene
     summary->models = calloc(model_count, sizeof *summary->models);
     if (!summary->models)
         return status_memory(status);
+    const char **files = sorted_files(surface);
+    if (!files)
+        return status_memory(status);
     enum status_code rc = STATUS_OK;
     for (size_t f = 0; f < surface->file_count && rc == STATUS_OK; f++)
-        rc = gather_file(out, &scans, scene, surface, surface->files[f], &hash, &problem);
+        rc = gather_file(out, &scans, scene, surface, files[f], &hash, &problem);
     hash_finish(&hash, summary->hash);
+    if (rc == STATUS_OK)
+        rc = gather_conclude(out, scene, files, &problem);
+    free(files);
     if (rc == STATUS_OK) {
         summary->usable = true;
         rc = conclude(out, &scans, scene, counterface, &problem);
@@ -312,6 +397,13 @@ enum status_code surface_describe(struct surface_record *out, const struct scene
         return summary->refusal ? STATUS_OK : status_memory(status);
     }
     return STATUS_OK;
+}
+
+void surface_drop_scans(struct surface_record *record)
+{
+    repeats_free(&record->repeats);
+    free(record->height_m);
+    record->height_m = NULL;
 }
 
 void surface_summary_free(struct surface_summary *summary)
@@ -340,7 +432,7 @@ void surface_record_free(struct surface_record *record, bool with_summary)
     free(record->points);
     record->points = NULL;
     sensitivity_free(&record->sensitivity);
-    gather_free_repeats(record);
+    surface_drop_scans(record);
     if (with_summary)
         surface_summary_free(&record->summary);
 }

@@ -55,11 +55,11 @@ static void put_curve(struct figure_file *out, const struct model_curve *curve, 
         put_part(out, curve, valid.end > 0 ? valid.end - 1 : 0, curve->count, y, sigma_m, outside_style, legend);
 }
 
-/** The band of repeated scans against load, where there is one. */
+/** The 95 % interval of the surface's mean against load, where there is one. */
 static void put_band(struct figure_file *out, const struct surface_record *record, size_t model, const char *style)
 {
     enum quantity y = out->figure->row->y;
-    if (!record->bands[model] || out->figure->row->x != QUANTITY_LOAD || !repeats_band_holds(y))
+    if (!record->bands || !record->bands[model] || out->figure->row->x != QUANTITY_LOAD || !repeats_band_holds(y))
         return;
     double scale = quantity_rows[y].over_sigma ? 1 / record->summary.asperities.sigma_m : 1;
     char band_style[32];
@@ -67,7 +67,7 @@ static void put_band(struct figure_file *out, const struct surface_record *recor
     begin_block(out, band_style, "band");
     for (size_t i = 0; i < record->band_count; i++) {
         const struct repeats_band *band = &record->bands[model][i];
-        double low = band->limits[y][0] * scale, high = band->limits[y][1] * scale;
+        double low = band->mean[y][0] * scale, high = band->mean[y][1] * scale;
         if (isfinite(low) && isfinite(high) && (!quantity_rows[y].logarithmic || low > 0))
             fprintf(out->file, "%.17g,%.17g,%.17g\n", band->load, low, high);
     }

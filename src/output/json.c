@@ -128,31 +128,46 @@ static json_t *curve_json(const struct model_curve *curve, const struct curve_su
     return json;
 }
 
-static json_t *mean_json(const char *name, const struct repeats_number *number, const struct cell_guard *guard)
+/** A number with the 95 % intervals of the surface's mean and of another scan; the deviation is of the logarithm where
+ * the mean is geometric. */
+static json_t *estimate_json(const struct estimate *estimate, const struct cell_guard *guard)
 {
-    json_t *json = json_object();
-    set(json, guard, name, number->mean);
-    set(json, guard, "standard_deviation", repeats_deviation(number));
+    json_t *json = json_pack("{s:I, s:b}", "scans", (json_int_t)estimate->count, "geometric", estimate->logarithmic);
+    double mean_95[2] = {estimate_end(estimate, 0), estimate_end(estimate, 1)};
+    double next_95[2] = {estimate_next_end(estimate, 0), estimate_next_end(estimate, 1)};
+    set(json, guard, "mean", estimate_value(estimate));
+    set(json, guard, "standard_deviation", estimate->sd);
+    set(json, guard, "effective", estimate->effective);
+    json_object_set_new(json, "mean_95", pair_json("mean_95", mean_95, guard));
+    json_object_set_new(json, "next_scan_95", pair_json("next_scan_95", next_95, guard));
+    if (estimate->heterogeneous)
+        json_object_set_new(json, "same_along_the_scan", json_false());
     return json;
 }
 
-/** What repeated scans say apart; loads and alpha as logarithms. */
+/** What repeated scans say apart. */
 static json_t *repeats_json(const struct surface_summary *summary, const struct cell_guard *guard)
 {
     const struct repeats *spread = &summary->repeats;
-    const struct {
-        const char *name;
-        const struct repeats_number *number;
-    } numbers[] = {{"rq_m", &spread->rq_m}, {"gamma", &spread->gamma}, {"ln_alpha_SI", &spread->log_alpha}};
-    json_t *json = json_pack("{s:I}", "scans_run_alone", (json_int_t)spread->count);
-    json_object_set_new(json, "gamma_95", pair_json("gamma_95", spread->gamma_interval, guard));
-    json_object_set_new(json, "alpha_95", pair_json("alpha_95", spread->alpha_interval, guard));
-    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
-        json_object_set_new(json, numbers[i].name, mean_json("mean", numbers[i].number, guard));
-    for (size_t m = 0; m < model_count; m++)
-        if (summary->models[m].repeated_log_full_load.count > 0)
-            json_object_set_new(json, model_rows[m]->name,
-                                mean_json("ln_full_contact_load", &summary->models[m].repeated_log_full_load, guard));
+    json_t *json =
+        json_pack("{s:I, s:I}", "scans_run_alone", (json_int_t)spread->count, "files", (json_int_t)spread->scans);
+    json_object_set_new(json, "rq_m", estimate_json(&spread->rq_m, guard));
+    json_object_set_new(json, "gamma", estimate_json(&spread->gamma, guard));
+    json_object_set_new(json, "fit_psd_m3", estimate_json(&spread->psd_m3, guard));
+    return json;
+}
+
+/** What is known of a model's numbers at the middle load, and of its load of full contact. */
+static json_t *intervals_json(const struct curve_summary *model, const struct cell_guard *guard)
+{
+    json_t *json = json_object();
+    for (int q = 0; q < QUANTITY_COUNT; q++)
+        if (repeats_band_holds((enum quantity)q) && model->middle[q].count > 0)
+            json_object_set_new(json, quantity_rows[q].name, estimate_json(&model->middle[q], guard));
+    if (model->full_load_estimate.count > 0)
+        json_object_set_new(json, "full_contact_load", estimate_json(&model->full_load_estimate, guard));
+    if (model->beta_estimate.count > 0)
+        json_object_set_new(json, "beta", estimate_json(&model->beta_estimate, guard));
     return json;
 }
 
@@ -210,9 +225,14 @@ static json_t *surface_json(const struct surface_record *record, const struct sc
     for (size_t f = 0; f < s->scene->file_count; f++)
         json_array_append_new(files, string(s->scene->files[f]));
     for (size_t m = 0; m < model_count; m++)
-        if (s->models[m].exists)
-            json_object_set_new(models, model_rows[m]->name,
-                                curve_json(&record->curves[m], &s->models[m], plan->wanted, guard));
+        if (s->models[m].exists) {
+            json_t *model = curve_json(&record->curves[m], &s->models[m], plan->wanted, guard);
+            json_t *intervals = intervals_json(&s->models[m], guard);
+            if (json_object_size(intervals) > 0)
+                json_object_set(model, "at_middle_load", intervals);
+            json_decref(intervals);
+            json_object_set_new(models, model_rows[m]->name, model);
+        }
     json_t *json = json_pack("{s:o, s:o, s:s, s:s, s:s}", "surface", string(s->scene->name), "files", files, "sha256",
                              s->hash, "format", s->format, "units", s->units);
     const struct {

@@ -42,7 +42,7 @@ enum status_code prepare(struct prepared *out, const struct scene *scene, const 
         workers_run(&out->results, workers_describe, options, status) != STATUS_OK)
         return status->code;
     effect_bounds_heights(&out->plan, scene, out->store.summaries, out->store.count);
-    effect_bounds_plan(&out->plan, scene, out->store.summaries, out->store.count);
+    effect_bounds_plan(&out->plan, scene, out->store.summaries, out->store.count, load_count);
     if (scene->measured.file) {
         if (measured_read(&out->measured, scene, &out->plan, status) != STATUS_OK)
             return status->code;

@@ -73,6 +73,7 @@ enum status_code workers_model(struct surface_record *record, const struct resul
     results->store->summaries[index] = record->summary; /* its texts may have been made anew */
     if (rc != STATUS_OK)
         return rc;
+    surface_drop_scans(record); /* no later stage asks for them */
     return surface_store_put(results->store, index, record, status);
 }
 

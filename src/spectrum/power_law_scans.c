@@ -34,6 +34,10 @@ enum status_code power_law_scans_add(struct power_law_scans *scans, const double
         if (!grown)
             return status_memory(status);
         scans->scan = grown;
+        size_t *file = realloc(scans->file, larger * sizeof *file);
+        if (!file)
+            return status_memory(status);
+        scans->file = file;
         scans->capacity = larger;
     }
     struct spectrum own;
@@ -45,6 +49,7 @@ enum status_code power_law_scans_add(struct power_law_scans *scans, const double
         spectrum_free(&own);
         return rc;
     }
+    scans->file[scans->scan_count] = scans->files;
     scans->scan[scans->scan_count++] = own;
     scans->step_m = fmax(scans->step_m, step_m);
     return STATUS_OK;
@@ -109,6 +114,7 @@ enum status_code power_law_scans_end_file(struct power_law_scans *scans, size_t 
         return status->code;
     scans->independent += worth;
     scans->closed = scans->scan_count;
+    scans->files++;
     return STATUS_OK;
 }
 
@@ -150,6 +156,7 @@ void power_law_scans_free(struct power_law_scans *scans)
     for (size_t i = 0; i < scans->scan_count; i++)
         spectrum_free(&scans->scan[i]);
     free(scans->scan);
+    free(scans->file);
     spectrum_free(&scans->mean);
     *scans = (struct power_law_scans){0};
 }

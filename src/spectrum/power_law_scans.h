@@ -9,10 +9,11 @@
 struct power_law_scans {
     struct spectrum mean;  /* rms amplitudes, as grid_average() joins those of the scans */
     struct spectrum *scan; /* each one's own, scan_count of them */
+    size_t *file;          /* and which file it is of, from 0 */
     size_t scan_count, capacity;
-    size_t closed;      /* scans of files that are complete */
-    double independent; /* M: scans of profiles, and what the rows of maps are worth */
-    double step_m;      /* largest digitising step; 0: none seen */
+    size_t closed, files; /* scans of files that are complete, and those files */
+    double independent;   /* M: scans of profiles, and what the rows of maps are worth */
+    double step_m;        /* largest digitising step; 0: none seen */
 };
 
 /** Adds a scan, or a row of a map: its multitaper spectrum. heights levelled by a line, a mean or not at all give the
