@@ -19,6 +19,18 @@ static void note_models_lost(struct surface_summary *summary, uint64_t models, c
     text_free(&names);
 }
 
+/** gamma at short wavelengths, where convergence is decided. */
+static double short_gamma(const struct power_law *law)
+{
+    return isfinite(law->knee_m) ? law->gamma_below : law->gamma;
+}
+
+bool surface_diverges(const struct surface_summary *summary)
+{
+    const struct power_law *law = &summary->power_law;
+    return isfinite(law->gamma) && short_gamma(law) + law->gamma_error < 1;
+}
+
 /** Power law, statistical parameters, and what the end-to-end jump may have leaked into them. */
 static void describe(struct surface_record *record, const struct scene *scene)
 {
@@ -50,10 +62,10 @@ static void describe(struct surface_record *record, const struct scene *scene)
         gather_note(summary,
                     "two slopes fit better than one: gamma %.2f above %.3g um, %.2f below; consider fit_band_m",
                     law->gamma_above, law->knee_m * 1e6, law->gamma_below);
-    if (law->gamma < 1)
+    if (surface_diverges(summary))
         gather_note(summary,
                     "gamma = %.2f is below 1: the elastic multiscale area depends on the shortest wavelength sampled",
-                    law->gamma);
+                    short_gamma(law));
 }
 
 /** The second estimate of beta, against the multiscale model of the same material law. */

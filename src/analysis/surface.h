@@ -64,6 +64,10 @@ struct surface_record {
     size_t preview_points;
 };
 
+/** The one criterion of divergence (4.55): gamma is below 1 by more than its standard error; where two slopes fit
+ * better than one law, the one at short wavelengths. False without a law. */
+bool surface_diverges(const struct surface_summary *summary);
+
 /** Reads and describes one surface: everything but the models. What is wrong with its files is no error: then
  * summary.usable is false and summary.refusal says why in one line. `counterface` is the described rough
  * counterface, NULL for a smooth one. Error: STATUS_MEMORY. Owned: surface_record_free().

@@ -208,7 +208,7 @@ static void electrical_text(struct text *out, const struct section_context *cont
     }
     bool first = true;
     for (size_t m = 0; m < model_count; m++) {
-        const struct comparison_gap *gap = &context->comparison->models[m].gap;
+        const struct comparison_gap *gap = &context->comparison->models[m].gaps[context->results->baseline];
         if (isnan(gap->ecr))
             continue;
         number_format_between(out, first ? "Multiscale and statistical curves lie " : "; ", gap->ecr, 2, "");

@@ -246,7 +246,7 @@ static void limits(struct text *out, const struct section_context *context)
         const struct surface_summary *s = section_smoothest(context, k);
         leaks += s->jump_share > 0.5;
         knees += isfinite(s->power_law.knee_m);
-        diverging += s->power_law.gamma + s->power_law.gamma_error < 1;
+        diverging += surface_diverges(s);
     }
     if (plan_stacks_scales(results->plan))
         limit(&list, context, diverging, "γ is below 1", ", so the elastic area depends on the sampling");
