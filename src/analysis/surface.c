@@ -36,6 +36,7 @@ static void describe(struct surface_record *record, const struct scene *scene)
 {
     struct surface_summary *summary = &record->summary;
     summary->harmonics = record->spectrum.count;
+    summary->tail = convergence_tail(&record->spectrum);
     summary->power_law = power_law_fit(&record->spectrum, scene->fit_band_m);
     struct status status = {0};
     summary->has_asperities = roughness_asperities(&summary->asperities, &summary->roughness, &status) == STATUS_OK;
@@ -106,19 +107,20 @@ struct model_task surface_task(const struct surface_record *record, const struct
 
 bool surface_extends(const struct surface_summary *summary, const struct scene *scene)
 {
-    return !isnan(summary->power_law.gamma) && !(scene->effects_auto && summary->bound.converged);
+    return !isnan(summary->tail.gamma) && !(scene->effects_auto && summary->bound.converged);
 }
 
-/** Carries the fitted law on below the sampling limit (twice the spacing), where that can change anything. */
-static void extend(struct surface_summary *summary, const struct scene *scene, const struct plan *plan)
+/** Carries the spectrum on below the sampling limit, where that can change anything. */
+static void extend(struct surface_record *record, const struct scene *scene, const struct plan *plan)
 {
+    struct surface_summary *summary = &record->summary;
     double started = clock_seconds();
     for (size_t m = 0; m < model_count; m++) {
         struct curve_summary *model = &summary->models[m];
         if (!model_rows[m]->stacks_scales || !model->exists || !surface_extends(summary, scene))
             continue;
-        model->extension = convergence_extend(&summary->power_law, summary->length_m, 2 * summary->spacing_m,
-                                              &plan->pair, model_rows[m]->plastic, scene->convergence.load);
+        model->extension = convergence_extend(&record->spectrum, &summary->tail, &plan->pair, model_rows[m]->plastic,
+                                              scene->convergence.load);
         model->extended = true;
     }
     summary->times.convergence = clock_seconds() - started;
@@ -200,7 +202,7 @@ enum status_code surface_run_models(struct surface_record *record, const struct 
     for (size_t m = 0; m < model_count && plan_runs(plan, EFFECT_SEPARATION); m++)
         estimate_beta(record, m);
     if (plan_runs(plan, EFFECT_CONVERGENCE))
-        extend(&record->summary, scene, plan);
+        extend(record, scene, plan);
     return STATUS_OK;
 }
 

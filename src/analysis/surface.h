@@ -42,6 +42,7 @@ struct surface_summary {
     struct asperities asperities;
     bool has_asperities; /* a statistical model exists */
     struct power_law power_law;
+    struct convergence_tail tail; /* the spectrum's own short end, carried on below the sampling limit */
     size_t harmonics;
     struct effect_bounds bound;
     struct curve_summary *models; /* model_count of them; owned like the texts */
