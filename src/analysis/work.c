@@ -14,6 +14,11 @@ static struct model_work *share_of(struct work *work, size_t m)
     return model_rows[m]->plastic ? &work->plastic : &work->elastic;
 }
 
+void work_add(struct work *work, size_t m, const struct model_work *more)
+{
+    model_work_add(share_of(work, m), more);
+}
+
 struct work work_predict(const struct surface_summary *surfaces, size_t count, const struct scene *scene,
                          const struct plan *plan, size_t load_count)
 {

@@ -8,27 +8,33 @@ static const double sanity_noise_ratio = 8;   /* of m4 at h to m4 at 2h: amplitu
 static const double sanity_end_jump = 3;      /* Rq */
 enum { SANITY_POINTS = 64, SANITY_STEPS = 30 };
 
+/** |second difference| at point i: free of any tilt, and a whole multiple of the step where heights are. */
+static double bend(const double *height_m, size_t i)
+{
+    return fabs((height_m[i + 1] - height_m[i]) - (height_m[i] - height_m[i - 1]));
+}
+
 double sanity_digitising(const double *height_m, size_t points)
 {
     double largest = 0, least = INFINITY, sum = 0;
     for (size_t i = 0; i < points; i++)
         largest = fmax(largest, fabs(height_m[i]));
     double nothing = 1e-13 * largest; /* equal heights may differ by what conversion of units rounds */
-    for (size_t i = 1; i < points; i++) {
-        double d = fabs(height_m[i] - height_m[i - 1]);
+    for (size_t i = 1; i + 1 < points; i++) {
+        double d = bend(height_m, i);
         least = d > nothing && d < least ? d : least;
     }
     size_t ones = 0, small = 0, whole = 0;
-    for (size_t i = 1; i < points; i++) {
-        double d = fabs(height_m[i] - height_m[i - 1]);
+    for (size_t i = 1; i + 1 < points; i++) {
+        double d = bend(height_m, i);
         if (d > nothing && d < 1.5 * least)
             sum += d, ones++;
     }
     if (ones == 0)
-        return 0; /* no two heights differ */
+        return 0; /* no height differs from its neighbours' line */
     double step = sum / (double)ones;
-    for (size_t i = 1; i < points; i++) {
-        double d = fabs(height_m[i] - height_m[i - 1]) / step;
+    for (size_t i = 1; i + 1 < points; i++) {
+        double d = bend(height_m, i) / step;
         if (d * step <= nothing || d > 3.5)
             continue;
         small++;

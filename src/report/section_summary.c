@@ -186,15 +186,15 @@ static void agreement(struct text *out, const struct section_context *context)
     const struct measured *measured = context->results->measured;
     if (!measured)
         return;
-    const struct model_curve *curves = context->baseline->curves;
-    struct measured_ranking rank = measured_rank(measured, curves);
+    const struct measured_answers *answers = context->results->answers;
+    struct measured_ranking rank = measured_rank(measured, answers);
     text_add(out, "- **Measured %s** (%zu point%s): ", measured->thermal ? "TCR" : "ECR", measured->count,
              measured->count == 1 ? "" : "s");
     if (rank.nearest == model_count) {
         text_add(out, "no measured load lies within those of the models; widen `load` in the scene.\n");
         return;
     }
-    struct measured_distance near = measured_compare(measured, &curves[rank.nearest]);
+    struct measured_distance near = measured_compare(measured, answers, rank.nearest);
     text_add(out, "on ");
     section_named(out, "surface ", context->results, context->results->baseline);
     text_add(out, ", %s is nearest, off ", model_rows[rank.nearest]->label);
@@ -202,7 +202,7 @@ static void agreement(struct text *out, const struct section_context *context)
     text_add(out, " (root mean square over %zu of %zu points) and ", near.points, measured->count);
     number_format_between(out, "", pow(10, near.bias_decades), 3, " times the measured on average");
     if (rank.farthest != rank.nearest) {
-        struct measured_distance far = measured_compare(measured, &curves[rank.farthest]);
+        struct measured_distance far = measured_compare(measured, answers, rank.farthest);
         text_add(out, "; %s is farthest, off ", model_rows[rank.farthest]->label);
         factor_off(out, &far);
     }
