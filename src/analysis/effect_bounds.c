@@ -5,8 +5,14 @@
 #include <stdio.h>
 #include <string.h>
 
-/** What yielding can change in plastic model `m`: on the surface, on each of its scans run alone, and on the fitted
- * power law where that is carried on below the sampling limit (its slope is largest at one of its ends). */
+/** The shortest wavelength of the spectrum. */
+static double shortest_m(const struct surface_record *record)
+{
+    return record->spectrum.length_m / (double)record->spectrum.count;
+}
+
+/** What yielding can change in plastic model `m`: on the surface, on each of its scans run alone, and on the tail of
+ * the spectrum where that is carried on below the sampling limit (its slope is largest at one of its ends). */
 static double bound_yield(const struct surface_record *record, const struct scene *scene, const struct plan *plan,
                           size_t m, const struct model_task *task)
 {
@@ -22,9 +28,9 @@ static double bound_yield(const struct surface_record *record, const struct scen
     }
     if (!row->stacks_scales || !plan_runs(plan, EFFECT_CONVERGENCE) || !surface_extends(summary, scene))
         return most;
-    double ends_m[2] = {summary->length_m, convergence_atom_m};
-    for (int i = 0; i < (summary->power_law.gamma < 1 ? 2 : 1); i++) {
-        double amplitude_m = power_law_amplitude(&summary->power_law, ends_m[i]);
+    double ends_m[2] = {shortest_m(record), convergence_atom_m};
+    for (int i = 0; i < (summary->tail.gamma < 1 ? 2 : 1); i++) {
+        double amplitude_m = convergence_tail_amplitude(&summary->tail, ends_m[i]);
         struct spectrum end = {.amplitude_m = &amplitude_m, .count = 1, .length_m = ends_m[i]};
         struct model_task extension = *task;
         extension.spectrum = &end;
@@ -33,13 +39,13 @@ static double bound_yield(const struct surface_record *record, const struct scen
     return most;
 }
 
-static bool is_converged(const struct surface_summary *summary, const struct scene *scene, const struct plan *plan)
+static bool is_converged(const struct surface_record *record, const struct scene *scene, const struct plan *plan)
 {
-    const struct power_law *law = &summary->power_law;
-    if (!power_law_holds(law) || !(law->gamma >= 1))
+    const struct convergence_tail *tail = &record->summary.tail;
+    if (!(tail->gamma >= 1))
         return false;
-    double limit_m = 2 * summary->spacing_m, modulus = plan->pair.effective_modulus_Pa;
-    double full_Pa = sinusoid_full_pressure(power_law_amplitude(law, limit_m), 1 / limit_m, modulus);
+    double limit_m = shortest_m(record), modulus = plan->pair.effective_modulus_Pa;
+    double full_Pa = sinusoid_full_pressure(convergence_tail_amplitude(tail, limit_m), 1 / limit_m, modulus);
     return scene->convergence.load * modulus >= full_Pa;
 }
 
@@ -117,7 +123,7 @@ enum status_code effect_bounds_surface(struct surface_record *record, const stru
     count_sensitivity(record, plan, &task);
     if (!scene->effects_auto)
         return STATUS_OK;
-    summary->bound = (struct effect_bounds){.converged = is_converged(summary, scene, plan)};
+    summary->bound = (struct effect_bounds){.converged = is_converged(record, scene, plan)};
     for (size_t m = 0; m < model_count; m++)
         if (plan_runs_model(plan, m) && model_rows[m]->plastic)
             summary->models[m].bounds.yield = bound_yield(record, scene, plan, m, &task);

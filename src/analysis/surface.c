@@ -19,6 +19,18 @@ static void note_models_lost(struct surface_summary *summary, uint64_t models, c
     text_free(&names);
 }
 
+/** gamma at short wavelengths, where convergence is decided. */
+static double short_gamma(const struct power_law *law)
+{
+    return isfinite(law->knee_m) ? law->gamma_below : law->gamma;
+}
+
+bool surface_diverges(const struct surface_summary *summary)
+{
+    const struct power_law *law = &summary->power_law;
+    return power_law_holds(law) && short_gamma(law) + law->gamma_error < 1;
+}
+
 /** What the line through all harmonics leaves to say: a step between the ends, two slopes. */
 static void note_thesis_fit(struct surface_summary *summary)
 {
@@ -117,6 +129,7 @@ static enum status_code describe(struct surface_record *record, struct power_law
     struct status none = {0};
     double started = clock_seconds();
     summary->harmonics = record->spectrum.count;
+    summary->tail = convergence_tail(&record->spectrum);
     summary->independent = fmax(1, scans->independent);
     if (scene->fit == POWER_LAW_THESIS) {
         summary->power_law = power_law_fit(&record->spectrum, scene->fit_band_m);
@@ -128,10 +141,10 @@ static enum status_code describe(struct surface_record *record, struct power_law
     summary->has_asperities = roughness_asperities(&summary->asperities, &summary->roughness, &none) == STATUS_OK;
     if (!summary->has_asperities)
         note_models_lost(summary, scene->models, none.message);
-    if (power_law_holds(&summary->power_law) && summary->power_law.gamma < 1)
+    if (surface_diverges(summary))
         gather_note(summary,
                     "gamma = %.2f is below 1: the elastic multiscale area depends on the shortest wavelength sampled",
-                    summary->power_law.gamma);
+                    short_gamma(&summary->power_law));
     return STATUS_OK;
 }
 
@@ -173,19 +186,20 @@ struct model_task surface_task(const struct surface_record *record, const struct
 
 bool surface_extends(const struct surface_summary *summary, const struct scene *scene)
 {
-    return power_law_holds(&summary->power_law) && !(scene->effects_auto && summary->bound.converged);
+    return !isnan(summary->tail.gamma) && !(scene->effects_auto && summary->bound.converged);
 }
 
-/** Carries the fitted law on below the sampling limit (twice the spacing), where that can change anything. */
-static void extend(struct surface_summary *summary, const struct scene *scene, const struct plan *plan)
+/** Carries the spectrum on below the sampling limit, where that can change anything. */
+static void extend(struct surface_record *record, const struct scene *scene, const struct plan *plan)
 {
+    struct surface_summary *summary = &record->summary;
     double started = clock_seconds();
     for (size_t m = 0; m < model_count; m++) {
         struct curve_summary *model = &summary->models[m];
         if (!model_rows[m]->stacks_scales || !model->exists || !surface_extends(summary, scene))
             continue;
-        model->extension = convergence_extend(&summary->power_law, summary->length_m, 2 * summary->spacing_m,
-                                              &plan->pair, model_rows[m]->plastic, scene->convergence.load);
+        model->extension = convergence_extend(&record->spectrum, &summary->tail, &plan->pair, model_rows[m]->plastic,
+                                              scene->convergence.load);
         model->extended = true;
     }
     summary->times.convergence = clock_seconds() - started;
@@ -312,7 +326,7 @@ enum status_code surface_run_models(struct surface_record *record, const struct 
     for (size_t m = 0; m < model_count && plan_runs(plan, EFFECT_SEPARATION); m++)
         estimate_beta(record, m);
     if (plan_runs(plan, EFFECT_CONVERGENCE))
-        extend(&record->summary, scene, plan);
+        extend(record, scene, plan);
     return STATUS_OK;
 }
 

@@ -45,9 +45,10 @@ struct surface_summary {
     struct asperities asperities;
     bool has_asperities; /* a statistical model exists */
     struct power_law power_law;
-    double independent; /* scans averaged; rows of a map count less */
-    size_t periodic;    /* of the scans: those that close on themselves */
-    size_t windowed;    /* of the scans: those whose spectrum was taken under a Hann window */
+    double independent;           /* scans averaged; rows of a map count less */
+    size_t periodic;              /* of the scans: those that close on themselves */
+    size_t windowed;              /* of the scans: those whose spectrum was taken under a Hann window */
+    struct convergence_tail tail; /* the spectrum's own short end, carried on below the sampling limit */
     size_t harmonics;
     struct effect_bounds bound;
     struct curve_summary *models; /* model_count of them; owned like the texts */
@@ -71,6 +72,10 @@ struct surface_record {
     double preview_x_m[SURFACE_PREVIEW], preview_z_m[SURFACE_PREVIEW];
     size_t preview_points;
 };
+
+/** The one criterion of divergence (4.55): gamma is below 1 by more than its standard error; where two slopes fit
+ * better than one law, the one at short wavelengths. False without a law. */
+bool surface_diverges(const struct surface_summary *summary);
 
 /** Reads and describes one surface: everything but the models. What is wrong with its files is no error: then
  * summary.usable is false and summary.refusal says why in one line. `counterface` is the described rough

@@ -35,6 +35,11 @@ struct uncertainty_work work_simulated(const struct surface_summary *surfaces, s
     return sum;
 }
 
+void work_add(struct work *work, size_t m, const struct model_work *more)
+{
+    model_work_add(share_of(work, m), more);
+}
+
 struct work work_predict(const struct surface_summary *surfaces, size_t count, const struct scene *scene,
                          const struct plan *plan, size_t load_count)
 {

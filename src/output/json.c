@@ -104,7 +104,7 @@ static json_t *scene_json(const struct results *results, const struct cell_guard
     return json;
 }
 
-static json_t *curve_json(const struct model_curve *curve, const struct curve_summary *model, unsigned wanted,
+static json_t *curve_json(const struct model_curve *curve, const struct curve_summary *model, const struct plan *plan,
                           const struct cell_guard *guard)
 {
     json_t *json = json_pack("{s:o, s:o, s:o, s:o, s:o, s:I}", "full_contact_load",
@@ -116,8 +116,14 @@ static json_t *curve_json(const struct model_curve *curve, const struct curve_su
                              (json_int_t)model_evaluations(&model->work));
     json_object_set_new(json, "areas_limited", json_integer((json_int_t)model->clamped));
     set(json, guard, "largest_load_share_clamped_at_radius", model->most_radius_clamped);
+    json_t *pressures = json_array(); /* of the real contact */
+    double yields_at = plan->pair.effective_modulus_Pa / plan->pair.yield_strength_Pa;
+    for (size_t i = 0; i < curve->count && isfinite(yields_at); i++)
+        json_array_append_new(pressures, cell_json(guard, "contact_pressure_over_Sy",
+                                                   curve->points[i].load / curve->points[i].area_ratio * yields_at));
+    json_object_set_new(json, "contact_pressure_over_Sy", pressures);
     for (int q = 0; q < QUANTITY_COUNT; q++) {
-        if (!(wanted & QUANTITY_BIT(q)))
+        if (!(plan->wanted & QUANTITY_BIT(q)))
             continue;
         json_t *values = json_array();
         for (size_t i = 0; i < curve->count; i++)
@@ -226,7 +232,7 @@ static json_t *surface_json(const struct surface_record *record, const struct sc
         json_array_append_new(files, string(s->scene->files[f]));
     for (size_t m = 0; m < model_count; m++)
         if (s->models[m].exists) {
-            json_t *model = curve_json(&record->curves[m], &s->models[m], plan->wanted, guard);
+            json_t *model = curve_json(&record->curves[m], &s->models[m], plan, guard);
             json_t *intervals = intervals_json(&s->models[m], guard);
             if (json_object_size(intervals) > 0)
                 json_object_set(model, "at_middle_load", intervals);

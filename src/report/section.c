@@ -124,14 +124,34 @@ void section_middle_pressure(struct text *out, const struct section_context *con
                           3, " MPa");
 }
 
-struct comparison_extremes section_models(const struct section_context *context, enum quantity quantity)
+bool section_is_valid(const struct surface_summary *summary, size_t model, double load)
+{
+    const struct curve_summary *curve = &summary->models[model];
+    return !(curve->invalid_area_load <= load) && !(curve->invalid_fit_load <= load);
+}
+
+const double section_hardest = 3;
+
+double section_contact_pressure(const struct section_context *context, const struct contact_point *point)
+{
+    const struct material_pair *pair = &context->results->plan->pair;
+    return point->load / point->area_ratio * pair->effective_modulus_Pa / pair->yield_strength_Pa;
+}
+
+bool section_knows_yield(const struct section_context *context)
+{
+    return isfinite(context->results->plan->pair.yield_strength_Pa);
+}
+
+struct comparison_extremes section_models(const struct section_context *context, enum quantity quantity, bool valid)
 {
     struct comparison_extremes extremes = {.least = INFINITY, .most = -INFINITY};
     for (size_t m = 0; m < model_count; m++) {
         const struct contact_point *point = section_middle(context, m);
         double value =
             point ? comparison_value(point, quantity, m, context->baseline->summary.asperities.sigma_m) : NAN;
-        if (isnan(value))
+        if (isnan(value) ||
+            (valid && !section_is_valid(&context->baseline->summary, m, context->comparison->middle_load)))
             continue;
         extremes.count++;
         if (value < extremes.least) {

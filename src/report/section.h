@@ -63,9 +63,18 @@ bool section_computes(const struct section_context *context, enum quantity quant
 const struct contact_point *section_middle(const struct section_context *context, size_t model);
 /** Adds the middle load as a pressure: "15.0 MPa". */
 void section_middle_pressure(struct text *out, const struct section_context *context);
-/** Smallest and largest value over the models of the baseline surface at the middle load; count 0: none has it. The
- * extremes' `_at` are models. */
-struct comparison_extremes section_models(const struct section_context *context, enum quantity quantity);
+/** Is a model inside its range of validity on a surface at P/(A_n E') = load? */
+bool section_is_valid(const struct surface_summary *summary, size_t model, double load);
+/** Smallest and largest value over the models of the baseline surface at the middle load, of the `valid` ones there or
+ * of all; count 0: none has it. The extremes' `_at` are models. */
+struct comparison_extremes section_models(const struct section_context *context, enum quantity quantity, bool valid);
+
+/** Mean pressure of the real contact P/A in units of S_y, NaN where S_y is not known. */
+double section_contact_pressure(const struct section_context *context, const struct contact_point *point);
+/** Is S_y known, so that there is such a number? */
+bool section_knows_yield(const struct section_context *context);
+/** P/A in units of S_y that no metal's contact bears: hardness is about 2.84 S_y (Tabor 1951). */
+extern const double section_hardest;
 
 /** Range of a number over all usable surfaces in one model; false when no surface has a finite one. */
 bool section_range(double *least, double *most, const struct section_context *context, size_t model,

@@ -207,7 +207,7 @@ static void ranking_text(struct text *out, const struct section_context *context
 static void one_spread(struct text *out, const struct section_context *context, enum quantity quantity,
                        const char *before, double scale, const char *unit)
 {
-    struct comparison_extremes models = section_models(context, quantity);
+    struct comparison_extremes models = section_models(context, quantity, true);
     if (models.count < 2)
         return;
     number_format_between(out, before, models.least * scale, 3, " (");
@@ -216,18 +216,45 @@ static void one_spread(struct text *out, const struct section_context *context, 
     text_add(out, "%s (%s)", unit, model_rows[models.most_at]->label);
 }
 
+/** "; without GW and JG, which are outside their validity there". */
+static void left_out(struct text *out, const struct section_context *context)
+{
+    size_t count = 0, named = 0;
+    double load = context->comparison->middle_load;
+    for (int pass = 0; pass < 2; pass++)
+        for (size_t m = 0; m < model_count; m++) {
+            if (!section_middle(context, m) || section_is_valid(&context->baseline->summary, m, load))
+                continue;
+            if (pass == 0) {
+                count++;
+                continue;
+            }
+            text_add(out, "%s%s",
+                     named == 0           ? "; without "
+                     : named + 1 == count ? " and "
+                                          : ", ",
+                     model_rows[m]->label);
+            named++;
+        }
+    if (count > 0)
+        text_add(out, ", outside %s range of validity there", count == 1 ? "its" : "their");
+}
+
 static void model_spread(struct text *out, const struct section_context *context)
 {
     enum quantity quantity = context->comparison->ranking.criterion;
-    if (section_models(context, QUANTITY_AREA).count < 2)
+    if (section_models(context, QUANTITY_AREA, false).count < 2)
         return;
     text_add(out, "- **Between the models**, for ");
     section_named(out, "surface ", context->results, context->results->baseline);
+    if (section_models(context, QUANTITY_AREA, true).count < 2)
+        text_add(out, ": fewer than two are valid at that load");
     one_spread(out, context, QUANTITY_AREA, " at that load, the area is ", 100, " %");
     if (quantity == QUANTITY_ECR)
         one_spread(out, context, quantity, ", ECR·Aₙ ", 1, " Ω·m²");
     if (quantity == QUANTITY_TCR)
         one_spread(out, context, quantity, ", TCR·Aₙ ", 1, " K·m²/W");
+    left_out(out, context);
     text_add(out, ".\n");
 }
 
@@ -243,15 +270,15 @@ static void agreement(struct text *out, const struct section_context *context)
     const struct measured *measured = context->results->measured;
     if (!measured)
         return;
-    const struct model_curve *curves = context->baseline->curves;
-    struct measured_ranking rank = measured_rank(measured, curves);
+    const struct measured_answers *answers = context->results->answers;
+    struct measured_ranking rank = measured_rank(measured, answers);
     text_add(out, "- **Measured %s** (%zu point%s): ", measured->thermal ? "TCR" : "ECR", measured->count,
              measured->count == 1 ? "" : "s");
     if (rank.nearest == model_count) {
         text_add(out, "no measured load lies within those of the models; widen `load` in the scene.\n");
         return;
     }
-    struct measured_distance near = measured_compare(measured, &curves[rank.nearest]);
+    struct measured_distance near = measured_compare(measured, answers, rank.nearest);
     text_add(out, "on ");
     section_named(out, "surface ", context->results, context->results->baseline);
     text_add(out, ", %s is nearest, off ", model_rows[rank.nearest]->label);
@@ -259,7 +286,7 @@ static void agreement(struct text *out, const struct section_context *context)
     text_add(out, " (root mean square over %zu of %zu points) and ", near.points, measured->count);
     number_format_between(out, "", pow(10, near.bias_decades), 3, " times the measured on average");
     if (rank.farthest != rank.nearest) {
-        struct measured_distance far = measured_compare(measured, &curves[rank.farthest]);
+        struct measured_distance far = measured_compare(measured, answers, rank.farthest);
         text_add(out, "; %s is farthest, off ", model_rows[rank.farthest]->label);
         factor_off(out, &far);
     }
@@ -281,6 +308,27 @@ static void limit(struct text *out, const struct section_context *context, size_
     text_add(out, "%s", then);
 }
 
+/** A plastic model whose contact bears more than any metal does. */
+static void hard(struct text *list, const struct section_context *context, size_t m)
+{
+    const struct results *results = context->results;
+    size_t count = 0;
+    double most = 0;
+    char what[120], then[60];
+    for (size_t k = 0; k < results->usable_count; k++) {
+        const struct contact_point *point = &context->comparison->models[m].middle[results->by_roughness[k]];
+        double pressure = section_contact_pressure(context, point);
+        if (!(point->area_ratio < 1) || !(pressure > section_hardest))
+            continue;
+        count++;
+        most = fmax(most, pressure);
+    }
+    snprintf(what, sizeof what, "in %s the real contact bears more than 3 S_y, beyond any hardness,",
+             model_rows[m]->label);
+    snprintf(then, sizeof then, " (up to %.2g S_y)", most);
+    limit(list, context, count, what, then);
+}
+
 static void limits(struct text *out, const struct section_context *context)
 {
     const struct results *results = context->results;
@@ -292,19 +340,21 @@ static void limits(struct text *out, const struct section_context *context)
         char what[120];
         for (size_t k = 0; k < results->usable_count; k++) {
             const struct curve_summary *model = &section_smoothest(context, k)->models[m];
-            invalid += model->exists && (model->invalid_area_load <= load || model->invalid_fit_load <= load);
+            invalid += model->exists && !section_is_valid(section_smoothest(context, k), m, load);
             if (model->extension.area_measured > 0)
                 fall = fmax(fall, 1 - model->extension.area_extended / model->extension.area_measured);
         }
         snprintf(what, sizeof what, "%s is outside its range of validity at that load", model_rows[m]->label);
         limit(&list, context, invalid, what, "");
+        if (model_rows[m]->plastic)
+            hard(&list, context, m);
     }
     for (size_t k = 0; k < results->usable_count; k++) {
         const struct surface_summary *s = section_smoothest(context, k);
         leaks += s->jump_share > 0.5;
         knees += isfinite(s->power_law.knee_m);
         lawless += !power_law_holds(&s->power_law);
-        diverging += power_law_holds(&s->power_law) && s->power_law.gamma + s->power_law.gamma_error < 1;
+        diverging += surface_diverges(s);
     }
     if (plan_stacks_scales(results->plan))
         limit(&list, context, diverging, "γ is below 1", ", so the elastic area depends on the sampling");
@@ -365,10 +415,12 @@ static void surface_key(struct text *out, const struct section_context *context,
             double scale = q == QUANTITY_AREA ? 100 : quantity_rows[q].over_sigma ? 1 / s->asperities.sigma_m : 1;
             if (estimate->count == 0) {
                 section_cell(out, isnan(point->load) ? NAN : q == QUANTITY_AREA ? 100 * value : value, 3);
-                continue;
+            } else {
+                text_add(out, " | ");
+                section_interval(out, estimate, scale, 3);
             }
-            text_add(out, " | ");
-            section_interval(out, estimate, scale, 3);
+            if (q == QUANTITY_AREA && section_knows_yield(context))
+                section_cell(out, section_contact_pressure(context, point), 3);
         }
     if (context->comparison->ranking.tested > 0)
         letters_cell(out, &context->comparison->ranking, index);
@@ -386,6 +438,10 @@ static void key_table(struct text *out, const struct section_context *context)
             const char *unit = q == QUANTITY_AREA ? "%" : row->over_sigma ? "" : row->unit;
             text_add(out, unit[0] ? " | %s (%s)" : " | %s", row->symbol, unit);
             text_add(&rule, "---:|");
+            if (q == QUANTITY_AREA && section_knows_yield(context)) {
+                text_add(out, " | P/A (S_y)");
+                text_add(&rule, "---:|");
+            }
         }
     const struct comparison_ranking *ranking = &context->comparison->ranking;
     if (ranking->tested > 0) {
@@ -416,6 +472,8 @@ static void surface_heights(struct text *out, const struct section_context *cont
     section_cell(out, roughness_skewness(&s->roughness), 3);
     section_cell(out, roughness_kurtosis(&s->roughness), 3);
     section_cell(out, 100 * point->area_ratio, 3);
+    if (section_knows_yield(context))
+        section_cell(out, section_contact_pressure(context, point), 3);
     for (int q = QUANTITY_SEPARATION; q <= QUANTITY_TCR; q++)
         if (has_column(context, q))
             section_cell(out, quantity_shown(point, (enum quantity)q, s->asperities.sigma_m), 3);
@@ -436,9 +494,9 @@ static void heights_table(struct text *out, const struct section_context *contex
     }
     text_add(out,
              " **At the same pressure**, %s (elastic; beyond A/Aₙ = 0.15 area alone, and only a direct numerical "
-             "solution would say more):\n\n| surface | Rsk | Rku | A/Aₙ (%%)",
-             model_rows[m]->label);
-    text_add(&rule, "|---|---:|---:|---:|");
+             "solution would say more):\n\n| surface | Rsk | Rku | A/Aₙ (%%)%s",
+             model_rows[m]->label, section_knows_yield(context) ? " | P/A (S_y)" : "");
+    text_add(&rule, "|---|---:|---:|---:|%s", section_knows_yield(context) ? "---:|" : "");
     for (int q = QUANTITY_SEPARATION; q <= QUANTITY_TCR; q++)
         if (has_column(context, q)) {
             const struct quantity_row *row = &quantity_rows[q];

@@ -6,18 +6,17 @@
 #include "results/results.h"
 #include "statistics/ranking.h"
 
-/** Neighbours in roughness compared load by load in one model. */
-struct comparison_rank {
-    size_t pairs;                  /* comparisons made */
-    size_t ranked[QUANTITY_COUNT]; /* in which the smoother surface has the larger area, the smaller shown
-                                      separation/sigma, the smaller resistance */
+/** How the cases of a question came out. Values that differ by no more than the run's tolerance are ties: they speak
+ * neither for nor against. */
+struct comparison_tally {
+    size_t agreeing, opposed, ties;
 };
 
-/** A plastic model against its elastic partner, load by load. */
+/** A plastic model against its elastic partner, load by load where not both are in full contact. */
 struct comparison_plastic {
-    size_t points, above;    /* compared; plastic area not below the elastic one */
-    double least, most;      /* ratio of the areas */
-    size_t surfaces, sooner; /* compared; plastic full contact at the lower load */
+    struct comparison_tally changes[QUANTITY_COUNT]; /* plastic area the larger; gap as shown, resistance the smaller */
+    double least, most;                              /* ratio of the areas; both 0: not compared */
+    struct comparison_tally sooner;                  /* plastic full contact at the lower load; one case a surface */
 };
 
 /** Smallest and largest value of a quantity over the surfaces, and which surfaces these are. */
@@ -27,20 +26,34 @@ struct comparison_extremes {
     size_t count; /* surfaces that have the value; 0: none, and the rest says nothing */
 };
 
-/** Multiscale against statistical model of one material law, on the baseline surface: mean |log10 ratio| over their
- * common loads; NaN: not both computed. */
+/** Multiscale against statistical model of one material law on one surface, over their common loads; NaN: not both
+ * computed. */
 struct comparison_gap {
-    double area, ecr;
+    double area, ecr;       /* mean |log10 ratio| */
+    double plain, adjusted; /* mean distance of delta, and of delta_ADJ (4.54), from the multiscale H; in sigma */
 };
 
-/** What one model adds to the comparison. */
+/** Least and largest value over the surfaces at one load of the list, of those in partial contact there. */
+struct comparison_extent {
+    double least, most;
+    size_t count; /* surfaces that have one */
+};
+
+/** What the surfaces have in common at a load. */
+enum comparison_spread { COMPARISON_AREAS, COMPARISON_RESISTANCES, COMPARISON_SPREADS };
+
+/** What one model adds to the comparison. The arrays are owned. */
 struct comparison_model {
-    struct comparison_rank rank;
-    struct comparison_plastic plastic;                   /* against its elastic partner; points 0: not compared */
-    struct comparison_gap gap;                           /* against its counterpart */
-    struct comparison_extremes extremes[QUANTITY_COUNT]; /* at the middle load */
-    struct contact_point *middle; /* at the middle load, one a surface of the scene; all NaN where it has no point;
-                                     owned */
+    struct comparison_tally rank[QUANTITY_COUNT]; /* neighbours in roughness, load by load: the smoother one has the
+                                                     larger area, the smaller shown separation/sigma and resistance */
+    struct comparison_plastic plastic;            /* against its elastic partner */
+    struct comparison_gap *gaps;                  /* against its counterpart, one a surface of the scene */
+    struct comparison_extremes extremes[QUANTITY_COUNT];     /* at the middle load */
+    struct contact_point *middle;                            /* at the middle load, one a surface of the scene; all NaN
+                                                                where it has no point */
+    struct comparison_extent (*extents)[COMPARISON_SPREADS]; /* one a load of the list */
+    double *steps; /* mean log10 of the resistance of the (k+1)-th smoothest surface over the k-th's, over their common
+                      loads of partial contact; one a pair of neighbours; NaN: none */
 };
 
 /** How two surfaces were held against each other. */
@@ -80,7 +93,7 @@ struct comparison {
 /** End it with comparison_free() whatever comes back. Errors: STATUS_IO, STATUS_MEMORY. */
 MUST_CHECK enum status_code comparison_make(struct comparison *out, const struct results *results,
                                             struct status *status);
-void comparison_free(struct comparison *study);
+void comparison_free(struct comparison *comparison);
 
 /** Places i < j of a ranking. */
 const struct comparison_pair *comparison_pair_of(const struct comparison_ranking *ranking, size_t i, size_t j);
@@ -89,6 +102,14 @@ bool comparison_told_apart(const struct comparison_pair *pair);
 
 /** Value of a quantity of a model's point, as tables and charts show it. */
 double comparison_value(const struct contact_point *point, enum quantity quantity, size_t model, double sigma_m);
+
+/** Mean log10(most/least) over the surfaces, over the loads at which all of them are in partial contact in model `a`
+ * and in model `b`; NaN where there is no such load. */
+double comparison_mean_spread(const struct results *results, const struct comparison_model *a,
+                              const struct comparison_model *b, enum comparison_spread of);
+/** The largest of most/least over the loads at which all surfaces are in partial contact; NaN where there is none. */
+double comparison_largest_spread(const struct results *results, const struct comparison_model *model,
+                                 enum comparison_spread of);
 
 /** Has a sweep's curve converged: does the last halving of the wavelength change the area by less than 0.1 %? */
 bool comparison_converges(const struct results *results, enum convergence_sweep sweep, size_t model, size_t value);

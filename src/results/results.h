@@ -17,6 +17,7 @@ struct results {
     struct work predicted, done;
     const struct surface_record *counterface;     /* described; NULL: smooth */
     const struct measured *measured;              /* NULL: none */
+    const struct measured_answers *answers;       /* the models' on the baseline surface; NULL: nothing measured */
     const struct benchmark *benchmark;            /* what accuracy costs; NULL: left out */
     const struct sensitivity_curves *sensitivity; /* of the baseline surface */
     const double *convergence; /* the sweeps' area ratios, see results_sweep(); NULL when the effect is off */
