@@ -109,7 +109,7 @@ static void add_times(struct run_times *times, const struct surface_store *store
     }
 }
 
-/** The baseline against the shortest wavelength included. */
+/** The baseline against the shortest wavelength included; nothing where its scans were not looked at for that. */
 static enum status_code run_sensitivity(struct run *run, struct status *status)
 {
     struct results *results = run->results;
@@ -124,9 +124,12 @@ static enum status_code run_sensitivity(struct run *run, struct status *status)
     uint64_t models = 0;
     for (size_t m = 0; m < model_count; m++)
         models |= plan_runs_model(results->plan, m) ? MODEL_BIT(m) : 0;
-    enum status_code rc = sensitivity_curves_make(&run->sensitivity, &one, models, unsure_m, status);
+    enum status_code rc = STATUS_OK;
+    if (baseline.sensitivity.scans > 0) {
+        rc = sensitivity_curves_make(&run->sensitivity, &one, models, unsure_m, status);
+        results->sensitivity = &run->sensitivity;
+    }
     surface_record_free(&baseline, false);
-    results->sensitivity = &run->sensitivity;
     return rc;
 }
 
