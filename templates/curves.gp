@@ -63,7 +63,7 @@ low = y_low; high = y_high
 call 'axis.gp' 'y' (log_y ? 'log' : 'zero') '0.04' (text_mode ? '5' : '7')
 if (!log_y && !text_mode) { set xzeroaxis lc rgb quiet lw 0.7 lt 1 }
 
-if (unsure > 0 && !empty && !text_mode) { set object 1 rectangle from graph 0, graph 0 to first unsure, graph 1 behind fc rgb quiet fs transparent solid 0.15 noborder }
+if (unsure > x_low && !empty && !text_mode) { set object 1 rectangle from graph 0, graph 0 to first (least(unsure, x_high)), graph 1 behind fc rgb quiet fs transparent solid 0.15 noborder }
 
 # The plot is put together from parts because gnuplot runs a loop over an empty list once. The parts name variables only.
 interval(i) = int(most(1, ceil(ROWS[i] / (scaled(word(style_words, i)) ? 14.0 : 9.0))))

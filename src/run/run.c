@@ -66,7 +66,8 @@ static void add_times(struct run_times *times, const struct surface_store *store
     }
 }
 
-/** The baseline against the shortest wavelength included, and at the loads that were measured. */
+/** The baseline against the shortest wavelength included (not where its scans were not looked at for that), and at the
+ * loads that were measured. */
 static enum status_code run_baseline(struct run *run, struct status *status)
 {
     struct results *results = run->results;
@@ -76,12 +77,16 @@ static enum status_code run_baseline(struct run *run, struct status *status)
     struct model_task task =
         surface_task(&baseline, results->scene, results->plan, results->loads, results->load_count);
     struct model_task one = surface_middle_task(&task);
-    double unsure_m = sensitivity_cutoff(baseline.summary.spacing_m, results->scene->lambda_s_m);
+    double unsure_m = fmax(sensitivity_cutoff(baseline.summary.spacing_m, results->scene->lambda_s_m),
+                           results->scene->tip_radius_m); /* a tip rounds off what is shorter than its radius */
     uint64_t models = 0;
     for (size_t m = 0; m < model_count; m++)
         models |= plan_runs_model(results->plan, m) ? MODEL_BIT(m) : 0;
-    enum status_code rc = sensitivity_curves_make(&run->sensitivity, &one, models, unsure_m, status);
-    results->sensitivity = &run->sensitivity;
+    enum status_code rc = STATUS_OK;
+    if (baseline.sensitivity.scans > 0) {
+        rc = sensitivity_curves_make(&run->sensitivity, &one, models, unsure_m, status);
+        results->sensitivity = &run->sensitivity;
+    }
     if (rc == STATUS_OK && results->measured) {
         rc = measured_answer(&run->answers, results->measured, models, &task, &baseline.repeats, status);
         results->answers = &run->answers;

@@ -244,8 +244,21 @@ static void test_the_files_are_those_of_the_figures(void **state)
                 assert_int_equal(directory_has(place, name), is_called_for(n, effects[o], ALL_MODELS));
                 files += directory_has(place, name);
             }
+        static const char *const others[2][13] = {
+            {"power-law", "models-area", "models-separation", "models-ecr", "sensitivity-area", "sensitivity-ecr",
+             "normal-probability", "area-load-two-band-plastic", "separation-load-two-band-plastic",
+             "separation-area-two-band-plastic", "ecr-load-two-band-plastic", "tcr-load-two-band-plastic"},
+            {"power-law", "models-area", "models-ecr", "sensitivity-area", "sensitivity-ecr", "normal-probability",
+             "area-load-two-band-elastic", "ecr-load-two-band-elastic"}};
+        for (size_t i = 0; others[o][i]; i++)
+            for (int e = 0; e < 3; e++) {
+                snprintf(name, sizeof name, "%s/figures/%s.%s", outs[o], others[o][i], endings[e]);
+                if (!directory_has(place, name))
+                    fail_msg("no %s", name);
+                files++;
+            }
         snprintf(name, sizeof name, "%s/figures", outs[o]);
-        assert_int_equal(directory_entries(place, name), files + 3 + 9); /* power-law, the templates and models.gp */
+        assert_int_equal(directory_entries(place, name), files + 10); /* the templates and models.gp */
     }
 }
 
