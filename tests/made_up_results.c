@@ -63,28 +63,61 @@ static void make_curve(struct surface_record *record, size_t index, size_t m, co
     keep_wanted(&curve->full, wanted);
 }
 
-/** Two scans to either side of a number. */
-static struct repeats_number about(double value, double deviation)
+/** Of two scans a standard deviation of `deviation` apart (of ln value where `logarithmic`) about this number. */
+static struct estimate about(double value, double deviation, bool logarithmic)
 {
-    struct repeats_number number = {0};
-    repeats_add(&number, value - deviation / M_SQRT2);
-    repeats_add(&number, value + deviation / M_SQRT2);
-    return number;
+    struct status status = {0};
+    struct estimate estimate;
+    double step = deviation / M_SQRT2;
+    const double scans[2] = {logarithmic ? value * exp(-step) : value - step,
+                             logarithmic ? value * exp(step) : value + step};
+    assert_int_equal(estimate_scans(&estimate, scans, NULL, 2, logarithmic, &status), STATUS_OK);
+    return estimate;
 }
 
-static void make_repeats(struct surface_record *record, size_t m)
+struct estimate made_up_single(double value, double s, bool logarithmic)
+{
+    const struct single_scan single = {.s = s, .half_width = single_scan_half_width(s)};
+    return estimate_single(value, &single, logarithmic);
+}
+
+/** What is known of a model's answers: by two scans of the first surface, else by simulated records if they run. */
+static void make_estimates(struct made_up *made, struct surface_record *record, size_t index, size_t m)
 {
     struct curve_summary *model = &record->summary.models[m];
-    model->repeated_log_full_load = about(log(model->full_load), log(1.5));
-    model->repeated_beta = about(6, 0.5);
-    record->bands[m] = calloc(MADE_UP_LOADS, sizeof *record->bands[m]);
+    const struct contact_point *middle = &record->curves[m].points[MADE_UP_LOADS / 2];
+    bool several = index == 0, known = several || plan_runs(&made->plan, EFFECT_UNCERTAINTY);
+    model->full_load_estimate = several ? about(model->full_load, log(1.5), true) : estimate_none;
+    model->beta_estimate = several && isfinite(model->beta) ? about(model->beta, 0.5, false) : estimate_none;
+    for (int q = 0; q < QUANTITY_COUNT; q++) {
+        bool logarithmic = q != QUANTITY_SEPARATION;
+        enum quantity shown = model_shown(model_rows[m], (enum quantity)q);
+        double value = quantity_value(middle, shown), s = logarithmic ? 0.05 : 0.05 * value;
+        bool held = known && repeats_band_holds((enum quantity)q) && isfinite(value);
+        model->middle[q] = !held     ? estimate_none
+                           : several ? about(value, s, logarithmic)
+                                     : made_up_single(value, s, logarithmic);
+    }
+}
+
+/** The mean within a tenth of the curve, another scan within two. */
+static void make_bands(struct surface_record *record, size_t m)
+{
     record->band_count = MADE_UP_LOADS;
+    record->bands[m] = calloc(MADE_UP_LOADS, sizeof *record->bands[m]);
+    assert_non_null(record->bands[m]);
     for (size_t i = 0; i < MADE_UP_LOADS; i++) {
         const struct contact_point *point = &record->curves[m].points[i];
-        record->bands[m][i].load = point->load;
+        struct repeats_band *band = &record->bands[m][i];
+        band->load = point->load;
         for (int q = 0; q < QUANTITY_COUNT; q++)
-            for (int side = 0; side < 2; side++)
-                record->bands[m][i].limits[q][side] = quantity_value(point, (enum quantity)q) * (side == 0 ? 0.9 : 1.1);
+            for (int side = 0; side < 2; side++) {
+                double value = repeats_band_holds((enum quantity)q)
+                                   ? quantity_value(point, model_shown(model_rows[m], (enum quantity)q))
+                                   : NAN;
+                band->mean[q][side] = value * (side == 0 ? 0.9 : 1.1);
+                band->next[q][side] = value * (side == 0 ? 0.8 : 1.2);
+            }
     }
 }
 
@@ -148,16 +181,18 @@ static void make_surface(struct made_up *made, size_t index, void (*change)(stru
                 summary->models[m].extension = (struct convergence_extension){0.4, 0.3, NAN, 100};
             else
                 summary->models[m].beta_multiscale = 7;
+            make_estimates(made, record, index, m);
             if (index == 0)
-                make_repeats(record, m);
+                make_bands(record, m);
         }
         if (index == 0)
             summary->repeats = (struct repeats){.count = 2,
-                                                .rq_m = about(rq_m, 1e-8),
-                                                .gamma = about(gamma, 0.02),
-                                                .log_alpha = about(log(0.5), log(1.1)),
-                                                .gamma_interval = {1.38, 1.42},
-                                                .alpha_interval = {0.45, 0.55}};
+                                                .scans = 2,
+                                                .rq_m = about(rq_m, 0.05, true),
+                                                .gamma = about(gamma, 0.02, false),
+                                                .psd_m3 = about(1e-20, 0.1, true)};
+        else
+            summary->repeats = (struct repeats){.rq_m = estimate_none, .gamma = estimate_none, .psd_m3 = estimate_none};
     }
     assert_int_equal(surface_store_put(&made->store, index, record, &status), STATUS_OK);
     surface_record_free(record, false);
