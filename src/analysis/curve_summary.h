@@ -50,7 +50,7 @@ struct curve_validity {
 };
 struct curve_validity curve_summary_validity(const struct model_curve *curve, const struct model_row *row);
 
-/** Condenses one model's curve on a surface of rms height sigma_m; what is known of its repeats is kept. */
+/** Condenses one model's curve on a surface of rms height sigma_m; bounds, sensitivity and seconds are kept. */
 void curve_summary_make(struct curve_summary *out, const struct model_curve *curve, const struct model_row *row,
                         double sigma_m);
 
