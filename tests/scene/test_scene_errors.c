@@ -139,7 +139,7 @@ static void test_choices(void **state)
         {"models: []\n", 1, "'models' names none; remove the line for the default ones"},
         {"effects:\n  - thermal\n  - electric\n", 3, "unknown effect 'electric'; did you mean 'electrical'?"},
         {"effects: [auto]\n", 1,
-         "unknown effect 'auto'; allowed: plasticity, separation, electrical, thermal, scale-dependent, convergence"},
+         "unknown effect 'auto'; allowed: plasticity, separation, electrical, thermal, scale-dependent, convergence, uncertainty"},
         {"effects: {thermal: yes}\n", 1, "'effects' is a mapping; give a list of names"},
         {"measured: {file: a.csv,\n load_unit: furlong}\n", 2,
          "'load_unit' is 'furlong'; understood: dimensionless; N, mN, cN, kN, gf, kgf, lbf; Pa, kPa, MPa, GPa, N/mm2, "
