@@ -105,13 +105,12 @@ static void nothing_known(void **state)
 }
 
 /** The curve of a surface is the mean of its scans' own, not that of their mean spectrum: a scan in two pieces counts
- * twice, area and resistances by their logarithms, separations as they are; loads that one part does not reach are left
- * out. */
+ * twice, area and resistances by their logarithms, separations as they are. */
 static void the_mean_of_curves(void **state)
 {
     (void)state;
     static const size_t scan[] = {0, 1, 1};
-    static const double loads[LOADS] = {1e-6, 1e-5, 1e-4, 1e-3, 5e-2};
+    static const double loads[LOADS] = {1e-6, 1e-5, 1e-4, 1e-3, 7e-2};
     double amplitude_m[3][3] = {{1e-6, 2e-7, 5e-8}, {2e-6, 3e-7, 2e-8}, {1.5e-6, 1e-7, 8e-8}};
     const struct model_row *model = &model_multiscale_elastic;
     const struct material_pair pair = {.effective_modulus_Pa = 1e11, .yield_strength_Pa = 1e9};
@@ -149,8 +148,8 @@ static void the_mean_of_curves(void **state)
         reached = all < reached ? all : reached;
         full += log(own[p].full_load) / 3;
     }
-    assert_true(reached >= 3 && reached < LOADS);
-    assert_true(curve.count == reached || points[reached].load == curve.full_load);
+    assert_int_equal(reached, LOADS);
+    assert_int_equal(curve.count, LOADS);
     assert_near(curve.full_load, exp(full), 1e-12);
     assert_near(estimate_value(&result.full_load), curve.full_load, 1e-12);
     for (size_t i = 0; i < reached; i++) {
@@ -214,6 +213,59 @@ static void the_mean_of_one_curve(void **state)
     free(result.band);
 }
 
+/** Loads that one part does not reach are left out: it is in full contact; the last point is then the full contact of
+ * all. */
+static void the_end_of_curves(void **state)
+{
+    (void)state;
+    enum { FINE = 60 };
+    static const size_t scan[] = {0, 1};
+    const struct model_row *model = model_rows[model_named("gw")];
+    const struct material_pair pair = {.effective_modulus_Pa = 1e11, .yield_strength_Pa = 1e9};
+    struct repeat parts[2];
+    struct repeats_scan scans[2] = {{.weight = 1}, {.weight = 1}};
+    struct repeat_set set = set_of(parts, scan, 2, scans, 2);
+    double loads[FINE], amplitude_m = 1e-6;
+    for (int i = 0; i < FINE; i++)
+        loads[i] = pow(10, -5 + i / 10.0);
+    for (int p = 0; p < 2; p++) { /* slopes of 0.01 and 0.02 */
+        double m0_m2 = 1e-12 * (p + 1) * (p + 1);
+        parts[p].spectrum = (struct spectrum){&amplitude_m, 1, 1e-4, false};
+        parts[p].roughness =
+            (struct roughness){.rq_m = sqrt(m0_m2), .m0_m2 = m0_m2, .m2 = 1e8 * m0_m2, .m4_per_m2 = 1e17 * m0_m2};
+    }
+    struct model_task task = {.spectrum = &parts[0].spectrum,
+                              .pair = &pair,
+                              .loads = loads,
+                              .load_count = FINE,
+                              .wanted = QUANTITY_BIT(QUANTITY_AREA),
+                              .tolerance = 1e-8,
+                              .hardness_Pa = NAN};
+    struct status status = {0};
+    struct contact_point points[FINE + 1], own_points[2][FINE + 1];
+    struct model_curve curve = {.points = points}, own[2];
+    struct repeats_result result = {.band = repeats_band_make(loads, FINE)};
+    assert_non_null(result.band);
+    assert_int_equal(repeats_model(&curve, &result, &set, model, &task, &status), STATUS_OK);
+    for (int p = 0; p < 2; p++) {
+        struct asperities asperities;
+        struct model_task alone = repeats_task(&asperities, &parts[p], &task);
+        own[p] = (struct model_curve){.points = own_points[p]};
+        assert_int_equal(model_run(&own[p], model, &alone, &status), STATUS_OK);
+        assert_true(own[p].exists && own[p].count < FINE);
+    }
+    assert_true(own[0].count < own[1].count);
+    assert_int_equal(curve.count, own[0].count);
+    assert_near(curve.full_load, sqrt(own[0].full_load * own[1].full_load), 1e-12);
+    assert_near(points[curve.count - 1].load, curve.full_load, 0);
+    for (size_t i = 0; i + 1 < curve.count; i++) {
+        assert_near(points[i].load, loads[i], 0);
+        assert_near(points[i].area_ratio, sqrt(own_points[0][i].area_ratio * own_points[1][i].area_ratio), 1e-12);
+    }
+    assert_true(isnan(result.band[curve.count].mean[QUANTITY_AREA][0]));
+    free(result.band);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -223,6 +275,7 @@ int main(void)
         cmocka_unit_test(nothing_known),
         cmocka_unit_test(the_mean_of_curves),
         cmocka_unit_test(the_mean_of_one_curve),
+        cmocka_unit_test(the_end_of_curves),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
