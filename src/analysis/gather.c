@@ -497,8 +497,8 @@ static enum status_code cut_to_shortest(struct surface_record *record, const str
     return rc;
 }
 
-enum status_code gather_conclude(struct surface_record *record, const struct scene *scene, const char *const *files,
-                                 struct status *status)
+enum status_code gather_conclude(struct surface_record *record, struct power_law_scans *scans,
+                                 const struct scene *scene, const char *const *files, struct status *status)
 {
     struct repeat_set *set = &record->repeats;
     bool profiles = true;
@@ -514,6 +514,7 @@ enum status_code gather_conclude(struct surface_record *record, const struct sce
         }
         set->count = 1;
         record->summary.heights = set->scans[0].point_count; /* of one, too */
+        scans->independent = 1;
     }
     if (set->count == 1)
         return keep_single(record, scene, status);

@@ -1,8 +1,9 @@
 /* What is known of a number from its value of every scan, piece or row. Student's quantiles from tables. */
 #include "analysis/repeats.h"
+#include "contact/multiscale.h"
 #include "support.h"
 
-enum { MOST = 64 };
+enum { MOST = 64, LOADS = 5 };
 
 /* Parts of the scans given, one value a part. */
 static struct repeat_set set_of(struct repeat *parts, const size_t *scan, size_t count, struct repeats_scan *scans,
@@ -103,6 +104,168 @@ static void nothing_known(void **state)
     assert_near(estimate_end(&estimate, 0), estimate_end(&estimate, 1), 1e-15);
 }
 
+/** The curve of a surface is the mean of its scans' own, not that of their mean spectrum: a scan in two pieces counts
+ * twice, area and resistances by their logarithms, separations as they are. */
+static void the_mean_of_curves(void **state)
+{
+    (void)state;
+    static const size_t scan[] = {0, 1, 1};
+    static const double loads[LOADS] = {1e-6, 1e-5, 1e-4, 1e-3, 7e-2};
+    double amplitude_m[3][3] = {{1e-6, 2e-7, 5e-8}, {2e-6, 3e-7, 2e-8}, {1.5e-6, 1e-7, 8e-8}};
+    const struct model_row *model = &model_multiscale_elastic;
+    const struct material_pair pair = {.effective_modulus_Pa = 1e11, .yield_strength_Pa = 1e9};
+    struct repeat parts[3];
+    struct repeats_scan scans[2] = {{.weight = 1}, {.weight = 2}};
+    struct repeat_set set = set_of(parts, scan, 3, scans, 2);
+    for (int p = 0; p < 3; p++)
+        parts[p].spectrum = (struct spectrum){amplitude_m[p], 3, 1e-4, false};
+    struct model_task task = {.spectrum = &parts[0].spectrum,
+                              .pair = &pair,
+                              .loads = loads,
+                              .load_count = LOADS,
+                              .wanted = QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_SEPARATION),
+                              .tolerance = 1e-8,
+                              .sinusoid_fit = SINUSOID_FIT_THESIS};
+    struct status status = {0};
+    struct contact_point points[LOADS + 1], own_points[3][LOADS + 1];
+    struct model_curve curve = {.points = points}, own[3];
+    struct repeats_result result = {.band = repeats_band_make(loads, LOADS)};
+    struct model_work predicted = repeats_work(&set, model, &task);
+    assert_non_null(result.band);
+    assert_true(repeats_several(&set, model));
+    assert_int_equal(repeats_model(&curve, &result, &set, model, &task, &status), STATUS_OK);
+    assert_int_equal(model_evaluations(&curve.work), model_evaluations(&predicted));
+    size_t reached = LOADS;
+    double full = 0;
+    for (int p = 0; p < 3; p++) {
+        struct asperities none;
+        struct model_task alone = repeats_task(&none, &parts[p], &task);
+        own[p] = (struct model_curve){.points = own_points[p]};
+        assert_int_equal(model_run(&own[p], model, &alone, &status), STATUS_OK);
+        size_t all = 0;
+        while (all < own[p].count && all < LOADS && own_points[p][all].load == loads[all])
+            all++;
+        reached = all < reached ? all : reached;
+        full += log(own[p].full_load) / 3;
+    }
+    assert_int_equal(reached, LOADS);
+    assert_int_equal(curve.count, LOADS);
+    assert_near(curve.full_load, exp(full), 1e-12);
+    assert_near(estimate_value(&result.full_load), curve.full_load, 1e-12);
+    for (size_t i = 0; i < reached; i++) {
+        double area[2] = {log(own_points[0][i].area_ratio),
+                          (log(own_points[1][i].area_ratio) + log(own_points[2][i].area_ratio)) / 2};
+        double mean = (area[0] + 2 * area[1]) / 3, gap = 0;
+        double sd = sqrt(pow(area[0] - mean, 2) + 2 * pow(area[1] - mean, 2)), t = 12.706204736174707; /* t(1) */
+        for (int p = 0; p < 3; p++)
+            gap += own_points[p][i].separation_m / 3;
+        assert_near(curve.points[i].load, loads[i], 0);
+        assert_near(curve.points[i].area_ratio, exp(mean), 1e-12);
+        assert_near(curve.points[i].separation_m, gap, 1e-12);
+        assert_near(result.band[i].load, loads[i], 0);
+        assert_near(log(result.band[i].mean[QUANTITY_AREA][1]), mean + t * sd / sqrt(3), 1e-9);
+        assert_near(log(result.band[i].mean[QUANTITY_AREA][0]), mean - t * sd / sqrt(3), 1e-9);
+        assert_near(log(result.band[i].next[QUANTITY_AREA][1]), mean + t * sd * sqrt(1 + 1 / 3.0), 1e-9);
+        assert_true(isnan(result.band[i].mean[QUANTITY_LOAD][0]));
+    }
+    assert_near(estimate_value(&result.middle[QUANTITY_AREA]), curve.points[LOADS / 2].area_ratio, 1e-12);
+    assert_int_equal(result.left_out, 0);
+    free(result.band);
+}
+
+/** The same part again and again has its own curve, and intervals of no width. */
+static void the_mean_of_one_curve(void **state)
+{
+    (void)state;
+    static const size_t scan[] = {0, 1, 2};
+    static const double loads[LOADS] = {1e-6, 1e-5, 1e-4, 1e-3, 1e-2};
+    double amplitude_m[2] = {1e-6, 2e-7};
+    const struct model_row *model = &model_multiscale_elastic;
+    const struct material_pair pair = {.effective_modulus_Pa = 1e11, .yield_strength_Pa = 1e9};
+    struct repeat parts[3];
+    struct repeats_scan scans[3] = {{.weight = 1}, {.weight = 1}, {.weight = 1}};
+    struct repeat_set set = set_of(parts, scan, 3, scans, 3);
+    for (int p = 0; p < 3; p++)
+        parts[p].spectrum = (struct spectrum){amplitude_m, 2, 1e-4, false};
+    struct model_task task = {.spectrum = &parts[0].spectrum,
+                              .pair = &pair,
+                              .loads = loads,
+                              .load_count = LOADS,
+                              .wanted = QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_SEPARATION),
+                              .tolerance = 1e-8,
+                              .sinusoid_fit = SINUSOID_FIT_THESIS};
+    struct status status = {0};
+    struct contact_point points[LOADS + 1], own_points[LOADS + 1];
+    struct model_curve curve = {.points = points}, own = {.points = own_points};
+    struct repeats_result result = {.band = repeats_band_make(loads, LOADS)};
+    assert_non_null(result.band);
+    assert_int_equal(repeats_model(&curve, &result, &set, model, &task, &status), STATUS_OK);
+    assert_int_equal(model_run(&own, model, &task, &status), STATUS_OK);
+    assert_int_equal(curve.count, own.count);
+    assert_near(curve.full_load, own.full_load, 1e-14);
+    for (size_t i = 0; i < own.count; i++) {
+        assert_near(points[i].load, own_points[i].load, 1e-14);
+        assert_near(points[i].area_ratio, own_points[i].area_ratio, 1e-13);
+        assert_near(points[i].separation_m, own_points[i].separation_m, 1e-13);
+    }
+    for (int side = 0; side < 2; side++)
+        assert_near(result.band[0].mean[QUANTITY_AREA][side], own_points[0].area_ratio, 1e-13);
+    free(result.band);
+}
+
+/** Loads that one part does not reach are left out: it is in full contact; the last point is then the full contact of
+ * all. */
+static void the_end_of_curves(void **state)
+{
+    (void)state;
+    enum { FINE = 60 };
+    static const size_t scan[] = {0, 1};
+    const struct model_row *model = model_rows[model_named("gw")];
+    const struct material_pair pair = {.effective_modulus_Pa = 1e11, .yield_strength_Pa = 1e9};
+    struct repeat parts[2];
+    struct repeats_scan scans[2] = {{.weight = 1}, {.weight = 1}};
+    struct repeat_set set = set_of(parts, scan, 2, scans, 2);
+    double loads[FINE], amplitude_m = 1e-6;
+    for (int i = 0; i < FINE; i++)
+        loads[i] = pow(10, -5 + i / 10.0);
+    for (int p = 0; p < 2; p++) { /* slopes of 0.01 and 0.02 */
+        double m0_m2 = 1e-12 * (p + 1) * (p + 1);
+        parts[p].spectrum = (struct spectrum){&amplitude_m, 1, 1e-4, false};
+        parts[p].roughness =
+            (struct roughness){.rq_m = sqrt(m0_m2), .m0_m2 = m0_m2, .m2 = 1e8 * m0_m2, .m4_per_m2 = 1e17 * m0_m2};
+    }
+    struct model_task task = {.spectrum = &parts[0].spectrum,
+                              .pair = &pair,
+                              .loads = loads,
+                              .load_count = FINE,
+                              .wanted = QUANTITY_BIT(QUANTITY_AREA),
+                              .tolerance = 1e-8,
+                              .hardness_Pa = NAN};
+    struct status status = {0};
+    struct contact_point points[FINE + 1], own_points[2][FINE + 1];
+    struct model_curve curve = {.points = points}, own[2];
+    struct repeats_result result = {.band = repeats_band_make(loads, FINE)};
+    assert_non_null(result.band);
+    assert_int_equal(repeats_model(&curve, &result, &set, model, &task, &status), STATUS_OK);
+    for (int p = 0; p < 2; p++) {
+        struct asperities asperities;
+        struct model_task alone = repeats_task(&asperities, &parts[p], &task);
+        own[p] = (struct model_curve){.points = own_points[p]};
+        assert_int_equal(model_run(&own[p], model, &alone, &status), STATUS_OK);
+        assert_true(own[p].exists && own[p].count < FINE);
+    }
+    assert_true(own[0].count < own[1].count);
+    assert_int_equal(curve.count, own[0].count);
+    assert_near(curve.full_load, sqrt(own[0].full_load * own[1].full_load), 1e-12);
+    assert_near(points[curve.count - 1].load, curve.full_load, 0);
+    for (size_t i = 0; i + 1 < curve.count; i++) {
+        assert_near(points[i].load, loads[i], 0);
+        assert_near(points[i].area_ratio, sqrt(own_points[0][i].area_ratio * own_points[1][i].area_ratio), 1e-12);
+    }
+    assert_true(isnan(result.band[curve.count].mean[QUANTITY_AREA][0]));
+    free(result.band);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -110,6 +273,9 @@ int main(void)
         cmocka_unit_test(pieces),
         cmocka_unit_test(rows),
         cmocka_unit_test(nothing_known),
+        cmocka_unit_test(the_mean_of_curves),
+        cmocka_unit_test(the_mean_of_one_curve),
+        cmocka_unit_test(the_end_of_curves),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
