@@ -276,8 +276,8 @@ static void test_the_other_tables(void **state)
         {"out/data/convergence.csv", {"alpha,0.001", ",numeric-stack,"}, "area-alone"},
         {"out/data/cost.csv", {"cut-off,numeric-stack,", "loads,numeric-stack,", "loads,area-alone,"}, "cut-off,area"},
         {"out/data/spread.csv",
-         {"ln_full_contact_load_numeric-stack,3", "beta_numeric-stack,3"},
-         "ln_full_contact_load_area-alone"},
+         {"full_contact_load_numeric-stack,3", "beta_numeric-stack,3"},
+         "full_contact_load_area-alone"},
         {"out/data/bands.csv", {"one,numeric-stack,", "one,area-alone,"}, "nan"},
         {"out/results.json", {"\"numeric-stack\": {", "\"area-alone\": {", "\"registered\""}, "inf"},
     };
@@ -362,7 +362,7 @@ static void test_the_report(void **state)
     assert_int_equal(occurrences(checks, "numeric stack: ECR "), 1); /* against its counterpart */
     assert_int_equal(occurrences(checks, "numeric stack "), 9);
     assert_int_equal(occurrences(checks, "area alone "), 2); /* linear, and ranked by roughness */
-    assert_has(section(md, "## How far repeated"), "| full contact, area alone |");
+    assert_has(section(md, "## How sure the numbers are"), "| full contact, area alone |");
     const char *measured = section(md, "## Measured contact resistance");
     assert_has(measured, "| numeric stack | ");
     assert_has(measured, "| area alone | 0 of 3 | – | – | – |");
