@@ -157,6 +157,7 @@ static void make_surface(struct made_up *made, size_t index, void (*change)(stru
         summary->jump_m = 1e-8;
         summary->jump_share = 0.1;
         summary->scans = index == 0 ? 2 : 1;
+        summary->independent = (double)summary->scans;
         summary->notes = index == 0 ? strdup("beta.csv: a note") : NULL;
         record->spectrum = (struct spectrum){malloc(3 * sizeof(double)), 3, 2e-4, false};
         for (size_t i = 0; i < 3; i++)
@@ -181,6 +182,7 @@ static void make_surface(struct made_up *made, size_t index, void (*change)(stru
                 summary->models[m].extension = (struct convergence_extension){0.4, 0.3, NAN, 100};
             else
                 summary->models[m].beta_multiscale = 7;
+            summary->models[m].sensitivity = (struct sensitivity_factors){{1.05, 0.8}, {0.95, 1.3}};
             make_estimates(made, record, index, m);
             if (index == 0)
                 make_bands(record, m);

@@ -279,7 +279,7 @@ static double half_width_at(const struct uncertainty *uncertainty, enum quantity
         }
     if (count == 0 || !(middle->s > 0))
         return NAN;
-    double half_width = middle->half_width / middle->s * single_scan_s_at(ln_load, ln_known, s, count);
+    double half_width = single_scan_half_width(single_scan_s_at(ln_load, ln_known, s, count));
     return middle->heterogeneous ? fmax(half_width, middle->half_width) : half_width;
 }
 

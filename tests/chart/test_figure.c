@@ -235,6 +235,25 @@ static void test_the_files_are_those_of_the_figures(void **state)
     assert_int_equal(pipeline_run(place, "electrical", "out-electrical", 1), 0);
     static const char *const outs[] = {"out", "out-electrical"}, *const endings[] = {"csv", "gp", "svg"};
     static const unsigned effects[] = {ALL_EFFECTS, EFFECT_BIT(EFFECT_ELECTRICAL)};
+    static const struct {
+        const char *name;
+        bool on[2]; /* in which of outs: models that lead there, what the effects give */
+    } others[] = {
+        {"power-law", {true, true}},
+        {"models-area", {true, true}},
+        {"models-separation", {true, false}},
+        {"models-ecr", {true, true}},
+        {"normal-probability", {true, true}}, /* c has waves, 64 points are too few to look Gaussian */
+        {"area-load-two-band-plastic", {true, false}},
+        {"separation-load-two-band-plastic", {true, false}},
+        {"separation-area-two-band-plastic", {true, false}},
+        {"ecr-load-two-band-plastic", {true, false}},
+        {"tcr-load-two-band-plastic", {true, false}},
+        {"area-load-two-band-elastic", {false, true}},
+        {"ecr-load-two-band-elastic", {false, true}},
+        {"sensitivity-area", {true, true}},
+        {"sensitivity-ecr", {true, true}},
+    };
     for (size_t o = 0; o < 2; o++) {
         size_t files = 0;
         char name[64];
@@ -244,18 +263,12 @@ static void test_the_files_are_those_of_the_figures(void **state)
                 assert_int_equal(directory_has(place, name), is_called_for(n, effects[o], ALL_MODELS));
                 files += directory_has(place, name);
             }
-        static const char *const others[2][13] = {
-            {"power-law", "models-area", "models-separation", "models-ecr", "sensitivity-area", "sensitivity-ecr",
-             "normal-probability", "area-load-two-band-plastic", "separation-load-two-band-plastic",
-             "separation-area-two-band-plastic", "ecr-load-two-band-plastic", "tcr-load-two-band-plastic"},
-            {"power-law", "models-area", "models-ecr", "sensitivity-area", "sensitivity-ecr", "normal-probability",
-             "area-load-two-band-elastic", "ecr-load-two-band-elastic"}};
-        for (size_t i = 0; others[o][i]; i++)
+        for (size_t i = 0; i < sizeof others / sizeof *others; i++)
             for (int e = 0; e < 3; e++) {
-                snprintf(name, sizeof name, "%s/figures/%s.%s", outs[o], others[o][i], endings[e]);
-                if (!directory_has(place, name))
-                    fail_msg("no %s", name);
-                files++;
+                snprintf(name, sizeof name, "%s/figures/%s.%s", outs[o], others[i].name, endings[e]);
+                if (directory_has(place, name) != others[i].on[o])
+                    fail_msg("%s", name);
+                files += others[i].on[o];
             }
         snprintf(name, sizeof name, "%s/figures", outs[o]);
         assert_int_equal(directory_entries(place, name), files + 10); /* the templates and models.gp */

@@ -248,7 +248,7 @@ static void test_repeats_and_measurements(void **state)
                              "## All surfaces, model by model\n### Area against load\n### ECR against load\n"
                              "## The findings of chapter 6, checked on these surfaces\n"
                              "## What the answers hang on: cut-off and scan length\n"
-                             "## How far repeated scans lie apart\n## Measured contact resistance\n"
+                             "## How sure the numbers are\n## Measured contact resistance\n"
                              "## Where the models may be trusted\n## What was computed\n## Models and sources\n");
     assert_tidy(*state, &report);
     text_free(&report);
