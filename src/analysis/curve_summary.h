@@ -20,7 +20,8 @@ struct curve_summary {
     double full_load, closed_load, beta, beta_multiscale;
     double area_slope;        /* d ln A/d ln P, least squares over A/A_n < 0.1 */
     double area_slope_rms;    /* decades */
-    double elbow_load;        /* where |d ln ECR/d ln P| first exceeds 2; NaN: nowhere */
+    double elbow_load;        /* where |d ln ECR/d ln P| first exceeds 2, by landmarks_solve(); NaN: nowhere; the first
+                                 load: there or below */
     double sd_least, sd_most; /* TCR_sd/TCR - 1 over the curve */
     double invalid_area_load; /* first load beyond the model's largest valid area; NaN: none */
     double invalid_fit_load;  /* first load with over 10 % of it beyond the fitted range; NaN: none */
@@ -38,13 +39,16 @@ struct curve_summary {
     double seconds; /* that the curve took */
 };
 
+/** |d ln ECR/d ln P| that counts as the elbow: twice the slope before it. */
+extern const double curve_summary_elbow_slope;
 /** Share of the load beyond a law's fitted range from which a curve is drawn as outside its validity. */
 extern const double curve_summary_beyond_fit_share;
 
 /** First point of a curve that is outside the model's validity; curve->count when all are inside. */
 size_t curve_summary_first_invalid(const struct model_curve *curve, const struct model_row *row);
 
-/** Condenses one model's curve on a surface of rms height sigma_m; what is known of its repeats is kept. */
+/** Condenses one model's curve on a surface of rms height sigma_m; what is known of its repeats is kept. Loads that are
+ * not the model's own answer are points of the curve: landmarks_solve() solves for them. */
 void curve_summary_make(struct curve_summary *out, const struct model_curve *curve, const struct model_row *row,
                         double sigma_m);
 

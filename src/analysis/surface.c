@@ -1,6 +1,7 @@
 #include "analysis/surface.h"
 
 #include "analysis/gather.h"
+#include "analysis/landmarks.h"
 #include "base/clock.h"
 #include "contact/statistical.h"
 #include <math.h>
@@ -163,6 +164,15 @@ static enum status_code run_sensitivity(struct surface_record *record, size_t m,
                            status);
 }
 
+/** Where model `m` bends and its validity ends on this surface. */
+static enum status_code run_landmarks(struct curve_summary *model, const struct model_curve *curve, size_t m,
+                                      const struct model_task *task, struct status *status)
+{
+    struct landmarks_model searched = {model_rows[m], *task};
+    const struct landmarks_curve landmarks = {landmarks_run_model, &searched, task->tolerance};
+    return landmarks_solve(model, curve, model_rows[m], &landmarks, status);
+}
+
 static enum status_code run_model(struct surface_record *record, size_t m, const struct model_task *task,
                                   struct status *status)
 {
@@ -174,11 +184,15 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
     double started = clock_seconds();
     if (model_run(curve, model_rows[m], task, status) != STATUS_OK)
         return status->code;
-    model->seconds = clock_seconds() - started;
-    if (curve->exists)
+    if (curve->exists) {
         curve_summary_make(model, curve, model_rows[m], record->summary.asperities.sigma_m);
-    else
+        if (run_landmarks(model, curve, m, task, status) != STATUS_OK)
+            return status->code;
+    } else {
         model->work = curve->work;
+    }
+    model->work.searches++;
+    model->seconds = clock_seconds() - started;
     if (curve->overflows)
         gather_note(&record->summary,
                     "no %s: its numbers leave what can be computed with; check the units, the material and the loads",
