@@ -45,11 +45,17 @@ size_t curve_summary_first_invalid(const struct model_curve *curve, const struct
     return i;
 }
 
+double curve_summary_elbow_share(const struct curve_summary *model)
+{
+    return model->elbow_load > model->first_load ? model->elbow_load / model->full_load : NAN;
+}
+
 void curve_summary_make(struct curve_summary *model, const struct model_curve *curve, const struct model_row *row,
                         double sigma_m)
 {
     *model = (struct curve_summary){
         .exists = curve->exists,
+        .first_load = curve->count > 0 ? curve->points[0].load : NAN,
         .full_load = curve->full_load,
         .closed_load = curve->closed_load,
         .beta = curve->beta,

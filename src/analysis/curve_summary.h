@@ -17,6 +17,7 @@ struct curve_bounds {
 struct curve_summary {
     struct curve_bounds bounds;
     bool exists;
+    double first_load; /* of the curve */
     double full_load, closed_load, beta, beta_multiscale;
     double area_slope;        /* d ln A/d ln P, least squares over A/A_n < 0.1 */
     double area_slope_rms;    /* decades */
@@ -46,6 +47,9 @@ extern const double curve_summary_beyond_fit_share;
 
 /** First point of a curve that is outside the model's validity; curve->count when all are inside. */
 size_t curve_summary_first_invalid(const struct model_curve *curve, const struct model_row *row);
+
+/** The elbow as a share of the load to full contact; NaN: none, or at the first load or below. */
+double curve_summary_elbow_share(const struct curve_summary *model);
 
 /** Condenses one model's curve on a surface of rms height sigma_m; what is known of its repeats is kept. Loads that are
  * not the model's own answer are points of the curve: landmarks_solve() solves for them. */
