@@ -1,12 +1,14 @@
 #include "analysis/landmarks.h"
 
+#include "contact/statistical.h"
 #include <assert.h>
+#include <gsl/gsl_integration.h>
 #include <math.h>
 #include <stdlib.h>
 
 const double landmarks_slope_step = M_LN10 / 24;
 
-enum { SEARCHES = 3, TRIALS = 4, LOADS_MOST = SEARCHES * TRIALS * 2, PASSES_MOST = 60 };
+enum { SEARCHES = 3, TRIALS = 4, LOADS_MOST = SEARCHES * TRIALS * 2, PASSES_MOST = 60, BETA_LOADS_MOST = 48 };
 
 struct search;
 /** What changes sign, from <= 0 below the landmark to > 0 above it; INFINITY is above. */
@@ -55,7 +57,7 @@ enum status_code landmarks_run_model(struct model_curve *out, const double *load
     struct model_task task = model->task;
     task.loads = loads;
     task.load_count = count;
-    task.wanted &= QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_ECR);
+    task.wanted &= model->quantities;
     return model_run(out, model->row, &task, status);
 }
 
@@ -219,5 +221,47 @@ enum status_code landmarks_solve(struct curve_summary *summary, const struct mod
     for (size_t s = 0; s < count; s++)
         if (searches[s].found)
             *results[s] = fmax(exp(searches[s].high), curve->points[0].load);
+    return STATUS_OK;
+}
+
+/** The mean at `count` of Gauss and Legendre's loads. */
+static enum status_code mean_beta(double *beta, const struct landmarks_curve *adjusted,
+                                  const struct landmarks_curve *multiscale, const double ends[2], size_t count,
+                                  double sigma_m, struct status *status)
+{
+    struct contact_point low[BETA_LOADS_MOST + 1], high[BETA_LOADS_MOST + 1];
+    struct model_curve a = {.points = low}, b = {.points = high};
+    double loads[BETA_LOADS_MOST], weights[BETA_LOADS_MOST];
+    gsl_integration_glfixed_table *table = gsl_integration_glfixed_table_alloc(count);
+    if (!table)
+        return status_memory(status);
+    for (size_t i = 0; i < count; i++) {
+        gsl_integration_glfixed_point(0, 1, i, &loads[i], &weights[i], table);
+        loads[i] = ends[0] * pow(ends[1] / ends[0], loads[i]);
+    }
+    gsl_integration_glfixed_table_free(table);
+    if (adjusted->evaluate(&a, loads, count, adjusted->context, status) != STATUS_OK ||
+        multiscale->evaluate(&b, loads, count, multiscale->context, status) != STATUS_OK)
+        return status->code;
+    *beta = a.count == count && b.count == count ? 0 : NAN;
+    for (size_t i = 0; i < count && isfinite(*beta); i++)
+        *beta += weights[i] * statistical_beta_multiscale(&low[i].separation_m, &high[i].separation_m, 1, sigma_m);
+    return STATUS_OK;
+}
+
+enum status_code landmarks_nearest_beta(double *beta, const struct landmarks_curve *adjusted,
+                                        const struct landmarks_curve *multiscale, double from, double to,
+                                        double sigma_m, struct status *status)
+{
+    const double ends[2] = {from, to};
+    double before = NAN;
+    *beta = NAN;
+    for (size_t count = BETA_LOADS_MOST / 4; to > from && count <= BETA_LOADS_MOST; count *= 2) {
+        if (mean_beta(beta, adjusted, multiscale, ends, count, sigma_m, status) != STATUS_OK)
+            return status->code;
+        if (fabs(*beta - before) <= adjusted->tolerance * fmax(1, fabs(*beta)))
+            break;
+        before = *beta;
+    }
     return STATUS_OK;
 }

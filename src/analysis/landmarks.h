@@ -17,6 +17,7 @@ struct landmarks_curve {
 struct landmarks_model {
     const struct model_row *row;
     struct model_task task; /* but its loads */
+    unsigned quantities;    /* of task.wanted those to compute */
 };
 MUST_CHECK enum status_code landmarks_run_model(struct model_curve *out, const double *loads, size_t count,
                                                 void *context, struct status *status);
@@ -32,5 +33,14 @@ extern const double landmarks_slope_step;
 MUST_CHECK enum status_code landmarks_solve(struct curve_summary *summary, const struct model_curve *curve,
                                             const struct model_row *row, const struct landmarks_curve *searched,
                                             struct status *status);
+
+/** The other estimate of beta (4.54), which brings delta_ADJ closest to the multiscale H in the mean square: the mean
+ * of 4 (H - delta/2)/sigma over ln P, from `from` to `to` = P/(A_n E'), below the full contact of the adjusted model.
+ * By Gauss and Legendre's 12, 24 and 48 loads, until two agree to the tolerance (of the greater of 1 and beta): where
+ * the elastic-plastic H has steps, 48 loads are the last word. NaN where `to` is not above `from`. Error:
+ * STATUS_MEMORY. */
+MUST_CHECK enum status_code landmarks_nearest_beta(double *beta, const struct landmarks_curve *adjusted,
+                                                   const struct landmarks_curve *multiscale, double from, double to,
+                                                   double sigma_m, struct status *status);
 
 #endif

@@ -34,7 +34,7 @@ struct work work_predict(const struct surface_summary *surfaces, size_t count, c
             if (!plan_runs_model(plan, m))
                 continue;
             struct model_work more = model_rows[m]->work(model_rows[m], &task);
-            more.searches++;
+            more.searches += surface_seeks_beta(plan, m) ? 2 : 1;
             model_work_add(share_of(&work, m), &more);
             model_work_add(share_of(&work, m),
                            &surfaces[i].models[m].bounds.repeats_work[plan_runs(plan, EFFECT_SCALE_DEPENDENT)]);

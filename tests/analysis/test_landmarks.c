@@ -2,7 +2,12 @@
 #include "analysis/landmarks.h"
 #include "support.h"
 
-enum { HARMONICS = 60, LOADS_MOST = 200 };
+enum {
+    HARMONICS = 60,
+    LOADS_MOST = 200,
+    QUANTITIES = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_SEPARATION) |
+                 QUANTITY_BIT(QUANTITY_ECR)
+};
 
 /* A tin surface that yields, and its task without loads. */
 struct fixture {
@@ -45,7 +50,7 @@ static struct curve_summary summarise(const struct fixture *f, const char *name,
     assert_int_equal(model_run(&curve, row, &task, &status), STATUS_OK);
     assert_true(curve.exists);
     curve_summary_make(&summary, &curve, row, f->asperities.sigma_m);
-    struct landmarks_model model = {row, task};
+    struct landmarks_model model = {row, task, QUANTITIES};
     const struct landmarks_curve searched = {landmarks_run_model, &model, task.tolerance};
     assert_int_equal(landmarks_solve(&summary, &curve, row, &searched, &status), STATUS_OK);
     return summary;
@@ -55,7 +60,7 @@ static struct curve_summary summarise(const struct fixture *f, const char *name,
 static struct contact_point at(const struct fixture *f, const char *name, double load)
 {
     static struct contact_point points[2];
-    struct landmarks_model model = {model_rows[model_named(name)], f->task};
+    struct landmarks_model model = {model_rows[model_named(name)], f->task, QUANTITIES};
     struct model_curve curve = {.points = points};
     struct status status = {0};
     assert_int_equal(landmarks_run_model(&curve, &load, 1, &model, &status), STATUS_OK);
@@ -135,12 +140,51 @@ static void the_first_load_and_none(void **state)
     assert_true(isnan(summarise(&f, "multiscale-elastic", 29, 5).elbow_load));
 }
 
+/* Against the mean at many loads: nearly the tolerance for the smooth curves, near it for the steps of the plastic one.
+ */
+static void the_nearest_beta(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *statistical, *multiscale;
+        double tolerance;
+    } pairs[] = {{"gw", "multiscale-elastic", 1e-5}, {"jg", "multiscale-plastic", 3e-3}};
+    enum { MANY = 4000 };
+    struct fixture f;
+    struct status status = {0};
+    make(&f);
+    for (int p = 0; p < 2; p++) {
+        struct landmarks_model own = {model_rows[model_named(pairs[p].statistical)], f.task, QUANTITIES},
+                               other = {model_rows[model_named(pairs[p].multiscale)], f.task, QUANTITIES};
+        const struct landmarks_curve a = {landmarks_run_model, &own, 1e-8}, b = {landmarks_run_model, &other, 1e-8};
+        double from = 1e-7, to = summarise(&f, pairs[p].statistical, 1e-9, 20).full_load, beta, sum = 0;
+        double *loads = malloc(MANY * sizeof *loads);
+        struct contact_point *low = malloc((MANY + 1) * sizeof *low), *high = malloc((MANY + 1) * sizeof *high);
+        struct model_curve low_curve = {.points = low}, high_curve = {.points = high};
+        assert_true(loads && low && high);
+        for (int i = 0; i < MANY; i++)
+            loads[i] = from * pow(to / from, (i + 0.5) / MANY);
+        assert_int_equal(landmarks_run_model(&low_curve, loads, MANY, &own, &status), STATUS_OK);
+        assert_int_equal(landmarks_run_model(&high_curve, loads, MANY, &other, &status), STATUS_OK);
+        for (int i = 0; i < MANY; i++)
+            sum += 4 * (high[i].separation_m - low[i].separation_m / 2) / f.asperities.sigma_m / MANY;
+        assert_int_equal(landmarks_nearest_beta(&beta, &a, &b, from, to, f.asperities.sigma_m, &status), STATUS_OK);
+        assert_within(beta, sum, pairs[p].tolerance * fmax(1, fabs(sum)));
+        assert_int_equal(landmarks_nearest_beta(&beta, &a, &b, to, from, f.asperities.sigma_m, &status), STATUS_OK);
+        assert_true(isnan(beta)); /* full from the first load on */
+        free(loads);
+        free(low);
+        free(high);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(landmarks_are_where_it_changes),
         cmocka_unit_test(the_list_of_loads_does_not_matter),
         cmocka_unit_test(the_first_load_and_none),
+        cmocka_unit_test(the_nearest_beta),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
