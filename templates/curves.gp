@@ -2,7 +2,7 @@
 #   call 'curves.gp' DATA OUTPUT TITLE XLABEL YLABEL LOGARITHMIC STYLES [AXES [UNSURE]]
 # LOGARITHMIC: 'xy', 'x', 'y' or ''. STYLES: one word a block of DATA: s1..s8 surfaces, two letters a model (models.gp), with `a` its
 # adjusted separation, with `S` scale-dependent, r1..r9 steps of a sweep; with x at its end the part of that curve outside
-# its range of validity, with b the band of repeated scans around it (rows x,low,high); these get no legend entry. meas:
+# its range of validity, with b the interval of the mean around it (rows x,low,high); these get no legend entry. meas:
 # measured points (rows x,y,low,high), joined in their order. AXES: 'A B C': the x axis holds at least A to B; the y axis ends a
 # little below C when the data go further down (0: it does not).
 # UNSURE: left of this x the chart is shaded.
@@ -47,7 +47,7 @@ do for [i = 1:BLOCKS] {
     if (ROWS[i] > 1 && !outside(w) && shape(w) > 0) { marked = marked . sprintf(' %d', i) }
 }
 note_outside = 'outside the range of validity'
-note_band = 'one standard deviation of the scans'
+note_band = '95 % interval of the mean'
 if (strlen(bands) && !text_mode) { count = count + 1; longest = most(longest, strlen(note_band)) }
 if (strlen(measured)) { count = count + 1; longest = most(longest, 8) }
 if (strlen(dashed)) { count = count + 1; longest = most(longest, strlen(note_outside)) }

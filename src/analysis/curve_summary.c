@@ -36,13 +36,22 @@ static bool is_touching(const struct contact_point *point, const struct model_ro
     return row->largest_area > 0 && point->area_ratio > row->largest_area;
 }
 
-size_t curve_summary_first_invalid(const struct model_curve *curve, const struct model_row *row)
+static bool is_valid(const struct contact_point *point, const struct model_row *row)
 {
-    size_t i = 0;
-    while (i < curve->count && !is_touching(&curve->points[i], row) &&
-           !(curve->points[i].beyond_fit > curve_summary_beyond_fit_share))
-        i++;
-    return i;
+    return !is_touching(point, row) && !(point->beyond_fit > curve_summary_beyond_fit_share);
+}
+
+struct curve_validity curve_summary_validity(const struct model_curve *curve, const struct model_row *row)
+{
+    struct curve_validity valid = {0, 0};
+    while (valid.first < curve->count && !is_valid(&curve->points[valid.first], row))
+        valid.first++;
+    if (valid.first == curve->count)
+        valid.first = 0;
+    valid.end = valid.first;
+    while (valid.end < curve->count && is_valid(&curve->points[valid.end], row))
+        valid.end++;
+    return valid;
 }
 
 double curve_summary_elbow_share(const struct curve_summary *model)
@@ -70,18 +79,17 @@ void curve_summary_make(struct curve_summary *model, const struct model_curve *c
         .yielding_scales = curve->yielding_scales,
         .clamped = curve->clamped,
         .work = curve->work,
-        .repeated_beta = model->repeated_beta,
-        .repeated_log_full_load = model->repeated_log_full_load,
         .bounds = model->bounds,
         .sensitivity = model->sensitivity,
         .seconds = model->seconds,
     };
+    struct curve_validity valid = curve_summary_validity(curve, row);
     fit_area_slope(model, curve);
     for (size_t i = 0; i < curve->count; i++) {
         const struct contact_point *point = &curve->points[i], *before = i > 0 ? point - 1 : NULL;
         if (isnan(model->invalid_area_load) && is_touching(point, row))
             model->invalid_area_load = point->load;
-        if (isnan(model->invalid_fit_load) && point->beyond_fit > curve_summary_beyond_fit_share)
+        if (i >= valid.first && isnan(model->invalid_fit_load) && point->beyond_fit > curve_summary_beyond_fit_share)
             model->invalid_fit_load = point->load;
         model->most_beyond_fit = fmax(model->most_beyond_fit, point->beyond_fit);
         model->most_radius_clamped = fmax(model->most_radius_clamped, point->radius_clamped);

@@ -8,9 +8,9 @@
 
 /** What is known of a model on a surface before it runs. */
 struct curve_bounds {
-    double yield;                      /* model_row.yield_bound: of the surface, its scans alone and its extension */
-    double scale_dependence;           /* model_row.scale_dependence_bound */
-    struct model_work repeats_work[2]; /* what the scans run alone will take: without and with scale dependence */
+    double yield;              /* model_row.yield_bound: of the surface, its scans alone and its extension */
+    double scale_dependence;   /* model_row.scale_dependence_bound */
+    struct model_work work[2]; /* what the scans will take: without and with scale dependence */
     struct model_work sensitivity_work;
 };
 
@@ -25,17 +25,19 @@ struct curve_summary {
                                  load: there or below */
     double sd_least, sd_most; /* TCR_sd/TCR - 1 over the curve */
     double invalid_area_load; /* first load beyond the model's largest valid area; NaN: none */
-    double invalid_fit_load;  /* first load with over 10 % of it beyond the fitted range; NaN: none */
-    double most_beyond_fit;   /* largest share of the load beyond the fitted range */
-    double gap_at_full;       /* separation/sigma as shown, at the load of A = A_n */
-    double area_low;          /* A/A_n at the lowest load */
+    double
+        invalid_fit_load;   /* first load from a valid one on with over 10 % of it beyond the fitted range; NaN: none */
+    double most_beyond_fit; /* largest share of the load beyond the fitted range */
+    double gap_at_full;     /* separation/sigma as shown, at the load of A = A_n */
+    double area_low;        /* A/A_n at the lowest load */
     size_t yielding_scales;
     uint64_t clamped;           /* visits in which the published plastic area was cut off at 1 */
     double most_radius_clamped; /* largest share of the load on asperities whose a/R is clamped to 1 */
     struct model_work work;
     bool extended; /* the fitted power law was carried on below the sampling limit */
     struct convergence_extension extension;
-    struct repeats_number repeated_beta, repeated_log_full_load; /* over the scans run alone */
+    struct estimate full_load_estimate, beta_estimate; /* over the scans run alone */
+    struct estimate middle[QUANTITY_COUNT];            /* at the middle load, as shown: area, separation, ECR, TCR */
     struct sensitivity_factors sensitivity;
     double seconds; /* that the curve took */
 };
@@ -45,8 +47,12 @@ extern const double curve_summary_elbow_slope;
 /** Share of the load beyond a law's fitted range from which a curve is drawn as outside its validity. */
 extern const double curve_summary_beyond_fit_share;
 
-/** First point of a curve that is outside the model's validity; curve->count when all are inside. */
-size_t curve_summary_first_invalid(const struct model_curve *curve, const struct model_row *row);
+/** Points of a curve inside the model's validity: from `first` to before `end`, which are the same when none is. Light
+ * loads may be outside too (contacting slopes: too few points touch). */
+struct curve_validity {
+    size_t first, end;
+};
+struct curve_validity curve_summary_validity(const struct model_curve *curve, const struct model_row *row);
 
 /** The elbow as a share of the load to full contact; NaN: none, or at the first load or below. */
 double curve_summary_elbow_share(const struct curve_summary *model);

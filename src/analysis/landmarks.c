@@ -58,7 +58,14 @@ enum status_code landmarks_run_model(struct model_curve *out, const double *load
     task.loads = loads;
     task.load_count = count;
     task.wanted &= model->quantities;
-    return model_run(out, model->row, &task, status);
+    if (!repeats_several(model->repeats, model->row))
+        return model_run(out, model->row, &task, status);
+    struct repeats_result result = {.band = repeats_band_make(loads, count)};
+    if (!result.band)
+        return status_memory(status);
+    enum status_code rc = repeats_model(out, &result, model->repeats, model->row, &task, status);
+    free(result.band);
+    return rc;
 }
 
 static void add_trial(struct search *search, double x)

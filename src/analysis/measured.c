@@ -188,7 +188,7 @@ static bool answers(const struct measured *measured, size_t m, size_t load_count
 }
 
 enum status_code measured_work(struct model_work *out, const struct measured *measured, size_t m,
-                               const struct model_task *task, struct status *status)
+                               const struct model_task *task, const struct repeat_set *scans, struct status *status)
 {
     double *loads = malloc(measured->count * sizeof *loads);
     *out = (struct model_work){0};
@@ -197,7 +197,8 @@ enum status_code measured_work(struct model_work *out, const struct measured *me
     size_t count = loads_within(loads, measured, task);
     struct model_task asked = task_at(measured, task, loads, count);
     if (answers(measured, m, count))
-        *out = model_rows[m]->work(model_rows[m], &asked);
+        *out = repeats_several(scans, model_rows[m]) ? repeats_work(scans, model_rows[m], &asked)
+                                                     : model_rows[m]->work(model_rows[m], &asked);
     free(loads);
     return STATUS_OK;
 }
@@ -211,8 +212,22 @@ static double resistance_at(const struct model_curve *curve, double load, enum q
     return NAN;
 }
 
+/** One model at the loads of the task, as surface_run_models() has it. */
+static enum status_code run_model(struct model_curve *curve, const struct model_row *model,
+                                  const struct model_task *task, const struct repeat_set *scans, struct status *status)
+{
+    if (!repeats_several(scans, model))
+        return model_run(curve, model, task, status);
+    struct repeats_result result = {.band = repeats_band_make(task->loads, task->load_count)};
+    if (!result.band)
+        return status_memory(status);
+    enum status_code rc = repeats_model(curve, &result, scans, model, task, status);
+    free(result.band);
+    return rc;
+}
+
 enum status_code measured_answer(struct measured_answers *out, const struct measured *measured, uint64_t models,
-                                 const struct model_task *task, struct status *status)
+                                 const struct model_task *task, const struct repeat_set *scans, struct status *status)
 {
     double *loads = malloc(measured->count * sizeof *loads);
     struct contact_point *points = malloc((measured->count + 1) * sizeof *points);
@@ -225,7 +240,7 @@ enum status_code measured_answer(struct measured_answers *out, const struct meas
     for (size_t m = 0; m < model_count && rc == STATUS_OK; m++) {
         struct model_curve curve = {.points = points};
         if ((models & MODEL_BIT(m)) && answers(measured, m, count))
-            rc = model_run(&curve, model_rows[m], &asked, status);
+            rc = run_model(&curve, model_rows[m], &asked, scans, status);
         out->work[m] = curve.work;
         for (size_t i = 0; i < measured->count; i++)
             out->resistance[m * measured->count + i] = resistance_at(&curve, measured->load[i], quantity_of(measured));

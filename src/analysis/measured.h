@@ -3,6 +3,7 @@
 #define ANALYSIS_MEASURED_H
 
 #include "analysis/plan.h"
+#include "analysis/repeats.h"
 #include "base/unit.h"
 #include "contact/model.h"
 
@@ -24,12 +25,15 @@ struct measured_answers {
 };
 
 /** Work of model `m` at the measured loads: what measured_answer() will take. `task` is that of the surface; of its
- * arrays only the loads are needed. Error: STATUS_MEMORY. */
+ * arrays only the loads are needed, and of its scans (`scans`) the lengths. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code measured_work(struct model_work *out, const struct measured *measured, size_t m,
-                                          const struct model_task *task, struct status *status);
-/** Runs the set `models` at the measured loads themselves. Error: STATUS_MEMORY. */
+                                          const struct model_task *task, const struct repeat_set *scans,
+                                          struct status *status);
+/** Runs the set `models` at the measured loads themselves, on every scan as the surface's curve. Error: STATUS_MEMORY.
+ */
 MUST_CHECK enum status_code measured_answer(struct measured_answers *out, const struct measured *measured,
-                                            uint64_t models, const struct model_task *task, struct status *status);
+                                            uint64_t models, const struct model_task *task,
+                                            const struct repeat_set *scans, struct status *status);
 void measured_answers_free(struct measured_answers *answers);
 
 /** How far a model is from the measurements, over the loads that it answers. */

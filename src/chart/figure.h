@@ -14,6 +14,7 @@ enum figure_kind {
     FIGURE_SPECTRA,
     FIGURE_BENCHMARK,   /* error against time */
     FIGURE_SENSITIVITY, /* the baseline against the shortest wavelength included, all models */
+    FIGURE_PROBABILITY, /* heights against their normal scores, of surfaces on which a model uses them */
 };
 
 /** One row a figure, or a figure a model. */

@@ -1,10 +1,9 @@
 #include "cli/inspection.h"
+#include "base/text.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-
-static const double all_wavelengths[2] = {0, INFINITY};
 
 static enum status_code look_at_map(struct inspection *out, struct status *status)
 {
@@ -56,21 +55,45 @@ static enum status_code look_at_profile(struct inspection *out, struct status *s
     if (compute_parameters(out, status) != STATUS_OK)
         return status->code;
     return spectrum_compute(&out->spectrum, profile->height_m, profile->points, profile->spacing_m,
-                            SPECTRUM_WINDOW_NONE, status);
+                            spectrum_window_for(SPECTRUM_WINDOW_AUTO, profile->periodic), status);
+}
+
+/** The law as a report would fit it. */
+static enum status_code fit_law(struct inspection *out, struct status *status)
+{
+    const struct profile_options *options = &out->options;
+    bool map = out->scan.kind == SCAN_AREAL; /* which no filter has cut */
+    const double cut[2] = {map ? 0 : options->lambda_s_m,
+                           !map && options->lambda_c_m > 0 ? options->lambda_c_m : INFINITY};
+    if (out->fit == POWER_LAW_THESIS) {
+        out->power_law = power_law_fit(&out->spectrum, cut);
+        return STATUS_OK;
+    }
+    const struct power_law_scans_def def = {map ? 0 : options->lambda_s_m, NULL};
+    const struct profile *profile = &out->profile;
+    struct power_law_scans single = {0}, *scans = map ? &out->areal.scans : &single;
+    enum status_code code = STATUS_OK;
+    if (!map)
+        code = power_law_scans_add(&single, profile->height_m, profile->points, profile->spacing_m, profile->digit_m,
+                                   status);
+    if (code == STATUS_OK)
+        code = power_law_scans_fit(&out->band, scans, &def, status);
+    out->power_law = power_law_of_band(&out->band);
+    power_law_scans_free(&single);
+    return code;
 }
 
 enum status_code inspection_make(struct inspection *out, const char *path, const struct scan_options *units,
-                                 const struct profile_options *options, struct status *status)
+                                 const struct profile_options *options, enum power_law_method fit,
+                                 struct status *status)
 {
-    *out = (struct inspection){.options = *options};
+    *out = (struct inspection){.options = *options, .fit = fit};
     if (scan_read(&out->scan, path, units, status) != STATUS_OK)
         return status->code;
     enum status_code code = out->scan.kind == SCAN_AREAL ? look_at_map(out, status) : look_at_profile(out, status);
-    if (code != STATUS_OK)
-        return status_prefix(status, "%s", path);
-    double cut[2] = {options->lambda_s_m, options->lambda_c_m > 0 ? options->lambda_c_m : INFINITY};
-    out->power_law = power_law_fit(&out->spectrum, out->scan.kind == SCAN_AREAL ? all_wavelengths : cut);
-    return STATUS_OK;
+    if (code == STATUS_OK)
+        code = fit_law(out, status);
+    return code == STATUS_OK ? STATUS_OK : status_prefix(status, "%s", path);
 }
 
 void inspection_free(struct inspection *inspection)
@@ -92,7 +115,8 @@ double inspection_length_m(const struct inspection *inspection)
     return (double)(points - 1) * inspection_spacing_m(inspection);
 }
 
-const char *inspection_warning(const struct inspection *inspection, size_t i)
+/** Warnings of scan and profile in one row; NULL beyond the last. */
+static const char *warning_at(const struct inspection *inspection, size_t i)
 {
     if (i < inspection->scan.warning_count)
         return inspection->scan.warnings[i];
@@ -103,6 +127,16 @@ const char *inspection_warning(const struct inspection *inspection, size_t i)
 static json_t *real(double value)
 {
     return isfinite(value) ? json_real(value) : json_null();
+}
+
+/** Text as it may be shown: JSON is UTF-8, a file name need not be. */
+json_t *inspection_text(const char *value)
+{
+    struct text shown = {0};
+    text_add_shown(&shown, value);
+    json_t *json = json_string(text_string(&shown));
+    text_free(&shown);
+    return json;
 }
 
 static void add_real(json_t *object, const char *key, double value)
@@ -131,11 +165,32 @@ static void add_parameters(json_t *object, const struct parameters *parameters)
 void inspection_add_json(json_t *object, const struct inspection *inspection)
 {
     const struct profile_options *options = &inspection->options;
-    if (inspection->scan.kind == SCAN_AREAL) {
-        json_object_set_new(object, "nx", json_integer((json_int_t)inspection->scan.nx));
-        json_object_set_new(object, "ny", json_integer((json_int_t)inspection->scan.ny));
-        add_real(object, "dx_m", inspection->scan.dx_m);
-        add_real(object, "dy_m", inspection->scan.dy_m);
+    const struct scan *scan = &inspection->scan;
+    const struct roughness *r = &inspection->roughness;
+    json_t *said = json_pack("{s:s, s:s, s:I, s:o, s:o, s:s, s:s, s:I}", "format", scan->format, "kind",
+                             scan->kind == SCAN_AREAL ? "areal" : "profile", "points",
+                             (json_int_t)(scan->nx * scan->ny), "spacing_m", real(inspection_spacing_m(inspection)),
+                             "length_m", real(inspection_length_m(inspection)), "x_unit", scan->x_unit, "z_unit",
+                             scan->z_unit, "missing", (json_int_t)scan->missing);
+    json_object_update(object, said);
+    json_decref(said);
+    add_real(object, "rq_m", r->rq_m);
+    add_real(object, "ra_m", r->ra_m);
+    add_real(object, "pv_m", r->pv_m);
+    add_real(object, "m2", r->m2);
+    add_real(object, "m4_per_m2", r->m4_per_m2);
+    add_real(object, "alpha_SI", inspection->power_law.alpha);
+    add_real(object, "gamma", inspection->power_law.gamma);
+    json_t *warnings = json_array();
+    const char *warning;
+    for (size_t w = 0; (warning = warning_at(inspection, w)); w++)
+        json_array_append_new(warnings, inspection_text(warning));
+    json_object_set_new(object, "warnings", warnings);
+    if (scan->kind == SCAN_AREAL) {
+        json_object_set_new(object, "nx", json_integer((json_int_t)scan->nx));
+        json_object_set_new(object, "ny", json_integer((json_int_t)scan->ny));
+        add_real(object, "dx_m", scan->dx_m);
+        add_real(object, "dy_m", scan->dy_m);
         add_real(object, "sq_m", inspection->areal.sq_m);
         add_real(object, "sa_m", inspection->areal.sa_m);
         add_real(object, "sz_m", inspection->areal.sz_m);
@@ -160,28 +215,96 @@ static void print_parameters(const struct parameters *parameters)
         bool length = strcmp(row->unit, "m") == 0, ratio = strncmp(row->name, "mrk", 3) == 0;
         if (p % 8 == 0)
             printf(p == 0 ? "  parameters  " : "\n              ");
-        double value = parameters->value[p];
+        double value = parameters->value[p], scale = length ? 1e6 : ratio ? 100 : 1;
         if (isnan(value))
             printf("%c%s - ", parameters->letter, row->name);
         else
-            printf("%c%s %.5g%s ", parameters->letter, row->name,
-                   value * (length  ? 1e6
-                            : ratio ? 100
-                                    : 1),
-                   ratio ? "%" : "");
+            printf("%c%s %.5g%s ", parameters->letter, row->name, value * scale, ratio ? "%" : "");
     }
     printf("\n              lengths in um, over %.6g mm in %zu sampling length%s, slope %s\n",
            parameters->evaluation_length_m * 1e3, parameters->sampling_lengths,
            parameters->sampling_lengths == 1 ? "" : "s", parameters_slope);
 }
 
-void inspection_print(const struct inspection *inspection)
+/** A line of text that may be hostile. */
+static void print_shown(const char *before, const char *hostile)
 {
-    if (inspection->scan.kind == SCAN_AREAL)
-        printf("  plane out   Sq %.6g um, Sa %.6g um, Sz %.6g um; below: rows, each over its line\n",
-               inspection->areal.sq_m * 1e6, inspection->areal.sa_m * 1e6, inspection->areal.sz_m * 1e6);
-    if (inspection->has_parameters)
-        print_parameters(&inspection->primary);
-    if (inspection->has_filtered)
-        print_parameters(&inspection->filtered);
+    struct text shown = {0};
+    text_add_shown(&shown, hostile);
+    printf("%s%s\n", before, text_string(&shown));
+    text_free(&shown);
+}
+
+/** Knees and lines, behind the law. */
+static void print_spectrum(const struct power_law_band *band)
+{
+    bool first = true;
+    for (size_t k = 0; k + 1 < band->pieces; k++, first = false)
+        printf("%s%.3g um", first ? "              knees at " : ", ", band->knee_m[k] * 1e6);
+    printf("%s", first ? "" : "\n");
+    double line_m[LOG_BIN_MOST];
+    size_t lines = power_law_band_lines(line_m, band);
+    for (size_t i = 0; i < lines; i++)
+        printf("%s%.3g um", i == 0 ? "              lines at " : ", ", line_m[i] * 1e6);
+    printf("%s", lines == 0 ? "" : "\n");
+}
+
+static void print_law(const struct inspection *f)
+{
+    const struct power_law *law = &f->power_law;
+    if (f->fit == POWER_LAW_THESIS && isnan(law->gamma)) {
+        printf("  power law   - (%s)\n",
+               law->harmonics < 3 ? "it takes 3 harmonics" : "alpha leaves the range of numbers");
+    } else if (f->fit == POWER_LAW_THESIS) {
+        printf("  power law   alpha %.4g +- %.2g, gamma %.3f +- %.3f, scatter %.3f decades\n", law->alpha,
+               law->alpha_error, law->gamma, law->gamma_error, law->misfit_decades);
+    } else if (law->found == POWER_LAW_BAND_NONE) {
+        printf("  power law   - (no power law found)\n");
+    } else {
+        printf("  power law   gamma %.3f +- %.3f from %.3g to %.3g um%s, misfit %.2g decades\n", law->gamma,
+               law->gamma_error, law->band_m[0] * 1e6, law->band_m[1] * 1e6,
+               law->found == POWER_LAW_BAND_NARROW ? " (narrow)" : "", law->misfit_decades);
+        printf("              rms amplitude %.4g um x/: %.3g at %.3g um, C %.3g m3; alpha %.3g follows\n",
+               law->amplitude_m * 1e6, pow(10, law->amplitude_error_decades), law->wavelength_m * 1e6, law->psd_m3,
+               law->alpha);
+    }
+    print_spectrum(&f->band);
+}
+
+void inspection_print(const char *path, const struct inspection *f)
+{
+    const struct roughness *r = &f->roughness;
+    static const char *const grids[] = {"uniform", "rounded x, nominal spacing used", "uneven x, interpolated"};
+    static const char *const level_labels[LEVEL_COUNT] = {"as it is",     "mean out", "line out",
+                                                          "parabola out", "arc out",  "robust line"};
+    enum level level = f->options.periodic_mean && f->profile.periodic ? LEVEL_MEAN : f->options.level;
+    print_shown("", path);
+    printf("  format      %s, x in %s, z in %s\n", f->scan.format, f->scan.x_unit, f->scan.z_unit);
+    if (f->scan.kind == SCAN_AREAL)
+        printf("  points      %zu x %zu, spacing %.6g um x %.6g um, %zu missing\n"
+               "  plane out   Sq %.6g um, Sa %.6g um, Sz %.6g um; below: rows, each over its line\n",
+               f->scan.nx, f->scan.ny, f->scan.dx_m * 1e6, f->scan.dy_m * 1e6, f->scan.missing, f->areal.sq_m * 1e6,
+               f->areal.sa_m * 1e6, f->areal.sz_m * 1e6);
+    else
+        printf("  points      %zu, spacing %.6g um (%s), length %.6g mm\n"
+               "  %-11s tilt %.4g um/mm, end-to-end jump left %.4g um%s\n",
+               f->scan.nx, f->profile.spacing_m * 1e6, grids[f->profile.grid], inspection_length_m(f) * 1e3,
+               level_labels[level], f->profile.tilt * 1e3, f->profile.end_jump_m * 1e6,
+               f->profile.periodic ? ", periodic" : "");
+    if (f->has_parameters)
+        print_parameters(&f->primary);
+    if (f->has_filtered)
+        print_parameters(&f->filtered);
+    printf("  roughness   Rq %.6g um, Ra %.6g um, peak to valley %.6g um\n", r->rq_m * 1e6, r->ra_m * 1e6,
+           r->pv_m * 1e6);
+    printf("  moments     m2 %.6g, m4 %.6g /um2, ", r->m2, r->m4_per_m2 * 1e-12);
+    double nayak = roughness_nayak(r);
+    if (isnan(nayak))
+        printf("Nayak - (no slope from a point to the next but one)\n");
+    else
+        printf("Nayak %.4g\n", nayak);
+    print_law(f);
+    const char *warning;
+    for (size_t w = 0; (warning = warning_at(f, w)); w++)
+        print_shown("  note        ", warning);
 }

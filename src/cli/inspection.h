@@ -6,7 +6,7 @@
 #include "scan/scan.h"
 #include "spectrum/areal.h"
 #include "spectrum/parameters.h"
-#include "spectrum/power_law.h"
+#include "spectrum/power_law_scans.h"
 #include "spectrum/roughness.h"
 
 #include <jansson.h>
@@ -19,7 +19,9 @@ struct inspection {
     struct areal areal;       /* its spectrum is moved to `spectrum` */
     struct spectrum spectrum; /* count 0: a map without one complete row */
     struct roughness roughness;
+    struct power_law_band band; /* fit: auto */
     struct power_law power_law;
+    enum power_law_method fit;
     struct parameters primary, filtered; /* P; R where lambda_c is given */
     bool has_parameters, has_filtered;
     struct profile_options options;
@@ -27,18 +29,19 @@ struct inspection {
 
 /** Reads and looks at a file. Owned: inspection_free(), whatever comes back. Errors: those of the stages. */
 MUST_CHECK enum status_code inspection_make(struct inspection *out, const char *path, const struct scan_options *units,
-                                            const struct profile_options *options, struct status *status);
+                                            const struct profile_options *options, enum power_law_method fit,
+                                            struct status *status);
 void inspection_free(struct inspection *inspection);
 
 /** Spacing along x [m] and first to last point [m]. */
 double inspection_spacing_m(const struct inspection *inspection);
 double inspection_length_m(const struct inspection *inspection);
-/** Warnings of scan and profile in one row; NULL beyond the last. */
-const char *inspection_warning(const struct inspection *inspection, size_t i);
 
-/** Adds what a map has beyond a profile, and the object "parameters". */
+/** `hostile` as it may be shown: JSON is UTF-8, a file name need not be. */
+json_t *inspection_text(const char *hostile);
+/** Adds what was found out to an object. */
 void inspection_add_json(json_t *object, const struct inspection *inspection);
 /** Prints the same as lines of text. */
-void inspection_print(const struct inspection *inspection);
+void inspection_print(const char *path, const struct inspection *inspection);
 
 #endif

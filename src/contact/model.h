@@ -47,7 +47,7 @@ struct model_curve {
     double full_load;          /* P/(A_n E') at which A = A_n; NaN: the model does not say */
     double closed_load;        /* at which the (adjusted) separation is 0; NaN: the model does not say */
     double beta;               /* of the adjusted separation, else NaN */
-    struct contact_point full; /* at full_load itself */
+    struct contact_point full; /* at full_load itself; all NaN where that is */
     size_t yielding_scales;    /* plastic, stacked scales: those that can yield; else 0 */
     uint64_t clamped;          /* the same: visits in which the published area was limited: see multiscale_solve() */
     struct model_work work;

@@ -97,6 +97,12 @@ bool section_extended(const struct section_context *context)
     return false;
 }
 
+const char *section_law(size_t model, const char *plastic)
+{
+    const struct model_row *row = model_rows[model];
+    return row->thesis_place == 0 ? row->label : row->plastic ? plastic : "elastic";
+}
+
 bool section_computes(const struct section_context *context, enum quantity quantity)
 {
     return plan_quantities(context->results->plan) & QUANTITY_BIT(quantity);
@@ -190,6 +196,22 @@ void section_each_surface(struct text *out, const struct section_context *contex
         }
     if (rows < context->results->usable_count)
         text_add(out, "| … %zu more in data/ |\n", context->results->usable_count - rows);
+}
+
+void section_interval(struct text *out, const struct estimate *estimate, double scale, int digits)
+{
+    number_format(out, estimate->count > 0 ? scale * estimate_value(estimate) : NAN, digits);
+    if (estimate->count == 0 || isnan(estimate->half_width))
+        return;
+    number_format_between(out, " (", scale * estimate_end(estimate, 0), digits, "…");
+    number_format_between(out, "", scale * estimate_end(estimate, 1), digits, ")");
+}
+
+void section_factor(struct text *out, const struct estimate *estimate, double half_width)
+{
+    bool known = estimate->count > 0 && isfinite(half_width);
+    text_add(out, "%s", !known ? "" : estimate->logarithmic ? "×÷ " : "± ");
+    number_format(out, !known ? NAN : estimate->logarithmic ? exp(half_width) : half_width, 3);
 }
 
 void section_cell(struct text *out, double value, int digits)

@@ -54,6 +54,8 @@ size_t section_not_gaussian(const struct section_context *context);
 size_t section_heights_model(const struct section_context *context);
 /** Was any surface's fitted power law carried on below its sampling limit? */
 bool section_extended(const struct section_context *context);
+/** "elastic" or `plastic` for a model of the thesis where its family is understood; any other goes by its label. */
+const char *section_law(size_t model, const char *plastic);
 /** Does a model run that computes this quantity? */
 bool section_computes(const struct section_context *context, enum quantity quantity);
 
@@ -83,6 +85,11 @@ void section_each_surface(struct text *out, const struct section_context *contex
                           void (*row)(struct text *out, const struct section_context *context, size_t index));
 /** A number of the scene, as it stands there, between two texts. */
 void section_given(struct text *out, const char *before, double value, const char *after);
+/** "0.24 (0.21…0.27)": a number and its 95 % interval; "–" where nothing is known of it, the number alone where it has
+ * no interval. */
+void section_interval(struct text *out, const struct estimate *estimate, double scale, int digits);
+/** "×÷ 1.2", or "± 0.3" of a number that is not logarithmic. */
+void section_factor(struct text *out, const struct estimate *estimate, double half_width);
 /** One more cell of a row. */
 void section_cell(struct text *out, double value, int digits);
 /** The same for a load. */

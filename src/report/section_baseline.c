@@ -243,7 +243,7 @@ static void electrical_text(struct text *out, const struct section_context *cont
         number_format_between(out, first ? "Multiscale and statistical curves lie " : "; ", gap->ecr, 2, "");
         number_format_between(out, first ? " decades apart in ECR and " : " and ", gap->area, 2,
                               first ? " in area" : "");
-        text_add(out, " (%s)", model_rows[m]->plastic ? "plastic" : "elastic");
+        text_add(out, " (%s)", section_law(m, "plastic"));
         first = false;
     }
     text_add(out, "%s", first ? "" : ".");

@@ -376,7 +376,9 @@ static enum verdict check_gamma(struct text *out, const struct section_context *
     size_t fitted = 0, diverging = 0, knees = 0;
     for (size_t k = 0; k < context->results->usable_count; k++) {
         const struct surface_summary *summary = section_smoothest(context, k);
-        fitted += isfinite(summary->power_law.gamma);
+        if (!power_law_holds(&summary->power_law))
+            continue;
+        fitted++;
         knees += isfinite(summary->power_law.knee_m);
         diverging += surface_diverges(summary);
     }
@@ -397,7 +399,7 @@ static enum verdict check_gamma(struct text *out, const struct section_context *
         text_add(out, " at P/(Aₙ E′) = ");
         number_format_power(out, context->results->scene->convergence.load, 3);
     }
-    return verdict_of(fitted - diverging, fitted);
+    return fitted == 0 ? VERDICT_NOT_TESTED : verdict_of(fitted - diverging, fitted);
 }
 
 static enum verdict check_convergence(struct text *out, const struct section_context *context)
@@ -420,7 +422,7 @@ static enum verdict check_convergence(struct text *out, const struct section_con
         text_add(out, "%s%s: settled for %zu of %zu α, %zu of %zu γ ≥ 1 and %zu of %zu γ < 1",
                  all > convergence_sweeps[CONVERGENCE_ALPHA].count + convergence_sweeps[CONVERGENCE_GAMMA].count ? "; "
                                                                                                                  : "",
-                 model_rows[m]->plastic ? "elastic-plastic" : "elastic", converged[CONVERGENCE_ALPHA],
+                 section_law(m, "elastic-plastic"), converged[CONVERGENCE_ALPHA],
                  convergence_sweeps[CONVERGENCE_ALPHA].count, converged[CONVERGENCE_GAMMA],
                  convergence_sweeps[CONVERGENCE_GAMMA].count - below, converged_below, below);
     }
@@ -649,7 +651,8 @@ static enum verdict check_gamma_rank(struct text *out, const struct section_cont
     for (size_t k = 1; k < context->results->usable_count; k++) {
         const struct power_law *smooth = &section_smoothest(context, k - 1)->power_law,
                                *rough = &section_smoothest(context, k)->power_law;
-        count_fall(&tally, smooth->gamma, smooth->gamma_error, rough->gamma, rough->gamma_error, 0);
+        if (power_law_holds(smooth) && power_law_holds(rough))
+            count_fall(&tally, smooth->gamma, smooth->gamma_error, rough->gamma, rough->gamma_error, 0);
     }
     tell_falls(out, "γ", &tally);
     return verdict_of_tally(&tally);

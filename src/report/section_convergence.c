@@ -9,14 +9,6 @@ static bool sweeps(const struct section_context *context, size_t m)
     return plan_runs_model(context->results->plan, m) && model_rows[m]->stacks_scales;
 }
 
-/** The thesis's two stacks go by their material law, any other by its label. */
-static const char *law_name(size_t m)
-{
-    if (model_rows[m]->thesis_place == 0)
-        return model_rows[m]->label;
-    return model_rows[m]->plastic ? "elastic-plastic" : "elastic";
-}
-
 /** One law's line of the convergence study: for which α, and from which γ up, the area settles. */
 static void sweeps_text(struct text *out, const struct results *results, size_t m)
 {
@@ -27,7 +19,7 @@ static void sweeps_text(struct text *out, const struct results *results, size_t 
         settled += comparison_converges(results, CONVERGENCE_ALPHA, m, v);
     while (from > 0 && comparison_converges(results, CONVERGENCE_GAMMA, m, from - 1))
         from--;
-    text_add(out, "- %s: for %zu of %zu α and for ", law_name(m), settled, alphas->count);
+    text_add(out, "- %s: for %zu of %zu α and for ", section_law(m, "elastic-plastic"), settled, alphas->count);
     if (from == gammas->count)
         text_add(out, "no γ.\n");
     else
@@ -87,7 +79,7 @@ static void extension_table(struct text *out, const struct section_context *cont
     text_add(&rule, "|---|---:|---:|");
     for (size_t m = 0; m < model_count; m++)
         if (sweeps(context, m)) {
-            text_add(out, " | A/Aₙ %s | further fall (%%)", law_name(m));
+            text_add(out, " | A/Aₙ %s | further fall (%%)", section_law(m, "elastic-plastic"));
             text_add(&rule, "---:|---:|");
         }
     text_add(out, " |\n%s\n", text_string(&rule));

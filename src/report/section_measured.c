@@ -10,7 +10,7 @@ static void write(struct text *out, const struct section_context *context)
 {
     const struct measured *measured = context->results->measured;
     text_add(out, "## Measured contact resistance\n\nDistance of each model from the measurements on ");
-    section_named(out, "Surface ", context->results, context->results->baseline);
+    section_named(out, "surface ", context->results, context->results->baseline);
     text_add(out, ": root mean square and mean of log₁₀(model/measured), each model evaluated at the measured loads "
                   "themselves. Measured loads were given in ");
     text_add_markdown(out, measured->load_unit);

@@ -74,77 +74,134 @@ static void at_middle(struct text *out, const struct section_context *context)
     text_add(out, ".\n");
 }
 
-/** What surfaces are ranked by: the resistance asked for, else the area. */
-static enum quantity criterion(const struct section_context *context)
+/** " (×0.71, 95 % 0.60…0.84, p = 0.003, 3 and 3 scans)": of the better place i over the worse j. */
+static void pair_text(struct text *out, const struct section_context *context, size_t i, size_t j)
 {
-    return section_computes(context, QUANTITY_ECR)   ? QUANTITY_ECR
-           : section_computes(context, QUANTITY_TCR) ? QUANTITY_TCR
-                                                     : QUANTITY_AREA;
-}
-
-static size_t best_of(const struct comparison_extremes *extremes, enum quantity quantity)
-{
-    return quantity == QUANTITY_AREA ? extremes->most_at : extremes->least_at;
-}
-
-/** The surface next to the best in the leading model. */
-static size_t second_of(const struct section_context *context, size_t best, enum quantity quantity)
-{
-    const struct comparison *study = context->comparison;
-    double second = NAN;
-    size_t at = best;
-    for (size_t i = 0; i < context->results->store->count; i++) {
-        double value = comparison_value(&study->middle[i], quantity, study->leading,
-                                        section_surface(context, i)->asperities.sigma_m);
-        if (i == best || isnan(study->middle[i].load) || isnan(value))
-            continue;
-        if (isnan(second) || (quantity == QUANTITY_AREA ? value > second : value < second)) {
-            second = value;
-            at = i;
-        }
+    const struct comparison_ranking *ranking = &context->comparison->ranking;
+    const struct comparison_pair *pair = comparison_pair_of(ranking, i, j);
+    size_t leading = context->comparison->leading;
+    number_format_between(out, " (×", pair->ratio, 3, "");
+    if (pair->test == COMPARISON_NOT_TESTED) {
+        text_add(out, ", not tested)");
+        return;
     }
-    return at;
+    number_format_between(out, ", 95 % ", pair->low, 3, "…");
+    number_format(out, pair->high, 3);
+    if (pair->test == COMPARISON_WELCH)
+        text_add(out, pair->p < 1e-4 ? ", p < 0.0001" : ", p = %.2g", pair->p);
+    size_t counts[2];
+    for (int k = 0; k < 2; k++)
+        counts[k] =
+            section_surface(context, ranking->surface[k ? j : i])->models[leading].middle[ranking->criterion].count;
+    if (counts[0] == 1 && counts[1] == 1)
+        text_add(out, ", one scan each)");
+    else
+        text_add(out, ", %zu and %zu %s)", counts[0], counts[1],
+                 section_surface(context, ranking->surface[i])->repeats.scans == 1 ? "scans or blocks of rows"
+                                                                                   : "scans");
 }
 
-/** "surface 4, the worst, has 7.5 times its ECR". */
-static void versus(struct text *out, const struct section_context *context, double best, size_t other, const char *rank,
-                   enum quantity quantity)
+/** "surface 2": at place i. */
+static void place(struct text *out, const char *before, const struct section_context *context, size_t i)
 {
-    double value = comparison_value(&context->comparison->middle[other], quantity, context->comparison->leading, 1);
-    text_add(out, " ");
-    section_named(out, "surface ", context->results, other);
-    number_format_between(out, rank, value / best, 3, "");
-    text_add(out, " times its %s", quantity_rows[quantity].short_symbol);
+    text_add(out, "%s", before);
+    section_named(out, "surface ", context->results, context->comparison->ranking.surface[i]);
 }
 
+/** The best one, told apart from all others. */
 static void best_surface(struct text *out, const struct section_context *context)
 {
     const struct comparison *study = context->comparison;
-    enum quantity quantity = criterion(context);
-    const struct comparison_extremes *extremes = &study->models[study->leading].extremes[quantity];
-    size_t best = best_of(extremes, quantity), agreeing = 0, asked = 0;
-    double value = quantity == QUANTITY_AREA ? extremes->most : extremes->least;
-    size_t worst = quantity == QUANTITY_AREA ? extremes->least_at : extremes->most_at;
-    if (extremes->count < 2 || worst == best || !(value > 0))
-        return;
+    const struct comparison_ranking *ranking = &study->ranking;
+    enum quantity quantity = ranking->criterion;
+    const char *more = quantity == QUANTITY_AREA ? "larger" : "lower";
+    size_t best = ranking->surface[0], agreeing = 0, asked = 0;
     text_add(out, "- **");
     section_named(out, "Surface ", context->results, best);
-    text_add(out, " has the %s %s** there:", quantity == QUANTITY_AREA ? "largest" : "lowest",
-             quantity_rows[quantity].short_symbol);
-    size_t second = second_of(context, best, quantity);
-    if (second != worst) {
-        versus(out, context, value, second, ", the next, has ", quantity);
-        text_add(out, ",");
+    text_add(out, " has the %s %s** there: %s than ", quantity == QUANTITY_AREA ? "largest" : "lowest",
+             quantity_rows[quantity].short_symbol, more);
+    place(out, "", context, 1);
+    text_add(out, ranking->count > 2 ? ", the next" : "");
+    pair_text(out, context, 0, 1);
+    if (ranking->count > 2) {
+        place(out, ", and than ", context, ranking->count - 1);
+        text_add(out, ", the worst");
+        pair_text(out, context, 0, ranking->count - 1);
     }
-    versus(out, context, value, worst, second != worst ? ", the worst, " : " has ", quantity);
-    for (size_t m = 0; m < model_count; m++)
-        if (study->models[m].extremes[quantity].count > 1) {
+    for (size_t m = 0; m < model_count; m++) {
+        const struct comparison_extremes *extremes = &study->models[m].extremes[quantity];
+        if (extremes->count > 1) {
             asked++;
-            agreeing += best_of(&study->models[m].extremes[quantity], quantity) == best;
+            agreeing += (quantity == QUANTITY_AREA ? extremes->most_at : extremes->least_at) == best;
         }
+    }
     if (asked > 1)
-        text_add(out, ". It is best in %zu of %zu models", agreeing, asked);
+        text_add(out, ". It comes first in %zu of %zu models", agreeing, asked);
     text_add(out, ".\n");
+}
+
+/** The first are not told apart: no best one is named. */
+static void no_best_surface(struct text *out, const struct section_context *context)
+{
+    enum { MOST = 4 };
+    const struct comparison_ranking *ranking = &context->comparison->ranking;
+    size_t like = 0, heterogeneous = 0, told = 0;
+    for (size_t j = 1; j < ranking->count; j++) {
+        const struct comparison_pair *pair = comparison_pair_of(ranking, 0, j);
+        told += comparison_told_apart(pair);
+        heterogeneous += pair->test != COMPARISON_NOT_TESTED && pair->verdict == RANKING_NO_VERDICT;
+    }
+    text_add(out, "- **No surface stands out by its %s** there: ", quantity_rows[ranking->criterion].short_symbol);
+    place(out, "", context, 0);
+    text_add(out, " is not told apart from ");
+    for (size_t j = 1; j < ranking->count; j++) {
+        if (comparison_told_apart(comparison_pair_of(ranking, 0, j)))
+            continue;
+        if (like++ < MOST) {
+            place(out, like > 1 ? ", nor from " : "", context, j);
+            pair_text(out, context, 0, j);
+        }
+    }
+    if (like > MOST)
+        text_add(out, ", nor from %zu more", like - MOST);
+    if (told > 0)
+        text_add(out, "; from the other%s it is", told == 1 ? "" : "s");
+    if (heterogeneous > 0)
+        text_add(out, ". Single scans that are not the same along their length get no verdict");
+    text_add(out, ".\n");
+}
+
+/** What surfaces differ by, and whether more scans would say the same. */
+static void ranking_text(struct text *out, const struct section_context *context)
+{
+    const struct comparison *study = context->comparison;
+    const struct comparison_ranking *ranking = &study->ranking;
+    const struct comparison_extremes *extremes = &study->models[study->leading].extremes[ranking->criterion];
+    const char *symbol = quantity_rows[ranking->criterion].short_symbol;
+    if (extremes->count < 2)
+        return;
+    if (ranking->count == 0) {
+        text_add(out, "- **The surfaces are not ranked**: there are more than %d.\n", COMPARISON_RANKED_MOST);
+        return;
+    }
+    if (ranking->tested == 0) {
+        text_add(out, "- **The surfaces are not ranked by %s**: ", symbol);
+        text_add(out,
+                 context->results->counterface
+                     ? "how far the rough counterface's scans scatter is not known"
+                     : "there is one scan of a surface, and the effect `uncertainty`, which tells how far a scan at "
+                       "another place would be off, did not run");
+        number_format_between(out, "; as scanned, the largest value is ", extremes->most / extremes->least, 3,
+                              " times the smallest.\n");
+        return;
+    }
+    bool best = true;
+    for (size_t j = 1; j < ranking->count; j++)
+        best = best && comparison_told_apart(comparison_pair_of(ranking, 0, j));
+    if (best)
+        best_surface(out, context);
+    else
+        no_best_surface(out, context);
 }
 
 static void one_spread(struct text *out, const struct section_context *context, enum quantity quantity,
@@ -185,7 +242,7 @@ static void left_out(struct text *out, const struct section_context *context)
 
 static void model_spread(struct text *out, const struct section_context *context)
 {
-    enum quantity quantity = criterion(context);
+    enum quantity quantity = context->comparison->ranking.criterion;
     if (section_models(context, QUANTITY_AREA, false).count < 2)
         return;
     text_add(out, "- **Between the models**, for ");
@@ -276,7 +333,7 @@ static void limits(struct text *out, const struct section_context *context)
 {
     const struct results *results = context->results;
     double load = context->comparison->middle_load, fall = 0;
-    size_t leaks = 0, knees = 0, diverging = 0;
+    size_t leaks = 0, knees = 0, diverging = 0, lawless = 0;
     struct text list = {0};
     for (size_t m = 0; m < model_count; m++) {
         size_t invalid = 0;
@@ -296,6 +353,7 @@ static void limits(struct text *out, const struct section_context *context)
         const struct surface_summary *s = section_smoothest(context, k);
         leaks += s->jump_share > 0.5;
         knees += isfinite(s->power_law.knee_m);
+        lawless += !power_law_holds(&s->power_law);
         diverging += surface_diverges(s);
     }
     if (plan_stacks_scales(results->plan))
@@ -306,6 +364,7 @@ static void limits(struct text *out, const struct section_context *context)
                               " % more of the area");
     }
     limit(&list, context, leaks, "a jump between the ends of the record draws γ towards 1", "");
+    limit(&list, context, lawless, "no power law of a decade was found in the spectrum", "");
     limit(&list, context, knees, "two slopes fit the spectrum better than one law", "");
     if (list.length > 0)
         text_add(out, "- **Limits**: %s.\n", text_string(&list));
@@ -317,7 +376,7 @@ static void summary(struct text *out, const struct section_context *context)
     size_t refused = context->results->store->count - context->results->usable_count;
     surfaces(out, context);
     at_middle(out, context);
-    best_surface(out, context);
+    ranking_text(out, context);
     model_spread(out, context);
     agreement(out, context);
     limits(out, context);
@@ -332,6 +391,16 @@ static bool has_column(const struct section_context *context, int q)
     return shown && section_computes(context, (enum quantity)q);
 }
 
+/** The letters of the groups that a surface is in. */
+static void letters_cell(struct text *out, const struct comparison_ranking *ranking, size_t index)
+{
+    char letters[RANKING_LETTERS + 1] = "–";
+    for (size_t i = 0; i < ranking->count; i++)
+        if (ranking->surface[i] == index)
+            ranking_groups_letters(letters, &ranking->groups, i);
+    text_add(out, " | %s", letters);
+}
+
 static void surface_key(struct text *out, const struct section_context *context, size_t index)
 {
     const struct surface_summary *s = section_surface(context, index);
@@ -342,10 +411,19 @@ static void surface_key(struct text *out, const struct section_context *context,
     for (int q = 0; q < QUANTITY_COUNT; q++)
         if (has_column(context, q)) {
             double value = comparison_value(point, (enum quantity)q, leading, s->asperities.sigma_m);
-            section_cell(out, isnan(point->load) ? NAN : q == QUANTITY_AREA ? 100 * value : value, 3);
+            const struct estimate *estimate = &s->models[leading].middle[q];
+            double scale = q == QUANTITY_AREA ? 100 : quantity_rows[q].over_sigma ? 1 / s->asperities.sigma_m : 1;
+            if (estimate->count == 0) {
+                section_cell(out, isnan(point->load) ? NAN : q == QUANTITY_AREA ? 100 * value : value, 3);
+            } else {
+                text_add(out, " | ");
+                section_interval(out, estimate, scale, 3);
+            }
             if (q == QUANTITY_AREA && section_knows_yield(context))
                 section_cell(out, section_contact_pressure(context, point), 3);
         }
+    if (context->comparison->ranking.tested > 0)
+        letters_cell(out, &context->comparison->ranking, index);
     section_load_cell(out, s->models[leading].exists ? s->models[leading].full_load : NAN);
 }
 
@@ -365,9 +443,24 @@ static void key_table(struct text *out, const struct section_context *context)
                 text_add(&rule, "---:|");
             }
         }
+    const struct comparison_ranking *ranking = &context->comparison->ranking;
+    if (ranking->tested > 0) {
+        text_add(out, " | alike");
+        text_add(&rule, "---|");
+    }
     text_add(out, " | full contact at P/(Aₙ E′) |\n%s---:|\n", text_string(&rule));
     text_free(&rule);
     section_each_surface(out, context, surface_key);
+    if (results_intervals(context->results))
+        text_add(out, "\nIn brackets: the 95 %% interval of the surface's mean.");
+    if (ranking->tested > 0)
+        text_add(
+            out,
+            " Surfaces that share a letter are not told apart by their %s: Welch's test of the scans, with Holm's "
+            "adjustment over all pairs, or, of one scan, whether the difference exceeds what the place of the scan "
+            "alone makes.",
+            quantity_rows[ranking->criterion].short_symbol);
+    text_add(out, results_intervals(context->results) ? "\n" : "");
 }
 
 /** A surface whose heights are not Gaussian in the model that knows them, at the middle load. */

@@ -261,6 +261,129 @@ static enum status_code allocate(struct comparison *out, const struct results *r
     return STATUS_OK;
 }
 
+static const struct estimate *middle_estimate(const struct results *results, size_t leading, enum quantity quantity,
+                                              size_t surface)
+{
+    return &results->store->summaries[surface].models[leading].middle[quantity];
+}
+
+/** Both surfaces' estimates in place i before j, the better first. */
+static struct comparison_pair compare_pair(const struct estimate *a, double value_a, const struct estimate *b,
+                                           double value_b)
+{
+    struct comparison_pair out = {.ratio = value_a / value_b, .low = NAN, .high = NAN, .p = NAN};
+    if (a->count == 0 || b->count == 0 || isnan(a->half_width) || isnan(b->half_width))
+        return out;
+    if (a->count > 1 && b->count > 1) {
+        const struct interval first = {.mean = a->mean, .s = a->s, .degrees = a->degrees},
+                              second = {.mean = b->mean, .s = b->s, .degrees = b->degrees};
+        struct ranking welch = ranking_welch(&first, &second, estimate_level);
+        out = (struct comparison_pair){
+            .test = COMPARISON_WELCH, .ratio = welch.ratio, .low = welch.low, .high = welch.high, .p = welch.p};
+        return out;
+    }
+    /* of one scan 2.3 s; of several, Student's: two intervals of 95 %, as those of one scan each are */
+    double half_width = a->count == 1 && b->count == 1 ? single_scan_half_width(hypot(a->s, b->s))
+                                                       : hypot(a->half_width, b->half_width);
+    double difference = a->mean - b->mean;
+    out.test = COMPARISON_PLACE;
+    out.low = exp(difference - half_width);
+    out.high = exp(difference + half_width);
+    out.verdict = a->heterogeneous || b->heterogeneous ? RANKING_NO_VERDICT
+                  : !(fabs(difference) > half_width)   ? RANKING_NOT_TOLD_APART
+                  : difference < 0                     ? RANKING_FIRST_LOWER
+                                                       : RANKING_FIRST_HIGHER;
+    return out;
+}
+
+/** Welch's p, adjusted over all pairs that have one, and what follows from them. */
+static enum status_code adjust(struct comparison_ranking *ranking, size_t pairs, struct status *status)
+{
+    size_t count = 0;
+    double *p = malloc((pairs + 1) * sizeof *p);
+    if (!p)
+        return status_memory(status);
+    for (size_t k = 0; k < pairs; k++)
+        if (ranking->pairs[k].test == COMPARISON_WELCH)
+            p[count++] = ranking->pairs[k].p;
+    enum status_code rc = count > 0 ? ranking_holm(p, p, count, status) : STATUS_OK;
+    count = 0;
+    for (size_t k = 0; k < pairs && rc == STATUS_OK; k++) {
+        struct comparison_pair *pair = &ranking->pairs[k];
+        if (pair->test != COMPARISON_WELCH)
+            continue;
+        pair->p = p[count++];
+        pair->verdict = ranking_verdict(log(pair->ratio), pair->p, estimate_level);
+    }
+    free(p);
+    return rc;
+}
+
+static enum status_code group(struct comparison_ranking *ranking, size_t pairs, struct status *status)
+{
+    bool *apart = malloc((pairs + 1) * sizeof *apart);
+    if (!apart)
+        return status_memory(status);
+    for (size_t k = 0; k < pairs; k++)
+        apart[k] = comparison_told_apart(&ranking->pairs[k]);
+    enum status_code rc = ranking_groups_make(&ranking->groups, apart, ranking->count, status);
+    free(apart);
+    return rc;
+}
+
+bool comparison_told_apart(const struct comparison_pair *pair)
+{
+    return pair->test != COMPARISON_NOT_TESTED &&
+           (pair->verdict == RANKING_FIRST_LOWER || pair->verdict == RANKING_FIRST_HIGHER);
+}
+
+const struct comparison_pair *comparison_pair_of(const struct comparison_ranking *ranking, size_t i, size_t j)
+{
+    return &ranking->pairs[ranking_pair(i, j, ranking->count)];
+}
+
+/** Ranks the surfaces that have an answer in the leading model at the middle load. */
+static enum status_code rank(struct comparison *out, const struct results *results, struct status *status)
+{
+    struct comparison_ranking *ranking = &out->ranking;
+    unsigned computed = plan_quantities(results->plan);
+    enum quantity by = computed & QUANTITY_BIT(QUANTITY_ECR)   ? QUANTITY_ECR
+                       : computed & QUANTITY_BIT(QUANTITY_TCR) ? QUANTITY_TCR
+                                                               : QUANTITY_AREA;
+    ranking->criterion = by;
+    size_t surfaces = out->models[out->leading].extremes[by].count;
+    if (surfaces == 0 || surfaces > COMPARISON_RANKED_MOST)
+        return STATUS_OK;
+    size_t pairs = surfaces * (surfaces - 1) / 2;
+    ranking->surface = malloc(surfaces * sizeof *ranking->surface);
+    ranking->pairs = calloc(pairs + 1, sizeof *ranking->pairs);
+    if (!ranking->surface || !ranking->pairs)
+        return status_memory(status);
+    for (size_t i = 0; i < results->store->count; i++) {
+        double value = quantity_value(&out->middle[i], by);
+        if (isnan(value))
+            continue;
+        size_t at = ranking->count++;
+        while (at > 0 && (by == QUANTITY_AREA ? value > quantity_value(&out->middle[ranking->surface[at - 1]], by)
+                                              : value < quantity_value(&out->middle[ranking->surface[at - 1]], by))) {
+            ranking->surface[at] = ranking->surface[at - 1];
+            at--;
+        }
+        ranking->surface[at] = i;
+    }
+    for (size_t i = 0; i < ranking->count; i++)
+        for (size_t j = i + 1; j < ranking->count; j++) {
+            size_t a = ranking->surface[i], b = ranking->surface[j];
+            struct comparison_pair *pair = &ranking->pairs[ranking_pair(i, j, ranking->count)];
+            *pair = compare_pair(middle_estimate(results, out->leading, by, a), quantity_value(&out->middle[a], by),
+                                 middle_estimate(results, out->leading, by, b), quantity_value(&out->middle[b], by));
+            ranking->tested += pair->test != COMPARISON_NOT_TESTED;
+        }
+    if (adjust(ranking, pairs, status) != STATUS_OK)
+        return status->code;
+    return group(ranking, pairs, status);
+}
+
 enum status_code comparison_make(struct comparison *out, const struct results *results, struct status *status)
 {
     *out = (struct comparison){.proportional_error = NAN,
@@ -282,7 +405,7 @@ enum status_code comparison_make(struct comparison *out, const struct results *r
         previous = record;
     }
     surface_record_free(&previous, false);
-    return STATUS_OK;
+    return rank(out, results, status);
 }
 
 void comparison_free(struct comparison *comparison)
@@ -294,5 +417,8 @@ void comparison_free(struct comparison *comparison)
         free(comparison->models[0].extents);
     }
     free(comparison->models);
+    free(comparison->ranking.surface);
+    free(comparison->ranking.pairs);
+    ranking_groups_free(&comparison->ranking.groups);
     *comparison = (struct comparison){0};
 }

@@ -4,6 +4,7 @@
 #define RESULTS_COMPARISON_H
 
 #include "results/results.h"
+#include "statistics/ranking.h"
 
 /** How the cases of a question came out. Values that differ by no more than the run's tolerance are ties: they speak
  * neither for nor against. */
@@ -55,7 +56,33 @@ struct comparison_model {
                       loads of partial contact; one a pair of neighbours; NaN: none */
 };
 
+/** How two surfaces were held against each other. */
+enum comparison_test {
+    COMPARISON_NOT_TESTED, /* nothing is known of how far another scan of one of them would be off */
+    COMPARISON_WELCH,      /* several scans each */
+    COMPARISON_PLACE       /* one scan, or both: does the difference exceed what the place of the scan alone makes? */
+};
+struct comparison_pair {
+    enum comparison_test test;
+    enum ranking_verdict verdict;
+    double ratio, low, high; /* of the better one's answer to the other's, and its 95 % interval */
+    double p;                /* Welch: after Holm's adjustment over all such pairs */
+};
+
+enum { COMPARISON_RANKED_MOST = 100 /* surfaces; more are not ranked */ };
+
+/** Which surface is better in the leading model at the middle load, by ln of the criterion. */
+struct comparison_ranking {
+    enum quantity criterion; /* ECR, else TCR, else area */
+    size_t count;            /* surfaces that have an answer; 0 where there are more than COMPARISON_RANKED_MOST */
+    size_t *surface;         /* their indices, the best first; owned, as are: */
+    struct comparison_pair *pairs; /* [ranking_pair(i, j, count)], i and j places in `surface` */
+    struct ranking_groups groups;  /* of places: those that share one are not told apart */
+    size_t tested;                 /* pairs */
+};
+
 struct comparison {
+    struct comparison_ranking ranking;
     struct comparison_model *models; /* model_count of them; owned */
     double proportional_error;       /* largest |TCR/ECR / (1/(rho k)) - 1|; NaN: not both computed */
     double middle_load;              /* P/(A_n E') at which surfaces and models are compared */
@@ -67,6 +94,11 @@ struct comparison {
 MUST_CHECK enum status_code comparison_make(struct comparison *out, const struct results *results,
                                             struct status *status);
 void comparison_free(struct comparison *comparison);
+
+/** Places i < j of a ranking. */
+const struct comparison_pair *comparison_pair_of(const struct comparison_ranking *ranking, size_t i, size_t j);
+/** Was a difference between the two found that more scans would show again? */
+bool comparison_told_apart(const struct comparison_pair *pair);
 
 /** Value of a quantity of a model's point, as tables and charts show it. */
 double comparison_value(const struct contact_point *point, enum quantity quantity, size_t model, double sigma_m);

@@ -37,7 +37,7 @@ size_t results_sweep_size(const struct results *results);
  */
 size_t results_sweep_scales(size_t *index, size_t most, size_t scales);
 
-/** Has any surface several scans (or a map's rows), so that there is a spread to show? */
-bool results_repeated(const struct results *results);
+/** Is any surface's number known with an interval, by several scans, a map's rows or simulated records? */
+bool results_intervals(const struct results *results);
 
 #endif

@@ -65,18 +65,21 @@ static enum status_code rank_surfaces(struct results *results, struct status *st
 /** Adds what the models take at the measured loads, on the baseline surface. */
 static enum status_code predict_answers(struct results *results, struct status *status)
 {
-    struct surface_record outline = {.summary = results->store->summaries[results->baseline]};
-    outline.spectrum.count = outline.summary.harmonics;
-    struct model_task task = surface_task(&outline, results->scene, results->plan, results->loads, results->load_count);
-    for (size_t m = 0; m < model_count && results->usable_count > 0; m++) {
+    struct surface_record record = {0};
+    if (results->usable_count == 0)
+        return STATUS_OK;
+    enum status_code rc = surface_store_get(&record, results->store, results->baseline, status);
+    struct model_task task = surface_task(&record, results->scene, results->plan, results->loads, results->load_count);
+    for (size_t m = 0; m < model_count && rc == STATUS_OK; m++) {
         struct model_work more;
         if (!plan_runs_model(results->plan, m))
             continue;
-        if (measured_work(&more, results->measured, m, &task, status) != STATUS_OK)
-            return status->code;
-        work_add(&results->predicted, m, &more);
+        rc = measured_work(&more, results->measured, m, &task, &record.repeats, status);
+        if (rc == STATUS_OK)
+            work_add(&results->predicted, m, &more);
     }
-    return STATUS_OK;
+    surface_record_free(&record, false);
+    return rc;
 }
 
 enum status_code prepare(struct prepared *out, const struct scene *scene, const struct run_options *options,
@@ -98,7 +101,7 @@ enum status_code prepare(struct prepared *out, const struct scene *scene, const 
         workers_run(&out->results, workers_describe, options, status) != STATUS_OK)
         return status->code;
     effect_bounds_heights(&out->plan, scene, out->store.summaries, out->store.count);
-    effect_bounds_plan(&out->plan, scene, out->store.summaries, out->store.count);
+    effect_bounds_plan(&out->plan, scene, out->store.summaries, out->store.count, load_count);
     if (rank_surfaces(&out->results, status) != STATUS_OK)
         return status->code;
     out->results.predicted = work_predict(out->store.summaries, out->store.count, scene, &out->plan, load_count);

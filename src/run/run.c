@@ -83,7 +83,7 @@ static enum status_code run_baseline(struct run *run, struct status *status)
     enum status_code rc = sensitivity_curves_make(&run->sensitivity, &one, models, unsure_m, status);
     results->sensitivity = &run->sensitivity;
     if (rc == STATUS_OK && results->measured) {
-        rc = measured_answer(&run->answers, results->measured, models, &task, status);
+        rc = measured_answer(&run->answers, results->measured, models, &task, &baseline.repeats, status);
         results->answers = &run->answers;
     }
     surface_record_free(&baseline, false);

@@ -7,7 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char byte_order_mark[] = "\xEF\xBB\xBF";
 static const char *const column_names[MEASURED_COLUMNS] = {"load", "resistance", "error"};
 /* Headings that say P/(A_n E'): the column of contact.csv, and how it is written. */
 static const char *const dimensionless_names[] = {"load_over_AnEp", "P/(A_n E')", "P/(An E')", "P/(AnE')", "P/(Aₙ E′)"};
@@ -17,8 +16,8 @@ enum { CELLS_MOST = 8 };
 /* What a file is read with. */
 struct reading {
     struct measured_file *out;
-    const char *name;
     const unsigned *quantities; /* of each column */
+    size_t line;                /* what is read now, which messages name */
     struct status *status;
 };
 
@@ -38,18 +37,16 @@ static bool cut(struct string_view *rest, char delimiter, struct string_view *ce
 {
     while (rest->start < rest->end && *rest->start == ' ')
         rest->start++;
-    if (rest->start < rest->end && *rest->start == '"') {
-        const char *close = memchr(rest->start + 1, '"', string_view_length(*rest) - 1);
-        if (close) {
-            struct string_view ignored;
-            *cell = string_view_trim((struct string_view){rest->start + 1, close});
-            rest->start = close + 1;
-            if (delimiter != ' ')
-                (void)cell_next(rest, delimiter, &ignored);
-            return true;
-        }
-    }
-    return cell_next(rest, delimiter, cell);
+    bool quoted = rest->start < rest->end && *rest->start == '"';
+    const char *close = quoted ? memchr(rest->start + 1, '"', string_view_length(*rest) - 1) : NULL;
+    if (!close)
+        return cell_next(rest, delimiter, cell);
+    *cell = string_view_trim((struct string_view){rest->start + 1, close});
+    rest->start = close + 1;
+    struct string_view ignored;
+    if (delimiter != ' ')
+        (void)cell_next(rest, delimiter, &ignored);
+    return true;
 }
 
 /* Does it begin with a number, alone or before a blank? `4-wire R` does not. */
@@ -99,54 +96,50 @@ static bool is_unit(struct unit *unit, struct string_view text, unsigned quantit
     return unit_read(unit, text.start, string_view_length(text)) && unit_of(unit, quantities);
 }
 
-static enum status_code refuse_unit(const struct reading *in, size_t column, struct string_view text, size_t line)
+/* What a cell says of its column's unit. */
+struct cell_unit {
+    enum { FOUND_NOTHING, FOUND_UNIT, FOUND_UNKNOWN } found;
+    struct unit unit;
+    struct string_view text; /* as written */
+};
+
+static enum status_code refuse_unit(const struct reading *in, size_t column, struct string_view text)
 {
-    static const unsigned thermal = UNIT_THERMAL_RESISTANCE | UNIT_THERMAL_RESISTANCE_AREA;
-    static const unsigned electrical = UNIT_RESISTANCE | UNIT_RESISTANCE_AREA;
-    struct text known = {0};
+    static const unsigned resistances =
+        UNIT_RESISTANCE | UNIT_RESISTANCE_AREA | UNIT_THERMAL_RESISTANCE | UNIT_THERMAL_RESISTANCE_AREA;
     struct unit unit;
     unsigned asked = in->quantities[column];
-    bool other = column != MEASURED_LOAD && is_unit(&unit, text, (thermal | electrical) & ~asked);
-    unit_add_known(&known, asked);
-    enum status_code rc =
-        known.failed ? status_memory(in->status)
-                     : status_fail(in->status, STATUS_SCENE, "%s:%zu: '%s' is no unit of %s%s; understood: %s%s",
-                                   in->name, line, scene_words_show(text.start, string_view_length(text)).text,
-                                   column == MEASURED_LOAD    ? "load"
-                                   : column == MEASURED_ERROR ? "the error"
-                                   : asked & UNIT_RESISTANCE  ? "electrical resistance"
-                                                              : "thermal resistance",
-                                   other ? ", the 'quantity' of 'measured' in the scene" : "", text_string(&known),
-                                   "; columns are load, resistance and perhaps its error");
-    text_free(&known);
-    return rc;
+    bool other = column != MEASURED_LOAD && is_unit(&unit, text, resistances & ~asked);
+    return status_fail(in->status, STATUS_SCENE,
+                       "'%s' is no unit of %s%s; understood: %s; columns are load, resistance and perhaps its error",
+                       scene_words_show(text.start, string_view_length(text)).text,
+                       column == MEASURED_LOAD    ? "load"
+                       : column == MEASURED_ERROR ? "the error"
+                       : asked & UNIT_RESISTANCE  ? "electrical resistance"
+                                                  : "thermal resistance",
+                       other ? ", the 'quantity' of 'measured' in the scene" : "", unit_known(asked).text);
 }
 
 /* Notes a column's unit, or that it is the one known already. */
-static enum status_code settle(const struct reading *in, size_t column, const struct unit *unit,
-                               struct string_view text, size_t line)
+static enum status_code settle(const struct reading *in, size_t column, const struct cell_unit *cell)
 {
     struct measured_unit *known = &in->out->units[column];
-    if (known->known && !unit_equal(&known->unit, unit))
-        return status_fail(in->status, STATUS_SCENE,
-                           "%s:%zu: '%s' as unit of %s, but line %zu says '%s'; correct one of them", in->name, line,
-                           scene_words_show(text.start, string_view_length(text)).text, column_names[column],
-                           known->line, known->text);
-    if (!known->known) {
-        size_t length = string_view_length(text);
-        assert(length < UNIT_LENGTH); /* or it would not have been read */
-        *known = (struct measured_unit){.known = true, .unit = *unit, .line = line};
-        memcpy(known->text, text.start, length);
-        size_t shown = 0;
-        for (size_t bytes; (bytes = text_character(known->text + shown)) > 0;)
-            shown += bytes;
-        if (shown < length) /* latin-1: in ASCII */
-            (void)unit_spell(known->text, text.start, length);
-    }
+    size_t length = string_view_length(cell->text), shown = 0;
+    if (known->known && !unit_equal(&known->unit, &cell->unit))
+        return status_fail(in->status, STATUS_SCENE, "'%s' as unit of %s, but line %zu says '%s'; correct one of them",
+                           scene_words_show(cell->text.start, length).text, column_names[column], known->line,
+                           known->text);
+    if (known->known)
+        return STATUS_OK;
+    assert(length < UNIT_LENGTH); /* or it would not have been read */
+    *known = (struct measured_unit){.known = true, .unit = cell->unit, .line = in->line};
+    memcpy(known->text, cell->text.start, length);
+    for (size_t bytes; (bytes = text_character(known->text + shown)) > 0;)
+        shown += bytes;
+    if (shown < length) /* latin-1: in ASCII */
+        (void)unit_spell(known->text, cell->text.start, length);
     return STATUS_OK;
 }
-
-enum found { FOUND_NOTHING, FOUND_UNIT, FOUND_UNKNOWN };
 
 /* The end of the bracket that opens at `open`, NULL where it is not closed. */
 static const char *closing(const char *open, const char *end)
@@ -172,67 +165,58 @@ static bool is_dimensionless_name(struct string_view cell)
     return false;
 }
 
-/* The unit that a heading names beside its name; *text is how it is written. Brackets and a slash can hold nothing but
- * a unit, so that what is none there is FOUND_UNKNOWN; so is a known unit of something else at the end, of two letters
- * or more (R_s, F_A are names). */
-static enum found heading_unit(struct unit *unit, struct string_view *text, struct string_view cell,
-                               unsigned quantities)
+/* Is the text a unit? If none is found yet, one that has to be a unit is noted as unknown. */
+static bool offer(struct cell_unit *out, struct string_view text, unsigned quantities, bool has_to_be)
 {
-    enum found found = FOUND_NOTHING;
+    bool is = is_unit(&out->unit, text, quantities);
+    if (is || (has_to_be && out->found == FOUND_NOTHING)) {
+        out->text = text;
+        out->found = is ? FOUND_UNIT : FOUND_UNKNOWN;
+    }
+    return is;
+}
+
+/* The unit that a heading names beside its name. Brackets and a slash can hold nothing but a unit, so that what is none
+ * there is FOUND_UNKNOWN; so is a known unit of something else at the end, of two letters or more (R_s, F_A are names).
+ */
+static struct cell_unit heading_unit(struct string_view cell, unsigned quantities)
+{
+    static const char one[] = "dimensionless";
+    struct cell_unit out = {.found = FOUND_NOTHING};
     if ((quantities & UNIT_NUMBER) && (quantities & UNIT_FORCE) && is_dimensionless_name(cell)) {
-        static const char one[] = "dimensionless";
-        *text = (struct string_view){one, one + strlen(one)};
-        return is_unit(unit, *text, quantities) ? FOUND_UNIT : FOUND_NOTHING;
+        (void)offer(&out, (struct string_view){one, one + strlen(one)}, quantities, false);
+        return out;
     }
     for (const char *p = cell.start; p < cell.end; p++) {
         const char *close = *p == '(' || *p == '[' ? closing(p, cell.end) : NULL;
         if (!close)
             continue;
         struct string_view inside = string_view_trim((struct string_view){p + 1, close});
-        if (inside.start < inside.end) {
-            *text = inside;
-            found = FOUND_UNKNOWN;
-            if (is_unit(unit, *text, quantities))
-                return FOUND_UNIT;
-        }
         p = close;
+        if (inside.start == inside.end)
+            continue;
+        out.found = FOUND_NOTHING; /* of several the last */
+        if (offer(&out, inside, quantities, true))
+            return out;
     }
     const char *slash = memchr(cell.start, '/', string_view_length(cell));
-    if (slash) {
-        struct string_view behind = rest_from(cell, slash + 1);
-        bool is = is_unit(unit, behind, quantities);
-        if (is || found == FOUND_NOTHING)
-            *text = behind;
-        if (is)
-            return FOUND_UNIT;
-        found = FOUND_UNKNOWN;
-        if (is_unit(unit, cell, quantities)) { /* K/W */
-            *text = cell;
-            return FOUND_UNIT;
-        }
-    }
+    if (slash &&
+        (offer(&out, rest_from(cell, slash + 1), quantities, true) || offer(&out, cell, quantities, false))) /* K/W */
+        return out;
     for (const char *p = cell.start; p < cell.end; p++) {
-        if (!strchr(" \t_,:=", *p))
-            continue;
         struct string_view behind = rest_from(cell, p + 1);
-        if (is_unit(unit, behind, quantities)) {
-            *text = behind;
-            return FOUND_UNIT;
-        }
-        if (found == FOUND_NOTHING && string_view_length(behind) > 1 &&
-            unit_read(unit, behind.start, string_view_length(behind))) {
-            *text = behind;
-            found = FOUND_UNKNOWN;
-        }
+        size_t length = string_view_length(behind);
+        struct unit any;
+        if (strchr(" \t_,:=", *p) &&
+            offer(&out, behind, quantities, length > 1 && unit_read(&any, behind.start, length)))
+            return out;
     }
-    return found;
+    return out;
 }
 
 /* Units of the columns as one line says them. */
 struct heading {
-    enum found found[MEASURED_COLUMNS];
-    struct unit unit[MEASURED_COLUMNS];
-    struct string_view text[MEASURED_COLUMNS];
+    struct cell_unit unit[MEASURED_COLUMNS];
 };
 
 /* Is it a line of cells without a number among them? */
@@ -249,53 +233,52 @@ static bool is_heading(struct string_view line)
 /* `below_names`: the line may be one of units, of which not all need be known. */
 static struct heading heading_read(struct string_view line, const unsigned *quantities, bool below_names)
 {
-    struct heading out = {.found = {FOUND_NOTHING}};
+    struct heading out = {0};
     struct cells cells = split(line, delimiter_of(line), false);
     size_t count = cells.count < MEASURED_COLUMNS ? cells.count : MEASURED_COLUMNS, units = 0, filled = 0;
-    struct unit whole[MEASURED_COLUMNS];
-    bool is_whole[MEASURED_COLUMNS] = {false};
+    struct cell_unit whole[MEASURED_COLUMNS] = {0}; /* a cell that is nothing but a unit */
     for (size_t c = 0; c < count; c++) {
-        out.found[c] = heading_unit(&out.unit[c], &out.text[c], cells.cell[c], quantities[c]);
-        is_whole[c] = is_unit(&whole[c], cells.cell[c], quantities[c]);
-        units += is_whole[c] || out.found[c] == FOUND_UNIT;
+        out.unit[c] = heading_unit(cells.cell[c], quantities[c]);
+        units += offer(&whole[c], cells.cell[c], quantities[c], true) || out.unit[c].found == FOUND_UNIT;
         filled += cells.cell[c].start < cells.cell[c].end;
     }
-    bool any = is_whole[MEASURED_LOAD] || is_whole[MEASURED_RESISTANCE];
+    bool any = whole[MEASURED_LOAD].found == FOUND_UNIT || whole[MEASURED_RESISTANCE].found == FOUND_UNIT;
     for (size_t c = 0; c < count && any && (units == filled || below_names); c++)
-        if (out.found[c] != FOUND_UNIT && cells.cell[c].start < cells.cell[c].end) {
-            out.found[c] = is_whole[c] ? FOUND_UNIT : FOUND_UNKNOWN;
+        if (out.unit[c].found != FOUND_UNIT && cells.cell[c].start < cells.cell[c].end)
             out.unit[c] = whole[c];
-            out.text[c] = cells.cell[c];
-        }
     return out;
 }
 
 /* Settles the units of a heading. */
-static enum status_code heading_use(const struct reading *in, const struct heading *heading, size_t line)
+static enum status_code heading_use(const struct reading *in, const struct heading *heading)
 {
     for (size_t c = 0; c < MEASURED_COLUMNS; c++)
-        if (heading->found[c] == FOUND_UNIT && settle(in, c, &heading->unit[c], heading->text[c], line) != STATUS_OK)
+        if (heading->unit[c].found == FOUND_UNIT && settle(in, c, &heading->unit[c]) != STATUS_OK)
             return in->status->code;
     return STATUS_OK;
 }
 
-/* Lines above the rows that may be headings. */
+/* A line above the rows that may be a heading. */
+struct numbered_line {
+    struct string_view text;
+    size_t number;
+};
 struct above {
-    struct string_view line[2], comment; /* the last two, and the last comment */
-    size_t number[2], comment_number, count;
+    struct numbered_line line[2], comment; /* the last two, and the last comment */
 };
 
 /* Has a row more cells than the heading above it, and no point? Then `10,4,8` may be 10 and 4,8. */
 static bool may_be_decimal_commas(const struct above *above, struct string_view row)
 {
-    if (above->count == 0 || delimiter_of(row) != ',' || delimiter_of(above->line[1]) != ',' ||
+    struct string_view heading = above->line[1].text;
+    if (!heading.start || delimiter_of(row) != ',' || delimiter_of(heading) != ',' ||
         memchr(row.start, '.', string_view_length(row)))
         return false;
     struct cells cells = split(row, ',', true);
     size_t digits = 0, second = cells.count > 1 ? string_view_length(cells.cell[1]) : 0;
     while (digits < second && cells.cell[1].start[digits] >= '0' && cells.cell[1].start[digits] <= '9')
         digits++;
-    return cells.count > split(above->line[1], ',', false).count && digits == second;
+    return cells.count > split(heading, ',', false).count && digits == second;
 }
 
 static void above_note(struct above *above, struct string_view line, size_t number)
@@ -307,75 +290,71 @@ static void above_note(struct above *above, struct string_view line, size_t numb
     if (line.start == line.end || !is_heading(line))
         return;
     if (comment) {
-        above->comment = line;
-        above->comment_number = number;
+        above->comment = (struct numbered_line){line, number};
         return;
     }
     above->line[0] = above->line[1];
-    above->number[0] = above->number[1];
-    above->line[1] = line;
-    above->number[1] = number;
-    above->count++;
+    above->line[1] = (struct numbered_line){line, number};
 }
 
 /* The units of the headings. What is no unit in one line may be told by the other. */
-static enum status_code headings_use(const struct reading *in, const struct above *above)
+static enum status_code headings_use(struct reading *in, const struct above *above)
 {
     struct heading heading[2];
-    size_t first = above->count >= 2 ? 0 : above->count == 1 ? 1 : 2;
+    size_t first = above->line[0].text.start ? 0 : above->line[1].text.start ? 1 : 2;
     for (size_t i = first; i < 2; i++) {
-        heading[i] = heading_read(above->line[i], in->quantities, i > first);
-        if (heading_use(in, &heading[i], above->number[i]) != STATUS_OK)
+        heading[i] = heading_read(above->line[i].text, in->quantities, i > first);
+        in->line = above->line[i].number;
+        if (heading_use(in, &heading[i]) != STATUS_OK)
             return in->status->code;
     }
     for (size_t i = first; i < 2; i++)
         for (size_t c = 0; c < MEASURED_COLUMNS; c++)
-            if (heading[i].found[c] == FOUND_UNKNOWN && !in->out->units[c].known)
-                return refuse_unit(in, c, heading[i].text[c], above->number[i]);
-    if (!above->comment.start)
+            if (heading[i].unit[c].found == FOUND_UNKNOWN && !in->out->units[c].known) {
+                in->line = above->line[i].number;
+                return refuse_unit(in, c, heading[i].unit[c].text);
+            }
+    if (!above->comment.text.start)
         return STATUS_OK;
-    struct heading comment = heading_read(above->comment, in->quantities, false);
-    bool all = comment.found[MEASURED_LOAD] == FOUND_UNIT && comment.found[MEASURED_RESISTANCE] == FOUND_UNIT;
-    return all ? heading_use(in, &comment, above->comment_number) : STATUS_OK;
+    struct heading comment = heading_read(above->comment.text, in->quantities, false);
+    in->line = above->comment.number;
+    return comment.unit[MEASURED_LOAD].found == FOUND_UNIT && comment.unit[MEASURED_RESISTANCE].found == FOUND_UNIT
+               ? heading_use(in, &comment)
+               : STATUS_OK;
 }
 
 static enum status_code row_read(const struct reading *in, struct measured_row *row, struct string_view line)
 {
     if (memchr(line.start, ';', string_view_length(line)) && memchr(line.start, ',', string_view_length(line)))
-        return status_fail(in->status, STATUS_SCENE, "%s:%zu: both ',' and ';' in a row; write decimals with a point",
-                           in->name, row->line);
+        return status_fail(in->status, STATUS_SCENE, "both ',' and ';' in a row; write decimals with a point");
     struct cells cells = split(line, delimiter_of(line), true);
     bool gap = false;
     for (size_t c = 0; c < cells.count; c++)
         gap = gap || cells.cell[c].start == cells.cell[c].end;
     if (cells.count < 2 || cells.count > MEASURED_COLUMNS || gap)
-        return status_fail(in->status, STATUS_SCENE, "%s:%zu: a row is load, resistance and perhaps its error",
-                           in->name, row->line);
+        return status_fail(in->status, STATUS_SCENE, "a row is load, resistance and perhaps its error");
     for (size_t c = 0; c < cells.count; c++) {
-        const char *end = number_scan(cells.cell[c], NUMBER_POINT, NULL, &row->value[c]);
-        if (!end || (end < cells.cell[c].end && *end == ',') || !isfinite(row->value[c]))
-            return status_fail(in->status, STATUS_SCENE, "%s:%zu: '%s' is no number; write it as 1.5e-3", in->name,
-                               row->line,
-                               scene_words_show(cells.cell[c].start, string_view_length(cells.cell[c])).text);
-        struct string_view behind = rest_from(cells.cell[c], end);
-        struct unit unit;
-        if (behind.start == behind.end)
+        struct string_view cell = cells.cell[c];
+        const char *end = number_scan(cell, NUMBER_POINT, NULL, &row->value[c]);
+        if (!end || (end < cell.end && *end == ',') || !isfinite(row->value[c]))
+            return status_fail(in->status, STATUS_SCENE, "'%s' is no number; write it as 1.5e-3",
+                               scene_words_show(cell.start, string_view_length(cell)).text);
+        struct cell_unit unit = {.text = rest_from(cell, end)};
+        if (unit.text.start == unit.text.end)
             continue;
-        if (!is_unit(&unit, behind, in->quantities[c]))
-            return refuse_unit(in, c, behind, row->line);
-        if (settle(in, c, &unit, behind, row->line) != STATUS_OK)
+        if (!is_unit(&unit.unit, unit.text, in->quantities[c]))
+            return refuse_unit(in, c, unit.text);
+        if (settle(in, c, &unit) != STATUS_OK)
             return in->status->code;
     }
     if (!(row->value[MEASURED_LOAD] > 0 && row->value[MEASURED_RESISTANCE] > 0))
-        return status_fail(in->status, STATUS_SCENE, "%s:%zu: load and resistance must be positive", in->name,
-                           row->line);
-    static const char *const columns[MEASURED_COLUMNS] = {"a load", "a resistance", "an error"};
+        return status_fail(in->status, STATUS_SCENE, "load and resistance must be positive");
     static const double least = 1e-100, most = 1e100; /* any that keeps its distance from the ends of double */
     for (size_t c = 0; c < cells.count; c++) {
         double size = fabs(row->value[c]), lowest = c == MEASURED_ERROR ? 0 : least;
         if (!(size >= lowest && size <= most))
-            return status_fail(in->status, STATUS_SCENE, "%s:%zu: %s of %g; allowed is %g to %g", in->name, row->line,
-                               columns[c], row->value[c], lowest, most);
+            return status_fail(in->status, STATUS_SCENE, "%s %s of %g; allowed is %g to %g",
+                               c == MEASURED_ERROR ? "an" : "a", column_names[c], row->value[c], lowest, most);
     }
     return STATUS_OK;
 }
@@ -403,12 +382,12 @@ static bool is_broken_row(struct string_view line, bool above)
     return is_no_value(cells.cell[0]) || (!above && (digit || delimiter != ' '));
 }
 
-static enum status_code refuse_broken(const struct reading *in, struct string_view line, size_t number)
+static enum status_code refuse_broken(const struct reading *in, struct string_view line)
 {
     struct string_view load = split(line, delimiter_of(line), false).cell[0];
     return status_fail(in->status, STATUS_SCENE,
-                       "%s:%zu: '%s' is no load; correct the row or remove it, or put # before a remark", in->name,
-                       number, scene_words_show(load.start, string_view_length(load)).text);
+                       "'%s' is no load; correct the row or remove it, or put # before a remark",
+                       scene_words_show(load.start, string_view_length(load)).text);
 }
 
 /* Does the line begin as a row does, perhaps quoted? */
@@ -420,7 +399,7 @@ static bool is_row(struct string_view line)
     return p < line.end && *p >= '0' && *p <= '9';
 }
 
-static enum status_code row_add(const struct reading *in, size_t *capacity, struct string_view line, size_t number)
+static enum status_code row_add(const struct reading *in, size_t *capacity, struct string_view line)
 {
     struct measured_file *out = in->out;
     if (out->count == *capacity) {
@@ -430,55 +409,58 @@ static enum status_code row_add(const struct reading *in, size_t *capacity, stru
             return status_memory(in->status);
         out->rows = more;
     }
-    struct measured_row row = {{0, 0, NAN}, number};
-    if (row_read(in, &row, line) != STATUS_OK)
-        return in->status->code;
-    out->rows[out->count++] = row;
-    return STATUS_OK;
+    out->rows[out->count] = (struct measured_row){{0, 0, NAN}, in->line};
+    enum status_code rc = row_read(in, &out->rows[out->count], line);
+    out->count += rc == STATUS_OK;
+    return rc;
 }
 
 enum status_code measured_file_read(struct measured_file *out, struct string_view content, const char *name,
                                     const unsigned quantities[MEASURED_COLUMNS], struct status *status)
 {
     *out = (struct measured_file){0};
-    const struct reading in = {out, name, quantities, status};
-    struct above above = {.count = 0};
+    struct reading in = {out, quantities, 0, status};
+    struct above above = {0};
     size_t capacity = 0;
-    if (string_view_starts(content, byte_order_mark))
-        content.start += strlen(byte_order_mark);
+    if (string_view_starts(content, "\xEF\xBB\xBF"))
+        content.start += 3;
     struct lines lines = lines_begin(content);
-    for (struct string_view line; lines_next(&lines, &line);) {
-        enum status_code rc = STATUS_OK;
+    enum status_code rc = STATUS_OK;
+    for (struct string_view line; rc == STATUS_OK && lines_next(&lines, &line);) {
         line = string_view_trim(line);
         if (line.start == line.end)
             continue;
         const char *comment = memchr(line.start, '#', string_view_length(line));
         if (comment && comment > line.start)
             line = string_view_trim((struct string_view){line.start, comment});
-        if (is_row(line)) {
-            if (out->count == 0)
-                rc = headings_use(&in, &above);
-            if (rc == STATUS_OK && may_be_decimal_commas(&above, line))
-                rc = status_fail(status, STATUS_SCENE,
-                                 "%s:%zu: more cells than titles in line %zu: decimal commas? Write decimals with a "
-                                 "point, and give an error a title",
-                                 name, lines.number, above.number[1]);
-            if (rc == STATUS_OK)
-                rc = row_add(&in, &capacity, line, lines.number);
+        bool row = is_row(line);
+        if (row && out->count == 0)
+            rc = headings_use(&in, &above);
+        if (rc != STATUS_OK)
+            break;
+        in.line = lines.number;
+        if (row && may_be_decimal_commas(&above, line)) {
+            rc =
+                status_fail(status, STATUS_SCENE,
+                            "more cells than titles in line %zu: decimal commas? Write decimals with a point, and give "
+                            "an error a title",
+                            above.line[1].number);
+        } else if (row) {
+            rc = row_add(&in, &capacity, line);
         } else if (is_broken_row(line, out->count == 0)) {
-            rc = refuse_broken(&in, line, lines.number);
+            rc = refuse_broken(&in, line);
         } else if (out->count == 0) {
             above_note(&above, line, lines.number);
         } else if (is_heading(line) && *line.start != '#') { /* of a second block: the same units, or none */
             struct heading heading = heading_read(line, quantities, false);
-            rc = heading_use(&in, &heading, lines.number);
+            rc = heading_use(&in, &heading);
         }
-        if (rc != STATUS_OK)
-            return rc;
     }
-    if (out->count == 0)
-        return status_fail(status, STATUS_SCENE, "%s: no row of load and resistance", name);
-    return STATUS_OK;
+    if (rc == STATUS_SCENE)
+        return status_prefix(status, "%s:%zu", name, in.line);
+    if (rc == STATUS_OK && out->count == 0)
+        rc = status_fail(status, STATUS_SCENE, "%s: no row of load and resistance", name);
+    return rc;
 }
 
 void measured_file_free(struct measured_file *file)

@@ -2,6 +2,7 @@
 #ifndef SCENE_MEASURED_FILE_H
 #define SCENE_MEASURED_FILE_H
 
+#include "base/text.h"
 #include "base/unit.h"
 #include "scan/string_view.h"
 

@@ -9,6 +9,8 @@ enum {
                  QUANTITY_BIT(QUANTITY_ECR)
 };
 
+static const struct repeat_set alone; /* one scan */
+
 /* A tin surface that yields, and its task without loads. */
 struct fixture {
     double amplitudes_m[HARMONICS];
@@ -50,7 +52,7 @@ static struct curve_summary summarise(const struct fixture *f, const char *name,
     assert_int_equal(model_run(&curve, row, &task, &status), STATUS_OK);
     assert_true(curve.exists);
     curve_summary_make(&summary, &curve, row, f->asperities.sigma_m);
-    struct landmarks_model model = {row, task, QUANTITIES};
+    struct landmarks_model model = {row, task, QUANTITIES, &alone};
     const struct landmarks_curve searched = {landmarks_run_model, &model, task.tolerance};
     assert_int_equal(landmarks_solve(&summary, &curve, row, &searched, &status), STATUS_OK);
     return summary;
@@ -60,7 +62,7 @@ static struct curve_summary summarise(const struct fixture *f, const char *name,
 static struct contact_point at(const struct fixture *f, const char *name, double load)
 {
     static struct contact_point points[2];
-    struct landmarks_model model = {model_rows[model_named(name)], f->task, QUANTITIES};
+    struct landmarks_model model = {model_rows[model_named(name)], f->task, QUANTITIES, &alone};
     struct model_curve curve = {.points = points};
     struct status status = {0};
     assert_int_equal(landmarks_run_model(&curve, &load, 1, &model, &status), STATUS_OK);
@@ -155,7 +157,7 @@ static void the_nearest_beta(void **state)
     make(&f);
     for (int p = 0; p < 2; p++) {
         struct landmarks_model own = {model_rows[model_named(pairs[p].statistical)], f.task, QUANTITIES},
-                               other = {model_rows[model_named(pairs[p].multiscale)], f.task, QUANTITIES};
+                               other = {model_rows[model_named(pairs[p].multiscale)], f.task, QUANTITIES, &alone};
         const struct landmarks_curve a = {landmarks_run_model, &own, 1e-8}, b = {landmarks_run_model, &other, 1e-8};
         double from = 1e-7, to = summarise(&f, pairs[p].statistical, 1e-9, 20).full_load, beta, sum = 0;
         double *loads = malloc(MANY * sizeof *loads);

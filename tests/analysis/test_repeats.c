@@ -1,107 +1,115 @@
+/* What is known of a number from its value of every scan, piece or row. Student's quantiles from tables. */
 #include "analysis/repeats.h"
 #include "support.h"
 
-enum { SCALES = 60, LOADS = 21 };
+enum { MOST = 64 };
 
-static struct repeat part_of(double alpha, double gamma)
+/* Parts of the scans given, one value a part. */
+static struct repeat_set set_of(struct repeat *parts, const size_t *scan, size_t count, struct repeats_scan *scans,
+                                size_t scan_count)
 {
-    struct repeat part = {.spectrum = {malloc(SCALES * sizeof(double)), SCALES, 3e-4, false}};
-    assert_non_null(part.spectrum.amplitude_m);
-    for (size_t i = 0; i < SCALES; i++)
-        part.spectrum.amplitude_m[i] = alpha * pow(3e-4 / (double)(i + 1), gamma);
-    roughness_from_spectrum(&part.roughness, &part.spectrum);
-    part.roughness.rq_m = sqrt(part.roughness.m0_m2);
-    return part;
+    for (size_t p = 0; p < count; p++)
+        parts[p] = (struct repeat){.scan = scan[p]};
+    return (struct repeat_set){.parts = parts, .count = count, .scans = scans, .scan_count = scan_count};
 }
 
-static void mean_and_deviation(void **state)
+/** Three scans: geometric mean, and t(2) = 4.302653 standard errors; another scan, sqrt(1 + 1/3) deviations. */
+static void three_scans(void **state)
 {
     (void)state;
-    struct repeats_number number = {0};
-    assert_true(isnan(repeats_deviation(&number)));
-    static const double values[] = {1e9 + 2, 1e9 + 4, 1e9 + 4, 1e9 + 4, 1e9 + 5, 1e9 + 5, 1e9 + 7, 1e9 + 9};
-    for (int i = 0; i < 8; i++)
-        repeats_add(&number, values[i]);
-    assert_near(number.mean, 1e9 + 5, 1e-15);
-    assert_near(repeats_deviation(&number), sqrt(32.0 / 7), 1e-8); /* 1e-16 of the 1e9 offset */
-}
-
-/** Exact laws: the spread of gamma is that of the laws; the bootstrap stays within them and repeats. */
-static void laws_of_parts(void **state)
-{
-    (void)state;
-    static const double band[2] = {0, INFINITY}, gammas[] = {1.4, 1.5, 1.6, 1.5};
+    static const size_t scan[] = {0, 1, 2};
+    static const double value[] = {1, 4, 16};
+    struct repeat parts[3];
+    struct repeats_scan scans[3] = {{.weight = 1}, {.weight = 1}, {.weight = 1}};
+    struct repeat_set set = set_of(parts, scan, 3, scans, 3);
     struct status status = {0};
-    struct repeat parts[4];
-    struct repeats first, again;
-    for (int p = 0; p < 4; p++)
-        parts[p] = part_of(0.085, gammas[p]);
-    assert_int_equal(repeats_laws(&first, parts, 4, band, &status), STATUS_OK);
-    assert_near(first.gamma.mean, 1.5, 1e-9);
-    assert_near(repeats_deviation(&first.gamma), sqrt(0.02 / 3), 1e-6);
-    assert_true(first.gamma_interval[0] >= 1.4 - 1e-9 && first.gamma_interval[1] <= 1.6 + 1e-9);
-    assert_true(first.gamma_interval[1] - first.gamma_interval[0] > 0.05);
-    assert_int_equal(repeats_laws(&again, parts, 4, band, &status), STATUS_OK);
-    assert_memory_equal(&first, &again, sizeof first);
-    assert_int_equal(repeats_laws(&again, parts, 2, band, &status), STATUS_OK);
-    assert_int_equal(again.count, 2);
-    assert_true(isnan(again.gamma_interval[0])); /* two scans cannot be resampled */
-    assert_int_equal(repeats_laws(&again, parts, 1, band, &status), STATUS_OK);
-    assert_int_equal(again.count, 0);
-    for (int p = 0; p < 4; p++)
-        spectrum_free(&parts[p].spectrum);
+    struct estimate estimate;
+    assert_int_equal(repeats_estimate(&estimate, value, &set, true, &status), STATUS_OK);
+    double sd = log(4), t = 4.302652729911275;
+    assert_near(estimate_value(&estimate), 4, 1e-14);
+    assert_near(estimate_end(&estimate, 1), 4 * exp(t * sd / sqrt(3)), 1e-9);
+    assert_near(estimate_end(&estimate, 0), 4 / exp(t * sd / sqrt(3)), 1e-9);
+    assert_near(estimate_next_end(&estimate, 1), 4 * exp(t * sd * sqrt(1 + 1 / 3.0)), 1e-9);
+    assert_int_equal(repeats_estimate(&estimate, value, &set, false, &status), STATUS_OK);
+    assert_near(estimate_value(&estimate), 7, 1e-14);
+    set.no_intervals = true;
+    assert_int_equal(repeats_estimate(&estimate, value, &set, true, &status), STATUS_OK);
+    assert_near(estimate_value(&estimate), 4, 1e-14);
+    assert_true(isnan(estimate_end(&estimate, 0)) && isnan(estimate_next_end(&estimate, 1)));
 }
 
-/** The band's limits are exp(mean -+ deviation) of the logarithms of the two curves run by hand. */
-static void band_of_two(void **state)
+/** Pieces of a scan count together, as much as they are many: ln 2 and the mean of ln 8, ln 32, weights 1 and 2. */
+static void pieces(void **state)
 {
     (void)state;
+    static const size_t scan[] = {0, 1, 1};
+    static const double value[] = {2, 8, 32};
+    struct repeat parts[3];
+    struct repeats_scan scans[2] = {{.weight = 1}, {.weight = 2}};
+    struct repeat_set set = set_of(parts, scan, 3, scans, 2);
     struct status status = {0};
-    struct material_pair pair = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
-    struct repeat parts[2] = {part_of(0.085, 1.5), part_of(0.06, 1.45)};
-    double loads[LOADS];
-    for (int i = 0; i < LOADS; i++)
-        loads[i] = 1e-7 * pow(10, 3.0 * i / (LOADS - 1));
-    struct model_task task = {
-        .pair = &pair, .loads = loads, .load_count = LOADS, .wanted = QUANTITY_BIT(QUANTITY_ECR), .tolerance = 1e-8};
-    for (size_t m = 0; m < model_count; m++) {
-        struct contact_point points[2][LOADS + 1] = {0};
-        for (int p = 0; p < 2; p++) {
-            struct asperities asperities;
-            struct model_curve curve = {.points = points[p]};
-            assert_int_equal(roughness_asperities(&asperities, &parts[p].roughness, &status), STATUS_OK);
-            task.spectrum = &parts[p].spectrum;
-            task.asperities = &asperities;
-            assert_int_equal(model_rows[m]->run(&curve, model_rows[m], &task, &status), STATUS_OK);
-        }
-        struct repeats_number beta = {0}, log_full_load = {0};
-        struct repeats_band band[LOADS] = {0};
-        struct model_work work = {0};
-        assert_int_equal(repeats_model(&beta, &log_full_load, band, parts, 2, model_rows[m], &task, &work, &status),
-                         STATUS_OK);
-        assert_true(work.scales + work.separations > 0);
-        struct model_work predicted = repeats_work(parts, 2, model_rows[m], &task);
-        assert_memory_equal(&work, &predicted, sizeof work);
-        assert_int_equal(log_full_load.count, 2);
-        assert_int_equal(beta.count, model_rows[m]->quantities & QUANTITY_BIT(QUANTITY_ADJUSTED) ? 2 : 0);
-        for (int i = 0; i < LOADS; i++) {
-            double a = log(points[0][i].ecr_ohm_m2), b = log(points[1][i].ecr_ohm_m2);
-            double half = fabs(a - b) / sqrt(2);
-            assert_near(band[i].limits[QUANTITY_ECR][0], exp((a + b) / 2 - half), 1e-9);
-            assert_near(band[i].limits[QUANTITY_ECR][1], exp((a + b) / 2 + half), 1e-9);
-            assert_true(isnan(band[i].limits[QUANTITY_TCR][0]) && isnan(band[i].limits[QUANTITY_SEPARATION][0]));
-        }
-    }
-    spectrum_free(&parts[0].spectrum);
-    spectrum_free(&parts[1].spectrum);
+    struct estimate estimate;
+    assert_int_equal(repeats_estimate(&estimate, value, &set, true, &status), STATUS_OK);
+    assert_int_equal(estimate.count, 2);
+    assert_near(estimate.mean, (log(2) + 2 * log(16)) / 3, 1e-13);
+    assert_near(estimate.effective, 3, 1e-15);
+    assert_near(estimate.degrees, 1, 1e-15);
+}
+
+/** Rows of a map: 16 blocks of 4; blocks that alternate are independent, blocks that rise are worth the least. */
+static void rows(void **state)
+{
+    (void)state;
+    size_t scan[MOST] = {0};
+    double value[MOST];
+    struct repeat parts[MOST];
+    struct repeats_scan scans[1] = {{.weight = 1}};
+    struct repeat_set set = set_of(parts, scan, MOST, scans, 1);
+    struct status status = {0};
+    struct estimate estimate;
+    for (int i = 0; i < MOST; i++)
+        value[i] = i / 4 % 2 ? 3 : 1;
+    assert_int_equal(repeats_estimate(&estimate, value, &set, false, &status), STATUS_OK);
+    assert_int_equal(estimate.count, ESTIMATE_BLOCKS);
+    assert_near(estimate.mean, 2, 1e-14);
+    assert_near(estimate.effective, 16, 1e-14);
+    assert_true(isnan(estimate_next_end(&estimate, 0)));
+    for (int i = 0; i < MOST; i++)
+        value[i] = i;
+    assert_int_equal(repeats_estimate(&estimate, value, &set, false, &status), STATUS_OK);
+    assert_near(estimate.effective, 2, 1e-14);
+    assert_near(estimate.mean, 31.5, 1e-14);
+}
+
+/** A value that is missing, or not positive where logarithms count, leaves nothing known; equal ones spread by nothing.
+ */
+static void nothing_known(void **state)
+{
+    (void)state;
+    static const size_t scan[] = {0, 1};
+    static const double missing[] = {1, NAN}, closed[] = {1, 0}, same[] = {0.3, 0.3};
+    struct repeat parts[2];
+    struct repeats_scan scans[2] = {{.weight = 1}, {.weight = 1}};
+    struct repeat_set set = set_of(parts, scan, 2, scans, 2);
+    struct status status = {0};
+    struct estimate estimate;
+    assert_int_equal(repeats_estimate(&estimate, missing, &set, false, &status), STATUS_OK);
+    assert_int_equal(estimate.count, 0);
+    assert_true(isnan(estimate_value(&estimate)));
+    assert_int_equal(repeats_estimate(&estimate, closed, &set, true, &status), STATUS_OK);
+    assert_int_equal(estimate.count, 0);
+    assert_int_equal(repeats_estimate(&estimate, same, &set, true, &status), STATUS_OK);
+    assert_int_equal(estimate.count, 2);
+    assert_near(estimate_end(&estimate, 0), estimate_end(&estimate, 1), 1e-15);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(mean_and_deviation),
-        cmocka_unit_test(laws_of_parts),
-        cmocka_unit_test(band_of_two),
+        cmocka_unit_test(three_scans),
+        cmocka_unit_test(pieces),
+        cmocka_unit_test(rows),
+        cmocka_unit_test(nothing_known),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

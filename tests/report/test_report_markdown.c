@@ -74,10 +74,11 @@ static void test_everything(void **state)
     assert_headings(&report, "# in\n## The surfaces\n## Material and load\n"
                              "## Does the area converge as smaller scales are included?\n"
                              "## Surface b in every model\n### Real contact area\n### Separation\n"
-                             "### Electrical contact resistance\n### Thermal contact resistance\n"
+                             "### Electrical contact resistance\n### Thermal contact resistance\n## Two bands\n"
                              "## All surfaces, model by model\n### Area against load\n### Separation against load\n"
                              "### Separation against area\n### ECR against load\n### TCR against load\n"
                              "## The findings of chapter 6, checked on these surfaces\n"
+                             "## What the answers hang on: cut-off and scan length\n"
                              "## Where the models may be trusted\n## What was computed\n## Models and sources\n");
     assert_tidy(*state, &report);
     text_free(&report);
@@ -92,6 +93,7 @@ static void test_what_did_not_run_is_not_spoken_of(void **state)
                              "### Real contact area\n### Electrical contact resistance\n"
                              "## All surfaces, model by model\n### Area against load\n### ECR against load\n"
                              "## The findings of chapter 6, checked on these surfaces\n"
+                             "## What the answers hang on: cut-off and scan length\n"
                              "## Where the models may be trusted\n## What was computed\n## Models and sources\n");
     assert_tidy(*state, &report);
     *strstr(report.data, "## What was computed") = '\0'; /* which says what was skipped and why */
@@ -122,13 +124,15 @@ static void test_repeats_and_measurements(void **state)
 {
     directory_write(*state, "ecr.txt", "1e-5, 1e-9\n1e-4, 1e-10\n");
     struct text report =
-        report_of(*state, LOADS "effects: [electrical]\nsurfaces: [{name: both, file: [a.csv, b.csv]}]\n"
+        report_of(*state, LOADS "effects: [electrical]\nmodels: [multiscale, statistical]\n"
+                                "surfaces: [{name: both, file: [a.csv, b.csv]}]\n"
                                 "measured: {file: ../ecr.txt, quantity: ecr, load_unit: dimensionless, "
                                 "resistance_unit: ohm m2}\n");
     assert_headings(&report, "# in\n## The surfaces\n## Material and load\n## Surface both in every model\n"
                              "### Real contact area\n### Electrical contact resistance\n"
                              "## All surfaces, model by model\n### Area against load\n### ECR against load\n"
                              "## The findings of chapter 6, checked on these surfaces\n"
+                             "## What the answers hang on: cut-off and scan length\n"
                              "## How far repeated scans lie apart\n## Measured contact resistance\n"
                              "## Where the models may be trusted\n## What was computed\n## Models and sources\n");
     assert_tidy(*state, &report);

@@ -97,6 +97,7 @@ static inline void make_fake(struct fake *fake)
         struct surface_summary *summary = &fake->summaries[k];
         summary->scene = &fake->names[k];
         summary->usable = true;
+        summary->power_law.found = POWER_LAW_BAND_LAW;
         summary->power_law.gamma = 1.6 - 0.2 * (double)k;
         summary->power_law.alpha = k == 1 ? 0.2 : 0.1;
         summary->power_law.knee_m = NAN;
