@@ -156,7 +156,7 @@ static void the_nearest_beta(void **state)
     struct status status = {0};
     make(&f);
     for (int p = 0; p < 2; p++) {
-        struct landmarks_model own = {model_rows[model_named(pairs[p].statistical)], f.task, QUANTITIES},
+        struct landmarks_model own = {model_rows[model_named(pairs[p].statistical)], f.task, QUANTITIES, &alone},
                                other = {model_rows[model_named(pairs[p].multiscale)], f.task, QUANTITIES, &alone};
         const struct landmarks_curve a = {landmarks_run_model, &own, 1e-8}, b = {landmarks_run_model, &other, 1e-8};
         double from = 1e-7, to = summarise(&f, pairs[p].statistical, 1e-9, 20).full_load, beta, sum = 0;
