@@ -3,8 +3,8 @@
 #include <math.h>
 
 const double curve_summary_beyond_fit_share = 0.1;
+const double curve_summary_elbow_slope = 2;
 static const double slope_area = 0.1; /* A/A_n up to which the area is held to be a power of the load */
-static const double elbow_slope = 2;  /* |d ln ECR/d ln P| that counts as the elbow: twice the slope before it */
 
 /** Least-squares slope of ln A over ln P where A/A_n < 0.1, and its RMS residual in decades. */
 static void fit_area_slope(struct curve_summary *model, const struct model_curve *curve)
@@ -54,11 +54,17 @@ struct curve_validity curve_summary_validity(const struct model_curve *curve, co
     return valid;
 }
 
+double curve_summary_elbow_share(const struct curve_summary *model)
+{
+    return model->elbow_load > model->first_load ? model->elbow_load / model->full_load : NAN;
+}
+
 void curve_summary_make(struct curve_summary *model, const struct model_curve *curve, const struct model_row *row,
                         double sigma_m)
 {
     *model = (struct curve_summary){
         .exists = curve->exists,
+        .first_load = curve->count > 0 ? curve->points[0].load : NAN,
         .full_load = curve->full_load,
         .closed_load = curve->closed_load,
         .beta = curve->beta,
@@ -92,9 +98,9 @@ void curve_summary_make(struct curve_summary *model, const struct model_curve *c
             model->sd_most = fmax(model->sd_most, point->tcr_sd_K_m2_per_W / point->tcr_K_m2_per_W - 1);
         }
         /* a load where the resistance has gone to 0 ends the elbow too */
-        if (before && before->ecr_ohm_m2 > 0 && isnan(model->elbow_load) &&
-            !(point->ecr_ohm_m2 > 0 &&
-              log(before->ecr_ohm_m2 / point->ecr_ohm_m2) < elbow_slope * log(point->load / before->load)))
+        if (before && before->ecr_ohm_m2 > 0 && !isnan(point->ecr_ohm_m2) && isnan(model->elbow_load) &&
+            !(point->ecr_ohm_m2 > 0 && log(before->ecr_ohm_m2 / point->ecr_ohm_m2) <
+                                           curve_summary_elbow_slope * log(point->load / before->load)))
             model->elbow_load = before->load;
     }
 }

@@ -17,10 +17,12 @@ struct curve_bounds {
 struct curve_summary {
     struct curve_bounds bounds;
     bool exists;
+    double first_load; /* of the curve */
     double full_load, closed_load, beta, beta_multiscale;
     double area_slope;        /* d ln A/d ln P, least squares over A/A_n < 0.1 */
     double area_slope_rms;    /* decades */
-    double elbow_load;        /* where |d ln ECR/d ln P| first exceeds 2; NaN: nowhere */
+    double elbow_load;        /* where |d ln ECR/d ln P| first exceeds 2, by landmarks_solve(); NaN: nowhere; the first
+                                 load: there or below */
     double sd_least, sd_most; /* TCR_sd/TCR - 1 over the curve */
     double invalid_area_load; /* first load beyond the model's largest valid area; NaN: none */
     double
@@ -40,6 +42,8 @@ struct curve_summary {
     double seconds; /* that the curve took */
 };
 
+/** |d ln ECR/d ln P| that counts as the elbow: twice the slope before it. */
+extern const double curve_summary_elbow_slope;
 /** Share of the load beyond a law's fitted range from which a curve is drawn as outside its validity. */
 extern const double curve_summary_beyond_fit_share;
 
@@ -50,7 +54,11 @@ struct curve_validity {
 };
 struct curve_validity curve_summary_validity(const struct model_curve *curve, const struct model_row *row);
 
-/** Condenses one model's curve on a surface of rms height sigma_m; bounds, sensitivity and seconds are kept. */
+/** The elbow as a share of the load to full contact; NaN: none, or at the first load or below. */
+double curve_summary_elbow_share(const struct curve_summary *model);
+
+/** Condenses one model's curve on a surface of rms height sigma_m; bounds, sensitivity and seconds are kept. Loads that
+ * are not the model's own answer are points of the curve: landmarks_solve() solves for them. */
 void curve_summary_make(struct curve_summary *out, const struct model_curve *curve, const struct model_row *row,
                         double sigma_m);
 

@@ -1,8 +1,8 @@
 #include "analysis/surface.h"
 
 #include "analysis/gather.h"
+#include "analysis/landmarks.h"
 #include "base/clock.h"
-#include "contact/statistical.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -148,23 +148,6 @@ static enum status_code describe(struct surface_record *record, struct power_law
     return STATUS_OK;
 }
 
-/** The second estimate of beta, against the multiscale model of the same material law. */
-static void estimate_beta(struct surface_record *record, size_t model)
-{
-    size_t counterpart = model_index(model_rows[model]->counterpart);
-    if (counterpart == model_count || !record->curves[model].exists || !record->curves[counterpart].exists)
-        return;
-    const struct model_curve *low = &record->curves[model], *high = &record->curves[counterpart];
-    double sigma_m = record->summary.asperities.sigma_m, sum = 0;
-    size_t common = 0;
-    for (size_t i = 0; i < low->count && i < high->count; i++)
-        if (low->points[i].load == high->points[i].load) {
-            sum += statistical_beta_multiscale(&low->points[i].separation_m, &high->points[i].separation_m, 1, sigma_m);
-            common++;
-        }
-    record->summary.models[model].beta_multiscale = common > 0 ? sum / (double)common : NAN;
-}
-
 struct model_task surface_task(const struct surface_record *record, const struct scene *scene, const struct plan *plan,
                                const double *loads, size_t load_count)
 {
@@ -279,6 +262,43 @@ static enum status_code run_sensitivity(struct surface_record *record, size_t m,
                            &model->work, status);
 }
 
+/** Where model `m` bends and its validity ends on this surface. */
+static enum status_code run_landmarks(struct surface_record *record, size_t m, const struct model_task *task,
+                                      struct status *status)
+{
+    const unsigned quantities = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_ECR);
+    struct landmarks_model searched = {model_rows[m], *task, quantities, &record->repeats};
+    const struct landmarks_curve landmarks = {landmarks_run_model, &searched, task->tolerance};
+    return landmarks_solve(&record->summary.models[m], &record->curves[m], model_rows[m], &landmarks, status);
+}
+
+bool surface_seeks_beta(const struct plan *plan, size_t m)
+{
+    return plan_runs(plan, EFFECT_SEPARATION) && plan_runs_model(plan, m) &&
+           plan_runs_model(plan, model_index(model_rows[m]->counterpart));
+}
+
+/** The second estimate of beta, against the multiscale model of the same material law. */
+static enum status_code estimate_beta(struct surface_record *record, size_t m, const struct model_task *task,
+                                      struct status *status)
+{
+    const unsigned quantities =
+        QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_SEPARATION);
+    const struct model_row *counterpart = model_rows[m]->counterpart;
+    const struct model_curve *curve = &record->curves[m];
+    struct curve_summary *model = &record->summary.models[m];
+    model->work.searches++;
+    if (!curve->exists || !record->curves[model_index(counterpart)].exists)
+        return STATUS_OK;
+    struct landmarks_model own = {model_rows[m], *task, quantities, &record->repeats},
+                           other = {counterpart, *task, quantities, &record->repeats};
+    const struct landmarks_curve adjusted = {landmarks_run_model, &own, task->tolerance},
+                                 multiscale = {landmarks_run_model, &other, task->tolerance};
+    double to = fmin(curve->full_load, task->loads[task->load_count - 1]);
+    return landmarks_nearest_beta(&model->beta_multiscale, &adjusted, &multiscale, task->loads[0], to,
+                                  record->summary.asperities.sigma_m, status);
+}
+
 static enum status_code run_model(struct surface_record *record, size_t m, const struct model_task *task,
                                   struct status *status)
 {
@@ -293,11 +313,15 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
     if (several ? run_repeats(record, m, task, &result, status) != STATUS_OK
                 : model_run(curve, model_rows[m], task, status) != STATUS_OK)
         return status->code;
-    model->seconds = clock_seconds() - started;
-    if (curve->exists)
+    if (curve->exists) {
         curve_summary_make(model, curve, model_rows[m], record->summary.asperities.sigma_m);
-    else
+        if (run_landmarks(record, m, task, status) != STATUS_OK)
+            return status->code;
+    } else {
         model->work = curve->work;
+    }
+    model->work.searches++;
+    model->seconds = clock_seconds() - started;
     model->full_load_estimate = several ? result.full_load : estimate_none;
     model->beta_estimate = several ? result.beta : estimate_none;
     for (int q = 0; q < QUANTITY_COUNT; q++)
@@ -323,8 +347,9 @@ enum status_code surface_run_models(struct surface_record *record, const struct 
     if (plan_runs(plan, EFFECT_UNCERTAINTY) && record->height_m &&
         run_uncertainty(record, scene, plan, &task, status) != STATUS_OK)
         return status->code;
-    for (size_t m = 0; m < model_count && plan_runs(plan, EFFECT_SEPARATION); m++)
-        estimate_beta(record, m);
+    for (size_t m = 0; m < model_count; m++)
+        if (surface_seeks_beta(plan, m) && estimate_beta(record, m, &task, status) != STATUS_OK)
+            return status->code;
     if (plan_runs(plan, EFFECT_CONVERGENCE))
         extend(record, scene, plan);
     return STATUS_OK;

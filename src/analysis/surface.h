@@ -73,6 +73,8 @@ struct surface_record {
     size_t preview_points;
 };
 
+/** Is the beta of model `m` sought that is nearest to its multiscale counterpart? */
+bool surface_seeks_beta(const struct plan *plan, size_t m);
 /** The one criterion of divergence (4.55): gamma is below 1 by more than its standard error; where two slopes fit
  * better than one law, the one at short wavelengths. False without a law. */
 bool surface_diverges(const struct surface_summary *summary);

@@ -7,7 +7,7 @@
 /** Typical times of one evaluation on one core [s], from the benchmark (cmake --workflow --preset bench). They are for
  * planning only; a report prints what it took. */
 static const double scale_seconds = 20e-9, gap_seconds = 15e-9, constriction_seconds = 8e-9, node_seconds = 120e-9,
-                    separation_seconds = 8e-6, extension_seconds = 0.5e-3;
+                    separation_seconds = 8e-6, search_seconds = 0.5e-3, extension_seconds = 0.5e-3;
 
 static struct model_work *share_of(struct work *work, size_t m)
 {
@@ -51,6 +51,8 @@ struct work work_predict(const struct surface_summary *surfaces, size_t count, c
         for (size_t m = 0; m < model_count; m++) {
             if (!plan_runs_model(plan, m))
                 continue;
+            struct model_work searches = {.searches = surface_seeks_beta(plan, m) ? 2 : 1};
+            model_work_add(share_of(&work, m), &searches);
             model_work_add(share_of(&work, m),
                            &surfaces[i].models[m].bounds.work[plan_runs(plan, EFFECT_SCALE_DEPENDENT)]);
             model_work_add(share_of(&work, m), &surfaces[i].models[m].bounds.sensitivity_work);
@@ -84,7 +86,7 @@ struct work work_done(const struct surface_summary *surfaces, size_t count, uint
 static double model_seconds(const struct model_work *work)
 {
     return (double)work->scales * scale_seconds + (double)work->nodes * node_seconds +
-           (double)work->separations * separation_seconds;
+           (double)work->separations * separation_seconds + (double)work->searches * search_seconds;
 }
 
 uint64_t work_uncertainty(const struct uncertainty_work *work, double *seconds)

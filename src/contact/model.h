@@ -35,6 +35,7 @@ struct model_work {
     uint64_t nodes;                 /* asperity laws at a quadrature node */
     uint64_t scale_dependent_nodes; /* the same, needed for nothing but scale dependence */
     uint64_t separations;           /* loads of a statistical model solved for a separation */
+    uint64_t searches;              /* curves searched for their landmarks, by as many loads as the tolerance takes */
 };
 
 /** What it answers. `points` is the caller's, load_count + 1 long. */

@@ -226,6 +226,14 @@ void section_load_cell(struct text *out, double load)
     number_format_power(out, load, 3);
 }
 
+void section_threshold_cell(struct text *out, const struct curve_summary *curve, double load)
+{
+    if (load <= curve->first_load)
+        text_add(out, " | from the first load on");
+    else
+        section_load_cell(out, load);
+}
+
 void section_error_cell(struct text *out, double value, double error)
 {
     text_add(out, " | ");

@@ -94,6 +94,9 @@ void section_factor(struct text *out, const struct estimate *estimate, double ha
 void section_cell(struct text *out, double value, int digits);
 /** The same for a load. */
 void section_load_cell(struct text *out, double load);
+/** The same for a load from which something holds on a curve: "from the first load on" where that is all that is known.
+ */
+void section_threshold_cell(struct text *out, const struct curve_summary *curve, double load);
 /** The same for a value with its standard error. */
 void section_error_cell(struct text *out, double value, double error);
 

@@ -83,7 +83,7 @@ static void model_table(struct text *out, const struct section_context *context)
         if (separation)
             section_load_cell(out, model->closed_load);
         if (electrical)
-            section_load_cell(out, model->elbow_load);
+            section_threshold_cell(out, model, model->elbow_load);
         if (scale_dependent) {
             text_add(out, " | ");
             number_format_range(out, 100 * model->sd_least, 100 * model->sd_most, 2);
@@ -133,11 +133,6 @@ static bool model_range(const struct section_context *context, double (*number)(
 static double area_slope(const struct curve_summary *model)
 {
     return model->area_slope;
-}
-
-static double elbow_share(const struct curve_summary *model)
-{
-    return model->elbow_load / model->full_load;
 }
 
 static double scale_dependence(const struct curve_summary *model)
@@ -235,7 +230,7 @@ static void electrical_text(struct text *out, const struct section_context *cont
 {
     double least, most;
     size_t unused;
-    if (model_range(context, elbow_share, &least, &most, &unused)) {
+    if (model_range(context, curve_summary_elbow_share, &least, &most, &unused)) {
         text_add(out, "The elbow, from which ECR falls faster than P⁻², lies at ");
         number_format_range(out, 100 * least, 100 * most, 2);
         text_add(out, " %% of the load to full contact. ");

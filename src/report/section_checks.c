@@ -79,11 +79,6 @@ static double gap_at_full(const struct curve_summary *summary)
     return summary->gap_at_full;
 }
 
-static double elbow(const struct curve_summary *summary)
-{
-    return summary->elbow_load / summary->full_load;
-}
-
 static double sd_least(const struct curve_summary *summary)
 {
     return summary->sd_least;
@@ -205,15 +200,16 @@ static enum verdict check_elbow(struct text *out, const struct section_context *
     const struct results *results = context->results;
     size_t curves = 0, late = 0;
     text_add(out, "ECR begins to fall faster than P⁻² at this percentage of the load to full contact: ");
-    add_ranges(out, context, elbow, 100);
+    add_ranges(out, context, curve_summary_elbow_share, 100);
     for (size_t m = 0; m < model_count; m++)
         for (size_t k = 0; k < results->usable_count; k++) {
             const struct curve_summary *curve = curve_of(context, k, m);
-            if (!curve || curve->elbow_load <= results->loads[0]) /* it may lie anywhere below */
+            if (!curve || curve->elbow_load <= curve->first_load) /* it may lie anywhere below */
                 continue;
-            curves += isfinite(elbow(curve)) || (curve->full_load > results->loads[0] &&
-                                                 curve->full_load <= results->loads[results->load_count - 1]);
-            late += elbow(curve) > 0.1;
+            curves +=
+                isfinite(curve_summary_elbow_share(curve)) ||
+                (curve->full_load > results->loads[0] && curve->full_load <= results->loads[results->load_count - 1]);
+            late += curve_summary_elbow_share(curve) > 0.1;
         }
     if (curves == 0) {
         text_add(out, "none begins to within the loads");

@@ -346,6 +346,7 @@ static void models_answer_at_the_measured_loads(void **state)
     (void)state;
     enum { HARMONICS = 40, POINTS = 6 };
     static const double ends[] = {1e-6, 1e-1};
+    static const struct repeat_set one_scan;
     double amplitudes_m[HARMONICS], loads[POINTS] = {1e-3, 1e-5, 1e-3, 1e-7, 5e-2, 2e-4}, resistances[POINTS];
     struct spectrum spectrum = {.amplitude_m = amplitudes_m, .count = HARMONICS, .length_m = 1e-4};
     for (int n = 1; n <= HARMONICS; n++)
@@ -365,10 +366,10 @@ static void models_answer_at_the_measured_loads(void **state)
         struct measured measured = {.count = POINTS, .load = loads, .resistance = resistances, .thermal = thermal};
         struct measured_answers answers;
         struct status status = {0};
-        assert_int_equal(measured_answer(&answers, &measured, models, &task, &status), STATUS_OK);
+        assert_int_equal(measured_answer(&answers, &measured, models, &task, &one_scan, &status), STATUS_OK);
         for (size_t m = 0; m < model_count; m++) {
             struct model_work work;
-            assert_int_equal(measured_work(&work, &measured, m, &task, &status), STATUS_OK);
+            assert_int_equal(measured_work(&work, &measured, m, &task, &one_scan, &status), STATUS_OK);
             if (models & MODEL_BIT(m))
                 assert_memory_equal(&work, &answers.work[m], sizeof work); /* four different loads, as foretold */
             for (int i = 0; i < POINTS; i++) {

@@ -137,7 +137,7 @@ static void test_a_curve_without_an_elbow(void **state)
     assert_verdict(&fake, "the elbow", "in part", "in 11 of 12 curves");
     fake_curve(&fake, 0, "jg")->full_load = 2;
     assert_verdict(&fake, "the elbow", "holds", "in 11 of 11 curves");
-    fake_curve(&fake, 1, "jg")->elbow_load = fake.results.loads[0]; /* or below: it is not known where */
+    fake_curve(&fake, 1, "jg")->elbow_load = fake_curve(&fake, 1, "jg")->first_load = 1e-3; /* or below: who knows */
     assert_verdict(&fake, "the elbow", "holds", "in 10 of 10 curves");
     for (size_t k = 0; k < SURFACES; k++) /* all in full contact from the first load on: nothing tested */
         for (int m = 0; m < FAKE_MODELS; m++) {

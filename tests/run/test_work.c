@@ -82,6 +82,10 @@ static void each_effect_removes_its_own_work(void **state)
     less.elastic.separations = all.elastic.separations;
     less.elastic.gaps = all.elastic.gaps;
     less.plastic.gaps = all.plastic.gaps;
+    assert_int_equal(all.elastic.searches - less.elastic.searches, 2); /* GW's beta nearest to the stack, twice */
+    assert_int_equal(all.plastic.searches - less.plastic.searches, 2);
+    less.elastic.searches = all.elastic.searches;
+    less.plastic.searches = all.plastic.searches;
     assert_same(&less, &all);
 
     less = work_of(FILES "effects: [separation, electrical, thermal, scale-dependent, convergence]\n", NULL);
