@@ -99,13 +99,16 @@ static void put_variant(struct figure_file *out, const struct surface_record *re
     put_curve(out, &record->curves[m], model, variant, record->summary.asperities.sigma_m, style, legend);
 }
 
+/** The charts of chapter 6 show the thesis's models, and others where none of those has a curve. */
 static void put_models(struct figure_file *out, const struct surface_record *record, unsigned wanted)
 {
     enum quantity y = out->figure->row->y;
+    bool thesis = false;
+    for (size_t m = 0; m < model_count && !out->figure->row->beyond_thesis; m++)
+        thesis = thesis || (record->curves[m].exists && model_rows[m]->thesis_place > 0);
     for (size_t m = 0; m < model_count; m++) {
         const struct model_row *model = model_rows[m];
-        if (!record->curves[m].exists || !(model->quantities & QUANTITY_BIT(y)) ||
-            (model->thesis_place == 0 && !out->figure->row->beyond_thesis))
+        if (!record->curves[m].exists || !(model->quantities & QUANTITY_BIT(y)) || (model->thesis_place == 0 && thesis))
             continue;
         if (model_shown(model, y) == y)
             put_band(out, record, m, model->style);

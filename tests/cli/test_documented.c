@@ -24,7 +24,7 @@ static void expect_described(const char *document, const char *before, const cha
 /** `name` as the document has it: `<model>` for a model's name, nothing for the ends of a band. */
 static void generic(char out[NAME], const char *name)
 {
-    static const char *const ends[] = {"_low", "_high"};
+    static const char *const ends[] = {"_mean_low_95", "_mean_high_95", "_next_scan_low_95", "_next_scan_high_95"};
     snprintf(out, NAME, "%s", name);
     size_t length = strlen(out);
     for (size_t m = 0; m < model_count; m++) {
@@ -35,7 +35,7 @@ static void generic(char out[NAME], const char *name)
             return;
         }
     }
-    for (size_t e = 0; e < 2; e++)
+    for (size_t e = 0; e < sizeof ends / sizeof *ends; e++)
         if (length > strlen(ends[e]) && strcmp(out + length - strlen(ends[e]), ends[e]) == 0)
             out[length - strlen(ends[e])] = '\0';
 }
