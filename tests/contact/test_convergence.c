@@ -49,6 +49,9 @@ static void the_tail_is_the_short_end(void **state)
         assert_near(tail.gamma, gamma, 1e-9);
         assert_near(convergence_tail_amplitude(&tail, 2e-6), spectrum.amplitude_m[499], 1e-9);
         assert_true(tail.wavelength_m > 2e-6 && tail.wavelength_m < 2e-6 * sqrt(10));
+        for (int n = 1; n < 158; n++) /* below 500/sqrt(10) another law: it does not matter */
+            spectrum.amplitude_m[n - 1] = 1e-9 * pow(n, -0.3);
+        assert_near(convergence_tail(&spectrum).gamma, gamma, 1e-9);
         spectrum_free(&spectrum);
     }
     struct spectrum short_one = spectrum_of_law(3, 1e-5, 0.1, 1.5, 1); /* harmonics 1, 2, 3: two in the half decade */
