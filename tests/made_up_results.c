@@ -217,6 +217,14 @@ static void make_measured(struct made_up *made)
         values[MADE_UP_MEASURED + i] = 1.5 * 1.5e-14 / loads[i];
         values[2 * MADE_UP_MEASURED + i] = NAN;
     }
+    made->answers = (struct measured_answers){calloc(model_count * MADE_UP_MEASURED, sizeof(double)),
+                                              calloc(model_count, sizeof(struct model_work))};
+    assert_non_null(made->answers.work);
+    assert_non_null(made->answers.resistance);
+    for (size_t m = 0; m < model_count; m++)
+        for (size_t i = 0; i < MADE_UP_MEASURED; i++)
+            made->answers.resistance[m * MADE_UP_MEASURED + i] =
+                plan_runs_model(&made->plan, m) ? surfaces[0].ecr * 1e-14 / factor_of(m) / loads[i] : NAN;
 }
 
 static void make_benchmark(struct made_up *made)
@@ -346,6 +354,7 @@ void made_up_make_of(struct made_up *made, uint64_t models, unsigned effects,
                                      .load_count = MADE_UP_LOADS,
                                      .store = &made->store,
                                      .measured = &made->measured,
+                                     .answers = &made->answers,
                                      .benchmark = &made->benchmark,
                                      .shown = made->shown,
                                      .shown_count = MADE_UP_USABLE,
@@ -368,6 +377,7 @@ void made_up_free(struct made_up *made)
     surface_store_close(&made->store);
     benchmark_free(&made->benchmark);
     free(made->sweeps);
+    measured_answers_free(&made->answers);
 }
 
 struct surface_summary *made_up_surface(struct made_up *made, size_t index)

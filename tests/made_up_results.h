@@ -31,6 +31,7 @@ struct made_up {
     size_t order[MADE_UP_USABLE], shown[MADE_UP_USABLE];
     struct measured measured;
     double measured_values[3 * MADE_UP_MEASURED];
+    struct measured_answers answers;
     struct benchmark benchmark;
     double *sweeps;
     struct results results;

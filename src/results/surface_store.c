@@ -15,6 +15,11 @@ enum status_code surface_store_open(struct surface_store *out, const char *direc
         return status_memory(status);
     if (!directory)
         return STATUS_OK;
+    if (!*directory) {
+        out->file = tmpfile();
+        return out->file ? STATUS_OK
+                         : status_fail(status, STATUS_IO, "cannot make a temporary file: %s", strerror(errno));
+    }
     struct text path = {0};
     text_add(&path, "%s/store-XXXXXX", directory);
     int descriptor = path.failed ? -1 : mkstemp(path.data);

@@ -97,7 +97,9 @@ enum status_code prepare(struct prepared *out, const struct scene *scene, const 
                            scene->directory);
     if (read_counterface(out, scene, status) != STATUS_OK)
         return status->code;
-    if (surface_store_open(&out->store, directory, scene->surface_count, status) != STATUS_OK ||
+    /* measured loads are answered on every scan of the baseline, so a plan too has to keep the scans */
+    const char *place = directory ? directory : scene->measured.file ? "" : NULL;
+    if (surface_store_open(&out->store, place, scene->surface_count, status) != STATUS_OK ||
         workers_run(&out->results, workers_describe, options, status) != STATUS_OK)
         return status->code;
     effect_bounds_heights(&out->plan, scene, out->store.summaries, out->store.count);

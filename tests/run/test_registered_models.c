@@ -354,7 +354,7 @@ static void test_the_report(void **state)
     assert_has(section(md, "## Does the area converge"), "A/Aₙ numeric stack");
     const char *baseline = section(md, " in every model\n");
     assert_has(baseline, "| numeric stack | ");
-    assert_row(baseline, "| 1.50 | area alone | 0.00110 |", 10 - 1);
+    assert_row(baseline, "| 1.50 | area alone | 0.00110 |", 10);
     assert_row(baseline, "| area alone | 0.99", 6);
     assert_has(baseline, "](figures/6-05.svg)");
     assert_has(baseline, " σ (GW), "); /* its beta stands beside the others' */
@@ -420,7 +420,7 @@ static void test_the_area_alone(void **state)
                                            true);
     struct text text = directory_read(&place, "out/report.md");
     assert_has(text_string(&text), "**, area alone:");
-    assert_has(text_string(&text), "| A/Aₙ (%) | full contact");
+    assert_has(text_string(&text), "| A/Aₙ (%) | P/A (S_y) | full contact");
     assert_has(text_string(&text), "The surfaces are not ranked by area**"); /* two have one scan */
     assert_lacks(text_string(&text), "has the largest");
     assert_true(directory_has(&place, "out/figures/area-load-area-alone.svg"));
