@@ -2,7 +2,7 @@
 #   call 'curves.gp' DATA OUTPUT TITLE XLABEL YLABEL LOGARITHMIC STYLES [AXES [UNSURE]]
 # LOGARITHMIC: 'xy', 'x', 'y' or ''. STYLES: one word a block of DATA: s1..s8 surfaces, two letters a model (models.gp), with `a` its
 # adjusted separation, with `S` scale-dependent, r1..r9 steps of a sweep; with x at its end the part of that curve outside
-# its range of validity, with b the band of repeated scans around it (rows x,low,high); these get no legend entry. meas:
+# its range of validity, with b the interval of the mean around it (rows x,low,high); these get no legend entry. meas:
 # measured points, dirl, diro, dirp: directly solved ones (rows x,y,low,high), joined in their order. AXES: 'A B C': the x axis holds at least A to B; the y axis ends a
 # little below C when the data go further down (0: it does not).
 # UNSURE: left of this x the chart is shaded.
@@ -47,7 +47,7 @@ do for [i = 1:BLOCKS] {
     if (ROWS[i] > 1 && !outside(w) && shape(w) > 0) { marked = marked . sprintf(' %d', i) }
 }
 note_outside = 'outside the range of validity'
-note_band = 'one standard deviation of the scans'
+note_band = '95 % interval of the mean'
 do for [i = 1:BLOCKS] { if (ROWS[i] > 1 && band(word(style_words, i)) && LEGEND[i] ne 'band') { note_band = LEGEND[i] } }
 if (strlen(bands) && !text_mode) { count = count + 1; longest = most(longest, strlen(note_band)) }
 do for [i = 1:BLOCKS] { if (ROWS[i] > 0 && in_bars(word(style_words, i))) { count = count + 1; longest = most(longest, strlen(LEGEND[i])) } }
@@ -64,7 +64,7 @@ low = y_low; high = y_high
 call 'axis.gp' 'y' (log_y ? 'log' : 'zero') '0.04' (text_mode ? '5' : '7')
 if (!log_y && !text_mode) { set xzeroaxis lc rgb quiet lw 0.7 lt 1 }
 
-if (unsure > 0 && !empty && !text_mode) { set object 1 rectangle from graph 0, graph 0 to first unsure, graph 1 behind fc rgb quiet fs transparent solid 0.15 noborder }
+if (unsure > x_low && !empty && !text_mode) { set object 1 rectangle from graph 0, graph 0 to first (least(unsure, x_high)), graph 1 behind fc rgb quiet fs transparent solid 0.15 noborder }
 
 # The plot is put together from parts because gnuplot runs a loop over an empty list once. The parts name variables only.
 interval(i) = int(most(1, ceil(ROWS[i] / (scaled(word(style_words, i)) ? 14.0 : 9.0))))

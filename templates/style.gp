@@ -33,7 +33,7 @@ colour_dirl = ink; colour_diro = quiet; colour_dirp = '#C2185B'
 marker_dirl = 7; marker_diro = 6; marker_dirp = 5
 
 # A style word is a name of the tables above, then perhaps `a` (adjusted) or `S` (scale-dependent), then perhaps `x`
-# (outside the range of validity) or `b` (the band of repeated scans). `meas` is what was measured, `dirl`, `diro` and
+# (outside the range of validity) or `b` (the interval of the mean). `meas` is what was measured, `dirl`, `diro` and
 # `dirp` what was solved directly.
 in_bars(w) = w eq 'meas' || w eq 'dirl' || w eq 'diro' || w eq 'dirp'
 outside(w) = strlen(w) > 1 && w[strlen(w):*] eq 'x'

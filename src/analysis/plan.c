@@ -59,6 +59,7 @@ void plan_make(struct plan *out, const struct scene *scene)
 {
     *out = (struct plan){
         .models = scene->models,
+        .all_uncertain = !scene->effects_auto,
         .pair = material_pair(&scene->material, scene->counterface_kind, &scene->counterface),
     };
     for (int e = 0; e < EFFECT_COUNT; e++)

@@ -12,9 +12,10 @@ struct plan_effect {
 
 struct plan {
     struct plan_effect effects[EFFECT_COUNT];
-    unsigned running; /* EFFECT_BITs of those that run */
-    unsigned wanted;  /* QUANTITY_BITs that follow */
-    uint64_t models;  /* MODEL_BITs asked for; a plastic one runs only with plasticity */
+    unsigned running;   /* EFFECT_BITs of those that run */
+    unsigned wanted;    /* QUANTITY_BITs that follow */
+    uint64_t models;    /* MODEL_BITs asked for; a plastic one runs only with plasticity */
+    bool all_uncertain; /* the effect uncertainty was listed: of all models; else of the leading one alone */
     struct material_pair pair;
 };
 

@@ -1,6 +1,8 @@
 #include "analysis/sensitivity.h"
 
+#include "analysis/piece.h"
 #include "profile/filter.h"
+#include "profile/record_window.h"
 #include "spectrum/grid.h"
 #include <math.h>
 #include <stdlib.h>
@@ -16,37 +18,22 @@ double sensitivity_cutoff(double spacing_m, double lambda_s_m)
 }
 
 static enum status_code add_variant(struct sensitivity_scan *out, size_t so_far, const double *height_m, size_t points,
-                                    double spacing_m, enum level level, enum spectrum_window window,
-                                    enum roughness_moments moments, struct status *status)
+                                    double spacing_m, const struct piece_how *how, struct status *status)
 {
-    struct levelling levelling;
-    struct spectrum spectrum = {0};
+    struct spectrum spectrum;
     struct roughness roughness;
-    struct status none = {0};
-    double *own_m = malloc(points * sizeof *own_m);
-    if (!own_m)
-        return status_memory(status);
-    memcpy(own_m, height_m, points * sizeof *own_m);
-    /* a form that no longer fits the piece leaves it as it is */
-    enum status_code rc = level_remove(&levelling, own_m, NULL, points, spacing_m, level, &none);
-    if (rc != STATUS_MEMORY)
-        rc = spectrum_compute(&spectrum, own_m, points, spacing_m, window, status);
+    enum status_code rc = piece_describe(&spectrum, &roughness, height_m, points, spacing_m, how, status);
+    if (rc == STATUS_OK && so_far == 0) {
+        out->roughness = roughness;
+        out->spectrum = spectrum;
+        return rc;
+    }
     if (rc == STATUS_OK) {
-        roughness = roughness_of_heights(own_m, points, spacing_m);
-        if (moments == ROUGHNESS_MOMENTS_SPECTRAL)
-            roughness_from_spectrum(&roughness, &spectrum);
-        if (so_far == 0) {
-            out->roughness = roughness;
-            out->spectrum = spectrum;
-            spectrum = (struct spectrum){0};
-        } else {
-            roughness_average(&out->roughness, &roughness, so_far);
-            rc = grid_average(&out->spectrum, &spectrum, so_far, status);
-        }
+        roughness_average(&out->roughness, &roughness, so_far);
+        rc = grid_average(&out->spectrum, &spectrum, so_far, status);
     }
     spectrum_free(&spectrum);
-    free(own_m);
-    return rc == STATUS_OK ? rc : status_memory(status);
+    return rc;
 }
 
 enum status_code sensitivity_add(struct sensitivity *out, const struct profile *profile,
@@ -54,6 +41,7 @@ enum status_code sensitivity_add(struct sensitivity *out, const struct profile *
                                  enum roughness_moments moments, struct status *status)
 {
     size_t points = profile->points, half = points / 2;
+    const struct piece_how piece = {how->level, how->periodic_mean, profile->periodic, window, moments};
     double cutoff_m = 2 * sensitivity_cutoff(profile->spacing_m, how->lambda_s_m);
     if (points < LEAST_POINTS)
         return STATUS_OK;
@@ -72,7 +60,7 @@ enum status_code sensitivity_add(struct sensitivity *out, const struct profile *
     };
     for (int v = 0; v < SENSITIVITY_VARIANTS && rc == STATUS_OK; v++)
         rc = add_variant(&out->variants[v], out->scans, pieces[v].height_m, pieces[v].points, profile->spacing_m,
-                         how->level, window, moments, status);
+                         &piece, status);
     if (rc == STATUS_OK)
         out->scans++;
     free(smooth_m);
@@ -86,6 +74,10 @@ void sensitivity_free(struct sensitivity *sensitivity)
     *sensitivity = (struct sensitivity){0};
 }
 
+/** What is asked of the variants. */
+static const unsigned variant_wanted =
+    QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_ECR);
+
 /** The task on a variant; models that use heights have none of it. */
 static struct model_task variant_task(struct asperities *asperities, const struct sensitivity_scan *variant,
                                       const struct model_task *task)
@@ -96,8 +88,7 @@ static struct model_task variant_task(struct asperities *asperities, const struc
     own.asperities = roughness_asperities(asperities, &variant->roughness, &none) == STATUS_OK ? asperities : NULL;
     own.points = NULL;
     own.point_count = 0;
-    own.wanted =
-        task->wanted & (QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_ECR));
+    own.wanted &= variant_wanted;
     return own;
 }
 
@@ -120,7 +111,7 @@ enum status_code sensitivity_run(struct sensitivity_factors *out, const struct s
                                  const struct model_row *model, const struct model_task *task,
                                  const struct contact_point *as_is, struct model_work *work, struct status *status)
 {
-    struct contact_point points[SENSITIVITY_VARIANTS];
+    struct contact_point points[SENSITIVITY_VARIANTS], itself;
     *out = (struct sensitivity_factors){{NAN, NAN}, {NAN, NAN}};
     if (sensitivity->scans == 0 || model->uses_heights)
         return STATUS_OK;
@@ -128,6 +119,13 @@ enum status_code sensitivity_run(struct sensitivity_factors *out, const struct s
         struct asperities asperities;
         struct model_task own = variant_task(&asperities, &sensitivity->variants[v], task);
         if (solve_one(&points[v], model, &own, work, status) != STATUS_OK)
+            return status->code;
+    }
+    if (!as_is) {
+        as_is = &itself;
+        struct model_task own = *task;
+        own.wanted &= variant_wanted;
+        if (solve_one(&itself, model, &own, work, status) != STATUS_OK)
             return status->code;
     }
     const struct contact_point *first = &points[SENSITIVITY_FIRST_HALF], *second = &points[SENSITIVITY_SECOND_HALF];
@@ -141,9 +139,14 @@ enum status_code sensitivity_run(struct sensitivity_factors *out, const struct s
 }
 
 struct model_work sensitivity_work(const struct sensitivity *sensitivity, const struct model_row *model,
-                                   const struct model_task *task)
+                                   const struct model_task *task, bool as_is_known)
 {
     struct model_work sum = {0};
+    if (sensitivity->scans > 0 && !model->uses_heights && !as_is_known) {
+        struct model_task own = *task;
+        own.wanted &= variant_wanted;
+        sum = model->work(model, &own);
+    }
     for (int v = 0; v < SENSITIVITY_VARIANTS && sensitivity->scans > 0 && !model->uses_heights; v++) {
         struct asperities asperities;
         struct model_task own = variant_task(&asperities, &sensitivity->variants[v], task);

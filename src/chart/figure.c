@@ -41,6 +41,11 @@ static bool is_called_for(const struct figure_row *row, const struct results *re
         return figure_direct(results) && (plan->wanted & needed) == needed;
     case FIGURE_SENSITIVITY:
         return results->sensitivity && (plan_quantities(plan) & QUANTITY_BIT(row->y));
+    case FIGURE_PROBABILITY:
+        for (size_t k = 0; k < results->shown_count; k++)
+            if (figure_data_heights_model(&results->store->summaries[results->shown[k]]) < model_count)
+                return true;
+        return false;
     case FIGURE_PROFILES:
     case FIGURE_SPECTRA:
         return true;
@@ -140,10 +145,10 @@ static enum status_code write_script(const struct figure_file *out, const struct
                                      const char *directory, struct status *status)
 {
     static const char *const templates[] = {
-        [FIGURE_SWEEP] = "curves.gp",       [FIGURE_MODELS] = "curves.gp",   [FIGURE_SURFACES] = "curves.gp",
-        [FIGURE_PROFILES] = "profiles.gp",  [FIGURE_SPECTRA] = "spectra.gp", [FIGURE_BENCHMARK] = "cost.gp",
-        [FIGURE_SENSITIVITY] = "curves.gp", [FIGURE_DIRECT] = "curves.gp",   [FIGURE_DIRECT_RATIO] = "curves.gp",
-        [FIGURE_PATCHES] = "patches.gp"};
+        [FIGURE_SWEEP] = "curves.gp",       [FIGURE_MODELS] = "curves.gp",          [FIGURE_SURFACES] = "curves.gp",
+        [FIGURE_PROFILES] = "profiles.gp",  [FIGURE_SPECTRA] = "spectra.gp",        [FIGURE_BENCHMARK] = "cost.gp",
+        [FIGURE_SENSITIVITY] = "curves.gp", [FIGURE_DIRECT] = "curves.gp",          [FIGURE_DIRECT_RATIO] = "curves.gp",
+        [FIGURE_PATCHES] = "patches.gp",    [FIGURE_PROBABILITY] = "probability.gp"};
     const struct figure_row *row = out->figure->row;
     struct text script = {0};
     const char *number = out->figure->number;
@@ -230,8 +235,8 @@ static enum status_code copy_template(const char *name, const char *templates, c
 enum status_code figure_write_all(const struct figure_list *list, const struct results *results, const char *directory,
                                   const char *templates, struct status *status)
 {
-    static const char *const files[] = {"style.gp",    "blocks.gp",  "axis.gp", "legend.gp", "curves.gp",
-                                        "profiles.gp", "spectra.gp", "cost.gp", "patches.gp"};
+    static const char *const files[] = {"style.gp",    "blocks.gp",  "axis.gp", "legend.gp",      "curves.gp",
+                                        "profiles.gp", "spectra.gp", "cost.gp", "probability.gp", "patches.gp"};
     size_t count = sizeof files / sizeof files[0] - (figure_direct(results) ? 0 : 1);
     for (size_t i = 0; i < count; i++)
         if (copy_template(files[i], templates, directory, status) != STATUS_OK)

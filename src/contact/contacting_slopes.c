@@ -36,13 +36,17 @@ static void lay_areas(struct contacting_slopes *slopes, const struct slope_point
     }
 }
 
-/** Running means and co-moments of heights and normal scores y_i = Phi^-1(1 - (i+1/2)/M) (Welford 1962). */
-static void lay_lines(struct contacting_slopes *slopes, const struct slope_point *point, const size_t *order)
+double contacting_slopes_score(size_t i, size_t points)
 {
-    double mean_y = 0, mean_z = 0, square = 0, product = 0, highest_m = point[order[0]].height_m;
+    return gsl_cdf_ugaussian_Qinv(((double)i + 0.5) / (double)points);
+}
+
+/** Running means and co-moments of heights and normal scores y_i = Phi^-1(1 - (i+1/2)/M) (Welford 1962). */
+static void lay_lines(struct contacting_slopes *slopes)
+{
+    double mean_y = 0, mean_z = 0, square = 0, product = 0, highest_m = slopes->height_m[0];
     for (size_t k = 1; k <= slopes->lines; k++) {
-        double y = gsl_cdf_ugaussian_Qinv(((double)k - 0.5) / (double)slopes->points);
-        double z = point[order[k - 1]].height_m - highest_m;
+        double y = contacting_slopes_score(k - 1, slopes->points), z = slopes->height_m[k - 1] - highest_m;
         double from_y = y - mean_y, from_z = z - mean_z;
         mean_y += from_y / (double)k;
         mean_z += from_z / (double)k;
@@ -82,18 +86,21 @@ enum status_code contacting_slopes_make(struct contacting_slopes *out, const str
     out->mean_square = malloc((points + 1) * sizeof *out->mean_square);
     out->load = malloc((points + 1) * sizeof *out->load);
     out->line = malloc((out->lines + 1) * sizeof *out->line);
+    out->height_m = malloc(points * sizeof *out->height_m);
     double *height_m = malloc(points * sizeof *height_m);
     size_t *order = malloc(points * sizeof *order);
     enum status_code rc = STATUS_OK;
-    if (!out->mean_square || !out->load || !out->line || !height_m || !order)
+    if (!out->mean_square || !out->load || !out->line || !out->height_m || !height_m || !order)
         rc = status_memory(status);
     for (size_t i = 0; rc == STATUS_OK && i < points; i++)
         height_m[i] = point[i].height_m;
     if (rc == STATUS_OK)
         rc = rank_descending(order, height_m, points, status);
     if (rc == STATUS_OK) {
+        for (size_t k = 0; k < points; k++)
+            out->height_m[k] = height_m[order[k]];
         lay_areas(out, point, order);
-        lay_lines(out, point, order);
+        lay_lines(out);
         if (!(out->load[points - 1] > 0))
             rc = status_fail(status, STATUS_MODEL, "the surface has no slope; measure a rough one");
     }
@@ -109,6 +116,7 @@ void contacting_slopes_free(struct contacting_slopes *slopes)
     free(slopes->mean_square);
     free(slopes->load);
     free(slopes->line);
+    free(slopes->height_m);
     *slopes = (struct contacting_slopes){0};
 }
 
@@ -141,13 +149,18 @@ static size_t counted(double count, size_t most)
     return (size_t)fmin(fmax(floor(count), (double)contacting_slopes_least), (double)most);
 }
 
+size_t contacting_slopes_fitted(const struct contacting_slopes *slopes, double area_ratio)
+{
+    return counted(2 * area_ratio * (double)slopes->points, slopes->lines);
+}
+
 bool contacting_slopes_gap(struct contacting_slopes_gap *out, const struct contacting_slopes *slopes,
                            const struct persson *persson, double load, double area_ratio)
 {
     if (!(area_ratio <= contacting_slopes_separation_area))
         return false;
-    double touching = area_ratio * (double)slopes->points;
-    size_t fitted = counted(2 * touching, slopes->lines), k = counted(touching, slopes->points - 1);
+    size_t fitted = contacting_slopes_fitted(slopes, area_ratio);
+    size_t k = counted(area_ratio * (double)slopes->points, slopes->points - 1);
     double offset_m = slopes->line[fitted].offset_m, scale_m = slopes->line[fitted].scale_m;
     *out = (struct contacting_slopes_gap){offset_m, scale_m, offset_m, 0};
     if (!(scale_m > 0 && slopes->mean_square[k] > 0 && persson->m2 > 0))

@@ -36,6 +36,7 @@ extern const double contacting_slopes_separation_area;
 struct contacting_slopes {
     size_t points;        /* M */
     double energy_factor; /* g */
+    double *height_m;     /* z_(i), highest first */
     double *mean_square;  /* m2(k), the mean s² of the k highest points, at index k; from k = 1 */
     double *load;         /* p_k at which A = k/M, never falling, at index k; from k = 30 */
     size_t lines;         /* largest k of the lines */
@@ -64,6 +65,11 @@ struct contacting_slopes_area {
 
 /** A at p = P/(A_n E') >= 0: between the last k with p_k <= p and the next by logarithms. */
 struct contacting_slopes_area contacting_slopes_area(const struct contacting_slopes *slopes, double load);
+
+/** Normal score of the i-th highest (from 0) of M points: y_i = Phi^-1(1 - (i + 1/2)/M). */
+double contacting_slopes_score(size_t i, size_t points);
+/** k_2 = floor(2AM), at least 30: how many of the highest points the line goes through at A = area_ratio <= 0.15. */
+size_t contacting_slopes_fitted(const struct contacting_slopes *slopes, double area_ratio);
 
 /** The Gaussian surface that fits the part in contact. */
 struct contacting_slopes_gap {

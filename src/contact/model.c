@@ -52,7 +52,9 @@ enum status_code model_run(struct model_curve *curve, const struct model_row *ro
 {
     if (row->run(curve, row, task, status) != STATUS_OK)
         return status->code;
-    bool finite = !curve->exists || isnan(curve->full_load) || is_finite(&curve->full, row, task->wanted);
+    /* a model that knows of no full contact says nothing of it */
+    bool full = curve->exists && !(isnan(curve->full_load) && isnan(curve->full.area_ratio));
+    bool finite = !full || is_finite(&curve->full, row, task->wanted);
     for (size_t i = 0; i < curve->count && finite; i++)
         finite = is_finite(&curve->points[i], row, task->wanted);
     if (!finite) {
@@ -77,9 +79,10 @@ void model_work_add(struct model_work *sum, const struct model_work *more)
     sum->nodes += more->nodes;
     sum->scale_dependent_nodes += more->scale_dependent_nodes;
     sum->separations += more->separations;
+    sum->searches += more->searches;
 }
 
 uint64_t model_evaluations(const struct model_work *work)
 {
-    return work->scales + work->nodes + work->scale_dependent_nodes + work->separations;
+    return work->scales + work->nodes + work->scale_dependent_nodes + work->separations + work->searches;
 }

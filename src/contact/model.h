@@ -35,6 +35,7 @@ struct model_work {
     uint64_t nodes;                 /* asperity laws at a quadrature node */
     uint64_t scale_dependent_nodes; /* the same, needed for nothing but scale dependence */
     uint64_t separations;           /* loads of a statistical model solved for a separation */
+    uint64_t searches;              /* curves searched for their landmarks, by as many loads as the tolerance takes */
 };
 
 /** What it answers. `points` is the caller's, load_count + 1 long. */
@@ -46,7 +47,7 @@ struct model_curve {
     double full_load;          /* P/(A_n E') at which A = A_n; NaN: the model does not say */
     double closed_load;        /* at which the (adjusted) separation is 0; NaN: the model does not say */
     double beta;               /* of the adjusted separation, else NaN */
-    struct contact_point full; /* at full_load itself */
+    struct contact_point full; /* at full_load itself; all NaN where that is */
     size_t yielding_scales;    /* plastic, stacked scales: those that can yield; else 0 */
     uint64_t clamped;          /* the same: visits in which the published area was limited: see multiscale_solve() */
     struct model_work work;

@@ -62,7 +62,7 @@ const struct model_row model_persson = {
         "Almqvist, Campana, Prodanov and Persson, J. Mech. Phys. Solids 59 (2011) 2355; resistance: Barber, Proc. "
         "R. Soc. A 459 (2003) 53",
     .assumes = "isotropic Gaussian surface; no yield",
-    .valid = "any area ratio: area within a factor 0.5 to 1.2, separation 0.7 to 1.3 of direct solutions",
+    .valid = "any area ratio: area within a factor 0.4 to 1.2, separation 0.7 to 1.4 of direct solutions",
     .method = "closed form for the area; grouped sum over rings for the separation",
     .work = work,
     .run = run,

@@ -56,6 +56,7 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
     struct multiscale stack;
     struct constriction constriction = constriction_make(task->pair);
     uint64_t visits = 0;
+    curve->work = work(row, task); /* as predicted, which knows no amplitudes */
     if (!two_band_split(&bands, task->spectrum))
         return STATUS_OK;
     if (two_band_stack(&stack, &bands, task->pair, row->plastic, row->plastic ? task->hardness_Pa : INFINITY,
@@ -77,7 +78,6 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
     curve->yielding_scales = stack.critical_scales;
     curve->beta = NAN;
     curve->exists = true;
-    curve->work = work(row, task);
     multiscale_free(&stack);
     return rc;
 }
@@ -165,7 +165,7 @@ const struct model_row model_two_band_plastic = {
     .may_be_empty = COMPUTES & ~(QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA)),
     .precedence = 6,
     .style = "tp",
-    .colour = "#0B6B4B",
+    .colour = "#137A56",
     .marker = 9,
     .equations = "two bands; 4.12-4.18, 4.40-4.42",
     .source = "Krithivasan and Jackson, Tribol. Lett. 27 (2007) 31, with two scales of equal elastic energy and the "

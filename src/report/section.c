@@ -99,6 +99,12 @@ bool section_extended(const struct section_context *context)
     return false;
 }
 
+const char *section_law(size_t model, const char *plastic)
+{
+    const struct model_row *row = model_rows[model];
+    return row->thesis_place == 0 ? row->label : row->plastic ? plastic : "elastic";
+}
+
 bool section_computes(const struct section_context *context, enum quantity quantity)
 {
     return plan_quantities(context->results->plan) & QUANTITY_BIT(quantity);
@@ -120,14 +126,34 @@ void section_middle_pressure(struct text *out, const struct section_context *con
                           3, " MPa");
 }
 
-struct comparison_extremes section_models(const struct section_context *context, enum quantity quantity)
+bool section_is_valid(const struct surface_summary *summary, size_t model, double load)
+{
+    const struct curve_summary *curve = &summary->models[model];
+    return !(curve->invalid_area_load <= load) && !(curve->invalid_fit_load <= load);
+}
+
+const double section_hardest = 3;
+
+double section_contact_pressure(const struct section_context *context, const struct contact_point *point)
+{
+    const struct material_pair *pair = &context->results->plan->pair;
+    return point->load / point->area_ratio * pair->effective_modulus_Pa / pair->yield_strength_Pa;
+}
+
+bool section_knows_yield(const struct section_context *context)
+{
+    return isfinite(context->results->plan->pair.yield_strength_Pa);
+}
+
+struct comparison_extremes section_models(const struct section_context *context, enum quantity quantity, bool valid)
 {
     struct comparison_extremes extremes = {.least = INFINITY, .most = -INFINITY};
     for (size_t m = 0; m < model_count; m++) {
         const struct contact_point *point = section_middle(context, m);
         double value =
             point ? comparison_value(point, quantity, m, context->baseline->summary.asperities.sigma_m) : NAN;
-        if (isnan(value))
+        if (isnan(value) ||
+            (valid && !section_is_valid(&context->baseline->summary, m, context->comparison->middle_load)))
             continue;
         extremes.count++;
         if (value < extremes.least) {
@@ -174,6 +200,22 @@ void section_each_surface(struct text *out, const struct section_context *contex
         text_add(out, "| … %zu more in data/ |\n", context->results->usable_count - rows);
 }
 
+void section_interval(struct text *out, const struct estimate *estimate, double scale, int digits)
+{
+    number_format(out, estimate->count > 0 ? scale * estimate_value(estimate) : NAN, digits);
+    if (estimate->count == 0 || isnan(estimate->half_width))
+        return;
+    number_format_between(out, " (", scale * estimate_end(estimate, 0), digits, "…");
+    number_format_between(out, "", scale * estimate_end(estimate, 1), digits, ")");
+}
+
+void section_factor(struct text *out, const struct estimate *estimate, double half_width)
+{
+    bool known = estimate->count > 0 && isfinite(half_width);
+    text_add(out, "%s", !known ? "" : estimate->logarithmic ? "×÷ " : "± ");
+    number_format(out, !known ? NAN : estimate->logarithmic ? exp(half_width) : half_width, 3);
+}
+
 void section_cell(struct text *out, double value, int digits)
 {
     text_add(out, " | ");
@@ -184,6 +226,14 @@ void section_load_cell(struct text *out, double load)
 {
     text_add(out, " | ");
     number_format_power(out, load, 3);
+}
+
+void section_threshold_cell(struct text *out, const struct curve_summary *curve, double load)
+{
+    if (load <= curve->first_load)
+        text_add(out, " | from the first load on");
+    else
+        section_load_cell(out, load);
 }
 
 void section_error_cell(struct text *out, double value, double error)

@@ -80,7 +80,7 @@ static void introduction(struct text *out, const struct section_context *context
 
 static void caption(struct text *out, const struct section_context *context, const struct figure *figure)
 {
-    struct comparison_extremes models = section_models(context, figure->row->y);
+    struct comparison_extremes models = section_models(context, figure->row->y, false);
     if (models.count == 0)
         return;
     section_at_middle(out, context, figure->row->y, models.least);
@@ -90,6 +90,16 @@ static void caption(struct text *out, const struct section_context *context, con
         text_add(out, " (%s)", model_rows[models.most_at]->label);
     }
     text_add(out, ".");
+}
+
+static void heights_caption(struct text *out, const struct section_context *context, const struct figure *figure)
+{
+    (void)figure;
+    text_add(out, " Gaussian heights lie on one straight line. The line goes through the highest 2·A/Aₙ of them, A the "
+                  "contact at P/(Aₙ E′) = ");
+    number_format_power(out, context->comparison->middle_load, 3);
+    text_add(out, " in the %s model; dashed: carried on down; none where A/Aₙ is beyond 0.15.",
+             model_rows[section_heights_model(context)]->label);
 }
 
 static bool called_for(const struct section_context *context)
@@ -106,6 +116,7 @@ static void write(struct text *out, const struct section_context *context)
     ratio_table(out, context);
     text_add(out, "\n");
     section_figures(out, context, "beyond thesis", caption);
+    section_figures(out, context, "heights", heights_caption);
 }
 
 const struct section section_beyond_thesis = {"beyond thesis", called_for, write};

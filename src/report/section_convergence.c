@@ -9,14 +9,6 @@ static bool sweeps(const struct section_context *context, size_t m)
     return plan_runs_model(context->results->plan, m) && model_rows[m]->stacks_scales;
 }
 
-/** The thesis's two stacks go by their material law, any other by its label. */
-static const char *law_name(size_t m)
-{
-    if (model_rows[m]->thesis_place == 0)
-        return model_rows[m]->label;
-    return model_rows[m]->plastic ? "elastic-plastic" : "elastic";
-}
-
 /** One law's line of the convergence study: for which α, and from which γ up, the area settles. */
 static void sweeps_text(struct text *out, const struct results *results, size_t m)
 {
@@ -27,7 +19,7 @@ static void sweeps_text(struct text *out, const struct results *results, size_t 
         settled += comparison_converges(results, CONVERGENCE_ALPHA, m, v);
     while (from > 0 && comparison_converges(results, CONVERGENCE_GAMMA, m, from - 1))
         from--;
-    text_add(out, "- %s: for %zu of %zu α and for ", law_name(m), settled, alphas->count);
+    text_add(out, "- %s: for %zu of %zu α and for ", section_law(m, "elastic-plastic"), settled, alphas->count);
     if (from == gammas->count)
         text_add(out, "no γ.\n");
     else
@@ -54,21 +46,22 @@ static void extension_text(struct text *out, const struct section_context *conte
 {
     if (!section_extended(context)) {
         text_add(out,
-                 "No scale below the sampling limit can take any area from the measured surfaces at that load: γ ≥ 1, "
-                 "and the nominal pressure alone exceeds p* there.");
+                 "No scale below the sampling limit can take any area from the measured surfaces at that load: their "
+                 "spectra fall with γ ≥ 1 there, and the nominal pressure alone exceeds p*.");
         return;
     }
-    text_add(out,
-             "The measured surfaces at that load: the area of their fitted laws down to the sampling limit (twice the "
-             "spacing), and by how much it would fall if the law went on ");
+    text_add(
+        out,
+        "The measured surfaces at that load: the area of their spectra, and by how much it would fall if each went "
+        "on below its shortest wavelength along its own slope there (over its last half decade) ");
     section_given(out, "to ", convergence_atom_m * 1e9, " nm.");
 }
 
 static void surface_extension(struct text *out, const struct section_context *context, size_t index)
 {
     const struct surface_summary *s = section_surface(context, index);
-    section_error_cell(out, s->power_law.gamma, s->power_law.gamma_error);
-    section_cell(out, 2 * s->spacing_m * 1e6, 3);
+    section_cell(out, s->tail.gamma, 3);
+    section_cell(out, s->length_m / (double)s->harmonics * 1e6, 3);
     for (size_t m = 0; m < model_count; m++) {
         const struct convergence_extension *extension = &s->models[m].extension;
         if (!sweeps(context, m))
@@ -82,11 +75,11 @@ static void surface_extension(struct text *out, const struct section_context *co
 static void extension_table(struct text *out, const struct section_context *context)
 {
     struct text rule = {0};
-    text_add(out, "| surface | γ | sampling limit (µm)");
+    text_add(out, "| surface | γ at the short end | shortest wavelength (µm)");
     text_add(&rule, "|---|---:|---:|");
     for (size_t m = 0; m < model_count; m++)
         if (sweeps(context, m)) {
-            text_add(out, " | A/Aₙ %s | further fall (%%)", law_name(m));
+            text_add(out, " | A/Aₙ %s | further fall (%%)", section_law(m, "elastic-plastic"));
             text_add(&rule, "---:|---:|");
         }
     text_add(out, " |\n%s\n", text_string(&rule));

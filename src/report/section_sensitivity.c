@@ -84,12 +84,20 @@ static void table(struct text *out, const struct section_context *context)
 
 static void caption(struct text *out, const struct section_context *context, const struct figure *figure)
 {
+    const struct sensitivity_curves *curves = context->results->sensitivity;
+    const struct scene *scene = context->results->scene;
     (void)figure;
     text_add(out, " At P/(Aₙ E′) = ");
     number_format_power(out, context->comparison->middle_load, 3);
-    text_add(out, "; shaded: beyond ");
-    number_format(out, context->results->sensitivity->unsure_m * 1e6, 3);
-    text_add(out, context->results->scene->lambda_s_m > 0 ? " µm, the cut-off λs." : " µm, twice the spacing.");
+    if (curves->unsure_m > curves->wavelength_m[SENSITIVITY_WAVELENGTHS - 1] * (1 + 1e-9)) {
+        text_add(out, "; shaded: below ");
+        number_format(out, curves->unsure_m * 1e6, 3);
+        text_add(out, " µm, %s",
+                 curves->unsure_m == scene->tip_radius_m ? "the tip's radius"
+                 : scene->lambda_s_m > 0                 ? "the cut-off λs"
+                                                         : "twice the spacing");
+    }
+    text_add(out, ".");
 }
 
 static bool called_for(const struct section_context *context)

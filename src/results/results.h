@@ -19,6 +19,7 @@ struct results {
     struct work predicted, done;
     const struct surface_record *counterface;     /* described; NULL: smooth */
     const struct measured *measured;              /* NULL: none */
+    const struct measured_answers *answers;       /* the models' on the baseline surface; NULL: nothing measured */
     const struct benchmark *benchmark;            /* what accuracy costs; NULL: left out */
     const struct sensitivity_curves *sensitivity; /* of the baseline surface */
     const struct direct_study *direct;            /* the surfaces solved directly; NULL: none */
@@ -40,7 +41,7 @@ size_t results_sweep_size(const struct results *results);
  */
 size_t results_sweep_scales(size_t *index, size_t most, size_t scales);
 
-/** Has any surface several scans (or a map's rows), so that there is a spread to show? */
-bool results_repeated(const struct results *results);
+/** Is any surface's number known with an interval, by several scans, a map's rows or simulated records? */
+bool results_intervals(const struct results *results);
 
 #endif

@@ -23,6 +23,7 @@ struct run {
     struct results *results; /* of `prepared` */
     struct benchmark benchmark;
     struct sensitivity_curves sensitivity;
+    struct measured_answers answers;
     struct figure_list figures;
     double *sweeps;
     uint64_t sweep_scales;
@@ -69,8 +70,9 @@ static void add_times(struct run_times *times, const struct surface_store *store
     }
 }
 
-/** The baseline against the shortest wavelength included. */
-static enum status_code run_sensitivity(struct run *run, struct status *status)
+/** The baseline against the shortest wavelength included (not where its scans were not looked at for that), and at the
+ * loads that were measured. */
+static enum status_code run_baseline(struct run *run, struct status *status)
 {
     struct results *results = run->results;
     struct surface_record baseline = {0};
@@ -79,13 +81,21 @@ static enum status_code run_sensitivity(struct run *run, struct status *status)
     struct model_task task =
         surface_task(&baseline, results->scene, results->plan, results->loads, results->load_count);
     struct model_task one = surface_middle_task(&task);
-    double unsure_m = sensitivity_cutoff(baseline.summary.spacing_m, results->scene->lambda_s_m);
+    double unsure_m = fmax(sensitivity_cutoff(baseline.summary.spacing_m, results->scene->lambda_s_m),
+                           results->scene->tip_radius_m); /* a tip rounds off what is shorter than its radius */
     uint64_t models = 0;
     for (size_t m = 0; m < model_count; m++)
         models |= plan_runs_model(results->plan, m) ? MODEL_BIT(m) : 0;
-    enum status_code rc = sensitivity_curves_make(&run->sensitivity, &one, models, unsure_m, status);
+    enum status_code rc = STATUS_OK;
+    if (baseline.sensitivity.scans > 0) {
+        rc = sensitivity_curves_make(&run->sensitivity, &one, models, unsure_m, status);
+        results->sensitivity = &run->sensitivity;
+    }
+    if (rc == STATUS_OK && results->measured) {
+        rc = measured_answer(&run->answers, results->measured, models, &task, &baseline.repeats, status);
+        results->answers = &run->answers;
+    }
     surface_record_free(&baseline, false);
-    results->sensitivity = &run->sensitivity;
     return rc;
 }
 
@@ -165,7 +175,7 @@ static enum status_code evaluate(struct run *run, struct run_outcome *out, struc
         prepare_messages(&out->messages, &prepared->store);
     }
     if (rc == STATUS_OK)
-        rc = run_sensitivity(run, status);
+        rc = run_baseline(run, status);
     double last = clock_seconds();
     if (rc == STATUS_OK && plan_runs(&prepared->plan, EFFECT_CONVERGENCE))
         rc = run_sweeps(run, status);
@@ -184,6 +194,8 @@ static enum status_code evaluate(struct run *run, struct run_outcome *out, struc
     done->contacts = run->contacts;
     done->contact_seconds = run->results->predicted.contact_seconds;
     done->contact_bytes = run->results->predicted.contact_bytes;
+    for (size_t m = 0; run->results->answers && m < model_count; m++)
+        work_add(done, m, &run->answers.work[m]);
     out->work_agrees = memcmp(done, &run->results->predicted, sizeof *done) == 0;
     prepare_table(&out->work, prepared, done);
     out->evaluations = work_total(done, &prepared->plan, &out->predicted_seconds);
@@ -267,6 +279,7 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
         direct_study_free(&run.direct[k]);
     free(run.direct);
     sensitivity_curves_free(&run.sensitivity);
+    measured_answers_free(&run.answers);
     figure_list_free(&run.figures);
     out->times.total = clock_seconds() - started;
     return rc;

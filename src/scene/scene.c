@@ -28,7 +28,7 @@ static struct scene default_scene(void)
         .tolerance = 1e-6,
         .level = LEVEL_LINE,
         .max_missing = 0.1,
-        .window = SPECTRUM_WINDOW_NONE,
+        .window = SPECTRUM_WINDOW_AUTO,
         .fit_band_m = {0.0, INFINITY},
         .moments = ROUGHNESS_MOMENTS_DIFFERENCE,
         .closure = SINUSOID_FIT_THESIS,

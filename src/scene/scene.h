@@ -8,6 +8,7 @@
 #include "material/material.h"
 #include "profile/level.h"
 #include "scan/scan.h"
+#include "spectrum/power_law.h"
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -88,11 +89,14 @@ struct scene {
     double hardness_Pa; /* of the softer body; NaN: 2.84 times its yield strength */
     double tolerance;   /* relative */
     enum level level;
+    bool level_given;    /* else of a periodic record the mean is taken out */
     double max_missing;  /* share of a profile's points that may be missing */
     double lambda_s_m;   /* cut-off of the Gaussian low-pass; 0: none */
     double lambda_c_m;   /* cut-off of the Gaussian high-pass; 0: none */
     double tip_radius_m; /* of the stylus; 0: not known */
     enum spectrum_window window;
+    enum power_law_method fit;
+    bool fit_band_given;  /* else the band is found (auto) */
     double fit_band_m[2]; /* shortest, longest wavelength; 0, INFINITY: all. Where not given: what the filters leave */
     enum roughness_moments moments;
     enum sinusoid_fit_id closure;

@@ -445,6 +445,20 @@ enum status_code power_law_band_fit_in(struct power_law_band *out, const struct 
     return STATUS_OK;
 }
 
+size_t power_law_band_lines(double wavelength_m[LOG_BIN_MOST], const struct power_law_band *band)
+{
+    size_t count = 0;
+    for (size_t j = 0; j < band->bins; j++) {
+        size_t highest = j;
+        if (band->use[j] != POWER_LAW_BAND_LINE)
+            continue;
+        for (; j + 1 < band->bins && band->use[j + 1] == POWER_LAW_BAND_LINE; j++)
+            highest = band->bin[j + 1].y > band->bin[highest].y ? j + 1 : highest;
+        wavelength_m[count++] = pow(10, band->bin[highest].x);
+    }
+    return count;
+}
+
 double power_law_band_amplitude(const struct power_law_band *band, double wavelength_m)
 {
     return pow(10, log10_law(&band->fit, log10(wavelength_m)));

@@ -98,6 +98,9 @@ MUST_CHECK enum status_code power_law_band_fit_in(struct power_law_band *out,
                                                   const struct power_law_band_spectrum *spectrum,
                                                   const double band_m[2], struct status *status);
 
+/** Wavelengths of the lines, longest first: of each run of bins that are one, the highest bin's. Returns how many. */
+size_t power_law_band_lines(double wavelength_m[LOG_BIN_MOST], const struct power_law_band *band);
+
 /** rms amplitude of the law at a wavelength [m]. */
 double power_law_band_amplitude(const struct power_law_band *band, double wavelength_m);
 

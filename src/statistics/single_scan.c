@@ -34,7 +34,7 @@ enum status_code single_scan_uncertainty(struct single_scan *out, const double *
     if (check(simulated, records, "simulated record", status) != STATUS_OK)
         return status->code;
     *out = (struct single_scan){.s = deviation(simulated, records)};
-    out->half_width = errors_95 * out->s;
+    out->half_width = single_scan_half_width(out->s);
     if (!quarter)
         return STATUS_OK;
     if (check(quarter, SINGLE_SCAN_QUARTERS, "quarter", status) != STATUS_OK ||
@@ -48,6 +48,11 @@ enum status_code single_scan_uncertainty(struct single_scan *out, const double *
     if (out->heterogeneous)
         out->half_width = fmax(out->half_width, quarters_95 * out->quarters_sd);
     return STATUS_OK;
+}
+
+double single_scan_half_width(double s)
+{
+    return errors_95 * s;
 }
 
 double single_scan_s_at(double ln_load, const double *node_ln_load, const double *node_s, size_t nodes)

@@ -30,6 +30,9 @@ MUST_CHECK enum status_code single_scan_uncertainty(struct single_scan *out, con
                                                     const double quarter[SINGLE_SCAN_QUARTERS],
                                                     const double *simulated_quarter, struct status *status);
 
+/** Half-width of 95 % of what deviates by s: 2.3 s. */
+double single_scan_half_width(double s);
+
 /** s at a load between those it was found at: straight in ln load, constant beyond the ends. ln_load ascends. */
 double single_scan_s_at(double ln_load, const double *node_ln_load, const double *node_s, size_t nodes);
 

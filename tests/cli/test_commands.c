@@ -46,7 +46,8 @@ static void test_usage(void **state)
 {
     const char *place = *state;
     expect_failure(place, 2, 1, "unknown command 'reprot'; did you mean 'report'?", "reprot", "d");
-    expect_failure(place, 2, 1, "unknown command '--bogus'; allowed: report, direct, plan, inspect, synth, models, materials",
+    expect_failure(place, 2, 1,
+                   "unknown command '--bogus'; allowed: report, direct, plan, inspect, synth, models, materials",
                    "--bogus");
     expect_failure(place, 2, 1, "unknown command 'a?b'",
                    "a\x1b"
@@ -218,7 +219,7 @@ static void test_synth(void **state)
     assert_string_equal(process.out, written);
     process_free(&process);
     free(written);
-    process = expect_exit(place, 0, "inspect", "--json", "a.csv");
+    process = expect_exit(place, 0, "inspect", "--json", "--fit=thesis", "a.csv");
     json_t *json = json_loads(process.out, 0, NULL), *found = json_array_get(json, 0);
     assert_int_equal(json_integer_value(json_object_get(found, "points")), 1000);
     assert_near(json_number_value(json_object_get(found, "spacing_m")), 0.5e-6, 1e-9);

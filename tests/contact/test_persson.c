@@ -55,7 +55,7 @@ static double direct(double t, void *context)
     return factor * exp(-t * t + of->from * of->from) / (t * t) * (of->power == 0 ? t - of->from : 1);
 }
 
-static double integral(struct integrand of)
+static double in_parts(struct integrand of)
 {
     double sum = 0, from = of.from;
     while (from < of.from + 7) { /* geometric parts, for the pole at 0 */
@@ -75,8 +75,8 @@ static void kernel_is_the_integral(void **state)
         struct persson_kernel kernel = persson_kernel(factors[g]);
         for (double x = 1e-4; x < 25; x *= 1.037) {
             struct persson_integrals at = persson_integrals(&kernel, x, log(x));
-            assert_near(at.separation * exp(x * x), integral((struct integrand){factors[g], x, 0}), 2e-12);
-            assert_near(at.conductance * exp(x * x), integral((struct integrand){factors[g], x, 1}), 2e-12);
+            assert_near(at.separation * exp(x * x), in_parts((struct integrand){factors[g], x, 0}), 2e-12);
+            assert_near(at.conductance * exp(x * x), in_parts((struct integrand){factors[g], x, 1}), 2e-12);
         }
         static const double borders[] = {0.5, 6.75};
         for (size_t b = 0; b < 2; b++) {

@@ -4,7 +4,7 @@
 #include "random_surface.h"
 #include "support.h"
 
-enum { EVERYTHING = CONTACT_SEPARATION | CONTACT_ELECTRICAL | CONTACT_THERMAL, LOADS_MOST = 64 };
+enum { EVERYTHING = QUANTITY_BIT(QUANTITY_SEPARATION) | QUANTITY_RESISTANCES, LOADS_MOST = 64 };
 
 static struct spectrum law_spectrum(double length, double alpha, double gamma, size_t count)
 {
@@ -142,7 +142,7 @@ static void separation_is_the_integral(void **state)
             double pair_load[2] = {load[i] * (1 - 1e-5), load[i] * (1 + 1e-5)}, around[2];
             two_band_separation(around, pair_load, 2, &stack, 1e-12, &uncounted);
             struct contact_point point;
-            multiscale_solve(&point, &stack, &unit, CONTACT_ELECTRICAL, load[i], &uncounted);
+            multiscale_solve(&point, &stack, &unit, QUANTITY_BIT(QUANTITY_ECR), load[i], &uncounted);
             assert_near((around[0] - around[1]) / (2e-5 * load[i]), point.ecr_ohm_m2, 1e-4);
             assert_true(i == 0 || exact[i] < exact[i - 1]);
         }
@@ -246,7 +246,7 @@ static void direct_solutions(void **state)
                separation;
         struct contact_point point;
         uint64_t evaluations = 0;
-        multiscale_solve(&point, &stack, &unit, CONTACT_ELECTRICAL, load, &evaluations);
+        multiscale_solve(&point, &stack, &unit, QUANTITY_BIT(QUANTITY_ECR), load, &evaluations);
         two_band_separation(&separation, &load, 1, &stack, 1e-8, &evaluations);
         double area = log(point.area_ratio / truth);
         double gap = log(separation / table_number(&table, i, "mean_gap_over_L"));

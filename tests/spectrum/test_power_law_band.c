@@ -307,22 +307,22 @@ static void test_slopes_of_no_surface_are_no_law(void **state)
     sample_law(sample, 1000, 1e-3, 1, 0.49);
     assert_none(find(sample));
     sample_law(sample, 1000, 1e-3, 1, 2.19);
-    assert_int_equal(find(sample)->power_law, POWER_LAW_BAND_LAW);
+    assert_int_equal(find(sample)->law, POWER_LAW_BAND_LAW);
     sample_law(sample, 1000, 1e-3, 1, 0.51);
-    assert_int_equal(find(sample)->power_law, POWER_LAW_BAND_LAW);
+    assert_int_equal(find(sample)->law, POWER_LAW_BAND_LAW);
 }
 
 static void test_width_makes_the_class(void **state)
 {
     struct sample *sample = *state;
     sample_law(sample, 49, 1e-3, 1, 1.3);
-    assert_int_equal(find(sample)->power_law, POWER_LAW_BAND_NARROW);
+    assert_int_equal(find(sample)->law, POWER_LAW_BAND_NARROW);
     sample_law(sample, 50, 1e-3, 1, 1.3);
-    assert_int_equal(find(sample)->power_law, POWER_LAW_BAND_LAW);
+    assert_int_equal(find(sample)->law, POWER_LAW_BAND_LAW);
     sample_law(sample, 15, 1e-3, 1, 1.3); /* 0.48 decades */
     assert_none(find(sample));
     sample_law(sample, 16, 1e-3, 1, 1.3);
-    assert_int_equal(find(sample)->power_law, POWER_LAW_BAND_NARROW);
+    assert_int_equal(find(sample)->law, POWER_LAW_BAND_NARROW);
 }
 
 static void test_lines_are_left_out(void **state)

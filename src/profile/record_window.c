@@ -1,4 +1,4 @@
-#include "spectrum/record_window.h"
+#include "profile/record_window.h"
 
 #include <assert.h>
 #include <math.h>

@@ -1,7 +1,7 @@
 /* Whether a record closes on itself, and the window for one that does not: the spectrum of a record cut out of a longer
  * surface is spoilt by the step between its ends. */
-#ifndef SPECTRUM_RECORD_WINDOW_H
-#define SPECTRUM_RECORD_WINDOW_H
+#ifndef PROFILE_RECORD_WINDOW_H
+#define PROFILE_RECORD_WINDOW_H
 
 #include <stdbool.h>
 #include <stddef.h>
