@@ -54,7 +54,8 @@ double sinusoid_full_pressure(double amplitude_m, double frequency_per_m, double
 double sinusoid_critical_amplitude(double frequency_per_m, const struct material_pair *pair);
 
 /** Prepares a scale: p* (4.7*); p_c (4.14*, of the critical load 4.12*); the factor and the exponent of a_p (4.15) from
- * A_c (4.13*) and q (4.16); p_p (4.18). `plastic` false leaves it elastic at any load. The caller may then set hardness_Pa. */
+ * A_c (4.13*) and q (4.16); p_p (4.18). `plastic` false leaves it elastic at any load. The caller may then set
+ * hardness_Pa. */
 struct sinusoid_scale sinusoid_scale(double amplitude_m, double frequency_per_m, const struct material_pair *pair,
                                      bool plastic);
 
