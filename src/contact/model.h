@@ -73,6 +73,7 @@ struct model_row {
     const char *fitted_to; /* end of its fitted range, which contact_point.beyond_fit is the share beyond; NULL: none */
     int precedence;        /* the summary speaks of the running model with the greatest */
     int thesis_place;      /* among the four charts of each quantity in chapter 6, 1...4; 0: not in the thesis */
+    bool in_findings;      /* the findings of chapter 6 are checked on it */
     const char *style;     /* two letters that stand for its line in a chart's script */
     const char *colour;    /* of its line, "#rrggbb", for a light and a dark page */
     int marker;            /* gnuplot's point type: open (even) elastic, filled (odd) plastic */

@@ -45,6 +45,7 @@ static enum status_code elastic_separation(struct model_curve *curve, const stru
     two_band_separation(separation_m, task->loads, task->load_count, stack, task->tolerance, &visits);
     for (size_t i = 0; i < task->load_count; i++)
         curve->points[i].separation_m = separation_m[i];
+    curve->work.separations = task->load_count;
     free(separation_m);
     return STATUS_OK;
 }
@@ -56,18 +57,25 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
     struct multiscale stack;
     struct constriction constriction = constriction_make(task->pair);
     uint64_t visits = 0;
-    curve->work = work(row, task); /* as predicted, which knows no amplitudes */
-    if (!two_band_split(&bands, task->spectrum))
+    unsigned gap = task->wanted & QUANTITY_BIT(QUANTITY_SEPARATION),
+             wanted = row->plastic ? task->wanted : task->wanted & ~gap;
+    if (!two_band_split(&bands, task->spectrum)) {
+        curve->work = work(row, task); /* as predicted, which knows no amplitudes */
         return STATUS_OK;
+    }
     if (two_band_stack(&stack, &bands, task->pair, row->plastic, row->plastic ? task->hardness_Pa : INFINITY,
                        task->sinusoid_fit, status) != STATUS_OK)
         return status->code;
     for (size_t i = 0; i < task->load_count; i++)
-        curve->clamped +=
-            multiscale_solve(&curve->points[i], &stack, &constriction, task->wanted, task->loads[i], &visits);
-    multiscale_solve(&curve->full, &stack, &constriction, task->wanted, stack.full_load, &visits);
+        curve->clamped += multiscale_solve(&curve->points[i], &stack, &constriction, wanted, task->loads[i], &visits);
+    multiscale_solve(&curve->full, &stack, &constriction, wanted, stack.full_load, &visits);
     enum status_code rc = STATUS_OK;
-    if (!row->plastic && (task->wanted & QUANTITY_BIT(QUANTITY_SEPARATION)))
+    curve->work = (struct model_work){
+        .scales = visits,
+        .gaps = wanted & gap ? visits : 0,
+        .constrictions = wanted & QUANTITY_RESISTANCES ? visits : 0,
+    };
+    if (!row->plastic && gap)
         rc = elastic_separation(curve, &stack, task, status);
     for (size_t i = 0; i < task->load_count; i++)
         blank(&curve->points[i], row, task);

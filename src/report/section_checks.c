@@ -20,13 +20,13 @@ static enum verdict verdict_of_tally(const struct comparison_tally *tally)
     return verdict_of(tally->agreeing, tally->agreeing + tally->opposed);
 }
 
-/** The findings are the thesis's, and speak of its four models. */
+/** The findings are the thesis's, and speak of its models. */
 static bool speaks(const struct section_context *context, size_t m)
 {
-    return model_rows[m]->thesis_place > 0 && plan_runs_model(context->results->plan, m);
+    return model_rows[m]->in_findings && plan_runs_model(context->results->plan, m);
 }
 
-/** What is known of model `m` on the k-th smoothest surface; NULL: nothing, or it is none of the thesis's. */
+/** What is known of model `m` on the k-th smoothest surface; NULL: nothing, or it has no part in them. */
 static const struct curve_summary *curve_of(const struct section_context *context, size_t k, size_t m)
 {
     const struct curve_summary *curve = &section_smoothest(context, k)->models[m];
@@ -786,10 +786,9 @@ static void write(struct text *out, const struct section_context *context)
         text_add(out, " |\n");
         text_free(&evidence);
     }
-    text_add(out,
-             "\nOf the thesis's four models. *Holds*: in every case compared; *in part*: in at least half of them; "
-             "*fails*: in fewer; *not tested*: nothing to compare. Where two numbers differ by less than the "
-             "tolerance, or than their standard errors, they speak for neither.\n");
+    text_add(out, "\nOf the thesis's models. *Holds*: in every case compared; *in part*: in at least half of them; "
+                  "*fails*: in fewer; *not tested*: nothing to compare. Where two numbers differ by less than the "
+                  "tolerance, or than their standard errors, they speak for neither.\n");
 }
 
 static bool called_for(const struct section_context *context)

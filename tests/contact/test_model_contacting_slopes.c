@@ -60,7 +60,13 @@ static void what_is_given(void **state)
     struct contact_point points[MODEL_LOADS + 1];
     make(&of, 3);
     struct model_curve curve = model_support_run(points, "contacting-slopes", &of.task);
+    struct contacting_slopes slopes;
+    struct persson persson;
+    struct status status = {0};
     size_t given = 0, empty = 0, few = 0;
+    assert_int_equal(contacting_slopes_make(&slopes, of.point, of.task.point_count, persson_energy_factor, &status),
+                     STATUS_OK);
+    assert_int_equal(persson_make(&persson, &of.spectrum, persson_energy_factor, &status), STATUS_OK);
     assert_true(curve.exists && curve.count == MODEL_LOADS && isnan(curve.full_load));
     for (size_t i = 0; i < curve.count; i++) {
         const struct contact_point *point = &points[i];
@@ -73,14 +79,21 @@ static void what_is_given(void **state)
         bool touching_few = point->area_ratio < 30.0 / (POINTS - 2);
         bool all_but_one = point->area_ratio >= (POINTS - 3.0) / (POINTS - 2);
         assert_true((point->beyond_fit == 1) == (touching_few || all_but_one));
-        if (gap)
+        struct contacting_slopes_gap fit;
+        if (gap) {
+            assert_true(contacting_slopes_gap(&fit, &slopes, &persson, point->load, point->area_ratio));
+            assert_near(point->separation_m, fit.separation_m, 1e-14);
+            assert_near(point->ecr_ohm_m2, 2 * of.pair.resistivity_ohm_m * fit.constriction_m, 1e-14);
             assert_near(point->ecr_ohm_m2 / point->tcr_K_m2_per_W,
                         of.pair.resistivity_ohm_m * of.pair.conductivity_W_per_mK, 1e-12);
+        }
         given += gap;
         empty += !gap;
         few += touching_few;
     }
     assert_true(given > 3 && empty > 3 && few > 0);
+    contacting_slopes_free(&slopes);
+    persson_free(&persson);
     of.task.wanted = QUANTITY_BIT(QUANTITY_AREA);
     struct contact_point area_only[MODEL_LOADS + 1];
     model_support_run(area_only, "contacting-slopes", &of.task);

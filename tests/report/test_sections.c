@@ -201,7 +201,7 @@ static void test_what_the_sections_say(void **state)
         {&section_summary, "scales below the sampling limit would take up to 25 % more of the area"},
         {&section_summary, "- **1 surface was refused**"},
         {&section_summary,
-         "| beta | 0.200 | 10.0 (6.38…15.7) | 0.900 (0.496…1.30) | 1.50·10⁻¹⁰ (9.57·10⁻¹¹…2.35·10⁻¹⁰) | "
+         "| beta | 0.200 | 10.0 (6.38…15.7) | 1.00 | 0.900 (0.496…1.30) | 1.50·10⁻¹⁰ (9.57·10⁻¹¹…2.35·10⁻¹⁰) | "
          "3.00·10⁻⁵ (1.91·10⁻⁵…4.70·10⁻⁵) | b | 1.00·10⁻³ |\n"},
         {&section_surfaces,
          "| beta | 0.200 | 0.160 | 0.200 | 1.00 | 200 | 0.500 ± 0.050 | 1.400 ± 0.010 | 0.200 | 0.174 |\n"},
@@ -278,7 +278,7 @@ static void test_the_best_by_area(void **state)
                              "(×2.00, 95 % 1.26…3.18, 1 and 2 scans), and than surface gamma, the worst (×5.00, 95 % "
                              "4.25…5.88, one scan each). It comes first in 2 of 2 models.");
     expect_not(&section_summary, "CR");
-    expect(&section_baseline, "| 1.00·10⁻⁴ | 10.0 | GW | 0.0250 |\n");
+    expect(&section_baseline, "| 1.00·10⁻⁴ | 10.0 | GW | 0.0250 | 4.00 |\n");
     expect_not(&section_all_surfaces, "CR");
 }
 
@@ -523,7 +523,7 @@ static void test_shares_of_the_load(void **state)
     model_of(0, "multiscale-plastic")->yielding_scales = 2;
     model_of(0, "multiscale-plastic")->clamped = 17;
     made_up_surface(&made, 0)->jump_share = 0.6;
-    expect(&section_validity, "| beta | 0.0100 | 60 | 1.00·10⁻³ | 3.16·10⁻⁴ | 2.00·10⁻⁴ | 0 | 25.0 | 2 of 3 | 17 |\n");
+    expect(&section_validity, "| beta | 0.0100 | 60 | 1.00·10⁻³ | 3.16·10⁻⁴ | 2.00·10⁻⁴ | 0 | 25.0 | 2 of 3 | 17 of 27 |\n");
     model_of(0, "jg")->most_beyond_fit = 1.1e-4;
     expect(&section_validity, "| 2.00·10⁻⁴ | 0.0110 | 25.0 |");
 }
