@@ -118,7 +118,8 @@ static void model_row(struct text *out, const struct section_context *context, c
     text_add(out, "| ");
     number_format_power(out, study->plan.load[i], 3);
     text_add(out, " | %s over it", model_rows[m]->label);
-    section_gaussian_mark(out, context, study->surface, m);
+    if (study->leading == DIRECT_STUDY_HEIGHTS) /* Gaussian surfaces are what such a model takes them for */
+        section_gaussian_mark(out, context, study->surface, m);
     for (int q = 0; q < DIRECT_STUDY_QUANTITIES; q++)
         if (has(context, q))
             section_cell(out, direct_study_ratio(study, pair, m, direct_study_quantities[q], i), 3);

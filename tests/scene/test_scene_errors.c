@@ -63,12 +63,12 @@ static void test_keys(void **state)
          "unknown key 'foo'; allowed: title, models, effects, material, counterface, direction, measured, "
          "nominal_area_m2, hardness, load, tolerance, "
          "level, window, fit, fit_band_m, moments, closure, max_missing, "
-         "lambda_s_m, lambda_c_m, tip_radius_m, baseline, convergence, surfaces"},
+         "lambda_s_m, lambda_c_m, tip_radius_m, baseline, direct, convergence, surfaces"},
         {"stylus: 2e-6\n", 1,
          "unknown key 'stylus'; allowed: title, models, effects, material, counterface, direction, measured, "
          "nominal_area_m2, hardness, load, "
          "tolerance, level, window, fit, fit_band_m, moments, closure, max_missing, "
-         "lambda_s_m, lambda_c_m, tip_radius_m, baseline, convergence, surfaces"},
+         "lambda_s_m, lambda_c_m, tip_radius_m, baseline, direct, convergence, surfaces"},
         {"level: line\ntitle: a\nlevel: mean\n", 3, "'level' is given twice, first in line 1; remove one"},
         {"title: a\ntolerance:\nlevel: line\n", 2, "'tolerance' has no value; give one or remove the line"},
         {"baseline: ~\n", 1, "'baseline' has no value; give one or remove the line"},
@@ -139,7 +139,8 @@ static void test_choices(void **state)
         {"models: []\n", 1, "'models' names none; remove the line for the default ones"},
         {"effects:\n  - thermal\n  - electric\n", 3, "unknown effect 'electric'; did you mean 'electrical'?"},
         {"effects: [auto]\n", 1,
-         "unknown effect 'auto'; allowed: plasticity, separation, electrical, thermal, scale-dependent, convergence, uncertainty"},
+         "unknown effect 'auto'; allowed: plasticity, separation, electrical, thermal, scale-dependent, convergence, "
+         "uncertainty, direct"},
         {"effects: {thermal: yes}\n", 1, "'effects' is a mapping; give a list of names"},
         {"measured: {file: a.csv,\n load_unit: furlong}\n", 2,
          "'load_unit' is 'furlong'; understood: dimensionless; N, mN, cN, kN, gf, kgf, lbf; Pa, kPa, MPa, GPa, N/mm2, "
