@@ -203,21 +203,21 @@ static void decide_scale_dependence(struct plan *plan, const struct surface_summ
 static void decide_convergence(struct plan *plan, const struct surface_summary *surfaces, size_t count)
 {
     char *reason = plan->effects[EFFECT_CONVERGENCE].reason;
-    size_t size = sizeof plan->effects[EFFECT_CONVERGENCE].reason, converged = 0, lawless = 0, usable = 0;
+    size_t size = sizeof plan->effects[EFFECT_CONVERGENCE].reason, converged = 0, tailless = 0, usable = 0;
     for (size_t i = 0; i < count; i++) {
         usable += surfaces[i].usable;
         converged += surfaces[i].usable && surfaces[i].bound.converged;
-        lawless += surfaces[i].usable && !power_law_holds(&surfaces[i].power_law);
+        tailless += surfaces[i].usable && isnan(surfaces[i].tail.gamma);
     }
     if (converged == usable)
         snprintf(reason, size, "sweeps only: no scale below the sampling limit can take area from any surface");
-    else if (converged + lawless == usable)
+    else if (converged + tailless == usable)
         snprintf(reason, size,
-                 "sweeps only: %zu of %zu surfaces have no power law to carry on below their sampling limit", lawless,
-                 usable);
+                 "sweeps only: %zu of %zu surfaces have too few harmonics to carry on below their sampling limit",
+                 tailless, usable);
     else
         snprintf(reason, size, "%zu of %zu surfaces may lose area below their sampling limit",
-                 usable - converged - lawless, usable);
+                 usable - converged - tailless, usable);
 }
 
 /** Runs where a surface has one scan and all of them together take less than a second, by the count of what they take.

@@ -270,7 +270,7 @@ static enum verdict check_distances(struct text *out, const struct section_conte
         }
         if (!(least[0] <= most[0]))
             continue;
-        text_add(out, "%s%s: %s ", joint(first), model_rows[m]->plastic ? "plastic" : "elastic", x_name);
+        text_add(out, "%s%s: %s ", joint(first), section_law(m, "plastic"), x_name);
         number_format_range(out, least[0], most[0], 2);
         text_add(out, ", %s ", y_name);
         number_format_range(out, least[1], most[1], 2);

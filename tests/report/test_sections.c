@@ -29,7 +29,7 @@ static void check(const struct section *section, const char *what, bool expected
     struct text text = made_up_section(&made, section);
     bool there = strstr(text_string(&text), what) != NULL;
     if (there != expected)
-        print_error("%s\n", text_string(&text));
+        fprintf(stderr, "%s\n", text_string(&text)); /* cmocka would cut it */
     text_free(&text);
     if (there != expected)
         fail_msg("%s'%s'", expected ? "no " : "", what);
@@ -137,8 +137,9 @@ static void test_every_figure_is_shown_once(void **state)
     for (size_t r = 0; r < figure_row_count; r++) {
         bool others = figure_rows[r].beyond_thesis || figure_rows[r].kind == FIGURE_SENSITIVITY ||
                       figure_rows[r].kind == FIGURE_PROBABILITY || figure_rows[r].kind == FIGURE_DIRECT ||
-                      figure_rows[r].kind == FIGURE_DIRECT_RATIO ||
-                      figure_rows[r].kind == FIGURE_PATCHES; /* of models and curves that are not made up */
+                      figure_rows[r].kind == FIGURE_DIRECT_RATIO || figure_rows[r].kind == FIGURE_PATCHES ||
+                      (figure_rows[r].kind == FIGURE_BENCHMARK &&
+                       figure_rows[r].chart >= BENCHMARK_DIRECT_AREA); /* of models and curves that are not made up */
         if (others)
             continue;
         if (rows[r] == 0)
@@ -212,10 +213,11 @@ static void test_what_the_sections_say(void **state)
         {&section_material, "that is 0.100 to 1000 MPa of nominal pressure"},
         {&section_material, "| yield strength | S_y | 1.4·10⁷ | Pa |\n"},
         {&section_convergence, "- elastic: for 7 of 7 α and for γ from 1 up.\n"},
-        {&section_convergence, "| beta | 1.400 ± 0.010 | 2.00 | 0.400 | 25 | 0.400 | 25 |\n"},
+        {&section_convergence, "| beta | 1.40 | 66.7 | 0.400 | 25 | 0.400 | 25 |\n"},
         {&section_convergence, "5 of 9 curves have settled"},
-        {&section_baseline, "| 1.00·10⁻⁵ | 1.00 | GW | 0.00250 | 0.998 | 0.998 | 6.00·10⁻⁹ | 0.00120 | 0.00122 | "
-                            "0.00600 |\n"},
+        {&section_baseline,
+         "| 1.00·10⁻⁵ | 1.00 | GW | 0.00250 | 4.00 | 0.998 | 0.998 | 6.00·10⁻⁹ | 0.00120 | 0.00122 | "
+         "0.00600 |\n"},
         {&section_baseline, "| GW | 1.00 | 4.00·10⁻³ | 4.00·10⁻³ | 3.16·10⁻³ | 2.0 |\n"},
         {&section_baseline, "yielding multiplies it by 2.00 (multiscale elastic-plastic against multiscale elastic) "
                             "and by 1.60 (JG against GW)."},
@@ -231,7 +233,7 @@ static void test_what_the_sections_say(void **state)
         {&section_all_surfaces, "is 0.920 σ (surface alpha) to 0.984 σ (surface gamma).](figures/6-17.svg)"},
         {&section_all_surfaces, "| beta | 6.00 | 6.00 | 7.00 | 7.00 |\n"},
         {&section_checks, "TCR/ECR is 1/(ρ k) at every load"},
-        {&section_checks, "statistical: plastic/elastic area 1.00 to 1.60, not below at 27 of 27 loads"},
+        {&section_checks, "statistical: plastic/elastic area 1.26 to 1.60, 23 of 23 loads"},
         {&section_repeats, "| beta | 2 scans | 0.200 (0.128…0.313) | 1.40 (1.22…1.58) | 0.00100 (2.62·10⁻⁵…0.0382) | "
                            "×÷ 1.57 | ×÷ 2.18 |\n"},
         {&section_repeats, "| alpha | 1 scan"},
@@ -242,7 +244,7 @@ static void test_what_the_sections_say(void **state)
                                "0 of 3 and ECR on 0 of 3"},
         {&section_measured, "| multiscale elastic-plastic | 3 of 3 | 1.0·10⁻⁵ to 1.0·10⁻⁴ | 0.176 | −0.176 |\n"},
         {&section_measured, "from the measurements on surface beta: "},
-        {&section_validity, "| beta | 0.0100 | 10 | 1.00·10⁻³ | 3.16·10⁻⁴ | – | 0 | 0 | 0 of 3 | 0 |\n"},
+        {&section_validity, "| beta | 0.0100 | 10 | 1.00·10⁻³ | 3.16·10⁻⁴ | – | 0 | 0 | 0 of 3 | at 0 of 27 |\n"},
         {&section_cost, "GW's area, load and conductance come from closed forms, within 1.0·10⁻¹³. JG's integrals "
                         "come from Gauss-Legendre panels at tolerance 1e-08, within 1.0·10⁻⁸. With them one more digit "
                         "takes 19 % more time. The thesis's Simpson rule of 1000 sub-intervals is off by 0.0020 and "
@@ -470,6 +472,9 @@ static void test_the_limits(void **state)
     for (size_t i = 0; i < MADE_UP_USABLE; i++)
         for (size_t m = 0; m < model_count; m++)
             made_up_surface(&made, i)->models[m].extension.area_extended = 0.4 * (1 - 0.9e-3);
+    expect(&section_summary, "- **Limits**: in JG the real contact bears more than 3 S_y, beyond any hardness, "
+                             "on 1 of 3 surfaces (up to 6.2 S_y).\n");
+    made.plan.pair.yield_strength_Pa *= 10;
     expect_not(&section_summary, "Limits");
     model_of(2, "multiscale-plastic")->extension.area_extended = 0.4 * (1 - 1.1e-3);
     expect(&section_summary, "would take up to 0.11 % more of the area.\n");
@@ -478,6 +483,7 @@ static void test_the_limits(void **state)
     made_up_surface(&made, 1)->jump_share = 0.51;
     expect(&section_summary, "a jump between the ends of the record draws γ towards 1 on 1 of 3 surfaces");
     made_up_surface(&made, 0)->power_law.knee_m = 1e-5;
+    made_up_surface(&made, 0)->power_law.gamma_below = 1.2; /* it decides there */
     expect(&section_summary, "two slopes fit the spectrum better than one law on 1 of 3 surfaces");
     made_up_surface(&made, 2)->power_law.gamma = 0.99; /* within its error of 0.01 */
     expect_not(&section_summary, "γ is below 1");
@@ -526,7 +532,7 @@ static void test_shares_of_the_load(void **state)
     model_of(0, "multiscale-plastic")->clamped = 17;
     made_up_surface(&made, 0)->jump_share = 0.6;
     expect(&section_validity,
-           "| beta | 0.0100 | 60 | 1.00·10⁻³ | 3.16·10⁻⁴ | 2.00·10⁻⁴ | 0 | 25.0 | 2 of 3 | 17 of 27 |\n");
+           "| beta | 0.0100 | 60 | 1.00·10⁻³ | 3.16·10⁻⁴ | 2.00·10⁻⁴ | 0 | 25.0 | 2 of 3 | at 17 of 27 |\n");
     model_of(0, "jg")->most_beyond_fit = 1.1e-4;
     expect(&section_validity, "| 2.00·10⁻⁴ | 0.0110 | 25.0 |");
 }
