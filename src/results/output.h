@@ -13,12 +13,16 @@ struct output {
 };
 
 /** Makes the staging directory with data/ and figures/ beside `target` (and target's missing parents). What stands at
- * `target` must be an earlier report, an empty directory or nothing: anything else is refused, so that no file of the
- * user's is lost. Errors: STATUS_USAGE (`target` is "", . or ..), STATUS_IO. */
+ * `target` must be nothing, a directory with no more than hidden files, or a report whose manifest.txt names its files.
+ * Other files beside those are the user's and stay in OUT. Refused, by name and before any work: a directory of the
+ * user's, and what is no regular file in the place of one of the report. The new report has OUT's mode. Errors:
+ * STATUS_USAGE (`target` is "", . or ..), STATUS_IO. */
 MUST_CHECK enum status_code output_begin(struct output *out, const char *target, struct status *status);
 
-/** Puts the finished report in place and removes the one before. Error: STATUS_IO; then the earlier report still
- * stands. */
+/** Writes the manifest, looks at OUT again as output_begin() did, puts the finished report in place in one step and
+ * removes of the one before what its manifest names. The user's files are in both meanwhile, as hard links, so that
+ * none is lost at any instant. Error: STATUS_IO; then the earlier report still stands. The one exception: what came to
+ * OUT in the instant of the exchange and could not follow is left in OUT.kept-XXXXXX; the message names it. */
 MUST_CHECK enum status_code output_commit(struct output *out, struct status *status);
 
 /** Removes what an output that was not committed has made: the staging directory and the target's parents. Clears

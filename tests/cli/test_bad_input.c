@@ -16,6 +16,9 @@ static void leave_report(const char *place)
     workspace_write(place, "out/d/results.json", "{}\n");
     workspace_write(place, "out/d/data/surfaces.csv", "surface\n");
     workspace_write(place, "out/d/figures/6-05.svg", "<svg/>\n");
+    workspace_write(place, "out/d/manifest.txt",
+                    "# the files of this report by roughcontact, which its next run replaces; no others\n"
+                    "data/surfaces.csv\nfigures/6-05.svg\nmanifest.txt\nreport.html\nreport.md\nresults.json\n");
 }
 
 struct bad_input {
@@ -131,13 +134,17 @@ static void test_foreign_files(void **state)
     workspace_scan(place, "d/a.csv", 200, 1);
     workspace_write(place, "notes/todo.txt", "mine\n");
     workspace_write(place, "project/data/mine.csv", "mine\n");
+    workspace_write(place, "plots/results.json", "mine\n");
+    workspace_write(place, "plots/report.md", "mine\n");
+    workspace_write(place, "plots/figures/plot1.svg", "mine\n");
     leave_report(place);
-    workspace_write(place, "out/d/data/mine.csv", "mine\n");
+    workspace_write(place, "out/d/figures/src.csv/thesis.tex", "mine\n");
     char *before = workspace_digest(place, ".");
-    expect_failure(place, 4, 1, "'notes' holds 'todo.txt', which is not part of a report; choose another", "report",
-                   "d", "-o", "notes");
-    expect_failure(place, 4, 1, "'project' is not empty and no report; choose another", "report", "d", "-o", "project");
-    expect_failure(place, 4, 1, "'out/d/data' holds 'mine.csv'", "report", "d");
+    expect_failure(place, 4, 1, "'notes' holds 'todo.txt', and no manifest.txt names it as part of a report; choose",
+                   "report", "d", "-o", "notes");
+    expect_failure(place, 4, 1, "'project' holds 'data/mine.csv', and no manifest.txt", "report", "d", "-o", "project");
+    expect_failure(place, 4, 1, "'plots' holds 'figures/plot1.svg', and no manifest.txt", "report", "d", "-o", "plots");
+    expect_failure(place, 4, 1, "'out/d' holds the directory 'figures/src.csv', which is not part", "report", "d");
     expect_failure(place, 4, 1, "'d' holds 'a.csv'", "report", "d", "-o", "d");
     char *after = workspace_digest(place, ".");
     assert_string_equal(before, after);

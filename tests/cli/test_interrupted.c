@@ -86,6 +86,54 @@ static void test_kill(void **state)
     free(after);
 }
 
+static void expect_content(const char *place, const char *path, const char *content)
+{
+    char *text = workspace_read(place, path);
+    assert_string_equal(text, content);
+    free(text);
+}
+
+/** The user's files in OUT outlive every run, those too that come while one lasts. */
+static void test_files_of_the_user(void **state)
+{
+    const char *place = *state;
+    static const char *const files[] = {"out/slow/figures/holiday.svg", "out/slow/data/mine.csv", "out/slow/notes.md"};
+    write_report(place);
+    for (size_t i = 0; i < 2; i++)
+        workspace_write(place, files[i], files[i]);
+    char *manifest = workspace_read(place, "out/slow/manifest.txt");
+    expect_part(manifest, "\nfigures/6-05.svg\n");
+    workspace_write(place, "good/scene.yaml", "models: [multiscale]\neffects: []\n");
+    struct process process = expect_exit(place, 0, "report", "--no-cost", "good", "-o", "out/slow");
+    process_free(&process);
+    char *smaller = workspace_read(place, "out/slow/manifest.txt");
+    assert_string_not_equal(manifest, smaller); /* the files that are no longer written are gone */
+    for (const char *line = strchr(manifest, '\n') + 1; *line; line = strchr(line, '\n') + 1) {
+        char *name, *path;
+        assert_true(asprintf(&name, "\n%.*s\n", (int)strcspn(line, "\n"), line) > 0);
+        assert_true(asprintf(&path, "out/slow/%.*s", (int)strcspn(line, "\n"), line) > 0);
+        assert_int_equal(workspace_has(place, path), strstr(smaller, name) != NULL);
+        free(name);
+        free(path);
+    }
+    free(manifest);
+    free(smaller);
+
+    workspace_scan(place, "good/b.csv", 20000, 2); /* takes a while */
+    struct process_running running = process_start(place, "report", "good", "-o", "out/slow", "--tolerance", "1e-12");
+    for (int i = 0; i < 2000 && workspace_count(place, ".roughcontact-") == 0; i++)
+        wait_a_little();
+    wait_a_little();
+    assert_true(workspace_count(place, ".roughcontact-") > 0);
+    workspace_write(place, files[2], files[2]);
+    process = process_expect(process_end(running), 0, __FILE__, __LINE__);
+    process_free(&process);
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++)
+        expect_content(place, files[i], files[i]);
+    assert_int_equal(workspace_count(place, ".roughcontact-"), 0);
+    assert_int_equal(workspace_count(place, "slow"), 1); /* no slow.kept-... */
+}
+
 /** No room for files: as on a full disk, every write beyond some size fails. */
 static void test_no_room(void **state)
 {
@@ -127,10 +175,8 @@ static void test_full_output(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        workspace_test(test_signals),
-        workspace_test(test_kill),
-        workspace_test(test_no_room),
-        workspace_test(test_full_output),
+        workspace_test(test_signals), workspace_test(test_kill),        workspace_test(test_files_of_the_user),
+        workspace_test(test_no_room), workspace_test(test_full_output),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
