@@ -12,8 +12,6 @@
 
 enum { LARGEST = 1 << 20 }; /* bytes; a larger one is none of ours */
 
-static const char header[] = "# the files of this report by roughcontact, which its next run replaces; no others\n";
-
 static bool is_folder(int root, const char *name)
 {
     struct stat info;
@@ -87,7 +85,7 @@ void manifest_entries_free(struct manifest_entries *entries)
 static enum status_code write_lines(const char *path, const struct manifest_entries *entries, struct status *status)
 {
     struct text text = {0};
-    text_add(&text, "%s", header);
+    text_add(&text, MANIFEST_HEADER);
     for (size_t i = 0; i < entries->count; i++) {
         assert(!strchr(entries->names[i], '\n'));
         text_add(&text, "%s\n", entries->names[i]);
@@ -123,7 +121,7 @@ enum status_code manifest_read(struct text *out, const char *directory, struct s
     else if (lstat(path.data, &info) == 0 && S_ISREG(info.st_mode) && info.st_size <= LARGEST)
         rc = text_read_file(out, path.data, status);
     text_free(&path);
-    if (rc == STATUS_OK && strncmp(text_string(out), header, strlen(header)) != 0)
+    if (rc == STATUS_OK && strncmp(text_string(out), MANIFEST_HEADER, strlen(MANIFEST_HEADER)) != 0)
         text_free(out);
     return rc;
 }
@@ -131,13 +129,14 @@ enum status_code manifest_read(struct text *out, const char *directory, struct s
 bool manifest_lists(const struct text *manifest, const char *name)
 {
     size_t length = strlen(name);
-    if (length == 0 || *name == '#' || strchr(name, '\n'))
-        return false;
-    for (const char *line = text_string(manifest); *line;) {
+    const char *line = text_string(manifest);
+    line += strcspn(line, "\n"); /* the header is no name */
+    while (*line) {
+        line++;
         size_t size = strcspn(line, "\n");
         if (size == length && line[size] == '\n' && memcmp(line, name, length) == 0)
             return true;
-        line += size + (line[size] == '\n');
+        line += size;
     }
     return false;
 }

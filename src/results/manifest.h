@@ -5,6 +5,8 @@
 #include "base/text.h"
 
 #define MANIFEST_NAME "manifest.txt"
+/** Its first line, by which it is told from a file of the user's. */
+#define MANIFEST_HEADER "# the files of this report by roughcontact, which its next run replaces; no others\n"
 
 /** What a directory holds, sorted by name, "data/contact.csv" where it lies in one of a report's folders. */
 struct manifest_entries {

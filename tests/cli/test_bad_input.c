@@ -1,6 +1,7 @@
 /* What is wrong with the input is said in a line that names file, line and remedy, and nothing is half written. */
 #include "cli/process.h"
 
+#include "results/manifest.h"
 #include <stdio.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -17,7 +18,7 @@ static void leave_report(const char *place)
     workspace_write(place, "out/d/data/surfaces.csv", "surface\n");
     workspace_write(place, "out/d/figures/6-05.svg", "<svg/>\n");
     workspace_write(place, "out/d/manifest.txt",
-                    "# the files of this report by roughcontact, which its next run replaces; no others\n"
+                    MANIFEST_HEADER
                     "data/surfaces.csv\nfigures/6-05.svg\nmanifest.txt\nreport.html\nreport.md\nresults.json\n");
 }
 

@@ -1,4 +1,5 @@
 #include "pipeline.h"
+#include "results/manifest.h"
 
 static int place_setup(void **state)
 {
@@ -111,7 +112,7 @@ static void assert_untouched(const struct directory *place, struct run_options o
     struct text text = directory_read(place, "out/report.md");
     assert_string_equal(text_string(&text), "before");
     text_free(&text);
-    assert_int_equal(directory_entries(place, "out"), 2);
+    assert_int_equal(directory_entries(place, "out"), 3);
 }
 
 static void test_a_run_that_fails_leaves_the_report_before(void **state)
@@ -122,6 +123,7 @@ static void test_a_run_that_fails_leaves_the_report_before(void **state)
     mkdir(directory_path(place, "out"), 0777);
     directory_write(place, "out/report.md", "before");
     directory_write(place, "out/results.json", "{}");
+    directory_write(place, "out/manifest.txt", MANIFEST_HEADER "manifest.txt\nreport.md\nresults.json\n");
     options.stop = &stop;
     assert_untouched(place, options, STATUS_INTERRUPTED, "stopped");
     options = options_to(NULL);
@@ -160,6 +162,7 @@ static void test_a_signal_halfway_stops_the_run(void **state)
     mkdir(directory_path(place, "out"), 0777);
     directory_write(place, "out/report.md", "before");
     directory_write(place, "out/results.json", "{}");
+    directory_write(place, "out/manifest.txt", MANIFEST_HEADER "manifest.txt\nreport.md\nresults.json\n");
     options.stop = &stop_soon;
     options.progress = ask_to_stop;
     assert_untouched(place, options, STATUS_INTERRUPTED, "stopped");
