@@ -2,6 +2,7 @@
  * and maps (text_grid.h). */
 #include "scan/number.h"
 #include "scan/reader.h"
+#include "scan/sidecar.h"
 #include "scan/text_grid.h"
 #include "scan/text_header.h"
 #include "scan/text_table.h"
@@ -193,9 +194,11 @@ static bool has_even_steps(const struct text_table *table)
 }
 
 /* The column that is x: the first, unless that counts the points, or is the only one of three without a unit. */
-static size_t find_x(const struct text_table *table, const struct text_header *header)
+static size_t find_x(const struct text_table *table, const struct text_header *header,
+                     const struct scan_options *options)
 {
-    if (table->columns < 3 || header->valid <= 2 || header->unit[0] || !goes_one_way(table, 1))
+    bool first_named = header->unit[0] || (options->sidecar && options->sidecar->header.unit[0]);
+    if (table->columns < 3 || header->valid <= 2 || first_named || !goes_one_way(table, 1))
         return 0;
     return (header->unit[1] && header->unit[2]) || counts_up(table) ? 1 : 0;
 }
@@ -246,7 +249,7 @@ static enum status_code take_chosen(struct scan *out, struct text_table *table, 
                                     const struct scan_bytes *file, const struct scan_options *options,
                                     struct status *status)
 {
-    size_t z, x = table->columns > 1 ? find_x(table, header) : 0;
+    size_t z, x = table->columns > 1 ? find_x(table, header, options) : 0;
     bool x_given = is_given(options->x_column);
     if (choose_column(&z, options->z_column, table, file, status) != STATUS_OK ||
         (x_given && choose_column(&x, options->x_column, table, file, status) != STATUS_OK))
@@ -285,7 +288,7 @@ static enum status_code take_table(struct scan *out, struct text_table *table, c
     } else if (table->columns == 1) {
         code = take_heights(out, table, &header, 0, file, options, status);
     } else {
-        x = find_x(table, &header);
+        x = find_x(table, &header, options);
         code = take_points(out, table, &header, x, header.valid == x + 1 ? x + 2 : x + 1, file, options, status);
     }
     if (code == STATUS_OK)

@@ -111,7 +111,8 @@ static bool take_members(struct text_header *out, json_t *object)
 
 static bool parse_json(struct text_header *out, const struct text *bytes)
 {
-    json_t *root = json_loadb(text_string(bytes), bytes->length, 0, NULL);
+    const char *start = strchr(text_string(bytes), '{'); /* behind a byte order mark */
+    json_t *root = json_loadb(start, bytes->length - (size_t)(start - text_string(bytes)), 0, NULL);
     bool any = json_is_object(root) && (take_dabam(out, root) || take_members(out, root));
     json_decref(root);
     return any;
@@ -149,8 +150,7 @@ bool sidecar_read(struct sidecar *out, const char *path)
         text_free(&bytes);
         return false;
     }
-    struct span content = span_trim((struct span){text_string(&bytes), text_string(&bytes) + bytes.length});
-    bool json = span_starts(content, "{") || span_starts(content, "\xEF\xBB\xBF{");
+    bool json = text_string(&bytes)[strspn(text_string(&bytes), "\xEF\xBB\xBF \t\r\n")] == '{';
     bool any = json ? parse_json(&out->header, &bytes) : parse_lines(&out->header, &bytes);
     text_free(&bytes);
     return any;
