@@ -143,6 +143,14 @@ static void test_slopes_refused(void **state)
                 &slope, "a file of format sdf has heights, not slopes");
     assert_within(scan_unit_slope("\xC2\xB5rad", 5), 1e-6, 0);
     assert_within(scan_unit_slope("um", 2), 0, 0);
+    static const struct {
+        const char *name;
+        double slope;
+    } units[] = {{"rad", 1},      {"Radians", 1}, {"mrad", 1e-3},    {"milliradian", 1e-3}, {"microrad", 1e-6},
+                 {"urad", 1e-6},  {"nrad", 1e-9}, {"nanorad", 1e-9}, {"mm/m", 1e-3},        {"um/mm", 1e-3},
+                 {"nm/um", 1e-3}, {"um/m", 1e-6}, {"nm/mm", 1e-6},   {"nm/m", 1e-9},        {"m/m", 1}};
+    for (size_t i = 0; i < sizeof units / sizeof *units; i++)
+        assert_within(scan_unit_slope(units[i].name, strlen(units[i].name)), units[i].slope, 0);
     assert_within(scan_unit_m("urad", 4), 0, 0);
 }
 
@@ -355,6 +363,29 @@ static void test_dabam(void **state)
     expect_units(&pair, "A", "s.txt");
 }
 
+/* A sidecar cut off anywhere gives units or none; the sanitizers watch the rest. */
+static void test_cut_sidecars(void **state)
+{
+    (void)state;
+    static const char lines[] = "x unit: mm, z unit: um/mm\nunits: mm/\n";
+    const char *const contents[] = {dabam, lines};
+    put("s.dat", "0 0 5 0\n1 2 6 4\n2 4 7 8\n3 6 9 12\n");
+    for (size_t k = 0; k < 2; k++)
+        for (size_t length = strlen(contents[k]); length > 0; length--) {
+            struct scan_options options = {.x_unit = "um", .z_unit = "urad", .quantity = SCAN_SLOPE};
+            struct scan scan;
+            struct status status;
+            char *cut = strndup(contents[k], length);
+            put("s.txt", cut);
+            if (take(&scan, "s.dat", &options, &status) == STATUS_OK)
+                assert_sound(&scan);
+            else
+                assert_int_equal(status.code, STATUS_SCAN);
+            scan_free(&scan);
+            free(cut);
+        }
+}
+
 /* Column 4 of the real file has the slopes of column 2: integrated they are its heights, but for the quadrature. */
 static void test_real_slopes(void **state)
 {
@@ -381,6 +412,7 @@ int main(void)
         cmocka_unit_test(test_columns),
         cmocka_unit_test_setup_teardown(test_sidecars, make_folder, remove_folder),
         cmocka_unit_test_setup_teardown(test_dabam, make_folder, remove_folder),
+        cmocka_unit_test_setup_teardown(test_cut_sidecars, make_folder, remove_folder),
         cmocka_unit_test(test_real_slopes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
