@@ -12,14 +12,26 @@
 #include <unistd.h>
 
 struct arguments {
-    struct scan_options units;
+    struct scan_options scan;
+    char x_column[64];
     struct profile_options how;
     bool json, chart, no_chart;
     char **files;
     int file_count;
 };
 
-enum { KEY_X_UNIT = 0x100, KEY_Z_UNIT, KEY_JSON, KEY_NO_CHART, KEY_CHART, KEY_LEVEL, KEY_LAMBDA_S, KEY_LAMBDA_C };
+enum {
+    KEY_X_UNIT = 0x100,
+    KEY_Z_UNIT,
+    KEY_JSON,
+    KEY_NO_CHART,
+    KEY_CHART,
+    KEY_LEVEL,
+    KEY_LAMBDA_S,
+    KEY_LAMBDA_C,
+    KEY_QUANTITY,
+    KEY_COLUMN
+};
 
 static const struct argp_option options[] = {
     {"json", KEY_JSON, 0, 0, "print an array of objects, one a file (default: text)", 0},
@@ -27,6 +39,8 @@ static const struct argp_option options[] = {
     {"chart", KEY_CHART, 0, 0, "draw the charts even when the output is no terminal (default: only on one)", 0},
     {"x-unit", KEY_X_UNIT, "UNIT", 0, "unit of x where the file names none (default: such a file is refused)", 0},
     {"z-unit", KEY_Z_UNIT, "UNIT", 0, "unit of z where the file names none (default: such a file is refused)", 0},
+    {"quantity", KEY_QUANTITY, "NAME", 0, "height or slope, which is integrated to heights (default: height)", 0},
+    {"column", KEY_COLUMN, "Z|X,Z", 0, "columns by number or title (default: the first two that can be x and z)", 0},
     {"level", KEY_LEVEL, "NAME", 0, "none, mean, line, parabola, circle or robust (default: line; maps: plane)", 0},
     {"lambda-s", KEY_LAMBDA_S, "METRES", 0, "cut-off of a Gaussian low-pass (default: none; profiles only)", 0},
     {"lambda-c", KEY_LAMBDA_C, "METRES", 0, "cut-off of a high-pass: R beside P parameters (default: none)", 0},
@@ -52,6 +66,29 @@ static enum scene_level parse_level(const char *name, struct argp_state *state)
     return SCENE_LEVEL_LINE;
 }
 
+static enum scan_quantity parse_quantity(const char *name, struct argp_state *state)
+{
+    for (int quantity = 0; quantity < SCAN_QUANTITY_COUNT; quantity++)
+        if (strcmp(name, scan_quantity_names[quantity]) == 0)
+            return (enum scan_quantity)quantity;
+    argp_error(state, "unknown quantity '%s'; allowed: height, slope", name);
+    return SCAN_HEIGHT;
+}
+
+/** `Z` or `X,Z`. */
+static void parse_column(struct arguments *arguments, const char *text, struct argp_state *state)
+{
+    const char *comma = strchr(text, ',');
+    arguments->scan.z_column = comma ? comma + 1 : text;
+    if (*arguments->scan.z_column == '\0' ||
+        (comma && (comma == text || (size_t)(comma - text) >= sizeof arguments->x_column)))
+        argp_error(state, "'%s' is no column; give one, as in 3, or x and z, as in 1,3", text);
+    if (comma) {
+        memcpy(arguments->x_column, text, (size_t)(comma - text));
+        arguments->scan.x_column = arguments->x_column;
+    }
+}
+
 static error_t parse(int key, char *value, struct argp_state *state)
 {
     struct arguments *arguments = state->input;
@@ -66,10 +103,16 @@ static error_t parse(int key, char *value, struct argp_state *state)
         arguments->chart = true;
         return 0;
     case KEY_X_UNIT:
-        arguments->units.x_unit = value;
+        arguments->scan.x_unit = value;
         return 0;
     case KEY_Z_UNIT:
-        arguments->units.z_unit = value;
+        arguments->scan.z_unit = value;
+        return 0;
+    case KEY_QUANTITY:
+        arguments->scan.quantity = parse_quantity(value, state);
+        return 0;
+    case KEY_COLUMN:
+        parse_column(arguments, value, state);
         return 0;
     case KEY_LEVEL:
         arguments->how.level = parse_level(value, state);
@@ -257,7 +300,7 @@ int command_inspect(int argc, char **argv)
     static const struct argp argp = {
         options, parse, "FILE...", "Says what is in each scan: format, points, spacing, units, roughness, power law.",
         NULL,    NULL,  NULL};
-    struct arguments arguments = {.units = {"", ""}, .how = profile_defaults};
+    struct arguments arguments = {.how = profile_defaults};
     argp_parse(&argp, argc, argv, 0, NULL, &arguments);
     json_t *all = json_array();
     int refused = 0;
@@ -265,7 +308,7 @@ int command_inspect(int argc, char **argv)
         struct status status = {0}, chart = {0};
         struct finding finding;
         const char *path = arguments.files[i];
-        if (finding_make(&finding, path, &arguments.units, &arguments.how, &status) != STATUS_OK) {
+        if (finding_make(&finding, path, &arguments.scan, &arguments.how, &status) != STATUS_OK) {
             refused++;
             if (arguments.json)
                 json_array_append_new(all, error_json(path, status.message));

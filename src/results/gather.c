@@ -174,16 +174,24 @@ enum status_code gather_file(struct surface_record *record, const struct scene *
     char *path = scene_file_path(scene, file);
     if (!path)
         return status_memory(status);
-    struct scan_options options = {surface->x_unit, surface->z_unit};
+    struct scan_options options = {.x_unit = surface->x_unit,
+                                   .z_unit = surface->z_unit,
+                                   .quantity = surface->quantity,
+                                   .x_column = surface->x_column,
+                                   .z_column = surface->z_column};
 
     double started = clock_seconds();
     enum status_code rc = text_read_file(&bytes, path, status);
     if (rc == STATUS_OK) {
         hash_add(hash, bytes.data, bytes.length);
         struct scan_bytes content = {bytes.data, bytes.length, file};
-        rc = scan_read_bytes(&scan, &content, &options, status);
+        rc = scan_read_beside(&scan, &content, path, &options, status);
     }
     text_free(&bytes);
+    if (rc == STATUS_OK && scan.sidecar && (rc = text_read_file(&bytes, scan.sidecar, status)) == STATUS_OK) {
+        hash_add(hash, bytes.data, bytes.length); /* what it says changes the numbers too */
+        text_free(&bytes);
+    }
     if (rc == STATUS_OK && scan.kind == SCAN_AREAL && scene->direction == SCENE_DIRECTION_Y)
         rc = scan_turn(&scan, status);
     summary->times.read += clock_seconds() - started;

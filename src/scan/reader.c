@@ -1,5 +1,6 @@
 #include "scan/reader.h"
 #include "scan/number.h"
+#include "scan/sidecar.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -47,38 +48,103 @@ void scan_copy(char *to, size_t size, struct span span)
     to[length] = '\0';
 }
 
-static double choose_unit(char name[16], const char *named, const char *scene)
+/* NULL where nothing is said. */
+static const char *said(const char *name)
 {
-    if (!named || !*named)
-        named = scene;
-    const char *known = scan_unit_name(named, strlen(named));
-    snprintf(name, 16, "%s", known ? known : "");
-    return known ? scan_unit_m(named, strlen(named)) : 0.0;
+    return name && *name ? name : NULL;
+}
+
+/* The file calls z a slope, and the scene does not ask to integrate it; or the other way round. */
+static enum status_code fail_quantity(const struct scan *out, const char *z, bool beside, const struct scan_bytes *file,
+                                      const struct scan_options *options, struct status *status)
+{
+    char where[32] = "z", source[320] = "";
+    if (out->z_column > 0)
+        snprintf(where, sizeof where, "column %zu", out->z_column);
+    if (beside)
+        snprintf(source, sizeof source, " by its sidecar '%.255s'", options->sidecar->name);
+    if (options->quantity == SCAN_SLOPE)
+        return scan_fail(status, file, 0, "%s has heights in %.16s%s, not slopes; remove `quantity: slope`", where, z,
+                         source);
+    return scan_fail(status, file, 0,
+                     "%s is a slope%s%.16s%s, not heights; to integrate it add `quantity: slope` to this surface in "
+                     "scene.yaml, or give --quantity slope%s",
+                     where, z ? " in " : "", z ? z : "", source,
+                     out->z_column > 0 ? "; or choose the heights by `column`" : "");
+}
+
+static enum status_code fail_units(const struct scan *out, const char *x, const char *z, const struct scan_bytes *file,
+                                   struct status *status)
+{
+    static const char lengths[] = "m, mm, um, nm, pm, A, in, mil or uin";
+    static const char slopes[] = "rad, mrad, urad, nrad, um/mm or 1 (z is a slope)";
+    bool slope = out->quantity == SCAN_SLOPE, x_wrong = x && !*out->x_unit, z_wrong = z && !*out->z_unit;
+    if (x_wrong || z_wrong)
+        return scan_fail(status, file, 0, "'%.16s' is no unit of %s; give %s as %s", x_wrong ? x : z,
+                         slope && !x_wrong ? "slope" : "length", x_wrong ? "x_unit" : "z_unit",
+                         slope && !x_wrong ? slopes : lengths);
+    if (*out->x_unit)
+        return scan_fail(status, file, 0,
+                         "no unit for z; add `z_unit: %s` (or %s, ...) to this surface in scene.yaml, or give "
+                         "--z-unit %s",
+                         slope ? "urad" : "um", slope ? "mrad, rad" : "mm, nm", slope ? "urad" : "um");
+    if (*out->z_unit)
+        return scan_fail(status, file, 0,
+                         "no unit for x; add `x_unit: mm` (or um, nm, ...) to this surface in scene.yaml, or give "
+                         "--x-unit mm");
+    return scan_fail(status, file, 0,
+                     "no unit for x nor for z; add `x_unit: mm` and `z_unit: %s` (or what they are in) to this surface "
+                     "in scene.yaml, or give --x-unit mm --z-unit %s",
+                     slope ? "urad" : "um", slope ? "urad" : "um");
+}
+
+static bool is_slope_unit(const char *name)
+{
+    return name && scan_unit_slope(name, strlen(name)) > 0;
 }
 
 enum status_code scan_units(struct scan *out, const char *x_named, const char *z_named, double *x_m, double *z_m,
                             const struct scan_bytes *file, const struct scan_options *options, struct status *status)
 {
-    *x_m = choose_unit(out->x_unit, x_named, options->x_unit);
-    *z_m = choose_unit(out->z_unit, z_named, options->z_unit);
-    if (*x_m > 0 && *z_m > 0)
-        return STATUS_OK;
-    bool x_given = !(*x_m > 0) && *options->x_unit, z_given = !(*z_m > 0) && *options->z_unit;
-    if (x_given || z_given)
-        return scan_fail(status, file, 0,
-                         "'%.16s' is no unit of length; give %s as m, mm, um, nm, pm, A, in, mil or uin",
-                         x_given ? options->x_unit : options->z_unit, x_given ? "x_unit" : "z_unit");
-    if (*x_m > 0)
-        return scan_fail(status, file, 0,
-                         "no unit for z; add `z_unit: um` (or mm, nm, ...) to this surface in scene.yaml, or give "
-                         "--z-unit um");
-    if (*z_m > 0)
-        return scan_fail(status, file, 0,
-                         "no unit for x; add `x_unit: mm` (or um, nm, ...) to this surface in scene.yaml, or give "
-                         "--x-unit mm");
-    return scan_fail(status, file, 0,
-                     "no unit for x nor for z; add `x_unit: mm` and `z_unit: um` (or what they are in) to this surface "
-                     "in scene.yaml, or give --x-unit mm --z-unit um");
+    const struct text_header *beside = options->sidecar ? &options->sidecar->header : NULL;
+    const char *x = said(x_named), *z = said(z_named);
+    if (x && !scan_unit_name(x, strlen(x)))
+        return scan_fail(status, file, 0, "x is in '%.16s' by the file, which is no unit of length", x);
+    if (z && !scan_unit_name(z, strlen(z)) && !is_slope_unit(z))
+        return scan_fail(status, file, 0, "z is in '%.16s' by the file, which is no unit of length", z);
+    out->units_lacking = !x || !z;
+    bool slope = out->quantity == SCAN_SLOPE || is_slope_unit(z), x_beside = false, z_beside = false;
+    if (!x && beside && (x = text_header_x_unit(beside, out->x_column)))
+        x_beside = true;
+    if (!z && beside) {
+        slope = slope || text_header_is_slope(beside, out->z_column);
+        z = text_header_z_unit(beside, out->z_column, slope);
+        z_beside = z || (slope && out->quantity != SCAN_SLOPE);
+        slope = slope || is_slope_unit(z);
+    }
+    bool said_height = z && !slope;
+    x = x ? x : said(options->x_unit);
+    z = z ? z : said(options->z_unit);
+    slope = slope || (is_slope_unit(z) && !said_height);
+    if (slope ? options->quantity != SCAN_SLOPE : said_height && options->quantity == SCAN_SLOPE)
+        return fail_quantity(out, z, z_beside, file, options, status);
+    out->quantity = options->quantity;
+    const char *x_name = x ? scan_unit_name(x, strlen(x)) : NULL, *z_name = NULL;
+    *x_m = x_name ? scan_unit_m(x, strlen(x)) : 0.0;
+    *z_m = 0.0;
+    if (z) {
+        z_name = out->quantity == SCAN_SLOPE ? scan_unit_slope_name(z, strlen(z)) : scan_unit_name(z, strlen(z));
+        *z_m = out->quantity == SCAN_SLOPE ? scan_unit_slope(z, strlen(z)) : scan_unit_m(z, strlen(z));
+    }
+    scan_set_units(out, x_name ? x_name : "", z_name ? z_name : "");
+    if (!(*x_m > 0 && *z_m > 0))
+        return fail_units(out, x, z, file, status);
+    out->units_beside = x_beside || z_beside;
+    if (out->units_beside)
+        scan_warn(out, "the sidecar '%.120s' gave the unit%s: %s%s%s%s%s", options->sidecar->name,
+                  x_beside && z_beside ? "s" : "", x_beside ? "x in " : "", x_beside ? out->x_unit : "",
+                  x_beside && z_beside ? ", " : "", z_beside ? "z in " : "", z_beside ? out->z_unit : "");
+    return STATUS_OK;
 }
 
 void scan_set_units(struct scan *out, const char *x_unit, const char *z_unit)

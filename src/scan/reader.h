@@ -23,9 +23,15 @@ void scan_copy(char *to, size_t size, struct span span);
 
 /** The unit's name as the program prints it ("um" for every spelling of micrometre); NULL when it is no length. */
 const char *scan_unit_name(const char *name, size_t length);
+/** The same of a unit of slope ("urad" for every spelling of microradian); NULL when it is none. */
+const char *scan_unit_slope_name(const char *name, size_t length);
+/** The unit of so many metres, or of that slope; NULL when it has no name. */
+const char *scan_unit_of(double factor, enum scan_quantity quantity);
 
-/** Metres per unit of both axes, which the file names (x_named, z_named; NULL or "" where it does not), else the scene.
- * Fills out->x_unit and out->z_unit. Error: STATUS_SCAN, one message that says every scene line that is lacking. */
+/** SI per unit of both axes, which the file names (x_named, z_named; NULL or "" where it does not), else the sidecar
+ * for out->x_column and out->z_column, else the scene. out->quantity says whether the file calls z a slope in other
+ * words than by its unit. Fills out->x_unit, out->z_unit and out->quantity. Error: STATUS_SCAN, one message that says
+ * every scene line that is lacking; a slope that the scene does not call one, or heights that it calls slopes. */
 MUST_CHECK enum status_code scan_units(struct scan *out, const char *x_named, const char *z_named, double *x_m,
                                        double *z_m, const struct scan_bytes *file, const struct scan_options *options,
                                        struct status *status);
@@ -59,6 +65,10 @@ static inline struct span scan_span(const struct scan_bytes *file)
 /** Index of the first position that breaks the order set by the first two (strictly up or strictly down), n when none
  * does. A non-finite position breaks it. */
 size_t scan_disorder(const double *x, size_t n);
+
+/** The slopes dz/dx in scan->z_m become heights by the trapezoidal rule, from 0 at the first point; a missing point
+ * stays missing and is bridged. Error: STATUS_SCAN: a map. */
+MUST_CHECK enum status_code scan_integrate(struct scan *scan, const struct scan_bytes *file, struct status *status);
 
 /* One pair a format; see the table in scan.c. */
 #define SCAN_READER(name)                                                                                              \

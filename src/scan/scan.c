@@ -1,6 +1,7 @@
 #include "scan/scan.h"
 #include "base/text.h"
 #include "scan/reader.h"
+#include "scan/sidecar.h"
 #include "scan/utf16.h"
 
 #include <math.h>
@@ -30,6 +31,8 @@ const struct scan_reader scan_readers[] = {
      scan_text_sniff, scan_text_read},
 };
 const size_t scan_reader_count = sizeof scan_readers / sizeof *scan_readers;
+
+const char *const scan_quantity_names[SCAN_QUANTITY_COUNT] = {"height", "slope"};
 
 enum { SCAN_POINTS = 3 };
 
@@ -99,11 +102,33 @@ static enum status_code check(struct scan *scan, const struct scan_bytes *file, 
     return STATUS_OK;
 }
 
-static void warn_unit(struct scan *scan, char axis, const char *named, const char *scene)
+static double unit_si(const char *name, bool slope)
 {
-    double used = scan_unit_m(named, strlen(named));
-    if (scene && *scene && used > 0 && scan_unit_m(scene, strlen(scene)) != used)
-        scan_warn(scan, "the file names its %c unit, %s: the scene's %c_unit is not used", axis, named, axis);
+    return slope ? scan_unit_slope(name, strlen(name)) : scan_unit_m(name, strlen(name));
+}
+
+static void warn_unit(struct scan *scan, char axis, const char *named, const struct scan_options *options)
+{
+    bool slope = axis == 'z' && scan->quantity == SCAN_SLOPE;
+    double used = unit_si(named, slope);
+    const char *scene = axis == 'x' ? options->x_unit : options->z_unit;
+    if (scene && *scene && used > 0 && unit_si(scene, slope) != used)
+        scan_warn(scan, "the file%s names its %c unit, %s: the scene's %c_unit is not used",
+                  scan->units_beside ? " or its sidecar" : "", axis, named, axis);
+}
+
+/* What the scene asks of a file whose format settles it. */
+static enum status_code check_asked(const struct scan *scan, const struct scan_bytes *file,
+                                    const struct scan_options *options, struct status *status)
+{
+    bool column = (options->x_column && *options->x_column) || (options->z_column && *options->z_column);
+    if (column && scan->z_column == 0)
+        return scan_fail(status, file, 0, "a file of format %s has no columns to choose from; remove `column`",
+                         scan->format);
+    if (options->quantity == SCAN_SLOPE && scan->quantity != SCAN_SLOPE)
+        return scan_fail(status, file, 0, "a file of format %s has heights, not slopes; remove `quantity: slope`",
+                         scan->format);
+    return STATUS_OK;
 }
 
 /* The same file in UTF-8. */
@@ -130,13 +155,38 @@ enum status_code scan_read_bytes(struct scan *out, const struct scan_bytes *file
         if (!scan_readers[i].sniff(file))
             continue;
         out->format = scan_readers[i].name;
-        if (scan_readers[i].read(out, file, options, status) != STATUS_OK || check(out, file, status) != STATUS_OK)
+        if (scan_readers[i].read(out, file, options, status) != STATUS_OK ||
+            check_asked(out, file, options, status) != STATUS_OK || check(out, file, status) != STATUS_OK)
             return status->code;
-        warn_unit(out, 'x', out->x_unit, options->x_unit);
-        warn_unit(out, 'z', out->z_unit, options->z_unit);
-        return STATUS_OK;
+        warn_unit(out, 'x', out->x_unit, options);
+        warn_unit(out, 'z', out->z_unit, options);
+        return out->quantity == SCAN_SLOPE ? scan_integrate(out, file, status) : STATUS_OK;
     }
     return scan_fail(status, file, 0, "binary data in no format known here: not a scan");
+}
+
+enum status_code scan_read_beside(struct scan *out, const struct scan_bytes *file, const char *path,
+                                  const struct scan_options *options, struct status *status)
+{
+    struct status problem = {0};
+    enum status_code code = scan_read_bytes(out, file, options, &problem);
+    struct sidecar sidecar;
+    char *found = NULL;
+    if (code != STATUS_MEMORY && out->units_lacking && sidecar_find(&sidecar, &found, path, status) != STATUS_OK)
+        return status->code;
+    if (!found) {
+        *status = code == STATUS_OK ? *status : problem;
+        return code;
+    }
+    struct scan_options with = *options;
+    with.sidecar = &sidecar;
+    scan_free(out);
+    code = scan_read_bytes(out, file, &with, status);
+    if (out->units_beside)
+        out->sidecar = found;
+    else
+        free(found);
+    return code;
 }
 
 enum status_code scan_read(struct scan *out, const char *path, const struct scan_options *options,
@@ -152,7 +202,7 @@ enum status_code scan_read(struct scan *out, const char *path, const struct scan
     enum status_code code = text_read_file(&text, path, status);
     if (code == STATUS_OK) {
         struct scan_bytes file = {text_string(&text), text.length, path};
-        code = scan_read_bytes(out, &file, options, status);
+        code = scan_read_beside(out, &file, path, options, status);
     }
     text_free(&text);
     return code;
@@ -162,5 +212,6 @@ void scan_free(struct scan *scan)
 {
     free(scan->x_m);
     free(scan->z_m);
+    free(scan->sidecar);
     *scan = (struct scan){0};
 }

@@ -8,6 +8,10 @@
 
 enum scan_kind { SCAN_PROFILE, SCAN_AREAL };
 
+/** What the numbers along z are in the file. Slopes dz/dx are integrated: a scan that was read holds heights. */
+enum scan_quantity { SCAN_HEIGHT, SCAN_SLOPE, SCAN_QUANTITY_COUNT };
+extern const char *const scan_quantity_names[SCAN_QUANTITY_COUNT]; /* as a scene spells them */
+
 enum { SCAN_WARNINGS = 8, SCAN_WARNING_LENGTH = 240 };
 
 /** What a file holds, as read: not levelled, not resampled. */
@@ -20,14 +24,25 @@ struct scan {
     double nominal_dx_m;         /* spacing that the header names beside the positions x_m; 0: none */
     double *z_m;                 /* ny*nx heights, row after row; NaN where a point is missing */
     size_t missing;              /* how many are */
-    char x_unit[16], z_unit[16]; /* as named by the file, else as given by the scene */
+    char x_unit[16], z_unit[16]; /* as named by the file, else by a sidecar, else by the scene */
+    enum scan_quantity quantity; /* of the file; z_m has heights either way */
+    size_t x_column, z_column;   /* of a table of text, from 1; 0 where there is none */
+    bool units_lacking;          /* the file itself does not name both units */
+    bool units_beside;           /* and one or both came from a sidecar */
+    char *sidecar;               /* path of that sidecar; NULL: none was used */
     char warnings[SCAN_WARNINGS][SCAN_WARNING_LENGTH]; /* each one line, lower case */
     size_t warning_count;
 };
 
-/** What the scene says about a file; "" where it says nothing. Used only where the file itself names no unit. */
+struct sidecar;
+
+/** What the scene says about a file; "" or NULL where it says nothing. Its units are used only where neither the file
+ * itself nor a sidecar names any. */
 struct scan_options {
-    const char *x_unit, *z_unit;
+    const char *x_unit, *z_unit;     /* a unit of length; of slopes: rad, mrad, urad, nrad, um/mm, ..., or 1 */
+    enum scan_quantity quantity;     /* slopes are read only where this says so */
+    const char *x_column, *z_column; /* of a table of text: a number, from 1, or a title; else the header decides */
+    const struct sidecar *sidecar;   /* set by scan_read_beside() */
 };
 
 /** The bytes of a file in memory; `bytes[length]` is readable and 0. */
@@ -55,7 +70,11 @@ extern const size_t scan_reader_count;
  * STATUS_MEMORY. */
 MUST_CHECK enum status_code scan_read(struct scan *out, const char *path, const struct scan_options *options,
                                       struct status *status);
-/** The same from bytes already in memory. */
+/** The same from bytes already in memory, the content of `path`. Where they do not name both units, a sidecar of `path`
+ * (sidecar.h) is read too: what it says comes before the scene's units, and out->sidecar names it. */
+MUST_CHECK enum status_code scan_read_beside(struct scan *out, const struct scan_bytes *file, const char *path,
+                                             const struct scan_options *options, struct status *status);
+/** The same without a look at any other file. */
 MUST_CHECK enum status_code scan_read_bytes(struct scan *out, const struct scan_bytes *file,
                                             const struct scan_options *options, struct status *status);
 void scan_free(struct scan *scan);
@@ -67,5 +86,8 @@ void scan_warn(struct scan *scan, const char *format, ...) PRINTF_LIKE(2, 3);
 /** Metres per unit for "m", "mm", "um", "µm", "micron(s)", "nm", "pm", "A"/"Å", "in"/"inch", "mil", "uin"/"µin"...
  * in any encoding they come in (UTF-8 both mu signs; latin-1 0xB5); 0 when the name is no length. */
 double scan_unit_m(const char *name, size_t length);
+/** dz/dx per unit of slope for "rad", "mrad", "urad", "nrad" (an angle counts as its tangent, as is the custom for
+ * slope errors), "um/mm", "um/m", "nm/mm"..., "1"; 0 when the name is none. */
+double scan_unit_slope(const char *name, size_t length);
 
 #endif

@@ -1,6 +1,8 @@
 /* Text scans: x and z, perhaps with an index or other columns beside them; heights below a line that names the spacing;
  * and maps (text_grid.h). */
+#include "scan/number.h"
 #include "scan/reader.h"
+#include "scan/sidecar.h"
 #include "scan/text_grid.h"
 #include "scan/text_header.h"
 #include "scan/text_table.h"
@@ -34,7 +36,8 @@ static bool is_mark(double height, double mark)
 
 static void mark_sentinels(struct scan *out)
 {
-    double z_m = scan_unit_m(out->z_unit, strlen(out->z_unit));
+    double z_m = out->quantity == SCAN_SLOPE ? scan_unit_slope(out->z_unit, strlen(out->z_unit))
+                                             : scan_unit_m(out->z_unit, strlen(out->z_unit));
     for (size_t k = 0; k < sizeof sentinels / sizeof *sentinels; k++) {
         double mark = sentinels[k] * z_m;
         size_t found = 0, near = 0, points = out->nx * out->ny;
@@ -46,7 +49,8 @@ static void mark_sentinels(struct scan *out)
             continue;
         for (size_t i = 0; i < points; i++)
             out->z_m[i] = is_mark(out->z_m[i], mark) ? NAN : out->z_m[i];
-        scan_warn(out, "a height of %g %s stands for a missing point, %zu times", sentinels[k], out->z_unit, found);
+        scan_warn(out, "a %s of %g %s stands for a missing point, %zu times", scan_quantity_names[out->quantity],
+                  sentinels[k], out->z_unit, found);
     }
 }
 
@@ -67,13 +71,18 @@ static bool is_accretech(const struct text_table *table)
     return table->rows >= TEXT_POINTS + 2 && table->cell[0] > 0 && table->cell[1] == (double)(table->rows - 2);
 }
 
+static bool is_given(const char *text)
+{
+    return text && *text;
+}
+
 static enum status_code take_accretech(struct scan *out, struct text_table *table, const struct scan_bytes *file,
                                        const struct scan_options *options, struct status *status)
 {
     double x_m, z_m;
-    bool said = *options->x_unit && *options->z_unit;
-    if (scan_units(out, *options->x_unit ? "" : "mm", *options->z_unit ? "" : "um", &x_m, &z_m, file, options,
-                   status) != STATUS_OK)
+    bool said = is_given(options->x_unit) && is_given(options->z_unit);
+    if (scan_units(out, is_given(options->x_unit) ? "" : "mm", is_given(options->z_unit) ? "" : "um", &x_m, &z_m, file,
+                   options, status) != STATUS_OK)
         return status->code;
     size_t n = table->rows - 2;
     out->format = "accretech";
@@ -87,24 +96,24 @@ static enum status_code take_accretech(struct scan *out, struct text_table *tabl
     return STATUS_OK;
 }
 
+/* Column `z` alone, at the spacing that the header names. */
 static enum status_code take_heights(struct scan *out, struct text_table *table, const struct text_header *header,
-                                     const struct scan_bytes *file, const struct scan_options *options,
+                                     size_t z, const struct scan_bytes *file, const struct scan_options *options,
                                      struct status *status)
 {
     double x_m, z_m;
-    if (header->spacing.value <= 0 && is_accretech(table))
+    out->z_column = z + 1;
+    if (table->columns == 1 && header->spacing.value <= 0 && is_accretech(table))
         return take_accretech(out, table, file, options, status);
     if (header->spacing.value <= 0)
         return scan_fail(status, file, table->first_line,
                          "one column is heights only: no spacing; add a line `spacing 0.5 um` above the numbers, or a "
                          "column x");
-    const char *x_unit = header->spacing.unit ? header->spacing.unit : header->x_unit;
-    const char *z_unit = header->unit[0] ? header->unit[0] : header->z_unit;
-    if (scan_units(out, x_unit, z_unit, &x_m, &z_m, file, options, status) != STATUS_OK)
+    if (text_header_units(out, header, header->spacing.unit, &x_m, &z_m, file, options, status) != STATUS_OK)
         return status->code;
     out->dx_m = header->spacing.value * x_m;
     for (size_t i = 0; i < table->rows; i++)
-        table->cell[i] *= z_m;
+        table->cell[i] = table->cell[i * table->columns + z] * z_m;
     keep_heights(out, table, table->rows);
     return STATUS_OK;
 }
@@ -119,17 +128,18 @@ static enum status_code fail_disorder(const struct text_table *table, const doub
                                              : "");
 }
 
-/* The scan in columns `x` and z, the next, without the points that the header's column `valid` marks by 0. */
+/* The scan in columns `x` and `z`, without the points that the header's column `valid` marks by 0. */
 static enum status_code take_points(struct scan *out, struct text_table *table, const struct text_header *header,
-                                    size_t x, const struct scan_bytes *file, const struct scan_options *options,
-                                    struct status *status)
+                                    size_t x, size_t z, const struct scan_bytes *file,
+                                    const struct scan_options *options, struct status *status)
 {
     double x_m, z_m;
-    size_t rows = table->rows, columns = table->columns, z = header->valid == x + 1 ? x + 2 : x + 1;
+    size_t rows = table->rows, columns = table->columns;
     if (z >= columns)
         return scan_fail(status, file, table->first_line, "no column of heights beside x");
-    if (scan_units(out, header->unit[x] ? header->unit[x] : header->x_unit,
-                   header->unit[z] ? header->unit[z] : header->z_unit, &x_m, &z_m, file, options, status) != STATUS_OK)
+    out->x_column = x + 1;
+    out->z_column = z + 1;
+    if (text_header_units(out, header, NULL, &x_m, &z_m, file, options, status) != STATUS_OK)
         return status->code;
     out->x_m = malloc(rows * sizeof *out->x_m);
     if (!out->x_m)
@@ -147,7 +157,7 @@ static enum status_code take_points(struct scan *out, struct text_table *table, 
     const char *unit = header->spacing.unit ? header->spacing.unit : out->x_unit;
     if (header->spacing.value > 0)
         out->nominal_dx_m = header->spacing.value * scan_unit_m(unit, strlen(unit));
-    if (columns > (header->valid < columns ? 3 : 2))
+    if (columns > (header->valid < columns ? 3 : 2) && !is_given(options->z_column))
         scan_warn(out, "%zu columns: column %zu read as x, column %zu as z, the others ignored", columns, x + 1, z + 1);
     return STATUS_OK;
 }
@@ -184,9 +194,11 @@ static bool has_even_steps(const struct text_table *table)
 }
 
 /* The column that is x: the first, unless that counts the points, or is the only one of three without a unit. */
-static size_t find_x(const struct text_table *table, const struct text_header *header)
+static size_t find_x(const struct text_table *table, const struct text_header *header,
+                     const struct scan_options *options)
 {
-    if (table->columns < 3 || header->valid <= 2 || header->unit[0] || !goes_one_way(table, 1))
+    bool first_named = header->unit[0] || (options->sidecar && options->sidecar->header.unit[0]);
+    if (table->columns < 3 || header->valid <= 2 || first_named || !goes_one_way(table, 1))
         return 0;
     return (header->unit[1] && header->unit[2]) || counts_up(table) ? 1 : 0;
 }
@@ -200,12 +212,70 @@ static bool is_matrix(const struct text_table *table, const struct text_header *
     return said || (!has_even_steps(table) && (table->columns > TEXT_MOST_COLUMNS || !goes_one_way(table, 0)));
 }
 
+/* A column that the scene names by its number or its title, `key` being what it is to hold. */
+static enum status_code choose_column(size_t *column, const char *name, const struct text_table *table,
+                                      const struct scan_bytes *file, struct status *status)
+{
+    size_t columns = table->columns, number = 0;
+    const char *s = columns == 1 ? "" : "s";
+    if (!number_read_size((struct span){name, name + strlen(name)}, &number)) {
+        number = text_header_find(table->preamble, table->delimiter, columns, name);
+        if (number == 0)
+            return scan_fail(status, file, 0, "no column is titled '%.60s'; there %s %zu column%s: give a number", name,
+                             columns == 1 ? "is" : "are", columns, s);
+        if (number == SIZE_MAX)
+            return scan_fail(status, file, 0, "more than one column is titled '%.60s'; give its number, 1 to %zu", name,
+                             columns);
+    }
+    if (number < 1 || number > columns)
+        return scan_fail(status, file, table->first_line, "there is no column %zu: there %s %zu column%s", number,
+                         columns == 1 ? "is" : "are", columns, s);
+    *column = number - 1;
+    return STATUS_OK;
+}
+
+/* The line of the first row with nothing measured in one of two columns, 0: none. */
+static size_t missing_line(const struct text_table *table, size_t x, size_t z)
+{
+    for (size_t i = 0; table->missing_line > 0 && i < table->rows; i++)
+        if (isnan(table->cell[i * table->columns + x]) || isnan(table->cell[i * table->columns + z]))
+            return text_table_line(table, i);
+    return 0;
+}
+
+/* The columns that the scene chooses: z, and perhaps x. Where the header's x is z itself or no x at all, its spacing
+ * will do. */
+static enum status_code take_chosen(struct scan *out, struct text_table *table, const struct text_header *header,
+                                    const struct scan_bytes *file, const struct scan_options *options,
+                                    struct status *status)
+{
+    size_t z, x = table->columns > 1 ? find_x(table, header, options) : 0;
+    bool x_given = is_given(options->x_column);
+    if (choose_column(&z, options->z_column, table, file, status) != STATUS_OK ||
+        (x_given && choose_column(&x, options->x_column, table, file, status) != STATUS_OK))
+        return status->code;
+    size_t line = missing_line(table, x_given ? x : z, z);
+    if (line > 0)
+        return scan_fail(status, file, line, "'%s' in a column of numbers; correct or remove this line",
+                         scan_quote(table->missing).text);
+    bool no_x = x == z || (header->spacing.value > 0 && !goes_one_way(table, x));
+    if (!x_given && no_x && (table->columns == 1 || header->spacing.value > 0))
+        return take_heights(out, table, header, z, file, options, status);
+    if (x == z)
+        return scan_fail(status, file, table->first_line,
+                         "column %zu cannot be x and z; choose both, as in `column: [1, 2]`", z + 1);
+    return take_points(out, table, header, x, z, file, options, status);
+}
+
 static enum status_code take_table(struct scan *out, struct text_table *table, const struct scan_bytes *file,
                                    const struct scan_options *options, struct status *status)
 {
     struct text_header header = text_header_read(table->preamble, table->delimiter, table->columns);
     enum status_code code = STATUS_OK;
-    if (text_grid_is_list(table)) {
+    size_t x = 0;
+    if (is_given(options->z_column) && table->rows >= TEXT_POINTS) {
+        code = take_chosen(out, table, &header, file, options, status);
+    } else if (text_grid_is_list(table)) {
         code = text_grid_read_list(out, table, &header, file, options, status);
     } else if (is_matrix(table, &header)) {
         code = text_grid_read_matrix(out, table, &header, file, options, status);
@@ -216,9 +286,10 @@ static enum status_code take_table(struct scan *out, struct text_table *table, c
         code = scan_fail(status, file, table->last_line, "only %zu points; a scan needs at least %d", table->rows,
                          TEXT_POINTS);
     } else if (table->columns == 1) {
-        code = take_heights(out, table, &header, file, options, status);
+        code = take_heights(out, table, &header, 0, file, options, status);
     } else {
-        code = take_points(out, table, &header, find_x(table, &header), file, options, status);
+        x = find_x(table, &header, options);
+        code = take_points(out, table, &header, x, header.valid == x + 1 ? x + 2 : x + 1, file, options, status);
     }
     if (code == STATUS_OK)
         mark_sentinels(out);

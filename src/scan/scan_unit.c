@@ -1,13 +1,14 @@
-/* Names of length units, in every spelling instruments write. */
+/* Names of units of length and of slope, in every spelling instruments write. */
 #include "scan/reader.h"
 #include "scan/scan.h"
 
+#include <math.h>
 #include <string.h>
 
 struct unit {
     const char *spelling; /* lower case, every mu as 'u', without plural s */
     const char *name;     /* as the program prints it */
-    double metres;
+    double si;            /* metres, or dz/dx */
 };
 
 static const struct unit units[] = {
@@ -44,6 +45,19 @@ static const struct unit units[] = {
     {"microinch", "uin", 2.54e-8},
     {"microinche", "uin", 2.54e-8},
 };
+
+static const struct unit slopes[] = {
+    {"rad", "rad", 1.0},        {"radian", "rad", 1.0},        {"mrad", "mrad", 1e-3},
+    {"millirad", "mrad", 1e-3}, {"milliradian", "mrad", 1e-3}, {"urad", "urad", 1e-6},
+    {"microrad", "urad", 1e-6}, {"microradian", "urad", 1e-6}, {"nrad", "nrad", 1e-9},
+    {"nanorad", "nrad", 1e-9},  {"nanoradian", "nrad", 1e-9},  {"1", "1", 1.0},
+    {"m/m", "1", 1.0},          {"mm/mm", "1", 1.0},           {"um/um", "1", 1.0},
+    {"nm/nm", "1", 1.0},        {"mm/m", "mm/m", 1e-3},        {"um/mm", "um/mm", 1e-3},
+    {"nm/um", "nm/um", 1e-3},   {"um/m", "um/m", 1e-6},        {"nm/mm", "nm/mm", 1e-6},
+    {"nm/m", "nm/m", 1e-9},
+};
+
+#define COUNT(array) (sizeof(array) / sizeof *(array))
 
 enum { UNIT_LENGTH = 16 };
 
@@ -85,30 +99,52 @@ static bool unit_normalise(char spelling[UNIT_LENGTH], const char *name, size_t 
     return used > 0;
 }
 
-static const struct unit *unit_find(const char *name, size_t length)
+static const struct unit *unit_find(const struct unit *table, size_t count, const char *name, size_t length)
 {
     char spelling[UNIT_LENGTH];
     if (length == 1 && name[0] == 'A') /* but not 'a' */
-        return unit_find("angstrom", strlen("angstrom"));
+        return unit_find(table, count, "angstrom", strlen("angstrom"));
     if (!unit_normalise(spelling, name, length))
         return NULL;
     size_t used = strlen(spelling);
     if (used > 3 && spelling[used - 1] == 's')
         spelling[used - 1] = '\0';
-    for (size_t i = 0; i < sizeof units / sizeof *units; i++)
-        if (strcmp(spelling, units[i].spelling) == 0)
-            return &units[i];
+    for (size_t i = 0; i < count; i++)
+        if (strcmp(spelling, table[i].spelling) == 0)
+            return &table[i];
     return NULL;
 }
 
 double scan_unit_m(const char *name, size_t length)
 {
-    const struct unit *unit = unit_find(name, length);
-    return unit ? unit->metres : 0.0;
+    const struct unit *unit = unit_find(units, COUNT(units), name, length);
+    return unit ? unit->si : 0.0;
 }
 
 const char *scan_unit_name(const char *name, size_t length)
 {
-    const struct unit *unit = unit_find(name, length);
+    const struct unit *unit = unit_find(units, COUNT(units), name, length);
     return unit ? unit->name : NULL;
+}
+
+double scan_unit_slope(const char *name, size_t length)
+{
+    const struct unit *unit = unit_find(slopes, COUNT(slopes), name, length);
+    return unit ? unit->si : 0.0;
+}
+
+const char *scan_unit_slope_name(const char *name, size_t length)
+{
+    const struct unit *unit = unit_find(slopes, COUNT(slopes), name, length);
+    return unit ? unit->name : NULL;
+}
+
+const char *scan_unit_of(double factor, enum scan_quantity quantity)
+{
+    const struct unit *table = quantity == SCAN_SLOPE ? slopes : units;
+    size_t count = quantity == SCAN_SLOPE ? COUNT(slopes) : COUNT(units);
+    for (size_t i = 0; i < count; i++)
+        if (fabs(factor - table[i].si) <= 1e-9 * table[i].si)
+            return table[i].name;
+    return NULL;
 }

@@ -69,9 +69,12 @@ enum status_code text_grid_read_list(struct scan *out, const struct text_table *
     if (table->rows % fast.n != 0)
         return scan_fail(status, file, table->last_line, "the last row of points is not complete: %zu of %zu",
                          table->rows % fast.n, fast.n);
-    if (scan_units(out, header->unit[0] ? header->unit[0] : header->x_unit,
-                   header->unit[2] ? header->unit[2] : header->z_unit, &x_m, &z_m, file, options, status) != STATUS_OK)
+    out->x_column = 1;
+    out->z_column = LIST_COLUMNS;
+    if (text_header_units(out, header, NULL, &x_m, &z_m, file, options, status) != STATUS_OK)
         return status->code;
+    const char *y_unit = header->unit[1] ? header->unit[1] : header->y_unit;
+    double y_m = y_unit ? scan_unit_m(y_unit, strlen(y_unit)) : x_m;
     bool along_x = fast.column == 0 || slow.n == 1; /* one run is a profile, wherever it goes */
     const struct direction *x = along_x ? &fast : &slow, *y = along_x ? &slow : &fast;
     if (scan_reserve(out, x->n, y->n, table->rows, file, status) != STATUS_OK)
@@ -84,8 +87,8 @@ enum status_code text_grid_read_list(struct scan *out, const struct text_table *
         size_t ix = place(x, along_x ? f : s), iy = place(y, along_x ? s : f);
         out->z_m[iy * x->n + ix] = at(table, row, 2) * z_m;
     }
-    out->dx_m = fabs(x->step) * x_m;
-    out->dy_m = out->kind == SCAN_AREAL ? fabs(y->step) * x_m : 0.0;
+    out->dx_m = fabs(x->step) * (x->column == 0 ? x_m : y_m); /* one run may go along y */
+    out->dy_m = out->kind == SCAN_AREAL ? fabs(y->step) * y_m : 0.0;
     return STATUS_OK;
 }
 
@@ -117,8 +120,7 @@ enum status_code text_grid_read_matrix(struct scan *out, const struct text_table
     if (!sizes_fit(table, header))
         return scan_fail(status, file, table->first_line, "%zu x %zu heights where the header says %g x %g",
                          table->columns, table->rows, header->columns, header->rows);
-    if (scan_units(out, width.unit ? width.unit : header->x_unit, header->z_unit, &x_m, &z_m, file, options, status) !=
-            STATUS_OK ||
+    if (text_header_units(out, header, width.unit, &x_m, &z_m, file, options, status) != STATUS_OK ||
         scan_reserve(out, table->columns, table->rows, table->columns * table->rows, file, status) != STATUS_OK)
         return status->code;
     for (size_t i = 0; i < table->columns * table->rows; i++)

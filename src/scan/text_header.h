@@ -2,9 +2,11 @@
 #ifndef SCAN_TEXT_HEADER_H
 #define SCAN_TEXT_HEADER_H
 
-#include "scan/span.h"
+#include "scan/reader.h"
 
-enum { TEXT_HEADER_COLUMNS = 8, TEXT_HEADER_LINES = 3 };
+#include <stdint.h>
+
+enum { TEXT_HEADER_COLUMNS = 64, TEXT_HEADER_LINES = 3 };
 
 /** A number with its unit as scan_unit_name() gives it; value 0 and unit NULL where the file says nothing. */
 struct text_quantity {
@@ -13,15 +15,32 @@ struct text_quantity {
 };
 
 struct text_header {
-    const char *unit[TEXT_HEADER_COLUMNS]; /* of each column; NULL where none is named */
+    const char *unit[TEXT_HEADER_COLUMNS]; /* of each column, of length or of slope; NULL where none is named */
+    bool slope[TEXT_HEADER_COLUMNS];       /* its title says slope */
+    bool factors;                          /* the units stand for factors: of a slope um is urad */
     size_t valid;                          /* column that says whether a point is valid; SIZE_MAX where none does */
     struct text_quantity spacing;          /* `spacing 0.5 um`, `dx=0.5um`, `Resolution,0.156 um/sample` */
     struct text_quantity pixel;            /* `pixel size = 0.5 um` */
     struct text_quantity width, height;    /* of a map: `Width: 10 um`, `x-length = 10 um` */
     double columns, rows;                  /* of a map: `w=101 h=101`, `x-pixels = 101`; 0 where not said */
-    const char *x_unit, *z_unit;           /* `x_unit: mm`, `Value units: m`; NULL where not said */
+    const char *x_unit, *y_unit, *z_unit;  /* `x_unit: mm`, `Value units: m`; NULL where not said */
+    const char *all_unit;                  /* `unit: um`: of every axis that has none of its own */
+    bool z_slope;                          /* `quantity: slope` */
     double z_factor;                       /* `height conversion factor (-> m) = 1e-9`; 1 where not said */
 };
+
+/** The unit of x in `column` (from 1; 0: no table) and of z, heights or slopes: the column's own, else the one that a
+ * key names; NULL where none is said. A y beside no third column is z. */
+const char *text_header_x_unit(const struct text_header *header, size_t column);
+const char *text_header_z_unit(const struct text_header *header, size_t column, bool slope);
+/** Does it call `column` (0: z) a slope, by its title, its unit or a key? */
+bool text_header_is_slope(const struct text_header *header, size_t column);
+/** scan_units() with what `header` says of out->x_column and out->z_column; `x_unit` (NULL: none) goes before that. */
+MUST_CHECK enum status_code text_header_units(struct scan *out, const struct text_header *header, const char *x_unit,
+                                              double *x_m, double *z_m, const struct scan_bytes *file,
+                                              const struct scan_options *options, struct status *status);
+/** Is it a title of a column of slopes: `Slope (urad)`, `dz/dx`? */
+bool text_header_title_slope(struct span title);
 
 /** Without its mark (#, //, %, ;) and trimmed when `line` is a comment, else just trimmed; *comment tells. */
 struct span text_header_uncomment(struct span line, bool *comment);
@@ -29,5 +48,8 @@ struct span text_header_uncomment(struct span line, bool *comment);
 /** Reads `preamble`, the lines above the numbers. Titles come from its last TEXT_HEADER_LINES lines that are not blank,
  * where such a line has `columns` cells; a later line wins. Keys come from any line. */
 struct text_header text_header_read(struct span preamble, char delimiter, size_t columns);
+
+/** The column (from 1) titled `title`, with its unit or without; 0: none, SIZE_MAX: more than one. */
+size_t text_header_find(struct span preamble, char delimiter, size_t columns, const char *title);
 
 #endif

@@ -54,15 +54,42 @@ static const struct meaning meanings[] = {
     {{"y-pixels", NULL}, {NULL}, QUANTITY(height), QUANTITY(rows)},
 };
 
-/* Words in front of the name of a unit. */
+enum { AXIS_X = 1, AXIS_Y = 2, AXIS_Z = 4 };
+
+/* Words beside `unit` or `units` that say of what, and words that say both. */
 static const struct {
-    const char *all[3];
-    size_t unit; /* offset of a const char * in struct text_header */
-} unit_keys[] = {
-    {{"x-unit", NULL}, QUANTITY(x_unit)},         {{"x", "unit", NULL}, QUANTITY(x_unit)},
-    {{"x", "units", NULL}, QUANTITY(x_unit)},     {{"z-unit", NULL}, QUANTITY(z_unit)},
-    {{"z", "unit", NULL}, QUANTITY(z_unit)},      {{"z", "units", NULL}, QUANTITY(z_unit)},
-    {{"value", "units", NULL}, QUANTITY(z_unit)},
+    const char *word;
+    unsigned axes;
+    bool unit;
+} axis_words[] = {
+    {"x", AXIS_X, false},
+    {"x-axis", AXIS_X, false},
+    {"lateral", AXIS_X, false},
+    {"horizontal", AXIS_X, false},
+    {"xy", AXIS_X | AXIS_Y, false},
+    {"xyz", AXIS_X | AXIS_Y | AXIS_Z, false},
+    {"y", AXIS_Y, false},
+    {"y-axis", AXIS_Y, false},
+    {"z", AXIS_Z, false},
+    {"z-axis", AXIS_Z, false},
+    {"value", AXIS_Z, false},
+    {"height", AXIS_Z, false},
+    {"vertical", AXIS_Z, false},
+    {"unit", 0, true},
+    {"units", 0, true},
+    {"x-unit", AXIS_X, true},
+    {"x-units", AXIS_X, true},
+    {"xunit", AXIS_X, true},
+    {"xunits", AXIS_X, true},
+    {"y-unit", AXIS_Y, true},
+    {"y-units", AXIS_Y, true},
+    {"yunit", AXIS_Y, true},
+    {"yunits", AXIS_Y, true},
+    {"z-unit", AXIS_Z, true},
+    {"z-units", AXIS_Z, true},
+    {"zunit", AXIS_Z, true},
+    {"zunits", AXIS_Z, true},
+    {"xyunits", AXIS_X | AXIS_Y, true},
 };
 
 bool text_key_word(struct span *rest, struct span *word, char *before)
@@ -130,21 +157,60 @@ static void take_number(struct text_header *header, const struct key *key, doubl
     }
 }
 
-static void take_unit(struct text_header *header, const struct key *key, const char *unit)
+const char *text_key_unit(struct span word)
 {
-    for (size_t i = 0; i < COUNT(unit_keys); i++)
-        if (has_all(key, unit_keys[i].all))
-            memcpy((char *)header + unit_keys[i].unit, &unit, sizeof unit);
+    size_t length = span_length(word);
+    const char *name = scan_unit_name(word.start, length);
+    return name || text_key_number(word) ? name : scan_unit_slope_name(word.start, length);
 }
 
-void text_key_read(struct text_header *header, struct span line)
+static bool is_unit_word(struct span word)
+{
+    for (size_t i = 0; i < COUNT(axis_words); i++)
+        if (axis_words[i].unit && span_equals(word, axis_words[i].word))
+            return true;
+    return false;
+}
+
+/* Takes over the unit named behind `key`. Returns whether that is a key of a unit; *all: one of everything. */
+static bool take_unit(struct text_header *header, const struct key *key, const char *name, bool *all)
+{
+    unsigned axes = 0;
+    bool unit = false;
+    for (size_t i = 0; i < COUNT(axis_words); i++) {
+        if (!has_word(key, axis_words[i].word))
+            continue;
+        axes |= axis_words[i].axes;
+        unit = unit || axis_words[i].unit;
+    }
+    *all = unit && axes == 0 && key->count == 1;
+    if (!unit || (axes == 0 && !*all))
+        return false;
+    const char **places[] = {&header->x_unit, &header->y_unit, &header->z_unit};
+    for (unsigned i = 0; i < COUNT(places); i++)
+        if (axes & (1u << i))
+            *places[i] = name;
+    if (*all)
+        header->all_unit = name;
+    return true;
+}
+
+static bool says_slope(const struct key *key, struct span word, char before)
+{
+    static const char *const words[] = {"quantity", "signal", "z", "value", "values", NULL};
+    return (before == ':' || before == '=') && (span_equals(word, "slope") || span_equals(word, "slopes")) &&
+           has_any(key, words);
+}
+
+bool text_key_read(struct text_header *header, struct span line)
 {
     struct key key = {.count = 0};
     struct span word;
-    char before;
-    while (text_key_word(&line, &word, &before)) {
+    const char *taken = NULL; /* the word that a number took as its unit */
+    bool any = false, all = false;
+    for (char before; text_key_word(&line, &word, &before);) {
         double value;
-        const char *name = scan_unit_name(word.start, span_length(word));
+        const char *name = text_key_unit(word);
         const char *end = number_scan(word, NUMBER_POINT, NULL, &value);
         if (end) {
             bool sign = before && strchr("=:,;\t", before);
@@ -153,15 +219,33 @@ void text_key_read(struct text_header *header, struct span line)
             if (behind.start == behind.end && !text_key_word(&rest, &behind, &between))
                 behind = (struct span){word.end, word.end};
             const char *unit = scan_unit_name(behind.start, span_length(behind));
+            taken = unit ? behind.start : NULL;
             take_number(header, &key, value, unit ? unit : key.unit, sign);
             key = (struct key){.count = 0};
-        } else {
-            if (name && before && strchr("=:,;", before))
-                take_unit(header, &key, name);
-            if (name && before && strchr("[({>", before))
-                key.unit = name;
-            if (key.count < KEY_WORDS)
-                key.word[key.count++] = word;
+            continue;
         }
+        if (name && all && word.start != taken)
+            header->all_unit = NULL; /* `units: mm, um`: which is whose is not said */
+        struct span rest = line, next;
+        char between;
+        if (name && word.end < line.end && *word.end == '/' && text_key_word(&rest, &next, &between)) {
+            const char *ratio = scan_unit_slope_name(word.start, (size_t)(next.end - word.start)); /* um/mm */
+            name = ratio ? ratio : name;
+            line = ratio ? rest : line;
+        }
+        bool named = before && strchr("=:,;", before);
+        named = named || (key.count > 0 && is_unit_word(key.word[key.count - 1]));
+        if (name && named && take_unit(header, &key, name, &all)) {
+            any = true;
+            key = (struct key){.count = 0};
+            continue;
+        }
+        if (says_slope(&key, word, before))
+            any = header->z_slope = true;
+        if (name && before && strchr("[({>", before))
+            key.unit = name;
+        if (key.count < KEY_WORDS)
+            key.word[key.count++] = word;
     }
+    return any;
 }

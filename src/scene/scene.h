@@ -3,6 +3,7 @@
 #define SCENE_SCENE_H
 
 #include "base/status.h"
+#include "scan/scan.h"
 #include "scene/effect.h"
 #include "scene/material.h"
 #include <stdbool.h>
@@ -35,6 +36,8 @@ struct scene_surface {
     size_t file_count;
     char x_unit[16]; /* "" when the scene gives none */
     char z_unit[16];
+    enum scan_quantity quantity;     /* slopes are integrated to heights */
+    char x_column[64], z_column[64]; /* number from 1 or title; "": the file's header decides */
 };
 
 /** Loads as given; scene_loads() turns them into P/(A_n E'). */

@@ -1,4 +1,5 @@
 #include "scene/scene_listing.h"
+#include "scan/sidecar.h"
 #include "scene/scene_surfaces.h"
 
 #include <dirent.h>
@@ -114,6 +115,71 @@ static bool is_candidate(const struct scene *scene, int directory, const char *f
            S_ISREG(info.st_mode) && !is_taken(scene, directory, &info);
 }
 
+static const char *last_component(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return slash ? slash + 1 : path;
+}
+
+static int compare_texts(const void *a, const void *b)
+{
+    return strcmp(*(const char *const *)a, *(const char *const *)b);
+}
+
+/* Is `file` the name of a sidecar of one of `names`, which are in order, or of a counterface's scan? */
+static bool has_scan(const struct scene *scene, const char *const *names, size_t count, const char *file)
+{
+    size_t stem, low = 0, high = count;
+    if (!sidecar_ending(file, &stem))
+        return false;
+    while (low < high) { /* the first that begins with the stem */
+        size_t middle = low + (high - low) / 2;
+        if (strncmp(names[middle], file, stem) < 0)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    for (; low < count && strncmp(names[low], file, stem) == 0; low++)
+        if (sidecar_fits(file, names[low]))
+            return true;
+    for (size_t i = 0; i < scene->counterface_surface.file_count; i++)
+        if (sidecar_fits(file, last_component(scene->counterface_surface.files[i])))
+            return true;
+    return false;
+}
+
+/* Takes out the files that only say units of scans beside them. */
+static enum status_code drop_sidecars(struct scene *scene, struct status *status)
+{
+    size_t count = scene->surface_count, scans = 0, kept = 0, stem;
+    const char **names = malloc(count * sizeof *names);
+    bool *beside = calloc(count, sizeof *beside);
+    enum status_code code = names && beside ? STATUS_OK : status_memory(status);
+    for (size_t i = 0; i < count && code == STATUS_OK; i++) {
+        const char *file = scene->surfaces[i].files[0];
+        struct sidecar sidecar;
+        char *path = sidecar_ending(file, &stem) ? scene_surfaces_path(scene->directory, file) : NULL;
+        beside[i] = path && sidecar_read(&sidecar, path);
+        free(path);
+        if (!beside[i])
+            names[scans++] = file;
+    }
+    if (code == STATUS_OK)
+        qsort(names, scans, sizeof *names, compare_texts);
+    for (size_t i = 0; i < count && code == STATUS_OK; i++)
+        beside[i] = beside[i] && has_scan(scene, names, scans, scene->surfaces[i].files[0]);
+    for (size_t i = 0; i < count && code == STATUS_OK; i++) {
+        if (beside[i])
+            scene_surfaces_free(&scene->surfaces[i]);
+        else
+            scene->surfaces[kept++] = scene->surfaces[i];
+    }
+    scene->surface_count = code == STATUS_OK ? kept : count;
+    free(names);
+    free(beside);
+    return code;
+}
+
 enum status_code scene_listing_read(struct scene *scene, struct status *status)
 {
     DIR *directory = opendir(scene->directory);
@@ -135,5 +201,6 @@ enum status_code scene_listing_read(struct scene *scene, struct status *status)
     closedir(directory);
     if (code != STATUS_OK || scene->surface_count == 0)
         return code;
-    return tell_apart(scene, status);
+    code = drop_sidecars(scene, status);
+    return code == STATUS_OK ? tell_apart(scene, status) : code;
 }

@@ -41,12 +41,18 @@ static enum status_code read_files(struct scene_source *source, const struct sce
     return scene_surfaces_files(source, key, value, &((struct scene *)field)->counterface_surface);
 }
 
+static enum status_code read_column(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
+                                    void *field)
+{
+    return scene_surfaces_column(source, key, value, &((struct scene *)field)->counterface_surface);
+}
+
 enum status_code scene_pair_counterface(struct scene_source *source, const struct scene_key *key,
                                         const yaml_node_t *value, void *field)
 {
     if (!has_key(source, value, "surface"))
         return read_body(source, key, value, field);
-    enum { SURFACE, MATERIAL, X_UNIT, Z_UNIT, KEYS };
+    enum { SURFACE, MATERIAL, X_UNIT, Z_UNIT, QUANTITY, COLUMN, KEYS };
     static const struct scene_key keys[KEYS] = {
         [SURFACE] = {"surface", read_files, .offset = 0},
         [MATERIAL] = {"material", read_body, .offset = 0},
@@ -54,6 +60,9 @@ enum status_code scene_pair_counterface(struct scene_source *source, const struc
                     .most = sizeof((struct scene_surface *)NULL)->x_unit},
         [Z_UNIT] = {"z_unit", scene_value_short_text, .offset = offsetof(struct scene, counterface_surface.z_unit),
                     .most = sizeof((struct scene_surface *)NULL)->z_unit},
+        [QUANTITY] = {"quantity", scene_value_choice, .offset = offsetof(struct scene, counterface_surface.quantity),
+                      .choices = scan_quantity_names, .choice_count = SCAN_QUANTITY_COUNT},
+        [COLUMN] = {"column", read_column, .offset = 0},
     };
     size_t lines[KEYS];
     enum status_code code = scene_source_mapping(source, value, key->name, keys, KEYS, field, lines);

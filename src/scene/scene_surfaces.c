@@ -57,10 +57,38 @@ enum status_code scene_surfaces_files(struct scene_source *source, const struct 
     return STATUS_OK;
 }
 
+/* Columns count from 1; what is no number is a title. */
+static enum status_code read_column(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
+                                    char *column)
+{
+    enum status_code code = scene_value_short_text(source, key, value, column);
+    const char *number = column + (*column == '+' || *column == '-');
+    if (code == STATUS_OK && *number && number[strspn(number, "0123456789.")] == '\0' &&
+        (number[strspn(number, "0123456789")] || number > column || !number[strspn(number, "0")]))
+        return scene_source_fail(source, scene_source_line(value),
+                                 "'%s' is '%s'; give a column's number, from 1, or its title", key->name, column);
+    return code;
+}
+
+enum status_code scene_surfaces_column(struct scene_source *source, const struct scene_key *key,
+                                       const yaml_node_t *value, void *field)
+{
+    struct scene_surface *surface = field;
+    struct scene_key one = {.name = key->name, .most = sizeof surface->z_column};
+    if (value->type == YAML_SCALAR_NODE)
+        return read_column(source, &one, value, surface->z_column);
+    if (value->type != YAML_SEQUENCE_NODE || scene_source_item_count(value) != 2)
+        return scene_source_fail(source, scene_source_line(value),
+                                 "'%s' is no column; give one, as in `column: 3`, or x and z, as in `column: [1, 3]`",
+                                 key->name);
+    enum status_code code = read_column(source, &one, scene_source_item(source, value, 0), surface->x_column);
+    return code == STATUS_OK ? read_column(source, &one, scene_source_item(source, value, 1), surface->z_column) : code;
+}
+
 static enum status_code read_surface(struct scene_source *source, const yaml_node_t *node,
                                      struct scene_surface *surface)
 {
-    enum { SURFACE_NAME, SURFACE_FILE, SURFACE_X_UNIT, SURFACE_Z_UNIT, SURFACE_KEYS };
+    enum { SURFACE_NAME, SURFACE_FILE, SURFACE_X_UNIT, SURFACE_Z_UNIT, SURFACE_QUANTITY, SURFACE_COLUMN, SURFACE_KEYS };
     static const struct scene_key keys[SURFACE_KEYS] = {
         [SURFACE_NAME] = {"name", scene_value_text, .offset = offsetof(struct scene_surface, name)},
         [SURFACE_FILE] = {"file", scene_surfaces_files, .offset = 0},
@@ -68,6 +96,9 @@ static enum status_code read_surface(struct scene_source *source, const yaml_nod
                             .most = sizeof surface->x_unit},
         [SURFACE_Z_UNIT] = {"z_unit", scene_value_short_text, .offset = offsetof(struct scene_surface, z_unit),
                             .most = sizeof surface->z_unit},
+        [SURFACE_QUANTITY] = {"quantity", scene_value_choice, .offset = offsetof(struct scene_surface, quantity),
+                              .choices = scan_quantity_names, .choice_count = SCAN_QUANTITY_COUNT},
+        [SURFACE_COLUMN] = {"column", scene_surfaces_column, .offset = 0},
     };
     size_t lines[SURFACE_KEYS];
     enum status_code code = scene_source_mapping(source, node, "surfaces", keys, SURFACE_KEYS, surface, lines);

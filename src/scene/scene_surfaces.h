@@ -21,4 +21,8 @@ char *scene_surfaces_name(const char *file, bool ending);
 enum status_code scene_surfaces_files(struct scene_source *source, const struct scene_key *key,
                                       const yaml_node_t *value, void *field);
 
+/** Reads `column`, a number or a title, or two of them, x and z, into a struct scene_surface. */
+enum status_code scene_surfaces_column(struct scene_source *source, const struct scene_key *key,
+                                       const yaml_node_t *value, void *field);
+
 #endif

@@ -20,7 +20,7 @@ static struct finding find(const char *file, const struct profile_options *optio
     struct scan_options known = no_units;
     for (size_t u = 0; u < sizeof units / sizeof *units; u++)
         if (strcmp(file, units[u].file) == 0)
-            known = (struct scan_options){units[u].x_unit, units[u].z_unit};
+            known = (struct scan_options){.x_unit = units[u].x_unit, .z_unit = units[u].z_unit};
     struct finding finding;
     struct status status = {0};
     if (finding_make(&finding, path, &known, options, &status) != STATUS_OK)

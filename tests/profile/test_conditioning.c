@@ -72,7 +72,7 @@ static void test_reader_hands_the_header_spacing_over(void **state)
     static const char text[] = "Scan Parameters\nResolution,0.156 um/sample\n\nScan Data\nLateral um,Raw Micrometer,\n"
                                "0.0,1,,\n0.2,2,,\n0.3,1,,\n0.5,3,,\n";
     struct scan_bytes file = {text, sizeof text - 1, "d.csv"};
-    struct scan_options options = {"", ""};
+    struct scan_options options = {.x_unit = "", .z_unit = ""};
     struct scan scan;
     struct status status = {0};
     assert_int_equal(scan_read_bytes(&scan, &file, &options, &status), STATUS_OK);

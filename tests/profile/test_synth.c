@@ -211,7 +211,7 @@ static void assert_file_holds(const char *file, const struct synth_def *def)
 {
     char path[4096];
     struct scan scan;
-    struct scan_options options = {"", ""};
+    struct scan_options options = {.x_unit = "", .z_unit = ""};
     struct status status = {0};
     snprintf(path, sizeof path, "%s/surfaces/%s", PROJECT_SOURCE, file);
     if (scan_read(&scan, path, &options, &status) != STATUS_OK)

@@ -84,7 +84,7 @@ static inline void assert_text_sample(const char *string, const char *format, en
 /* Every shorter version of `sample` is refused, or at least sound; then mutations. */
 static inline void fuzz_sample(const struct text *sample, uint64_t seed)
 {
-    struct scan_options options = {"mm", "um"};
+    struct scan_options options = {.x_unit = "mm", .z_unit = "um"};
     size_t step = sample->length / 500 + 1;
     for (size_t length = 1; length < sample->length; length += step) {
         struct scan scan;

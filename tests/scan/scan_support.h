@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <sys/stat.h>
 
-static const struct scan_options no_units = {"", ""};
+static const struct scan_options no_units = {.x_unit = "", .z_unit = ""};
 
 /* A copy on the heap, so that AddressSanitizer sees every read beyond bytes[length]. */
 static inline struct scan_bytes bytes_copy(const char *bytes, size_t length)
@@ -34,7 +34,7 @@ static inline struct scan read_good(const char *text, const char *x_unit, const 
 {
     struct scan scan;
     struct status status = {0};
-    struct scan_options options = {x_unit, z_unit};
+    struct scan_options options = {.x_unit = x_unit, .z_unit = z_unit};
     if (read_bytes(&scan, text, strlen(text), &options, &status) != STATUS_OK)
         fail_msg("refused: %s", status.message);
     return scan;
@@ -54,7 +54,7 @@ static inline void assert_refused_bytes(const char *bytes, size_t length, const 
 
 static inline void assert_refused(const char *text, const char *expected)
 {
-    struct scan_options options = {"mm", "um"};
+    struct scan_options options = {.x_unit = "mm", .z_unit = "um"};
     assert_refused_bytes(text, strlen(text), &options, expected);
 }
 
@@ -189,7 +189,7 @@ static inline void fuzz(const char *sample, size_t length, size_t rounds, uint64
         }
         struct scan scan;
         struct status status = {0};
-        struct scan_options options = {"mm", "um"};
+        struct scan_options options = {.x_unit = "mm", .z_unit = "um"};
         if (read_bytes(&scan, copy, size, &options, &status) == STATUS_OK) {
             assert_sound(&scan);
         } else {

@@ -205,7 +205,7 @@ static struct text gsf(const char *units)
 static void test_gsf(void **state)
 {
     (void)state;
-    struct scan_options um = {"um", "um"};
+    struct scan_options um = {.x_unit = "um", .z_unit = "um"};
     struct text text = gsf("XYUnits = \xC2\xB5m\nZUnits = um\n");
     assert_sample(&text, "gsf", SCAN_AREAL, 4, &no_units);
     fuzz_sample(&text, 60);
@@ -223,7 +223,7 @@ static void test_gsf(void **state)
 static void test_surfer(void **state)
 {
     (void)state;
-    struct scan_options um = {"um", "um"};
+    struct scan_options um = {.x_unit = "um", .z_unit = "um"};
     struct text text = {0};
     put_field(&text, "DSBB", 4);
     put_bytes(&text, SAMPLE_COLUMNS, 2);

@@ -73,7 +73,7 @@ static void test_profiles(void **state)
 static void test_maps(void **state)
 {
     (void)state;
-    struct scan_options um = {"um", "um"}, z_um = {"", "um"};
+    struct scan_options um = {.x_unit = "um", .z_unit = "um"}, z_um = {.z_unit = "um"};
     assert_text_sample(SDF_HEAD("3", "2") "0.5 -1.25 2.75\n0.125 NaN -3.5\n*\n*\n", "sdf", SCAN_AREAL, 4, &no_units);
     assert_text_sample("DSAA\n3 2\n10 11\n5 7\n-4 8\n0.5 -1.25 1.70141e+038\n\n0.125 8.0 -3.5\n", "surfer", SCAN_AREAL,
                        2, &um);
@@ -120,7 +120,7 @@ static void test_maps(void **state)
 static void test_columns(void **state)
 {
     (void)state;
-    struct scan_options um = {"um", "um"};
+    struct scan_options um = {.x_unit = "um", .z_unit = "um"};
     /* an index before x, a time before x, columns behind z, heights that repeat */
     assert_text_sample("0\t0\t0.5\n1\t0.5\t-1.25\n2\t1\t2.75\n3\t1.5\t0.125\n4\t2\t8\n5\t2.5\t-3.5\n", "text",
                        SCAN_PROFILE, SAMPLE_POINTS, &um);

@@ -151,7 +151,8 @@ static void test_missing_units(void **state)
     const char *text = "0,1\n1,2\n2,3\n";
     assert_refused_bytes(text, strlen(text), &no_units, "add `x_unit: mm` and `z_unit: um`");
     assert_refused_bytes(text, strlen(text), &no_units, "--x-unit mm --z-unit um");
-    struct scan_options x_only = {"mm", ""}, z_only = {"", "um"}, wrong = {"mm", "volt"};
+    struct scan_options x_only = {.x_unit = "mm", .z_unit = ""}, z_only = {.z_unit = "um"},
+                        wrong = {.x_unit = "mm", .z_unit = "volt"};
     assert_refused_bytes(text, strlen(text), &x_only, "no unit for z; add `z_unit: um`");
     assert_refused_bytes(text, strlen(text), &z_only, "no unit for x; add `x_unit: mm`");
     assert_refused_bytes(text, strlen(text), &wrong, "is no unit of length; give z_unit");

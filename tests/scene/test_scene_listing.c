@@ -126,6 +126,69 @@ static void test_files_spoken_for(void **state)
     scene_directory_remove(&directory);
 }
 
+/* Files that only say units of a scan beside them are no surfaces; alone, or with numbers in them, they are. */
+static void test_sidecars(void **state)
+{
+    (void)state;
+    static const char units[] = "x unit: mm\nz unit: nm\n", dabam[] = "{\"X1_FACTOR\": 0.001, \"Y1_FACTOR\": 1e-9}",
+                      unfit[] = "x unit: mm\nz unit: nm\n0 1\n1 2\n2 1\n";
+    static const char *const surfaces[] = {"a", "b", "c.csv", "c.txt", "d", "e", "f.json", "f.txt"};
+    struct scene_directory directory = scene_directory_make();
+    static const char *const scans[] = {"a.dat", "b.csv", "c.csv", "d.1.csv", "g.csv"};
+    for (size_t i = 0; i < COUNT(scans); i++)
+        scene_directory_add(&directory, scans[i]);
+    scene_directory_write(&directory, "a.txt", dabam, strlen(dabam));
+    scene_directory_write(&directory, "a.hdr", units, strlen(units));
+    scene_directory_write(&directory, "b.csv.json", dabam, strlen(dabam));
+    scene_directory_write(&directory, "c.txt", unfit, strlen(unfit));
+    scene_directory_write(&directory, "d.txt", units, strlen(units)); /* of d, not of d.1 */
+    scene_directory_write(&directory, "e.txt", units, strlen(units));
+    scene_directory_write(&directory, "f.json", dabam, strlen(dabam)); /* two sidecars make no scan */
+    scene_directory_write(&directory, "f.txt", units, strlen(units));
+    scene_directory_write(&directory, "g.txt", units, strlen(units));
+    scene_directory_write(&directory, "scene.yaml", "counterface: {surface: g.csv}\n", 30);
+    struct scene scene = scene_directory_read(directory.path, NULL);
+    size_t found = 0;
+    for (size_t i = 0; i < scene.surface_count; i++) {
+        if (strcmp(scene.surfaces[i].name, "d.1") == 0)
+            continue;
+        assert_true(found < COUNT(surfaces));
+        assert_string_equal(scene.surfaces[i].name, surfaces[found++]);
+    }
+    assert_int_equal(found, COUNT(surfaces));
+    assert_int_equal(scene.surface_count, COUNT(surfaces) + 1);
+    scene_free(&scene);
+    scene_directory_remove(&directory);
+}
+
+static void test_columns_and_quantity(void **state)
+{
+    (void)state;
+    static const char text[] = "counterface: {surface: b.csv, quantity: slope, column: [t, Slope (urad)]}\n"
+                               "surfaces:\n  - {name: p, file: a.csv}\n"
+                               "  - {name: q, file: a.csv, quantity: slope, column: 3}\n"
+                               "  - {name: r, file: a.csv, quantity: height, column: [1, 4]}\n";
+    struct scene_directory directory = scene_directory_make();
+    scene_directory_add(&directory, "a.csv");
+    scene_directory_add(&directory, "b.csv");
+    scene_directory_write(&directory, "scene.yaml", text, strlen(text));
+    struct scene scene = scene_directory_read(directory.path, NULL);
+    const struct scene_surface *surface[] = {&scene.surfaces[0], &scene.surfaces[1], &scene.surfaces[2],
+                                             &scene.counterface_surface};
+    static const struct {
+        enum scan_quantity quantity;
+        const char *x, *z;
+    } expected[] = {
+        {SCAN_HEIGHT, "", ""}, {SCAN_SLOPE, "", "3"}, {SCAN_HEIGHT, "1", "4"}, {SCAN_SLOPE, "t", "Slope (urad)"}};
+    for (size_t i = 0; i < COUNT(expected); i++) {
+        assert_int_equal(surface[i]->quantity, expected[i].quantity);
+        assert_string_equal(surface[i]->x_column, expected[i].x);
+        assert_string_equal(surface[i]->z_column, expected[i].z);
+    }
+    scene_free(&scene);
+    scene_directory_remove(&directory);
+}
+
 static void test_many_files(void **state)
 {
     (void)state;
@@ -164,10 +227,11 @@ static void test_no_directory(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_natural_order),    cmocka_unit_test(test_same_stems_keep_their_endings),
-        cmocka_unit_test(test_hostile_names),    cmocka_unit_test(test_what_is_no_scan),
-        cmocka_unit_test(test_empty_directory),  cmocka_unit_test(test_many_files),
-        cmocka_unit_test(test_files_spoken_for), cmocka_unit_test(test_no_directory),
+        cmocka_unit_test(test_natural_order),        cmocka_unit_test(test_same_stems_keep_their_endings),
+        cmocka_unit_test(test_hostile_names),        cmocka_unit_test(test_what_is_no_scan),
+        cmocka_unit_test(test_empty_directory),      cmocka_unit_test(test_sidecars),
+        cmocka_unit_test(test_columns_and_quantity), cmocka_unit_test(test_many_files),
+        cmocka_unit_test(test_files_spoken_for),     cmocka_unit_test(test_no_directory),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

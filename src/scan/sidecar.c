@@ -1,0 +1,177 @@
+#include "scan/sidecar.h"
+#include "base/text.h"
+#include "scan/text_key.h"
+#include "scan/text_table.h"
+
+#include <jansson.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+static const char *const endings[] = {".json", ".txt", ".hdr"};
+static const off_t most_bytes = 65536;
+
+/* What DABAM writes as FILE_FORMAT: what column 2 is, and whether each y has its own x before it. */
+enum { DABAM_SLOPES = 1, DABAM_HEIGHTS, DABAM_SLOPES_IN_PAIRS, DABAM_HEIGHTS_IN_PAIRS };
+
+#define COUNT(array) (sizeof(array) / sizeof *(array))
+
+bool sidecar_ending(const char *name, size_t *length)
+{
+    for (size_t i = 0; i < COUNT(endings); i++) {
+        size_t all = strlen(name), ending = strlen(endings[i]);
+        *length = all > ending ? all - ending : 0;
+        if (*length > 0 && strcmp(name + *length, endings[i]) == 0)
+            return true;
+    }
+    return false;
+}
+
+bool sidecar_fits(const char *beside, const char *scan)
+{
+    size_t stem;
+    if (!sidecar_ending(beside, &stem) || strcmp(beside, scan) == 0 || strncmp(beside, scan, stem) != 0)
+        return false;
+    return scan[stem] == '\0' || (scan[stem] == '.' && !strchr(scan + stem + 1, '.'));
+}
+
+/* A number of the JSON object by a key such as Y2_FACTOR; 0 when there is none. */
+static double dabam_factor(const json_t *object, char axis, size_t index)
+{
+    char key[32];
+    snprintf(key, sizeof key, "%c%zu_FACTOR", axis, index);
+    return json_number_value(json_object_get(object, key));
+}
+
+static bool says_height(const char *title)
+{
+    static const char *const words[] = {"height", "heights", "heigth", "heigths"};
+    struct span rest = {title, title + strlen(title)}, word;
+    for (char before; text_key_word(&rest, &word, &before);)
+        for (size_t i = 0; i < COUNT(words); i++)
+            if (span_equals(word, words[i]))
+                return true;
+    return false;
+}
+
+/* Is y number `index` a slope? *known: does the file say what it is? */
+static bool is_dabam_slope(const json_t *object, size_t index, bool *known)
+{
+    char key[32];
+    json_int_t format = json_integer_value(json_object_get(object, "FILE_FORMAT"));
+    snprintf(key, sizeof key, "PLOT_TITLE_Y%zu", index);
+    const char *title = json_string_value(json_object_get(object, key));
+    title = title ? title : "";
+    bool slope = text_header_title_slope((struct span){title, title + strlen(title)});
+    *known = slope || says_height(title);
+    if (index > 1 || format < DABAM_SLOPES || format > DABAM_HEIGHTS_IN_PAIRS)
+        return slope;
+    *known = true;
+    return format == DABAM_SLOPES || format == DABAM_SLOPES_IN_PAIRS;
+}
+
+static bool take_dabam(struct text_header *out, const json_t *object)
+{
+    double x_factor = dabam_factor(object, 'X', 1);
+    if (!(x_factor > 0))
+        return false;
+    json_int_t format = json_integer_value(json_object_get(object, "FILE_FORMAT"));
+    bool pairs = format == DABAM_SLOPES_IN_PAIRS || format == DABAM_HEIGHTS_IN_PAIRS;
+    out->factors = true;
+    for (size_t i = 1; 2 * i <= TEXT_HEADER_COLUMNS; i++) {
+        size_t x = pairs ? 2 * i - 2 : 0, y = pairs ? 2 * i - 1 : i;
+        bool known, slope = is_dabam_slope(object, i, &known);
+        out->unit[x] = scan_unit_of(dabam_factor(object, 'X', pairs ? i : 1), SCAN_HEIGHT);
+        if (known)
+            out->unit[y] = scan_unit_of(dabam_factor(object, 'Y', i), slope ? SCAN_SLOPE : SCAN_HEIGHT);
+        out->slope[y] = slope;
+    }
+    return true;
+}
+
+/* `"x_unit": "mm"` as a line of its own, `x_unit: mm`. */
+static bool take_members(struct text_header *out, json_t *object)
+{
+    bool any = false;
+    const char *key;
+    json_t *value;
+    json_object_foreach(object, key, value)
+    {
+        struct text line = {0};
+        if (!json_is_string(value))
+            continue;
+        text_add(&line, "%s: %s", key, json_string_value(value));
+        const char *start = text_string(&line);
+        any = text_key_read(out, (struct span){start, start + strlen(start)}) || any;
+        text_free(&line);
+    }
+    return any;
+}
+
+static bool parse_json(struct text_header *out, const struct text *bytes)
+{
+    const char *start = strchr(text_string(bytes), '{'); /* behind a byte order mark */
+    json_t *root = json_loadb(start, bytes->length - (size_t)(start - text_string(bytes)), 0, NULL);
+    bool any = json_is_object(root) && (take_dabam(out, root) || take_members(out, root));
+    json_decref(root);
+    return any;
+}
+
+/* Lines that name units, and no row of numbers: that would be a scan. */
+static bool parse_lines(struct text_header *out, const struct text *bytes)
+{
+    struct scan_bytes file = {text_string(bytes), bytes->length, ""};
+    struct text_table table;
+    struct status ignored = {0};
+    if (!scan_text_sniff(&file))
+        return false;
+    enum status_code code = text_table_read(&table, &file, &ignored);
+    bool rows = code == STATUS_OK || table.columns > 0, any = false;
+    struct lines lines = lines_begin(table.text);
+    for (struct span line; !rows && lines_next(&lines, &line);) {
+        bool comment;
+        any = text_key_read(out, text_header_uncomment(line, &comment)) || any;
+    }
+    text_table_free(&table);
+    return any;
+}
+
+bool sidecar_read(struct sidecar *out, const char *path)
+{
+    struct stat info;
+    struct status ignored = {0};
+    struct text bytes = {0};
+    const char *slash = strrchr(path, '/');
+    *out = (struct sidecar){.header = {.valid = SIZE_MAX, .z_factor = 1}};
+    snprintf(out->name, sizeof out->name, "%s", slash ? slash + 1 : path);
+    if (stat(path, &info) != 0 || !S_ISREG(info.st_mode) || info.st_size > most_bytes ||
+        text_read_file(&bytes, path, &ignored) != STATUS_OK) {
+        text_free(&bytes);
+        return false;
+    }
+    bool json = text_string(&bytes)[strspn(text_string(&bytes), "\xEF\xBB\xBF \t\r\n")] == '{';
+    bool any = json ? parse_json(&out->header, &bytes) : parse_lines(&out->header, &bytes);
+    text_free(&bytes);
+    return any;
+}
+
+enum status_code sidecar_find(struct sidecar *out, char **found, const char *path, struct status *status)
+{
+    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path, *dot = strrchr(name, '.');
+    size_t stems[2] = {strlen(path), dot && dot > name ? (size_t)(dot - path) : 0};
+    *found = NULL;
+    for (size_t i = 0; i < 2 * COUNT(endings); i++) {
+        struct text candidate = {0};
+        text_add_bytes(&candidate, path, stems[i / COUNT(endings)]);
+        text_add(&candidate, "%s", endings[i % COUNT(endings)]);
+        if (candidate.failed)
+            return text_free(&candidate), status_memory(status);
+        if (stems[i / COUNT(endings)] > 0 && strcmp(candidate.data, path) != 0 && sidecar_read(out, candidate.data)) {
+            *found = candidate.data;
+            return STATUS_OK;
+        }
+        text_free(&candidate);
+    }
+    return STATUS_OK;
+}
