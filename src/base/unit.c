@@ -250,7 +250,7 @@ static const char *read_product(struct product *out, const char *p, int sign)
 bool unit_read(struct unit *out, const char *text, size_t length)
 {
     char letters[UNIT_LENGTH];
-    if (memchr(text, '\0', length) || !unit_spell(letters, text, length))
+    if (length >= UNIT_LENGTH || memchr(text, '\0', length) || !unit_spell(letters, text, length))
         return false;
     char *spelling = letters + strspn(letters, " \t");
     for (size_t end = strlen(spelling); end > 0 && strchr(" \t", spelling[end - 1]); end--)

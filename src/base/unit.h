@@ -35,8 +35,8 @@ enum { UNIT_LENGTH = 48 }; /* bytes of a spelling, with the NUL */
 bool unit_spell(char spelling[UNIT_LENGTH], const char *text, size_t length);
 
 /** Reads a unit: `kN`, `mΩ`, `µOhm`, `milliohm`, `K m²/W`, `ohm_m2`, `K_m2_per_W`, `W/(m2 K)`, `N/mm^2`. Symbols are
- * told apart by case (m is milli, M is mega), words are not. False when any part is unknown, and where what is divided
- * by is in doubt (`W/m2 K`: write `W/m2/K` or `W/(m2 K)`). */
+ * told apart by case (m is milli, M is mega), words are not. False when it does not fit into UNIT_LENGTH, any part is
+ * unknown, and where what is divided by is in doubt (`W/m2 K`: write `W/m2/K` or `W/(m2 K)`). */
 bool unit_read(struct unit *out, const char *text, size_t length);
 
 /** The one of `quantities` (bits) that it is a unit of, 0 where it is of none of them. */
