@@ -3,7 +3,7 @@
 # LOGARITHMIC: 'xy', 'x', 'y' or ''. STYLES: one word a block of DATA: s1..s8 surfaces, me mp gw jg models, gwa jga adjusted
 # separation, meS mpS gwS jgS scale-dependent, r1..r9 steps of a sweep; with x at its end the part of that curve outside
 # its range of validity, with b the band of repeated scans around it (rows x,low,high); these get no legend entry. meas:
-# measured points (rows x,y,low,high). AXES: 'A B C': the x axis holds at least A to B; the y axis ends a
+# measured points (rows x,y,low,high), joined in their order. AXES: 'A B C': the x axis holds at least A to B; the y axis ends a
 # little below C when the data go further down (0: it does not).
 data = ARG1; output = ARG2; title_text = ARG3; x_label = ARG4; y_label = ARG5; logarithmic = ARG6; style_words = ARG7
 axes = ARGC > 7 ? ARG8 : ''
@@ -97,6 +97,7 @@ if (text_mode) {
     if (strlen(bands)) { command = command . \
         ', keyentry with boxes fc rgb quiet fs transparent solid 0.3 noborder title note_band' }
     if (strlen(measured)) { command = command . \
+        ', for [i in measured] data index int(i) - 1 using 1:2 with lines lw 0.9 lc rgb ink notitle' . \
         ', for [i in measured] data index int(i) - 1 using 1:2:3:4 with yerrorbars pt 2 ps 0.9 lw 1.4 lc rgb ink title "measured"' }
 }
 eval command

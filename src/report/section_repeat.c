@@ -67,6 +67,18 @@ static void repeat_table(struct text *out, const struct section_context *context
     }
 }
 
+static void measured_text(struct text *out, const struct section_context *context)
+{
+    const struct measured *measured = context->results->measured;
+    if (!measured)
+        return;
+    text_add(out, "Measured loads were given in ");
+    text_add_markdown(out, measured->load_unit);
+    text_add(out, ", resistances in ");
+    text_add_markdown(out, measured->resistance_unit);
+    text_add(out, "; the charts join the points in the order in which they were measured.");
+}
+
 static void measured_table(struct text *out, const struct section_context *context)
 {
     const struct measured *measured = context->results->measured;
@@ -90,6 +102,7 @@ static void measured_table(struct text *out, const struct section_context *conte
 
 const struct section_row section_repeat[] = {
     {"repeat_table", repeat_table},
+    {"measured_text", measured_text},
     {"measured_table", measured_table},
     {NULL, NULL},
 };

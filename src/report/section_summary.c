@@ -2,6 +2,7 @@
 #include "report/section.h"
 
 #include "report/words.h"
+#include "results/measured.h"
 #include <math.h>
 
 static void surfaces(struct text *out, const struct section_context *context)
@@ -174,6 +175,41 @@ static void model_spread(struct text *out, const struct section_context *context
     text_add(out, ".\n");
 }
 
+/** "by a factor of 1.6": an RMS distance in decades. */
+static void factor_off(struct text *out, const struct measured_distance *distance)
+{
+    words_add(out, "by a factor of ", pow(10, distance->rms_decades), 3, "");
+}
+
+/** How well the models agree with what was measured: the nearest of them, and the farthest. */
+static void agreement(struct text *out, const struct section_context *context)
+{
+    const struct measured *measured = context->results->measured;
+    if (!measured)
+        return;
+    const struct model_curve *curves = context->baseline->curves;
+    struct measured_ranking rank = measured_rank(measured, curves);
+    text_add(out, "- **Measured %s** (%zu point%s): ", measured->thermal ? "TCR" : "ECR", measured->count,
+             measured->count == 1 ? "" : "s");
+    if (rank.nearest == MODEL_COUNT) {
+        text_add(out, "no measured load lies within those of the models; widen `load` in the scene.\n");
+        return;
+    }
+    struct measured_distance near = measured_compare(measured, &curves[rank.nearest]);
+    text_add(out, "on ");
+    words_named(out, "surface ", context->results, context->results->baseline);
+    text_add(out, ", %s is nearest, off ", model_rows[rank.nearest].label);
+    factor_off(out, &near);
+    text_add(out, " (root mean square over %zu of %zu points) and ", near.points, measured->count);
+    words_add(out, "", pow(10, near.bias_decades), 3, " times the measured on average");
+    if (rank.farthest != rank.nearest) {
+        struct measured_distance far = measured_compare(measured, &curves[rank.farthest]);
+        text_add(out, "; %s is farthest, off ", model_rows[rank.farthest].label);
+        factor_off(out, &far);
+    }
+    text_add(out, ".\n");
+}
+
 /** One limit of trust: how many surfaces it concerns. */
 static void limit(struct text *out, const struct section_context *context, size_t count, const char *what,
                   const char *then)
@@ -229,6 +265,7 @@ static void summary(struct text *out, const struct section_context *context)
     at_middle(out, context);
     best_surface(out, context);
     model_spread(out, context);
+    agreement(out, context);
     limits(out, context);
     if (refused > 0)
         text_add(out, "- **%zu surface%s refused**: see the end of this report.\n", refused,

@@ -1,107 +1,108 @@
 #include "results/measured.h"
 
-#include "base/text.h"
-#include <ctype.h>
+#include "results/measured_file.h"
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-static const char byte_order_mark[] = "\xEF\xBB\xBF";
+static const char *const column_keys[] = {[MEASURED_LOAD] = "load_unit", [MEASURED_RESISTANCE] = "resistance_unit"};
 
-struct row {
-    double value[3]; /* load, resistance, error */
-};
-
-/** Numbers of one line, delimited by a comma, a semicolon or blanks; words between them (units) do not count. How many
- * there are; 4 for more than 3, and for an empty cell before the last: what stands behind it is in another column. */
-static size_t numbers_of(const char *line, double value[3])
+/** Completes the file's units with the scene's; what both say has to be the same. */
+static enum status_code complete_units(struct measured_file *file, const struct scene_measured *scene,
+                                       const unsigned *quantities, struct status *status)
 {
-    size_t count = 0;
-    for (const char *p = line + strspn(line, " \t"); *p;) {
-        char *end;
-        double number = strtod(p, &end);
-        bool empty = *p == ',' || *p == ';';
-        if (count == 3 && end != p)
-            return 4;
-        if (end != p)
-            value[count++] = number;
-        else
-            end += strcspn(end, ",; \t");
-        p = end + strspn(end, " \t");
-        p += *p == ',' || *p == ';';
-        p += strspn(p, " \t");
-        if (empty && p[strspn(p, ",; \t")] != '\0')
-            return 4;
-    }
-    return count;
-}
-
-static bool is_data(const char *line)
-{
-    const char *p = line + strspn(line, " \t");
-    return isdigit((unsigned char)p[strspn(p, "+-.")]);
-}
-
-static int compare_rows(const void *a, const void *b)
-{
-    double x = ((const struct row *)a)->value[0], y = ((const struct row *)b)->value[0];
-    return (x > y) - (x < y);
-}
-
-/** Splits `content` into rows; the array is malloc'ed. */
-static enum status_code parse(struct row **rows, size_t *count, char *content, const char *name, struct status *status)
-{
-    size_t capacity = 0;
-    int line_number = 0;
-    for (char *line; (line = strsep(&content, "\n"));) {
-        struct row row = {{0, 0, NAN}};
-        line_number++;
-        line[strcspn(line, "\r#")] = '\0';
-        if (line_number == 1 && strncmp(line, byte_order_mark, strlen(byte_order_mark)) == 0)
-            line += strlen(byte_order_mark);
-        if (!is_data(line))
-            continue;
-        if (strchr(line, ',') && strchr(line, ';'))
-            return status_fail(status, STATUS_SCENE, "%s:%d: both ',' and ';' in a row; write decimals with a point",
-                               name, line_number);
-        size_t numbers = numbers_of(line, row.value);
-        if (numbers < 2 || numbers > 3)
-            return status_fail(status, STATUS_SCENE, "%s:%d: a row is load, resistance and perhaps its error", name,
-                               line_number);
-        if (!(row.value[0] > 0 && row.value[1] > 0 && isfinite(row.value[0]) && isfinite(row.value[1])))
-            return status_fail(status, STATUS_SCENE, "%s:%d: load and resistance must be positive", name, line_number);
-        if (*count == capacity) {
-            capacity = capacity ? 2 * capacity : 64;
-            struct row *more = realloc(*rows, capacity * sizeof *more);
-            if (!more)
-                return status_memory(status);
-            *rows = more;
+    const char *const given[] = {[MEASURED_LOAD] = scene->load_unit, [MEASURED_RESISTANCE] = scene->resistance_unit};
+    for (size_t c = MEASURED_LOAD; c <= MEASURED_RESISTANCE; c++) {
+        struct measured_unit *own = &file->units[c];
+        struct unit unit;
+        bool known = unit_read(&unit, given[c], strlen(given[c])) && unit_of(&unit, quantities[c]);
+        if (known && own->known && !unit_equal(&unit, &own->unit))
+            return status_fail(status, STATUS_SCENE,
+                               "%s:%zu: the unit is '%s' here, but the scene's %s says '%s'; correct one of them",
+                               scene->file, own->line, own->text, column_keys[c], given[c]);
+        if (!known && !own->known)
+            return status_fail(status, STATUS_SCENE,
+                               "%s: nothing says the unit of the %s; name it in the heading, such as '%s', or add '%s' "
+                               "to 'measured' in the scene",
+                               scene->file, c == MEASURED_LOAD ? "load" : "resistance",
+                               c == MEASURED_LOAD                ? "load (N)"
+                               : quantities[c] & UNIT_RESISTANCE ? "ECR (mohm)"
+                                                                 : "TCR (K/W)",
+                               column_keys[c]);
+        if (!own->known) {
+            *own = (struct measured_unit){.known = true, .unit = unit};
+            memcpy(own->text, given[c], strlen(given[c]) + 1);
         }
-        (*rows)[(*count)++] = row;
     }
-    if (*count == 0)
-        return status_fail(status, STATUS_SCENE, "%s: no row of load and resistance", name);
     return STATUS_OK;
 }
 
-/** What a load and a resistance in the file's units are times, to be in the models'. */
-static enum status_code factors(double *load, double *resistance, const struct scene *scene, const struct plan *plan,
-                                struct status *status)
+static enum status_code need_area(const struct scene *scene, const struct measured_unit *unit, const char *what,
+                                  struct status *status)
 {
-    double area_m2 = scene->nominal_area_m2, modulus_Pa = plan->pair.effective_modulus_Pa;
-    bool has_area = isfinite(area_m2);
-    *resistance = has_area ? area_m2 : 1;
-    *load = 1;
-    if (scene->measured.load_unit == SCENE_LOAD_PASCAL)
-        *load = 1 / modulus_Pa;
-    if (scene->measured.load_unit == SCENE_LOAD_NEWTON) {
-        if (!has_area)
-            return status_fail(status, STATUS_SCENE,
-                               "%s: measured loads in N need the contact's area; add nominal_area_m2 to the scene",
-                               scene->measured.file);
-        *load = 1 / (modulus_Pa * area_m2);
+    if (isfinite(scene->nominal_area_m2))
+        return STATUS_OK;
+    return status_fail(status, STATUS_SCENE,
+                       "%s: measured %s in %s need the contact's area; add nominal_area_m2 to the scene",
+                       scene->measured.file, what, unit->text);
+}
+
+/** What loads of a unit are times, to be P/(A_n E'). */
+static enum status_code load_factor(double *factor, const struct measured_unit *unit, const struct scene *scene,
+                                    const struct plan *plan, struct status *status)
+{
+    double modulus_Pa = plan->pair.effective_modulus_Pa;
+    *factor = unit->unit.factor;
+    switch (unit_of(&unit->unit, SCENE_MEASURED_LOADS)) {
+    case UNIT_FORCE:
+        *factor /= modulus_Pa * scene->nominal_area_m2;
+        return need_area(scene, unit, "loads", status);
+    case UNIT_PRESSURE:
+        *factor /= modulus_Pa;
     }
+    return STATUS_OK;
+}
+
+/** The same for resistances, to be per nominal area. */
+static enum status_code resistance_factor(double *factor, const struct measured_unit *unit, const struct scene *scene,
+                                          struct status *status)
+{
+    *factor = unit->unit.factor;
+    if (!unit_of(&unit->unit, UNIT_RESISTANCE | UNIT_THERMAL_RESISTANCE))
+        return STATUS_OK;
+    *factor *= scene->nominal_area_m2;
+    return need_area(scene, unit, "resistances", status);
+}
+
+/** The rows in the models' units. */
+static enum status_code convert(struct measured *out, const struct measured_file *file, const struct scene *scene,
+                                const struct plan *plan, struct status *status)
+{
+    const struct measured_unit *units = file->units;
+    const struct measured_unit *error_unit = &units[units[MEASURED_ERROR].known ? MEASURED_ERROR : MEASURED_RESISTANCE];
+    bool relative = unit_of(&error_unit->unit, UNIT_NUMBER | UNIT_PERCENT);
+    double load, resistance, error = error_unit->unit.factor;
+    if (load_factor(&load, &units[MEASURED_LOAD], scene, plan, status) != STATUS_OK ||
+        resistance_factor(&resistance, &units[MEASURED_RESISTANCE], scene, status) != STATUS_OK ||
+        (!relative && resistance_factor(&error, error_unit, scene, status) != STATUS_OK))
+        return status->code;
+    if (!(out->load = malloc(3 * file->count * sizeof *out->load)))
+        return status_memory(status);
+    out->count = file->count;
+    out->resistance = out->load + out->count;
+    out->error = out->resistance + out->count;
+    for (size_t i = 0; i < out->count; i++) {
+        const struct measured_row *row = &file->rows[i];
+        out->load[i] = row->value[MEASURED_LOAD] * load;
+        out->resistance[i] = row->value[MEASURED_RESISTANCE] * resistance;
+        out->error[i] = fabs(row->value[MEASURED_ERROR]) * error * (relative ? out->resistance[i] : 1);
+        if (!(out->load[i] > 0 && out->resistance[i] > 0 && isfinite(out->load[i]) && isfinite(out->resistance[i])) ||
+            isinf(out->error[i]))
+            return status_fail(status, STATUS_SCENE, "%s:%zu: too large or too small in its unit; correct the row",
+                               scene->measured.file, row->line);
+    }
+    memcpy(out->load_unit, units[MEASURED_LOAD].text, UNIT_LENGTH);
+    memcpy(out->resistance_unit, units[MEASURED_RESISTANCE].text, UNIT_LENGTH);
     return STATUS_OK;
 }
 
@@ -115,31 +116,25 @@ enum status_code measured_read(struct measured *out, const struct scene *scene, 
                            "'%s' holds measured %s, but the effect %s does not run; add it to "
                            "effects, or take out measured",
                            scene->measured.file, out->thermal ? "TCR" : "ECR", effect_rows[needed].name);
+    const unsigned resistances = scene_measured_resistances[scene->measured.quantity];
+    const unsigned quantities[MEASURED_COLUMNS] = {SCENE_MEASURED_LOADS, resistances,
+                                                   resistances | UNIT_NUMBER | UNIT_PERCENT};
     struct text content = {0};
-    struct row *rows = NULL;
-    double load_factor, resistance_factor;
+    struct measured_file file = {0};
     char *path = scene_file_path(scene, scene->measured.file);
     enum status_code rc = path ? text_read_file(&content, path, status) : status_memory(status);
-    if (rc == STATUS_OK)
-        rc = factors(&load_factor, &resistance_factor, scene, plan, status);
-    if (rc == STATUS_OK && memchr(content.data, '\0', content.length))
+    if (rc == STATUS_OK && memchr(text_string(&content), '\0', content.length))
         rc = status_fail(status, STATUS_SCENE, "%s: a NUL byte in the file; save it as plain text (UTF-8)",
                          scene->measured.file);
+    const char *start = text_string(&content);
     if (rc == STATUS_OK)
-        rc = parse(&rows, &out->count, content.data, scene->measured.file, status);
-    if (rc == STATUS_OK && !(out->load = malloc(3 * out->count * sizeof *out->load)))
-        rc = status_memory(status);
-    if (rc == STATUS_OK) {
-        qsort(rows, out->count, sizeof *rows, compare_rows);
-        out->resistance = out->load + out->count;
-        out->error = out->resistance + out->count;
-        for (size_t i = 0; i < out->count; i++) {
-            out->load[i] = rows[i].value[0] * load_factor;
-            out->resistance[i] = rows[i].value[1] * resistance_factor;
-            out->error[i] = fabs(rows[i].value[2]) * resistance_factor;
-        }
-    }
-    free(rows);
+        rc = measured_file_read(&file, (struct span){start, start + content.length}, scene->measured.file, quantities,
+                                status);
+    if (rc == STATUS_OK)
+        rc = complete_units(&file, &scene->measured, quantities, status);
+    if (rc == STATUS_OK)
+        rc = convert(out, &file, scene, plan, status);
+    measured_file_free(&file);
     free(path);
     text_free(&content);
     return rc;
@@ -177,14 +172,35 @@ struct measured_distance measured_compare(const struct measured *measured, const
         double decades = log10(model / measured->resistance[i]);
         square += decades * decades;
         sum += decades;
-        if (out.points == 0)
-            out.load[0] = measured->load[i];
-        out.load[1] = measured->load[i];
+        out.load[0] = fmin(out.load[0], measured->load[i]); /* of a number and NaN, the number */
+        out.load[1] = fmax(out.load[1], measured->load[i]);
         out.points++;
     }
     if (out.points > 0) {
         out.rms_decades = sqrt(square / (double)out.points);
         out.bias_decades = sum / (double)out.points;
+    }
+    return out;
+}
+
+struct measured_ranking measured_rank(const struct measured *measured, const struct model_curve curves[MODEL_COUNT])
+{
+    struct measured_distance distances[MODEL_COUNT];
+    struct measured_ranking out = {MODEL_COUNT, MODEL_COUNT};
+    size_t most = 1;
+    for (int m = 0; m < MODEL_COUNT; m++) {
+        distances[m] = (struct measured_distance){.points = 0};
+        if (curves[m].exists)
+            distances[m] = measured_compare(measured, &curves[m]);
+        most = distances[m].points > most ? distances[m].points : most;
+    }
+    for (int m = 0; m < MODEL_COUNT; m++) {
+        if (2 * distances[m].points < most)
+            continue;
+        if (out.nearest == MODEL_COUNT || distances[m].rms_decades < distances[out.nearest].rms_decades)
+            out.nearest = (enum model_id)m;
+        if (out.farthest == MODEL_COUNT || distances[m].rms_decades > distances[out.farthest].rms_decades)
+            out.farthest = (enum model_id)m;
     }
     return out;
 }

@@ -2,16 +2,19 @@
 #ifndef RESULTS_MEASURED_H
 #define RESULTS_MEASURED_H
 
+#include "base/unit.h"
 #include "contact/model.h"
 #include "results/plan.h"
 
-/** Points in the models' units, ascending in load. Owned: measured_free(). */
+/** Points in the models' units, in the order in which they were measured (loading, then unloading). Owned:
+ * measured_free(). */
 struct measured {
     size_t count;
     double *load;       /* P/(A_n E') */
     double *resistance; /* per nominal area: Ω m² or K m²/W */
     double *error;      /* of the resistance, same unit; NaN where none is given */
     bool thermal;       /* TCR, else ECR */
+    char load_unit[UNIT_LENGTH], resistance_unit[UNIT_LENGTH]; /* that they were given in, as written */
 };
 
 /** How far a model is from the measurements, over the loads that its curve covers. */
@@ -19,18 +22,26 @@ struct measured_distance {
     size_t points;       /* compared */
     double rms_decades;  /* of log10(model/measured); NaN when no point could be compared */
     double bias_decades; /* mean of the same */
-    double load[2];      /* range compared */
+    double load[2];      /* least and greatest compared */
 };
 
-/** Reads the scene's file: rows of load, resistance and perhaps error, in any delimiter; lines that do not begin with a
- * number are headings or comments. Errors: STATUS_SCENE with file, line and remedy (a row of another form, a load or
- * resistance that is not positive, newtons without nominal_area_m2, nothing to compare with); STATUS_IO, STATUS_MEMORY.
- */
+/** Reads the scene's file (see measured_file.h). Units are those that the file names, else the scene's load_unit and
+ * resistance_unit. N are divided by the nominal area, Ω and K/W multiplied by it; an error in the unit 1 or % is
+ * relative, one without unit is in the resistance's. Errors: STATUS_SCENE with file, line and remedy (as
+ * measured_file_read(); no unit anywhere, file and scene of two minds, N, Ω or K/W without nominal_area_m2, nothing to
+ * compare with); STATUS_IO, STATUS_MEMORY. */
 MUST_CHECK enum status_code measured_read(struct measured *out, const struct scene *scene, const struct plan *plan,
                                           struct status *status);
 void measured_free(struct measured *measured);
 
 /** Distance of one curve, interpolated in log-log between its loads. */
 struct measured_distance measured_compare(const struct measured *measured, const struct model_curve *curve);
+
+/** The models of least and greatest RMS distance among those that cover at least half as many points as the one that
+ * covers most; MODEL_COUNT when none covers any. */
+struct measured_ranking {
+    enum model_id nearest, farthest;
+};
+struct measured_ranking measured_rank(const struct measured *measured, const struct model_curve curves[MODEL_COUNT]);
 
 #endif

@@ -1,17 +1,19 @@
-/* Names of units of length and of slope, in every spelling instruments write. */
+/* Names of units of length and of slope, in every spelling instruments write: more lenient than unit_read(), and
+ * whatever their case. */
+#include "base/unit.h"
 #include "scan/reader.h"
 #include "scan/scan.h"
 
 #include <math.h>
 #include <string.h>
 
-struct unit {
+struct length_unit {
     const char *spelling; /* lower case, every mu as 'u', without plural s */
     const char *name;     /* as the program prints it */
     double si;            /* metres, or dz/dx */
 };
 
-static const struct unit units[] = {
+static const struct length_unit length_units[] = {
     {"m", "m", 1.0},
     {"meter", "m", 1.0},
     {"metre", "m", 1.0},
@@ -46,7 +48,7 @@ static const struct unit units[] = {
     {"microinche", "uin", 2.54e-8},
 };
 
-static const struct unit slopes[] = {
+static const struct length_unit slopes[] = {
     {"rad", "rad", 1.0},        {"radian", "rad", 1.0},        {"mrad", "mrad", 1e-3},
     {"millirad", "mrad", 1e-3}, {"milliradian", "mrad", 1e-3}, {"urad", "urad", 1e-6},
     {"microrad", "urad", 1e-6}, {"microradian", "urad", 1e-6}, {"nrad", "nrad", 1e-9},
@@ -59,53 +61,17 @@ static const struct unit slopes[] = {
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
-enum { UNIT_LENGTH = 16 };
-
-/* Bytes that stand for another spelling of one letter: micro sign and Greek mu (UTF-8), micro sign (latin-1), A with
- * ring and Angstrom sign (UTF-8), A with ring (latin-1). Longer forms first: 0xC2 0xB5 ends in the latin-1 form. */
-static const struct {
-    const char *bytes, *letters;
-} unit_letters[] = {
-    {"\xC2\xB5", "u"},    {"\xCE\xBC", "u"}, {"\xB5", "u"}, {"\xC3\x85", "angstrom"}, {"\xE2\x84\xAB", "angstrom"},
-    {"\xC5", "angstrom"},
-};
-
-/* `name` in the spelling of the table; false when it is too long to be a unit. */
-static bool unit_normalise(char spelling[UNIT_LENGTH], const char *name, size_t length)
-{
-    size_t used = 0;
-    for (size_t i = 0; i < length;) {
-        const char *letters = NULL;
-        for (size_t k = 0; k < sizeof unit_letters / sizeof *unit_letters && !letters; k++) {
-            size_t bytes = strlen(unit_letters[k].bytes);
-            if (length - i >= bytes && memcmp(name + i, unit_letters[k].bytes, bytes) == 0) {
-                letters = unit_letters[k].letters;
-                i += bytes;
-            }
-        }
-        char lower[2] = {name[i < length ? i : length - 1], '\0'};
-        if (!letters) {
-            if (lower[0] >= 'A' && lower[0] <= 'Z')
-                lower[0] = (char)(lower[0] + ('a' - 'A'));
-            letters = lower;
-            i++;
-        }
-        if (used + strlen(letters) >= UNIT_LENGTH)
-            return false;
-        memcpy(spelling + used, letters, strlen(letters));
-        used += strlen(letters);
-    }
-    spelling[used] = '\0';
-    return used > 0;
-}
-
-static const struct unit *unit_find(const struct unit *table, size_t count, const char *name, size_t length)
+static const struct length_unit *unit_find(const struct length_unit *table, size_t count, const char *name,
+                                           size_t length)
 {
     char spelling[UNIT_LENGTH];
     if (length == 1 && name[0] == 'A') /* but not 'a' */
         return unit_find(table, count, "angstrom", strlen("angstrom"));
-    if (!unit_normalise(spelling, name, length))
+    if (!unit_spell(spelling, name, length))
         return NULL;
+    for (char *c = spelling; *c; c++)
+        if (*c >= 'A' && *c <= 'Z')
+            *c = (char)(*c + ('a' - 'A'));
     size_t used = strlen(spelling);
     if (used > 3 && spelling[used - 1] == 's')
         spelling[used - 1] = '\0';
@@ -117,32 +83,32 @@ static const struct unit *unit_find(const struct unit *table, size_t count, cons
 
 double scan_unit_m(const char *name, size_t length)
 {
-    const struct unit *unit = unit_find(units, COUNT(units), name, length);
+    const struct length_unit *unit = unit_find(length_units, COUNT(length_units), name, length);
     return unit ? unit->si : 0.0;
 }
 
 const char *scan_unit_name(const char *name, size_t length)
 {
-    const struct unit *unit = unit_find(units, COUNT(units), name, length);
+    const struct length_unit *unit = unit_find(length_units, COUNT(length_units), name, length);
     return unit ? unit->name : NULL;
 }
 
 double scan_unit_slope(const char *name, size_t length)
 {
-    const struct unit *unit = unit_find(slopes, COUNT(slopes), name, length);
+    const struct length_unit *unit = unit_find(slopes, COUNT(slopes), name, length);
     return unit ? unit->si : 0.0;
 }
 
 const char *scan_unit_slope_name(const char *name, size_t length)
 {
-    const struct unit *unit = unit_find(slopes, COUNT(slopes), name, length);
+    const struct length_unit *unit = unit_find(slopes, COUNT(slopes), name, length);
     return unit ? unit->name : NULL;
 }
 
 const char *scan_unit_of(double factor, enum scan_quantity quantity)
 {
-    const struct unit *table = quantity == SCAN_SLOPE ? slopes : units;
-    size_t count = quantity == SCAN_SLOPE ? COUNT(slopes) : COUNT(units);
+    const struct length_unit *table = quantity == SCAN_SLOPE ? slopes : length_units;
+    size_t count = quantity == SCAN_SLOPE ? COUNT(slopes) : COUNT(length_units);
     for (size_t i = 0; i < count; i++)
         if (fabs(factor - table[i].si) <= 1e-9 * table[i].si)
             return table[i].name;

@@ -3,6 +3,7 @@
 #define SCENE_SCENE_H
 
 #include "base/status.h"
+#include "base/unit.h"
 #include "scan/scan.h"
 #include "scene/effect.h"
 #include "scene/material.h"
@@ -59,14 +60,17 @@ enum scene_direction { SCENE_DIRECTION_X, SCENE_DIRECTION_Y, SCENE_DIRECTION_COU
 extern const char *const scene_direction_names[SCENE_DIRECTION_COUNT];
 
 enum scene_measured_quantity { SCENE_MEASURED_ECR, SCENE_MEASURED_TCR, SCENE_MEASURED_QUANTITY_COUNT };
-enum scene_load_unit { SCENE_LOAD_DIMENSIONLESS, SCENE_LOAD_PASCAL, SCENE_LOAD_NEWTON, SCENE_LOAD_UNIT_COUNT };
+
+/** What a measured load and, by quantity, a measured resistance may be: enum unit_quantity bits. */
+enum { SCENE_MEASURED_LOADS = UNIT_NUMBER | UNIT_FORCE | UNIT_PRESSURE };
+extern const unsigned scene_measured_resistances[SCENE_MEASURED_QUANTITY_COUNT];
 
 /** Measured contact resistance to hold the models against. */
 struct scene_measured {
-    char *file;                            /* path as given; NULL: none */
-    enum scene_measured_quantity quantity; /* resistance times nominal area (Ω·m², K·m²/W), or ohms/K per W with
-                                              nominal_area_m2 in the scene */
-    enum scene_load_unit load_unit;
+    char *file; /* path as given; NULL: none */
+    enum scene_measured_quantity quantity;
+    char load_unit[UNIT_LENGTH];       /* "" when the scene gives none */
+    char resistance_unit[UNIT_LENGTH]; /* the same: total, or times the nominal area */
 };
 
 struct scene {

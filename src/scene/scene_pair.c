@@ -3,13 +3,17 @@
 #include "scene/scene_material.h"
 #include "scene/scene_surfaces.h"
 #include "scene/scene_value.h"
+#include "scene/scene_words.h"
 
 #include <string.h>
 
 enum { PAIR_RIGID, PAIR_SAME, PAIR_WORDS };
 static const char *const words[PAIR_WORDS] = {"rigid", "same"}; /* besides materials */
 static const char *const quantity_names[SCENE_MEASURED_QUANTITY_COUNT] = {"ecr", "tcr"};
-static const char *const load_unit_names[SCENE_LOAD_UNIT_COUNT] = {"dimensionless", "Pa", "N"};
+const unsigned scene_measured_resistances[SCENE_MEASURED_QUANTITY_COUNT] = {
+    [SCENE_MEASURED_ECR] = UNIT_RESISTANCE | UNIT_RESISTANCE_AREA,
+    [SCENE_MEASURED_TCR] = UNIT_THERMAL_RESISTANCE | UNIT_THERMAL_RESISTANCE_AREA,
+};
 
 /* A word, a material's name or its properties. */
 static enum status_code read_body(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
@@ -89,22 +93,47 @@ static enum status_code read_measured_file(struct scene_source *source, const st
     return code;
 }
 
+/* Is the unit that stands in line `line`, if any, one of `quantities`? */
+static enum status_code check_unit(struct scene_source *source, const char *key, const char *text, size_t line,
+                                   unsigned quantities)
+{
+    struct unit unit;
+    if (line == 0 || (unit_read(&unit, text, strlen(text)) && unit_of(&unit, quantities)))
+        return STATUS_OK;
+    struct text known = {0};
+    unit_add_known(&known, quantities);
+    enum status_code code = known.failed
+                                ? status_memory(source->status)
+                                : scene_source_fail(source, line, "'%s' is '%s'; understood: %s", key,
+                                                    scene_words_show(text, strlen(text)).text, text_string(&known));
+    text_free(&known);
+    return code;
+}
+
 enum status_code scene_pair_measured(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
                                      void *field)
 {
-    enum { MEASURED_FILE, QUANTITY, LOAD_UNIT, KEYS };
+    enum { MEASURED_FILE, QUANTITY, LOAD_UNIT, RESISTANCE_UNIT, KEYS };
     static const struct scene_key keys[KEYS] = {
         [MEASURED_FILE] = {"file", read_measured_file, .offset = 0},
         [QUANTITY] = {"quantity", scene_value_choice, .offset = offsetof(struct scene_measured, quantity),
                       .choices = quantity_names, .choice_count = SCENE_MEASURED_QUANTITY_COUNT},
-        [LOAD_UNIT] = {"load_unit", scene_value_choice, .offset = offsetof(struct scene_measured, load_unit),
-                       .choices = load_unit_names, .choice_count = SCENE_LOAD_UNIT_COUNT},
+        [LOAD_UNIT] = {"load_unit", scene_value_short_text, .offset = offsetof(struct scene_measured, load_unit),
+                       .most = UNIT_LENGTH},
+        [RESISTANCE_UNIT] = {"resistance_unit", scene_value_short_text,
+                             .offset = offsetof(struct scene_measured, resistance_unit), .most = UNIT_LENGTH},
     };
     size_t lines[KEYS];
+    struct scene_measured *measured = field;
     enum status_code code = scene_source_mapping(source, value, key->name, keys, KEYS, field, lines);
     if (code == STATUS_OK && lines[MEASURED_FILE] == 0)
         code = scene_source_fail(source, scene_source_line(value),
                                  "'measured' has no 'file'; name a CSV of load and "
                                  "resistance");
+    if (code == STATUS_OK)
+        code = check_unit(source, keys[LOAD_UNIT].name, measured->load_unit, lines[LOAD_UNIT], SCENE_MEASURED_LOADS);
+    if (code == STATUS_OK)
+        code = check_unit(source, keys[RESISTANCE_UNIT].name, measured->resistance_unit, lines[RESISTANCE_UNIT],
+                          scene_measured_resistances[measured->quantity]);
     return code;
 }

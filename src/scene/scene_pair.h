@@ -9,7 +9,7 @@
 enum status_code scene_pair_counterface(struct scene_source *source, const struct scene_key *key,
                                         const yaml_node_t *value, void *field);
 
-/** {file, quantity, load_unit} into a struct scene_measured. */
+/** {file, quantity, load_unit, resistance_unit} into a struct scene_measured. */
 enum status_code scene_pair_measured(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
                                      void *field);
 

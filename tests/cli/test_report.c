@@ -1,4 +1,5 @@
 /* The main job on the command line: options over the scene, real scans, the terminal's charts and times. */
+#include "base/text.h"
 #include "cli/process.h"
 
 #include <stdio.h>
@@ -203,11 +204,109 @@ static void test_table(void **state)
     process_free(&process);
 }
 
+/** Does a path in `svg` go through `count` points like a measurement: to the right and downwards (y grows) until point
+ * `turn`, then back? */
+static bool has_there_and_back(const char *svg, size_t count, size_t turn)
+{
+    for (const char *at = svg; (at = strstr(at, " d='M")); at++) {
+        double x[8], y[8];
+        size_t points = 0;
+        for (const char *p = at + 5; points < 8; points++) {
+            char *rest;
+            x[points] = strtod(p, &rest);
+            if (rest == p || *rest != ',')
+                break;
+            y[points] = strtod(rest + 1, &rest);
+            p = rest + strspn(rest, " L");
+        }
+        bool there = points == count;
+        for (size_t i = 1; i < points && there; i++)
+            there = (i <= turn) == (x[i] > x[i - 1]) && (i <= turn) == (y[i] > y[i - 1]);
+        if (there)
+            return true;
+    }
+    return false;
+}
+
+/** Measurements that are GW's curve, doubled, up and down in load: found in their units, in their order, and nearest to
+ * GW by that factor. */
+static void test_measured(void **state)
+{
+    static const char scene[] = "nominal_area_m2: 1e-6\neffects: [plasticity, electrical]\n%s";
+    static const size_t order[] = {20, 50, 80, 65, 35, 5};
+    enum { POINTS = sizeof order / sizeof *order, TURN = 2 };
+    const char *place = *state;
+    char text[256];
+    workspace_scan(place, "d/a.csv", 300, 1);
+    snprintf(text, sizeof text, scene, "");
+    workspace_write(place, "d/scene.yaml", text);
+    struct process process = expect_exit(place, 0, "report", "d", "--no-cost");
+    process_free(&process);
+    char *markdown = workspace_read(place, "out/d/report.md");
+    expect_no_part(markdown, "Measured");
+    free(markdown);
+    snprintf(text, sizeof text, "%s/out/d/data/contact.csv", place);
+    struct table contact = table_read_path(text);
+    size_t gw = 0; /* its first row */
+    while (strcmp(table_text(&contact, gw, "model"), "gw") != 0)
+        gw++;
+    struct text csv = {0};
+    text_add(&csv, "Load (mN);ECR (m\xCE\xA9);error (%%)\n");
+    double least = INFINITY; /* Ω m² */
+    for (size_t i = 0; i < POINTS; i++) {
+        double resistance_ohm_m2 = 2 * table_number(&contact, gw + order[i], "ecr_ohm_m2");
+        assert_string_equal(table_text(&contact, gw + order[i], "model"), "gw");
+        text_add(&csv, "%.15g;%.15g;10\n", table_number(&contact, gw + order[i], "pressure_Pa") * 1e-6 * 1e3,
+                 resistance_ohm_m2 / 1e-6 * 1e3);
+        least = fmin(least, resistance_ohm_m2);
+    }
+    table_free(&contact);
+    workspace_write(place, "d/ecr.csv", text_string(&csv));
+    text_free(&csv);
+
+    snprintf(text, sizeof text, scene, "measured: {file: ecr.csv}\n");
+    workspace_write(place, "d/scene.yaml", text);
+    process = expect_exit(place, 0, "report", "d", "--no-cost");
+    process_free(&process);
+    markdown = workspace_read(place, "out/d/report.md");
+    expect_part(markdown,
+                "- **Measured ECR** (6 points): on surface a, GW is nearest, off by a factor of 2.00 (root mean "
+                "square over 6 of 6 points) and 0.500 times the measured on average; ");
+    expect_part(markdown, " is farthest, off by a factor of ");
+    expect_part(markdown, "Measured loads were given in mN, resistances in m\xCE\xA9;");
+    free(markdown);
+    char *data = workspace_read(place, "out/d/figures/6-08.csv"),
+         *svg = workspace_read(place, "out/d/figures/6-08.svg");
+    char *rest = strstr(data, "\"measured\"\n");
+    assert_non_null(rest);
+    rest += strlen("\"measured\"\n");
+    double load[POINTS], found = INFINITY;
+    for (size_t i = 0; i < POINTS; i++) {
+        load[i] = strtod(rest, &rest);
+        double value = strtod(rest + 1, &rest), low = strtod(rest + 1, &rest), high = strtod(rest + 1, &rest);
+        assert_near(low, 0.9 * value, 1e-12);
+        assert_near(high, 1.1 * value, 1e-12);
+        assert_true(i == 0 || (load[i] > load[i - 1]) == (i <= TURN));
+        found = fmin(found, value);
+    }
+    assert_near(found, least, 1e-12);
+    assert_true(has_there_and_back(svg, POINTS, TURN));
+    free(data);
+    free(svg);
+
+    snprintf(text, sizeof text, scene, "measured: {file: ecr.csv, load_unit: N}\n");
+    workspace_write(place, "d/scene.yaml", text);
+    expect_failure(place, 3, 1, "ecr.csv:1: the unit is 'mN' here, but the scene's load_unit says 'N'", "report", "d");
+    workspace_write(place, "d/ecr.csv", "load,ecr\n1,4.8\n");
+    expect_failure(place, 3, 1, "add 'resistance_unit' to 'measured' in the scene", "report", "d");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         workspace_test(test_real_scans),    workspace_test(test_overrides), workspace_test(test_units),
         workspace_test(test_wrong_options), workspace_test(test_terminal),  workspace_test(test_table),
+        workspace_test(test_measured),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -137,6 +137,14 @@ static void test_choices(void **state)
         {"effects: [auto]\n", 1,
          "unknown effect 'auto'; allowed: plasticity, separation, electrical, thermal, scale-dependent, convergence"},
         {"effects: {thermal: yes}\n", 1, "'effects' is a mapping; give a list of names"},
+        {"measured: {file: a.csv,\n load_unit: furlong}\n", 2,
+         "'load_unit' is 'furlong'; understood: dimensionless; N, mN, cN, kN, gf, kgf, lbf; Pa, kPa, MPa, GPa, N/mm2, "
+         "bar, psi"},
+        {"measured:\n  file: a.csv\n  resistance_unit: K/W\n", 3,
+         "'resistance_unit' is 'K/W'; understood: ohm (Ω), nohm, uohm (µΩ), mohm (mΩ), kohm; ohm m2 (Ω·m²), ohm mm2, "
+         "mohm mm2, uohm cm2"},
+        {"measured: {file: a.csv, quantity: tcr, resistance_unit: mohm}\n", 1,
+         "'resistance_unit' is 'mohm'; understood: K/W, mK/W; K m2/W, K mm2/W, K cm2/W"},
         {"baseline: c\n", 1, "'baseline' is 'c', no surface's name; the first is 'a'"},
     };
     CHECK_WRONG(rows);

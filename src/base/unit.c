@@ -1,0 +1,311 @@
+#include "base/unit.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <string.h>
+#include <strings.h>
+
+#define COUNT(array) (sizeof(array) / sizeof *(array))
+
+/* Longer forms stand first where a shorter one ends them: the latin-1 micro sign is the last byte of the UTF-8 one. */
+static const struct {
+    const char *bytes, *letters;
+} unit_letters[] = {
+    {"\xC2\xB5", "u"},        /* micro sign */
+    {"\xCE\xBC", "u"},        /* Greek mu */
+    {"\xCE\xA9", "ohm "},     /* Ωm² is two words */
+    {"\xE2\x84\xA6", "ohm "}, /* ohm sign */
+    {"\xC3\x85", "angstrom"},
+    {"\xE2\x84\xAB", "angstrom"},
+    {"\xC2\xB9", "1"},
+    {"\xC2\xB2", "2"},
+    {"\xC2\xB3", "3"},
+    {"\xE2\x81\xB4", "4"},
+    {"\xE2\x81\xBB", "-"}, /* raised minus */
+    {"\xE2\x88\x92", "-"}, /* minus sign */
+    {"\xC2\xB7", "*"},     /* middle dot */
+    {"\xE2\x8B\x85", "*"}, /* dot operator */
+    {"\xC3\x97", "*"},     /* multiplication sign */
+    {"\xC2\xA0", " "},     /* no-break space */
+    {"\xE2\x80\x89", " "}, /* thin space */
+    {"\xE2\x80\xAF", " "}, /* narrow no-break space */
+    {"\xB5", "u"},
+    {"\xC5", "angstrom"},
+    {"\xB9", "1"},
+    {"\xB2", "2"},
+    {"\xB3", "3"},
+    {"\xB7", "*"},
+    {"\xA0", " "},
+};
+
+static const struct {
+    const char *symbol, *name;
+    int exponent; /* of ten */
+} unit_prefixes[] = {
+    {"", "", 0},        {"G", "giga", 9},   {"M", "mega", 6},   {"k", "kilo", 3},  {"h", "hecto", 2},
+    {"c", "centi", -2}, {"m", "milli", -3}, {"u", "micro", -6}, {"n", "nano", -9}, {"p", "pico", -12},
+};
+
+/* One of each is mantissa * 10^exponent in SI. Names, in lower case and singular, may be NULL. Factors that are no
+ * powers of ten: NIST SP 811 (2008), appendix B.8. */
+static const struct unit_row {
+    const char *symbol, *name;
+    bool prefixes;
+    double mantissa;
+    int exponent;
+    struct unit_dimension dimension;
+} unit_rows[] = {
+    {"m", "metre", true, 1, 0, {.metre = 1}},
+    {"m", "meter", true, 1, 0, {.metre = 1}},
+    {"g", "gram", true, 1, -3, {.kilogram = 1}},
+    {"s", NULL, true, 1, 0, {.second = 1}},
+    {"A", "ampere", true, 1, 0, {.ampere = 1}},
+    {"K", "kelvin", true, 1, 0, {.kelvin = 1}},
+    {"N", "newton", true, 1, 0, {1, 1, -2, 0, 0}},
+    {"gf", NULL, false, 9.80665, -3, {1, 1, -2, 0, 0}},
+    {"kgf", NULL, false, 9.80665, 0, {1, 1, -2, 0, 0}},
+    {"lbf", NULL, false, 4.4482216152605, 0, {1, 1, -2, 0, 0}},
+    {"Pa", "pascal", true, 1, 0, {-1, 1, -2, 0, 0}},
+    {"bar", "bar", true, 1, 5, {-1, 1, -2, 0, 0}},
+    {"psi", NULL, false, 6.894757293168361, 3, {-1, 1, -2, 0, 0}},
+    {"atm", NULL, false, 1.01325, 5, {-1, 1, -2, 0, 0}},
+    {"J", "joule", true, 1, 0, {2, 1, -2, 0, 0}},
+    {"W", "watt", true, 1, 0, {2, 1, -3, 0, 0}},
+    {"V", "volt", true, 1, 0, {2, 1, -3, -1, 0}},
+    {"ohm", "ohm", true, 1, 0, {2, 1, -3, -2, 0}},
+    {"Ohm", NULL, true, 1, 0, {2, 1, -3, -2, 0}},
+    {"ohms", NULL, true, 1, 0, {2, 1, -3, -2, 0}},
+    {"Ohms", NULL, true, 1, 0, {2, 1, -3, -2, 0}},
+    {"S", "siemens", true, 1, 0, {-2, -1, 3, 2, 0}},
+    {"%", "percent", false, 1, -2, {0, 0, 0, 0, 0}},
+    {"1", "dimensionless", false, 1, 0, {0, 0, 0, 0, 0}},
+    {"-", NULL, false, 1, 0, {0, 0, 0, 0, 0}},
+};
+
+static const struct {
+    enum unit_quantity quantity;
+    struct unit_dimension dimension;
+    double factor; /* the only one; 0: any */
+    const char *known;
+} unit_quantities[] = {
+    {UNIT_NUMBER, {0, 0, 0, 0, 0}, 1, "dimensionless"},
+    {UNIT_PERCENT, {0, 0, 0, 0, 0}, 1e-2, "%"},
+    {UNIT_FORCE, {1, 1, -2, 0, 0}, 0, "N, mN, cN, kN, gf, kgf, lbf"},
+    {UNIT_PRESSURE, {-1, 1, -2, 0, 0}, 0, "Pa, kPa, MPa, GPa, N/mm2, bar, psi"},
+    {UNIT_RESISTANCE, {2, 1, -3, -2, 0}, 0, "ohm (Ω), nohm, uohm (µΩ), mohm (mΩ), kohm"},
+    {UNIT_RESISTANCE_AREA, {4, 1, -3, -2, 0}, 0, "ohm m2 (Ω·m²), ohm mm2, mohm mm2, uohm cm2"},
+    {UNIT_THERMAL_RESISTANCE, {-2, -1, 3, 0, 1}, 0, "K/W, mK/W"},
+    {UNIT_THERMAL_RESISTANCE_AREA, {0, -1, 3, 0, 1}, 0, "K m2/W, K mm2/W, K cm2/W"},
+};
+
+bool unit_spell(char spelling[UNIT_LENGTH], const char *text, size_t length)
+{
+    size_t used = 0;
+    for (size_t i = 0; i < length;) {
+        const char *letters = NULL;
+        for (size_t k = 0; k < COUNT(unit_letters) && !letters; k++) {
+            size_t bytes = strlen(unit_letters[k].bytes);
+            if (length - i >= bytes && memcmp(text + i, unit_letters[k].bytes, bytes) == 0) {
+                letters = unit_letters[k].letters;
+                i += bytes;
+            }
+        }
+        char same[2] = {'\0', '\0'};
+        if (!letters) {
+            same[0] = text[i++];
+            letters = same;
+        }
+        if (used + strlen(letters) >= UNIT_LENGTH)
+            return false;
+        memcpy(spelling + used, letters, strlen(letters));
+        used += strlen(letters);
+    }
+    spelling[used] = '\0';
+    return used > 0;
+}
+
+/* A unit as it is put together: decimal powers are counted, so that mm² is 1e-6 and no rounded square of 1e-3. */
+struct product {
+    double mantissa;
+    int exponent;
+    int power[5]; /* as in struct unit_dimension */
+};
+
+static void multiply(struct product *out, double mantissa, int exponent, const int power[5], int times)
+{
+    out->mantissa *= pow(mantissa, times);
+    out->exponent += exponent * times;
+    for (int i = 0; i < 5; i++)
+        out->power[i] += power[i] * times;
+}
+
+/* Is the word the prefix and the name, in any case? An o goes where the prefix's vowel meets it: microhm, kilohm. */
+static bool is_named(const char *word, size_t length, const char *prefix, const char *name)
+{
+    size_t before = strlen(prefix), after = strlen(name);
+    if (length == before + after + 1 && (word[length - 1] == 's' || word[length - 1] == 'S'))
+        length--;
+    if (before > 0 && name[0] == 'o' && length + 1 == before + after && strchr("oa", prefix[before - 1]))
+        before--;
+    return length == before + after && strncasecmp(word, prefix, before) == 0 &&
+           strncasecmp(word + before, name, after) == 0;
+}
+
+static bool is_symbol(const char *word, size_t length, const char *prefix, const char *symbol)
+{
+    size_t before = strlen(prefix), after = strlen(symbol);
+    return length == before + after && memcmp(word, prefix, before) == 0 && memcmp(word + before, symbol, after) == 0;
+}
+
+/* Prefix and unit of a word; a unit without prefix goes first. */
+static const struct unit_row *find_word(const char *word, size_t length, int *exponent)
+{
+    for (size_t p = 0; p < COUNT(unit_prefixes); p++)
+        for (size_t u = 0; u < COUNT(unit_rows); u++) {
+            const struct unit_row *row = &unit_rows[u];
+            if (p > 0 && !row->prefixes)
+                continue;
+            if (is_symbol(word, length, unit_prefixes[p].symbol, row->symbol) ||
+                (row->name && is_named(word, length, unit_prefixes[p].name, row->name))) {
+                *exponent = unit_prefixes[p].exponent + row->exponent;
+                return row;
+            }
+        }
+    return NULL;
+}
+
+static const char *skip_blanks(const char *p)
+{
+    return p + strspn(p, " \t");
+}
+
+static const char *read_product(struct product *out, const char *p, int sign);
+
+/* A word with its power, or a product in brackets: where it ends, NULL when it is none. `sign` -1 divides by it. */
+static const char *read_power(struct product *out, const char *p, int sign)
+{
+    if (*p == '(') {
+        p = read_product(out, skip_blanks(p + 1), sign);
+        return p && *p == ')' ? p + 1 : NULL;
+    }
+    size_t length = 0;
+    while (isalpha((unsigned char)p[length]))
+        length++;
+    int exponent = 0;
+    const struct unit_row *row = length > 0 ? find_word(p, length, &exponent) : NULL;
+    if (!row)
+        return NULL;
+    p += length;
+    bool raised = *p == '^';
+    p += raised;
+    int times = *p == '-' ? -1 : 1;
+    bool signed_power = *p == '-' || (raised && *p == '+');
+    p += signed_power;
+    if (*p >= '1' && *p <= '4')
+        times *= *p++ - '0';
+    else if (raised || signed_power)
+        return NULL;
+    if (isdigit((unsigned char)*p))
+        return NULL;
+    const struct unit_dimension *d = &row->dimension;
+    multiply(out, row->mantissa, exponent, (int[5]){d->metre, d->kilogram, d->second, d->ampere, d->kelvin},
+             sign * times);
+    return p;
+}
+
+static bool is_per(const char *p)
+{
+    return strncasecmp(p, "per", 3) == 0 && p[3] != '\0' && strchr(" _\t(", p[3]);
+}
+
+/* Powers side by side or with a sign between them, up to a slash, a bracket or the end. */
+static const char *read_powers(struct product *out, const char *p, int sign)
+{
+    while ((p = read_power(out, p, sign))) {
+        const char *next = p + strspn(p, " \t_*.");
+        bool is_end = *next == '\0' || *next == '/' || *next == ')';
+        if (is_per(next) || (is_end && next == skip_blanks(p)))
+            return next;
+        if (is_end || (next == p && !isdigit((unsigned char)p[-1]))) /* m2K is two words, mK one */
+            return NULL;
+        p = next;
+    }
+    return NULL;
+}
+
+/* A product and what it is divided by. Behind a slash stands one power or a bracket: `W/m2 K` is either of two units.
+ */
+static const char *read_product(struct product *out, const char *p, int sign)
+{
+    p = *p == '1' && strchr("/ ", p[1]) ? skip_blanks(p + 1) : read_powers(out, p, sign);
+    while (p && (*p == '/' || is_per(p))) {
+        p += *p == '/' ? 1 : 3;
+        p = read_power(out, p + strspn(p, " \t_"), -sign);
+        if (p)
+            p += strspn(p, " \t") + (is_per(p + strspn(p, "_")) ? strspn(p, "_") : 0);
+    }
+    return p;
+}
+
+bool unit_read(struct unit *out, const char *text, size_t length)
+{
+    char letters[UNIT_LENGTH];
+    if (length >= UNIT_LENGTH || memchr(text, '\0', length) || !unit_spell(letters, text, length))
+        return false;
+    char *spelling = letters + strspn(letters, " \t");
+    for (size_t end = strlen(spelling); end > 0 && strchr(" \t", spelling[end - 1]); end--)
+        spelling[end - 1] = '\0';
+    struct product product = {.mantissa = 1};
+    int exponent = 0;
+    const struct unit_row *alone = find_word(spelling, strlen(spelling), &exponent); /* also what is no letter: % */
+    if (alone) {
+        *out = (struct unit){alone->dimension, alone->mantissa};
+        product.exponent = exponent;
+    } else {
+        const char *end = read_product(&product, spelling, 1);
+        if (!end || *end != '\0')
+            return false;
+        for (int i = 0; i < 5; i++)
+            if (product.power[i] < -100 || product.power[i] > 100)
+                return false;
+        out->dimension = (struct unit_dimension){(signed char)product.power[0], (signed char)product.power[1],
+                                                 (signed char)product.power[2], (signed char)product.power[3],
+                                                 (signed char)product.power[4]};
+        out->factor = product.mantissa;
+    }
+    /* dividing by a power of ten that double holds exactly rounds once */
+    out->factor =
+        product.exponent < 0 ? out->factor / pow(10, -product.exponent) : out->factor * pow(10, product.exponent);
+    return isfinite(out->factor) && out->factor > 0;
+}
+
+static bool same_dimension(const struct unit_dimension *a, const struct unit_dimension *b)
+{
+    return a->metre == b->metre && a->kilogram == b->kilogram && a->second == b->second && a->ampere == b->ampere &&
+           a->kelvin == b->kelvin;
+}
+
+unsigned unit_of(const struct unit *unit, unsigned quantities)
+{
+    for (size_t i = 0; i < COUNT(unit_quantities); i++)
+        if ((quantities & unit_quantities[i].quantity) &&
+            same_dimension(&unit->dimension, &unit_quantities[i].dimension) &&
+            (unit_quantities[i].factor == 0 || unit_quantities[i].factor == unit->factor))
+            return unit_quantities[i].quantity;
+    return 0;
+}
+
+bool unit_equal(const struct unit *a, const struct unit *b)
+{
+    return same_dimension(&a->dimension, &b->dimension) && fabs(a->factor - b->factor) <= 1e-12 * fabs(a->factor);
+}
+
+void unit_add_known(struct text *out, unsigned quantities)
+{
+    bool first = true;
+    for (size_t i = 0; i < COUNT(unit_quantities); i++)
+        if (quantities & unit_quantities[i].quantity) {
+            text_add(out, "%s%s", first ? "" : "; ", unit_quantities[i].known);
+            first = false;
+        }
+}

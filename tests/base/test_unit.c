@@ -1,0 +1,181 @@
+#include "base/unit.h"
+#include "support.h"
+
+enum { ALL = 255 };
+
+static void units_have_their_factor(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text;
+        unsigned quantity;
+        double factor;
+    } rows[] = {
+        {"ohm", UNIT_RESISTANCE, 1},
+        {"Ohm", UNIT_RESISTANCE, 1},
+        {"OHM", UNIT_RESISTANCE, 1},
+        {"ohms", UNIT_RESISTANCE, 1},
+        {"\xCE\xA9", UNIT_RESISTANCE, 1},
+        {"\xE2\x84\xA6", UNIT_RESISTANCE, 1},
+        {"m\xCE\xA9", UNIT_RESISTANCE, 1e-3},
+        {"m\xE2\x84\xA6", UNIT_RESISTANCE, 1e-3},
+        {" mOhm ", UNIT_RESISTANCE, 1e-3},
+        {"mohm", UNIT_RESISTANCE, 1e-3},
+        {"milliohm", UNIT_RESISTANCE, 1e-3},
+        {"Milliohms", UNIT_RESISTANCE, 1e-3},
+        {"MOhm", UNIT_RESISTANCE, 1e6},
+        {"\xC2\xB5\xCE\xA9", UNIT_RESISTANCE, 1e-6},
+        {"\xCE\xBC\xE2\x84\xA6", UNIT_RESISTANCE, 1e-6},
+        {"\xB5Ohm", UNIT_RESISTANCE, 1e-6}, /* latin-1 */
+        {"uOhm", UNIT_RESISTANCE, 1e-6},
+        {"microhm", UNIT_RESISTANCE, 1e-6},
+        {"n\xCE\xA9", UNIT_RESISTANCE, 1e-9},
+        {"k\xCE\xA9", UNIT_RESISTANCE, 1e3},
+        {"kilohm", UNIT_RESISTANCE, 1e3},
+        {"V/A", UNIT_RESISTANCE, 1},
+        {"\xCE\xA9\xC2\xB7m\xC2\xB2", UNIT_RESISTANCE_AREA, 1},
+        {"\xCE\xA9m\xC2\xB2", UNIT_RESISTANCE_AREA, 1},
+        {"ohm m2", UNIT_RESISTANCE_AREA, 1},
+        {"ohm_m2", UNIT_RESISTANCE_AREA, 1},
+        {"ohm*m^2", UNIT_RESISTANCE_AREA, 1},
+        {"m\xCE\xA9 mm\xC2\xB2", UNIT_RESISTANCE_AREA, 1e-9},
+        {"\xC2\xB5\xCE\xA9 cm2", UNIT_RESISTANCE_AREA, 1e-10},
+        {"K/W", UNIT_THERMAL_RESISTANCE, 1},
+        {"mK/W", UNIT_THERMAL_RESISTANCE, 1e-3},
+        {"K W^-1", UNIT_THERMAL_RESISTANCE, 1},
+        {"K W\xE2\x81\xBB\xC2\xB9", UNIT_THERMAL_RESISTANCE, 1},
+        {"K m\xC2\xB2/W", UNIT_THERMAL_RESISTANCE_AREA, 1},
+        {"mm\xC2\xB2 K/W", UNIT_THERMAL_RESISTANCE_AREA, 1e-6},
+        {"mm2K/W", UNIT_THERMAL_RESISTANCE_AREA, 1e-6},
+        {"K_m2_per_W", UNIT_THERMAL_RESISTANCE_AREA, 1},
+        {"K/(W/m2)", UNIT_THERMAL_RESISTANCE_AREA, 1},
+        {"N", UNIT_FORCE, 1},
+        {"mN", UNIT_FORCE, 1e-3},
+        {"cN", UNIT_FORCE, 1e-2},
+        {"kN", UNIT_FORCE, 1e3},
+        {"MN", UNIT_FORCE, 1e6},
+        {"\xC2\xB5N", UNIT_FORCE, 1e-6},
+        {"newtons", UNIT_FORCE, 1},
+        {"gf", UNIT_FORCE, 9.80665e-3},
+        {"kgf", UNIT_FORCE, 9.80665},
+        {"lbf", UNIT_FORCE, 4.4482216152605},
+        {"kg m/s2", UNIT_FORCE, 1},
+        {"Pa", UNIT_PRESSURE, 1},
+        {"kPa", UNIT_PRESSURE, 1e3},
+        {"MPa", UNIT_PRESSURE, 1e6},
+        {"mPa", UNIT_PRESSURE, 1e-3},
+        {"GPa", UNIT_PRESSURE, 1e9},
+        {"hPa", UNIT_PRESSURE, 1e2},
+        {"bar", UNIT_PRESSURE, 1e5},
+        {"mbar", UNIT_PRESSURE, 1e2},
+        {"psi", UNIT_PRESSURE, 4.4482216152605 / (0.0254 * 0.0254)},
+        {"N/mm\xC2\xB2", UNIT_PRESSURE, 1e6},
+        {"kgf/cm2", UNIT_PRESSURE, 98066.5},
+        {"%", UNIT_PERCENT, 0.01},
+        {"1", UNIT_NUMBER, 1},
+        {"-", UNIT_NUMBER, 1},
+        {"dimensionless", UNIT_NUMBER, 1},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        struct unit unit;
+        if (!unit_read(&unit, rows[i].text, strlen(rows[i].text)))
+            fail_msg("'%s' is not read", rows[i].text);
+        if (unit_of(&unit, ALL) != rows[i].quantity)
+            fail_msg("'%s' is a unit of %u, not %u", rows[i].text, unit_of(&unit, ALL), rows[i].quantity);
+        if (!(fabs(unit.factor / rows[i].factor - 1) < 1e-15))
+            fail_msg("'%s' is %.17g", rows[i].text, unit.factor);
+        assert_int_equal(unit_of(&unit, ALL & ~rows[i].quantity), 0);
+    }
+}
+
+/* Beyond the quantities that are named: the dimension is right. */
+static void quotients_divide(void **state)
+{
+    (void)state;
+    static const char *const same[] = {"W/m2/K", "W/(m2 K)", "W/(m^2*K)", "W m-2 K-1", "W/m\xC2\xB2/K", "1/(K m2/W)"};
+    struct unit first, unit;
+    for (size_t i = 0; i < sizeof same / sizeof *same; i++) {
+        if (!unit_read(i ? &unit : &first, same[i], strlen(same[i])))
+            fail_msg("'%s' is not read", same[i]);
+        assert_true(i == 0 || unit_equal(&first, &unit));
+    }
+    assert_int_equal(first.dimension.metre, 0);
+    assert_int_equal(first.dimension.kilogram, 1);
+    assert_int_equal(first.dimension.second, -3);
+    assert_int_equal(first.dimension.kelvin, -1);
+    assert_int_equal(unit_of(&first, ALL), 0);
+}
+
+static void what_is_no_unit_is_not_read(void **state)
+{
+    (void)state;
+    static const char *const texts[] = {"",
+                                        " ",
+                                        "foo",
+                                        "KN",
+                                        "kn",
+                                        "mpa",
+                                        "MOHM",
+                                        "mOm",
+                                        "N/",
+                                        "/N",
+                                        "N N/",
+                                        "Nm",
+                                        "W/m2 K",
+                                        "m",
+                                        "N/kN",
+                                        "K/W*m2",
+                                        "ohm_",
+                                        "(N",
+                                        "N)",
+                                        "()",
+                                        "m^",
+                                        "m22",
+                                        "m0",
+                                        "kkgf",
+                                        "\xC3\xB2",
+                                        "mohm,",
+                                        "N\xFF",
+                                        "((((((((((((((((((((((((((((((((((((((((((((((N",
+                                        "ohm ohm ohm ohm ohm ohm ohm ohm ohm ohm ohm ohm ohm"};
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+        struct unit unit;
+        if (unit_read(&unit, texts[i], strlen(texts[i])) && unit_of(&unit, ALL))
+            fail_msg("'%s' is read", texts[i]);
+    }
+    struct unit unit;
+    assert_false(unit_read(&unit, "N\0m", 3));
+    assert_true(unit_read(&unit, "Nonsense", 1)); /* no more than it is told */
+}
+
+/* What a message offers is what unit_read() reads, and of that quantity. */
+static void known_units_are_read(void **state)
+{
+    (void)state;
+    for (unsigned bit = 1; bit < ALL; bit *= 2) {
+        struct text known = {0};
+        unit_add_known(&known, bit);
+        assert_true(known.length > 0);
+        for (char *rest = known.data, *word; (word = strsep(&rest, ","));) {
+            struct unit unit;
+            char *open = strchr(word, '(');
+            size_t length = open ? (size_t)(open - word) : strlen(word);
+            if (!unit_read(&unit, word, length) || unit_of(&unit, ALL) != bit)
+                fail_msg("'%s'", word);
+            if (open)
+                assert_true(unit_read(&unit, open + 1, strlen(open) - 2) && unit_of(&unit, ALL) == bit);
+        }
+        text_free(&known);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(units_have_their_factor),
+        cmocka_unit_test(quotients_divide),
+        cmocka_unit_test(what_is_no_unit_is_not_read),
+        cmocka_unit_test(known_units_are_read),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
