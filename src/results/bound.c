@@ -240,7 +240,8 @@ static enum status_code bound_effects(struct surface_record *record, const struc
         if (plan_runs(plan, EFFECT_PLASTICITY))
             bound_yield(record, scene, plan);
         /* where nothing yields, the elastic-plastic stack is the elastic one */
-        for (int plastic = 0; plastic <= (summary->bound.yield < 1) && rc == STATUS_OK; plastic++)
+        int stacks = summary->bound.yield < 1 ? 2 : 1;
+        for (int plastic = 0; plastic < stacks && rc == STATUS_OK; plastic++)
             if (plan_runs(plan, EFFECT_SCALE_DEPENDENT) && summary->bound.scale_dependent <= scene->tolerance)
                 rc = bound_stack(record, scene, plan, plastic, loads, load_count, status);
     }
