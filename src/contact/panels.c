@@ -14,7 +14,8 @@ static size_t panel_order(double tolerance)
     return (size_t)fmin(20, fmax(4, ceil(digits) + 2));
 }
 
-/** Largest u that counts at separation d: where the Gaussian has fallen by exp(-log_cut) from its largest value. */
+/** Largest u that counts at separation d: where the Gaussian over u > 0 has fallen by exp(-log_cut) from its largest
+ * value. */
 static double reach(double d, double log_cut)
 {
     return d > 0 ? 2 * log_cut / (d + sqrt(d * d + 2 * log_cut)) : sqrt(2 * log_cut) - d;
@@ -34,31 +35,62 @@ static size_t lay(double *border, size_t count, double end, double singular)
     return count;
 }
 
-/** All borders from 0 to sqrt(last), with breaks where the law changes. Below the first of them a = sqrt(R sigma_s) t,
- * so that a²/(a + knudsen length) has a pole at a = -(knudsen length); above, the law has fractional powers of u. */
-static size_t borders(double *border, const struct asperity *asperity, double sigma_s_m, double knudsen_length_m,
-                      double last)
+/** Largest u that counts for the share of the load from u = `from` on: that share is kept as exact, for itself, as the
+ * whole. 0 where it is below the smallest double. */
+static double reach_from(double from, double d, double log_cut)
 {
-    double top = sqrt(last);
+    static const double log_smallest = 708;
+    return from * (from / 2 + d) < log_smallest ? from + reach(d + from, log_cut) : 0;
+}
+
+/** Adds borders from u = `from`, the last one, up to u = `end`: doubling from a width that resolves exp(-(from + d) u)
+ * where the share from there on is above the smallest double (from + d < 55), to 2. */
+static size_t lay_tail(double *border, size_t count, double from, double end)
+{
+    double width = 0.09, start = from;
+    while (start < end && count < PANELS_MOST) {
+        double next = start + 1.1 * width >= end ? end : start + width;
+        border[count++] = sqrt(next);
+        start = next;
+        width = fmin(2, start - from);
+    }
+    return count;
+}
+
+/** All borders from 0 to sqrt(last), with breaks where the law changes. Below the first of them a = sqrt(R sigma_s) t,
+ * so that a²/(a + knudsen length) has a pole at a = -(knudsen length); above, the law has fractional powers of u. The
+ * breaks at a/R = 0.41 and 1 begin the shares of the load beyond them, which may lie wholly beyond `last`. */
+static size_t borders(double *border, const struct asperity *asperity, double sigma_s_m, double knudsen_length_m,
+                      double lowest_d, double log_cut)
+{
+    double last = reach(lowest_d, log_cut), top = sqrt(last);
     double pole = knudsen_length_m > 0 ? knudsen_length_m / sqrt(asperity->radius_m * sigma_s_m) : INFINITY;
-    double breaks[3] = {
-        sqrt(asperity_yield_onset * asperity->critical_interference_m / sigma_s_m),
-        sqrt(asperity_interference_at(asperity, asperity_fitted_radius_ratio) / sigma_s_m),
-        sqrt(asperity_interference_at(asperity, 1) / sigma_s_m),
-    };
+    double onset = sqrt(asperity_yield_onset * asperity->critical_interference_m / sigma_s_m);
+    double shares[2] = {asperity_interference_at(asperity, asperity_fitted_radius_ratio) / sigma_s_m,
+                        asperity_interference_at(asperity, 1) / sigma_s_m};
     size_t count = 1;
     border[0] = 0;
-    for (int i = 0; i < 3; i++)
-        if (breaks[i] > border[count - 1] && breaks[i] < top)
-            count = lay(border, count, breaks[i], i == 0 ? pole : 0);
-    return lay(border, count, top, count == 1 ? pole : 0);
+    bool yields = onset < top;
+    if (yields)
+        count = lay(border, count, onset, pole);
+    count = lay(border, count, sqrt(fmin(shares[0], last)), yields ? 0 : pole);
+    for (int i = 0; i < 2 && count < PANELS_MOST; i++) {
+        double end = reach_from(shares[i], lowest_d, log_cut);
+        if (!(end > 0))
+            break;
+        if (border[count - 1] < sqrt(shares[i])) /* one panel over heights that no sum needs */
+            border[count++] = sqrt(shares[i]);
+        end = fmax(last, end);
+        count = lay_tail(border, count, shares[i], i == 0 ? fmin(end, shares[1]) : end);
+    }
+    return count;
 }
 
 /** Lays the panels; returns how many there are. */
 static size_t lay_panels(double *border, const struct asperity *asperity, double sigma_s_m, double knudsen_length_m,
                          double lowest_d, double log_cut)
 {
-    return borders(border, asperity, sigma_s_m, knudsen_length_m, reach(fmin(lowest_d, 0), log_cut)) - 1;
+    return borders(border, asperity, sigma_s_m, knudsen_length_m, fmin(lowest_d, 0), log_cut) - 1;
 }
 
 /** exp(-log_cut) is what a term may be left out for. */
@@ -138,6 +170,8 @@ void panels_sum(struct panels_sums *out, const struct panels *panels, double d)
 {
     *out = (struct panels_sums){.log_factor = d > 0 ? -d * d / 2 : 0};
     double last = reach(d, panels->log_cut), first = -d - sqrt(2 * panels->log_cut);
+    last = fmax(last, reach_from(panels->outside, d, panels->log_cut));
+    last = fmax(last, reach_from(panels->saturated, d, panels->log_cut));
     for (size_t k = 0; k < panels->count && panels->node[k] <= last; k++) {
         double u = panels->node[k];
         if (u < first)

@@ -4,15 +4,21 @@
 
 #include "results/surface.h"
 
-/** Fills the bounds of a described surface for loads between the first and the last of `loads`.
- *  - yield: a scale sees at most max(P, p* of the longer scales), because the elastic area ratio is at least p/p*, so
- *    that p_{i+1} = p_i/a_i <= max(p_i, p*_i); held against p_c of each scale.
- *  - jg_excess: the share of the area on asperities pressed beyond 1.9 omega_c at the highest load, times what they
- *    could gain there.
- *  - scale_dependent: (8/3pi) lambda_mfp over the smallest mean contact radius, at the lowest load.
- *  - settled: gamma >= 1 and the nominal pressure alone is at least p* at the sampling limit. */
-void bound_surface(struct surface_record *record, const struct scene *scene, const struct plan *plan,
-                   const double *loads, size_t load_count);
+/** Fills the bounds of a described surface, for an `auto` scene, over all the numbers it reports. Not all of them lie
+ * between the first and the last of `loads`: the load of full contact and that of no gap, what is left of the gap
+ * there, beta and with it the adjusted separation at any load, the law carried on below the sampling limit (at the
+ * convergence study's load), and the same of scans run alone. So whether plasticity matters is asked up to full
+ * contact:
+ *  - yield: p_c/p* of the steepest scale. Below 1 it yields before it is complete, which moves the load of full
+ * contact; else no scale yields at any load.
+ *  - jg_excess: the asperities pressed beyond 1.9 omega_c at GW's full contact, times what they can change.
+ *  - scale_dependent: TCR_sd/TCR - 1, solved at so many of the loads that a bound on the others decides (multiscale);
+ *    (8/3pi) lambda_mfp over the mean contact radius at the lowest load (statistical).
+ *  - settled: gamma >= 1 and the nominal pressure alone is at least p* at the sampling limit.
+ * Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code bound_surface(struct surface_record *record, const struct scene *scene,
+                                          const struct plan *plan, const double *loads, size_t load_count,
+                                          struct status *status);
 
 struct spool;
 

@@ -40,10 +40,10 @@ struct surface_model {
 
 /** How far the surface could call for an effect, from bounds that cost next to nothing (bound.h). */
 struct surface_bound {
-    double yield;           /* largest p/p_c any scale can see; at most 1: no scale yields */
-    size_t above_critical;  /* scales with Delta > Delta_c */
-    double jg_excess;       /* bound on JG's relative difference from GW over the loads */
-    double scale_dependent; /* bound on TCR_sd/TCR - 1 over the loads and models */
+    double yield;           /* least p_c/p* of a scale; at least 1: no scale yields before it is complete */
+    double jg_excess;       /* bound on JG's relative difference from GW up to full contact */
+    double scale_dependent; /* over the tolerance: TCR_sd/TCR - 1 at some load; else its bound over loads and models */
+    uint64_t visits;        /* of scales, to bound that */
     bool settled;           /* no scale below the sampling limit can take any area at the convergence study's load */
 };
 

@@ -32,6 +32,7 @@ struct work work_predict(const struct spool *spool, const struct scene *scene, c
         if (!outline.summary.usable)
             continue;
         outline.spectrum.count = outline.summary.harmonics;
+        work.bounds += outline.summary.bound.visits;
         struct model_task task = surface_task(&outline, scene, plan, NULL, load_count);
         for (int m = 0; m < MODEL_COUNT; m++) {
             if (!model_called_for((enum model_id)m, plan->families, plan->running))
@@ -54,11 +55,13 @@ struct work work_predict(const struct spool *spool, const struct scene *scene, c
 struct work work_done(const struct spool *spool, uint64_t sweep_scales)
 {
     struct work work = {.sweep_scales = sweep_scales};
-    for (size_t i = 0; i < spool->count; i++)
+    for (size_t i = 0; i < spool->count; i++) {
+        work.bounds += spool->summaries[i].bound.visits;
         for (int m = 0; m < MODEL_COUNT; m++) {
             model_work_add(&work.models[m], &spool->summaries[i].models[m].work);
             work.extensions += spool->summaries[i].models[m].extended;
         }
+    }
     return work;
 }
 
@@ -100,9 +103,10 @@ static uint64_t share(const struct work *work, const struct plan *plan, enum eff
     case EFFECT_THERMAL:
         *seconds = first_conductor ? (double)spots * spot_seconds : 0;
         return first_conductor ? spots : 0;
-    case EFFECT_SCALE_DEPENDENT: /* GW's laws at nodes: without it closed forms do */
-        *seconds = (double)work->models[MODEL_GW].laws * law_seconds;
-        return work->models[MODEL_GW].laws;
+    case EFFECT_SCALE_DEPENDENT: /* the decision; GW's laws at nodes: without it closed forms do */
+        *seconds =
+            (double)work->bounds * (scale_seconds + spot_seconds) + (double)work->models[MODEL_GW].laws * law_seconds;
+        return work->bounds + work->models[MODEL_GW].laws;
     case EFFECT_CONVERGENCE:
         *seconds = (double)work->sweep_scales * scale_seconds + (double)work->extensions * extension_seconds;
         return work->sweep_scales + work->extensions;
@@ -157,7 +161,7 @@ void work_table(struct work_row rows[WORK_ROWS], const struct work *work, const 
         };
         if (e == EFFECT_CONVERGENCE)
             row->bytes = (double)work->sweep_scales * sizeof(double);
-        if (row->runs)
+        if (row->runs || e == EFFECT_SCALE_DEPENDENT) /* deciding against it takes some too */
             row->evaluations = share(work, plan, (enum effect)e, &row->seconds);
     }
 }

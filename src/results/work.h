@@ -9,6 +9,7 @@ struct work {
     struct model_work models[MODEL_COUNT];
     uint64_t sweep_scales; /* scales of the synthetic spectra of the convergence study */
     uint64_t extensions;   /* fitted laws carried on below the sampling limit */
+    uint64_t bounds;       /* scales visited to decide on scale dependence */
 };
 
 /** One row of the plan: an effect, or the base that always runs (the elastic models' area). */

@@ -51,9 +51,11 @@ enum status_code workers_describe(struct surface_record *record, const struct re
         surface_record_free(record, true);
         return status->code;
     }
+    enum status_code rc = STATUS_OK;
     if (record->summary.usable)
-        bound_surface(record, scene, results->plan, results->loads, results->load_count);
-    enum status_code rc = spool_put(results->spool, index, record, status);
+        rc = bound_surface(record, scene, results->plan, results->loads, results->load_count, status);
+    if (rc == STATUS_OK)
+        rc = spool_put(results->spool, index, record, status);
     if (rc != STATUS_OK)
         surface_record_free(record, true);
     return rc;

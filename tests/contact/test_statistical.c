@@ -1,6 +1,7 @@
 #include "contact/statistical.h"
 #include "support.h"
 
+#include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
 
 static struct material_pair tin(void)
@@ -151,6 +152,60 @@ static void outside_share_matches_adaptive_integration(void **state)
     statistical_free(&model);
 }
 
+/** ln of the load on asperities beyond u = `from`, by pieces on which the Gaussian falls by exp(-0.5) to exp(-1.5). */
+static double log_load_beyond(const struct statistical *model, double d, double from,
+                              gsl_integration_workspace *workspace)
+{
+    struct integrand in = {model, d};
+    gsl_function f = {load_density, &in};
+    double step = 1 / fmax(1, from + d), sum = 0, piece, error;
+    double breaks[] = {asperity_yield_onset * model->asperity.critical_interference_m / model->surface.sigma_s_m,
+                       model->panels.outside, model->panels.saturated};
+    for (double low = from, end = from + 60 * step + fmax(0, -d); low < end;) {
+        double high = fmin(low + step, end);
+        for (int b = 0; b < 3; b++)
+            high = breaks[b] > low ? fmin(high, breaks[b]) : high;
+        gsl_integration_qag(&f, low, high, 0, 1e-13, 2000, GSL_INTEG_GAUSS41, workspace, &piece, &error);
+        sum += piece;
+        low = high;
+    }
+    return log(sum);
+}
+
+/** However small they are: relative, as every number. */
+static void load_shares_follow_the_tolerance(void **state)
+{
+    (void)state;
+    static const double tolerances[] = {0.1, 1e-3, 1e-6, 1e-9}, sizes[] = {1, 0.3, 0.15};
+    gsl_integration_workspace *workspace = gsl_integration_workspace_alloc(2000);
+    gsl_error_handler_t *handler = gsl_set_error_handler_off(); /* qag cannot reach 1e-13 everywhere */
+    size_t small = 0, shares = 0;
+    for (size_t c = 0; c < 3; c++)
+        for (size_t t = 0; t < 4; t++) {
+            double square = sizes[c] * sizes[c];
+            struct statistical model =
+                make(3.3872e-11 * square, 0.02 * square, 2.4e10 * square, ASPERITY_JG, tolerances[t], INFINITY);
+            double borders[2] = {model.panels.outside, model.panels.saturated};
+            for (double d = model.full_d; d < 5; d += 0.7) {
+                struct contact_point point;
+                statistical_at(&point, &model, d);
+                double all = log_load_beyond(&model, d, 0, workspace), got[2] = {point.outside, point.saturated};
+                for (int b = 0; b < 2; b++) {
+                    double share = exp(log_load_beyond(&model, d, borders[b], workspace) - all);
+                    if (share < 1e-200)
+                        continue;
+                    assert_near(got[b], share, tolerances[t]);
+                    shares++;
+                    small += share < tolerances[t];
+                }
+            }
+            statistical_free(&model);
+        }
+    assert_true(shares >= 100 && small >= 20);
+    gsl_set_error_handler(handler);
+    gsl_integration_workspace_free(workspace);
+}
+
 /** A beta made up of a known answer: separations that the formula maps onto each other give it back. */
 static void second_beta_is_a_least_squares_fit(void **state)
 {
@@ -170,6 +225,7 @@ int main(void)
         cmocka_unit_test(beta_matches_reference),
         cmocka_unit_test(solve_inverts_at),
         cmocka_unit_test(outside_share_matches_adaptive_integration),
+        cmocka_unit_test(load_shares_follow_the_tolerance),
         cmocka_unit_test(second_beta_is_a_least_squares_fit),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

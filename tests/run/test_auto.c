@@ -1,0 +1,242 @@
+/* `effects: auto` leaves out an effect only where no number of the report would move by more than the tolerance, also
+ * those beyond the scene's loads, and does not run scale dependence for less. */
+#include "contact/convergence.h"
+#include "pipeline.h"
+#include "run/prepare.h"
+
+#include <math.h>
+
+static struct directory place;
+
+/** What the whole set of effects says of a scene's surfaces, at a finer tolerance. */
+struct truth {
+    double plastic;         /* largest relative change by plasticity, up to full contact (separations: over sigma) */
+    double scale_dependent; /* largest TCR_sd/TCR - 1 of the models that run */
+};
+
+static double difference(double a, double b)
+{
+    return fabs(a - b) / fabs(a);
+}
+
+/** Change of a curve by plasticity. */
+static double plastic_change(const struct surface_record *record, enum model_id elastic, enum model_id plastic)
+{
+    const struct model_curve *a = &record->curves[elastic], *b = &record->curves[plastic];
+    double sigma_m = record->summary.roughness.rq_m;
+    if (!a->exists)
+        return 0;
+    double most = fmax(difference(a->full_load, b->full_load), difference(a->closed_load, b->closed_load));
+    if (isfinite(a->beta))
+        most = fmax(most, fabs(a->beta - b->beta));
+    for (size_t i = 0; i < a->count && i < b->count; i++) {
+        const struct contact_point *p = &a->points[i], *q = &b->points[i];
+        most = fmax(most, difference(p->area_ratio, q->area_ratio));
+        most = fmax(most, fabs(p->separation_m - q->separation_m) / sigma_m);
+        if (p->tcr_K_m2_per_W > 0)
+            most = fmax(most, difference(p->tcr_K_m2_per_W, q->tcr_K_m2_per_W));
+    }
+    return most;
+}
+
+static void prepare_scene(struct prepared *prepared, struct scene *scene, const char *text, const char *spool_directory)
+{
+    struct run_options options = {.templates = PROJECT_SOURCE "/templates", .jobs = 1};
+    struct status status = {0};
+    directory_write(&place, "scene.yaml", text);
+    if (scene_read(scene, place.path, &(struct scene_overrides){0}, &status) != STATUS_OK)
+        fail_msg("%s", status.message);
+    if (prepare(prepared, scene, &options, spool_directory, &status) != STATUS_OK)
+        fail_msg("%s", status.message);
+}
+
+static struct truth truth_of(const char *text)
+{
+    struct scene scene;
+    struct prepared prepared;
+    struct status status = {0};
+    struct truth truth = {0, 0};
+    prepare_scene(&prepared, &scene, text, place.path);
+    for (size_t s = 0; s < prepared.spool.count; s++) {
+        struct surface_record record;
+        assert_int_equal(spool_get(&record, &prepared.spool, s, &status), STATUS_OK);
+        assert_int_equal(
+            surface_run_models(&record, &scene, &prepared.plan, prepared.loads, prepared.results.load_count, &status),
+            STATUS_OK);
+        truth.plastic =
+            fmax(truth.plastic, plastic_change(&record, MODEL_MULTISCALE_ELASTIC, MODEL_MULTISCALE_PLASTIC));
+        truth.plastic = fmax(truth.plastic, plastic_change(&record, MODEL_GW, MODEL_JG));
+        for (int m = 0; m < MODEL_COUNT; m++)
+            for (size_t i = 0; i < record.curves[m].count; i++) {
+                const struct contact_point *point = &record.curves[m].points[i];
+                if (point->tcr_K_m2_per_W > 0)
+                    truth.scale_dependent =
+                        fmax(truth.scale_dependent, point->tcr_sd_K_m2_per_W / point->tcr_K_m2_per_W - 1);
+            }
+        surface_record_free(&record, false);
+    }
+    prepared_free(&prepared);
+    scene_free(&scene);
+    return truth;
+}
+
+/** What `auto` decides, and the work it predicts. */
+static struct plan plan_of(const char *text, struct work *work)
+{
+    struct scene scene;
+    struct prepared prepared;
+    prepare_scene(&prepared, &scene, text, NULL);
+    struct plan plan = prepared.plan;
+    if (work)
+        *work = prepared.results.predicted;
+    prepared_free(&prepared);
+    scene_free(&scene);
+    return plan;
+}
+
+#define ALL "tolerance: 1e-9\neffects: [plasticity, separation, electrical, thermal, scale-dependent]\n"
+
+/** A scene of a made-up material. */
+static void describe(char text[800], double E_Pa, double Sy_Pa, double conductivity, const char *loads,
+                     const char *family, const char *more)
+{
+    snprintf(text, 800,
+             "material: {E_Pa: %.17g, nu: 0.25, Sy_Pa: %.17g, resistivity_ohm_m: 1e-7, conductivity_W_per_mK: %.17g, "
+             "density_kg_per_m3: 5000, specific_heat_J_per_kgK: 300, sound_speed_m_per_s: 3000}\n"
+             "load: {%s}\nmodels: [%s]\nsurfaces: [{name: a, file: a.csv}]\n%s",
+             E_Pa, Sy_Pa, conductivity, loads, family, more);
+}
+
+static void write_surface(const char *name, double gamma, double size, unsigned long seed)
+{
+    struct synth_def def = synth_def_default();
+    struct status status = {0};
+    double height_m[600];
+    def.points = 600;
+    def.gamma = gamma;
+    def.alpha = size / pow(def.length_m, gamma);
+    def.seed = seed;
+    assert_int_equal(synth_profile(height_m, &def, &status), STATUS_OK);
+    pipeline_scan(&place, name, height_m, def.points);
+}
+
+/** Loads far below yield, from soft metals to what yields nowhere: the elastic models' full contact stands only where
+ * the elastic-plastic ones would give the same. */
+static void full_contact_is_never_extrapolated_elastically(void **state)
+{
+    (void)state;
+    static const double yield_Pa[] = {1e9, 1e10, 3e10, 1e11, 1.4e11, 2e11, 5e11, 9e11};
+    static const double sizes[] = {3e-8, 3e-7, 3e-6};
+    size_t skipped = 0, runs = 0;
+    for (size_t k = 0; k < sizeof sizes / sizeof sizes[0]; k++)
+        for (size_t y = 0; y < sizeof yield_Pa / sizeof yield_Pa[0]; y++)
+            for (int family = 0; family < 2; family++) {
+                char text[800];
+                const char *name = family ? "statistical" : "multiscale", *loads = "from: 1e-9, to: 1e-7, points: 5";
+                write_surface("a.csv", k == 1 ? 1.0 : 1.5, sizes[k], 3 + k);
+                describe(text, 2e11, yield_Pa[y], 30, loads, name, "");
+                struct plan plan = plan_of(text, NULL);
+                describe(text, 2e11, yield_Pa[y], 30, loads, name, ALL);
+                double change = truth_of(text).plastic;
+                if (!plan_runs(&plan, EFFECT_PLASTICITY) && !(change <= 1e-6))
+                    fail_msg("Sy %g size %g %s: skipped, but it changes a number by %g; %s", yield_Pa[y], sizes[k],
+                             name, change, plan.effects[EFFECT_PLASTICITY].reason);
+                skipped += !plan_runs(&plan, EFFECT_PLASTICITY);
+                runs += plan_runs(&plan, EFFECT_PLASTICITY);
+            }
+    assert_true(skipped >= 5 && runs >= 5);
+}
+
+/** The same of the fitted law below the sampling limit: where gamma < 1 its slopes go on rising. */
+static void law_below_the_sampling_limit_counts(void **state)
+{
+    (void)state;
+    char text[800];
+    const char *loads = "from: 1e-9, to: 1e-7, points: 5";
+    write_surface("a.csv", 0.6, 5e-8, 11);
+    describe(text, 2e11, 2e10, 30, loads, "multiscale", ALL);
+    assert_within(truth_of(text).plastic, 0, 0); /* nothing measured yields */
+    describe(text, 2e11, 2e10, 30, loads, "multiscale", "convergence: {load: 1e-2}\n");
+    struct plan plan = plan_of(text, NULL);
+    assert_true(plan_runs(&plan, EFFECT_PLASTICITY));
+
+    struct scene scene;
+    struct prepared prepared;
+    prepare_scene(&prepared, &scene, text, NULL);
+    const struct surface_summary *s = &prepared.spool.summaries[0];
+    double area[2];
+    for (int plastic = 0; plastic < 2; plastic++)
+        area[plastic] = convergence_extend(&s->law, s->length_m, 2 * s->spacing_m, &prepared.plan.pair, plastic, 1e-2)
+                            .area_extended;
+    assert_true(area[1] > 1.01 * area[0]);
+    prepared_free(&prepared);
+    scene_free(&scene);
+}
+
+/** Mean free paths that put the change below, at and above the tolerance: never skipped above, never run below (GW,
+ * whose bound is not exact: below 0.9 of it), at the cost of a few loads. */
+static void scale_dependence_runs_just_where_it_matters(void **state)
+{
+    (void)state;
+    static const char *const families[] = {"multiscale", "statistical"};
+    static const double sizes[] = {3e-8, 3e-7, 3e-7}, tolerances[] = {1e-5, 1e-3, 0.05};
+    size_t skipped = 0, runs = 0; /* the last surface: yield closes long scales, so that the small ones count */
+    for (size_t k = 0; k < 3; k++)
+        for (size_t t = 0; t < 3; t++)
+            for (int family = 0; family < 2; family++) {
+                double conductivity = 1e3 * tolerances[t], share[] = {0.5, 0.85, 1.02, 1.5};
+                char text[800], own_tolerance[40];
+                const char *loads =
+                    k == 2 ? "from: 6.5e-4, to: 1.3e-3, points: 41" : "from: 1e-6, to: 1e-2, points: 41";
+                double yield_Pa = k == 0 ? 2e8 : k == 1 ? 1e12 : 4e6;
+                snprintf(own_tolerance, sizeof own_tolerance, "tolerance: %g\n", tolerances[t]);
+                write_surface("a.csv", k == 2 ? 1.0 : 1.5, sizes[k], 32 - k);
+                describe(text, 2e10, yield_Pa, conductivity, loads, families[family], ALL);
+                double unit = truth_of(text).scale_dependent; /* nearly proportional to the mean free path */
+                for (size_t c = 0; c < 4; c++) {
+                    double scaled = conductivity * share[c] * tolerances[t] / unit;
+                    describe(text, 2e10, yield_Pa, scaled, loads, families[family], ALL);
+                    double change = truth_of(text).scale_dependent;
+                    describe(text, 2e10, yield_Pa, scaled, loads, families[family], own_tolerance);
+                    struct work work;
+                    struct plan plan = plan_of(text, &work);
+                    bool run = plan_runs(&plan, EFFECT_SCALE_DEPENDENT);
+                    if (!run && change > tolerances[t])
+                        fail_msg("skipped, but it raises TCR by %g: %s", change,
+                                 plan.effects[EFFECT_SCALE_DEPENDENT].reason);
+                    if (run && change < (family ? 0.9 : 1) * tolerances[t])
+                        fail_msg("run, but it raises TCR by %g only: %s", change,
+                                 plan.effects[EFFECT_SCALE_DEPENDENT].reason);
+                    /* a load of 299 scales each: at most the 41 of both stacks, a few where the answer is plain */
+                    assert_true(work.bounds <= (share[c] > 0.6 && share[c] < 1 ? 82 : 41) * 299);
+                    assert_int_equal(work.bounds > 0, family == 0);
+                    skipped += !run;
+                    runs += run;
+                }
+            }
+    assert_true(skipped >= 20 && runs >= 20);
+}
+
+static int set_up(void **state)
+{
+    (void)state;
+    place = directory_make();
+    return 0;
+}
+
+static int tear_down(void **state)
+{
+    (void)state;
+    directory_remove(&place);
+    return 0;
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(full_contact_is_never_extrapolated_elastically),
+        cmocka_unit_test(law_below_the_sampling_limit_counts),
+        cmocka_unit_test(scale_dependence_runs_just_where_it_matters),
+    };
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}
