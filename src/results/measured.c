@@ -9,8 +9,12 @@
 
 static const char byte_order_mark[] = "\xEF\xBB\xBF";
 
+/* As for the scene's loads: any that keeps its distance from the ends of double. */
+static const double least = 1e-100, most = 1e100;
+static const char *const columns[] = {"load", "resistance", "error"};
+
 struct row {
-    double value[3]; /* load, resistance, error */
+    double value[3]; /* of `columns` */
 };
 
 /** Numbers of one line, delimited by a comma, a semicolon or blanks; words between them (units) do not count. How many
@@ -69,8 +73,12 @@ static enum status_code parse(struct row **rows, size_t *count, char *content, c
         if (numbers < 2 || numbers > 3)
             return status_fail(status, STATUS_SCENE, "%s:%d: a row is load, resistance and perhaps its error", name,
                                line_number);
-        if (!(row.value[0] > 0 && row.value[1] > 0 && isfinite(row.value[0]) && isfinite(row.value[1])))
+        if (!(row.value[0] > 0 && row.value[1] > 0))
             return status_fail(status, STATUS_SCENE, "%s:%d: load and resistance must be positive", name, line_number);
+        for (size_t i = 0; i < numbers; i++)
+            if (!(fabs(row.value[i]) <= most) || (i < 2 && row.value[i] < least))
+                return status_fail(status, STATUS_SCENE, "%s:%d: a %s of %g; allowed is %g to %g", name, line_number,
+                                   columns[i], row.value[i], i < 2 ? least : 0, most);
         if (*count == capacity) {
             capacity = capacity ? 2 * capacity : 64;
             struct row *more = realloc(*rows, capacity * sizeof *more);
