@@ -11,7 +11,7 @@ static const char byte_order_mark[] = "\xEF\xBB\xBF";
 
 /* As for the scene's loads: any that keeps its distance from the ends of double. */
 static const double least = 1e-100, most = 1e100;
-static const char *const columns[] = {"load", "resistance", "error"};
+static const char *const columns[] = {"a load", "a resistance", "an error"};
 
 struct row {
     double value[3]; /* of `columns` */
@@ -77,7 +77,7 @@ static enum status_code parse(struct row **rows, size_t *count, char *content, c
             return status_fail(status, STATUS_SCENE, "%s:%d: load and resistance must be positive", name, line_number);
         for (size_t i = 0; i < numbers; i++)
             if (!(fabs(row.value[i]) <= most) || (i < 2 && row.value[i] < least))
-                return status_fail(status, STATUS_SCENE, "%s:%d: a %s of %g; allowed is %g to %g", name, line_number,
+                return status_fail(status, STATUS_SCENE, "%s:%d: %s of %g; allowed is %g to %g", name, line_number,
                                    columns[i], row.value[i], i < 2 ? least : 0, most);
         if (*count == capacity) {
             capacity = capacity ? 2 * capacity : 64;

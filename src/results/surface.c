@@ -96,20 +96,6 @@ static void extend(struct surface_summary *summary, const struct scene *scene, c
     summary->times.convergence = clock_seconds() - started;
 }
 
-/** Loads and areas of a curve are never absent. */
-static enum status_code check_curve(const struct model_curve *curve, const struct surface_record *record,
-                                    const struct model_row *model, struct status *status)
-{
-    for (size_t i = 0; i < curve->count; i++)
-        if (!isfinite(curve->points[i].load) || !isfinite(curve->points[i].area_ratio))
-            return status_fail(status, STATUS_NUMBER,
-                               "%s of surface '%s': point %zu came out as load %g, area %g, a fault of the program; "
-                               "report it",
-                               model->name, record->summary.scene->name, i + 1, curve->points[i].load,
-                               curve->points[i].area_ratio);
-    return STATUS_OK;
-}
-
 /** Every scan of the surface alone in one model. */
 static enum status_code run_parts(struct surface_record *record, enum model_id model, const struct model_task *task,
                                   struct status *status)
@@ -137,12 +123,18 @@ enum status_code surface_run_models(struct surface_record *record, const struct 
         if (!curve->points)
             return status_memory(status);
         double started = clock_seconds();
-        if (model_rows[m].run(curve, &model_rows[m], &task, status) != STATUS_OK ||
-            check_curve(curve, record, &model_rows[m], status) != STATUS_OK)
+        if (model_run(curve, (enum model_id)m, &task, status) != STATUS_OK)
             return status->code;
         summary->times.models[m] = clock_seconds() - started;
         if (curve->exists)
             condense_curve(&summary->models[m], curve, &model_rows[m], summary->asperities.sigma_m);
+        else
+            summary->models[m].work = curve->work;
+        if (curve->overflows)
+            gather_note(
+                summary,
+                "no %s: its numbers leave what can be computed with; check the units, the material and the loads",
+                model_rows[m].label);
         if (run_parts(record, (enum model_id)m, &task, status) != STATUS_OK)
             return status->code;
     }
