@@ -1,7 +1,7 @@
 #include "cost/cost.h"
 
 #include "base/clock.h"
-#include "results/number.h"
+#include "results/cell.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -69,14 +69,14 @@ const struct cost_row *cost_find(const struct cost *cost, const char *study, con
 
 enum status_code cost_write(const struct cost *cost, const char *directory, struct status *status)
 {
-    const struct number_guard guard = {NULL, status};
+    const struct cell_guard guard = {NULL, status};
     struct text csv = {0}, path = {0};
     text_add(&csv, "study,method,setting,evaluations,seconds,max_relative_error\n");
     for (size_t i = 0; i < cost->count; i++) {
         const struct cost_row *row = &cost->rows[i];
         text_add(&csv, "%s,%s,%s,%llu", row->study, row->method, row->setting, (unsigned long long)row->evaluations);
-        number_cell(&csv, &guard, "seconds", row->seconds);
-        number_cell(&csv, &guard, "max_relative_error", row->error);
+        cell_number(&csv, &guard, "seconds", row->seconds);
+        cell_number(&csv, &guard, "max_relative_error", row->error);
         text_add_bytes(&csv, "\n", 1);
     }
     text_add(&path, "%s/data/cost.csv", directory);

@@ -1,5 +1,5 @@
 /* results.json: everything, streamed surface by surface so that memory does not grow with their number. */
-#include "results/number.h"
+#include "results/cell.h"
 #include "results/tables.h"
 
 #include "base/version.h"
@@ -8,14 +8,14 @@
 #include <math.h>
 #include <string.h>
 
-static void set(json_t *object, const struct number_guard *guard, const char *key, double value)
+static void set(json_t *object, const struct cell_guard *guard, const char *key, double value)
 {
-    json_object_set_new(object, key, number_json(guard, key, value));
+    json_object_set_new(object, key, cell_json(guard, key, value));
 }
 
-static json_t *pair_json(const char *name, const double values[2], const struct number_guard *guard)
+static json_t *pair_json(const char *name, const double values[2], const struct cell_guard *guard)
 {
-    return json_pack("[o, o]", number_json(guard, name, values[0]), number_json(guard, name, values[1]));
+    return json_pack("[o, o]", cell_json(guard, name, values[0]), cell_json(guard, name, values[1]));
 }
 
 /** Text that may not be UTF-8 (a file name): it is then as the report shows it. */
@@ -31,7 +31,7 @@ static json_t *string(const char *value)
     return json;
 }
 
-static json_t *material_json(const struct material *material, const struct number_guard *guard)
+static json_t *material_json(const struct material *material, const struct cell_guard *guard)
 {
     json_t *json = json_pack("{s:o}", "name", string(material->name));
     for (size_t i = 0; i < material_property_count; i++)
@@ -40,7 +40,7 @@ static json_t *material_json(const struct material *material, const struct numbe
     return json;
 }
 
-static json_t *scene_json(const struct results *results, const struct number_guard *guard)
+static json_t *scene_json(const struct results *results, const struct cell_guard *guard)
 {
     const struct scene *scene = results->scene;
     json_t *effects = json_object(), *loads = json_array(), *models = json_array();
@@ -50,7 +50,7 @@ static json_t *scene_json(const struct results *results, const struct number_gua
                             json_pack("{s:b, s:s}", "runs", effect->runs, "reason", effect->reason));
     }
     for (size_t i = 0; i < results->load_count; i++)
-        json_array_append_new(loads, number_json(guard, "loads_over_AnEp", results->loads[i]));
+        json_array_append_new(loads, cell_json(guard, "loads_over_AnEp", results->loads[i]));
     if (scene->models & SCENE_MODEL_MULTISCALE)
         json_array_append_new(models, json_string("multiscale"));
     if (scene->models & SCENE_MODEL_STATISTICAL)
@@ -86,16 +86,16 @@ static json_t *scene_json(const struct results *results, const struct number_gua
     json_object_set_new(json, "fit_band_m", pair_json("fit_band_m", band_m, guard));
     const struct scene_convergence *study = &scene->convergence;
     json_object_set_new(json, "convergence",
-                        json_pack("{s:o, s:o, s:o, s:o, s:I}", "alpha", number_json(guard, "alpha", study->alpha),
-                                  "gamma", number_json(guard, "gamma", study->gamma), "load",
-                                  number_json(guard, "load", study->load), "scan_length_m",
-                                  number_json(guard, "scan_length_m", study->scan_length_m), "scales",
+                        json_pack("{s:o, s:o, s:o, s:o, s:I}", "alpha", cell_json(guard, "alpha", study->alpha),
+                                  "gamma", cell_json(guard, "gamma", study->gamma), "load",
+                                  cell_json(guard, "load", study->load), "scan_length_m",
+                                  cell_json(guard, "scan_length_m", study->scan_length_m), "scales",
                                   (json_int_t)study->scales));
     return json;
 }
 
 static json_t *curve_json(const struct model_curve *curve, const struct surface_model *model, unsigned wanted,
-                          const struct number_guard *guard)
+                          const struct cell_guard *guard)
 {
     static const struct {
         const char *name;
@@ -111,11 +111,11 @@ static json_t *curve_json(const struct model_curve *curve, const struct surface_
         {"tcr_sd_K_m2_per_W", offsetof(struct contact_point, tcr_sd_K_m2_per_W), CONTACT_SCALE_DEPENDENT},
     };
     json_t *json = json_pack("{s:o, s:o, s:o, s:o, s:o, s:I}", "full_contact_load",
-                             number_json(guard, "full_contact_load", model->full_load), "beta",
-                             number_json(guard, "beta", model->beta), "beta_from_multiscale",
-                             number_json(guard, "beta_from_multiscale", model->beta_multiscale), "area_load_slope",
-                             number_json(guard, "area_load_slope", model->area_slope), "largest_load_share_beyond_fit",
-                             number_json(guard, "largest_load_share_beyond_fit", model->most_outside), "evaluations",
+                             cell_json(guard, "full_contact_load", model->full_load), "beta",
+                             cell_json(guard, "beta", model->beta), "beta_from_multiscale",
+                             cell_json(guard, "beta_from_multiscale", model->beta_multiscale), "area_load_slope",
+                             cell_json(guard, "area_load_slope", model->area_slope), "largest_load_share_beyond_fit",
+                             cell_json(guard, "largest_load_share_beyond_fit", model->most_outside), "evaluations",
                              (json_int_t)(model->work.scales + model->work.laws + model->work.separations));
     json_object_set_new(json, "areas_limited", json_integer((json_int_t)model->clamped));
     set(json, guard, "largest_load_share_clamped_at_radius", model->most_saturated);
@@ -126,14 +126,14 @@ static json_t *curve_json(const struct model_curve *curve, const struct surface_
         for (size_t i = 0; i < curve->count; i++) {
             double value;
             memcpy(&value, (const char *)&curve->points[i] + columns[c].offset, sizeof value);
-            json_array_append_new(values, number_json(guard, columns[c].name, value));
+            json_array_append_new(values, cell_json(guard, columns[c].name, value));
         }
         json_object_set_new(json, columns[c].name, values);
     }
     return json;
 }
 
-static json_t *mean_json(const char *name, const struct spread_number *number, const struct number_guard *guard)
+static json_t *mean_json(const char *name, const struct spread_number *number, const struct cell_guard *guard)
 {
     json_t *json = json_object();
     set(json, guard, name, number->mean);
@@ -142,7 +142,7 @@ static json_t *mean_json(const char *name, const struct spread_number *number, c
 }
 
 /** What repeated scans say apart; loads and alpha as logarithms. */
-static json_t *spread_json(const struct spread *spread, const struct number_guard *guard)
+static json_t *spread_json(const struct spread *spread, const struct cell_guard *guard)
 {
     const struct {
         const char *name;
@@ -174,7 +174,7 @@ static json_t *lines_json(const char *lines)
 }
 
 static json_t *surface_json(const struct surface_record *record, const struct plan *plan,
-                            const struct number_guard *guard)
+                            const struct cell_guard *guard)
 {
     const struct surface_summary *s = &record->summary;
     json_t *files = json_array(), *models = json_object();
@@ -252,14 +252,14 @@ enum status_code json_write(const struct results *results, const char *directory
     text_free(&path);
     if (!file)
         return status_fail(status, STATUS_IO, "cannot write results.json: %s", strerror(errno));
-    const struct number_guard of_scene = {NULL, status};
+    const struct cell_guard of_scene = {NULL, status};
     fprintf(file, "{\"program\": \"roughcontact\",\n\"version\": \"%s\",\n\"scene\": ", version_string());
     bool ok = print(file, scene_json(results, &of_scene)), first = true;
     fputs(",\n\"surfaces\": [", file);
     for (size_t i = 0; i < results->spool->count && ok; i++) {
         if (!results->spool->summaries[i].usable)
             continue;
-        const struct number_guard guard = {results->spool->summaries[i].scene->name, status};
+        const struct cell_guard guard = {results->spool->summaries[i].scene->name, status};
         struct surface_record record;
         ok = spool_get(&record, results->spool, i, status) == STATUS_OK;
         fputs(first ? "\n" : ",\n", file);

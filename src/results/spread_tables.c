@@ -1,6 +1,6 @@
 /* data/spread.csv and data/bands.csv: what repeated scans of a surface say apart. Written when a surface has several.
  */
-#include "results/number.h"
+#include "results/cell.h"
 #include "results/tables.h"
 
 #include <errno.h>
@@ -8,24 +8,24 @@
 #include <string.h>
 
 /** surface, quantity, scans, mean, standard deviation, and the 95 % interval where there is one. */
-static void put_number(struct text *out, const struct number_guard *guard, const char *quantity,
+static void put_number(struct text *out, const struct cell_guard *guard, const char *quantity,
                        const struct spread_number *spread, const double interval[2])
 {
     if (spread->count < 2)
         return;
     text_add_csv(out, guard->surface);
     text_add(out, ",%s,%zu", quantity, spread->count);
-    number_cell(out, guard, quantity, spread->mean);
-    number_cell(out, guard, quantity, spread_deviation(spread));
-    number_cell(out, guard, quantity, interval ? interval[0] : NAN);
-    number_cell(out, guard, quantity, interval ? interval[1] : NAN);
+    cell_number(out, guard, quantity, spread->mean);
+    cell_number(out, guard, quantity, spread_deviation(spread));
+    cell_number(out, guard, quantity, interval ? interval[0] : NAN);
+    cell_number(out, guard, quantity, interval ? interval[1] : NAN);
     text_add(out, "\n");
 }
 
 static void put_spread(struct text *out, const struct surface_summary *summary, struct status *status)
 {
     const struct spread *spread = &summary->spread;
-    const struct number_guard guard = {summary->scene->name, status};
+    const struct cell_guard guard = {summary->scene->name, status};
     double log_alpha[2] = {log(spread->alpha_interval[0]), log(spread->alpha_interval[1])};
     char quantity[64];
     put_number(out, &guard, "rq_m", &spread->rq_m, NULL);
@@ -42,21 +42,21 @@ static void put_spread(struct text *out, const struct surface_summary *summary, 
 static void put_bands(struct text *out, const struct surface_record *record, const struct plan *plan,
                       struct status *status)
 {
-    const struct number_guard guard = {record->summary.scene->name, status};
+    const struct cell_guard guard = {record->summary.scene->name, status};
     for (int m = 0; m < MODEL_COUNT; m++)
         for (size_t i = 0; record->bands[m] && i < record->band_count; i++) {
             const struct spread_band *band = &record->bands[m][i];
             text_add_csv(out, guard.surface);
             text_add(out, ",%s", model_rows[m].name);
-            number_cell(out, &guard, "load_over_AnEp", band->load);
+            cell_number(out, &guard, "load_over_AnEp", band->load);
             for (int side = 0; side < 2; side++)
-                number_cell(out, &guard, "area_ratio", band->area[side]);
+                cell_number(out, &guard, "area_ratio", band->area[side]);
             for (int side = 0; side < 2 && plan_runs(plan, EFFECT_SEPARATION); side++)
-                number_cell(out, &guard, "separation_m", band->separation_m[side]);
+                cell_number(out, &guard, "separation_m", band->separation_m[side]);
             for (int side = 0; side < 2 && plan_runs(plan, EFFECT_ELECTRICAL); side++)
-                number_cell(out, &guard, "ecr_ohm_m2", band->ecr_ohm_m2[side]);
+                cell_number(out, &guard, "ecr_ohm_m2", band->ecr_ohm_m2[side]);
             for (int side = 0; side < 2 && plan_runs(plan, EFFECT_THERMAL); side++)
-                number_cell(out, &guard, "tcr_K_m2_per_W", band->tcr_K_m2_per_W[side]);
+                cell_number(out, &guard, "tcr_K_m2_per_W", band->tcr_K_m2_per_W[side]);
             text_add(out, "\n");
         }
 }

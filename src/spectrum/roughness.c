@@ -92,8 +92,8 @@ enum status_code roughness_asperities(struct asperities *out, const struct rough
 {
     double m0 = roughness->m0_m2, m2 = roughness->m2, m4 = roughness->m4_per_m2;
     *out = (struct asperities){NAN, NAN, NAN, NAN, NAN, sqrt(m0)};
-    out->nayak = roughness_nayak(roughness);
-    if (!(m0 > 0 && m4 > 0 && out->nayak > 0))
+    out->nayak = m0 > 0 && m4 > 0 ? roughness_nayak(roughness) : NAN;
+    if (isnan(out->nayak))
         return status_fail(status, STATUS_MODEL,
                            "the profile is flat, or rises nowhere from one point to the next but one: no asperities "
                            "to count");

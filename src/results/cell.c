@@ -1,9 +1,9 @@
-#include "results/number.h"
+#include "results/cell.h"
 
 #include <math.h>
 
 /** Is there a number to write? */
-static bool present(const struct number_guard *guard, const char *quantity, double value)
+static bool present(const struct cell_guard *guard, const char *quantity, double value)
 {
     if (isinf(value))
         (void)status_fail(guard->status, STATUS_NUMBER, "%s%s%s%s came out infinite, a fault of the program; report it",
@@ -12,7 +12,7 @@ static bool present(const struct number_guard *guard, const char *quantity, doub
     return isfinite(value);
 }
 
-void number_cell(struct text *row, const struct number_guard *guard, const char *quantity, double value)
+void cell_number(struct text *row, const struct cell_guard *guard, const char *quantity, double value)
 {
     if (present(guard, quantity, value))
         text_add(row, ",%.17g", value);
@@ -20,7 +20,7 @@ void number_cell(struct text *row, const struct number_guard *guard, const char 
         text_add_bytes(row, ",", 1);
 }
 
-json_t *number_json(const struct number_guard *guard, const char *quantity, double value)
+json_t *cell_json(const struct cell_guard *guard, const char *quantity, double value)
 {
     return present(guard, quantity, value) ? json_real(value) : json_null();
 }
