@@ -165,7 +165,8 @@ static void print_finding(const char *path, const struct finding *f)
     else
         printf("Nayak %.4g\n", nayak);
     if (isnan(f->law.gamma))
-        printf("  power law   - (%zu harmonics; it takes 3)\n", f->law.harmonics);
+        printf("  power law   - (%s)\n",
+               f->law.harmonics < 3 ? "it takes 3 harmonics" : "alpha leaves the range of numbers");
     else
         printf("  power law   alpha %.4g +- %.2g, gamma %.3f +- %.3f, scatter %.3f decades\n", f->law.alpha,
                f->law.alpha_error, f->law.gamma, f->law.gamma_error, f->law.rms_decades);

@@ -240,6 +240,10 @@ static void test_an_alpha_beyond_double_is_no_fit(void **state)
     struct powerlaw law = powerlaw_fit(spectrum, all_m);
     assert_int_equal(law.harmonics, 40);
     assert_true(isnan(law.alpha) && isnan(law.alpha_error) && isnan(law.gamma) && isnan(law.rms_decades));
+    spectrum = sample_law(*state, 40, 1, 1e-6, -20);
+    spectrum->length_m = 1e-25; /* 1e-506 */
+    law = powerlaw_fit(spectrum, all_m);
+    assert_true(isnan(law.alpha) && isnan(law.gamma));
 }
 
 int main(void)
