@@ -14,6 +14,7 @@
     X(SCENE, "the scene is invalid")                                                                                   \
     X(SCAN, "a file is not a usable scan")                                                                             \
     X(MODEL, "a model does not exist for this surface")                                                                \
+    X(NUMBER, "a number that is not finite came out: a fault of the program")                                          \
     X(CHART, "the charts could not be drawn")                                                                          \
     X(INTERRUPTED, "stopped by a signal")
 

@@ -125,11 +125,9 @@ static void put_band(struct figure_file *out, const struct surface_record *recor
     begin_block(out, band_style, "band");
     for (size_t i = 0; i < record->band_count; i++) {
         const struct spread_band *band = &record->bands[model][i];
-        const double *limits = band_of(band, out->row->y);
-        bool drawable =
-            isfinite(limits[0]) && isfinite(limits[1]) && (!figure_axes[out->row->y].logarithmic || limits[0] > 0);
-        if (drawable)
-            fprintf(out->file, "%.17g,%.17g,%.17g\n", band->load, limits[0] * scale, limits[1] * scale);
+        const double *limits = band_of(band, out->row->y), low = limits[0] * scale, high = limits[1] * scale;
+        if (isfinite(low) && isfinite(high) && (!figure_axes[out->row->y].logarithmic || low > 0))
+            fprintf(out->file, "%.17g,%.17g,%.17g\n", band->load, low, high);
     }
 }
 

@@ -201,10 +201,18 @@ static void print_finding(const char *path, const struct finding *f)
     finding_print(f);
     printf("  roughness   Rq %.6g um, Ra %.6g um, peak to valley %.6g um\n", r->rq_m * 1e6, r->ra_m * 1e6,
            r->pv_m * 1e6);
-    printf("  moments     m2 %.6g, m4 %.6g /um2, Nayak %.4g\n", r->m2, r->m4_per_m2 * 1e-12,
-           r->m0_m2 / r->m2 * (r->m4_per_m2 / r->m2));
-    printf("  power law   alpha %.4g +- %.2g, gamma %.3f +- %.3f, scatter %.3f decades\n", f->law.alpha,
-           f->law.alpha_error, f->law.gamma, f->law.gamma_error, f->law.rms_decades);
+    printf("  moments     m2 %.6g, m4 %.6g /um2, ", r->m2, r->m4_per_m2 * 1e-12);
+    double nayak = roughness_nayak(r);
+    if (isnan(nayak))
+        printf("Nayak - (no slope from a point to the next but one)\n");
+    else
+        printf("Nayak %.4g\n", nayak);
+    if (isnan(f->law.gamma))
+        printf("  power law   - (%s)\n",
+               f->law.harmonics < 3 ? "it takes 3 harmonics" : "alpha leaves the range of numbers");
+    else
+        printf("  power law   alpha %.4g +- %.2g, gamma %.3f +- %.3f, scatter %.3f decades\n", f->law.alpha,
+               f->law.alpha_error, f->law.gamma, f->law.gamma_error, f->law.rms_decades);
     const char *warning;
     for (size_t w = 0; (warning = finding_warning(f, w)); w++) {
         struct text note = {0};

@@ -29,6 +29,7 @@ int command_fail(const struct status *status)
     case STATUS_IO:
     case STATUS_SCAN:
     case STATUS_MODEL:
+    case STATUS_NUMBER:
     case STATUS_CHART:
     case STATUS_INTERRUPTED:
         break;

@@ -160,11 +160,15 @@ static void print_parameters(const struct parameters *parameters)
         bool length = strcmp(row->unit, "m") == 0, ratio = strncmp(row->name, "mrk", 3) == 0;
         if (p % 8 == 0)
             printf(p == 0 ? "  parameters  " : "\n              ");
-        printf("%c%s %.5g%s ", parameters->letter, row->name,
-               parameters->value[p] * (length  ? 1e6
-                                       : ratio ? 100
-                                               : 1),
-               ratio ? "%" : "");
+        double value = parameters->value[p];
+        if (isnan(value))
+            printf("%c%s - ", parameters->letter, row->name);
+        else
+            printf("%c%s %.5g%s ", parameters->letter, row->name,
+                   value * (length  ? 1e6
+                            : ratio ? 100
+                                    : 1),
+                   ratio ? "%" : "");
     }
     printf("\n              lengths in um, over %.6g mm in %zu sampling length%s, slope %s\n",
            parameters->evaluation_length_m * 1e3, parameters->sampling_lengths,

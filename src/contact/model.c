@@ -116,6 +116,31 @@ const struct model_row model_rows[MODEL_COUNT] = {
                   run_statistical},
 };
 
+static bool is_finite(const struct contact_point *point, unsigned wanted)
+{
+    return isfinite(point->load) && isfinite(point->area_ratio) &&
+           (!(wanted & CONTACT_SEPARATION) || isfinite(point->separation_m)) &&
+           (!(wanted & CONTACT_ELECTRICAL) || isfinite(point->ecr_ohm_m2)) &&
+           (!(wanted & CONTACT_THERMAL) || isfinite(point->tcr_K_m2_per_W)) &&
+           (!(wanted & CONTACT_SCALE_DEPENDENT) || isfinite(point->tcr_sd_K_m2_per_W));
+}
+
+enum status_code model_run(struct model_curve *curve, enum model_id model, const struct model_task *task,
+                           struct status *status)
+{
+    if (model_rows[model].run(curve, &model_rows[model], task, status) != STATUS_OK)
+        return status->code;
+    bool finite = !curve->exists || is_finite(&curve->full, task->wanted);
+    for (size_t i = 0; i < curve->count && finite; i++)
+        finite = is_finite(&curve->points[i], task->wanted);
+    if (!finite) {
+        curve->exists = false;
+        curve->overflows = true;
+        curve->count = 0;
+    }
+    return STATUS_OK;
+}
+
 bool model_called_for(enum model_id model, unsigned families, unsigned effects)
 {
     const struct model_row *row = &model_rows[model];

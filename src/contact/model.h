@@ -34,7 +34,8 @@ struct model_work {
 
 /** What it answers. `points` is the caller's, load_count + 1 long. */
 struct model_curve {
-    bool exists; /* false: the model was not run, or has no solution for this surface */
+    bool exists;    /* false: the model was not run, or has no solution for this surface */
+    bool overflows; /* it has none because its numbers leave the range of double; then no points */
     struct contact_point *points;
     size_t count;              /* statistical: ends with the point of full contact, when the loads reach it */
     double full_load;          /* P/(A_n E') at which A = A_n */
@@ -63,6 +64,12 @@ struct model_row {
 };
 
 extern const struct model_row model_rows[MODEL_COUNT];
+
+/** Runs a model. A curve any of whose loads, areas or wanted quantities is not finite does not exist: materials and
+ * heights may each be possible and still leave the range of double together (JG's exponent 23 S_y/E' of 1e6).
+ * Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code model_run(struct model_curve *curve, enum model_id model, const struct model_task *task,
+                                      struct status *status);
 
 /** Adds `more` to `sum`. */
 void model_work_add(struct model_work *sum, const struct model_work *more);

@@ -44,6 +44,8 @@ static double solve(const struct statistical *model, bool for_area, double log_t
         struct panels_sums sums;
         integrate(&sums, model, d);
         double value = for_area ? sums.area : sums.load, slope = for_area ? sums.area_slope : sums.load_slope;
+        if (!(value > 0 && slope < 0))
+            return NAN; /* beyond double: model_run() leaves the curve out */
         double step = (log_scale + log(value) + sums.log_factor - log_target) * value / slope;
         d -= step;
         if (fabs(step) <= 1e-9 * fmax(1, fabs(d))) /* convergence is quadratic: the next step would be below rounding */

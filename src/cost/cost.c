@@ -1,6 +1,7 @@
 #include "cost/cost.h"
 
 #include "base/clock.h"
+#include "results/cell.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -68,17 +69,20 @@ const struct cost_row *cost_find(const struct cost *cost, const char *study, con
 
 enum status_code cost_write(const struct cost *cost, const char *directory, struct status *status)
 {
+    const struct cell_guard guard = {NULL, status};
     struct text csv = {0}, path = {0};
     text_add(&csv, "study,method,setting,evaluations,seconds,max_relative_error\n");
     for (size_t i = 0; i < cost->count; i++) {
         const struct cost_row *row = &cost->rows[i];
-        text_add(&csv, "%s,%s,%s,%llu,%.17g,%.17g\n", row->study, row->method, row->setting,
-                 (unsigned long long)row->evaluations, row->seconds, row->error);
+        text_add(&csv, "%s,%s,%s,%llu", row->study, row->method, row->setting, (unsigned long long)row->evaluations);
+        cell_number(&csv, &guard, "seconds", row->seconds);
+        cell_number(&csv, &guard, "max_relative_error", row->error);
+        text_add_bytes(&csv, "\n", 1);
     }
     text_add(&path, "%s/data/cost.csv", directory);
     enum status_code rc = csv.failed || path.failed ? status_memory(status)
                                                     : text_write_file(text_string(&path), csv.data, csv.length, status);
     text_free(&csv);
     text_free(&path);
-    return rc;
+    return rc == STATUS_OK ? status->code : rc;
 }

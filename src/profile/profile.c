@@ -60,25 +60,37 @@ static enum status_code even_out(struct profile *profile, const double *x_m, con
     return level_remove(&ignored, profile->measured_z_m, x_m, points, 0, options->level, status);
 }
 
+/** What a step makes of heights with nothing but form or waves in them is rounding: up to some units of the last place
+ * of the heights as measured. */
+static double rounding(const struct profile *profile)
+{
+    return 32 * DBL_EPSILON * (fabs(profile->height_m[0]) + peak_to_valley(profile));
+}
+
 static enum status_code take_level(struct profile *profile, const struct profile_options *options,
                                    struct status *status)
 {
     struct levelling levelling;
-    double first_m = profile->height_m[0], before_m = peak_to_valley(profile);
+    double before_m = peak_to_valley(profile), rounding_m = rounding(profile);
     if (before_m == 0)
-        return status_fail(status, STATUS_SCAN, "the scan is flat: every height is %.9g m; check the column", first_m);
+        return status_fail(status, STATUS_SCAN, "the scan is flat: every height is %.9g m; check the column",
+                           profile->height_m[0]);
+    if (before_m < scan_least_m) /* a row of a map; a profile was refused as a scan */
+        return status_fail(status, STATUS_SCAN, "the scan is flat: its heights differ by no more than %.3g m",
+                           before_m);
     if (level_remove(&levelling, profile->height_m, NULL, profile->points, profile->spacing_m, options->level,
                      status) != STATUS_OK)
         return status->code;
-    /* a straight scan leaves what the subtraction rounds, in units of the last place of the heights */
-    if (peak_to_valley(profile) <= 32 * DBL_EPSILON * (fabs(first_m) + before_m))
+    if (peak_to_valley(profile) <= rounding_m)
         return status_fail(status, STATUS_SCAN,
                            "the scan is flat: no roughness is left after level: %s; check the column",
                            scene_level_names[options->level]);
     profile->tilt = levelling.tilt;
     profile->radius_m = levelling.radius_m;
     profile->outliers = levelling.outliers;
-    if (options->level == SCENE_LEVEL_CIRCLE)
+    if (options->level == SCENE_LEVEL_CIRCLE && isinf(levelling.radius_m))
+        profile_note(profile, "a line was taken out: the best arc is straight");
+    else if (options->level == SCENE_LEVEL_CIRCLE)
         profile_note(profile, "an arc of radius %.6g mm (%s) was taken out", fabs(levelling.radius_m) * 1e3,
                      levelling.radius_m < 0 ? "crown" : "hollow");
     if (options->level == SCENE_LEVEL_ROBUST)
@@ -121,6 +133,7 @@ static enum status_code high_pass(struct profile *profile, double cutoff_m, stru
 static enum status_code take_filters(struct profile *profile, const struct profile_options *options,
                                      struct status *status)
 {
+    double rounding_m = rounding(profile);
     if (options->lambda_s_m > 0 && low_pass(profile, options->lambda_s_m, status) != STATUS_OK)
         return status->code;
     if (options->lambda_c_m > 0 && high_pass(profile, options->lambda_c_m, status) != STATUS_OK)
@@ -129,6 +142,8 @@ static enum status_code take_filters(struct profile *profile, const struct profi
         free(profile->measured_x_m);
         free(profile->measured_z_m);
         profile->measured_x_m = profile->measured_z_m = NULL;
+        if (peak_to_valley(profile) <= rounding_m)
+            return status_fail(status, STATUS_SCAN, "no roughness is left between lambda_s_m and lambda_c_m");
     }
     return STATUS_OK;
 }

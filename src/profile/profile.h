@@ -43,7 +43,8 @@ struct profile_options profile_options_of(const struct scene *scene);
  *     or uneven: interpolated monotonically (Steffen) to a uniform grid;
  *  levelling (level.h); Gaussian low-pass lambda_s, then high-pass lambda_c (filter.h).
  * Owned: profile_free(), whatever comes back. Errors: STATUS_SCAN: more points missing than options->max_missing, fewer
- * than 3 left, a flat profile, a lambda_c longer than the scan; STATUS_MEMORY. */
+ * than 3 left, a flat profile (before or after levelling or the filters), a lambda_c longer than the scan;
+ * STATUS_MEMORY. */
 MUST_CHECK enum status_code profile_make(struct profile *out, const struct scan *scan, size_t row,
                                          const struct profile_options *options, struct status *status);
 void profile_free(struct profile *profile);

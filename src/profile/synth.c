@@ -1,5 +1,6 @@
 #include "profile/synth.h"
 
+#include "scan/scan.h"
 #include <fftw3.h>
 #include <gsl/gsl_randist.h>
 #include <gsl/gsl_rng.h>
@@ -84,6 +85,9 @@ static enum status_code meet_rq(struct synth *synth, struct status *status)
     enum { STEPS = 720 };
     double target = synth->def->rq_m, turn = 2 * M_PI / STEPS, least = INFINITY, most = 0;
     double before = set_amplitudes(synth, 0);
+    if (!(before <= scan_most_m && target <= scan_most_m))
+        return status_fail(status, STATUS_USAGE, "Rq would be above %g m; correct --alpha, --gamma, --length or --rq",
+                           scan_most_m);
     for (int k = 1; target > 0 && k <= STEPS; k++) {
         double after = set_amplitudes(synth, k * turn);
         least = fmin(least, after);
@@ -146,6 +150,9 @@ static enum status_code check(const struct synth_def *def, struct status *status
         return status_fail(status, STATUS_USAGE,
                            "--alpha and --length must be positive, --scatter, --rq and --lambda-s "
                            "not negative");
+    if (!(def->length_m <= scan_most_m && def->length_m / (double)def->points >= scan_least_m))
+        return status_fail(status, STATUS_USAGE, "--length must be up to %g m, and points at least %g m apart",
+                           scan_most_m, scan_least_m);
     if (def->scatter_decades > 2)
         return status_fail(status, STATUS_USAGE, "--scatter must be at most 2 decades");
     return STATUS_OK;

@@ -22,10 +22,13 @@ static void fit_area_slope(struct surface_model *model, const struct model_curve
         sxy += x * y;
         syy += y * y;
     }
+    model->area_slope = model->area_slope_rms = NAN;
+    if (n < 5)
+        return;
     double spread = sxx - sx * sx / n, common = sxy - sx * sy / n;
-    model->area_slope = n >= 5 ? common / spread : NAN;
     double residual = syy - sy * sy / n - common * common / spread;
-    model->area_slope_rms = n >= 5 ? sqrt(fmax(0, residual) / n) / M_LN10 : NAN;
+    model->area_slope = common / spread;
+    model->area_slope_rms = sqrt(fmax(0, residual) / n) / M_LN10;
 }
 
 /** What a curve says, in a few numbers. */
@@ -65,7 +68,8 @@ void condense_curve(struct surface_model *model, const struct model_curve *curve
         }
         /* a load where the resistance has gone to 0 ends the elbow too */
         if (before && before->ecr_ohm_m2 > 0 && isnan(model->elbow_load) &&
-            !(log(before->ecr_ohm_m2 / point->ecr_ohm_m2) < elbow_slope * log(point->load / before->load)))
+            !(point->ecr_ohm_m2 > 0 &&
+              log(before->ecr_ohm_m2 / point->ecr_ohm_m2) < elbow_slope * log(point->load / before->load)))
             model->elbow_load = before->load;
     }
 }

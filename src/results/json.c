@@ -1,4 +1,5 @@
 /* results.json: everything, streamed surface by surface so that memory does not grow with their number. */
+#include "results/cell.h"
 #include "results/tables.h"
 
 #include "base/version.h"
@@ -7,9 +8,14 @@
 #include <math.h>
 #include <string.h>
 
-static json_t *real(double value)
+static void set(json_t *object, const struct cell_guard *guard, const char *key, double value)
 {
-    return isfinite(value) ? json_real(value) : json_null();
+    json_object_set_new(object, key, cell_json(guard, key, value));
+}
+
+static json_t *pair_json(const char *name, const double values[2], const struct cell_guard *guard)
+{
+    return json_pack("[o, o]", cell_json(guard, name, values[0]), cell_json(guard, name, values[1]));
 }
 
 /** Text that may not be UTF-8 (a file name): it is then as the report shows it. */
@@ -25,16 +31,16 @@ static json_t *string(const char *value)
     return json;
 }
 
-static json_t *material_json(const struct material *material)
+static json_t *material_json(const struct material *material, const struct cell_guard *guard)
 {
     json_t *json = json_pack("{s:o}", "name", string(material->name));
     for (size_t i = 0; i < material_property_count; i++)
-        json_object_set_new(json, material_properties[i].key, real(material_value(material, &material_properties[i])));
+        set(json, guard, material_properties[i].key, material_value(material, &material_properties[i]));
     json_object_set_new(json, "source", string(material->source));
     return json;
 }
 
-static json_t *scene_json(const struct results *results)
+static json_t *scene_json(const struct results *results, const struct cell_guard *guard)
 {
     const struct scene *scene = results->scene;
     json_t *effects = json_object(), *loads = json_array(), *models = json_array();
@@ -44,28 +50,29 @@ static json_t *scene_json(const struct results *results)
                             json_pack("{s:b, s:s}", "runs", effect->runs, "reason", effect->reason));
     }
     for (size_t i = 0; i < results->load_count; i++)
-        json_array_append_new(loads, real(results->loads[i]));
+        json_array_append_new(loads, cell_json(guard, "loads_over_AnEp", results->loads[i]));
     if (scene->models & SCENE_MODEL_MULTISCALE)
         json_array_append_new(models, json_string("multiscale"));
     if (scene->models & SCENE_MODEL_STATISTICAL)
         json_array_append_new(models, json_string("statistical"));
     json_t *json = json_pack("{s:o, s:o, s:o, s:o}", "title", string(scene->title), "models", models, "effects",
-                             effects, "material", material_json(&scene->material));
+                             effects, "material", material_json(&scene->material, guard));
     bool elastic = scene->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC;
-    json_object_set_new(json, "counterface", elastic ? material_json(&scene->counterface) : json_string("rigid"));
-    json_object_set_new(json, "nominal_area_m2", real(scene->nominal_area_m2));
+    json_object_set_new(json, "counterface",
+                        elastic ? material_json(&scene->counterface, guard) : json_string("rigid"));
+    set(json, guard, "nominal_area_m2", scene->nominal_area_m2);
     json_object_set_new(json, "loads_over_AnEp", loads);
-    json_object_set_new(json, "effective_modulus_Pa", real(results->plan->pair.effective_modulus_Pa));
-    json_object_set_new(json, "tolerance", real(scene->tolerance));
+    set(json, guard, "effective_modulus_Pa", results->plan->pair.effective_modulus_Pa);
+    set(json, guard, "tolerance", scene->tolerance);
     json_object_set_new(json, "level", json_string(scene_level_names[scene->level]));
     json_object_set_new(json, "window", json_string(scene_window_names[scene->window]));
     json_object_set_new(json, "moments", json_string(scene_moments_names[scene->moments]));
     json_object_set_new(json, "closure", json_string(scene_closure_names[scene->closure]));
     json_object_set_new(json, "direction", json_string(scene_direction_names[scene->direction]));
-    json_object_set_new(json, "max_missing", real(scene->max_missing));
-    json_object_set_new(json, "lambda_s_m", real(scene->lambda_s_m));
-    json_object_set_new(json, "lambda_c_m", real(scene->lambda_c_m));
-    json_object_set_new(json, "tip_radius_m", real(scene->tip_radius_m));
+    set(json, guard, "max_missing", scene->max_missing);
+    set(json, guard, "lambda_s_m", scene->lambda_s_m);
+    set(json, guard, "lambda_c_m", scene->lambda_c_m);
+    set(json, guard, "tip_radius_m", scene->tip_radius_m);
     json_object_set_new(json, "baseline", string(results->spool->summaries[results->baseline].scene->name));
     if (scene->measured.file)
         json_object_set_new(json, "measured_file", string(scene->measured.file));
@@ -73,17 +80,22 @@ static json_t *scene_json(const struct results *results)
         json_object_set_new(json, "counterface_surface",
                             json_pack("{s:o, s:s}", "file", string(scene->counterface_surface.files[0]), "sha256",
                                       results->counterface->summary.hash));
-    json_object_set_new(json, "fit_band_m",
-                        json_pack("[o, o]", real(scene->fit_band_m[0]), real(scene->fit_band_m[1])));
+    double band_m[2] = {scene->fit_band_m[0], scene->fit_band_m[1]};
+    if (isinf(band_m[1])) /* up to the whole record */
+        band_m[1] = NAN;
+    json_object_set_new(json, "fit_band_m", pair_json("fit_band_m", band_m, guard));
     const struct scene_convergence *study = &scene->convergence;
     json_object_set_new(json, "convergence",
-                        json_pack("{s:o, s:o, s:o, s:o, s:I}", "alpha", real(study->alpha), "gamma", real(study->gamma),
-                                  "load", real(study->load), "scan_length_m", real(study->scan_length_m), "scales",
+                        json_pack("{s:o, s:o, s:o, s:o, s:I}", "alpha", cell_json(guard, "alpha", study->alpha),
+                                  "gamma", cell_json(guard, "gamma", study->gamma), "load",
+                                  cell_json(guard, "load", study->load), "scan_length_m",
+                                  cell_json(guard, "scan_length_m", study->scan_length_m), "scales",
                                   (json_int_t)study->scales));
     return json;
 }
 
-static json_t *curve_json(const struct model_curve *curve, const struct surface_model *model, unsigned wanted)
+static json_t *curve_json(const struct model_curve *curve, const struct surface_model *model, unsigned wanted,
+                          const struct cell_guard *guard)
 {
     static const struct {
         const char *name;
@@ -98,13 +110,15 @@ static json_t *curve_json(const struct model_curve *curve, const struct surface_
         {"tcr_K_m2_per_W", offsetof(struct contact_point, tcr_K_m2_per_W), CONTACT_THERMAL},
         {"tcr_sd_K_m2_per_W", offsetof(struct contact_point, tcr_sd_K_m2_per_W), CONTACT_SCALE_DEPENDENT},
     };
-    json_t *json =
-        json_pack("{s:o, s:o, s:o, s:o, s:o, s:I}", "full_contact_load", real(model->full_load), "beta",
-                  real(model->beta), "beta_from_multiscale", real(model->beta_multiscale), "area_load_slope",
-                  real(model->area_slope), "largest_load_share_beyond_fit", real(model->most_outside), "evaluations",
-                  (json_int_t)(model->work.scales + model->work.laws + model->work.separations));
+    json_t *json = json_pack("{s:o, s:o, s:o, s:o, s:o, s:I}", "full_contact_load",
+                             cell_json(guard, "full_contact_load", model->full_load), "beta",
+                             cell_json(guard, "beta", model->beta), "beta_from_multiscale",
+                             cell_json(guard, "beta_from_multiscale", model->beta_multiscale), "area_load_slope",
+                             cell_json(guard, "area_load_slope", model->area_slope), "largest_load_share_beyond_fit",
+                             cell_json(guard, "largest_load_share_beyond_fit", model->most_outside), "evaluations",
+                             (json_int_t)(model->work.scales + model->work.laws + model->work.separations));
     json_object_set_new(json, "areas_limited", json_integer((json_int_t)model->clamped));
-    json_object_set_new(json, "largest_load_share_clamped_at_radius", real(model->most_saturated));
+    set(json, guard, "largest_load_share_clamped_at_radius", model->most_saturated);
     for (size_t c = 0; c < sizeof columns / sizeof columns[0]; c++) {
         if (columns[c].quantity && !(wanted & columns[c].quantity))
             continue;
@@ -112,32 +126,37 @@ static json_t *curve_json(const struct model_curve *curve, const struct surface_
         for (size_t i = 0; i < curve->count; i++) {
             double value;
             memcpy(&value, (const char *)&curve->points[i] + columns[c].offset, sizeof value);
-            json_array_append_new(values, real(value));
+            json_array_append_new(values, cell_json(guard, columns[c].name, value));
         }
         json_object_set_new(json, columns[c].name, values);
     }
     return json;
 }
 
+static json_t *mean_json(const char *name, const struct spread_number *number, const struct cell_guard *guard)
+{
+    json_t *json = json_object();
+    set(json, guard, name, number->mean);
+    set(json, guard, "standard_deviation", spread_deviation(number));
+    return json;
+}
+
 /** What repeated scans say apart; loads and alpha as logarithms. */
-static json_t *spread_json(const struct spread *spread)
+static json_t *spread_json(const struct spread *spread, const struct cell_guard *guard)
 {
     const struct {
         const char *name;
         const struct spread_number *number;
     } numbers[] = {{"rq_m", &spread->rq_m}, {"gamma", &spread->gamma}, {"ln_alpha_SI", &spread->log_alpha}};
-    json_t *json = json_pack("{s:I, s:[o,o], s:[o,o]}", "scans_run_alone", (json_int_t)spread->parts, "gamma_95",
-                             real(spread->gamma_interval[0]), real(spread->gamma_interval[1]), "alpha_95",
-                             real(spread->alpha_interval[0]), real(spread->alpha_interval[1]));
+    json_t *json = json_pack("{s:I}", "scans_run_alone", (json_int_t)spread->parts);
+    json_object_set_new(json, "gamma_95", pair_json("gamma_95", spread->gamma_interval, guard));
+    json_object_set_new(json, "alpha_95", pair_json("alpha_95", spread->alpha_interval, guard));
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
-        json_object_set_new(json, numbers[i].name,
-                            json_pack("{s:o, s:o}", "mean", real(numbers[i].number->mean), "standard_deviation",
-                                      real(spread_deviation(numbers[i].number))));
+        json_object_set_new(json, numbers[i].name, mean_json("mean", numbers[i].number, guard));
     for (int m = 0; m < MODEL_COUNT; m++)
         if (spread->log_full_load[m].count > 0)
             json_object_set_new(json, model_rows[m].name,
-                                json_pack("{s:o, s:o}", "ln_full_contact_load", real(spread->log_full_load[m].mean),
-                                          "standard_deviation", real(spread_deviation(&spread->log_full_load[m]))));
+                                mean_json("ln_full_contact_load", &spread->log_full_load[m], guard));
     return json;
 }
 
@@ -154,7 +173,8 @@ static json_t *lines_json(const char *lines)
     return array;
 }
 
-static json_t *surface_json(const struct surface_record *record, const struct plan *plan)
+static json_t *surface_json(const struct surface_record *record, const struct plan *plan,
+                            const struct cell_guard *guard)
 {
     const struct surface_summary *s = &record->summary;
     json_t *files = json_array(), *models = json_object();
@@ -163,7 +183,7 @@ static json_t *surface_json(const struct surface_record *record, const struct pl
     for (int m = 0; m < MODEL_COUNT; m++)
         if (s->models[m].exists)
             json_object_set_new(models, model_rows[m].name,
-                                curve_json(&record->curves[m], &s->models[m], plan->wanted));
+                                curve_json(&record->curves[m], &s->models[m], plan->wanted, guard));
     json_t *json = json_pack("{s:o, s:o, s:s, s:s, s:s}", "surface", string(s->scene->name), "files", files, "sha256",
                              s->hash, "format", s->format, "units", s->units);
     const struct {
@@ -193,10 +213,10 @@ static json_t *surface_json(const struct surface_record *record, const struct pl
         {"end_jump_share", s->jump_share},
     };
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
-        json_object_set_new(json, numbers[i].name, real(numbers[i].value));
+        set(json, guard, numbers[i].name, numbers[i].value);
     json_object_set_new(json, "scans", json_integer((json_int_t)s->scans));
     if (s->spread.parts > 0)
-        json_object_set_new(json, "spread", spread_json(&s->spread));
+        json_object_set_new(json, "spread", spread_json(&s->spread, guard));
     json_object_set_new(json, "notes", lines_json(s->notes));
     json_object_set_new(json, "models", models);
     return json;
@@ -232,17 +252,19 @@ enum status_code json_write(const struct results *results, const char *directory
     text_free(&path);
     if (!file)
         return status_fail(status, STATUS_IO, "cannot write results.json: %s", strerror(errno));
+    const struct cell_guard of_scene = {NULL, status};
     fprintf(file, "{\"program\": \"roughcontact\",\n\"version\": \"%s\",\n\"scene\": ", version_string());
-    bool ok = print(file, scene_json(results)), first = true;
+    bool ok = print(file, scene_json(results, &of_scene)), first = true;
     fputs(",\n\"surfaces\": [", file);
     for (size_t i = 0; i < results->spool->count && ok; i++) {
         if (!results->spool->summaries[i].usable)
             continue;
+        const struct cell_guard guard = {results->spool->summaries[i].scene->name, status};
         struct surface_record record;
         ok = spool_get(&record, results->spool, i, status) == STATUS_OK;
         fputs(first ? "\n" : ",\n", file);
         first = false;
-        ok = ok && print(file, surface_json(&record, results->plan));
+        ok = ok && print(file, surface_json(&record, results->plan, &guard));
         surface_record_free(&record, false);
     }
     fputs("],\n\"refused\": [", file);
@@ -261,5 +283,5 @@ enum status_code json_write(const struct results *results, const char *directory
     bool bad = ferror(file) || !ok;
     if (fclose(file) != 0 || bad)
         return status_fail(status, STATUS_IO, "cannot write results.json");
-    return STATUS_OK;
+    return status->code; /* of a number that could not be written */
 }

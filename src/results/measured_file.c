@@ -353,6 +353,14 @@ static enum status_code row_read(const struct reading *in, struct measured_row *
     if (!(row->value[MEASURED_LOAD] > 0 && row->value[MEASURED_RESISTANCE] > 0))
         return status_fail(in->status, STATUS_SCENE, "%s:%zu: load and resistance must be positive", in->name,
                            row->line);
+    static const char *const columns[MEASURED_COLUMNS] = {"a load", "a resistance", "an error"};
+    static const double least = 1e-100, most = 1e100; /* any that keeps its distance from the ends of double */
+    for (size_t c = 0; c < cells.count; c++) {
+        double size = fabs(row->value[c]), lowest = c == MEASURED_ERROR ? 0 : least;
+        if (!(size >= lowest && size <= most))
+            return status_fail(in->status, STATUS_SCENE, "%s:%zu: %s of %g; allowed is %g to %g", in->name, row->line,
+                               columns[c], row->value[c], lowest, most);
+    }
     return STATUS_OK;
 }
 

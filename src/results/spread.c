@@ -134,7 +134,7 @@ static enum status_code run_part(struct spread *out, struct sums *sums, struct c
     struct model_curve curve = {.points = points};
     own.spectrum = &part->spectrum;
     own.asperities = roughness_asperities(&asperities, &part->roughness, &none) == STATUS_OK ? &asperities : NULL;
-    if (model_rows[model].run(&curve, &model_rows[model], &own, status) != STATUS_OK)
+    if (model_run(&curve, model, &own, status) != STATUS_OK)
         return status->code;
     model_work_add(work, &curve.work);
     if (!curve.exists)

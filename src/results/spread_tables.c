@@ -1,67 +1,62 @@
 /* data/spread.csv and data/bands.csv: what repeated scans of a surface say apart. Written when a surface has several.
  */
+#include "results/cell.h"
 #include "results/tables.h"
 
 #include <errno.h>
 #include <math.h>
 #include <string.h>
 
-static void number(struct text *out, double value)
-{
-    if (isfinite(value))
-        text_add(out, ",%.17g", value);
-    else
-        text_add_bytes(out, ",", 1);
-}
-
 /** surface, quantity, scans, mean, standard deviation, and the 95 % interval where there is one. */
-static void put_number(struct text *out, const char *surface, const char *quantity, const struct spread_number *spread,
-                       const double interval[2])
+static void put_number(struct text *out, const struct cell_guard *guard, const char *quantity,
+                       const struct spread_number *spread, const double interval[2])
 {
     if (spread->count < 2)
         return;
-    text_add_csv(out, surface);
+    text_add_csv(out, guard->surface);
     text_add(out, ",%s,%zu", quantity, spread->count);
-    number(out, spread->mean);
-    number(out, spread_deviation(spread));
-    number(out, interval ? interval[0] : NAN);
-    number(out, interval ? interval[1] : NAN);
+    cell_number(out, guard, quantity, spread->mean);
+    cell_number(out, guard, quantity, spread_deviation(spread));
+    cell_number(out, guard, quantity, interval ? interval[0] : NAN);
+    cell_number(out, guard, quantity, interval ? interval[1] : NAN);
     text_add(out, "\n");
 }
 
-static void put_spread(struct text *out, const struct surface_summary *summary)
+static void put_spread(struct text *out, const struct surface_summary *summary, struct status *status)
 {
     const struct spread *spread = &summary->spread;
-    const char *name = summary->scene->name;
+    const struct cell_guard guard = {summary->scene->name, status};
     double log_alpha[2] = {log(spread->alpha_interval[0]), log(spread->alpha_interval[1])};
     char quantity[64];
-    put_number(out, name, "rq_m", &spread->rq_m, NULL);
-    put_number(out, name, "gamma", &spread->gamma, spread->gamma_interval);
-    put_number(out, name, "ln_alpha_SI", &spread->log_alpha, log_alpha);
+    put_number(out, &guard, "rq_m", &spread->rq_m, NULL);
+    put_number(out, &guard, "gamma", &spread->gamma, spread->gamma_interval);
+    put_number(out, &guard, "ln_alpha_SI", &spread->log_alpha, log_alpha);
     for (int m = 0; m < MODEL_COUNT; m++) {
         snprintf(quantity, sizeof quantity, "beta_%s", model_rows[m].name);
-        put_number(out, name, quantity, &spread->beta[m], NULL);
+        put_number(out, &guard, quantity, &spread->beta[m], NULL);
         snprintf(quantity, sizeof quantity, "ln_full_contact_load_%s", model_rows[m].name);
-        put_number(out, name, quantity, &spread->log_full_load[m], NULL);
+        put_number(out, &guard, quantity, &spread->log_full_load[m], NULL);
     }
 }
 
-static void put_bands(struct text *out, const struct surface_record *record, const struct plan *plan)
+static void put_bands(struct text *out, const struct surface_record *record, const struct plan *plan,
+                      struct status *status)
 {
+    const struct cell_guard guard = {record->summary.scene->name, status};
     for (int m = 0; m < MODEL_COUNT; m++)
         for (size_t i = 0; record->bands[m] && i < record->band_count; i++) {
             const struct spread_band *band = &record->bands[m][i];
-            text_add_csv(out, record->summary.scene->name);
+            text_add_csv(out, guard.surface);
             text_add(out, ",%s", model_rows[m].name);
-            number(out, band->load);
+            cell_number(out, &guard, "load_over_AnEp", band->load);
             for (int side = 0; side < 2; side++)
-                number(out, band->area[side]);
+                cell_number(out, &guard, "area_ratio", band->area[side]);
             for (int side = 0; side < 2 && plan_runs(plan, EFFECT_SEPARATION); side++)
-                number(out, band->separation_m[side]);
+                cell_number(out, &guard, "separation_m", band->separation_m[side]);
             for (int side = 0; side < 2 && plan_runs(plan, EFFECT_ELECTRICAL); side++)
-                number(out, band->ecr_ohm_m2[side]);
+                cell_number(out, &guard, "ecr_ohm_m2", band->ecr_ohm_m2[side]);
             for (int side = 0; side < 2 && plan_runs(plan, EFFECT_THERMAL); side++)
-                number(out, band->tcr_K_m2_per_W[side]);
+                cell_number(out, &guard, "tcr_K_m2_per_W", band->tcr_K_m2_per_W[side]);
             text_add(out, "\n");
         }
 }
@@ -103,7 +98,7 @@ enum status_code tables_write_spread(const struct results *results, const char *
     text_add(&row, "surface,quantity,scans,mean,standard_deviation,low_95,high_95\n");
     for (size_t i = 0; i < results->spool->count && rc == STATUS_OK; i++)
         if (results->spool->summaries[i].usable)
-            put_spread(&row, &results->spool->summaries[i]);
+            put_spread(&row, &results->spool->summaries[i], status);
     if (rc == STATUS_OK)
         flush(spread, &row);
     text_add(&row, "surface,model,load_over_AnEp,area_ratio_low,area_ratio_high%s%s%s\n",
@@ -116,7 +111,7 @@ enum status_code tables_write_spread(const struct results *results, const char *
             continue;
         rc = spool_get(&record, results->spool, i, status);
         if (rc == STATUS_OK)
-            put_bands(&row, &record, results->plan);
+            put_bands(&row, &record, results->plan, status);
         if (rc == STATUS_OK)
             flush(bands, &row);
         if (rc == STATUS_OK)
@@ -128,5 +123,7 @@ enum status_code tables_write_spread(const struct results *results, const char *
         bad = true;
     if (bands && fclose(bands) != 0)
         bad = true;
-    return bad && rc == STATUS_OK ? status_fail(status, STATUS_IO, "cannot write spread.csv and bands.csv") : rc;
+    if (bad && rc == STATUS_OK)
+        return status_fail(status, STATUS_IO, "cannot write spread.csv and bands.csv");
+    return status->code; /* of a number that could not be written, too */
 }

@@ -21,7 +21,9 @@ static void describe(struct surface_record *record, const struct scene *scene)
 
     const struct powerlaw *law = &summary->law;
     if (isnan(law->gamma)) {
-        gather_note(summary, "no power law: fewer than 3 harmonics lie in the fit band; widen fit_band_m");
+        gather_note(summary, "no power law: %s",
+                    law->harmonics < 3 ? "fewer than 3 harmonics lie in the fit band; widen fit_band_m"
+                                       : "its alpha is beyond the range of numbers; are the units right?");
         return;
     }
     /* a jump J at the border of the record adds J/(pi n) to harmonic n, an f^-1 tail */
@@ -121,11 +123,18 @@ enum status_code surface_run_models(struct surface_record *record, const struct 
         if (!curve->points)
             return status_memory(status);
         double started = clock_seconds();
-        if (model_rows[m].run(curve, &model_rows[m], &task, status) != STATUS_OK)
+        if (model_run(curve, (enum model_id)m, &task, status) != STATUS_OK)
             return status->code;
         summary->times.models[m] = clock_seconds() - started;
         if (curve->exists)
             condense_curve(&summary->models[m], curve, &model_rows[m], summary->asperities.sigma_m);
+        else
+            summary->models[m].work = curve->work;
+        if (curve->overflows)
+            gather_note(
+                summary,
+                "no %s: its numbers leave what can be computed with; check the units, the material and the loads",
+                model_rows[m].label);
         if (run_parts(record, (enum model_id)m, &task, status) != STATUS_OK)
             return status->code;
     }

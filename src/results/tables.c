@@ -1,5 +1,6 @@
 #include "results/tables.h"
 
+#include "results/cell.h"
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>
@@ -42,13 +43,6 @@ static bool column_present(const struct column *column, const struct plan *plan)
            (column->family == 0 || (plan->families & column->family));
 }
 
-static void number(struct text *row, double value)
-{
-    char cell[32] = ","; /* not computed for this row: an empty cell */
-    int length = isnan(value) ? 1 : snprintf(cell, sizeof cell, ",%.17g", value);
-    text_add_bytes(row, cell, (size_t)length);
-}
-
 static FILE *open_table(const char *directory, const char *name, struct status *status)
 {
     struct text path = {0};
@@ -74,7 +68,7 @@ static enum status_code close_table(FILE *file, struct text *row, const char *na
     text_free(row);
     if (fclose(file) != 0 || bad)
         return status_fail(status, STATUS_IO, "cannot write '%s': %s", name, strerror(errno));
-    return STATUS_OK;
+    return status->code; /* of a number that could not be written */
 }
 
 static void put_header(FILE *file, struct text *row, const struct column *columns, size_t count,
@@ -125,6 +119,7 @@ static enum status_code write_surfaces(const struct results *results, const char
         const struct surface_summary *s = &results->spool->summaries[i];
         if (!s->usable)
             continue;
+        const struct cell_guard guard = {s->scene->name, status};
         const struct surface_model *gw = &s->models[MODEL_GW], *jg = &s->models[MODEL_JG];
         const double values[COLUMNS] = {
             0,
@@ -160,27 +155,29 @@ static enum status_code write_surfaces(const struct results *results, const char
         text_add(&row, ",%zu", s->points);
         for (size_t c = TEXTS; c < COLUMNS; c++)
             if (column_present(&columns[c], results->plan))
-                number(&row, values[c]);
+                cell_number(&row, &guard, columns[c].name, values[c]);
         put(file, &row);
     }
     return close_table(file, &row, name, status);
 }
 
-static void put_spectrum(FILE *file, struct text *row, const struct surface_record *record)
+static void put_spectrum(FILE *file, struct text *row, const struct surface_record *record,
+                         const struct cell_guard *guard)
 {
     const struct spectrum *spectrum = &record->spectrum;
     for (size_t i = 0; i < spectrum->count; i++) {
         double wavelength_m = 1 / spectrum_frequency(spectrum, i);
         text_add_csv(row, record->summary.scene->name);
-        number(row, wavelength_m);
-        number(row, spectrum->amplitude_m[i]);
-        number(row, powerlaw_amplitude(&record->summary.law, wavelength_m));
+        cell_number(row, guard, "wavelength_m", wavelength_m);
+        cell_number(row, guard, "amplitude_m", spectrum->amplitude_m[i]);
+        cell_number(row, guard, "fit_m", powerlaw_amplitude(&record->summary.law, wavelength_m));
         put(file, row);
     }
 }
 
-static void put_contact(FILE *file, struct text *row, const struct surface_record *record, const struct column *columns,
-                        size_t column_count, const struct plan *plan)
+static void put_contact(FILE *file, struct text *row, const struct surface_record *record,
+                        const struct cell_guard *guard, const struct column *columns, size_t column_count,
+                        const struct plan *plan)
 {
     double sigma_m = record->summary.asperities.sigma_m;
     for (int m = 0; m < MODEL_COUNT; m++)
@@ -201,7 +198,7 @@ static void put_contact(FILE *file, struct text *row, const struct surface_recor
             text_add(row, ",%s", model_rows[m].name);
             for (size_t c = 2; c < column_count; c++)
                 if (column_present(&columns[c], plan))
-                    number(row, values[c]);
+                    cell_number(row, guard, columns[c].name, values[c]);
             put(file, row);
         }
 }
@@ -243,8 +240,9 @@ static enum status_code write_curves(const struct results *results, const char *
         rc = spool_get(&record, results->spool, i, status);
         if (rc != STATUS_OK)
             break;
-        put_spectrum(spectrum, &row, &record);
-        put_contact(contact, &contact_row, &record, columns, COLUMNS, results->plan);
+        const struct cell_guard guard = {record.summary.scene->name, status};
+        put_spectrum(spectrum, &row, &record, &guard);
+        put_contact(contact, &contact_row, &record, &guard, columns, COLUMNS, results->plan);
         surface_record_free(&record, false);
     }
     enum status_code first = close_table(spectrum, &row, "spectrum.csv", status);
@@ -256,6 +254,7 @@ static enum status_code write_convergence(const struct results *results, const c
 {
     const struct scene_convergence *study = &results->scene->convergence;
     size_t index[SWEEP_ROWS], count = results_sweep_scales(index, SWEEP_ROWS, study->scales);
+    const struct cell_guard guard = {NULL, status};
     struct text row = {0};
     FILE *file = open_table(directory, "convergence.csv", status);
     if (!file)
@@ -269,10 +268,10 @@ static enum status_code write_convergence(const struct results *results, const c
                 const double *area = results_sweep(results, (enum convergence_sweep)s, model_rows[m].plastic, v);
                 for (size_t k = 0; k < count; k++) {
                     text_add(&row, "%s", convergence_sweeps[s].name);
-                    number(&row, convergence_sweeps[s].values[v]);
+                    cell_number(&row, &guard, "value", convergence_sweeps[s].values[v]);
                     text_add(&row, ",%s", model_rows[m].name);
-                    number(&row, study->scan_length_m / (double)(index[k] + 1));
-                    number(&row, area[index[k]]);
+                    cell_number(&row, &guard, "wavelength_m", study->scan_length_m / (double)(index[k] + 1));
+                    cell_number(&row, &guard, "area_ratio", area[index[k]]);
                     put(file, &row);
                 }
             }

@@ -126,6 +126,10 @@ static enum status_code evaluate(struct run *run, struct run_outcome *out, struc
         rc = rank_surfaces(run, status);
     if (rc == STATUS_OK)
         rc = workers_run(run->results, workers_model, run->options, status);
+    if (rc == STATUS_OK) { /* once more: the models may have something to say */
+        text_free(&out->messages);
+        prepare_messages(&out->messages, &prepared->spool);
+    }
     double last = clock_seconds();
     if (rc == STATUS_OK && plan_runs(&prepared->plan, EFFECT_CONVERGENCE))
         rc = run_sweeps(run, status);

@@ -66,10 +66,13 @@ enum status_code workers_model(struct surface_record *record, const struct resul
 {
     if (!results->spool->summaries[index].usable)
         return STATUS_OK;
-    if (spool_get(record, results->spool, index, status) != STATUS_OK ||
-        surface_run_models(record, results->scene, results->plan, results->loads, results->load_count, status) !=
-            STATUS_OK)
+    if (spool_get(record, results->spool, index, status) != STATUS_OK)
         return status->code;
+    enum status_code rc =
+        surface_run_models(record, results->scene, results->plan, results->loads, results->load_count, status);
+    results->spool->summaries[index] = record->summary; /* its texts may have been made anew */
+    if (rc != STATUS_OK)
+        return rc;
     return spool_put(results->spool, index, record, status);
 }
 

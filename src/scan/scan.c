@@ -33,6 +33,7 @@ const struct scan_reader scan_readers[] = {
 const size_t scan_reader_count = sizeof scan_readers / sizeof *scan_readers;
 
 const char *const scan_quantity_names[SCAN_QUANTITY_COUNT] = {"height", "slope"};
+const double scan_least_m = 1e-30, scan_most_m = 1e30;
 
 enum { SCAN_POINTS = 3 };
 
@@ -83,6 +84,38 @@ static enum status_code check_positions(struct scan *scan, const struct scan_byt
     return STATUS_OK;
 }
 
+static enum status_code check_length(double length_m, const char *what, char axis, const struct scan_bytes *file,
+                                     struct status *status)
+{
+    if (length_m >= scan_least_m * (1 - 1e-9) && length_m <= scan_most_m * (1 + 1e-9)) /* positions are rounded */
+        return STATUS_OK;
+    return scan_fail(status, file, 0, "%s of %.3g m; allowed is %g to %g m: is the unit of %c right?", what, length_m,
+                     scan_least_m, scan_most_m, axis);
+}
+
+/* Squares of what lies beyond would overflow or vanish. */
+static enum status_code check_lengths(const struct scan *scan, const struct scan_bytes *file, struct status *status)
+{
+    double step_m = scan->dx_m, largest_m = 0, highest_m = -INFINITY, lowest_m = INFINITY;
+    for (size_t i = 1; scan->x_m && i < scan->nx; i++)
+        step_m = fmin(step_m, scan->x_m[i] - scan->x_m[i - 1]);
+    for (size_t i = 0; i < scan->nx * scan->ny; i++) { /* fmax() and fmin() pass over missing points */
+        largest_m = fmax(largest_m, fabs(scan->z_m[i]));
+        highest_m = fmax(highest_m, scan->z_m[i]);
+        lowest_m = fmin(lowest_m, scan->z_m[i]);
+    }
+    if (check_length(step_m, "a spacing", 'x', file, status) != STATUS_OK ||
+        check_length((double)scan->nx * scan->dx_m, "a length", 'x', file, status) != STATUS_OK)
+        return status->code;
+    if (scan->kind == SCAN_AREAL &&
+        (check_length(scan->dy_m, "a row spacing", 'y', file, status) != STATUS_OK ||
+         check_length((double)scan->ny * scan->dy_m, "a width", 'y', file, status) != STATUS_OK))
+        return status->code;
+    if (largest_m > scan_most_m)
+        return check_length(largest_m, "heights", 'z', file, status);
+    return highest_m == lowest_m ? STATUS_OK : check_length(highest_m - lowest_m, "heights", 'z', file, status);
+}
+
 /* What scan.h promises about every scan, whichever reader made it. */
 static enum status_code check(struct scan *scan, const struct scan_bytes *file, struct status *status)
 {
@@ -99,7 +132,7 @@ static enum status_code check(struct scan *scan, const struct scan_bytes *file, 
     }
     if (points - scan->missing < SCAN_POINTS)
         return scan_fail(status, file, 0, "%zu of %zu heights are missing", scan->missing, points);
-    return STATUS_OK;
+    return check_lengths(scan, file, status);
 }
 
 static double unit_si(const char *name, bool slope)

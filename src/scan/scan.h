@@ -61,11 +61,16 @@ struct scan_reader {
                              struct status *status);
 };
 
+/** Lengths [m] beyond which nothing was measured, and a unit or an exponent is wrong. Of heights and steps between them
+ * the squares of heights, slopes and curvatures (up to 1e180) keep their distance from the ends of double. */
+extern const double scan_least_m, scan_most_m;
+
 extern const struct scan_reader scan_readers[]; /* first match wins; text last */
 extern const size_t scan_reader_count;
 
 /** Reads `path`. `out` is to be freed with scan_free() whatever comes back.
- * Heights and positions are SI; x ascends strictly; at least 3 points; every number finite or, for z, NaN (missing).
+ * Heights and positions are SI; x ascends strictly; at least 3 points; every number finite or, for z, NaN (missing);
+ * steps, the extent and the largest difference of heights (unless all are equal) are scan_least_m to scan_most_m.
  * Errors: STATUS_IO (cannot be read), STATUS_SCAN (no scan, one line: what, which line, remedy),
  * STATUS_MEMORY. */
 MUST_CHECK enum status_code scan_read(struct scan *out, const char *path, const struct scan_options *options,

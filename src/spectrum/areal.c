@@ -3,6 +3,7 @@
 #include "profile/level.h"
 #include "profile/profile.h"
 #include "spectrum/grid.h"
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -39,10 +40,14 @@ static enum status_code fit_plane(struct plane *out, const struct scan *scan, st
     return STATUS_OK;
 }
 
-static void measure_heights(struct areal *out, const struct scan *scan, const struct plane *plane)
+/** Error: STATUS_SCAN: a flat map, but for what taking the plane out rounds. */
+static enum status_code measure_heights(struct areal *out, const struct scan *scan, const struct plane *plane,
+                                        struct status *status)
 {
-    double n = 0, square = 0, absolute = 0, highest = -INFINITY, lowest = INFINITY;
+    double n = 0, square = 0, absolute = 0, highest = -INFINITY, lowest = INFINITY, most = -INFINITY, least = INFINITY;
     for (size_t i = 0; i < scan->nx * scan->ny; i++) {
+        most = fmax(most, scan->z_m[i]);
+        least = fmin(least, scan->z_m[i]);
         double x = (double)(i % scan->nx) - plane->x, y = (double)(i / scan->nx) - plane->y;
         double z = scan->z_m[i] - plane->z - plane->p * x - plane->q * y;
         if (isnan(z))
@@ -54,6 +59,11 @@ static void measure_heights(struct areal *out, const struct scan *scan, const st
     out->sq_m = sqrt(square / n);
     out->sa_m = absolute / n;
     out->sz_m = highest - lowest;
+    if (most == least)
+        return status_fail(status, STATUS_SCAN, "the map is flat: every height is %.9g m; check the column", most);
+    if (out->sz_m <= 32 * DBL_EPSILON * (fabs(most) + most - least))
+        return status_fail(status, STATUS_SCAN, "the map is flat: no roughness is left over its plane");
+    return STATUS_OK;
 }
 
 /** Mean square of the slope where both neighbours are there; NaN: nowhere. */
@@ -161,7 +171,8 @@ enum status_code areal_compute(struct areal *out, const struct scan *scan, struc
     *out = (struct areal){0};
     if (fit_plane(&plane, scan, status) != STATUS_OK)
         return status->code;
-    measure_heights(out, scan, &plane);
+    if (measure_heights(out, scan, &plane, status) != STATUS_OK)
+        return status->code;
     struct rows rows = {.x_m = malloc(2 * scan->nx * sizeof *rows.x_m)};
     if (!rows.x_m)
         return status_memory(status);

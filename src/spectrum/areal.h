@@ -14,7 +14,7 @@ struct areal {
 };
 
 /** Missing points are left out of every figure; a slope or curvature counts where all its points are there. Owned:
- * areal_free(), whatever comes back. Errors: STATUS_SCAN: too few points; STATUS_MEMORY. */
+ * areal_free(), whatever comes back. Errors: STATUS_SCAN: too few points, a flat map; STATUS_MEMORY. */
 MUST_CHECK enum status_code areal_compute(struct areal *out, const struct scan *scan, struct status *status);
 void areal_free(struct areal *areal);
 

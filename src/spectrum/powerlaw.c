@@ -115,10 +115,13 @@ struct powerlaw powerlaw_fit(const struct spectrum *spectrum, const double band_
     /* log10 alpha is the line's value at x = -log10 L, where its error is that of the mean and of the slope together */
     double lever = -log_length - line.x_mean;
     double log_alpha_error = sqrt(variance * (1 / sums.n + lever * lever / line.x_spread));
+    double alpha = pow(10, log_alpha), alpha_error = alpha * M_LN10 * log_alpha_error;
+    if (!isnormal(alpha) || !isfinite(alpha_error)) /* a steep law through a record of 1e-20 m */
+        return law;
     law.gamma = line.slope;
     law.gamma_error = sqrt(variance / line.x_spread);
-    law.alpha = pow(10, log_alpha);
-    law.alpha_error = law.alpha * M_LN10 * log_alpha_error;
+    law.alpha = alpha;
+    law.alpha_error = alpha_error;
     law.rms_decades = sqrt(line.residual / sums.n);
     find_knee(&law, spectrum, &sums, line.residual);
     return law;

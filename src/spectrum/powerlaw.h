@@ -21,7 +21,7 @@ struct powerlaw {
 };
 
 /** Fits the harmonics whose wavelength lies in band_m = {shortest, longest}; amplitudes of zero are left out.
- * Fewer than 3 harmonics in the band: every number NaN. */
+ * Fewer than 3 harmonics in the band, or an alpha beyond the range of double: every number NaN. */
 struct powerlaw powerlaw_fit(const struct spectrum *spectrum, const double band_m[2]);
 
 /** Amplitude of the law at a wavelength [m]. */

@@ -6,6 +6,8 @@ static const double summit_variance = 3.717e-4;       /* McCool 1986, thesis (4.
 static const double summit_variance_digits = 1.35e-4; /* its relative rounding: half a unit of the last digit printed */
 static const double summit_offset = 0.045944;         /* Front, thesis (4.30) */
 
+static const double most_nayak = 1e24; /* slopes beyond are what rounding leaves of the difference of equal heights */
+
 /** What needs no positions. */
 static struct roughness heights_alone(const double *height_m, size_t points)
 {
@@ -78,13 +80,23 @@ void roughness_add(struct roughness *sum, const struct roughness *other)
     sum->ra_m = sum->pv_m = NAN; /* of the two together neither is known */
 }
 
+double roughness_nayak(const struct roughness *roughness)
+{
+    if (!(roughness->m2 > 0))
+        return NAN;
+    double nayak = roughness->m0_m2 / roughness->m2 * (roughness->m4_per_m2 / roughness->m2);
+    return nayak <= most_nayak ? nayak : NAN;
+}
+
 enum status_code roughness_asperities(struct asperities *out, const struct roughness *roughness, struct status *status)
 {
     double m0 = roughness->m0_m2, m2 = roughness->m2, m4 = roughness->m4_per_m2;
     *out = (struct asperities){NAN, NAN, NAN, NAN, NAN, sqrt(m0)};
-    if (!(m0 > 0 && m2 > 0 && m4 > 0))
-        return status_fail(status, STATUS_MODEL, "the profile is flat: no asperities to count");
-    out->nayak = m0 / m2 * (m4 / m2);
+    out->nayak = m0 > 0 && m4 > 0 ? roughness_nayak(roughness) : NAN;
+    if (isnan(out->nayak))
+        return status_fail(status, STATUS_MODEL,
+                           "the profile is flat, or rises nowhere from one point to the next but one: no asperities "
+                           "to count");
     out->density_per_m2 = m4 / m2 / (6 * M_PI * sqrt(3));
     out->radius_m = 0.375 * sqrt(M_PI / m4);
     double density_radius = out->density_per_m2 * out->radius_m;

@@ -31,9 +31,12 @@ void roughness_average(struct roughness *mean, const struct roughness *other, si
 /** Two rough surfaces in contact: moments add, Rq follows; Ra and PV become NaN. */
 void roughness_add(struct roughness *sum, const struct roughness *other);
 
+/** Nayak parameter m0 m4/m2²; NaN where there is no slope, or none but rounding (above 1e24). */
+double roughness_nayak(const struct roughness *roughness);
+
 /** The rough surface as the statistical models see it: asperities of one radius, Gaussian heights. */
 struct asperities {
-    double nayak;          /* m0 m4/m2² */
+    double nayak;          /* m0 m4/m2²; NaN without slopes */
     double density_per_m2; /* eta = (m4/m2)/(6 pi sqrt3) (4.21) */
     double radius_m;       /* R = 0.375 sqrt(pi/m4) (4.22) */
     double sigma_s_m;      /* sqrt(m0 - 3.717e-4/(eta R)²) (4.24) */

@@ -100,6 +100,11 @@ static void test_filters(void **state)
     struct scan scan = scan_on(NULL, f->z, POINTS, 1e-6);
     assert_profile_refused(&scan, &(struct profile_options){.lambda_c_m = 0.01},
                            "lambda_c_m is 0.01, longer than the scan");
+    scan = scan_on(NULL, f->z, POINTS, 1e-12);
+    assert_profile_refused(&scan, &(struct profile_options){.lambda_s_m = 1e3}, "no roughness is left between");
+    for (size_t i = 0; i < POINTS; i++) /* such as a row of a map whose other rows are rough */
+        f->z[i] *= 1e-300;
+    assert_profile_refused(&scan, &(struct profile_options){.lambda_s_m = 0}, "differ by no more than");
 }
 
 /* Uneven points: kept as measured until a filter makes them something else. */

@@ -156,7 +156,7 @@ static void what_is_wrong_is_named(void **state)
         {"1,5\t2\n", &plain, "ecr.csv:1: '1,5' is no number"},
         {"1,2\n-.5,2\n", &plain, "ecr.csv:2: load and resistance must be positive"},
         {"1,1e999\n", &plain, "ecr.csv:1: '1e999' is no number"},
-        {"1,1e308\n1,2\n", &huge, "ecr.csv:1: too large or too small"},
+        {"1,1e308\n1,2\n", &huge, "ecr.csv:1: a resistance of 1e+308; allowed is"},
         /* no unit, and what to add */
         {"load,ecr\n1,2\n", &silent,
          "unit of the load; name it in the heading, such as 'load (N)', or add 'load_unit'"},

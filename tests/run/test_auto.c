@@ -63,6 +63,7 @@ static struct truth truth_of(const char *text)
         assert_int_equal(
             surface_run_models(&record, &scene, &prepared.plan, prepared.loads, prepared.results.load_count, &status),
             STATUS_OK);
+        prepared.spool.summaries[s] = record.summary; /* it may have got a note */
         truth.plastic =
             fmax(truth.plastic, plastic_change(&record, MODEL_MULTISCALE_ELASTIC, MODEL_MULTISCALE_PLASTIC));
         truth.plastic = fmax(truth.plastic, plastic_change(&record, MODEL_GW, MODEL_JG));

@@ -231,6 +231,21 @@ static void test_scatter_of_a_gaussian_surface(void **state)
     gsl_rng_free(random);
 }
 
+/* Delta = 1e-6 (lambda/L)^20 over 1e-25 m: alpha is 1e494. */
+static void test_an_alpha_beyond_double_is_no_fit(void **state)
+{
+    struct spectrum *spectrum = sample_law(*state, 40, 1, 1e-6, 20);
+    assert_near(powerlaw_fit(spectrum, all_m).alpha, 1e-6, 1e-9);
+    spectrum->length_m = 1e-25;
+    struct powerlaw law = powerlaw_fit(spectrum, all_m);
+    assert_int_equal(law.harmonics, 40);
+    assert_true(isnan(law.alpha) && isnan(law.alpha_error) && isnan(law.gamma) && isnan(law.rms_decades));
+    spectrum = sample_law(*state, 40, 1, 1e-6, -20);
+    spectrum->length_m = 1e-25; /* 1e-506 */
+    law = powerlaw_fit(spectrum, all_m);
+    assert_true(isnan(law.alpha) && isnan(law.gamma));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -240,6 +255,7 @@ int main(void)
         cmocka_unit_test(test_the_band_is_kept),
         cmocka_unit_test(test_amplitudes_of_zero_are_left_out),
         cmocka_unit_test(test_fewer_than_three_harmonics_give_no_fit),
+        cmocka_unit_test(test_an_alpha_beyond_double_is_no_fit),
         cmocka_unit_test(test_a_knee_is_found),
         cmocka_unit_test(test_no_knee_in_one_law_with_gaussian_scatter),
         cmocka_unit_test(test_scatter_of_a_gaussian_surface),

@@ -194,6 +194,23 @@ static void test_a_flat_profile_has_no_asperities(void **state)
     }
 }
 
+/* Central differences of +1, -1, +1 ... are 0, or what is left of rounding after a line was taken out. */
+static void test_no_slope_but_rounding(void **state)
+{
+    (void)state;
+    static const double m2[] = {0, 1e-33, 1e-28};
+    for (int k = 0; k < 3; k++) {
+        struct asperities a;
+        struct status status = {0};
+        struct roughness r = {.m0_m2 = 1e-12, .m2 = m2[k], .m4_per_m2 = 1e13};
+        assert_true(isnan(roughness_nayak(&r)));
+        assert_int_equal(roughness_asperities(&a, &r, &status), STATUS_MODEL);
+        assert_non_null(strstr(status.message, "rises nowhere"));
+    }
+    struct roughness some = {.m0_m2 = 1e-12, .m2 = 1e-10, .m4_per_m2 = 1e13};
+    assert_near(roughness_nayak(&some), 1e21, 1e-14);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -207,6 +224,7 @@ int main(void)
         cmocka_unit_test(test_asperities_against_the_reference),
         cmocka_unit_test(test_the_least_nayak_parameter),
         cmocka_unit_test(test_a_flat_profile_has_no_asperities),
+        cmocka_unit_test(test_no_slope_but_rounding),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

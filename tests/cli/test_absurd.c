@@ -1,0 +1,347 @@
+/* Scans no instrument measured, each beside a good one: the good one is reported, and nothing that is written holds a
+ * number that is not one. */
+#include "cli/process.h"
+
+#include <ctype.h>
+#include <ftw.h>
+#include <jansson.h>
+#include <stdio.h>
+#include <strings.h>
+#include <unistd.h>
+
+enum { POINTS = 200, NX = 20, NY = 10 };
+
+/** Heights in units of the case's `height`, by point. */
+typedef double shape(size_t i);
+
+static double rough(size_t i)
+{
+    return sin(0.3 * (double)i) + 0.6 * cos(1.1 * (double)i * (double)i) + 0.3 * sin(2.9 * (double)i);
+}
+
+static double flat(size_t i)
+{
+    (void)i;
+    return 1;
+}
+
+static double offset(size_t i)
+{
+    return 1e15 + rough(i);
+}
+
+static double ramp(size_t i)
+{
+    return (double)i;
+}
+
+static double spike(size_t i)
+{
+    return i == 77 ? 1 : 0;
+}
+
+static double alternating(size_t i)
+{
+    return i % 2 ? -1 : 1;
+}
+
+static double all_but_one(size_t i)
+{
+    return i == 0 ? 0 : 1;
+}
+
+static double ridges(size_t i)
+{
+    return (double)(i / NX % 3);
+}
+
+static double first_row_tiny(size_t i)
+{
+    return (i < NX ? 1e-310 : 1) * rough(i);
+}
+
+struct absurd {
+    const char *name, *height, *spacing; /* as decimal numbers in the unit; positions start at 0 */
+    const char *unit;
+    shape *shape;
+    size_t points;                         /* 0: a map of NX x NY */
+    const char *refusal, *inspect_refusal; /* NULL: not refused */
+};
+
+#define BOTH(message) (message), (message)
+#define LIMITS        " m; allowed is 1e-30 to 1e+30 m: is the unit of "
+
+static const struct absurd cases[] = {
+    {"tiny", "1e-316", "1e-6", "m", rough, POINTS, BOTH("e-316" LIMITS "z right?")},
+    {"least double", "4.94e-324", "1e-6", "m", alternating, POINTS, BOTH("heights of 9.88e-324" LIMITS "z right?")},
+    {"squares vanish", "1e-160", "1e-6", "m", rough, POINTS, BOTH("e-160" LIMITS "z right?")},
+    {"small", "1e-29", "1e-6", "m", rough, POINTS, BOTH(NULL)},
+    {"large", "1e28", "1e-6", "m", rough, POINTS, BOTH(NULL)},
+    {"squares overflow", "1e150", "1e-6", "m", rough, POINTS, BOTH("e+150" LIMITS "z right?")},
+    {"huge", "1e300", "1", "um", rough, POINTS, BOTH("e+294" LIMITS "z right?")},
+    {"differences overflow", "1.7e308", "1e-6", "m", alternating, POINTS,
+     BOTH("heights of 1.7e+308" LIMITS "z right?")},
+    {"dense", "1e-6", "1e-313", "m", rough, POINTS, BOTH("a spacing of 1e-313" LIMITS "x right?")},
+    {"denser than atoms", "1e-6", "2e-30", "m", rough, POINTS, BOTH(NULL)},
+    {"sparse", "1e-6", "1e160", "m", rough, POINTS, BOTH("a spacing of 1e+160" LIMITS "x right?")},
+    {"long", "1e-6", "1e28", "m", rough, POINTS, BOTH("a length of 2e+30" LIMITS "x right?")},
+    {"offset", "1e-12", "1e-6", "m", offset, POINTS, BOTH("the scan is flat: no roughness is left after level: line")},
+    {"flat", "1e-6", "1e-6", "m", flat, POINTS, BOTH("the scan is flat: every height is 1e-06 m")},
+    {"ramp", "1e-6", "1e-6", "m", ramp, POINTS, BOTH("the scan is flat: no roughness is left after level: line")},
+    {"three", "1e-6", "1e-6", "m", rough, 3, BOTH(NULL)},
+    {"three in a line", "1e-6", "1e-6", "m", ramp, 3, BOTH("the scan is flat: no roughness is left")},
+    {"four", "1e-6", "1e-6", "m", rough, 4, BOTH(NULL)},
+    {"eight", "1e-6", "1e-6", "m", rough, 8, BOTH(NULL)},
+    {"spike", "1e-6", "1e-6", "m", spike, POINTS, BOTH(NULL)},
+    {"alternating", "1e-6", "1e-6", "m", alternating, POINTS, BOTH(NULL)},
+    {"alternating odd", "1e-6", "1e-6", "m", alternating, POINTS - 1, BOTH(NULL)},
+    {"all but one", "1e-6", "1e-6", "m", all_but_one, POINTS, BOTH(NULL)},
+    {"flat map", "1e-6", "1e-6", "m", flat, 0, "the scan is flat: every height is", "the map is flat: every height is"},
+    {"plane", "1e-6", "1e-6", "m", ramp, 0, "the scan is flat: no roughness is left",
+     "the map is flat: no roughness is left"},
+    {"ridges", "1e-6", "1e-6", "m", ridges, 0, "the scan is flat: every height is", NULL},
+    {"map", "1e-6", "1e-6", "m", rough, 0, BOTH(NULL)},
+    {"tiny map", "1e-316", "1e-6", "m", rough, 0, BOTH("e-316" LIMITS "z right?")},
+    {"huge map", "1e300", "1e-6", "m", rough, 0, BOTH("e+300" LIMITS "z right?")},
+    {"dense map", "1e-6", "1e-313", "m", rough, 0, BOTH("a spacing of 1e-313" LIMITS "x right?")},
+    {"map with a tiny row", "1e-6", "1e-6", "m", first_row_tiny, 0, BOTH(NULL)},
+};
+enum { CASES = sizeof cases / sizeof *cases };
+
+static void write_case(const char *place, const char *path, const struct absurd *absurd)
+{
+    char *content = NULL;
+    size_t length, count = absurd->points ? absurd->points : NX * NY;
+    FILE *out = open_memstream(&content, &length);
+    double height = strtod(absurd->height, NULL), spacing = strtod(absurd->spacing, NULL);
+    assert_non_null(out);
+    fprintf(out, "x [%s]%s%s%s,z [%s]\n", absurd->unit, absurd->points ? "" : ",y [",
+            absurd->points ? "" : absurd->unit, absurd->points ? "" : "]", absurd->unit);
+    for (size_t i = 0; i < count; i++) {
+        if (absurd->points)
+            fprintf(out, "%.17g,", (double)i * spacing);
+        else
+            fprintf(out, "%.17g,%.17g,", (double)(i % NX) * spacing, (double)(i / NX) * spacing);
+        fprintf(out, "%.17g\n", absurd->shape(i) * height);
+    }
+    fclose(out);
+    workspace_write(place, path, content);
+    free(content);
+}
+
+/** Fails when `text` holds nan or inf as a word of its own, with a sign or without. */
+static void expect_numbers(const char *text, const char *where)
+{
+    static const char *const words[] = {"nan", "inf", "infinity"};
+    for (const char *at = text; *at;) {
+        size_t length = 0;
+        while (isalnum((unsigned char)at[length]) || at[length] == '_')
+            length++;
+        for (size_t w = 0; w < sizeof words / sizeof *words; w++)
+            if (strlen(words[w]) == length && strncasecmp(at, words[w], length) == 0) {
+                const char *from = at - text > 60 ? at - 60 : text;
+                fail_msg("%s: %.100s", where, from);
+            }
+        at += length ? length : 1;
+    }
+}
+
+static size_t files_seen;
+
+static int expect_numbers_in(const char *path, const struct stat *info, int type, struct FTW *level)
+{
+    (void)info;
+    if (type != FTW_F)
+        return 0;
+    char *template_path;
+    assert_true(asprintf(&template_path, "%s/templates/%s", PROJECT_SOURCE, path + level->base) > 0);
+    bool code = access(template_path, F_OK) == 0; /* gnuplot's NaN, as in the templates */
+    free(template_path);
+    if (code)
+        return 0;
+    char *content = workspace_read("/", path);
+    expect_numbers(content, path);
+    free(content);
+    files_seen++;
+    return 0;
+}
+
+static void check_report(const char *place, const struct absurd *absurd, const char *folder, const char *scene)
+{
+    char path[128], out[64];
+    snprintf(path, sizeof path, "%s/good.csv", folder);
+    workspace_scan(place, path, 300, 4);
+    snprintf(path, sizeof path, "%s/bad.csv", folder);
+    write_case(place, path, absurd);
+    snprintf(path, sizeof path, "%s/scene.yaml", folder);
+    workspace_write(place, path, scene);
+    snprintf(out, sizeof out, "out-%s", folder);
+    struct process process = expect_exit(place, absurd->refusal ? 1 : 0, "report", folder, "-o", out);
+    expect_numbers(process.out, "stdout");
+    expect_numbers(process.err, "stderr");
+    if (absurd->refusal) {
+        expect_part(process.err, "surface 'bad' refused: bad.csv: ");
+        expect_part(process.err, absurd->refusal);
+    }
+    process_free(&process);
+    char *whole;
+    assert_true(asprintf(&whole, "%s/%s", place, out) > 0);
+    files_seen = 0;
+    assert_int_equal(nftw(whole, expect_numbers_in, 16, FTW_PHYS), 0);
+    assert_true(files_seen > 20);
+    free(whole);
+    snprintf(path, sizeof path, "%s/data/contact.csv", out);
+    char *contact = workspace_read(place, path);
+    expect_part(contact, "\ngood,jg,");
+    if (!absurd->refusal)
+        expect_part(contact, "\nbad,multiscale-elastic,");
+    free(contact);
+    snprintf(path, sizeof path, "%s/results.json", out);
+    char *results = workspace_read(place, path);
+    json_error_t error;
+    json_t *json = json_loads(results, 0, &error);
+    assert_non_null(json);
+    assert_int_equal(json_array_size(json_object_get(json, "refused")), absurd->refusal ? 1 : 0);
+    json_decref(json);
+    free(results);
+}
+
+static void test_reports(void **state)
+{
+    for (size_t i = 0; i < CASES; i++) {
+        char folder[16];
+        snprintf(folder, sizeof folder, "d%zu", i);
+        print_message("%s\n", cases[i].name);
+        check_report(*state, &cases[i], folder, "material: tin\nload: {points: 7}\nconvergence: {scales: 16}\n");
+    }
+}
+
+/* Properties and loads at the ends of what a scene may say, with surfaces at the ends of what a scan may be. */
+static void test_scenes_at_their_limits(void **state)
+{
+    static const char *const scenes[] = {
+        "{E_Pa: 1e13, nu: 0, Sy_Pa: 1e3, resistivity_ohm_m: 1e18, conductivity_W_per_mK: 1e-4, density_kg_per_m3: 1, "
+        "specific_heat_J_per_kgK: 1, sound_speed_m_per_s: 1}",
+        "{E_Pa: 1e6, nu: 0.5, Sy_Pa: 1e12, resistivity_ohm_m: 1e-12, conductivity_W_per_mK: 1e5, "
+        "density_kg_per_m3: 1e5, specific_heat_J_per_kgK: 1e5, sound_speed_m_per_s: 1e5}",
+    };
+    static const size_t chosen[] = {3, 4, 9, 15, 18, 19, 20, 26, 30};
+    for (size_t s = 0; s < 2; s++)
+        for (size_t c = 0; c < sizeof chosen / sizeof *chosen; c++) {
+            char scene[1000], folder[32];
+            assert_null(cases[chosen[c]].refusal);
+            snprintf(scene, sizeof scene,
+                     "material: %s\neffects: [plasticity, separation, electrical, thermal, scale-dependent, "
+                     "convergence]\nload: {from: 1e-100, to: 1e100, points: 9}\nnominal_area_m2: 1e6\n"
+                     "convergence: {alpha: 1e12, gamma: 5, load: 1e-100, scan_length_m: 1e3, scales: 16}\n",
+                     scenes[s]);
+            snprintf(folder, sizeof folder, "s%zu-%zu", s, c);
+            check_report(*state, &cases[chosen[c]], folder, scene);
+        }
+}
+
+/* And beyond them: file and line. */
+static void test_scenes_beyond_their_limits(void **state)
+{
+    static const struct {
+        const char *scene, *message;
+    } beyond[] = {
+        {"title: x\nmaterial: {E_Pa: 1e300, nu: 0.3}\n", "d/scene.yaml:2: 'E_Pa' is 1e300; allowed is "},
+        {"title: x\nmaterial: {E_Pa: 1e-300, nu: 0.3}\n", "d/scene.yaml:2: 'E_Pa' is 1e-300; allowed is "},
+        {"material: tin\nload: {from: 1e-300, to: 1}\n", "d/scene.yaml:2: 'from' is 1e-300; allowed is "},
+        {"material: tin\nload: {from: 1, to: 1e300}\n", "d/scene.yaml:2: 'to' is 1e300; allowed is "},
+        {"material: tin\nload: {values: [1, 1e300], unit: Pa}\n", "d/scene.yaml:2: 'values' is 1e300; allowed is "},
+        {"\ntolerance: 1e-300\n", "d/scene.yaml:2: 'tolerance' is 1e-300; allowed is "},
+        {"\ntolerance: 1e300\n", "d/scene.yaml:2: 'tolerance' is 1e300; allowed is "},
+        {"\nnominal_area_m2: 1e300\n", "d/scene.yaml:2: 'nominal_area_m2' is 1e300; allowed is "},
+        {"\nconvergence: {alpha: 1e300}\n", "d/scene.yaml:2: 'alpha' is 1e300; allowed is "},
+    };
+    workspace_scan(*state, "d/a.csv", 60, 1);
+    for (size_t i = 0; i < sizeof beyond / sizeof *beyond; i++) {
+        workspace_write(*state, "d/scene.yaml", beyond[i].scene);
+        expect_failure(*state, 3, 1, beyond[i].message, "report", "d");
+    }
+    workspace_write(
+        *state, "d/scene.yaml",
+        "material: tin\nmeasured: {file: m.csv, quantity: ecr, load_unit: dimensionless, resistance_unit: ohm m2}\n");
+    static const struct {
+        const char *rows, *message;
+    } measured[] = {
+        {"1e-3,1e-9\n1e-2,1e308\n", "m.csv:2: a resistance of 1e+308; allowed is 1e-100 to 1e+100"},
+        {"1e-308,1e-9\n", "m.csv:1: a load of 1e-308; allowed is 1e-100 to 1e+100"},
+        {"1e-3,1e-9,1e200\n", "m.csv:1: an error of 1e+200; allowed is 0 to 1e+100"},
+    };
+    for (size_t i = 0; i < sizeof measured / sizeof *measured; i++) {
+        workspace_write(*state, "d/m.csv", measured[i].rows);
+        struct process process = expect_exit(*state, 3, "report", "d");
+        expect_part(process.err, measured[i].message);
+        process_free(&process);
+    }
+}
+
+/* A refused file has a line of its own and the others go on; nothing that is not a number is printed. */
+static void test_inspect(void **state)
+{
+    const char *place = *state;
+    workspace_scan(place, "good.csv", 300, 4);
+    for (size_t i = 0; i < CASES; i++) {
+        const struct absurd *absurd = &cases[i];
+        print_message("%s\n", absurd->name);
+        write_case(place, "bad.csv", absurd);
+        int status = absurd->inspect_refusal ? 1 : 0;
+        struct process text = expect_exit(place, status, "inspect", "bad.csv", "good.csv", "--chart");
+        struct process json = expect_exit(place, status, "inspect", "--json", "bad.csv", "good.csv");
+        expect_numbers(text.out, "stdout");
+        expect_numbers(text.err, "stderr");
+        expect_numbers(json.out, "stdout of --json");
+        expect_part(text.out, "good.csv\n  format ");
+        json_error_t error;
+        json_t *all = json_loads(json.out, 0, &error), *first = json_array_get(all, 0);
+        assert_int_equal(json_array_size(all), 2);
+        assert_true(json_is_real(json_object_get(json_array_get(all, 1), "gamma")));
+        const char *message = json_string_value(json_object_get(first, "error"));
+        assert_true((message != NULL) == (absurd->inspect_refusal != NULL));
+        if (message) {
+            expect_part(message, absurd->inspect_refusal);
+            expect_part(text.err, absurd->inspect_refusal);
+        } else {
+            expect_part(text.out, "bad.csv\n  format ");
+        }
+        json_decref(all);
+        process_free(&text);
+        process_free(&json);
+    }
+    write_case(place, "bad.csv", &cases[15]);
+    struct process three = expect_exit(place, 0, "inspect", "bad.csv");
+    expect_part(three.out, "Nayak - (");
+    expect_part(three.out, "power law   - (it takes 3 harmonics)");
+    expect_part(three.out, "Pdq - ");
+    process_free(&three);
+    three = expect_exit(place, 0, "inspect", "--json", "bad.csv");
+    expect_part(three.out, "\"gamma\": null");
+    process_free(&three);
+}
+
+/* What synth writes is a scan that can be read again. */
+static void test_synth(void **state)
+{
+    static const char *const laws[][2] = {{"--alpha=1e300", "Rq would be above 1e+30 m"},
+                                          {"--gamma=-300", "Rq would be above 1e+30 m"},
+                                          {"--rq=1e200m", "Rq would be above 1e+30 m"},
+                                          {"--length=1e300m", "--length must be up to 1e+30 m"},
+                                          {"--length=1e-300m", "--length must be up to 1e+30 m"}};
+    for (size_t i = 0; i < sizeof laws / sizeof *laws; i++)
+        expect_failure(*state, 2, 1, laws[i][1], "synth", laws[i][0]);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        workspace_test(test_reports),
+        workspace_test(test_scenes_at_their_limits),
+        workspace_test(test_scenes_beyond_their_limits),
+        workspace_test(test_inspect),
+        workspace_test(test_synth),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
