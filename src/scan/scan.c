@@ -122,9 +122,10 @@ static enum status_code check(struct scan *scan, const struct scan_bytes *file, 
     size_t points = scan->nx * scan->ny;
     if (scan->nx < SCAN_POINTS || points < SCAN_POINTS)
         return scan_fail(status, file, 0, "only %zu points in a row; a scan needs at least %d", scan->nx, SCAN_POINTS);
-    if (check_positions(scan, file, status) != STATUS_OK)
+    if (check_positions(scan, file, status) != STATUS_OK ||
+        (scan->quantity == SCAN_SLOPE && scan_integrate(scan, file, status) != STATUS_OK))
         return status->code;
-    scan->missing = 0;
+    scan->missing = 0; /* what follows is about heights, those of slopes too */
     for (size_t i = 0; i < points; i++) {
         if (isinf(scan->z_m[i]))
             return scan_fail(status, file, 0, "the height of point %zu is infinite", i + 1);
@@ -193,7 +194,7 @@ enum status_code scan_read_bytes(struct scan *out, const struct scan_bytes *file
             return status->code;
         warn_unit(out, 'x', out->x_unit, options);
         warn_unit(out, 'z', out->z_unit, options);
-        return out->quantity == SCAN_SLOPE ? scan_integrate(out, file, status) : STATUS_OK;
+        return STATUS_OK;
     }
     return scan_fail(status, file, 0, "binary data in no format known here: not a scan");
 }

@@ -48,15 +48,38 @@ static const struct length_unit length_units[] = {
     {"microinche", "uin", 2.54e-8},
 };
 
+#define DEGREE (M_PI / 180)
+
+/* An angle stands for the slope that it is where it is small. */
 static const struct length_unit slopes[] = {
-    {"rad", "rad", 1.0},        {"radian", "rad", 1.0},        {"mrad", "mrad", 1e-3},
-    {"millirad", "mrad", 1e-3}, {"milliradian", "mrad", 1e-3}, {"urad", "urad", 1e-6},
-    {"microrad", "urad", 1e-6}, {"microradian", "urad", 1e-6}, {"nrad", "nrad", 1e-9},
-    {"nanorad", "nrad", 1e-9},  {"nanoradian", "nrad", 1e-9},  {"1", "1", 1.0},
-    {"m/m", "1", 1.0},          {"mm/mm", "1", 1.0},           {"um/um", "1", 1.0},
-    {"nm/nm", "1", 1.0},        {"mm/m", "mm/m", 1e-3},        {"um/mm", "um/mm", 1e-3},
-    {"nm/um", "nm/um", 1e-3},   {"um/m", "um/m", 1e-6},        {"nm/mm", "nm/mm", 1e-6},
+    {"rad", "rad", 1.0},
+    {"radian", "rad", 1.0},
+    {"mrad", "mrad", 1e-3},
+    {"millirad", "mrad", 1e-3},
+    {"milliradian", "mrad", 1e-3},
+    {"urad", "urad", 1e-6},
+    {"microrad", "urad", 1e-6},
+    {"microradian", "urad", 1e-6},
+    {"nrad", "nrad", 1e-9},
+    {"nanorad", "nrad", 1e-9},
+    {"nanoradian", "nrad", 1e-9},
+    {"1", "1", 1.0},
+    {"m/m", "1", 1.0},
+    {"mm/mm", "1", 1.0},
+    {"um/um", "1", 1.0},
+    {"nm/nm", "1", 1.0},
+    {"mm/m", "mm/m", 1e-3},
+    {"um/mm", "um/mm", 1e-3},
+    {"nm/um", "nm/um", 1e-3},
+    {"um/m", "um/m", 1e-6},
+    {"nm/mm", "nm/mm", 1e-6},
     {"nm/m", "nm/m", 1e-9},
+    {"deg", "deg", DEGREE},
+    {"degree", "deg", DEGREE},
+    {"\xC2\xB0", "deg", DEGREE},
+    {"arcmin", "arcmin", DEGREE / 60},
+    {"arcsec", "arcsec", DEGREE / 3600},
+    {"arcsecond", "arcsec", DEGREE / 3600},
 };
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))

@@ -35,7 +35,8 @@ bool text_header_title_slope(struct span title)
 {
     static const char *const slopes[] = {"slope", "slopes", "gradient"};
     static const char *const heights[] = {"dz", "dh", "dy"};
-    static const char *const undone[] = {"removed", "corrected", "subtracted", "compensated", "detrended", "out"};
+    static const char *const undone[] = {"removed",     "removal",     "corrected",    "correction", "subtracted",
+                                         "subtraction", "compensated", "compensation", "detrended",  "out"};
     bool slope = false;
     struct span word, last = {NULL, NULL};
     for (char before; text_key_word(&title, &word, &before); last = word) {

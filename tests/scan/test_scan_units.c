@@ -50,6 +50,7 @@ static void test_headers(void **state)
         {"unit: um\n" COMMA, "um", "um"},
         {"unit: um\nX unit: mm\n" COMMA, "mm", "um"},
         {"x [mm],z slope corrected [um]\n" COMMA, "mm", "um"},
+        {"x [mm],height after slope removal [um]\n" COMMA, "mm", "um"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         /* what is not said the scene says, in a unit of its own */
@@ -100,6 +101,9 @@ static void test_slopes(void **state)
         {"x [mm],z [\xC2\xB5rad]\n0,0\n1,2\n3,6\n7,14\n", "", 2e-3},
         {"x [um],t [mrad]\n0,0\n1,2\n3,6\n7,14\n", "", 2e3},
         {"x [m],angle (rad)\n0,0\n1,2\n3,6\n7,14\n", "", 2},
+        {"x [mm],tilt (deg)\n0,0\n1,2\n3,6\n7,14\n", "", 2e3 * M_PI / 180},
+        {"x [mm],tilt (\xC2\xB0)\n0,0\n1,2\n3,6\n7,14\n", "", 2e3 * M_PI / 180},
+        {"x [mm],angle/arcsec\n0,0\n1,2\n3,6\n7,14\n", "", 2e3 * M_PI / 180 / 3600},
         {"x [mm],error (um/mm)\n0,0\n1,2\n3,6\n7,14\n", "", 2},
         {"X unit: mm\nZ unit: microradians\n0,0\n1,2\n3,6\n7,14\n", "", 2e-3},
         {"x [mm],slope\n0,0\n1,2\n3,6\n7,14\n", "nrad", 2e-6},
@@ -126,6 +130,21 @@ static void test_slopes(void **state)
         refuse_with(rows[i].text, &options, "a slope");
         refuse_with(rows[i].text, &options, "to integrate it add `quantity: slope` to this surface in scene.yaml");
     }
+}
+
+/* What lengths a scan may have holds for the heights that slopes give, not for the slopes. */
+static void test_absurd_slopes(void **state)
+{
+    (void)state;
+    struct scan_options slope = {.quantity = SCAN_SLOPE};
+    refuse_with("x [m],z [rad]\n0,0\n1e25,1e25\n2e25,-3e25\n3e25,1e25\n", &slope,
+                "heights of 1.5e+50 m; allowed is 1e-30 to 1e+30 m");
+    refuse_with("x [m],z [rad]\n0,0\n1e-20,1e-20\n2e-20,-1e-20\n3e-20,0\n", &slope, "heights of 5e-41 m");
+    refuse_with("x [m],z [rad]\n0,1e308\n1e10,1e308\n2e10,-1e308\n3e10,0\n", &slope,
+                "the height of point 2 is infinite");
+    struct scan scan = read_with("x [m],z [rad]\n0,0\n1e3,1e-32\n2e3,1e-32\n3e3,0\n", &slope);
+    assert_near(scan.z_m[3], 2e-29, 1e-14);
+    scan_free(&scan);
 }
 
 static void test_slopes_refused(void **state)
@@ -408,6 +427,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_headers),
         cmocka_unit_test(test_slopes),
+        cmocka_unit_test(test_absurd_slopes),
         cmocka_unit_test(test_slopes_refused),
         cmocka_unit_test(test_columns),
         cmocka_unit_test_setup_teardown(test_sidecars, make_folder, remove_folder),
