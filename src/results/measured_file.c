@@ -283,6 +283,19 @@ struct above {
     size_t number[2], comment_number, count;
 };
 
+/* Has a row more cells than the heading above it, and no point? Then `10,4,8` may be 10 and 4,8. */
+static bool may_be_decimal_commas(const struct above *above, struct span row)
+{
+    if (above->count == 0 || delimiter_of(row) != ',' || delimiter_of(above->line[1]) != ',' ||
+        memchr(row.start, '.', span_length(row)))
+        return false;
+    struct cells cells = split(row, ',', true);
+    size_t digits = 0, second = cells.count > 1 ? span_length(cells.cell[1]) : 0;
+    while (digits < second && cells.cell[1].start[digits] >= '0' && cells.cell[1].start[digits] <= '9')
+        digits++;
+    return cells.count > split(above->line[1], ',', false).count && digits == second;
+}
+
 static void above_note(struct above *above, struct span line, size_t number)
 {
     bool comment = *line.start == '#';
@@ -364,6 +377,37 @@ static enum status_code row_read(const struct reading *in, struct measured_row *
     return STATUS_OK;
 }
 
+/* Is it what programs write where they measured nothing? */
+static bool is_no_value(struct span cell)
+{
+    static const char *const words[] = {"nan", "inf", "+inf", "-inf", "-", "--"};
+    bool is = cell.start == cell.end;
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        is = is || span_equals(cell, words[i]);
+    return is;
+}
+
+/* A row whose load is no number, and no remark such as `unloading 2`? Above the rows `Samples, 3` is one, too. */
+static bool is_broken_row(struct span line, bool above)
+{
+    char delimiter = delimiter_of(line);
+    struct cells cells = split(line, delimiter, false);
+    if (*line.start == '#' || cells.count < 2 || !starts_number(cells.cell[1]))
+        return false;
+    bool digit = false;
+    for (const char *p = cells.cell[0].start; p < cells.cell[0].end; p++)
+        digit = digit || (*p >= '0' && *p <= '9');
+    return is_no_value(cells.cell[0]) || (!above && (digit || delimiter != ' '));
+}
+
+static enum status_code refuse_broken(const struct reading *in, struct span line, size_t number)
+{
+    struct span load = split(line, delimiter_of(line), false).cell[0];
+    return status_fail(in->status, STATUS_SCENE,
+                       "%s:%zu: '%s' is no load; correct the row or remove it, or put # before a remark", in->name,
+                       number, scene_words_show(load.start, span_length(load)).text);
+}
+
 /* Does the line begin as a row does, perhaps quoted? */
 static bool is_row(struct span line)
 {
@@ -411,8 +455,15 @@ enum status_code measured_file_read(struct measured_file *out, struct span conte
         if (is_row(line)) {
             if (out->count == 0)
                 rc = headings_use(&in, &above);
+            if (rc == STATUS_OK && may_be_decimal_commas(&above, line))
+                rc = status_fail(status, STATUS_SCENE,
+                                 "%s:%zu: more cells than titles in line %zu: decimal commas? Write decimals with a "
+                                 "point, and give an error a title",
+                                 name, lines.number, above.number[1]);
             if (rc == STATUS_OK)
                 rc = row_add(&in, &capacity, line, lines.number);
+        } else if (is_broken_row(line, out->count == 0)) {
+            rc = refuse_broken(&in, line, lines.number);
         } else if (out->count == 0) {
             above_note(&above, line, lines.number);
         } else if (is_heading(line) && *line.start != '#') { /* of a second block: the same units, or none */

@@ -103,6 +103,9 @@ static void headings_say_the_units(void **state)
         {"load (N),R (mOhm),error (%)\n10,4.8,5\n", 10, 4.8e-3, 2.4e-4},
         {"load (N),R (mOhm),u_r (-)\n10,4.8,0.05\n", 10, 4.8e-3, 2.4e-4},
         {"load (N),R (mOhm),sd (ohm mm2)\n10,4.8,1e-4\n", 10, 4.8e-3, 1e-4},
+        {"Samples, 3\nLoad (N)\tR (mOhm)\n10\t4.8\nunloading 2\n# nan, 3\n9\t5\n", 10, 4.8e-3, NAN},
+        {"Load (N), R (mOhm)\n10 4.8 0.1\n", 10, 4.8e-3, 1e-4},
+        {"Load (N),R (mOhm)\n10,4.8,0.1\n", 10, 4.8e-3, 1e-4},
         {"Load (N),R (mOhm)\n10,4.8\nunloading (N),R (milliohm)\n9,5\n", 10, 4.8e-3, NAN},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
@@ -157,6 +160,17 @@ static void what_is_wrong_is_named(void **state)
         {"1,2\n-.5,2\n", &plain, "ecr.csv:2: load and resistance must be positive"},
         {"1,1e999\n", &plain, "ecr.csv:1: '1e999' is no number"},
         {"1,1e308\n1,2\n", &huge, "ecr.csv:1: a resistance of 1e+308; allowed is"},
+        /* decimal commas between commas; a load that is none */
+        {"Load (N),R (mOhm)\n10,4,8\n20,2,1\n", &silent,
+         "ecr.csv:2: more cells than titles in line 1: decimal commas? Write decimals with a point"},
+        {"Load,R\nN,mOhm\n10,4\n20,2,1\n", &silent, "ecr.csv:4: more cells than titles in line 2"},
+        {"1,2\nnan,3\n", &newton, "ecr.csv:2: 'nan' is no load; correct the row or remove it"},
+        {"1 2\nInf 3\n", &newton, "ecr.csv:2: 'Inf' is no load"},
+        {"1;2\n;3\n", &newton, "ecr.csv:2: '' is no load"},
+        {"1,2\nO.5,3\n", &newton, "ecr.csv:2: 'O.5' is no load"},
+        {"1 2\nO.5 3\n", &newton, "ecr.csv:2: 'O.5' is no load"},
+        {"1,2\nabc,3\n", &newton, "ecr.csv:2: 'abc' is no load"},
+        {"load (N),R (mOhm)\n-,3\n1,2\n", &newton, "ecr.csv:2: '-' is no load"},
         /* no unit, and what to add */
         {"load,ecr\n1,2\n", &silent,
          "unit of the load; name it in the heading, such as 'load (N)', or add 'load_unit'"},
