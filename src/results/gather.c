@@ -6,6 +6,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 void gather_note(struct surface_summary *summary, const char *format, ...)
 {
@@ -205,6 +206,23 @@ enum status_code gather_file(struct surface_record *record, const struct scene *
     return rc;
 }
 
+/** Repeats, for a surface, what was noted about the scans of its counterface. */
+static void note_counterface(struct surface_summary *summary, const struct surface_summary *counterface)
+{
+    const struct scene_surface *scene = counterface->scene;
+    for (const char *line = counterface->notes; line && *line;) {
+        size_t length = strcspn(line, "\n");
+        for (size_t f = 0; f < scene->file_count; f++) {
+            size_t name = strlen(scene->files[f]);
+            if (length > name && strncmp(line, scene->files[f], name) == 0 && line[name] == ':') {
+                gather_note(summary, "counterface %.*s", (int)length, line);
+                break;
+            }
+        }
+        line += length + (line[length] == '\n');
+    }
+}
+
 /** Two rough bodies: amplitudes and moments of the surface and of its counterface add as squares (physics §2). */
 enum status_code gather_counterface(struct surface_record *record, const struct surface_record *counterface,
                                     struct status *status)
@@ -214,6 +232,7 @@ enum status_code gather_counterface(struct surface_record *record, const struct 
     roughness_add(own, &counterface->summary.roughness);
     gather_note(&record->summary, "pressed against a rough counterface: Rq %.4g um and %.4g um give %.4g um together",
                 own_rq_m * 1e6, counterface->summary.roughness.rq_m * 1e6, own->rq_m * 1e6);
+    note_counterface(&record->summary, &counterface->summary);
     for (size_t p = 0; p < record->part_count; p++) {
         roughness_add(&record->parts[p].roughness, &counterface->summary.roughness);
         if (grid_add(&record->parts[p].spectrum, &counterface->spectrum, status) != STATUS_OK)

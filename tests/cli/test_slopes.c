@@ -141,9 +141,29 @@ static void test_directory(void **state)
     free(csv);
 }
 
+/* What is done to the scan of a counterface is said as for any other. */
+static void test_counterface(void **state)
+{
+    const char *place = *state;
+    workspace_scan(place, "d/s.csv", 256, 1);
+    write_scan(place, "d/a.dat");
+    write_sidecar(place, "d/a.txt", "1e-6");
+    workspace_write(place, "d/scene.yaml",
+                    "effects: []\nmodels: [multiscale]\ncounterface: {surface: a.dat, quantity: slope}\n"
+                    "surfaces: [{name: s, file: s.csv}]\n");
+    struct process process = expect_exit(place, 0, "report", "d", "--no-cost");
+    expect_part(process.err, "surface 's': counterface a.dat: slopes in urad, integrated to heights");
+    expect_part(process.err, "surface 's': counterface a.dat: the sidecar 'a.txt' gave the units: x in um, z in urad");
+    expect_no_part(process.err, "counterface gamma");
+    process_free(&process);
+    char *report = workspace_read(place, "out/d/report.md");
+    expect_part(report, "counterface a.dat: slopes in urad, integrated to heights");
+    free(report);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {workspace_test(test_inspect), workspace_test(test_report),
-                                       workspace_test(test_directory)};
+                                       workspace_test(test_directory), workspace_test(test_counterface)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
