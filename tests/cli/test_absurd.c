@@ -166,25 +166,22 @@ static int expect_numbers_in(const char *path, const struct stat *info, int type
     return 0;
 }
 
-static void check_report(const char *place, const struct absurd *absurd, const char *folder, const char *scene)
+/** Reports `folder`, with a good scan beside what is in it, and reads all that is written. Free stderr. */
+static char *report(const char *place, const char *folder, const char *scene, size_t refused, bool cost)
 {
     char path[128], out[64];
     snprintf(path, sizeof path, "%s/good.csv", folder);
     workspace_scan(place, path, 300, 4);
-    snprintf(path, sizeof path, "%s/bad.csv", folder);
-    write_case(place, path, absurd);
     snprintf(path, sizeof path, "%s/scene.yaml", folder);
     workspace_write(place, path, scene);
     snprintf(out, sizeof out, "out-%s", folder);
-    struct process process = expect_exit(place, absurd->refusal ? 1 : 0, "report", folder, "-o", out);
+    struct process process =
+        expect_exit(place, refused > 0 ? 1 : 0, "report", folder, "-o", out, cost ? "--verbose" : "--no-cost");
     expect_numbers(process.out, "stdout");
     expect_numbers(process.err, "stderr");
-    if (absurd->refusal) {
-        expect_part(process.err, "surface 'bad' refused: bad.csv: ");
-        expect_part(process.err, absurd->refusal);
-    }
+    char *messages = process.err, *whole;
+    process.err = NULL;
     process_free(&process);
-    char *whole;
     assert_true(asprintf(&whole, "%s/%s", place, out) > 0);
     files_seen = 0;
     assert_int_equal(nftw(whole, expect_numbers_in, 16, FTW_PHYS), 0);
@@ -193,7 +190,7 @@ static void check_report(const char *place, const struct absurd *absurd, const c
     snprintf(path, sizeof path, "%s/data/contact.csv", out);
     char *contact = workspace_read(place, path);
     expect_part(contact, "\ngood,jg,");
-    if (!absurd->refusal)
+    if (refused == 0)
         expect_part(contact, "\nbad,multiscale-elastic,");
     free(contact);
     snprintf(path, sizeof path, "%s/results.json", out);
@@ -201,19 +198,55 @@ static void check_report(const char *place, const struct absurd *absurd, const c
     json_error_t error;
     json_t *json = json_loads(results, 0, &error);
     assert_non_null(json);
-    assert_int_equal(json_array_size(json_object_get(json, "refused")), absurd->refusal ? 1 : 0);
+    assert_int_equal(json_array_size(json_object_get(json, "refused")), refused);
     json_decref(json);
     free(results);
+    return messages;
 }
 
+static const char scene_of_reports[] = "material: tin\nload: {points: 7}\nconvergence: {scales: 16}\n";
+
+/* What is accepted: alone with a good one, since a chart's range is that of all its curves. */
 static void test_reports(void **state)
 {
     for (size_t i = 0; i < CASES; i++) {
-        char folder[16];
-        snprintf(folder, sizeof folder, "d%zu", i);
+        char folder[16], path[32];
+        if (cases[i].refusal)
+            continue;
         print_message("%s\n", cases[i].name);
-        check_report(*state, &cases[i], folder, "material: tin\nload: {points: 7}\nconvergence: {scales: 16}\n");
+        snprintf(folder, sizeof folder, "d%zu", i);
+        snprintf(path, sizeof path, "%s/bad.csv", folder);
+        write_case(*state, path, &cases[i]);
+        free(report(*state, folder, scene_of_reports, 0, true));
     }
+}
+
+/* What is refused leaves nothing behind but its message: one report for all. */
+static void test_refusals(void **state)
+{
+    size_t refused = 0;
+    for (size_t i = 0; i < CASES; i++) {
+        char path[32];
+        if (!cases[i].refusal)
+            continue;
+        snprintf(path, sizeof path, "refused/bad-%zu.csv", i);
+        write_case(*state, path, &cases[i]);
+        refused++;
+    }
+    char *messages = report(*state, "refused", scene_of_reports, refused, false);
+    for (size_t i = 0; i < CASES; i++) {
+        char start[64];
+        if (!cases[i].refusal)
+            continue;
+        snprintf(start, sizeof start, "surface 'bad-%zu' refused: bad-%zu.csv: ", i, i);
+        const char *at = strstr(messages, start);
+        if (!at)
+            fail_msg("%s: not refused in %s", cases[i].name, messages);
+        char *line = strndup(at, strcspn(at, "\n"));
+        expect_part(line, cases[i].refusal);
+        free(line);
+    }
+    free(messages);
 }
 
 /* Properties and loads at the ends of what a scene may say, with surfaces at the ends of what a scan may be. */
@@ -228,7 +261,7 @@ static void test_scenes_at_their_limits(void **state)
     static const size_t chosen[] = {3, 4, 9, 15, 18, 19, 20, 26, 30};
     for (size_t s = 0; s < 2; s++)
         for (size_t c = 0; c < sizeof chosen / sizeof *chosen; c++) {
-            char scene[1000], folder[32];
+            char scene[1000], folder[32], path[48];
             assert_null(cases[chosen[c]].refusal);
             snprintf(scene, sizeof scene,
                      "material: %s\neffects: [plasticity, separation, electrical, thermal, scale-dependent, "
@@ -236,7 +269,9 @@ static void test_scenes_at_their_limits(void **state)
                      "convergence: {alpha: 1e12, gamma: 5, load: 1e-100, scan_length_m: 1e3, scales: 16}\n",
                      scenes[s]);
             snprintf(folder, sizeof folder, "s%zu-%zu", s, c);
-            check_report(*state, &cases[chosen[c]], folder, scene);
+            snprintf(path, sizeof path, "%s/bad.csv", folder);
+            write_case(*state, path, &cases[chosen[c]]);
+            free(report(*state, folder, scene, 0, false));
         }
 }
 
@@ -338,6 +373,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         workspace_test(test_reports),
+        workspace_test(test_refusals),
         workspace_test(test_scenes_at_their_limits),
         workspace_test(test_scenes_beyond_their_limits),
         workspace_test(test_inspect),
