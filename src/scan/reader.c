@@ -77,7 +77,7 @@ static enum status_code fail_units(const struct scan *out, const char *x, const 
                                    struct status *status)
 {
     static const char lengths[] = "m, mm, um, nm, pm, A, in, mil or uin";
-    static const char slopes[] = "rad, mrad, urad, nrad, um/mm or 1 (z is a slope)";
+    static const char slopes[] = "rad, mrad, urad, nrad, deg, arcsec, um/mm or 1 (z is a slope)";
     bool slope = out->quantity == SCAN_SLOPE, x_wrong = x && !*out->x_unit, z_wrong = z && !*out->z_unit;
     if (x_wrong || z_wrong)
         return scan_fail(status, file, 0, "'%.16s' is no unit of %s; give %s as %s", x_wrong ? x : z,
