@@ -1,7 +1,7 @@
 # Curves against a load, an area or a wavelength.
 #   call 'curves.gp' DATA OUTPUT TITLE XLABEL YLABEL LOGARITHMIC STYLES [AXES]
-# LOGARITHMIC: 'xy', 'x', 'y' or ''. STYLES: one word a block of DATA: s1..s8 surfaces, me mp gw jg models, gwa jga adjusted
-# separation, meS mpS gwS jgS scale-dependent, r1..r9 steps of a sweep; with x at its end the part of that curve outside
+# LOGARITHMIC: 'xy', 'x', 'y' or ''. STYLES: one word a block of DATA: s1..s8 surfaces, two letters a model (models.gp), with `a` its
+# adjusted separation, with `S` scale-dependent, r1..r9 steps of a sweep; with x at its end the part of that curve outside
 # its range of validity, with b the band of repeated scans around it (rows x,low,high); these get no legend entry. meas:
 # measured points (rows x,y,low,high), joined in their order. AXES: 'A B C': the x axis holds at least A to B; the y axis ends a
 # little below C when the data go further down (0: it does not).
@@ -28,11 +28,11 @@ do for [i = 1:BLOCKS] {
     if (ROWS[i] > 1 && !outside(w)) { solid = solid . sprintf(' %d', i) }
     if (ROWS[i] > 0) { stems = stems . stem(w) . ' ' }
 }
-both = 0 # are there adjusted curves? then the plain statistical ones step back
-do for [i = 1:BLOCKS] { both = both || adjusted(word(style_words, i)) }
-steps_back(w) = both && (base(w) eq 'gw' || base(w) eq 'jg') && !adjusted(w)
+both = ' ' # models with an adjusted curve: their plain one steps back
+do for [i = 1:BLOCKS] { if (adjusted(word(style_words, i))) { both = both . base(word(style_words, i)) . ' ' } }
+steps_back(w) = strstrt(both, ' ' . base(w) . ' ') > 0 && !adjusted(w)
 width(w) = scaled(w) ? 0.8 : steps_back(w) ? 1 : adjusted(w) ? 2.6 : 2
-shape(w) = scaled(w) ? (base(w) eq 'me' || base(w) eq 'gw' ? 1 : 2) : steps_back(w) ? -1 : marker(w)
+shape(w) = scaled(w) ? (marker(w) % 2 ? 2 : 1) : steps_back(w) ? -1 : marker(w)
 size(w) = scaled(w) ? 0.6 : shape(w) < 0 ? 0.1 : shape(w) % 2 ? 0.75 : 0.9
 longest = 1; count = 0
 do for [i = 1:BLOCKS] {

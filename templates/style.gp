@@ -16,10 +16,8 @@ font = 'Helvetica, Arial, sans-serif'
 # two still differ for deuteranopes and protanopes.
 colour_s1 = '#1257D0'; colour_s2 = '#CC5500'; colour_s3 = '#1FB380'; colour_s4 = '#A8366A'
 colour_s5 = '#EE9400'; colour_s6 = '#4FA6F0'; colour_s7 = '#85858F'; colour_s8 = '#734CA4'
-# Models: one hue a family, light and open for elastic contact, dark and filled for plastic; circles multiscale, squares
-# statistical. Dashes are not free for this: they mean outside the range of validity.
-colour_me = '#3F9BE0'; colour_mp = '#1560B4'; colour_gw = '#E58A1F'; colour_jg = '#B8400A'
-marker_me = 6; marker_mp = 7; marker_gw = 4; marker_jg = 5
+# Models: models.gp beside the data gives each its colour and marker, light and open for elastic contact, dark and filled
+# for plastic. Dashes are not free for this: they mean outside the range of validity.
 # Sweeps: a ramp through one order of hues, at a lightness for both backgrounds.
 colour_r1 = '#7E4CB8'; colour_r2 = '#6459C6'; colour_r3 = '#466ECB'; colour_r4 = '#2C86C4'; colour_r5 = '#1E99B0'
 colour_r6 = '#1FA88C'; colour_r7 = '#4DB05F'; colour_r8 = '#86AE35'; colour_r9 = '#B9A31E'

@@ -1,5 +1,6 @@
 #include "support.h"
 
+#include "contact/model.h"
 #include <stdio.h>
 
 void support_near(double actual, double expected, double rtol, double atol, const char *what, const char *file,
@@ -11,6 +12,15 @@ void support_near(double actual, double expected, double rtol, double atol, cons
     print_error("%s = %.17g, expected %.17g: error %.3g relative, %.3g absolute (allowed %.3g, %.3g)\n", what, actual,
                 expected, error / fabs(expected), error, rtol, atol);
     _fail(file, line);
+}
+
+size_t model_named(const char *name)
+{
+    for (size_t m = 0; m < model_count; m++)
+        if (strcmp(model_rows[m]->name, name) == 0)
+            return m;
+    fail_msg("no model '%s'", name);
+    return model_count;
 }
 
 static size_t count_columns(const char *line)

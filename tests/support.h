@@ -22,6 +22,9 @@
 void support_near(double actual, double expected, double rtol, double atol, const char *what, const char *file,
                   int line);
 
+/** Index in the table of models of the one of that name, such as "gw"; fails the test when there is none. */
+size_t model_named(const char *name);
+
 /** A reference table: a CSV file of tests/data; lines that start with # name its origin. Cells are text. */
 struct table {
     size_t rows, columns;

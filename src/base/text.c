@@ -114,6 +114,22 @@ void text_add_markdown(struct text *text, const char *string)
     }
 }
 
+void text_add_html(struct text *out, const char *bytes, size_t size)
+{
+    static const char *const escapes[128] = {
+        ['<'] = "&lt;", ['>'] = "&gt;", ['&'] = "&amp;", ['"'] = "&quot;", ['\n'] = "\n", ['\t'] = "\t"};
+    for (const char *end = bytes + size; bytes < end;) {
+        unsigned char c = (unsigned char)*bytes;
+        const char *escape = c < 128 ? escapes[c] : NULL;
+        size_t length = text_character(bytes);
+        if (escape)
+            text_add(out, "%s", escape);
+        else
+            text_add_bytes(out, length ? bytes : "?", length ? length : 1);
+        bytes += length ? length : 1;
+    }
+}
+
 void text_add_csv(struct text *text, const char *string)
 {
     if (!strpbrk(string, ",\"\r\n")) {

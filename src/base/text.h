@@ -21,6 +21,9 @@ size_t text_character(const char *s);
 void text_add_shown(struct text *text, const char *string);
 /** The same, with the characters that mean something in Markdown or HTML escaped. */
 void text_add_markdown(struct text *text, const char *string);
+/** Adds `size` bytes of plain text for HTML, in an element or a quoted value: what has a meaning there is escaped;
+ * control characters and bytes that are no UTF-8 become '?'. `bytes` ends with a whole character or before a NUL. */
+void text_add_html(struct text *out, const char *bytes, size_t size);
 /** Adds `string` as one CSV field: quoted, with quotes doubled, when it holds a comma, a quote or a line end. */
 void text_add_csv(struct text *text, const char *string);
 /** The text so far, never NULL. */

@@ -1,7 +1,9 @@
 #include "base/unit.h"
 
+#include <assert.h>
 #include <ctype.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 #include <strings.h>
 
@@ -53,14 +55,14 @@ static const struct unit_row {
     bool prefixes;
     double mantissa;
     int exponent;
-    struct unit_dimension dimension;
+    int power[UNIT_BASES];
 } unit_rows[] = {
-    {"m", "metre", true, 1, 0, {.metre = 1}},
-    {"m", "meter", true, 1, 0, {.metre = 1}},
-    {"g", "gram", true, 1, -3, {.kilogram = 1}},
-    {"s", NULL, true, 1, 0, {.second = 1}},
-    {"A", "ampere", true, 1, 0, {.ampere = 1}},
-    {"K", "kelvin", true, 1, 0, {.kelvin = 1}},
+    {"m", "metre", true, 1, 0, {[UNIT_METRE] = 1}},
+    {"m", "meter", true, 1, 0, {[UNIT_METRE] = 1}},
+    {"g", "gram", true, 1, -3, {[UNIT_KILOGRAM] = 1}},
+    {"s", NULL, true, 1, 0, {[UNIT_SECOND] = 1}},
+    {"A", "ampere", true, 1, 0, {[UNIT_AMPERE] = 1}},
+    {"K", "kelvin", true, 1, 0, {[UNIT_KELVIN] = 1}},
     {"N", "newton", true, 1, 0, {1, 1, -2, 0, 0}},
     {"gf", NULL, false, 9.80665, -3, {1, 1, -2, 0, 0}},
     {"kgf", NULL, false, 9.80665, 0, {1, 1, -2, 0, 0}},
@@ -84,7 +86,7 @@ static const struct unit_row {
 
 static const struct {
     enum unit_quantity quantity;
-    struct unit_dimension dimension;
+    int power[UNIT_BASES];
     double factor; /* the only one; 0: any */
     const char *known;
 } unit_quantities[] = {
@@ -101,19 +103,15 @@ static const struct {
 bool unit_spell(char spelling[UNIT_LENGTH], const char *text, size_t length)
 {
     size_t used = 0;
-    for (size_t i = 0; i < length;) {
-        const char *letters = NULL;
-        for (size_t k = 0; k < COUNT(unit_letters) && !letters; k++) {
-            size_t bytes = strlen(unit_letters[k].bytes);
-            if (length - i >= bytes && memcmp(text + i, unit_letters[k].bytes, bytes) == 0) {
+    for (size_t i = 0, bytes; i < length; i += bytes) {
+        const char same[] = {text[i], '\0'}, *letters = same;
+        bytes = 1;
+        for (size_t k = 0; k < COUNT(unit_letters) && letters == same; k++) {
+            size_t known = strlen(unit_letters[k].bytes);
+            if (length - i >= known && memcmp(text + i, unit_letters[k].bytes, known) == 0) {
                 letters = unit_letters[k].letters;
-                i += bytes;
+                bytes = known;
             }
-        }
-        char same[2] = {'\0', '\0'};
-        if (!letters) {
-            same[0] = text[i++];
-            letters = same;
         }
         if (used + strlen(letters) >= UNIT_LENGTH)
             return false;
@@ -126,18 +124,9 @@ bool unit_spell(char spelling[UNIT_LENGTH], const char *text, size_t length)
 
 /* A unit as it is put together: decimal powers are counted, so that mm² is 1e-6 and no rounded square of 1e-3. */
 struct product {
-    double mantissa;
-    int exponent;
-    int power[5]; /* as in struct unit_dimension */
+    struct unit unit;
+    int exponent; /* of ten, beside the unit's factor */
 };
-
-static void multiply(struct product *out, double mantissa, int exponent, const int power[5], int times)
-{
-    out->mantissa *= pow(mantissa, times);
-    out->exponent += exponent * times;
-    for (int i = 0; i < 5; i++)
-        out->power[i] += power[i] * times;
-}
 
 /* Is the word the prefix and the name, in any case? An o goes where the prefix's vowel meets it: microhm, kilohm. */
 static bool is_named(const char *word, size_t length, const char *prefix, const char *name)
@@ -207,9 +196,11 @@ static const char *read_power(struct product *out, const char *p, int sign)
         return NULL;
     if (isdigit((unsigned char)*p))
         return NULL;
-    const struct unit_dimension *d = &row->dimension;
-    multiply(out, row->mantissa, exponent, (int[5]){d->metre, d->kilogram, d->second, d->ampere, d->kelvin},
-             sign * times);
+    times *= sign;
+    out->unit.factor *= pow(row->mantissa, times);
+    out->exponent += exponent * times;
+    for (int i = 0; i < UNIT_BASES; i++)
+        out->unit.power[i] += row->power[i] * times;
     return p;
 }
 
@@ -255,41 +246,28 @@ bool unit_read(struct unit *out, const char *text, size_t length)
     char *spelling = letters + strspn(letters, " \t");
     for (size_t end = strlen(spelling); end > 0 && strchr(" \t", spelling[end - 1]); end--)
         spelling[end - 1] = '\0';
-    struct product product = {.mantissa = 1};
-    int exponent = 0;
-    const struct unit_row *alone = find_word(spelling, strlen(spelling), &exponent); /* also what is no letter: % */
+    struct product product = {.unit.factor = 1};
+    const struct unit_row *alone = find_word(spelling, strlen(spelling), &product.exponent); /* also no letter: % */
     if (alone) {
-        *out = (struct unit){alone->dimension, alone->mantissa};
-        product.exponent = exponent;
+        product.unit.factor = alone->mantissa;
+        memcpy(product.unit.power, alone->power, sizeof alone->power);
     } else {
         const char *end = read_product(&product, spelling, 1);
         if (!end || *end != '\0')
             return false;
-        for (int i = 0; i < 5; i++)
-            if (product.power[i] < -100 || product.power[i] > 100)
-                return false;
-        out->dimension = (struct unit_dimension){(signed char)product.power[0], (signed char)product.power[1],
-                                                 (signed char)product.power[2], (signed char)product.power[3],
-                                                 (signed char)product.power[4]};
-        out->factor = product.mantissa;
     }
+    *out = product.unit;
     /* dividing by a power of ten that double holds exactly rounds once */
     out->factor =
         product.exponent < 0 ? out->factor / pow(10, -product.exponent) : out->factor * pow(10, product.exponent);
     return isfinite(out->factor) && out->factor > 0;
 }
 
-static bool same_dimension(const struct unit_dimension *a, const struct unit_dimension *b)
-{
-    return a->metre == b->metre && a->kilogram == b->kilogram && a->second == b->second && a->ampere == b->ampere &&
-           a->kelvin == b->kelvin;
-}
-
 unsigned unit_of(const struct unit *unit, unsigned quantities)
 {
     for (size_t i = 0; i < COUNT(unit_quantities); i++)
         if ((quantities & unit_quantities[i].quantity) &&
-            same_dimension(&unit->dimension, &unit_quantities[i].dimension) &&
+            memcmp(unit->power, unit_quantities[i].power, sizeof unit->power) == 0 &&
             (unit_quantities[i].factor == 0 || unit_quantities[i].factor == unit->factor))
             return unit_quantities[i].quantity;
     return 0;
@@ -297,15 +275,17 @@ unsigned unit_of(const struct unit *unit, unsigned quantities)
 
 bool unit_equal(const struct unit *a, const struct unit *b)
 {
-    return same_dimension(&a->dimension, &b->dimension) && fabs(a->factor - b->factor) <= 1e-12 * fabs(a->factor);
+    return memcmp(a->power, b->power, sizeof a->power) == 0 && fabs(a->factor - b->factor) <= 1e-12 * fabs(a->factor);
 }
 
-void unit_add_known(struct text *out, unsigned quantities)
+struct unit_known unit_known(unsigned quantities)
 {
-    bool first = true;
+    struct unit_known out = {""};
+    size_t used = 0;
     for (size_t i = 0; i < COUNT(unit_quantities); i++)
-        if (quantities & unit_quantities[i].quantity) {
-            text_add(out, "%s%s", first ? "" : "; ", unit_quantities[i].known);
-            first = false;
-        }
+        if (quantities & unit_quantities[i].quantity)
+            used += (size_t)snprintf(out.text + used, sizeof out.text - used, "%s%s", used ? "; " : "",
+                                     unit_quantities[i].known);
+    assert(used < sizeof out.text);
+    return out;
 }

@@ -2,16 +2,14 @@
 #ifndef BASE_UNIT_H
 #define BASE_UNIT_H
 
-#include "base/text.h"
+#include <stdbool.h>
+#include <stddef.h>
 
-/** Powers of the SI base units in a unit or quantity. */
-struct unit_dimension {
-    signed char metre, kilogram, second, ampere, kelvin;
-};
+enum unit_base { UNIT_METRE, UNIT_KILOGRAM, UNIT_SECOND, UNIT_AMPERE, UNIT_KELVIN, UNIT_BASES };
 
 /** One of it is `factor` of the coherent SI unit of its dimension. */
 struct unit {
-    struct unit_dimension dimension;
+    int power[UNIT_BASES]; /* of the SI base units: the dimension */
     double factor;
 };
 
@@ -45,7 +43,10 @@ unsigned unit_of(const struct unit *unit, unsigned quantities);
 /** Do both stand for the same? */
 bool unit_equal(const struct unit *a, const struct unit *b);
 
-/** Adds units of each of `quantities` for a message: "N, mN, kN, gf or lbf; Pa, kPa, ...". */
-void unit_add_known(struct text *out, unsigned quantities);
+/** Units of each of `quantities` for a message: "N, mN, kN, gf or lbf; Pa, kPa, ...". */
+struct unit_known {
+    char text[512];
+};
+struct unit_known unit_known(unsigned quantities);
 
 #endif

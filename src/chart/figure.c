@@ -8,135 +8,232 @@
 #include <string.h>
 #include <unistd.h>
 
-bool figure_present(const struct figure_row *row, const struct results *results)
+/** The effects and models that the row needs; for a figure a model, in that model. */
+static bool is_called_for(const struct figure_row *row, const struct results *results, size_t model)
 {
     const struct plan *plan = results->plan;
-    unsigned needs = figure_axes[row->x].effect | figure_axes[row->y].effect;
-    if ((plan->running & needs) != needs)
-        return false;
+    unsigned needed = QUANTITY_BIT(row->x) | QUANTITY_BIT(row->y);
     switch (row->kind) {
     case FIGURE_SWEEP:
-        return results->convergence && model_called_for(row->model, SCENE_MODEL_MULTISCALE, plan->running);
+        return results->convergence && plan_runs_model(plan, model) && model_rows[model]->stacks_scales;
     case FIGURE_SURFACES:
-        return model_called_for(row->model, plan->families, plan->running);
+        return plan_runs_model(plan, model) && (model_rows[model]->quantities & plan->wanted & needed) == needed;
     case FIGURE_MODELS:
+        return (plan_quantities(plan) & needed) == needed;
     case FIGURE_PROFILES:
     case FIGURE_SPECTRA:
         return true;
-    case FIGURE_COST:
-        for (size_t i = 0; results->cost && i < results->cost->count; i++)
-            if (results->cost->rows[i].chart == row->cost)
+    case FIGURE_BENCHMARK:
+        for (size_t i = 0; results->benchmark && i < results->benchmark->count; i++)
+            if (results->benchmark->rows[i].chart == row->chart)
                 return true;
         return false;
     }
     return false;
 }
 
-/** NUMBER.gp: what draws the figure, for this program and for anyone in that directory. */
-static enum status_code write_script(const struct figure_file *out, const struct results *results,
-                                     const char *directory, struct status *status)
+/** Place of a model's figure in the row's block of chapter 6, 0 and up; -1: it has none. */
+static int place_of(const struct figure_row *row, size_t model)
 {
-    const struct figure_row *row = out->row;
-    struct text script = {0}, path = {0};
-    const char *number = row->number;
-    text_add(&script, "# draws figure %s from %s.csv: gnuplot %s.gp\n", number, number, number);
-    const char *template = row->kind == FIGURE_PROFILES  ? "profiles.gp"
-                           : row->kind == FIGURE_SPECTRA ? "spectra.gp"
-                           : row->kind == FIGURE_COST    ? "cost.gp"
-                                                         : "curves.gp";
-    text_add(&script, "call '%s' '%s.csv' ('%s' . (exists('dumb_size') ? '.txt' : '.svg')) '%s'", template, number,
-             number, row->title);
-    bool curves = strcmp(template, "curves.gp") == 0; /* the others name their own axes */
-    if (curves)
-        text_add(&script, " '%s' '%s' '%s'", figure_axes[row->x].label, figure_axes[row->y].label,
-                 figure_axes[row->x].logarithmic ? figure_axes[row->y].logarithmic ? "xy" : "x" : "y");
-    text_add(&script, " '%s'", text_string(&out->styles));
-    /* One load axis for all, so that they compare. gnuplot reads '1.0e-06' from a string, but not '1e-06'. */
-    if (curves && row->x == FIGURE_LOAD)
-        text_add(&script, " '%.6e %.6e %.6e'", results->loads[0], results->loads[results->load_count - 1],
-                 isfinite(out->floor) ? out->floor : 0);
-    text_add(&script, "\n");
-    text_add(&path, "%s/figures/%s.gp", directory, number);
-    enum status_code rc = script.failed || path.failed
+    const struct model_row *m = model_rows[model];
+    return m->thesis_place == 0 ? -1 : row->kind == FIGURE_SWEEP ? m->plastic : m->thesis_place - 1;
+}
+
+static struct figure figure_of(const struct figure_row *row, size_t model)
+{
+    struct figure figure = {.row = row, .model = model, .terminal = row->terminal};
+    bool single = model == model_count;
+    int place = single ? 0 : place_of(row, model);
+    if (row->number > 0 && place >= 0)
+        snprintf(figure.number, sizeof figure.number, "6-%02d", row->number + place);
+    else
+        snprintf(figure.number, sizeof figure.number, "%s%s%s", row->name, single ? "" : "-",
+                 single ? "" : model_rows[model]->name);
+    if (row->kind == FIGURE_SURFACES) {
+        snprintf(figure.title, sizeof figure.title, "%s against %s, %s",
+                 quantity_rows[model_shown(model_rows[model], row->y)].title, quantity_rows[row->x].short_symbol,
+                 model_rows[model]->label);
+        figure.terminal = row->terminal && place == 0;
+    } else if (row->kind == FIGURE_SWEEP) {
+        snprintf(figure.title, sizeof figure.title, "%s, %s", row->title,
+                 place < 0                    ? model_rows[model]->label
+                 : model_rows[model]->plastic ? "elastic-plastic"
+                                              : "elastic");
+    } else {
+        snprintf(figure.title, sizeof figure.title, "%s", row->title);
+    }
+    return figure;
+}
+
+/** The thesis's models in its own order, then the others in the table's. */
+static int compare_figures(const void *a, const void *b)
+{
+    const struct figure *f = a, *g = b;
+    int x = place_of(f->row, f->model), y = place_of(g->row, g->model);
+    if (x < 0 || y < 0)
+        return x < 0 && y < 0 ? (f->model > g->model) - (f->model < g->model) : x < 0 ? 1 : -1;
+    return x - y;
+}
+
+enum status_code figure_list_make(struct figure_list *out, const struct results *results, struct status *status)
+{
+    *out = (struct figure_list){.figures = calloc(figure_row_count * model_count, sizeof *out->figures)};
+    if (!out->figures)
+        return status_memory(status);
+    for (size_t i = 0; i < figure_row_count; i++) {
+        const struct figure_row *row = &figure_rows[i];
+        if (row->kind != FIGURE_SURFACES && row->kind != FIGURE_SWEEP) {
+            if (is_called_for(row, results, model_count))
+                out->figures[out->count++] = figure_of(row, model_count);
+            continue;
+        }
+        size_t first = out->count;
+        for (size_t m = 0; m < model_count; m++)
+            if (is_called_for(row, results, m))
+                out->figures[out->count++] = figure_of(row, m);
+        qsort(out->figures + first, out->count - first, sizeof *out->figures, compare_figures);
+    }
+    return STATUS_OK;
+}
+
+void figure_list_free(struct figure_list *list)
+{
+    free(list->figures);
+    *list = (struct figure_list){0};
+}
+
+static enum status_code write_text(const struct text *content, const char *directory, const char *name,
+                                   struct status *status)
+{
+    struct text path = {0};
+    text_add(&path, "%s/figures/%s", directory, name);
+    enum status_code rc = content->failed || path.failed
                               ? status_memory(status)
-                              : text_write_file(text_string(&path), script.data, script.length, status);
-    text_free(&script);
+                              : text_write_file(text_string(&path), content->data, content->length, status);
     text_free(&path);
     return rc;
 }
 
-static enum status_code write_figure(const struct figure_row *row, const struct results *results,
+/** NUMBER.gp: what draws the figure, for this program and for anyone in that directory. */
+static enum status_code write_script(const struct figure_file *out, const struct results *results,
+                                     const char *directory, struct status *status)
+{
+    static const char *const templates[] = {
+        [FIGURE_SWEEP] = "curves.gp",      [FIGURE_MODELS] = "curves.gp",   [FIGURE_SURFACES] = "curves.gp",
+        [FIGURE_PROFILES] = "profiles.gp", [FIGURE_SPECTRA] = "spectra.gp", [FIGURE_BENCHMARK] = "cost.gp"};
+    const struct figure_row *row = out->figure->row;
+    struct text script = {0};
+    const char *number = out->figure->number;
+    const struct quantity_row *x = &quantity_rows[row->x], *y = &quantity_rows[row->y];
+    bool sweep = row->kind == FIGURE_SWEEP,
+         curves = sweep || row->kind == FIGURE_MODELS || row->kind == FIGURE_SURFACES;
+    text_add(&script, "# draws figure %s from %s.csv: gnuplot %s.gp\n", number, number, number);
+    if (row->kind == FIGURE_MODELS)
+        text_add(&script, "load 'models.gp'\n");
+    text_add(&script, "call '%s' '%s.csv' ('%s' . (exists('dumb_size') ? '.txt' : '.svg')) '%s'", templates[row->kind],
+             number, number, out->figure->title);
+    if (curves) /* the others name their own axes */
+        text_add(&script, " '%s' '%s' '%s'", sweep ? "shortest wavelength included (m)" : x->label,
+                 sweep ? quantity_rows[QUANTITY_AREA].label : y->label,
+                 sweep || (x->logarithmic && y->logarithmic) ? "xy"
+                 : x->logarithmic                            ? "x"
+                                                             : "y");
+    text_add(&script, " '%s'", text_string(&out->styles));
+    /* One load axis for all, so that they compare. gnuplot reads '1.0e-06' from a string, but not '1e-06'. */
+    if (curves && !sweep && row->x == QUANTITY_LOAD)
+        text_add(&script, " '%.6e %.6e %.6e'", results->loads[0], results->loads[results->load_count - 1],
+                 isfinite(out->floor) ? out->floor : 0);
+    text_add(&script, "\n");
+    char name[sizeof out->figure->number + 4];
+    snprintf(name, sizeof name, "%s.gp", number);
+    enum status_code rc = write_text(&script, directory, name, status);
+    text_free(&script);
+    return rc;
+}
+
+static enum status_code write_figure(const struct figure *figure, const struct results *results,
                                      const struct surface_record *baseline, const char *directory,
                                      struct status *status)
 {
-    struct figure_file out = {.row = row, .floor = INFINITY};
+    struct figure_file out = {.figure = figure, .floor = INFINITY};
     struct text path = {0};
-    text_add(&path, "%s/figures/%s.csv", directory, row->number);
+    text_add(&path, "%s/figures/%s.csv", directory, figure->number);
     out.file = fopen(text_string(&path), "w");
     text_free(&path);
     if (!out.file)
-        return status_fail(status, STATUS_IO, "cannot write figure %s: %s", row->number, strerror(errno));
+        return status_fail(status, STATUS_IO, "cannot write figure %s: %s", figure->number, strerror(errno));
     enum status_code rc = figure_data_put(&out, results, baseline, status);
     bool bad = ferror(out.file);
     if (fclose(out.file) != 0 || bad)
-        rc = status_fail(status, STATUS_IO, "cannot write figure %s: %s", row->number, strerror(errno));
+        rc = status_fail(status, STATUS_IO, "cannot write figure %s: %s", figure->number, strerror(errno));
     if (rc == STATUS_OK)
         rc = write_script(&out, results, directory, status);
     text_free(&out.styles);
     return rc;
 }
 
+/** models.gp: the look of every model's line. */
+static enum status_code write_models(const char *directory, struct status *status)
+{
+    struct text script = {0};
+    for (size_t m = 0; m < model_count; m++)
+        text_add(&script, "colour_%s = '%s'; marker_%s = %d # %s\n", model_rows[m]->style, model_rows[m]->colour,
+                 model_rows[m]->style, model_rows[m]->marker, model_rows[m]->name);
+    enum status_code rc = write_text(&script, directory, "models.gp", status);
+    text_free(&script);
+    return rc;
+}
+
 static enum status_code copy_template(const char *name, const char *templates, const char *directory,
                                       struct status *status)
 {
-    struct text from = {0}, to = {0}, content = {0};
+    struct text from = {0}, content = {0};
     text_add(&from, "%s/%s", templates, name);
-    text_add(&to, "%s/figures/%s", directory, name);
     enum status_code rc = text_read_file(&content, text_string(&from), status);
     if (rc == STATUS_OK)
-        rc = text_write_file(text_string(&to), content.data, content.length, status);
+        rc = write_text(&content, directory, name, status);
     text_free(&from);
-    text_free(&to);
     text_free(&content);
     return rc;
 }
 
-enum status_code figure_write_all(const struct results *results, const char *directory, const char *templates,
-                                  struct status *status)
+enum status_code figure_write_all(const struct figure_list *list, const struct results *results, const char *directory,
+                                  const char *templates, struct status *status)
 {
     static const char *const files[] = {"style.gp",  "blocks.gp",   "axis.gp",    "legend.gp",
                                         "curves.gp", "profiles.gp", "spectra.gp", "cost.gp"};
     for (size_t i = 0; i < sizeof files / sizeof files[0]; i++)
         if (copy_template(files[i], templates, directory, status) != STATUS_OK)
             return status->code;
+    if (write_models(directory, status) != STATUS_OK)
+        return status->code;
     struct surface_record baseline;
-    if (spool_get(&baseline, results->spool, results->baseline, status) != STATUS_OK)
+    if (surface_store_get(&baseline, results->store, results->baseline, status) != STATUS_OK)
         return status->code;
     enum status_code rc = STATUS_OK;
-    for (size_t i = 0; i < figure_count && rc == STATUS_OK; i++)
-        if (figure_present(&figure_rows[i], results))
-            rc = write_figure(&figure_rows[i], results, &baseline, directory, status);
+    for (size_t i = 0; i < list->count && rc == STATUS_OK; i++)
+        rc = write_figure(&list->figures[i], results, &baseline, directory, status);
     surface_record_free(&baseline, false);
     return rc;
 }
 
 /** Moves the text charts from their files into `out`. */
-static enum status_code collect_text(struct text *out, const struct results *results, const char *directory,
+static enum status_code collect_text(struct text *out, const struct figure_list *list, const char *directory,
                                      struct status *status)
 {
     enum status_code rc = STATUS_OK;
-    for (size_t i = 0; i < figure_count && rc == STATUS_OK; i++) {
-        if (!figure_rows[i].terminal || !figure_present(&figure_rows[i], results))
+    for (size_t i = 0; i < list->count && rc == STATUS_OK; i++) {
+        if (!list->figures[i].terminal)
             continue;
         struct text path = {0};
-        text_add(&path, "%s/figures/%s.txt", directory, figure_rows[i].number);
+        text_add(&path, "%s/figures/%s.txt", directory, list->figures[i].number);
         rc = gnuplot_take_text(out, text_string(&path), status);
         text_free(&path);
     }
     return rc;
 }
 
-enum status_code figure_draw_all(const struct results *results, const char *directory, const char *terminal_size,
+enum status_code figure_draw_all(const struct figure_list *list, const char *directory, const char *terminal_size,
                                  struct text *terminal_text, double *seconds, struct status *status)
 {
     struct text path = {0};
@@ -146,15 +243,14 @@ enum status_code figure_draw_all(const struct results *results, const char *dire
     text_free(&path);
     if (rc != STATUS_OK)
         return rc;
-    for (size_t i = 0; i < figure_count; i++)
-        if (figure_present(&figure_rows[i], results))
-            gnuplot_send(&gnuplot, "load '%s.gp'", figure_rows[i].number);
+    for (size_t i = 0; i < list->count; i++)
+        gnuplot_send(&gnuplot, "load '%s.gp'", list->figures[i].number);
     if (terminal_size)
         gnuplot_send(&gnuplot, "dumb_size = '%s'", terminal_size);
-    for (size_t i = 0; terminal_size && i < figure_count; i++)
-        if (figure_rows[i].terminal && figure_present(&figure_rows[i], results))
-            gnuplot_send(&gnuplot, "load '%s.gp'", figure_rows[i].number);
+    for (size_t i = 0; terminal_size && i < list->count; i++)
+        if (list->figures[i].terminal)
+            gnuplot_send(&gnuplot, "load '%s.gp'", list->figures[i].number);
     rc = gnuplot_finish(&gnuplot, status);
     *seconds = gnuplot.seconds;
-    return rc == STATUS_OK && terminal_size ? collect_text(terminal_text, results, directory, status) : rc;
+    return rc == STATUS_OK && terminal_size ? collect_text(terminal_text, list, directory, status) : rc;
 }

@@ -1,51 +1,63 @@
-/* The report's figures: one row each. C writes a figure's data and the line that draws it; the plot code is in
- * templates/ (*.gp). */
+/* The report's figures: one row each in figure_rows.c. C writes a figure's data and the line that draws it; the plot
+ * code is in templates/ (*.gp). */
 #ifndef CHART_FIGURE_H
 #define CHART_FIGURE_H
 
 #include "chart/gnuplot.h"
-#include "cost/cost.h"
-#include "results/tables.h"
+#include "results/results.h"
 
 enum figure_kind {
-    FIGURE_SWEEP,    /* area against wavelength, the convergence study */
+    FIGURE_SWEEP,    /* area against wavelength, the convergence study; a figure a model that stacks scales */
     FIGURE_MODELS,   /* the baseline surface, all models */
-    FIGURE_SURFACES, /* one model, all surfaces */
+    FIGURE_SURFACES, /* all surfaces; a figure a model */
     FIGURE_PROFILES,
     FIGURE_SPECTRA,
-    FIGURE_COST, /* error against time */
+    FIGURE_BENCHMARK, /* error against time */
 };
 
-enum figure_axis { FIGURE_LOAD, FIGURE_AREA, FIGURE_SEPARATION, FIGURE_ECR, FIGURE_TCR, FIGURE_WAVELENGTH };
-
+/** One row a figure, or a figure a model. */
 struct figure_row {
-    const char *number; /* "6-05": the file's name */
+    int number;       /* in chapter 6, of the first of them; 0: `name` */
+    const char *name; /* of the file; with a model's name behind it where there is a figure a model */
     enum figure_kind kind;
-    enum figure_axis x, y;
-    enum model_id model;          /* FIGURE_SURFACES, FIGURE_SWEEP (elastic or plastic) */
-    enum convergence_sweep sweep; /* FIGURE_SWEEP */
-    bool terminal;                /* drawn by report --show */
-    const char *title;
-    enum cost_chart cost; /* FIGURE_COST */
+    const char *section; /* of the report, that shows it: section.h */
+    const char *title;   /* of FIGURE_SURFACES: made from x, y and the model */
+    bool terminal;       /* drawn by report --show (of FIGURE_SURFACES: the first) */
+    enum quantity x, y;
+    enum convergence_sweep sweep;
+    enum benchmark_chart chart;
 };
 
 extern const struct figure_row figure_rows[];
-extern const size_t figure_count;
+extern const size_t figure_row_count;
 
-/** The row of that number, NULL when there is none. */
-const struct figure_row *figure_find(const char *number);
+/** A figure of this report. */
+struct figure {
+    const struct figure_row *row;
+    size_t model;    /* of a figure a model, else model_count */
+    char number[64]; /* the file's name: "6-05" */
+    char title[128];
+    bool terminal;
+};
 
-/** Is the figure called for by what ran? (family, effects, sweeps) */
-bool figure_present(const struct figure_row *row, const struct results *results);
+/** Those that what ran calls for, in the rows' order. Owned: figure_list_free(). */
+struct figure_list {
+    struct figure *figures;
+    size_t count;
+};
 
-/** Writes OUT/figures/NUMBER.csv and NUMBER.gp of every figure that is present, and copies the templates they call
- * beside them. Errors: STATUS_IO, STATUS_MEMORY. */
-MUST_CHECK enum status_code figure_write_all(const struct results *results, const char *directory,
-                                             const char *templates, struct status *status);
+MUST_CHECK enum status_code figure_list_make(struct figure_list *out, const struct results *results,
+                                             struct status *status);
+void figure_list_free(struct figure_list *list);
+
+/** Writes OUT/figures/NUMBER.csv and NUMBER.gp of every figure, models.gp, and the templates they call.
+ * Errors: STATUS_IO, STATUS_MEMORY. */
+MUST_CHECK enum status_code figure_write_all(const struct figure_list *list, const struct results *results,
+                                             const char *directory, const char *templates, struct status *status);
 
 /** Draws them all: one gnuplot for every chart, as SVG and, when `terminal_size` is "columns,rows", also the main ones
  * as text into `terminal_text`. *seconds: gnuplot's own time. Errors: STATUS_CHART, STATUS_IO. */
-MUST_CHECK enum status_code figure_draw_all(const struct results *results, const char *directory,
+MUST_CHECK enum status_code figure_draw_all(const struct figure_list *list, const char *directory,
                                             const char *terminal_size, struct text *terminal_text, double *seconds,
                                             struct status *status);
 

@@ -4,19 +4,11 @@
 
 #include "chart/figure.h"
 
-/** One row an axis: its label, whether it is logarithmic, and the effect its quantity needs. */
-struct figure_axis_row {
-    const char *label;
-    bool logarithmic;
-    unsigned effect;
-};
-extern const struct figure_axis_row figure_axes[]; /* indexed by enum figure_axis */
-
 /** A figure's data file being written, and the style words of its blocks. */
 struct figure_file {
     FILE *file;
     struct text styles;
-    const struct figure_row *row;
+    const struct figure *figure;
     size_t blocks;
     double floor; /* least resistance up to nearly_full_area; INFINITY: none so far */
 };

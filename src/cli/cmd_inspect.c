@@ -1,6 +1,6 @@
 #include "chart/gnuplot.h"
 #include "cli/command.h"
-#include "cli/finding.h"
+#include "cli/inspection.h"
 
 #include <argp.h>
 #include <jansson.h>
@@ -57,22 +57,20 @@ static double parse_length(const char *text, struct argp_state *state)
     return value;
 }
 
-static enum scene_level parse_level(const char *name, struct argp_state *state)
+/** Which of the `count` names is `value`? */
+static unsigned parse_name(const char *what, const char *value, const char *const *names, unsigned count,
+                           struct argp_state *state)
 {
-    for (int level = 0; level < SCENE_LEVEL_COUNT; level++)
-        if (strcmp(name, scene_level_names[level]) == 0)
-            return (enum scene_level)level;
-    argp_error(state, "unknown level '%s'; allowed: none, mean, line, parabola, circle, robust", name);
-    return SCENE_LEVEL_LINE;
-}
-
-static enum scan_quantity parse_quantity(const char *name, struct argp_state *state)
-{
-    for (int quantity = 0; quantity < SCAN_QUANTITY_COUNT; quantity++)
-        if (strcmp(name, scan_quantity_names[quantity]) == 0)
-            return (enum scan_quantity)quantity;
-    argp_error(state, "unknown quantity '%s'; allowed: height, slope", name);
-    return SCAN_HEIGHT;
+    unsigned which = 0;
+    struct text allowed = {0};
+    while (which < count && strcmp(value, names[which]) != 0)
+        which++;
+    for (unsigned i = 0; which == count && i < count; i++)
+        text_add(&allowed, "%s%s", i ? ", " : "", names[i]);
+    if (which == count)
+        argp_error(state, "unknown %s '%s'; allowed: %s", what, value, text_string(&allowed));
+    text_free(&allowed);
+    return which;
 }
 
 /** `Z` or `X,Z`. */
@@ -109,13 +107,13 @@ static error_t parse(int key, char *value, struct argp_state *state)
         arguments->scan.z_unit = value;
         return 0;
     case KEY_QUANTITY:
-        arguments->scan.quantity = parse_quantity(value, state);
+        arguments->scan.quantity = parse_name("quantity", value, scan_quantity_names, SCAN_QUANTITY_COUNT, state);
         return 0;
     case KEY_COLUMN:
         parse_column(arguments, value, state);
         return 0;
     case KEY_LEVEL:
-        arguments->how.level = parse_level(value, state);
+        arguments->how.level = parse_name("level", value, level_names, LEVEL_COUNT, state);
         return 0;
     case KEY_LAMBDA_S:
         arguments->how.lambda_s_m = parse_length(value, state);
@@ -139,95 +137,17 @@ static error_t parse(int key, char *value, struct argp_state *state)
     }
 }
 
-static json_t *real(double value)
-{
-    return isfinite(value) ? json_real(value) : json_null();
-}
+static const char *const chart_names[] = {"profile", "spectrum"};
 
-/** Text as it may be shown: JSON is UTF-8, a file name need not be. */
-static json_t *string(const char *value)
-{
-    struct text shown = {0};
-    text_add_shown(&shown, value);
-    json_t *json = json_string(text_string(&shown));
-    text_free(&shown);
-    return json;
-}
-
-static json_t *finding_json(const char *path, const struct finding *f)
-{
-    json_t *warnings = json_array();
-    const char *warning;
-    for (size_t w = 0; (warning = finding_warning(f, w)); w++)
-        json_array_append_new(warnings, string(warning));
-    json_t *json = json_pack("{s:o, s:s, s:s, s:I, s:o, s:o, s:s, s:s, s:I}", "file", string(path), "format",
-                             f->scan.format, "kind", f->scan.kind == SCAN_AREAL ? "areal" : "profile", "points",
-                             (json_int_t)(f->scan.nx * f->scan.ny), "spacing_m", real(finding_spacing_m(f)), "length_m",
-                             real(finding_length_m(f)), "x_unit", f->scan.x_unit, "z_unit", f->scan.z_unit, "missing",
-                             (json_int_t)f->scan.missing);
-    const struct {
-        const char *key;
-        double value;
-    } numbers[] = {{"rq_m", f->roughness.rq_m}, {"ra_m", f->roughness.ra_m},           {"pv_m", f->roughness.pv_m},
-                   {"m2", f->roughness.m2},     {"m4_per_m2", f->roughness.m4_per_m2}, {"alpha_SI", f->law.alpha},
-                   {"gamma", f->law.gamma}};
-    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
-        json_object_set_new(json, numbers[i].key, real(numbers[i].value));
-    json_object_set_new(json, "warnings", warnings);
-    finding_add_json(json, f);
-    return json;
-}
-
-static void print_finding(const char *path, const struct finding *f)
-{
-    const struct roughness *r = &f->roughness;
-    static const char *const grids[] = {"uniform", "rounded x, nominal spacing used", "uneven x, interpolated"};
-    static const char *const level_labels[SCENE_LEVEL_COUNT] = {"as it is",     "mean out", "line out",
-                                                                "parabola out", "arc out",  "robust line"};
-    struct text name = {0};
-    text_add_shown(&name, path);
-    printf("%s\n", text_string(&name));
-    text_free(&name);
-    printf("  format      %s, x in %s, z in %s\n", f->scan.format, f->scan.x_unit, f->scan.z_unit);
-    if (f->scan.kind == SCAN_AREAL)
-        printf("  points      %zu x %zu, spacing %.6g um x %.6g um, %zu missing\n", f->scan.nx, f->scan.ny,
-               f->scan.dx_m * 1e6, f->scan.dy_m * 1e6, f->scan.missing);
-    else
-        printf("  points      %zu, spacing %.6g um (%s), length %.6g mm\n", f->scan.nx, f->profile.spacing_m * 1e6,
-               grids[f->profile.grid], finding_length_m(f) * 1e3);
-    if (f->scan.kind == SCAN_PROFILE)
-        printf("  %-11s tilt %.4g um/mm, end-to-end jump left %.4g um\n", level_labels[f->options.level],
-               f->profile.tilt * 1e3, f->profile.end_jump_m * 1e6);
-    finding_print(f);
-    printf("  roughness   Rq %.6g um, Ra %.6g um, peak to valley %.6g um\n", r->rq_m * 1e6, r->ra_m * 1e6,
-           r->pv_m * 1e6);
-    printf("  moments     m2 %.6g, m4 %.6g /um2, ", r->m2, r->m4_per_m2 * 1e-12);
-    double nayak = roughness_nayak(r);
-    if (isnan(nayak))
-        printf("Nayak - (no slope from a point to the next but one)\n");
-    else
-        printf("Nayak %.4g\n", nayak);
-    if (isnan(f->law.gamma))
-        printf("  power law   - (%s)\n",
-               f->law.harmonics < 3 ? "it takes 3 harmonics" : "alpha leaves the range of numbers");
-    else
-        printf("  power law   alpha %.4g +- %.2g, gamma %.3f +- %.3f, scatter %.3f decades\n", f->law.alpha,
-               f->law.alpha_error, f->law.gamma, f->law.gamma_error, f->law.rms_decades);
-    const char *warning;
-    for (size_t w = 0; (warning = finding_warning(f, w)); w++) {
-        struct text note = {0};
-        text_add_shown(&note, warning);
-        printf("  note        %s\n", text_string(&note));
-        text_free(&note);
-    }
-}
-
-/** Thins `count` points to what a terminal can show; `at` maps an index to a point. */
-static void write_points(FILE *file, const struct finding *f, bool spectrum)
+/** Writes the data of a chart, thinned to what a terminal can show. */
+static enum status_code write_points(const char *directory, const struct inspection *f, bool spectrum,
+                                     struct status *status)
 {
     enum { MOST = 400 };
     size_t count = spectrum ? f->spectrum.count : f->profile.points, last = SIZE_MAX;
-    fprintf(file, "\"%s\"\n", spectrum ? "amplitude" : "height");
+    struct text csv = {0};
+    char path[600];
+    text_add(&csv, "\"%s\"\n", spectrum ? "amplitude" : "height");
     for (size_t k = 0; k < MOST; k++) {
         double share = (double)k / (MOST - 1);
         size_t i =
@@ -236,27 +156,18 @@ static void write_points(FILE *file, const struct finding *f, bool spectrum)
             continue;
         last = i;
         if (!spectrum)
-            fprintf(file, "%.9g,%.9g\n", (double)i * f->profile.spacing_m * 1e3, f->profile.height_m[i] * 1e6);
+            text_add(&csv, "%.9g,%.9g\n", (double)i * f->profile.spacing_m * 1e3, f->profile.height_m[i] * 1e6);
         else if (f->spectrum.amplitude_m[i] > 0)
-            fprintf(file, "%.9g,%.9g\n", 1e6 / spectrum_frequency(&f->spectrum, i), f->spectrum.amplitude_m[i] * 1e6);
+            text_add(&csv, "%.9g,%.9g\n", 1e6 / spectrum_frequency(&f->spectrum, i), f->spectrum.amplitude_m[i] * 1e6);
     }
-}
-
-static enum status_code write_chart_data(const char *directory, const char *name, const struct finding *f,
-                                         bool spectrum, struct status *status)
-{
-    struct text path = {0};
-    text_add(&path, "%s/%s", directory, name);
-    FILE *file = fopen(text_string(&path), "w");
-    text_free(&path);
-    if (!file)
-        return status_fail(status, STATUS_IO, "cannot write in '%s'", directory);
-    write_points(file, f, spectrum);
-    return fclose(file) == 0 ? STATUS_OK : status_fail(status, STATUS_IO, "cannot write in '%s'", directory);
+    snprintf(path, sizeof path, "%s/%s.csv", directory, chart_names[spectrum]);
+    enum status_code rc = csv.failed ? status_memory(status) : text_write_file(path, csv.data, csv.length, status);
+    text_free(&csv);
+    return rc;
 }
 
 /** Draws profile and spectrum as text, sized to the terminal. */
-static enum status_code draw(const struct finding *f, struct status *status)
+static enum status_code draw(const struct inspection *f, struct status *status)
 {
     struct text templates = {0}, charts = {0};
     struct gnuplot gnuplot;
@@ -269,9 +180,9 @@ static enum status_code draw(const struct finding *f, struct status *status)
         text_free(&templates);
         return status_fail(status, STATUS_IO, "cannot make a directory like '%s'", directory);
     }
-    enum status_code rc = write_chart_data(directory, "profile.csv", f, false, status);
+    enum status_code rc = write_points(directory, f, false, status);
     if (rc == STATUS_OK)
-        rc = write_chart_data(directory, "spectrum.csv", f, true, status);
+        rc = write_points(directory, f, true, status);
     if (rc == STATUS_OK && (rc = gnuplot_start(&gnuplot, directory, status)) == STATUS_OK) {
         gnuplot_quote(quoted, sizeof quoted, text_string(&templates));
         gnuplot_send(&gnuplot, "set loadpath %s", quoted);
@@ -281,14 +192,13 @@ static enum status_code draw(const struct finding *f, struct status *status)
                                "'amplitude (um)' 'xy' 's1'");
         rc = gnuplot_finish(&gnuplot, status);
     }
-    static const char *const names[] = {"profile", "spectrum"};
     for (int i = 0; i < 2; i++) {
         char path[600];
-        snprintf(path, sizeof path, "%s/%s.txt", directory, names[i]);
+        snprintf(path, sizeof path, "%s/%s.txt", directory, chart_names[i]);
         if (rc == STATUS_OK)
             rc = gnuplot_take_text(&charts, path, status);
         unlink(path);
-        snprintf(path, sizeof path, "%s/%s.csv", directory, names[i]);
+        snprintf(path, sizeof path, "%s/%s.csv", directory, chart_names[i]);
         unlink(path);
     }
     rmdir(directory);
@@ -298,40 +208,39 @@ static enum status_code draw(const struct finding *f, struct status *status)
     return rc;
 }
 
-static json_t *error_json(const char *path, const char *message)
-{
-    return json_pack("{s:o, s:o}", "file", string(path), "error", string(message));
-}
-
 int command_inspect(int argc, char **argv)
 {
     static const struct argp argp = {
-        options, parse, "FILE...", "Says what is in each scan: format, points, spacing, units, roughness, power law.",
-        NULL,    NULL,  NULL};
+        .options = options,
+        .parser = parse,
+        .args_doc = "FILE...",
+        .doc = "Says what is in each scan: format, points, spacing, units, roughness, power law."};
     struct arguments arguments = {.how = profile_defaults};
     argp_parse(&argp, argc, argv, 0, NULL, &arguments);
     json_t *all = json_array();
     int refused = 0;
     for (int i = 0; i < arguments.file_count; i++) {
         struct status status = {0}, chart = {0};
-        struct finding finding;
+        struct inspection inspection;
         const char *path = arguments.files[i];
-        if (finding_make(&finding, path, &arguments.scan, &arguments.how, &status) != STATUS_OK) {
+        json_t *json = json_pack("{s:o}", "file", inspection_text(path));
+        json_array_append_new(all, json);
+        if (inspection_make(&inspection, path, &arguments.scan, &arguments.how, &status) != STATUS_OK) {
             refused++;
             if (arguments.json)
-                json_array_append_new(all, error_json(path, status.message));
+                json_object_set_new(json, "error", inspection_text(status.message));
             else
                 command_complain("", status.message);
         } else if (arguments.json) {
-            json_array_append_new(all, finding_json(path, &finding));
+            inspection_add_json(json, &inspection);
         } else {
-            print_finding(path, &finding);
+            inspection_print(path, &inspection);
             bool wanted = !arguments.no_chart && (arguments.chart || isatty(STDOUT_FILENO));
-            if (wanted && finding.profile.points > 0 && finding.spectrum.count > 0 &&
-                draw(&finding, &chart) != STATUS_OK)
+            if (wanted && inspection.profile.points > 0 && inspection.spectrum.count > 0 &&
+                draw(&inspection, &chart) != STATUS_OK)
                 command_complain("no charts: ", chart.message);
         }
-        finding_free(&finding);
+        inspection_free(&inspection);
     }
     if (arguments.json) {
         json_dumpf(all, stdout, JSON_INDENT(1) | JSON_REAL_PRECISION(17));

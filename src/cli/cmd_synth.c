@@ -3,7 +3,6 @@
 #include "scan/scan.h"
 
 #include <argp.h>
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -120,15 +119,12 @@ static enum status_code write_scan(const struct arguments *arguments, const doub
 int command_synth(int argc, char **argv)
 {
     static const struct argp argp = {
-        options,
-        parse,
-        NULL,
-        "Writes a scan whose harmonics obey amplitude = alpha lambda^gamma about which they scatter, with random "
-        "phases. "
-        "The power law fitted above --lambda-s gives alpha, gamma and the scatter back; the profile is level.",
-        NULL,
-        NULL,
-        NULL};
+        .options = options,
+        .parser = parse,
+        .doc =
+            "Writes a scan whose harmonics obey amplitude = alpha lambda^gamma about which they scatter, with random "
+            "phases. The power law fitted above --lambda-s gives alpha, gamma and the scatter back; the profile is "
+            "level."};
     struct arguments arguments = {.def = synth_def_default()};
     struct status status = {0};
     argp_parse(&argp, argc, argv, 0, NULL, &arguments);

@@ -1,9 +1,8 @@
 #include "cli/command.h"
 #include "contact/model.h"
-#include "scene/material.h"
+#include "material/material.h"
 
 #include <argp.h>
-#include <math.h>
 #include <stdio.h>
 
 static error_t parse(int key, char *value, struct argp_state *state)
@@ -16,33 +15,34 @@ static error_t parse(int key, char *value, struct argp_state *state)
 
 int command_models(int argc, char **argv)
 {
-    static const struct argp argp = {NULL, parse, NULL, "The models, their sources and where they are valid.",
-                                     NULL, NULL,  NULL};
+    static const struct argp argp = {.parser = parse, .doc = "The models, their sources and where they are valid."};
     argp_parse(&argp, argc, argv, 0, NULL, NULL);
-    for (int m = 0; m < MODEL_COUNT; m++)
+    for (size_t m = 0; m < model_count; m++)
         printf("%s%s (%s)\n  equations  %s\n  assumes    %s\n  valid      %s\n  source     %s\n", m > 0 ? "\n" : "",
-               model_rows[m].name, model_rows[m].label, model_rows[m].equations, model_rows[m].assumes,
-               model_rows[m].valid, model_rows[m].source);
+               model_rows[m]->name, model_rows[m]->label, model_rows[m]->equations, model_rows[m]->assumes,
+               model_rows[m]->valid, model_rows[m]->source);
     return command_finish(COMMAND_DONE);
+}
+
+/* Columns of the table as wide as their headings. */
+static int width(size_t property)
+{
+    return property == 3 ? 19 : property > 3 ? 24 : 12;
 }
 
 int command_materials(int argc, char **argv)
 {
-    static const struct argp argp = {NULL, parse, NULL, "The built-in materials and where their numbers are from.",
-                                     NULL, NULL,  NULL};
+    static const struct argp argp = {.parser = parse,
+                                     .doc = "The built-in materials and where their numbers are from."};
     argp_parse(&argp, argc, argv, 0, NULL, NULL);
     printf("%-12s", "material");
     for (size_t p = 0; p < material_property_count; p++)
-        printf(" %*s", (int)(p == 3 ? 19 : p > 3 ? 24 : 12), material_properties[p].key);
+        printf(" %*s", width(p), material_properties[p].key);
     printf("\n");
     for (size_t i = 0; i < material_table_count; i++) {
         printf("%-12s", material_table[i].name);
         for (size_t p = 0; p < material_property_count; p++)
-            printf(" %*.6g",
-                   (int)(p == 3  ? 19
-                         : p > 3 ? 24
-                                 : 12),
-                   material_value(&material_table[i], &material_properties[p]));
+            printf(" %*.6g", width(p), material_value(&material_table[i], &material_properties[p]));
         printf("\n");
     }
     printf("\nsources\n");

@@ -1,6 +1,7 @@
 #include "cli/command.h"
 
 #include <errno.h>
+#include <libgen.h>
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -19,22 +20,9 @@ void command_complain(const char *what, const char *message)
 int command_fail(const struct status *status)
 {
     command_complain("", status->message);
-    switch (status->code) {
-    case STATUS_USAGE:
-        return COMMAND_USAGE;
-    case STATUS_SCENE:
-        return COMMAND_SCENE;
-    case STATUS_OK:
-    case STATUS_MEMORY:
-    case STATUS_IO:
-    case STATUS_SCAN:
-    case STATUS_MODEL:
-    case STATUS_NUMBER:
-    case STATUS_CHART:
-    case STATUS_INTERRUPTED:
-        break;
-    }
-    return COMMAND_NOTHING;
+    return status->code == STATUS_USAGE   ? COMMAND_USAGE
+           : status->code == STATUS_SCENE ? COMMAND_SCENE
+                                          : COMMAND_NOTHING;
 }
 
 enum status_code command_templates(struct text *out, struct status *status)
@@ -44,12 +32,7 @@ enum status_code command_templates(struct text *out, struct status *status)
     if (length < 0)
         return status_fail(status, STATUS_IO, "cannot find the program's own place: %s", strerror(errno));
     program[length] = '\0';
-    for (int level = 0; level < 2; level++) { /* .../bin/roughcontact -> ... */
-        char *slash = strrchr(program, '/');
-        if (slash)
-            *slash = '\0';
-    }
-    text_add(out, "%s/share/roughcontact/templates", program);
+    text_add(out, "%s/share/roughcontact/templates", dirname(dirname(program))); /* beside bin */
     if (access(text_string(out), R_OK) != 0)
         return status_fail(status, STATUS_IO, "no templates in '%s'; install the program with cmake --install",
                            text_string(out));

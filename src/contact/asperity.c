@@ -20,7 +20,7 @@ static double hardness_ratio(double radius_ratio)
     return 2.84 - 0.92 * (1 - cos(M_PI * fmin(1, radius_ratio)));
 }
 
-/** Jackson and Green: Hertz below 1.9 omega_c; else (4.32), (4.33) in the forms of physics.md's errata. */
+/** Jackson and Green: Hertz below 1.9 omega_c; else (4.32*), (4.33*), with a/R of (4.38*). */
 static void press_jg(struct asperity_contact *out, const struct asperity *asperity, double interference_m)
 {
     double ratio = interference_m / asperity->critical_interference_m; /* omega* */
@@ -39,19 +39,19 @@ static void press_jg(struct asperity_contact *out, const struct asperity *asperi
     out->load_N = asperity->critical_load_N * (elastic + plastic);
 }
 
-const struct asperity_law asperity_laws[ASPERITY_LAW_COUNT] = {
+const struct asperity_model asperity_models[ASPERITY_MODEL_COUNT] = {
     [ASPERITY_HERTZ] = {"hertz", "Hertz 1882; thesis eq. 4.27, 4.28", false, press_hertz},
     [ASPERITY_JG] = {"jackson-green", "Jackson and Green 2005, 2006; thesis eq. 4.31-4.38", true, press_jg},
 };
 
-struct asperity asperity_make(double radius_m, const struct material_pair *pair, enum asperity_law_id law)
+struct asperity asperity_make(double radius_m, const struct material_pair *pair, enum asperity_model_id law)
 {
     struct asperity asperity = {
         .radius_m = radius_m,
         .effective_modulus_Pa = pair->effective_modulus_Pa,
         .critical_interference_m = INFINITY,
     };
-    if (!asperity_laws[law].plastic)
+    if (!asperity_models[law].plastic)
         return asperity;
     double modulus = pair->effective_modulus_Pa, flow_Pa = pair->yield_coefficient * pair->yield_strength_Pa;
     double contact_slope = M_PI * flow_Pa / (2 * modulus); /* sqrt(omega_c/R) */

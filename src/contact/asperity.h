@@ -1,8 +1,8 @@
-/* One spherical asperity pressed by omega (physics §5; thesis 4.27-4.38). */
+/* One spherical asperity pressed by omega (4.27-4.38, 4.45); docs/equations.md, Statistical models. */
 #ifndef CONTACT_ASPERITY_H
 #define CONTACT_ASPERITY_H
 
-#include "scene/material.h"
+#include "material/material.h"
 #include <stdbool.h>
 
 /** An asperity of radius R in a material, with what does not depend on the interference. */
@@ -22,8 +22,8 @@ struct asperity_contact {
     double radius_m; /* of the contact spot: sqrt(D R omega) (4.45) */
 };
 
-/** One row a law. */
-struct asperity_law {
+/** How one asperity deforms; one row each. */
+struct asperity_model {
     const char *name;
     const char *source;
     bool plastic;
@@ -31,19 +31,19 @@ struct asperity_law {
     void (*press)(struct asperity_contact *out, const struct asperity *asperity, double interference_m);
 };
 
-enum asperity_law_id { ASPERITY_HERTZ, ASPERITY_JG, ASPERITY_LAW_COUNT };
-extern const struct asperity_law asperity_laws[ASPERITY_LAW_COUNT];
+enum asperity_model_id { ASPERITY_HERTZ, ASPERITY_JG, ASPERITY_MODEL_COUNT };
+extern const struct asperity_model asperity_models[ASPERITY_MODEL_COUNT];
 
 /** Interference over omega_c up to which the elastic-plastic law is Hertz's (4.32). */
 extern const double asperity_yield_onset;
 /** a/R up to which the elastic-plastic law was fitted: 0.41. */
 extern const double asperity_fitted_radius_ratio;
 
-/** An asperity of radius R for `law`. */
-struct asperity asperity_make(double radius_m, const struct material_pair *pair, enum asperity_law_id law);
+/** An asperity of radius R for `law`: omega_c (4.31), P_c (4.34), B (4.35) of e_y (4.36). */
+struct asperity asperity_make(double radius_m, const struct material_pair *pair, enum asperity_model_id law);
 
 /** Interference [m] at which the elastic-plastic contact radius reaches `ratio` R (not below 1.9 omega_c), from
- * a/R = sqrt[(omega/R)(omega/1.9 omega_c)^B] (4.38). INFINITY for the elastic law. */
+ * a/R = sqrt[(omega/R)(omega/1.9 omega_c)^B] (4.38*). INFINITY for the elastic law. */
 double asperity_interference_at(const struct asperity *asperity, double ratio);
 
 #endif

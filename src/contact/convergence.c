@@ -13,7 +13,7 @@ const struct convergence_sweep_row convergence_sweeps[CONVERGENCE_SWEEP_COUNT] =
 void convergence_areas(double *area_ratio, const struct convergence_law *law, const struct material_pair *pair,
                        bool plastic, uint64_t *evaluations)
 {
-    const struct sinusoid_closure *closure = &sinusoid_closures[SCENE_CLOSURE_THESIS];
+    const struct sinusoid_fit *closure = &sinusoid_fits[SINUSOID_FIT_THESIS];
     double nominal_Pa = law->load * pair->effective_modulus_Pa, area = 1;
     for (size_t i = 0; i < law->scales; i++) {
         double frequency = (double)(i + 1) / law->length_m;
@@ -27,17 +27,17 @@ void convergence_areas(double *area_ratio, const struct convergence_law *law, co
     *evaluations += law->scales;
 }
 
-struct convergence_extension convergence_extend(const struct powerlaw *law, double length_m, double shortest_m,
+struct convergence_extension convergence_extend(const struct power_law *law, double length_m, double shortest_m,
                                                 const struct material_pair *pair, bool plastic, double load)
 {
-    const struct sinusoid_closure *closure = &sinusoid_closures[SCENE_CLOSURE_THESIS];
+    const struct sinusoid_fit *closure = &sinusoid_fits[SINUSOID_FIT_THESIS];
     struct convergence_extension out = {1, 1, NAN, 0};
     double nominal_Pa = load * pair->effective_modulus_Pa;
     bool rising = law->gamma < 1; /* p* ~ lambda^(gamma-1) (4.55) */
     for (double n = 1; length_m / n >= convergence_atom_m; n++) {
         double wavelength_m = length_m / n;
         struct sinusoid_scale scale =
-            sinusoid_scale(powerlaw_amplitude(law, wavelength_m), n / length_m, pair, plastic);
+            sinusoid_scale(power_law_amplitude(law, wavelength_m), n / length_m, pair, plastic);
         struct sinusoid_cell cell;
         sinusoid_press(&cell, &scale, closure, nominal_Pa / out.area_extended, false);
         out.scales++;
@@ -53,7 +53,7 @@ struct convergence_extension convergence_extend(const struct powerlaw *law, doub
          * (2pi/3)(1-gamma)/n of p*, so the last scale's complete pressure gives the area without visiting the rest. */
         if (rising && !measured && n > 1000 && cell.area_complement < 1e-3) {
             double last_m = convergence_atom_m;
-            scale = sinusoid_scale(powerlaw_amplitude(law, last_m), 1 / last_m, pair, plastic);
+            scale = sinusoid_scale(power_law_amplitude(law, last_m), 1 / last_m, pair, plastic);
             out.area_extended = fmin(out.area_extended, nominal_Pa / sinusoid_full_area_pressure(&scale));
             break;
         }

@@ -1,9 +1,10 @@
-/* Does the area converge as ever smaller scales are included? (physics §8; thesis 4.9, 6.2, eq. 4.55) */
+/* Does the area converge as ever smaller scales are included? (4.53, 4.55; thesis 6.2); docs/equations.md,
+ * Convergence. */
 #ifndef CONTACT_CONVERGENCE_H
 #define CONTACT_CONVERGENCE_H
 
-#include "scene/scene.h"
-#include "spectrum/powerlaw.h"
+#include "material/material.h"
+#include "spectrum/power_law.h"
 #include <stdint.h>
 
 enum convergence_sweep { CONVERGENCE_ALPHA, CONVERGENCE_GAMMA, CONVERGENCE_SWEEP_COUNT };
@@ -23,7 +24,7 @@ struct convergence_law {
     size_t scales;
 };
 
-/** Fills area_ratio[scales] with A/A_n after scale n = 1 ... scales (closure thesis). */
+/** Fills area_ratio[scales] with A/A_n after scale n = 1 ... scales of (4.53) (closure thesis). */
 void convergence_areas(double *area_ratio, const struct convergence_law *law, const struct material_pair *pair,
                        bool plastic, uint64_t *evaluations);
 
@@ -38,9 +39,9 @@ struct convergence_extension {
     uint64_t scales;      /* visited */
 };
 
-/** Extends the fitted law of a surface of scan length `length_m`, sampled down to `shortest_m`, at one load. Stops at
- * the first scale from which p* can no longer exceed the pressure (gamma >= 1), or at atomic size. */
-struct convergence_extension convergence_extend(const struct powerlaw *law, double length_m, double shortest_m,
+/** Extends the fitted law (4.53, 4.55) of a surface of scan length `length_m`, sampled down to `shortest_m`, at one
+ * load. Stops at the first scale from which p* can no longer exceed the pressure (gamma >= 1), or at atomic size. */
+struct convergence_extension convergence_extend(const struct power_law *law, double length_m, double shortest_m,
                                                 const struct material_pair *pair, bool plastic, double load);
 
 #endif

@@ -1,4 +1,5 @@
-/* Integrals of asperities over a Gaussian height distribution: F_n(h) = int_h^inf (s-h)^n phi(s) ds (physics §5). */
+/* Integrals of asperities over a Gaussian height distribution: F_n(h) = int_h^inf (s-h)^n phi(s) ds (docs/equations.md,
+ * Statistical models). */
 #ifndef CONTACT_GAUSSIAN_H
 #define CONTACT_GAUSSIAN_H
 
@@ -9,12 +10,13 @@ struct gaussian_integrals {
     double log_factor; /* F_n = value * exp(log_factor) */
 };
 
-/** h any finite number. F_n = Gamma(n+1)/sqrt(2 pi) exp(-h²/4) D_{-n-1}(h), D the parabolic cylinder function:
+/** They close (4.25), (4.26) and (4.43*) for Hertz's law, under the Gaussian of (4.23). h any finite number.
+ * F_n = Gamma(n+1)/sqrt(2 pi) exp(-h²/4) D_{-n-1}(h), D the parabolic cylinder function:
  *  h > 2       backward continued fraction of F_n/F_{n-1} from F_{-1/2} = sqrt(h)/(2 pi) e^{-h²/4} K_1/4(h²/4) and
  *              F_0 = erfc(h/sqrt2)/2 (no cancellation)
  *  -8 <= h <= 2 Maclaurin series in h
  *  h < -8      asymptotic series of the moments of |h| + s
- * Relative error below 1e-13 (tests: golden/gaussian_integrals.csv). Abramowitz and Stegun 19.5, 19.6, 19.15. */
+ * Relative error below 1e-13 (tests: gaussian_integrals.csv). Abramowitz and Stegun 19.5, 19.6, 19.15. */
 struct gaussian_integrals gaussian_integrals(double h);
 
 #endif

@@ -1,14 +1,14 @@
-/* The four models side by side: one row each, from name to evaluation. A new model is one row (and its file). */
+/* The contact models side by side: one row each, from name to evaluation. A new model is one file, which ends in its
+ * row, and one word in model_table.c. Nothing outside src/contact names a model: ask the rows. */
 #ifndef CONTACT_MODEL_H
 #define CONTACT_MODEL_H
 
-#include "contact/point.h"
-#include "scene/scene.h"
+#include "contact/asperity.h"
+#include "contact/quantity.h"
+#include "contact/sinusoid.h"
 #include "spectrum/roughness.h"
 #include "spectrum/spectrum.h"
 #include <stdint.h>
-
-enum model_id { MODEL_MULTISCALE_ELASTIC, MODEL_MULTISCALE_PLASTIC, MODEL_GW, MODEL_JG, MODEL_COUNT };
 
 /** What a model is asked: one surface, one pair of bodies, a list of loads. */
 struct model_task {
@@ -17,19 +17,19 @@ struct model_task {
     const struct material_pair *pair;
     const double *loads; /* P/(A_n E'), ascending */
     size_t load_count;
-    unsigned wanted; /* enum contact_quantity bits */
+    unsigned wanted; /* QUANTITY_BITs */
     double tolerance;
-    enum scene_closure closure;
+    enum sinusoid_fit_id sinusoid_fit;
 };
 
-/** What answering took. A separation is one load of a statistical model, solved for; the rest are visits or law values.
- */
+/** What answering took: visits of scales, asperity laws at quadrature nodes, and loads solved for a separation. */
 struct model_work {
-    uint64_t scales;      /* area of a scale at a load */
-    uint64_t gaps;        /* gap of a scale at a load */
-    uint64_t spots;       /* resistance of a scale at a load */
-    uint64_t laws;        /* asperity laws at a quadrature node */
-    uint64_t separations; /* loads solved for a separation */
+    uint64_t scales;                /* area of a scale at a load */
+    uint64_t gaps;                  /* gap of a scale at a load */
+    uint64_t constrictions;         /* resistance of a scale at a load */
+    uint64_t nodes;                 /* asperity laws at a quadrature node */
+    uint64_t scale_dependent_nodes; /* the same, needed for nothing but scale dependence */
+    uint64_t separations;           /* loads of a statistical model solved for a separation */
 };
 
 /** What it answers. `points` is the caller's, load_count + 1 long. */
@@ -38,43 +38,86 @@ struct model_curve {
     bool overflows; /* it has none because its numbers leave the range of double; then no points */
     struct contact_point *points;
     size_t count;              /* statistical: ends with the point of full contact, when the loads reach it */
-    double full_load;          /* P/(A_n E') at which A = A_n */
-    double closed_load;        /* at which the (adjusted) separation is 0 */
-    double beta;               /* statistical, else NaN */
-    struct contact_point full; /* at full_load itself */
-    size_t yielding_scales;    /* multiscale plastic: scales that can yield; else 0 */
-    uint64_t clamped; /* multiscale plastic: visits in which the published area was limited: see multiscale_solve() */
+    double full_load;          /* P/(A_n E') at which A = A_n; NaN: the model does not say */
+    double closed_load;        /* at which the (adjusted) separation is 0; NaN: the model does not say */
+    double beta;               /* of the adjusted separation, else NaN */
+    struct contact_point full; /* at full_load itself; all NaN where that is */
+    size_t yielding_scales;    /* plastic, stacked scales: those that can yield; else 0 */
+    uint64_t clamped;          /* the same: visits in which the published area was limited: see multiscale_solve() */
     struct model_work work;
 };
 
 struct model_row {
-    const char *name;  /* as in contact.csv */
-    const char *label; /* as in charts and tables */
-    const char *style; /* style word of templates/curves.gp */
-    enum scene_model family;
-    bool plastic;
-    const char *equations; /* of the thesis, as in physics.md */
+    const char *name;                    /* as in contact.csv and scenes */
+    const char *label;                   /* as in charts and tables */
+    const char *short_label;             /* as in the terminal's table */
+    const char *family;                  /* asked for together in scenes */
+    bool by_default;                     /* runs when the scene names no models */
+    bool plastic;                        /* needs the effect plasticity */
+    const struct model_row *elastic;     /* of a plastic model: the one it adds yield to; NULL: none */
+    const struct model_row *counterpart; /* multiscale model of the same material law, which the thesis holds this one
+                                            against; NULL: none */
+    bool stacks_scales;                  /* every harmonic is a scale: the convergence study speaks of it */
+    const struct asperity_model *asperity_model; /* it sums this over model_task.asperities; NULL: it needs none */
+    unsigned quantities;                         /* QUANTITY_BITs it computes */
+    unsigned may_be_empty; /* those of them that it leaves empty (NaN) where it should not be trusted */
+    double largest_area;   /* A/A_n up to which it is valid; 0: any */
+    const char *fitted_to; /* end of its fitted range, which contact_point.beyond_fit is the share beyond; NULL: none */
+    int precedence;        /* the summary speaks of the running model with the greatest */
+    int thesis_place;      /* among the four charts of each quantity in chapter 6, 1...4; 0: not in the thesis */
+    const char *style;     /* two letters that stand for its line in a chart's script */
+    const char *colour;    /* of its line, "#rrggbb", for a light and a dark page */
+    int marker;            /* gnuplot's point type: open (even) elastic, filled (odd) plastic */
+    const char *equations; /* of the thesis, as in docs/equations.md */
     const char *source;
     const char *assumes;
     const char *valid;
+    const char *method;                 /* how its numbers come about */
+    const char *scale_dependent_method; /* the same for scale dependence; NULL: in the same pass */
     /** What `run` will take, known before it runs. */
     struct model_work (*work)(const struct model_row *row, const struct model_task *task);
+    /** Fills the curve. Error: STATUS_MEMORY. */
     enum status_code (*run)(struct model_curve *curve, const struct model_row *row, const struct model_task *task,
                             struct status *status);
+    /* Bounds for `effects: auto`, next to nothing to compute. NULL: not known, and so the effect runs. */
+    /** Of a plastic model: how far yielding can move any of its numbers from its elastic partner's, relative (of a
+     * separation: to sigma), also beyond the loads, up to full contact; 0: it changes nothing. */
+    double (*yield_bound)(const struct model_row *row, const struct model_task *task);
+    /** Says why yielding runs or not, from the largest bound of all surfaces. */
+    void (*yield_reason)(char *out, size_t size, double bound, bool runs);
+    /** The largest TCR_sd/TCR - 1 over the loads, exact or above where it decides against task->tolerance; adds the
+     * visits of scales it took. Error: STATUS_MEMORY. */
+    enum status_code (*scale_dependence_bound)(double *most, uint64_t *visits, const struct model_row *row,
+                                               const struct model_task *task, struct status *status);
 };
 
-extern const struct model_row model_rows[MODEL_COUNT];
+extern const struct model_row *const model_rows[];
+extern const size_t model_count; /* at most 64: sets of models are bits of a uint64_t */
+
+/** Bit of a model in a set of models. */
+#define MODEL_BIT(model) (UINT64_C(1) << (model))
+
+/** Index of a row in the table; model_count when it is not in it (or NULL). */
+size_t model_index(const struct model_row *row);
+/** Models of that name or family, as bits; 0: no such name. */
+uint64_t model_find(const char *name);
+/** Those that run when a scene names none. */
+uint64_t model_defaults(void);
+/** May model `m` of the set `models` run with these EFFECT_BITs: a plastic one needs plasticity. */
+bool model_runs(size_t m, uint64_t models, unsigned effects);
 
 /** Runs a model. A curve any of whose loads, areas or wanted quantities is not finite does not exist: materials and
  * heights may each be possible and still leave the range of double together (JG's exponent 23 S_y/E' of 1e6).
  * Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code model_run(struct model_curve *curve, enum model_id model, const struct model_task *task,
-                                      struct status *status);
+MUST_CHECK enum status_code model_run(struct model_curve *curve, const struct model_row *row,
+                                      const struct model_task *task, struct status *status);
+
+/** The separation to show: the adjusted one of models that have it. Other quantities are as they are. */
+enum quantity model_shown(const struct model_row *row, enum quantity quantity);
 
 /** Adds `more` to `sum`. */
 void model_work_add(struct model_work *sum, const struct model_work *more);
-
-/** May this model run: its family is asked for and, for a plastic one, the effect plasticity runs. */
-bool model_called_for(enum model_id model, unsigned families, unsigned effects);
+/** Visits of scales, laws at nodes and loads solved together. */
+uint64_t model_evaluations(const struct model_work *work);
 
 #endif

@@ -14,13 +14,13 @@ static double load_reaching(double pressure_Pa, double effective_modulus_Pa)
 }
 
 enum status_code multiscale_make(struct multiscale *out, const struct spectrum *spectrum,
-                                 const struct material_pair *pair, bool plastic, enum scene_closure closure,
+                                 const struct material_pair *pair, bool plastic, enum sinusoid_fit_id closure,
                                  struct status *status)
 {
     *out = (struct multiscale){
         .scales = malloc(spectrum->count * sizeof *out->scales),
         .count = spectrum->count,
-        .closure = &sinusoid_closures[closure],
+        .closure = &sinusoid_fits[closure],
         .effective_modulus_Pa = pair->effective_modulus_Pa,
     };
     if (!out->scales)
@@ -46,15 +46,15 @@ void multiscale_free(struct multiscale *stack)
     *stack = (struct multiscale){0};
 }
 
-size_t multiscale_solve(struct contact_point *out, const struct multiscale *stack, const struct spot *spot,
+size_t multiscale_solve(struct contact_point *out, const struct multiscale *stack, const struct constriction *spot,
                         unsigned wanted, double load, uint64_t *evaluations)
 {
-    bool with_gap = wanted & CONTACT_SEPARATION;
-    bool conducts = wanted & (CONTACT_ELECTRICAL | CONTACT_THERMAL | CONTACT_SCALE_DEPENDENT);
+    bool with_gap = wanted & QUANTITY_BIT(QUANTITY_SEPARATION);
+    bool conducts = wanted & (QUANTITY_RESISTANCES);
     double nominal_Pa = load * stack->effective_modulus_Pa;
     double area = 1, separation = 0;
     size_t clamped = 0;
-    struct spot_sum sum = {0};
+    struct constriction_sum sum = {0};
     for (size_t i = 0; i < stack->count; i++) {
         const struct sinusoid_scale *scale = &stack->scales[i];
         struct sinusoid_cell cell;
@@ -63,7 +63,7 @@ size_t multiscale_solve(struct contact_point *out, const struct multiscale *stac
         if (with_gap)
             separation += scale->amplitude_m * cell.gap_ratio;
         if (conducts && cell.area_complement > 0)
-            spot_add_scale(&sum, cell.area_ratio, cell.area_complement, scale->frequency_per_m, area);
+            constriction_add_scale(&sum, cell.area_ratio, cell.area_complement, scale->frequency_per_m, area);
         area *= cell.area_ratio;
     }
     *evaluations += stack->count;
@@ -72,9 +72,11 @@ size_t multiscale_solve(struct contact_point *out, const struct multiscale *stac
         .area_ratio = area,
         .separation_m = with_gap ? separation : NAN,
         .adjusted_m = NAN,
-        .ecr_ohm_m2 = wanted & CONTACT_ELECTRICAL ? spot_electrical(spot, &sum) : NAN,
-        .tcr_K_m2_per_W = wanted & CONTACT_THERMAL ? spot_thermal(spot, &sum) : NAN,
-        .tcr_sd_K_m2_per_W = wanted & CONTACT_SCALE_DEPENDENT ? spot_thermal_scale_dependent(spot, &sum) : NAN,
+        .ecr_ohm_m2 = wanted & QUANTITY_BIT(QUANTITY_ECR) ? constriction_electrical(spot, &sum) : NAN,
+        .tcr_K_m2_per_W = wanted & QUANTITY_BIT(QUANTITY_TCR) ? constriction_thermal(spot, &sum) : NAN,
+        .tcr_sd_K_m2_per_W = wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT)
+                                 ? constriction_thermal_scale_dependent(spot, &sum)
+                                 : NAN,
     };
     return clamped;
 }

@@ -1,11 +1,12 @@
-/* The multiscale models: every harmonic of the surface is a scale, stacked longest first (physics §4; thesis 4.1, 4.2,
- * 4.11). The electrical and thermal resistance of the stack is summed in the same pass (physics §7). */
+/* The multiscale models: every harmonic of the surface is a scale, stacked longest first (4.1, 4.2, 4.11*);
+ * docs/equations.md, Stacked scales. The electrical and thermal resistance is summed in the same pass (4.42*, 4.48*).
+ */
 #ifndef CONTACT_MULTISCALE_H
 #define CONTACT_MULTISCALE_H
 
-#include "contact/point.h"
+#include "contact/constriction.h"
+#include "contact/model.h"
 #include "contact/sinusoid.h"
-#include "resistance/spot.h"
 #include "spectrum/spectrum.h"
 #include <stdint.h>
 
@@ -13,7 +14,7 @@
 struct multiscale {
     struct sinusoid_scale *scales; /* `count`, longest wavelength first */
     size_t count;
-    const struct sinusoid_closure *closure;
+    const struct sinusoid_fit *closure;
     double effective_modulus_Pa;
     double full_load;       /* P/(A_n E') from which A = A_n: the largest over the scales */
     double closed_load;     /* the same for no separation left */
@@ -22,15 +23,18 @@ struct multiscale {
 
 /** Prepares the scales of `spectrum` for `pair`, elastic-plastic when `plastic`. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code multiscale_make(struct multiscale *out, const struct spectrum *spectrum,
-                                            const struct material_pair *pair, bool plastic, enum scene_closure closure,
-                                            struct status *status);
+                                            const struct material_pair *pair, bool plastic,
+                                            enum sinusoid_fit_id closure, struct status *status);
 void multiscale_free(struct multiscale *stack);
 
-/** Contact at P/(A_n E') = load > 0: A_i = a_i A_{i-1} under p_i = P/A_{i-1}; H = sum Delta_i G_i; the resistances of
- * `spot`, only the quantities in `wanted` (others stay NaN). Adds the scales visited to *evaluations. Returns at how
- * many of them the published plastic area had to be limited: cut off at 1 (4.17 exceeds it before p_p), or raised to
- * the elastic area (closure numeric). */
-size_t multiscale_solve(struct contact_point *out, const struct multiscale *stack, const struct spot *spot,
+/** Contact at P/(A_n E') = load > 0: A_i = a_i A_{i-1} (4.1) under p_i = P/A_{i-1} (4.2); H = sum Delta_i G_i
+ * (4.11*); the resistances of `spot`, only the quantities in `wanted` (others stay NaN). Adds the scales visited to
+ * *evaluations. Returns at how many of them the published plastic area had to be limited: cut off at 1 (4.17 exceeds it
+ * before p_p), or raised to the elastic area (closure numeric). */
+size_t multiscale_solve(struct contact_point *out, const struct multiscale *stack, const struct constriction *spot,
                         unsigned wanted, double load, uint64_t *evaluations);
+
+/** The rows of this stack (model_multiscale.c); the statistical models name them as counterparts. */
+extern const struct model_row model_multiscale_elastic, model_multiscale_plastic;
 
 #endif

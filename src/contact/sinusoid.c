@@ -6,9 +6,9 @@ static const double link_area_low = 1.51; /* exponents of the linking equation (
 static const double link_area_high = 1.04;
 static const double link_switch = 0.8; /* p/p* from which the near-complete asymptote holds alone (4.6) */
 static const double critical_strain =
-    2.0 / 3; /* exp(2 nu/3) in Delta_c; the thesis's form, see physics.md "Unsettled" */
+    2.0 / 3; /* exp(2 nu/3) in Delta_c; the thesis's form, see docs/equations.md, Unsettled */
 
-/** a_1 = pi (3x/8pi)^(2/3), the Hertz limit (4.3); from ln x. */
+/** a_1 = pi (3x/8pi)^(2/3), the Hertz limit (4.3*); from ln x. */
 static double area_low(double ln_x)
 {
     static const double factor = 0.7616184731724445; /* pi (3/(8 pi))^(2/3) */
@@ -21,8 +21,8 @@ static double area_high_complement(double x)
     return 3 / (2 * M_PI) * (1 - x);
 }
 
-/** The linking equation a_low (1-x^1.51) + a_2 x^1.04 for 0 < x < 1, with a_low of either law. Its complement is summed
- * from small terms where x is near 1, so that 1 - sqrt(a) keeps its digits. */
+/** The linking equation a_low (1-x^1.51) + a_2 x^1.04 for 0 < x < 1, with a_low elastic (4.5) or plastic (4.17*). Its
+ * complement is summed from small terms where x is near 1, so that 1 - sqrt(a) keeps its digits. */
 static void link_areas(struct sinusoid_cell *cell, double low, double x, double ln_x)
 {
     double high_complement = area_high_complement(x);
@@ -61,7 +61,7 @@ static void thesis_area(struct sinusoid_cell *cell, double x)
     }
 }
 
-/** Mean gap / amplitude G = (1-x)^(5/2 (0.696x + 0.158)^-0.847), thesis (4.10) with the 5/2 of physics.md's errata. */
+/** Mean gap / amplitude G = (1-x)^(5/2 (0.696x + 0.158)^-0.847), (4.10*). */
 static double thesis_gap(double x)
 {
     if (x >= 1)
@@ -73,15 +73,15 @@ static double thesis_gap(double x)
 void sinusoid_numeric_area(struct sinusoid_cell *cell, double x);
 double sinusoid_numeric_gap(double x);
 
-const struct sinusoid_closure sinusoid_closures[SCENE_CLOSURE_COUNT] = {
-    [SCENE_CLOSURE_THESIS] = {"thesis",
-                              "W. E. Wilson, Auburn University 2008, eq. 4.3-4.10; after Johnson, Greenwood "
-                              "and Higginson 1985, Jackson and Streator 2006",
-                              false, 0.12, 0.10, thesis_area, thesis_gap},
-    [SCENE_CLOSURE_NUMERIC] = {"numeric",
-                               "direct numerical solution of the elastic cell on a 1024 x 1024 grid, "
-                               "interpolated",
-                               true, 0.004, 0.002, sinusoid_numeric_area, sinusoid_numeric_gap},
+const struct sinusoid_fit sinusoid_fits[SINUSOID_FIT_COUNT] = {
+    [SINUSOID_FIT_THESIS] = {"thesis",
+                             "W. E. Wilson, Auburn University 2008, eq. 4.3-4.10; after Johnson, Greenwood "
+                             "and Higginson 1985, Jackson and Streator 2006",
+                             false, 0.12, 0.10, thesis_area, thesis_gap},
+    [SINUSOID_FIT_NUMERIC] = {"numeric",
+                              "direct numerical solution of the elastic cell on a 1024 x 1024 grid, "
+                              "interpolated",
+                              true, 0.004, 0.002, sinusoid_numeric_area, sinusoid_numeric_gap},
 };
 
 double sinusoid_full_pressure(double amplitude_m, double frequency_per_m, double effective_modulus_Pa)
@@ -132,7 +132,7 @@ double sinusoid_closed_pressure(const struct sinusoid_scale *scale)
 
 /** Below p_p <= p*, so that the elastic area is short of 1 too. */
 static void raise_to_elastic(struct sinusoid_cell *cell, const struct sinusoid_scale *scale,
-                             const struct sinusoid_closure *closure, double pressure_Pa)
+                             const struct sinusoid_fit *closure, double pressure_Pa)
 {
     struct sinusoid_cell elastic;
     closure->area(&elastic, pressure_Pa / scale->full_pressure_Pa);
@@ -143,8 +143,8 @@ static void raise_to_elastic(struct sinusoid_cell *cell, const struct sinusoid_s
     cell->limited = true;
 }
 
-bool sinusoid_press(struct sinusoid_cell *cell, const struct sinusoid_scale *scale,
-                    const struct sinusoid_closure *closure, double pressure_Pa, bool with_gap)
+bool sinusoid_press(struct sinusoid_cell *cell, const struct sinusoid_scale *scale, const struct sinusoid_fit *closure,
+                    double pressure_Pa, bool with_gap)
 {
     bool plastic = pressure_Pa > scale->critical_pressure_Pa;
     double complete_Pa = plastic ? scale->plastic_full_pressure_Pa : scale->full_pressure_Pa;
@@ -173,7 +173,7 @@ double sinusoid_full_area_pressure(const struct sinusoid_scale *scale)
     double high = sinusoid_closed_pressure(scale), low = scale->critical_pressure_Pa;
     if (low >= high)
         return high;
-    const struct sinusoid_closure *closure = &sinusoid_closures[SCENE_CLOSURE_THESIS]; /* plastic: not asked */
+    const struct sinusoid_fit *closure = &sinusoid_fits[SINUSOID_FIT_THESIS]; /* plastic: not asked */
     for (;;) { /* bisect down to neighbouring numbers: the area never falls, so there is one border */
         double middle = low + (high - low) / 2;
         if (middle <= low || middle >= high)

@@ -1,10 +1,10 @@
 /* One scale of a rough surface pressed flat: a double-sinusoidal surface Delta cos(2 pi f x) cos(2 pi f y) against a
- * flat (physics §3; thesis 4.3-4.18). Area ratio is real area / cell area, 0...1. */
+ * flat (4.3-4.18); docs/equations.md, One sinusoidal scale. Area ratio is real area / cell area, 0...1. */
 #ifndef CONTACT_SINUSOID_H
 #define CONTACT_SINUSOID_H
 
-#include "scene/material.h"
-#include "scene/scene.h"
+#include "material/material.h"
+#include <stdbool.h>
 
 /** Area and gap of one cell at one pressure. */
 struct sinusoid_cell {
@@ -14,8 +14,10 @@ struct sinusoid_cell {
     bool limited;           /* the published plastic area (4.17) was cut off at 1, or raised to the elastic area */
 };
 
+enum sinusoid_fit_id { SINUSOID_FIT_THESIS, SINUSOID_FIT_NUMERIC, SINUSOID_FIT_COUNT };
+
 /** A law for the elastic cell: x = mean pressure / p*. One row a closure. */
-struct sinusoid_closure {
+struct sinusoid_fit {
     const char *name;    /* scene spelling */
     const char *source;  /* where the formula or table is from */
     bool floors_plastic; /* (4.17) was made to meet closure thesis; it can fall short of this closure's elastic area */
@@ -27,7 +29,7 @@ struct sinusoid_closure {
     double (*gap)(double x);
 };
 
-extern const struct sinusoid_closure sinusoid_closures[SCENE_CLOSURE_COUNT]; /* indexed by enum scene_closure */
+extern const struct sinusoid_fit sinusoid_fits[SINUSOID_FIT_COUNT]; /* indexed by enum sinusoid_fit_id */
 
 /** One scale with everything that does not depend on the load. Make it with sinusoid_scale(). */
 struct sinusoid_scale {
@@ -40,13 +42,15 @@ struct sinusoid_scale {
     double plastic_area_exponent;    /* q/(1+q) (4.16) */
 };
 
-/** p* = sqrt2 pi E' Delta f [Pa], thesis (4.7). */
+/** p* = sqrt2 pi E' Delta f [Pa] (4.7*). */
 double sinusoid_full_pressure(double amplitude_m, double frequency_per_m, double effective_modulus_Pa);
 
-/** Delta_c = sqrt2 S_y exp(2 nu/3) / (3 pi E' f) [m]: at or below it the scale is elastic at any load (physics §3). */
+/** Delta_c = sqrt2 S_y exp(2 nu/3) / (3 pi E' f) [m]: at or below it the scale is elastic at any load; goes
+ * with (4.18). */
 double sinusoid_critical_amplitude(double frequency_per_m, const struct material_pair *pair);
 
-/** Prepares a scale; `plastic` false leaves it elastic at any load. */
+/** Prepares a scale: p* (4.7*); p_c (4.14*, of the critical load 4.12*); the factor and the exponent of a_p (4.15) from
+ * A_c (4.13*) and q (4.16); p_p (4.18). `plastic` false leaves it elastic at any load. */
 struct sinusoid_scale sinusoid_scale(double amplitude_m, double frequency_per_m, const struct material_pair *pair,
                                      bool plastic);
 
@@ -58,11 +62,11 @@ double sinusoid_closed_pressure(const struct sinusoid_scale *scale);
 double sinusoid_full_area_pressure(const struct sinusoid_scale *scale);
 
 /** Area (and, when `with_gap`, gap) of the scale at mean pressure p > 0 [Pa]. Returns whether it deformed plastically.
- * Elastic: thesis (4.5), (4.6), (4.10); plastic: (4.17) with p_p in place of p*, cut off at 1 and, with closure
+ * Elastic: thesis (4.5), (4.6), (4.10); plastic: (4.17*) with (4.15), cut off at 1 and, with closure
  * `numeric`, not below the elastic area: yield only adds contact. The area never falls with p, but for the link of
  * closure `thesis` at p/p* = 0.8 (by 0.05 %, as published). */
-bool sinusoid_press(struct sinusoid_cell *cell, const struct sinusoid_scale *scale,
-                    const struct sinusoid_closure *closure, double pressure_Pa, bool with_gap);
+bool sinusoid_press(struct sinusoid_cell *cell, const struct sinusoid_scale *scale, const struct sinusoid_fit *closure,
+                    double pressure_Pa, bool with_gap);
 
 /** The direct numerical solution: x = p/p*, area ratio, gap/amplitude. */
 struct sinusoid_bem_row {
@@ -73,6 +77,6 @@ extern const size_t sinusoid_bem_count;
 
 /** Largest relative difference of a closure from the direct solution, in the gap (x <= 0.55) or in the area. `numeric`,
  * which interpolates that solution, is tested at each row with the row itself left out. */
-double sinusoid_closure_error(enum scene_closure closure, bool gap);
+double sinusoid_fit_error(enum sinusoid_fit_id closure, bool gap);
 
 #endif

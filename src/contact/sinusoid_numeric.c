@@ -1,4 +1,5 @@
-/* Closure `numeric`: the elastic sinusoidal cell interpolated from a direct numerical solution (physics §3).
+/* Closure `numeric`: the elastic sinusoidal cell interpolated from a direct numerical solution (docs/equations.md,
+ * One sinusoidal scale).
  * ln[G/(1-x)^(5/2)] and a/x^(2/3) are smooth in x^(1/3); Steffen's cubic keeps both monotone between the nodes.
  * The ends are the exact limits: Hertz at x = 0 (4.3) and Johnson, Greenwood and Higginson's (4.9) at x = 1. */
 #include "contact/sinusoid.h"
@@ -144,14 +145,14 @@ double sinusoid_numeric_gap(double x)
     return exp(interpolate(point_gap, x, KEEP_ALL) + 2.5 * log1p(-x));
 }
 
-double sinusoid_closure_error(enum scene_closure closure, bool gap)
+double sinusoid_fit_error(enum sinusoid_fit_id closure, bool gap)
 {
-    const struct sinusoid_closure *row = &sinusoid_closures[closure];
+    const struct sinusoid_fit *row = &sinusoid_fits[closure];
     double worst = 0;
     for (int i = 0; i < NODES; i++) {
         double x = sinusoid_bem[i].x, value;
         struct sinusoid_cell cell = {0};
-        bool own = closure == SCENE_CLOSURE_NUMERIC;
+        bool own = closure == SINUSOID_FIT_NUMERIC;
         if ((gap && x > 0.55) || (own && (i == 0 || i == NODES - 1)))
             continue; /* beyond the first and last rows there is only a limit to go by */
         row->area(&cell, x);

@@ -4,23 +4,23 @@
 
 #include <math.h>
 
-/** The integrals of thesis (4.25), (4.26), (4.43) at d, in closed form for GW, else from the panels. */
-static void integrate(struct panels_sums *sums, const struct statistical *model, double d)
+/** The integrals of (4.25), (4.26), (4.43*), (4.46*) at d, in closed form for GW, else from the panels. */
+static void integrate(struct quadrature_sums *sums, const struct statistical *model, double d)
 {
     if (model->law != ASPERITY_HERTZ) {
-        panels_sum(sums, &model->panels, d);
+        quadrature_sum(sums, &model->panels, d);
         return;
     }
-    if (model->wanted & CONTACT_SCALE_DEPENDENT)
-        panels_sum(sums, &model->panels, d);
+    if (model->wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT))
+        quadrature_sum(sums, &model->panels, d);
     struct gaussian_integrals f = gaussian_integrals(d);
     double radius_m = model->asperity.radius_m, sigma_s_m = model->surface.sigma_s_m;
     double scale_dependent = 0; /* the panels take out another factor */
-    if (model->wanted & CONTACT_SCALE_DEPENDENT)
+    if (model->wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT))
         scale_dependent = sums->radius_scale_dependent * exp(sums->log_factor - f.log_factor);
     double area = M_PI * radius_m * sigma_s_m;
     double load = 4.0 / 3 * model->asperity.effective_modulus_Pa * sqrt(radius_m * sigma_s_m) * sigma_s_m;
-    *sums = (struct panels_sums){
+    *sums = (struct quadrature_sums){
         .area = area * f.one,
         .area_slope = -area * f.zero, /* dF_n/dh = -n F_{n-1} */
         .load = load * f.three_halves,
@@ -31,8 +31,8 @@ static void integrate(struct panels_sums *sums, const struct statistical *model,
     };
 }
 
-/** Solves ln(density integral(d)) = ln target by Newton's method. The logarithm falls and is concave in d (both laws
- * are log-concave), so that after one step the iterates close in from one side. */
+/** Solves ln(density integral(d)) = ln target, of (4.25) or (4.26), by Newton's method. The logarithm falls and is
+ * concave in d (both laws are log-concave), so that after one step the iterates close in from one side. */
 static double solve(const struct statistical *model, bool for_area, double log_target, double d)
 {
     static const double highest_d = 40; /* exp(-d²/2) is below the smallest double */
@@ -41,7 +41,7 @@ static double solve(const struct statistical *model, bool for_area, double log_t
     if (!for_area)
         log_scale -= log(model->asperity.effective_modulus_Pa);
     for (int iteration = 0; iteration < 200; iteration++) {
-        struct panels_sums sums;
+        struct quadrature_sums sums;
         integrate(&sums, model, d);
         double value = for_area ? sums.area : sums.load, slope = for_area ? sums.area_slope : sums.load_slope;
         if (!(value > 0 && slope < 0))
@@ -62,20 +62,20 @@ static double hertz_full_d(const struct statistical *model)
 }
 
 /** Do closed forms serve? They do for Hertz's law, but for the scale-dependent conductance. */
-static bool is_closed(enum asperity_law_id law, unsigned wanted)
+static bool is_closed(enum asperity_model_id law, unsigned wanted)
 {
-    return law == ASPERITY_HERTZ && !(wanted & CONTACT_SCALE_DEPENDENT);
+    return law == ASPERITY_HERTZ && !(wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT));
 }
 
 /** A model without its panels. */
 static struct statistical outline(const struct asperities *surface, const struct material_pair *pair,
-                                  enum asperity_law_id law, unsigned wanted, double tolerance)
+                                  enum asperity_model_id law, unsigned wanted, double tolerance)
 {
     struct statistical model = {
         .surface = *surface,
         .asperity = asperity_make(surface->radius_m, pair, law),
         .law = law,
-        .spot = spot_make(pair),
+        .spot = constriction_make(pair),
         .wanted = wanted,
         .tolerance = tolerance,
     };
@@ -85,26 +85,26 @@ static struct statistical outline(const struct asperities *surface, const struct
 
 static double knudsen_length(const struct statistical *model)
 {
-    return model->wanted & CONTACT_SCALE_DEPENDENT ? model->spot.knudsen_length_m : 0;
+    return model->wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT) ? model->spot.knudsen_length_m : 0;
 }
 
-size_t statistical_law_count(const struct asperities *surface, const struct material_pair *pair,
-                             enum asperity_law_id law, unsigned wanted, double tolerance)
+size_t statistical_node_count(const struct asperities *surface, const struct material_pair *pair,
+                              enum asperity_model_id law, unsigned wanted, double tolerance)
 {
     struct statistical model = outline(surface, pair, law, wanted, tolerance);
     return is_closed(law, wanted)
                ? 0
-               : panels_count(&model.asperity, surface->sigma_s_m, knudsen_length(&model), model.full_d, tolerance);
+               : quadrature_count(&model.asperity, surface->sigma_s_m, knudsen_length(&model), model.full_d, tolerance);
 }
 
 enum status_code statistical_make(struct statistical *out, const struct asperities *surface,
-                                  const struct material_pair *pair, enum asperity_law_id law, unsigned wanted,
+                                  const struct material_pair *pair, enum asperity_model_id law, unsigned wanted,
                                   double tolerance, double lowest_d, uint64_t *evaluations, struct status *status)
 {
     *out = outline(surface, pair, law, wanted, tolerance);
     if (!is_closed(law, wanted) &&
-        panels_make(&out->panels, &out->asperity, law, surface->sigma_s_m, knudsen_length(out),
-                    fmin(lowest_d, out->full_d), tolerance, evaluations, status) != STATUS_OK)
+        quadrature_make(&out->panels, &out->asperity, law, surface->sigma_s_m, knudsen_length(out),
+                        fmin(lowest_d, out->full_d), tolerance, evaluations, status) != STATUS_OK)
         return status->code;
     if (law != ASPERITY_HERTZ)
         out->full_d = solve(out, true, 0, out->full_d);
@@ -117,12 +117,12 @@ enum status_code statistical_make(struct statistical *out, const struct asperiti
 
 void statistical_free(struct statistical *model)
 {
-    panels_free(&model->panels);
+    quadrature_free(&model->panels);
 }
 
 void statistical_at(struct contact_point *out, const struct statistical *model, double d)
 {
-    struct panels_sums sums;
+    struct quadrature_sums sums;
     integrate(&sums, model, d);
     const struct asperities *surface = &model->surface;
     double scale = surface->density_per_m2 * exp(sums.log_factor);
@@ -130,21 +130,24 @@ void statistical_at(struct contact_point *out, const struct statistical *model, 
     double separation_m = d * surface->sigma_s_m + surface->offset_m;
     double full_m = model->full_d * surface->sigma_s_m + surface->offset_m;
     /* 1/R = (1/Psi) eta int g(a) phi: psi/(2 eta int a phi), per nominal area */
-    double psi = area < 1 ? spot_alleviation(area, 1 - area) : 0;
+    double psi = area < 1 ? constriction_alleviation(area, 1 - area) : 0;
     unsigned wanted = model->wanted;
     double spread = psi > 0 ? psi / (2 * scale * sums.radius) : 0, spread_sd = 0;
-    if (psi > 0 && (wanted & CONTACT_SCALE_DEPENDENT)) /* else GW has no panels to sum it from: it would be psi/0 */
+    if (psi > 0 &&
+        (wanted &
+         QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT))) /* else GW has no panels to sum it from: it would be psi/0 */
         spread_sd = psi / (2 * scale * sums.radius_scale_dependent);
     *out = (struct contact_point){
         .load = scale * sums.load / model->asperity.effective_modulus_Pa,
         .area_ratio = area,
         .separation_m = separation_m,
         .adjusted_m = (separation_m - full_m) / 2, /* (delta + beta sigma/2)/2 (4.54) */
-        .ecr_ohm_m2 = wanted & CONTACT_ELECTRICAL ? model->spot.resistivity_ohm_m * spread : NAN,
-        .tcr_K_m2_per_W = wanted & CONTACT_THERMAL ? spread / model->spot.conductivity_W_per_mK : NAN,
-        .tcr_sd_K_m2_per_W = wanted & CONTACT_SCALE_DEPENDENT ? spread_sd / model->spot.conductivity_W_per_mK : NAN,
-        .outside = sums.load > 0 ? sums.load_outside / sums.load : 0,
-        .saturated = sums.load > 0 ? sums.load_saturated / sums.load : 0,
+        .ecr_ohm_m2 = wanted & QUANTITY_BIT(QUANTITY_ECR) ? model->spot.resistivity_ohm_m * spread : NAN,
+        .tcr_K_m2_per_W = wanted & QUANTITY_BIT(QUANTITY_TCR) ? spread / model->spot.conductivity_W_per_mK : NAN,
+        .tcr_sd_K_m2_per_W =
+            wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT) ? spread_sd / model->spot.conductivity_W_per_mK : NAN,
+        .beyond_fit = sums.load > 0 ? sums.load_beyond_fit / sums.load : 0,
+        .radius_clamped = sums.load > 0 ? sums.load_radius_clamped / sums.load : 0,
     };
 }
 

@@ -1,12 +1,13 @@
-/* The statistical models: asperities of one radius with Gaussian heights against a flat at height d (physics §5-§7;
- * thesis 4.25, 4.26, 4.29, 4.43-4.46, 4.54). One asperity law gives GW (Hertz), the other JG (Jackson and Green). */
+/* The statistical models: asperities of one radius with Gaussian heights against a flat at height d (docs/equations.md,
+ * Statistical models; 4.25, 4.26, 4.29, 4.43-4.46, 4.49-4.51, 4.54). One asperity law gives GW (Hertz), the other JG
+ * (Jackson and Green). */
 #ifndef CONTACT_STATISTICAL_H
 #define CONTACT_STATISTICAL_H
 
 #include "contact/asperity.h"
-#include "contact/panels.h"
-#include "contact/point.h"
-#include "resistance/spot.h"
+#include "contact/constriction.h"
+#include "contact/quadrature.h"
+#include "contact/quantity.h"
 #include "spectrum/roughness.h"
 #include <stdbool.h>
 #include <stdint.h>
@@ -15,30 +16,31 @@
 struct statistical {
     struct asperities surface;
     struct asperity asperity;
-    enum asperity_law_id law;
-    struct spot spot;
-    unsigned wanted;      /* enum contact_quantity bits to compute */
-    double tolerance;     /* relative, of every integral */
-    struct panels panels; /* the law at the quadrature nodes; empty where closed forms do */
-    double full_d;        /* d/sigma_s at which A = A_n */
-    double full_load;     /* P/(A_n E') there */
-    double beta;          /* -2 delta_full/sigma: makes delta_ADJ = 0 at A = A_n (4.54) */
+    enum asperity_model_id law;
+    struct constriction spot;
+    unsigned wanted;          /* QUANTITY_BITs to compute */
+    double tolerance;         /* relative, of every integral */
+    struct quadrature panels; /* the law at the quadrature nodes; empty where closed forms do */
+    double full_d;            /* d/sigma_s at which A = A_n */
+    double full_load;         /* P/(A_n E') there */
+    double beta;              /* -2 delta_full/sigma: makes delta_ADJ = 0 at A = A_n (4.54) */
 };
 
-/** Prepares the model for separations d >= `lowest_d` sigma_s and always down to its full contact (pass INFINITY for
- * just that). Counts law evaluations. Errors: STATUS_MEMORY; STATUS_MODEL when full contact or
+/** Prepares the model, with beta (4.54), for separations d >= `lowest_d` sigma_s and always down to its full contact
+ * (pass INFINITY for just that). Counts law evaluations. Errors: STATUS_MEMORY; STATUS_MODEL when full contact or
  * lowest_d is below about -2000 (no surface of roughness_asperities() is). */
 MUST_CHECK enum status_code statistical_make(struct statistical *out, const struct asperities *surface,
-                                             const struct material_pair *pair, enum asperity_law_id law,
+                                             const struct material_pair *pair, enum asperity_model_id law,
                                              unsigned wanted, double tolerance, double lowest_d, uint64_t *evaluations,
                                              struct status *status);
 /** Law evaluations that statistical_make() takes for the same arguments, lowest_d = INFINITY. */
-size_t statistical_law_count(const struct asperities *surface, const struct material_pair *pair,
-                             enum asperity_law_id law, unsigned wanted, double tolerance);
+size_t statistical_node_count(const struct asperities *surface, const struct material_pair *pair,
+                              enum asperity_model_id law, unsigned wanted, double tolerance);
 void statistical_free(struct statistical *model);
 
-/** Contact with the flat at d = `d` sigma_s. Below full contact (A > A_n) the area ratio exceeds 1 and the resistances
- * are 0. `outside` is the share of the load on asperities with a/R > 0.41 (JG). */
+/** Contact with the flat at d = `d` sigma_s: A (4.25), P (4.26), delta (4.29), delta_ADJ (4.54), and the resistances
+ * (4.43*, 4.46*, 4.49*, 4.50*, 4.51) with the Psi of (4.44). Below full contact (A > A_n) the area ratio exceeds 1 and
+ * the resistances are 0. `beyond_fit` is the share of the load on asperities with a/R > 0.41 (JG). */
 void statistical_at(struct contact_point *out, const struct statistical *model, double d);
 
 /** Contact at P/(A_n E') = load. Returns false, with nothing written, beyond the model's full contact.
@@ -48,7 +50,7 @@ bool statistical_solve(struct contact_point *out, const struct statistical *mode
 /** The point of complete contact: area ratio 1, adjusted separation and resistances 0. */
 void statistical_full(struct contact_point *out, const struct statistical *model);
 
-/** The other estimate of beta (physics §6): the one that brings delta_ADJ(P) closest, in the mean square over `count`
+/** The other estimate of beta in (4.54): the one that brings delta_ADJ(P) closest, in the mean square over `count`
  * common loads, to the multiscale separations. Arrays in metres. */
 double statistical_beta_multiscale(const double *separation_m, const double *multiscale_m, size_t count,
                                    double sigma_m);

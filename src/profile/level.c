@@ -5,6 +5,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+const char *const level_names[LEVEL_COUNT] = {"none", "mean", "line", "parabola", "circle", "robust"};
+
 static const double tukey_tuning = 4.685;        /* 95 % efficiency for Gaussian residuals */
 static const double mad_to_deviation = 1.482602; /* 1/Phi^-1(3/4) */
 enum { ROBUST_STEPS = 50, ARC_STEPS = 50, ARC_HALVINGS = 40 };
@@ -260,17 +262,17 @@ static enum status_code take_arc(struct levelling *out, const struct record *rec
 }
 
 enum status_code level_remove(struct levelling *out, double *height_m, const double *x_m, size_t points,
-                              double spacing_m, enum scene_level level, struct status *status)
+                              double spacing_m, enum level level, struct status *status)
 {
     *out = (struct levelling){.radius_m = INFINITY};
     struct record record = record_of(x_m, points, spacing_m);
-    if (level == SCENE_LEVEL_NONE)
+    if (level == LEVEL_NONE)
         return STATUS_OK;
-    if (level == SCENE_LEVEL_ROBUST)
+    if (level == LEVEL_ROBUST)
         return take_robust_line(out, &record, height_m, status);
-    if (level == SCENE_LEVEL_CIRCLE)
+    if (level == LEVEL_CIRCLE)
         return take_arc(out, &record, height_m, status);
-    int degree = level == SCENE_LEVEL_MEAN ? 0 : level == SCENE_LEVEL_LINE ? 1 : 2;
+    int degree = level == LEVEL_MEAN ? 0 : level == LEVEL_LINE ? 1 : 2;
     struct polynomial form = fit(&record, height_m, NULL, degree);
     take_out(&record, height_m, &form);
     if (degree > 0)

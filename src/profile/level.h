@@ -2,7 +2,21 @@
 #ifndef PROFILE_LEVEL_H
 #define PROFILE_LEVEL_H
 
-#include "scene/scene.h"
+#include "base/status.h"
+#include <stdbool.h>
+#include <stddef.h>
+
+/** What is taken out of the heights. */
+enum level {
+    LEVEL_NONE,
+    LEVEL_MEAN,
+    LEVEL_LINE,
+    LEVEL_PARABOLA,
+    LEVEL_CIRCLE, /* an arc */
+    LEVEL_ROBUST, /* a line that outliers do not move */
+    LEVEL_COUNT
+};
+extern const char *const level_names[LEVEL_COUNT]; /* as a scene spells them */
 
 /** What a levelling took out. */
 struct levelling {
@@ -21,6 +35,6 @@ struct levelling {
  *          0 is an outlier.
  * Errors: STATUS_SCAN: no arc fits; STATUS_MEMORY. */
 MUST_CHECK enum status_code level_remove(struct levelling *out, double *height_m, const double *x_m, size_t points,
-                                         double spacing_m, enum scene_level level, struct status *status);
+                                         double spacing_m, enum level level, struct status *status);
 
 #endif

@@ -12,13 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-const struct profile_options profile_defaults = {.level = SCENE_LEVEL_LINE, .max_missing = 0.1};
-
-struct profile_options profile_options_of(const struct scene *scene)
-{
-    return (struct profile_options){scene->level, scene->max_missing, scene->lambda_s_m, scene->lambda_c_m,
-                                    scene->tip_radius_m};
-}
+const struct profile_options profile_defaults = {.level = LEVEL_LINE, .max_missing = 0.1};
 
 void profile_note(struct profile *profile, const char *format, ...)
 {
@@ -84,16 +78,16 @@ static enum status_code take_level(struct profile *profile, const struct profile
     if (peak_to_valley(profile) <= rounding_m)
         return status_fail(status, STATUS_SCAN,
                            "the scan is flat: no roughness is left after level: %s; check the column",
-                           scene_level_names[options->level]);
+                           level_names[options->level]);
     profile->tilt = levelling.tilt;
     profile->radius_m = levelling.radius_m;
     profile->outliers = levelling.outliers;
-    if (options->level == SCENE_LEVEL_CIRCLE && isinf(levelling.radius_m))
+    if (options->level == LEVEL_CIRCLE && isinf(levelling.radius_m))
         profile_note(profile, "a line was taken out: the best arc is straight");
-    else if (options->level == SCENE_LEVEL_CIRCLE)
+    else if (options->level == LEVEL_CIRCLE)
         profile_note(profile, "an arc of radius %.6g mm (%s) was taken out", fabs(levelling.radius_m) * 1e3,
                      levelling.radius_m < 0 ? "crown" : "hollow");
-    if (options->level == SCENE_LEVEL_ROBUST)
+    if (options->level == LEVEL_ROBUST)
         profile_note(profile, "a robust line was taken out; %zu of %zu points (%.2g %%) are outliers of it",
                      levelling.outliers, profile->points, 100 * (double)levelling.outliers / (double)profile->points);
     return STATUS_OK;

@@ -1,10 +1,10 @@
-/* A scan made ready: gaps bridged, heights at a uniform spacing, levelled, filtered (physics §1). Every step that did
- * something leaves a line in `notes`. */
+/* A scan made ready: gaps bridged, heights at a uniform spacing, levelled, filtered (docs/equations.md, From scan to
+ * spectrum). Every step that did something leaves a line in `notes`. */
 #ifndef PROFILE_PROFILE_H
 #define PROFILE_PROFILE_H
 
+#include "profile/level.h"
 #include "scan/scan.h"
-#include "scene/scene.h"
 
 enum profile_spacing { PROFILE_UNIFORM, PROFILE_ROUNDED, PROFILE_RESAMPLED };
 
@@ -12,7 +12,7 @@ enum { PROFILE_NOTES = 24, PROFILE_NOTE_LENGTH = 240 };
 
 /** How a scan is made ready; the scene's keys of the same names. */
 struct profile_options {
-    enum scene_level level;
+    enum level level;
     double max_missing;            /* share of the points, 0...1 */
     double lambda_s_m, lambda_c_m; /* cut-offs of the Gaussian low-pass and high-pass; 0: none */
     double tip_radius_m;           /* for a warning only; 0: not known */
@@ -35,7 +35,6 @@ struct profile {
 
 /** Line, a tenth of the points may be missing, no filters. */
 extern const struct profile_options profile_defaults;
-struct profile_options profile_options_of(const struct scene *scene);
 
 /** Makes the profile of a scan's row `row` (0 for a profile):
  *  missing points: at the ends cut off, between others bridged by straight lines;

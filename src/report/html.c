@@ -1,70 +1,63 @@
 #include "report/html.h"
 
 #include "report/svg.h"
+#include "report/template.h"
 
 #include <ctype.h>
 #include <limits.h>
-#include <md4c-html.h>
+#include <md4c.h>
+#include <stdlib.h>
 #include <string.h>
 
-/* md4c writes the HTML; this file goes once over its tags. As raw HTML is off, every '<' in it begins a tag of md4c's
- * own, in md4c's own spelling: text and attribute values have theirs escaped. */
-
-enum { HTML_MARKDOWN = MD_FLAG_TABLES | MD_FLAG_NOHTML };
+/* md4c reads the Markdown and calls back for each block, span and piece of text. A block's words are gathered in `line`
+ * and written when the block ends or another begins in it: only then is it known what a heading's id is and whether a
+ * paragraph is a row of figures. */
 
 struct page {
     struct text body, contents;
-    struct text slugs; /* the ids given so far, each between line ends */
-    const char *at;    /* where in md4c's output */
-    const char *directory;
-    int level; /* of the last entry in the contents: 0 (none), 2 or 3 */
-    unsigned figures;
+    struct text ids;     /* of the headings so far, each between line ends */
+    struct text line;    /* the open block's words, with their tags */
+    struct text words;   /* the same without tags */
+    struct text figures; /* its charts as figures, for when it holds nothing else */
+    struct text target;  /* of the last link or image */
+    struct text label;   /* of the open image, escaped */
+    const char *title, *directory;
+    unsigned level;  /* of the last entry in the contents: 0 (none), 2 or 3 */
+    unsigned charts; /* so far */
+    unsigned images; /* open, each but the outermost in the label of another */
+    bool mixed;      /* the line holds more than charts */
     bool in_figures; /* inside the <div> of a run of figures */
     bool in_link;    /* inside a link that was kept */
     struct status *status;
 };
 
-struct image {
-    const char *name;  /* of the file in figures/ */
-    int name_length;   /* 0: not a chart of the report */
-    const char *label; /* escaped */
-    int label_length;
-    const char *end; /* after the tag */
-};
-
-static bool starts(const char *at, const char *with)
+static void empty(struct text *text)
 {
-    return strncmp(at, with, strlen(with)) == 0;
+    text->length = 0;
+    text_add_bytes(text, "", 0);
 }
 
-static void collect(const MD_CHAR *bytes, MD_SIZE length, void *text)
+/* The ASCII character that "&#60;", "&#x3c;" or "&amp;" stands for; 0 for any other reference. */
+static char ascii_reference(const char *reference, size_t size)
 {
-    text_add_bytes(text, bytes, length);
+    if (size == strlen("&amp;") && memcmp(reference, "&amp;", size) == 0)
+        return '&';
+    if (reference[1] != '#')
+        return 0;
+    bool hexadecimal = tolower((unsigned char)reference[2]) == 'x';
+    unsigned long code = strtoul(reference + (hexadecimal ? 3 : 2), NULL, hexadecimal ? 16 : 10);
+    return code < 0x80 ? (char)code : 0;
 }
 
-static void add_escaped(struct text *out, const char *string)
+/* Takes over where a link or image leads, as plain text. */
+static void read_target(struct page *page, const MD_ATTRIBUTE *target)
 {
-    static const char *const escapes[128] = {['<'] = "&lt;", ['>'] = "&gt;", ['&'] = "&amp;", ['"'] = "&quot;"};
-    for (size_t length; *string; string += length ? length : 1) {
-        length = text_character(string);
-        if (length == 1 && escapes[(unsigned char)*string])
-            text_add(out, "%s", escapes[(unsigned char)*string]);
-        else
-            text_add_bytes(out, length ? string : "?", length ? length : 1);
-    }
-}
-
-/* The text of a heading, without its tags. */
-static void add_without_tags(struct text *out, const char *html, const char *end)
-{
-    while (html < end) {
-        size_t length = strcspn(html, "<");
-        if (length > (size_t)(end - html))
-            length = (size_t)(end - html);
-        text_add_bytes(out, html, length);
-        html += length;
-        if (html < end)
-            html = strchr(html, '>') + 1;
+    empty(&page->target);
+    for (size_t i = 0; target->size > 0 && target->substr_offsets[i] < target->size; i++) {
+        const char *part = target->text + target->substr_offsets[i];
+        size_t size = target->substr_offsets[i + 1] - target->substr_offsets[i];
+        char c = target->substr_types[i] == MD_TEXT_ENTITY ? ascii_reference(part, size) : 0;
+        text_add_bytes(&page->target, c ? &c : part, c ? 1 : size);
     }
 }
 
@@ -76,7 +69,7 @@ static void add_slug(struct text *out, const char *heading)
     for (; *heading; heading++) {
         unsigned char c = (unsigned char)*heading;
         char lower = (char)tolower(c);
-        if (c == '&' && strchr(heading, ';'))
+        if (c == '&')
             heading = strchr(heading, ';'); /* a character reference, of punctuation */
         else if (c == ' ' || c == '\n')
             text_add(out, "-");
@@ -87,26 +80,26 @@ static void add_slug(struct text *out, const char *heading)
         text_add(out, "section");
 }
 
-/* Puts into `out` the slug of `heading`, numbered if the page has it already. */
-static void unique_slug(struct page *page, struct text *out, const char *heading)
+/* Adds the id of `heading`, numbered if the page has it already, to `ids` and returns it with a line end after it. */
+static const char *add_id(struct text *ids, const char *heading)
 {
-    struct text line = {0};
-    add_slug(out, heading);
-    size_t plain = out->length;
-    for (unsigned number = 1; !out->failed && !line.failed; number++) {
-        line.length = 0;
-        text_add(&line, "\n%s\n", text_string(out));
-        if (!strstr(text_string(&page->slugs), text_string(&line)))
-            break;
-        out->length = plain;
-        text_add(out, "-%u", number);
+    if (ids->length == 0)
+        text_add(ids, "\n");
+    size_t start = ids->length;
+    add_slug(ids, heading);
+    size_t plain = ids->length;
+    text_add(ids, "\n");
+    for (unsigned number = 1; !ids->failed; number++) {
+        const char *line = ids->data + start - 1;
+        if (strstr(ids->data, line) == line)
+            return line + 1;
+        ids->length = plain;
+        text_add(ids, "-%u\n", number);
     }
-    text_add(&page->slugs, "%s\n", text_string(out));
-    page->slugs.failed |= line.failed || out->failed;
-    text_free(&line);
+    return "";
 }
 
-static void add_contents_entry(struct page *page, int level, const char *slug, const char *heading)
+static void add_contents_entry(struct page *page, unsigned level, const char *id, int id_length)
 {
     if (page->level == 0)
         level = 2; /* a subsection before any section stands as one */
@@ -114,7 +107,7 @@ static void add_contents_entry(struct page *page, int level, const char *slug, c
         text_add(&page->contents, page->level == 2 ? "\n<ul>\n" : "</li>\n");
     else if (page->level > 0)
         text_add(&page->contents, page->level == 2 ? "</li>\n" : "</li>\n</ul></li>\n");
-    text_add(&page->contents, "<li><a href=\"#%s\">%s</a>", slug, heading);
+    text_add(&page->contents, "<li><a href=\"#%.*s\">%s</a>", id_length, id, text_string(&page->words));
     page->level = level;
 }
 
@@ -124,110 +117,156 @@ static void end_contents(struct page *page)
         text_add(&page->contents, page->level == 2 ? "</li>\n" : "</li>\n</ul></li>\n");
 }
 
-static enum status_code heading(struct page *page)
+static void empty_line(struct page *page)
 {
-    int level = page->at[2] - '0';
-    const char *inner = page->at + strlen("<h2>"), *end = strstr(inner, "</h");
-    struct text plain = {0}, slug = {0};
-    add_without_tags(&plain, inner, end);
-    unique_slug(page, &slug, text_string(&plain));
-    text_add(&page->body, "<h%d id=\"%s\">", level, text_string(&slug));
-    if (level == 2 || level == 3)
-        add_contents_entry(page, level, text_string(&slug), text_string(&plain));
-    page->contents.failed |= plain.failed;
-    text_free(&plain);
-    text_free(&slug);
-    page->at = inner;
-    return STATUS_OK;
+    empty(&page->line);
+    empty(&page->words);
+    empty(&page->figures);
+    page->mixed = false;
 }
 
-/* Reads md4c's <img src="..." alt="..." title="..."> at `at`. */
-static struct image read_image(const char *at)
+/* Writes the line between `start` and `end`. */
+static void end_line(struct page *page, const char *start, const char *end)
 {
-    static const char source[] = "<img src=\"", alternative[] = "\" alt=\"";
-    struct image image = {.end = strchr(at, '>') + 1};
-    const char *src = at + strlen(source);
-    const char *alt = strstr(src, alternative) + strlen(alternative);
-    image.label = alt;
-    image.label_length = (int)strcspn(alt, "\"");
-    if (starts(src, "figures/")) {
-        image.name = src + strlen("figures/");
-        size_t length = strspn(image.name, "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-");
-        if (length > 4 && image.name[length] == '"' && starts(image.name + length - 4, ".svg"))
-            image.name_length = (int)length;
+    if (page->in_figures)
+        text_add(&page->body, "</div>\n");
+    page->in_figures = false;
+    text_add(&page->body, "%s", start);
+    text_add_bytes(&page->body, text_string(&page->line), page->line.length);
+    text_add(&page->body, "%s", end);
+    empty_line(page);
+}
+
+static void end_paragraph(struct page *page)
+{
+    if (page->mixed || page->figures.length == 0) {
+        end_line(page, "<p>", "</p>\n");
+        return;
     }
-    return image;
+    if (!page->in_figures)
+        text_add(&page->body, "<div class=\"figures\">\n");
+    text_add(&page->body, "%s\n", text_string(&page->figures));
+    empty_line(page);
+    page->in_figures = true;
 }
 
-static enum status_code add_chart(struct page *page, const struct image *image)
+static void end_heading(struct page *page, unsigned level)
 {
-    struct text path = {0}, svg = {0}, label = {0};
-    text_add(&path, "%s/figures/%.*s", page->directory, image->name_length, image->name);
-    text_add_bytes(&label, image->label, (size_t)image->label_length);
-    enum status_code code = path.failed || label.failed ? status_memory(page->status)
-                                                        : text_read_file(&svg, text_string(&path), page->status);
-    if (code == STATUS_OK)
-        code = svg_inline(&page->body, &svg, text_string(&path), ++page->figures, text_string(&label), page->status);
-    text_free(&path);
-    text_free(&svg);
-    text_free(&label);
-    return code;
+    const char *id = add_id(&page->ids, text_string(&page->words));
+    int id_length = (int)strcspn(id, "\n");
+    struct text start = {0};
+    if (level == 2 || level == 3)
+        add_contents_entry(page, level, id, id_length);
+    text_add(&start, "<h%u id=\"%.*s\">", level, id_length, id);
+    end_line(page, text_string(&start), "");
+    text_add(&page->body, "</h%u>\n", level);
+    page->body.failed |= start.failed;
+    text_free(&start);
+}
+
+/* what goes around a block's words; a paragraph's and a heading's tags are written when they end */
+static const struct {
+    const char *start, *end;
+} block_tags[] = {
+    [MD_BLOCK_DOC] = {"", ""},
+    [MD_BLOCK_P] = {"", ""},
+    [MD_BLOCK_H] = {"", ""},
+    [MD_BLOCK_QUOTE] = {"<blockquote>\n", "</blockquote>\n"},
+    [MD_BLOCK_UL] = {"<ul>\n", "</ul>\n"},
+    [MD_BLOCK_OL] = {"<ol>\n", "</ol>\n"},
+    [MD_BLOCK_LI] = {"<li>", "</li>\n"},
+    [MD_BLOCK_HR] = {"<hr>\n", ""},
+    [MD_BLOCK_CODE] = {"<pre><code>", "</code></pre>\n"},
+    [MD_BLOCK_TABLE] = {"<div class=\"table\" tabindex=\"0\"><table>\n", "</table></div>\n"},
+    [MD_BLOCK_THEAD] = {"<thead>\n", "</thead>\n"},
+    [MD_BLOCK_TBODY] = {"<tbody>\n", "</tbody>\n"},
+    [MD_BLOCK_TR] = {"<tr>\n", "</tr>\n"},
+    [MD_BLOCK_TH] = {"<th>", "</th>\n"},
+    [MD_BLOCK_TD] = {"<td>", "</td>\n"},
+};
+
+static int enter_block(MD_BLOCKTYPE type, void *detail, void *user)
+{
+    static const char *const alignments[] = {
+        [MD_ALIGN_LEFT] = "left", [MD_ALIGN_CENTER] = "center", [MD_ALIGN_RIGHT] = "right"};
+    struct page *page = user;
+    if (type != MD_BLOCK_P || page->line.length > 0) /* a run of figures may go on in a paragraph */
+        end_line(page, "", "");
+    const MD_BLOCK_OL_DETAIL *list = type == MD_BLOCK_OL ? detail : NULL;
+    const MD_BLOCK_TD_DETAIL *cell = type == MD_BLOCK_TH || type == MD_BLOCK_TD ? detail : NULL;
+    if (list && list->start != 1)
+        text_add(&page->body, "<ol start=\"%u\">\n", list->start);
+    else if (cell && cell->align != MD_ALIGN_DEFAULT)
+        text_add(&page->body, "<%s align=\"%s\">", type == MD_BLOCK_TH ? "th" : "td", alignments[cell->align]);
+    else
+        text_add(&page->body, "%s", block_tags[type].start);
+    return 0;
+}
+
+static int leave_block(MD_BLOCKTYPE type, void *detail, void *user)
+{
+    struct page *page = user;
+    if (type == MD_BLOCK_P)
+        end_paragraph(page);
+    else if (type == MD_BLOCK_H)
+        end_heading(page, ((const MD_BLOCK_H_DETAIL *)detail)->level);
+    else
+        end_line(page, "", block_tags[type].end);
+    return 0;
+}
+
+/* The chart's file name, or NULL for a picture that is none of the report's charts. */
+static const char *chart_name(const char *source)
+{
+    static const char directory[] = "figures/", extension[] = ".svg";
+    if (strncmp(source, directory, strlen(directory)) != 0)
+        return NULL;
+    const char *name = source + strlen(directory);
+    size_t length = strspn(name, "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-");
+    bool chart =
+        name[length] == '\0' && length > strlen(extension) && strcmp(name + length - strlen(extension), extension) == 0;
+    return chart ? name : NULL;
 }
 
 /* The caption, "Figure 6-05." in bold where it begins so. */
-static void add_caption(struct page *page, const struct image *image)
+static void add_caption(struct text *out, const char *label)
 {
-    int lead = 0;
-    if (image->label_length > 0 && starts(image->label, "Figure "))
-        for (int i = 0; i + 1 < image->label_length && lead == 0; i++)
-            lead = image->label[i] == '.' && image->label[i + 1] == ' ' ? i + 1 : 0;
-    text_add(&page->body, "\n<figcaption>");
-    if (lead > 0)
-        text_add(&page->body, "<b>%.*s</b>", lead, image->label);
-    text_add(&page->body, "%.*s</figcaption>", image->label_length - lead, image->label + lead);
+    const char *stop = strncmp(label, "Figure ", strlen("Figure ")) == 0 ? strstr(label, ". ") : NULL;
+    text_add(out, "\n<figcaption>");
+    if (stop)
+        text_add(out, "<b>%.*s</b>", (int)(stop + 1 - label), label);
+    text_add(out, "%s</figcaption>", stop ? stop + 1 : label);
 }
 
-/* Where a paragraph that holds charts and nothing else ends, or NULL. */
-static const char *figures_end(const char *at)
+static enum status_code add_chart(struct page *page, const char *name)
 {
-    if (!starts(at, "<p><img "))
-        return NULL;
-    for (at += strlen("<p>"); starts(at, "<img "); at += strspn(at, "\n")) {
-        struct image image = read_image(at);
-        if (image.name_length == 0)
-            return NULL;
-        at = image.end;
+    struct text path = {0}, svg = {0};
+    size_t before = page->line.length;
+    text_add(&path, "%s/figures/%s", page->directory, name);
+    enum status_code code =
+        path.failed ? status_memory(page->status) : text_read_file(&svg, text_string(&path), page->status);
+    if (code == STATUS_OK)
+        code =
+            svg_inline(&page->line, &svg, text_string(&path), ++page->charts, text_string(&page->label), page->status);
+    if (code == STATUS_OK) {
+        text_add(&page->figures, "<figure>\n%s", page->line.data + before);
+        add_caption(&page->figures, text_string(&page->label));
+        text_add(&page->figures, "\n</figure>\n");
     }
-    return starts(at, "</p>") ? at + strlen("</p>") : NULL;
+    text_free(&path);
+    text_free(&svg);
+    return code;
 }
 
-static enum status_code figures(struct page *page, const char *end)
+/* A chart stands where its image does; of anything else only the words remain, as the page may not refer to other
+ * files. */
+static enum status_code end_image(struct page *page)
 {
-    if (!page->in_figures)
-        text_add(&page->body, "<div class=\"figures\">\n");
-    page->in_figures = true;
-    for (const char *at = strstr(page->at, "<img "); at && at < end; at = strstr(at, "<img ")) {
-        struct image image = read_image(at);
-        text_add(&page->body, "<figure>\n");
-        if (add_chart(page, &image) != STATUS_OK)
-            return page->status->code;
-        add_caption(page, &image);
-        text_add(&page->body, "\n</figure>\n");
-        at = image.end;
-    }
-    page->at = end;
-    return STATUS_OK;
-}
-
-/* An image among text: a chart stands there as it is; of anything else only the words remain, as the page may not
- * refer to other files. */
-static enum status_code inline_image(struct page *page)
-{
-    struct image image = read_image(page->at);
-    page->at = image.end;
-    if (image.name_length > 0)
-        return add_chart(page, &image);
-    text_add_bytes(&page->body, image.label, (size_t)image.label_length);
+    const char *name = chart_name(text_string(&page->target));
+    if (name)
+        return add_chart(page, name);
+    text_add_bytes(&page->line, text_string(&page->label), page->label.length);
+    page->mixed = true;
     return STATUS_OK;
 }
 
@@ -235,151 +274,125 @@ static enum status_code inline_image(struct page *page)
 static bool link_allowed(const char *target)
 {
     static const char *const schemes[] = {"http:", "https:", "mailto:"};
-    size_t length = strcspn(target, ":/?#\"");
-    if (target[length] != ':')
-        return !starts(target, "//");
+    if (target[strcspn(target, ":/?#")] != ':')
+        return strncmp(target, "//", 2) != 0;
     for (size_t i = 0; i < sizeof schemes / sizeof *schemes; i++)
         if (strncasecmp(target, schemes[i], strlen(schemes[i])) == 0)
             return true;
     return false;
 }
 
-static enum status_code link_start(struct page *page)
+static void start_link(struct page *page, const MD_ATTRIBUTE *href)
 {
-    const char *end = strchr(page->at, '>') + 1;
-    page->in_link = link_allowed(page->at + strlen("<a href=\""));
-    if (page->in_link)
-        text_add_bytes(&page->body, page->at, (size_t)(end - page->at));
-    page->at = end;
-    return STATUS_OK;
-}
-
-static enum status_code link_end(struct page *page)
-{
-    if (page->in_link)
-        text_add(&page->body, "</a>");
-    page->in_link = false;
-    page->at += strlen("</a>");
-    return STATUS_OK;
-}
-
-static enum status_code table_start(struct page *page)
-{
-    text_add(&page->body, "<div class=\"table\" tabindex=\"0\"><table>");
-    page->at += strlen("<table>");
-    return STATUS_OK;
-}
-
-static enum status_code table_end(struct page *page)
-{
-    text_add(&page->body, "</table></div>");
-    page->at += strlen("</table>");
-    return STATUS_OK;
-}
-
-/* the tags that are not copied as they are */
-static const struct tag {
-    const char *start;
-    enum status_code (*convert)(struct page *page);
-} tags[] = {{"<h1>", heading},       {"<h2>", heading},        {"<h3>", heading},      {"<h4>", heading},
-            {"<h5>", heading},       {"<h6>", heading},        {"<a ", link_start},    {"</a>", link_end},
-            {"<img ", inline_image}, {"<table>", table_start}, {"</table>", table_end}};
-
-static enum status_code convert_tag(struct page *page)
-{
-    for (size_t i = 0; i < sizeof tags / sizeof *tags; i++)
-        if (starts(page->at, tags[i].start))
-            return tags[i].convert(page);
-    size_t length = strcspn(page->at, ">");
-    text_add_bytes(&page->body, page->at, length);
-    page->at += length;
-    return STATUS_OK;
-}
-
-static enum status_code convert(struct page *page, const char *html)
-{
-    for (page->at = html; *page->at;) {
-        const char *end = figures_end(page->at);
-        if (end) {
-            if (figures(page, end) != STATUS_OK)
-                return page->status->code;
-            continue;
-        }
-        if (page->in_figures && *page->at != '\n') {
-            text_add(&page->body, "</div>\n");
-            page->in_figures = false;
-        }
-        if (*page->at == '<') {
-            if (convert_tag(page) != STATUS_OK)
-                return page->status->code;
-        } else {
-            size_t length = strcspn(page->at + 1, "<\n") + 1;
-            text_add_bytes(&page->body, page->at, length);
-            page->at += length;
-        }
+    read_target(page, href);
+    page->in_link = link_allowed(text_string(&page->target));
+    if (page->in_link) {
+        text_add(&page->line, "<a href=\"");
+        text_add_html(&page->line, text_string(&page->target), page->target.length);
+        text_add(&page->line, "\">");
     }
-    if (page->in_figures)
-        text_add(&page->body, "</div>\n");
-    end_contents(page);
-    return page->body.failed || page->contents.failed || page->slugs.failed ? status_memory(page->status) : STATUS_OK;
 }
 
-/* Copies the skeleton with its {{marks}} filled in, in one pass: what is filled in is not looked at again. */
-static enum status_code fill_skeleton(struct text *out, const struct page *page, const char *title,
-                                      const char *skeleton, const char *path)
+static const char *const span_tags[] = {[MD_SPAN_EM] = "em", [MD_SPAN_STRONG] = "strong", [MD_SPAN_CODE] = "code"};
+
+/* Of what an image's label holds only the words count. */
+static int enter_span(MD_SPANTYPE type, void *detail, void *user)
 {
-    struct text escaped = {0};
-    add_escaped(&escaped, title);
-    const struct {
-        const char *mark;
-        const struct text *content;
-    } marks[] = {{"{{title}}", &escaped}, {"{{contents}}", &page->contents}, {"{{body}}", &page->body}};
-    enum status_code code = STATUS_OK;
-    while (*skeleton && code == STATUS_OK) {
-        const char *mark = strstr(skeleton, "{{");
-        size_t length = mark ? (size_t)(mark - skeleton) : strlen(skeleton);
-        text_add_bytes(out, skeleton, length);
-        skeleton += length;
-        size_t i = 0, count = sizeof marks / sizeof *marks;
-        while (mark && i < count && !starts(mark, marks[i].mark))
-            i++;
-        if (mark && i == count)
-            code = status_fail(page->status, STATUS_IO,
-                               "%s: unknown mark '%.12s': write {{title}}, {{contents}} or {{body}}", path, mark);
-        else if (mark) {
-            text_add_bytes(out, text_string(marks[i].content), marks[i].content->length);
-            skeleton += strlen(marks[i].mark);
-        }
+    struct page *page = user;
+    if (type == MD_SPAN_IMG && page->images++ == 0) {
+        empty(&page->label);
+        read_target(page, &((const MD_SPAN_IMG_DETAIL *)detail)->src);
     }
-    if (code == STATUS_OK && (escaped.failed || out->failed))
-        code = status_memory(page->status);
-    text_free(&escaped);
-    return code;
+    if (page->images > 0)
+        return 0;
+    page->mixed = true;
+    if (type == MD_SPAN_A)
+        start_link(page, &((const MD_SPAN_A_DETAIL *)detail)->href);
+    else
+        text_add(&page->line, "<%s>", span_tags[type]);
+    return 0;
+}
+
+static int leave_span(MD_SPANTYPE type, void *detail, void *user)
+{
+    (void)detail;
+    struct page *page = user;
+    if (type == MD_SPAN_IMG && --page->images == 0)
+        return end_image(page) == STATUS_OK ? 0 : -1; /* md4c goes on after a positive number */
+    if (page->images > 0)
+        return 0;
+    if (type != MD_SPAN_A)
+        text_add(&page->line, "</%s>", span_tags[type]);
+    else if (page->in_link)
+        text_add(&page->line, "</a>");
+    return 0;
+}
+
+static int add_words(MD_TEXTTYPE type, const MD_CHAR *bytes, MD_SIZE size, void *user)
+{
+    struct page *page = user;
+    struct text *out = page->images > 0 ? &page->label : &page->line;
+    if (type == MD_TEXT_BR && page->images == 0)
+        text_add(out, "<br>");
+    size_t before = out->length;
+    char c = type == MD_TEXT_ENTITY ? ascii_reference(bytes, size) : 0;
+    if (type == MD_TEXT_BR || type == MD_TEXT_SOFTBR)
+        text_add(out, page->images > 0 ? " " : "\n");
+    else if (type == MD_TEXT_ENTITY && !c)
+        text_add_bytes(out, bytes, size); /* the browser knows them all */
+    else
+        text_add_html(out, c ? &c : bytes, c ? 1 : size);
+    if (page->images > 0)
+        return 0;
+    text_add_bytes(&page->words, text_string(out) + before, out->length - before);
+    page->mixed |= type != MD_TEXT_SOFTBR;
+    return 0;
+}
+
+static bool field(struct text *out, const char *name, void *context)
+{
+    const struct page *page = context;
+    if (strcmp(name, "title") == 0)
+        text_add_html(out, page->title, strlen(page->title));
+    else if (strcmp(name, "contents") == 0)
+        text_add_bytes(out, text_string(&page->contents), page->contents.length);
+    else if (strcmp(name, "body") == 0)
+        text_add_bytes(out, text_string(&page->body), page->body.length);
+    else
+        return false;
+    return true;
 }
 
 enum status_code html_render(struct text *out, const char *markdown, const char *title, const char *directory,
                              const char *templates, struct status *status)
 {
-    struct text html = {0}, path = {0}, skeleton = {0};
-    struct page page = {.directory = directory, .status = status};
+    static const MD_PARSER parser = {.flags = MD_FLAG_TABLES | MD_FLAG_NOHTML,
+                                     .enter_block = enter_block,
+                                     .leave_block = leave_block,
+                                     .enter_span = enter_span,
+                                     .leave_span = leave_span,
+                                     .text = add_words};
+    struct page page = {.title = title, .directory = directory, .status = status};
+    struct text *const texts[] = {&page.body,  &page.contents, &page.ids,    &page.line,
+                                  &page.words, &page.figures,  &page.target, &page.label};
+    struct text path = {0}, skeleton = {0};
     size_t length = strlen(markdown);
-    enum status_code code = STATUS_OK;
     text_add(&path, "%s/page.html", templates);
-    text_add(&page.slugs, "\n");
-    if (length > UINT_MAX || md_html(markdown, (MD_SIZE)length, collect, &html, HTML_MARKDOWN, 0) != 0 || html.failed ||
-        path.failed)
-        code = status_memory(status);
+    bool memory = path.failed || length > UINT_MAX;
+    enum status_code code = memory ? status_memory(status) : text_read_file(&skeleton, text_string(&path), status);
+    if (code == STATUS_OK) {
+        int failed = md_parse(markdown, (MD_SIZE)length, &parser, &page);
+        end_contents(&page);
+        for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
+            memory |= texts[i]->failed;
+        code = status->code != STATUS_OK ? status->code : failed || memory ? status_memory(status) : STATUS_OK;
+    }
     if (code == STATUS_OK)
-        code = text_read_file(&skeleton, text_string(&path), status);
-    if (code == STATUS_OK)
-        code = convert(&page, text_string(&html));
-    if (code == STATUS_OK)
-        code = fill_skeleton(out, &page, title, text_string(&skeleton), text_string(&path));
-    text_free(&html);
+        code = template_render(out, text_string(&skeleton), text_string(&path), &(struct template_source){field, &page},
+                               status);
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
+        text_free(texts[i]);
     text_free(&path);
     text_free(&skeleton);
-    text_free(&page.body);
-    text_free(&page.contents);
-    text_free(&page.slugs);
     return code;
 }

@@ -1,73 +1,153 @@
 #include "report/section.h"
 
-#include "report/words.h"
 #include <math.h>
+#include <string.h>
+#include <strings.h>
+
+void section_surface_name(struct text *out, const struct results *results, size_t index)
+{
+    text_add_markdown(out, results->store->summaries[index].scene->name);
+}
+
+void section_named(struct text *out, const char *article, const struct results *results, size_t index)
+{
+    const char *name = results->store->summaries[index].scene->name;
+    if (strncasecmp(name, article, strlen(article) - 1) != 0)
+        text_add(out, "%s", article);
+    section_surface_name(out, results, index);
+}
+
+void section_figures(struct text *out, const struct section_context *context, const char *place,
+                     section_caption *caption)
+{
+    for (size_t i = 0; i < context->figures->count; i++) {
+        const struct figure *figure = &context->figures->figures[i];
+        if (strcmp(figure->row->section, place) != 0)
+            continue;
+        text_add(out, "![");
+        if (figure->row->number > 0 && figure->number[0] == '6')
+            text_add(out, "Figure %s. ", figure->number);
+        text_add(out, "%s", figure->title);
+        if (figure->row->kind == FIGURE_MODELS) {
+            text_add(out, ", ");
+            section_named(out, "surface ", context->results, context->results->baseline);
+        }
+        text_add(out, ".");
+        if (caption)
+            caption(out, context, figure);
+        text_add(out, "](figures/%s.svg)\n\n", figure->number);
+    }
+}
+
+void section_at_middle(struct text *out, const struct section_context *context, enum quantity quantity, double value)
+{
+    const struct quantity_row *row = &quantity_rows[quantity];
+    text_add(out, " At P/(Aₙ E′) = ");
+    number_format_power(out, context->comparison->middle_load, 3);
+    text_add(out, row->over_sigma ? ", the %s is " : ", %s is ", row->over_sigma ? row->short_symbol : row->symbol);
+    number_format(out, value, 3);
+    text_add(out, "%s%s", row->unit[0] ? " " : "", row->unit);
+}
+
+void section_to(struct text *out, enum quantity quantity, double value)
+{
+    const char *unit = quantity_rows[quantity].unit;
+    number_format_between(out, " to ", value, 3, unit[0] ? " " : "");
+    text_add(out, "%s", unit);
+}
 
 const struct surface_summary *section_surface(const struct section_context *context, size_t index)
 {
-    return &context->results->spool->summaries[index];
+    return &context->results->store->summaries[index];
+}
+
+const struct surface_summary *section_smoothest(const struct section_context *context, size_t k)
+{
+    return section_surface(context, context->results->by_roughness[k]);
 }
 
 bool section_extended(const struct section_context *context)
 {
-    for (size_t i = 0; i < context->results->spool->count; i++)
-        for (int m = 0; m < MODEL_COUNT; m++)
-            if (section_surface(context, i)->models[m].extended)
+    for (size_t k = 0; k < context->results->usable_count; k++)
+        for (size_t m = 0; m < model_count; m++)
+            if (section_smoothest(context, k)->models[m].extended)
                 return true;
     return false;
 }
 
-bool section_called_for(const struct section_context *context, enum model_id model)
+const char *section_law(size_t model, const char *plastic)
 {
-    const struct plan *plan = context->results->plan;
-    return model_called_for(model, plan->families, plan->running);
+    const struct model_row *row = model_rows[model];
+    return row->thesis_place == 0 ? row->label : row->plastic ? plastic : "elastic";
 }
 
-const struct contact_point *section_middle(const struct section_context *context, enum model_id model)
+bool section_computes(const struct section_context *context, enum quantity quantity)
+{
+    return plan_quantities(context->results->plan) & QUANTITY_BIT(quantity);
+}
+
+const struct contact_point *section_middle(const struct section_context *context, size_t model)
 {
     const struct model_curve *curve = &context->baseline->curves[model];
     for (size_t i = 0; i < curve->count; i++)
-        if (curve->points[i].load == context->study->middle_load)
+        if (curve->points[i].load == context->comparison->middle_load)
             return &curve->points[i];
     return NULL;
 }
 
 void section_middle_pressure(struct text *out, const struct section_context *context)
 {
-    words_add(out, "", context->study->middle_load * context->results->plan->pair.effective_modulus_Pa * 1e-6, 3,
-              " MPa");
+    number_format_between(out, "",
+                          context->comparison->middle_load * context->results->plan->pair.effective_modulus_Pa * 1e-6,
+                          3, " MPa");
 }
 
-struct study_extremes section_models(const struct section_context *context, enum study_quantity quantity)
+struct comparison_extremes section_models(const struct section_context *context, enum quantity quantity)
 {
-    struct study_extremes extremes = {.least = INFINITY, .most = -INFINITY};
-    for (int m = 0; m < MODEL_COUNT; m++) {
-        const struct contact_point *point = section_middle(context, (enum model_id)m);
+    struct comparison_extremes extremes = {.least = INFINITY, .most = -INFINITY};
+    for (size_t m = 0; m < model_count; m++) {
+        const struct contact_point *point = section_middle(context, m);
         double value =
-            point ? study_value(point, quantity, (enum model_id)m, context->baseline->summary.asperities.sigma_m) : NAN;
+            point ? comparison_value(point, quantity, m, context->baseline->summary.asperities.sigma_m) : NAN;
         if (isnan(value))
             continue;
         extremes.count++;
         if (value < extremes.least) {
             extremes.least = value;
-            extremes.least_at = (size_t)m;
+            extremes.least_at = m;
         }
         if (value > extremes.most) {
             extremes.most = value;
-            extremes.most_at = (size_t)m;
+            extremes.most_at = m;
         }
     }
     return extremes;
+}
+
+bool section_range(double *least, double *most, const struct section_context *context, size_t model,
+                   double (*number)(const struct curve_summary *))
+{
+    *least = INFINITY;
+    *most = -INFINITY;
+    for (size_t k = 0; k < context->results->usable_count; k++) {
+        const struct curve_summary *summary = &section_smoothest(context, k)->models[model];
+        double value = summary->exists ? number(summary) : NAN;
+        if (isfinite(value)) {
+            *least = fmin(*least, value);
+            *most = fmax(*most, value);
+        }
+    }
+    return *least <= *most;
 }
 
 void section_each_surface(struct text *out, const struct section_context *context,
                           void (*row)(struct text *out, const struct section_context *context, size_t index))
 {
     size_t rows = 0;
-    for (size_t i = 0; i < context->results->spool->count && rows < SECTION_ROWS; i++)
+    for (size_t i = 0; i < context->results->store->count && rows < SECTION_ROWS; i++)
         if (section_surface(context, i)->usable) {
             text_add(out, "| ");
-            words_surface(out, context->results, i);
+            section_surface_name(out, context->results, i);
             row(out, context, i);
             text_add(out, " |\n");
             rows++;
@@ -79,11 +159,24 @@ void section_each_surface(struct text *out, const struct section_context *contex
 void section_cell(struct text *out, double value, int digits)
 {
     text_add(out, " | ");
-    words_number(out, value, digits);
+    number_format(out, value, digits);
 }
 
 void section_load_cell(struct text *out, double load)
 {
     text_add(out, " | ");
-    words_power(out, load, 3);
+    number_format_power(out, load, 3);
+}
+
+void section_error_cell(struct text *out, double value, double error)
+{
+    text_add(out, " | ");
+    number_format_uncertain(out, value, error);
+}
+
+void section_given(struct text *out, const char *before, double value, const char *after)
+{
+    text_add(out, "%s", before);
+    number_format_given(out, value);
+    text_add(out, "%s", after);
 }

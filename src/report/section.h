@@ -1,55 +1,80 @@
-/* The computed parts of the report: one function a field of templates/report.md. */
+/* The sections of a report: one file each, which holds its prose, tables and captions. */
 #ifndef REPORT_SECTION_H
 #define REPORT_SECTION_H
 
-#include "report/study.h"
+#include "base/number_format.h"
+#include "chart/figure.h"
+#include "results/comparison.h"
 
 /** What the sections are written from. */
 struct section_context {
     const struct results *results;
-    const struct study *study;
+    const struct comparison *comparison;
     const struct surface_record *baseline;
+    const struct figure_list *figures;
 };
 
-struct section_row {
-    const char *name; /* as in the template */
+struct section {
+    const char *name;
+    /** Is there anything to say? NULL: always. */
+    bool (*called_for)(const struct section_context *context);
+    /** Writes heading, text, tables and figures as Markdown. */
     void (*write)(struct text *out, const struct section_context *context);
 };
 
-/** The fields, each list ended by a row without a name. */
-extern const struct section_row section_summary[];
-extern const struct section_row section_prose[];
-extern const struct section_row section_tables[];
-extern const struct section_row section_repeat[];
+extern const struct section section_summary, section_surfaces, section_material, section_convergence, section_baseline,
+    section_all_surfaces, section_checks, section_repeats, section_measured, section_validity, section_cost,
+    section_computed, section_methods, section_sources;
 
 /** Surfaces that a table or list of the report shows at most; data/ and results.json have all. */
 enum { SECTION_ROWS = 100 };
 
-extern const struct section_row section_cost[];
+/** What a figure shows, in one sentence with its numbers, behind its title. */
+typedef void section_caption(struct text *out, const struct section_context *context, const struct figure *figure);
+/** Adds the figures whose row names this place, each with its title and caption (NULL: the title alone). */
+void section_figures(struct text *out, const struct section_context *context, const char *place,
+                     section_caption *caption);
+/** " At P/(Aₙ E′) = 3.16·10⁻⁴, A/Aₙ is 0.18": the start of a caption that speaks of the middle load. */
+void section_at_middle(struct text *out, const struct section_context *context, enum quantity quantity, double value);
+/** " to 0.31 Ω·m²": the other end of a range. */
+void section_to(struct text *out, enum quantity quantity, double value);
+/** Adds the name of surface `index`, escaped for Markdown. */
+void section_surface_name(struct text *out, const struct results *results, size_t index);
+/** The same after `article` ("surface ", "Surface "), which a name that begins with that word goes without. */
+void section_named(struct text *out, const char *article, const struct results *results, size_t index);
 
-/** The caption's text of a figure: its title and one sentence on what is seen in it. */
-struct figure_row;
-void section_caption(struct text *out, const struct section_context *context, const struct figure_row *row);
-
-/** Was any surface's fitted law carried on below its sampling limit? */
-bool section_extended(const struct section_context *context);
 const struct surface_summary *section_surface(const struct section_context *context, size_t index);
-/** May this model run in this scene? */
-bool section_called_for(const struct section_context *context, enum model_id model);
+/** The k-th smoothest usable surface. */
+const struct surface_summary *section_smoothest(const struct section_context *context, size_t k);
+/** Was any surface's fitted power law carried on below its sampling limit? */
+bool section_extended(const struct section_context *context);
+/** "elastic" or `plastic` for a model of the thesis where its family is understood; any other goes by its label. */
+const char *section_law(size_t model, const char *plastic);
+/** Does a model run that computes this quantity? */
+bool section_computes(const struct section_context *context, enum quantity quantity);
+
 /** Point of the baseline's curve at the middle load; NULL: the model has none there. */
-const struct contact_point *section_middle(const struct section_context *context, enum model_id model);
+const struct contact_point *section_middle(const struct section_context *context, size_t model);
 /** Adds the middle load as a pressure: "15.0 MPa". */
 void section_middle_pressure(struct text *out, const struct section_context *context);
 /** Smallest and largest value over the models of the baseline surface at the middle load; count 0: none has it. The
  * extremes' `_at` are models. */
-struct study_extremes section_models(const struct section_context *context, enum study_quantity quantity);
+struct comparison_extremes section_models(const struct section_context *context, enum quantity quantity);
+
+/** Range of a number over all usable surfaces in one model; false when no surface has a finite one. */
+bool section_range(double *least, double *most, const struct section_context *context, size_t model,
+                   double (*number)(const struct curve_summary *));
 
 /** Calls `row` for every usable surface in the scene's order, between the name and the end of a table's row. */
 void section_each_surface(struct text *out, const struct section_context *context,
                           void (*row)(struct text *out, const struct section_context *context, size_t index));
+/** A number of the scene, as it stands there, between two texts. */
+void section_given(struct text *out, const char *before, double value, const char *after);
 /** One more cell of a row. */
 void section_cell(struct text *out, double value, int digits);
 /** The same for a load. */
 void section_load_cell(struct text *out, double load);
+/** The same for a value with its standard error. */
+void section_error_cell(struct text *out, double value, double error);
 
 #endif

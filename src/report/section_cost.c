@@ -1,42 +1,21 @@
-/* What was computed, and what accuracy costs in time. */
+/* What accuracy costs in time, and (at the end of the report) every method that was tried. */
 #include "report/section.h"
 
-#include "cost/cost.h"
-#include "report/words.h"
 #include <math.h>
 #include <string.h>
 
-static void work_rows(struct text *out, const struct section_context *context)
-{
-    struct work_row predicted[WORK_ROWS], done[WORK_ROWS];
-    const struct results *results = context->results;
-    work_table(predicted, &results->predicted, results->plan);
-    work_table(done, &results->done, results->plan);
-    text_add(out, "| effect | | why | method | evaluations predicted | done |\n|---|---|---|---|---:|---:|\n");
-    for (int r = 0; r < WORK_ROWS; r++)
-        text_add(out, "| %s | %s | %s | %s | %llu | %llu |\n", predicted[r].name, predicted[r].runs ? "run" : "skipped",
-                 predicted[r].reason, predicted[r].method, (unsigned long long)predicted[r].evaluations,
-                 (unsigned long long)done[r].evaluations);
-}
-
-/** The study whose numbers a statistical report rests on: JG where it ran, else GW. */
-static const char *main_study(const struct cost *cost)
-{
-    return cost_find(cost, "jg-integrals", "Gauss-Legendre", NULL) ? "jg-integrals" : "gw-integrals";
-}
-
 /** Time factor that one more digit costs between two rows; NaN when the second gains nothing. */
-static double digit_factor(const struct cost_row *low, const struct cost_row *high)
+static double digit_factor(const struct benchmark_row *low, const struct benchmark_row *high)
 {
     double digits = log10(low->error / high->error);
     return digits > 0 ? pow(high->seconds / low->seconds, 1 / digits) : NAN;
 }
 
 /** The last row of a method before another digit more than doubles the time; NULL: it never does. */
-static const struct cost_row *knee(const struct cost *cost, const char *study, const char *method)
+static const struct benchmark_row *knee(const struct benchmark *cost, const char *study, const char *method)
 {
     for (size_t i = 0; i + 1 < cost->count; i++) {
-        const struct cost_row *row = &cost->rows[i], *next = row + 1;
+        const struct benchmark_row *row = &cost->rows[i], *next = row + 1;
         if (strcmp(row->study, study) != 0 || strcmp(next->study, study) != 0 || strcmp(row->method, method) != 0 ||
             strcmp(next->method, method) != 0)
             continue;
@@ -46,16 +25,9 @@ static const struct cost_row *knee(const struct cost *cost, const char *study, c
     return NULL;
 }
 
-static void add(struct text *out, const char *before, double value, int digits, const char *after)
+static void add_knee(struct text *out, const struct benchmark *cost, const char *study, const char *method)
 {
-    text_add(out, "%s", before);
-    words_number(out, value, digits);
-    text_add(out, "%s", after);
-}
-
-static void add_knee(struct text *out, const struct cost *cost, const char *study, const char *method)
-{
-    const struct cost_row *row = knee(cost, study, method);
+    const struct benchmark_row *row = knee(cost, study, method);
     if (row)
         text_add(out, " %s: beyond %s", method, row->setting);
     else
@@ -63,56 +35,75 @@ static void add_knee(struct text *out, const struct cost *cost, const char *stud
     text_add(out, ";");
 }
 
-static void integrals_text(struct text *out, const struct cost *cost)
+/** The row of the last model's integrals by that method and setting (NULL: the chosen one). */
+static const struct benchmark_row *integral_row(const struct benchmark *cost, const char *method, const char *setting)
 {
-    const char *study = main_study(cost), *law = study[0] == 'j' ? "JG" : "GW";
-    const struct cost_row *panels = cost_find(cost, study, "Gauss-Legendre", "0.0001");
-    const struct cost_row *fine = cost_find(cost, study, "Gauss-Legendre", "1e-10");
-    const struct cost_row *simpson = cost_find(cost, study, "Simpson", "1000");
-    const struct cost_row *closed = cost_find(cost, "gw-integrals", "closed form", NULL);
-    const struct cost_row *chosen = cost_find(cost, study, "Gauss-Legendre", NULL);
+    const struct benchmark_row *found = NULL;
+    for (size_t i = 0; i < cost->count; i++) {
+        const struct benchmark_row *row = &cost->rows[i];
+        if (row->chart == BENCHMARK_INTEGRALS && strcmp(row->method, method) == 0 &&
+            (setting ? strcmp(row->setting, setting) == 0 : row->chosen))
+            found = row;
+    }
+    return found;
+}
+
+static void integrals_text(struct text *out, const struct benchmark *cost)
+{
+    const struct benchmark_row *panels = integral_row(cost, "Gauss-Legendre", "0.0001");
+    const struct benchmark_row *fine = integral_row(cost, "Gauss-Legendre", "1e-10");
+    const struct benchmark_row *simpson = integral_row(cost, "Simpson", "1000");
+    const struct benchmark_row *closed = integral_row(cost, "closed form", NULL);
+    const struct benchmark_row *chosen = integral_row(cost, "Gauss-Legendre", NULL);
     if (!panels || !fine || !simpson)
         return;
-    if (closed)
-        add(out, "GW's area, load and conductance come from closed forms, within ", closed->error, 2, ". ");
-    if (chosen) {
-        text_add(out, "%s's integrals come from Gauss-Legendre panels at tolerance %s, ", law, chosen->setting);
-        add(out, "within ", chosen->error, 2, ". ");
+    if (chosen && chosen->model != panels->model) /* of the model that the others are of */
+        chosen = NULL;
+    if (closed) {
+        text_add(out, "%s's area, load and conductance come from closed forms, ", closed->model->label);
+        number_format_between(out, "within ", closed->error, 2, ". ");
     }
-    add(out, "With them one more digit takes ", 100 * (digit_factor(panels, fine) - 1), 2, " % more time. ");
+    if (chosen) {
+        text_add(out, "%s's integrals come from Gauss-Legendre panels at tolerance %s, ", chosen->model->label,
+                 chosen->setting);
+        number_format_between(out, "within ", chosen->error, 2, ". ");
+    }
+    number_format_between(out, "With them one more digit takes ", 100 * (digit_factor(panels, fine) - 1), 2,
+                          " % more time. ");
     text_add(out, "The thesis's Simpson rule of 1000 sub-intervals is off by ");
-    words_number(out, simpson->error, 2);
-    const struct cost_row *reference = chosen ? chosen : closed ? closed : fine;
-    add(out, " and takes ", simpson->seconds / reference->seconds, 2, " times as long. ");
+    number_format(out, simpson->error, 2);
+    const struct benchmark_row *reference = chosen ? chosen : closed ? closed : fine;
+    number_format_between(out, " and takes ", simpson->seconds / reference->seconds, 2, " times as long. ");
     text_add(out, "The knee, where another digit begins to cost more than twice the time:");
-    add_knee(out, cost, study, "Simpson");
-    add_knee(out, cost, study, "adaptive");
-    add_knee(out, cost, study, "Gauss-Legendre");
+    add_knee(out, cost, panels->study, "Simpson");
+    add_knee(out, cost, panels->study, "adaptive");
+    add_knee(out, cost, panels->study, "Gauss-Legendre");
     out->length--; /* the last semicolon */
     text_add(out, ".");
 }
 
-static void curves_text(struct text *out, const struct cost *cost)
+static void curves_text(struct text *out, const struct benchmark *cost)
 {
-    const struct cost_row *thesis = cost_find(cost, "closure-area", "thesis", "");
-    const struct cost_row *numeric = cost_find(cost, "closure-area", "numeric", "");
+    const struct benchmark_row *thesis = benchmark_find(cost, "closure-area", "thesis", "");
+    const struct benchmark_row *numeric = benchmark_find(cost, "closure-area", "numeric", "");
     if (thesis && numeric) {
-        add(out,
+        number_format_between(
+            out,
             " The sinusoid's closure weighs more than any of this: against the direct numerical solution, `thesis` is "
             "off "
             "by up to ",
             100 * thesis->error, 2, " % in area, `numeric` by ");
-        add(out, "", 100 * numeric->error, 2, " %, at ");
-        add(out, "", numeric->seconds / thesis->seconds, 2, " times the time.");
+        number_format_between(out, "", 100 * numeric->error, 2, " %, at ");
+        number_format_between(out, "", numeric->seconds / thesis->seconds, 2, " times the time.");
     }
     bool first = true;
     for (size_t i = 0; i < cost->count; i++) {
-        const struct cost_row *row = &cost->rows[i];
+        const struct benchmark_row *row = &cost->rows[i];
         if (strcmp(row->study, "loads") != 0 || strcmp(row->setting, "129") != 0)
             continue;
         text_add(out, "%s%s ", first ? " Between 129 loads, the area interpolated in log-log is off by up to: " : "; ",
                  row->method);
-        words_number(out, row->error, 2);
+        number_format(out, row->error, 2);
         first = false;
     }
     if (!first)
@@ -121,10 +112,8 @@ static void curves_text(struct text *out, const struct cost *cost)
 
 static void cost_text(struct text *out, const struct section_context *context)
 {
-    const struct cost *cost = context->results->cost;
-    if (!cost)
-        return;
-    words_named(out, "Surface ", context->results, context->results->baseline);
+    const struct benchmark *cost = context->results->benchmark;
+    section_named(out, "Surface ", context->results, context->results->baseline);
     text_add(
         out,
         ". Each method's largest relative error, against a better result by another method, and its time (the least "
@@ -135,25 +124,47 @@ static void cost_text(struct text *out, const struct section_context *context)
 
 static void cost_table(struct text *out, const struct section_context *context)
 {
-    const struct cost *cost = context->results->cost;
-    if (!cost)
-        return;
+    const struct benchmark *cost = context->results->benchmark;
     text_add(out, "| study | method | setting | evaluations | time (µs) | largest relative error | |\n"
                   "|---|---|---|---:|---:|---:|---|\n");
     for (size_t i = 0; i < cost->count; i++) {
-        const struct cost_row *row = &cost->rows[i];
+        const struct benchmark_row *row = &cost->rows[i];
         text_add(out, "| %s | %s | %s | %llu | ", row->study, row->method, row->setting,
                  (unsigned long long)row->evaluations);
-        words_number(out, row->seconds * 1e6, 3);
+        number_format(out, row->seconds * 1e6, 3);
         text_add(out, " | ");
-        words_number(out, row->error, 2);
+        number_format(out, row->error, 2);
         text_add(out, " | %s |\n", row->chosen ? "used here" : "");
     }
 }
 
-const struct section_row section_cost[] = {
-    {"work_table", work_rows},
-    {"cost_text", cost_text},
-    {"cost_table", cost_table},
-    {NULL, NULL},
-};
+static void caption(struct text *out, const struct section_context *context, const struct figure *figure)
+{
+    const struct benchmark *benchmark = context->results->benchmark;
+    bool marked = false; /* does the chart hold a setting that the report uses? */
+    for (size_t i = 0; i < benchmark->count; i++)
+        marked = marked || (benchmark->rows[i].chart == figure->row->chart && benchmark->rows[i].chosen);
+    text_add(out, " Lower left is better%s.", marked ? "; ringed: what this report uses" : "");
+}
+
+static bool called_for(const struct section_context *context)
+{
+    return context->results->benchmark != NULL;
+}
+
+static void write_cost(struct text *out, const struct section_context *context)
+{
+    text_add(out, "## What accuracy costs\n\n");
+    cost_text(out, context);
+    text_add(out, "\n\n");
+    section_figures(out, context, "cost", caption);
+}
+
+static void write_methods(struct text *out, const struct section_context *context)
+{
+    text_add(out, "## Accuracy and time of every method tried\n\n");
+    cost_table(out, context);
+}
+
+const struct section section_cost = {"cost", called_for, write_cost};
+const struct section section_methods = {"methods", called_for, write_methods};

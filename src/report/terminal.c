@@ -1,22 +1,30 @@
 /* The compact table that `report` ends with on a terminal. */
 #include "report/report.h"
 
-#include "report/words.h"
+#include "base/number_format.h"
+#include "results/results.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { TERMINAL_COLUMNS = 10, TERMINAL_WIDTH = 80, TERMINAL_NAME = 10 };
+enum { TERMINAL_WIDTH = 80, TERMINAL_NAME = 10, FIRST_COLUMNS = 4 };
 
 /** A cell's text; one that does not fit is cut. */
 struct terminal_cell {
     char text[128];
 };
 
-struct terminal_row {
-    struct terminal_cell cells[TERMINAL_COLUMNS];
+/** Cells row by row, the heads first. */
+struct terminal_table {
+    struct terminal_cell *cells;
+    size_t rows, columns;
 };
+
+static struct terminal_cell *cell_at(const struct terminal_table *table, size_t row, size_t column)
+{
+    return &table->cells[row * table->columns + column];
+}
 
 /** Characters, not bytes: texts are UTF-8. */
 static int width_of(const char *string)
@@ -51,7 +59,7 @@ static void put_name(struct terminal_cell *cell, const char *name, int most)
 static void put_uncertain(struct terminal_cell *cell, double value, double error)
 {
     struct text text = {0};
-    words_uncertain(&text, value, error);
+    number_format_uncertain(&text, value, error);
     snprintf(cell->text, sizeof cell->text, "%s", text_string(&text));
     char *sign = strstr(cell->text, " ± "); /* no room for the blanks */
     if (sign) {
@@ -67,7 +75,7 @@ static void put_number(struct terminal_cell *cell, double value)
 {
     struct text text = {0};
     if (isfinite(value))
-        words_number(&text, value, 3);
+        number_format(&text, value, 3);
     snprintf(cell->text, sizeof cell->text, "%s", text.length > 0 ? text_string(&text) : "-");
     text_free(&text);
 }
@@ -86,7 +94,7 @@ static void put_load(struct terminal_cell *cell, double load)
     snprintf(cell->text, sizeof cell->text, "%se%ld", mantissa, strtol(exponent, NULL, 10));
 }
 
-static void put_beta(struct terminal_cell *cell, const struct surface_model *model)
+static void put_beta(struct terminal_cell *cell, const struct curve_summary *model)
 {
     if (model->exists && isfinite(model->beta))
         snprintf(cell->text, sizeof cell->text, "%.2f", model->beta);
@@ -95,41 +103,46 @@ static void put_beta(struct terminal_cell *cell, const struct surface_model *mod
 }
 
 /** Has beta a meaning in this run? It belongs to the adjusted separation. */
-static bool has_beta(const struct plan *plan, enum model_id model)
+static bool has_beta(const struct plan *plan, size_t m)
 {
-    return model_rows[model].family == SCENE_MODEL_STATISTICAL && plan_runs(plan, EFFECT_SEPARATION) &&
-           model_called_for(model, plan->families, plan->running);
+    return plan_runs_model(plan, m) && (model_rows[m]->quantities & plan->wanted & QUANTITY_BIT(QUANTITY_ADJUSTED));
 }
 
-/** The heads; returns how many columns there are. */
-static int put_heads(struct terminal_row *row, const struct plan *plan)
+static size_t column_count(const struct plan *plan)
 {
-    static const char *const heads[MODEL_COUNT] = {"MS el.", "MS pl.", "GW", "JG"};
-    static const char *const first[] = {"surface", "Rq/µm", "α (SI)", "γ"};
-    int column = 0;
-    for (; column < 4; column++)
-        snprintf(row->cells[column].text, sizeof row->cells[column].text, "%s", first[column]);
-    for (int m = 0; m < MODEL_COUNT; m++)
-        if (has_beta(plan, (enum model_id)m))
-            snprintf(row->cells[column++].text, sizeof row->cells[0].text, "β %s", heads[m]);
-    for (int m = 0; m < MODEL_COUNT; m++)
-        if (model_called_for((enum model_id)m, plan->families, plan->running))
-            snprintf(row->cells[column++].text, sizeof row->cells[0].text, "%s", heads[m]);
-    return column;
+    size_t columns = FIRST_COLUMNS;
+    for (size_t m = 0; m < model_count; m++)
+        columns += (size_t)has_beta(plan, m) + (size_t)plan_runs_model(plan, m);
+    return columns;
 }
 
-static void put_surface(struct terminal_row *row, const struct surface_summary *s, const struct plan *plan)
+static void put_heads(const struct terminal_table *table, const struct plan *plan)
 {
-    int column = 4;
-    put_number(&row->cells[1], s->roughness.rq_m * 1e6);
-    put_uncertain(&row->cells[2], s->law.alpha, s->law.alpha_error);
-    put_uncertain(&row->cells[3], s->law.gamma, s->law.gamma_error);
-    for (int m = 0; m < MODEL_COUNT; m++)
-        if (has_beta(plan, (enum model_id)m))
-            put_beta(&row->cells[column++], &s->models[m]);
-    for (int m = 0; m < MODEL_COUNT; m++)
-        if (model_called_for((enum model_id)m, plan->families, plan->running))
-            put_load(&row->cells[column++], s->models[m].exists ? s->models[m].full_load : NAN);
+    static const char *const first[FIRST_COLUMNS] = {"surface", "Rq/µm", "α (SI)", "γ"};
+    size_t column = 0;
+    for (; column < FIRST_COLUMNS; column++)
+        snprintf(cell_at(table, 0, column)->text, sizeof table->cells->text, "%s", first[column]);
+    for (size_t m = 0; m < model_count; m++)
+        if (has_beta(plan, m))
+            snprintf(cell_at(table, 0, column++)->text, sizeof table->cells->text, "β %s", model_rows[m]->short_label);
+    for (size_t m = 0; m < model_count; m++)
+        if (plan_runs_model(plan, m))
+            snprintf(cell_at(table, 0, column++)->text, sizeof table->cells->text, "%s", model_rows[m]->short_label);
+}
+
+static void put_surface(const struct terminal_table *table, size_t row, const struct surface_summary *s,
+                        const struct plan *plan)
+{
+    size_t column = FIRST_COLUMNS;
+    put_number(cell_at(table, row, 1), s->roughness.rq_m * 1e6);
+    put_uncertain(cell_at(table, row, 2), s->power_law.alpha, s->power_law.alpha_error);
+    put_uncertain(cell_at(table, row, 3), s->power_law.gamma, s->power_law.gamma_error);
+    for (size_t m = 0; m < model_count; m++)
+        if (has_beta(plan, m))
+            put_beta(cell_at(table, row, column++), &s->models[m]);
+    for (size_t m = 0; m < model_count; m++)
+        if (plan_runs_model(plan, m))
+            put_load(cell_at(table, row, column++), s->models[m].exists ? s->models[m].full_load : NAN);
 }
 
 static void spaces(struct text *out, int count)
@@ -138,50 +151,57 @@ static void spaces(struct text *out, int count)
         text_add_bytes(out, " ", 1);
 }
 
-static void print_row(struct text *out, const struct terminal_row *row, const int *widths, int columns)
+/** Characters of a column's longest cell. */
+static int widest(const struct terminal_table *table, size_t column)
 {
-    for (int c = 0; c < columns; c++) {
-        int room = widths[c] - width_of(row->cells[c].text);
+    int width = 0;
+    for (size_t r = 0; r < table->rows; r++) {
+        int own = width_of(cell_at(table, r, column)->text);
+        width = own > width ? own : width;
+    }
+    return width;
+}
+
+static void print_row(struct text *out, const struct terminal_table *table, size_t row, const int *widths)
+{
+    for (size_t c = 0; c < table->columns; c++) {
+        int room = widths[c] - width_of(cell_at(table, row, c)->text);
         spaces(out, c > 0 ? 1 + room : 0);
-        text_add(out, "%s", row->cells[c].text);
+        text_add(out, "%s", cell_at(table, row, c)->text);
         spaces(out, c > 0 ? 0 : room);
     }
     text_add(out, "\n");
 }
 
-/** Characters of a column's longest cell. */
-static int widest(const struct terminal_row *table, size_t rows, int column)
-{
-    int width = 0;
-    for (size_t r = 0; r < rows; r++)
-        width = width_of(table[r].cells[column].text) > width ? width_of(table[r].cells[column].text) : width;
-    return width;
-}
-
 void report_terminal_table(struct text *out, const struct results *results)
 {
     static const char above[] = "load to full contact, P/(An E')";
-    size_t rows = 1, row = 1;
-    int widths[TERMINAL_COLUMNS] = {0}, numbers = 0;
-    struct terminal_row *table = calloc(results->usable_count + 1, sizeof *table);
-    if (!table) {
+    struct terminal_table table = {.rows = results->usable_count + 1, .columns = column_count(results->plan)};
+    int *widths = calloc(table.columns, sizeof *widths), numbers = 0;
+    size_t row = 1;
+    table.cells = calloc(table.rows * table.columns, sizeof *table.cells);
+    if (!table.cells || !widths) {
+        free(table.cells);
+        free(widths);
         out->failed = true;
         return;
     }
-    int columns = put_heads(&table[0], results->plan);
-    for (size_t i = 0; i < results->spool->count; i++)
-        if (results->spool->summaries[i].usable)
-            put_surface(&table[rows++], &results->spool->summaries[i], results->plan);
-    for (int c = 1; c < columns; c++)
-        numbers += 1 + (widths[c] = widest(table, rows, c));
+    put_heads(&table, results->plan);
+    for (size_t i = 0; i < results->store->count; i++)
+        if (results->store->summaries[i].usable)
+            put_surface(&table, row++, &results->store->summaries[i], results->plan);
+    for (size_t c = 1; c < table.columns; c++)
+        numbers += 1 + (widths[c] = widest(&table, c));
     int room = TERMINAL_WIDTH - numbers > TERMINAL_NAME ? TERMINAL_WIDTH - numbers : TERMINAL_NAME;
-    for (size_t i = 0; i < results->spool->count; i++)
-        if (results->spool->summaries[i].usable)
-            put_name(&table[row++].cells[0], results->spool->summaries[i].scene->name, room);
-    widths[0] = widest(table, rows, 0);
+    row = 1;
+    for (size_t i = 0; i < results->store->count; i++)
+        if (results->store->summaries[i].usable)
+            put_name(cell_at(&table, row++, 0), results->store->summaries[i].scene->name, room);
+    widths[0] = widest(&table, 0);
     spaces(out, widths[0] + numbers - (int)strlen(above)); /* it stands over the columns of loads, which come last */
     text_add(out, "%s\n", above);
-    for (size_t r = 0; r < rows; r++)
-        print_row(out, &table[r], widths, columns);
-    free(table);
+    for (size_t r = 0; r < table.rows; r++)
+        print_row(out, &table, r, widths);
+    free(table.cells);
+    free(widths);
 }

@@ -1,6 +1,6 @@
 #include "run/prepare.h"
 
-#include "results/bound.h"
+#include "analysis/effect_bounds.h"
 #include "run/workers.h"
 #include <stdlib.h>
 #include <string.h>
@@ -32,28 +32,28 @@ enum status_code prepare(struct prepared *out, const struct scene *scene, const 
     if (scene_loads(&out->loads, &load_count, scene, out->plan.pair.effective_modulus_Pa, status) != STATUS_OK)
         return status->code;
     out->results = (struct results){
-        .scene = scene, .plan = &out->plan, .loads = out->loads, .load_count = load_count, .spool = &out->spool};
+        .scene = scene, .plan = &out->plan, .loads = out->loads, .load_count = load_count, .store = &out->store};
     if (scene->surface_count == 0)
         return status_fail(status, STATUS_SCAN, "no scan in '%s': put the profilometer's files there",
                            scene->directory);
     if (read_counterface(out, scene, status) != STATUS_OK)
         return status->code;
-    if (spool_open(&out->spool, directory, scene->surface_count, status) != STATUS_OK ||
+    if (surface_store_open(&out->store, directory, scene->surface_count, status) != STATUS_OK ||
         workers_run(&out->results, workers_describe, options, status) != STATUS_OK)
         return status->code;
-    bound_plan(&out->plan, scene, &out->spool);
+    effect_bounds_plan(&out->plan, scene, out->store.summaries, out->store.count);
     if (scene->measured.file) {
         if (measured_read(&out->measured, scene, &out->plan, status) != STATUS_OK)
             return status->code;
         out->results.measured = &out->measured;
     }
-    out->results.predicted = work_predict(&out->spool, scene, &out->plan, load_count);
+    out->results.predicted = work_predict(out->store.summaries, out->store.count, scene, &out->plan, load_count);
     return STATUS_OK;
 }
 
 void prepared_free(struct prepared *prepared)
 {
-    spool_close(&prepared->spool);
+    surface_store_close(&prepared->store);
     measured_free(&prepared->measured);
     if (prepared->counterface)
         surface_record_free(prepared->counterface, true);
@@ -71,11 +71,11 @@ static void add_message(struct text *messages, const char *surface, const char *
     text_add(messages, "\n");
 }
 
-size_t prepare_messages(struct text *messages, const struct spool *spool)
+size_t prepare_messages(struct text *messages, const struct surface_store *store)
 {
     size_t refused = 0;
-    for (size_t i = 0; i < spool->count; i++) {
-        const struct surface_summary *summary = &spool->summaries[i];
+    for (size_t i = 0; i < store->count; i++) {
+        const struct surface_summary *summary = &store->summaries[i];
         refused += summary->refusal != NULL;
         if (summary->refusal)
             add_message(messages, summary->scene->name, " refused", summary->refusal);
@@ -96,9 +96,10 @@ void prepare_table(struct text *out, const struct prepared *prepared, const stru
     struct work_row predicted[WORK_ROWS], actual[WORK_ROWS];
     double seconds, unused;
     long processors = sysconf(_SC_NPROCESSORS_ONLN);
-    double memory = work_memory(&prepared->spool, processors > 0 ? (unsigned)processors : 1);
-    uint64_t total = prepare_total(prepared, &prepared->results.predicted, &seconds);
-    uint64_t total_done = prepare_total(prepared, done ? done : &prepared->results.predicted, &unused);
+    double memory =
+        work_memory(prepared->store.summaries, prepared->store.count, processors > 0 ? (unsigned)processors : 1);
+    uint64_t total = work_total(&prepared->results.predicted, &prepared->plan, &seconds);
+    uint64_t total_done = work_total(done ? done : &prepared->results.predicted, &prepared->plan, &unused);
     work_table(predicted, &prepared->results.predicted, &prepared->plan);
     work_table(actual, done ? done : &prepared->results.predicted, &prepared->plan);
     text_add(out, "%-16s %-8s %14s%s %10s %8s  %s\n", "effect", "", "evaluations", done ? "           done" : "",
@@ -117,17 +118,4 @@ void prepare_table(struct text *out, const struct prepared *prepared, const stru
     if (done)
         text_add(out, " %14llu", (unsigned long long)total_done);
     text_add(out, " %10.4f %5.1f MB\n", seconds, (memory + predicted[EFFECT_CONVERGENCE + 1].bytes) / 1e6);
-}
-
-uint64_t prepare_total(const struct prepared *prepared, const struct work *work, double *seconds)
-{
-    struct work_row rows[WORK_ROWS];
-    uint64_t total = 0;
-    *seconds = 0;
-    work_table(rows, work, &prepared->plan);
-    for (int r = 0; r < WORK_ROWS; r++) {
-        total += rows[r].evaluations;
-        *seconds += rows[r].seconds;
-    }
-    return total;
 }

@@ -2,22 +2,22 @@
 #ifndef RUN_PREPARE_H
 #define RUN_PREPARE_H
 
-#include "results/measured.h"
-#include "results/tables.h"
+#include "analysis/measured.h"
+#include "results/results.h"
 #include "run/run.h"
 
 /** Owned: prepared_free(). Not to be moved: its parts point at each other. */
 struct prepared {
     struct plan plan;
     double *loads; /* P/(A_n E') */
-    struct spool spool;
+    struct surface_store store;
     struct surface_record *counterface; /* NULL: smooth */
     struct measured measured;
     struct results results;
 };
 
 /** Reads every surface of the scene; arrays go to a temporary file in `directory`, or nowhere when it is NULL. A
- * surface that cannot be read is marked in the spool. Errors: STATUS_SCAN when the scene has no surface; STATUS_IO,
+ * surface that cannot be read is marked in the store. Errors: STATUS_SCAN when the scene has no surface; STATUS_IO,
  * STATUS_MEMORY, STATUS_INTERRUPTED. */
 MUST_CHECK enum status_code prepare(struct prepared *out, const struct scene *scene, const struct run_options *options,
                                     const char *directory, struct status *status);
@@ -26,10 +26,8 @@ void prepared_free(struct prepared *prepared);
 /** The plan as a table for a terminal: effect, run or skipped, evaluations, seconds; the work that was done beside the
  * prediction when `done` is not NULL. */
 void prepare_table(struct text *out, const struct prepared *prepared, const struct work *done);
-/** Evaluations of all effects together, and their likely seconds on one core. */
-uint64_t prepare_total(const struct prepared *prepared, const struct work *work, double *seconds);
 
 /** Says what was refused and warned of, a line each; returns how many surfaces were refused. */
-size_t prepare_messages(struct text *messages, const struct spool *spool);
+size_t prepare_messages(struct text *messages, const struct surface_store *store);
 
 #endif

@@ -2,9 +2,10 @@
 
 #include "base/clock.h"
 #include "chart/figure.h"
-#include "cost/cost.h"
+#include "output/json.h"
+#include "output/output.h"
+#include "output/tables.h"
 #include "report/report.h"
-#include "results/output.h"
 #include "run/prepare.h"
 #include "run/workers.h"
 #include <math.h>
@@ -21,14 +22,15 @@ struct run {
     struct output output;
     struct prepared prepared;
     struct results *results; /* of `prepared` */
-    struct cost cost;
+    struct benchmark benchmark;
+    struct figure_list figures;
     double *sweeps;
     uint64_t sweep_scales;
 };
 
 static const struct surface_summary *summary_of(const struct run *run, size_t index)
 {
-    return &run->prepared.spool.summaries[index];
+    return &run->prepared.store.summaries[index];
 }
 
 static int compare_roughness(const void *a, const void *b, void *context)
@@ -43,21 +45,21 @@ static int compare_roughness(const void *a, const void *b, void *context)
 static enum status_code rank_surfaces(struct run *run, struct status *status)
 {
     struct results *results = run->results;
-    const struct spool *spool = &run->prepared.spool;
-    size_t usable = 0, *order = malloc((spool->count + SHOWN_MOST) * sizeof *order);
+    const struct surface_store *store = &run->prepared.store;
+    size_t usable = 0, *order = malloc((store->count + SHOWN_MOST) * sizeof *order);
     if (!order)
         return status_memory(status);
-    for (size_t i = 0; i < spool->count; i++)
+    for (size_t i = 0; i < store->count; i++)
         if (summary_of(run, i)->usable)
             order[usable++] = i;
     results->by_roughness = order;
     results->usable_count = usable;
     if (usable == 0)
         return status_fail(status, STATUS_SCAN, "no readable scan in '%s'", run->scene->directory);
-    results->shown = order + spool->count;
+    results->shown = order + store->count;
     results->shown_count = usable < SHOWN_MOST ? usable : SHOWN_MOST;
     memcpy(results->shown, order, results->shown_count * sizeof *order);
-    qsort_r(order, usable, sizeof *order, compare_roughness, spool->summaries);
+    qsort_r(order, usable, sizeof *order, compare_roughness, store->summaries);
     for (size_t k = 0; usable > SHOWN_MOST && k < SHOWN_MOST; k++) /* from smoothest to roughest, evenly */
         results->shown[k] = order[k * (usable - 1) / (SHOWN_MOST - 1)];
     results->baseline = order[usable > 1 ? 1 : 0];
@@ -68,42 +70,56 @@ static enum status_code rank_surfaces(struct run *run, struct status *status)
     return STATUS_OK;
 }
 
-/** The convergence study: every sweep, elastic and, where plasticity runs, elastic-plastic. */
+/** The convergence study: every sweep by every model that stacks scales. */
 static enum status_code run_sweeps(struct run *run, struct status *status)
 {
     const struct scene_convergence *study = &run->scene->convergence;
-    size_t curves = 0;
-    for (int s = 0; s < CONVERGENCE_SWEEP_COUNT; s++)
-        curves += 2 * convergence_sweeps[s].count;
-    run->sweeps = calloc(curves * study->scales, sizeof *run->sweeps);
+    const struct plan *plan = &run->prepared.plan;
+    run->sweeps = calloc(results_sweep_size(run->results), sizeof *run->sweeps);
     if (!run->sweeps)
         return status_memory(status);
     run->results->convergence = run->sweeps;
     for (int s = 0; s < CONVERGENCE_SWEEP_COUNT; s++)
         for (size_t v = 0; v < convergence_sweeps[s].count; v++)
-            for (int plastic = 0; plastic <= (int)plan_runs(&run->prepared.plan, EFFECT_PLASTICITY); plastic++) {
+            for (size_t m = 0; m < model_count; m++) {
+                if (!plan_runs_model(plan, m) || !model_rows[m]->stacks_scales)
+                    continue;
                 double value = convergence_sweeps[s].values[v];
                 struct convergence_law law = {study->alpha, study->gamma, study->scan_length_m, study->load,
                                               study->scales};
                 *(s == CONVERGENCE_ALPHA ? &law.alpha : &law.gamma) = value;
-                double *area = run->sweeps + (results_sweep(run->results, (enum convergence_sweep)s, plastic, v) -
+                double *area = run->sweeps + (results_sweep(run->results, (enum convergence_sweep)s, m, v) -
                                               run->results->convergence);
-                convergence_areas(area, &law, &run->prepared.plan.pair, plastic, &run->sweep_scales);
+                convergence_areas(area, &law, &plan->pair, model_rows[m]->plastic, &run->sweep_scales);
             }
     return STATUS_OK;
 }
 
-static void add_times(struct run_times *times, const struct spool *spool)
+static void add_times(struct run_times *times, const struct surface_store *store)
 {
-    for (size_t i = 0; i < spool->count; i++) {
-        const struct surface_times *t = &spool->summaries[i].times;
+    for (size_t i = 0; i < store->count; i++) {
+        const struct surface_times *t = &store->summaries[i].times;
         times->read += t->read;
         times->prepare += t->prepare;
         times->spectrum += t->spectrum;
         times->convergence += t->convergence;
-        for (int m = 0; m < MODEL_COUNT; m++)
-            times->models[m] += t->models[m];
+        for (size_t m = 0; times->models && store->summaries[i].models && m < model_count; m++)
+            times->models[m] += store->summaries[i].models[m].seconds;
     }
+}
+
+/** What accuracy costs, on the baseline surface. */
+static enum status_code measure_cost(struct run *run, struct status *status)
+{
+    const struct results *results = run->results;
+    struct surface_record baseline = {0};
+    const struct benchmark_task task = {&baseline, results->scene, results->plan, results->loads, results->load_count};
+    enum status_code rc = surface_store_get(&baseline, results->store, results->baseline, status);
+    if (rc == STATUS_OK)
+        rc = benchmark_measure(&run->benchmark, &task, status);
+    surface_record_free(&baseline, false);
+    run->results->benchmark = &run->benchmark;
+    return rc;
 }
 
 /** A stage's wall time: from the last call to this one. */
@@ -120,33 +136,32 @@ static enum status_code evaluate(struct run *run, struct run_outcome *out, struc
     struct prepared *prepared = &run->prepared;
     enum status_code rc = prepare(prepared, run->scene, run->options, run->output.staging, status);
     run->results = &prepared->results;
-    out->refused = prepare_messages(&out->messages, &prepared->spool);
-    out->surfaces = prepared->spool.count - out->refused;
+    out->refused = prepare_messages(&out->messages, &prepared->store);
+    out->surfaces = prepared->store.count - out->refused;
     if (rc == STATUS_OK)
         rc = rank_surfaces(run, status);
     if (rc == STATUS_OK)
         rc = workers_run(run->results, workers_model, run->options, status);
     if (rc == STATUS_OK) { /* once more: the models may have something to say */
         text_free(&out->messages);
-        prepare_messages(&out->messages, &prepared->spool);
+        prepare_messages(&out->messages, &prepared->store);
     }
     double last = clock_seconds();
     if (rc == STATUS_OK && plan_runs(&prepared->plan, EFFECT_CONVERGENCE))
         rc = run_sweeps(run, status);
     out->times.convergence = lap(&last);
     if (rc == STATUS_OK && !run->options->no_cost) {
-        rc = cost_measure(&run->cost, run->results, status);
-        run->results->cost = &run->cost;
-        out->times.cost = run->cost.seconds;
+        rc = measure_cost(run, status);
+        out->times.cost = run->benchmark.seconds;
     }
     if (rc != STATUS_OK)
         return rc;
     struct work *done = &run->results->done;
-    *done = work_done(&prepared->spool, run->sweep_scales);
+    *done = work_done(prepared->store.summaries, prepared->store.count, run->sweep_scales);
     out->work_agrees = memcmp(done, &run->results->predicted, sizeof *done) == 0;
     prepare_table(&out->work, prepared, done);
-    out->evaluations = prepare_total(prepared, done, &out->predicted_seconds);
-    add_times(&out->times, &prepared->spool);
+    out->evaluations = work_total(done, &prepared->plan, &out->predicted_seconds);
+    add_times(&out->times, &prepared->store);
     return STATUS_OK;
 }
 
@@ -161,22 +176,20 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
     const struct run_options *options = run->options;
     const char *staging = run->output.staging;
     double last = clock_seconds();
-    if (tables_write(run->results, staging, status) != STATUS_OK ||
-        tables_write_spread(run->results, staging, status) != STATUS_OK || stopped(run))
+    if (tables_write(run->results, staging, status) != STATUS_OK || stopped(run))
         return status->code;
     if (json_write(run->results, staging, status) != STATUS_OK || stopped(run))
         return status->code;
-    if (run->results->cost && cost_write(run->results->cost, staging, status) != STATUS_OK)
-        return status->code;
     out->times.tables = lap(&last);
-    if (figure_write_all(run->results, staging, options->templates, status) != STATUS_OK || stopped(run))
+    if (figure_list_make(&run->figures, run->results, status) != STATUS_OK ||
+        figure_write_all(&run->figures, run->results, staging, options->templates, status) != STATUS_OK || stopped(run))
         return status->code;
     out->times.figures = lap(&last);
-    if (figure_draw_all(run->results, staging, options->terminal_size, &out->charts, &out->times.gnuplot, status) !=
+    if (figure_draw_all(&run->figures, staging, options->terminal_size, &out->charts, &out->times.gnuplot, status) !=
         STATUS_OK)
         return status->code;
     last = clock_seconds();
-    if (report_write(run->results, staging, options->templates, status) != STATUS_OK)
+    if (report_write(run->results, &run->figures, staging, options->templates, status) != STATUS_OK)
         return status->code;
     report_terminal_table(&out->table, run->results);
     out->times.report = lap(&last);
@@ -205,8 +218,8 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
 {
     struct run run = {.scene = scene, .options = options};
     double started = clock_seconds();
-    *out = (struct run_outcome){0};
-    enum status_code rc = gnuplot_check(status);
+    *out = (struct run_outcome){.times.models = calloc(model_count, sizeof *out->times.models)};
+    enum status_code rc = out->times.models ? gnuplot_check(status) : status_memory(status);
     if (rc == STATUS_OK)
         rc = begin_output(&run, status);
     if (rc == STATUS_OK)
@@ -224,7 +237,8 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
     prepared_free(&run.prepared);
     output_abandon(&run.output);
     free(run.sweeps);
-    cost_free(&run.cost);
+    benchmark_free(&run.benchmark);
+    figure_list_free(&run.figures);
     out->times.total = clock_seconds() - started;
     return rc;
 }
@@ -236,4 +250,5 @@ void run_outcome_free(struct run_outcome *outcome)
     text_free(&outcome->charts);
     text_free(&outcome->work);
     free(outcome->path);
+    free(outcome->times.models);
 }

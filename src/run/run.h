@@ -21,7 +21,8 @@ struct run_options {
 
 /** Wall time by stage [s], the threads' own stages summed. */
 struct run_times {
-    double read, prepare, spectrum, models[4], convergence, cost, tables, figures, gnuplot, report, total;
+    double read, prepare, spectrum, convergence, cost, tables, figures, gnuplot, report, total;
+    double *models; /* model_count of them; owned */
 };
 
 struct run_outcome {

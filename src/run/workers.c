@@ -1,6 +1,6 @@
 #include "run/workers.h"
 
-#include "results/bound.h"
+#include "analysis/effect_bounds.h"
 
 #include <pthread.h>
 #include <stdlib.h>
@@ -24,7 +24,7 @@ static bool take(struct pool *pool, size_t *index)
     pthread_mutex_lock(&pool->lock);
     if (pool->options->stop && *pool->options->stop)
         (void)status_fail(&pool->status, STATUS_INTERRUPTED, "stopped");
-    bool more = pool->status.code == STATUS_OK && pool->next < pool->results->spool->count;
+    bool more = pool->status.code == STATUS_OK && pool->next < pool->results->store->count;
     if (more)
         *index = pool->next++;
     pthread_mutex_unlock(&pool->lock);
@@ -39,7 +39,7 @@ static void finish(struct pool *pool, size_t index, const struct status *problem
         (void)status_fail(&pool->status, problem->code, "%s", problem->message);
     pool->done++;
     if (pool->options->progress)
-        pool->options->progress(pool->done, pool->results->spool->count, scene->surfaces[index].name);
+        pool->options->progress(pool->done, pool->results->store->count, scene->surfaces[index].name);
     pthread_mutex_unlock(&pool->lock);
 }
 
@@ -53,9 +53,9 @@ enum status_code workers_describe(struct surface_record *record, const struct re
     }
     enum status_code rc = STATUS_OK;
     if (record->summary.usable)
-        rc = bound_surface(record, scene, results->plan, results->loads, results->load_count, status);
+        rc = effect_bounds_surface(record, scene, results->plan, results->loads, results->load_count, status);
     if (rc == STATUS_OK)
-        rc = spool_put(results->spool, index, record, status);
+        rc = surface_store_put(results->store, index, record, status);
     if (rc != STATUS_OK)
         surface_record_free(record, true);
     return rc;
@@ -64,19 +64,19 @@ enum status_code workers_describe(struct surface_record *record, const struct re
 enum status_code workers_model(struct surface_record *record, const struct results *results, size_t index,
                                struct status *status)
 {
-    if (!results->spool->summaries[index].usable)
+    if (!results->store->summaries[index].usable)
         return STATUS_OK;
-    if (spool_get(record, results->spool, index, status) != STATUS_OK)
+    if (surface_store_get(record, results->store, index, status) != STATUS_OK)
         return status->code;
     enum status_code rc =
         surface_run_models(record, results->scene, results->plan, results->loads, results->load_count, status);
-    results->spool->summaries[index] = record->summary; /* its texts may have been made anew */
+    results->store->summaries[index] = record->summary; /* its texts may have been made anew */
     if (rc != STATUS_OK)
         return rc;
-    return spool_put(results->spool, index, record, status);
+    return surface_store_put(results->store, index, record, status);
 }
 
-static void *work(void *context)
+static void *run_tasks(void *context)
 {
     struct pool *pool = context;
     struct surface_record *record = malloc(sizeof *record);
@@ -98,13 +98,13 @@ enum status_code workers_run(const struct results *results, workers_task *task, 
     pthread_t threads[WORKERS_MOST];
     long processors = sysconf(_SC_NPROCESSORS_ONLN);
     size_t wanted = options->jobs ? options->jobs : processors > 0 ? (size_t)processors : 1, started = 0;
-    if (wanted > results->spool->count)
-        wanted = results->spool->count;
+    if (wanted > results->store->count)
+        wanted = results->store->count;
     if (wanted > WORKERS_MOST)
         wanted = WORKERS_MOST;
-    while (started + 1 < wanted && pthread_create(&threads[started], NULL, work, &pool) == 0)
+    while (started + 1 < wanted && pthread_create(&threads[started], NULL, run_tasks, &pool) == 0)
         started++;
-    if (work(&pool))
+    if (run_tasks(&pool))
         (void)status_fail(&pool.status, STATUS_MEMORY, "out of memory");
     for (size_t i = 0; i < started; i++)
         pthread_join(threads[i], NULL);

@@ -2,10 +2,10 @@
 #ifndef RUN_WORKERS_H
 #define RUN_WORKERS_H
 
-#include "results/tables.h"
+#include "results/results.h"
 #include "run/run.h"
 
-/** What is done with each surface: `record` is zeroed, and freed afterwards; what is to stay goes into results->spool.
+/** What is done with each surface: `record` is zeroed, and freed afterwards; what is to stay goes into results->store.
  */
 typedef enum status_code workers_task(struct surface_record *record, const struct results *results, size_t index,
                                       struct status *status);

@@ -7,11 +7,6 @@
 /* Deflate makes nothing smaller than a 1032nd: an entry that claims more is a bomb or damaged. */
 enum { ARCHIVE_RATIO = 1040, ARCHIVE_SLACK = 64 };
 
-bool archive_sniff(const struct scan_bytes *file)
-{
-    return file->length > 4 && memcmp(file->bytes, "PK\3\4", 4) == 0;
-}
-
 enum status_code archive_open(struct archive *out, const struct scan_bytes *file, struct status *status)
 {
     *out = (struct archive){NULL, file};

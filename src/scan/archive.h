@@ -10,7 +10,6 @@ struct archive {
     const struct scan_bytes *file;
 };
 
-bool archive_sniff(const struct scan_bytes *file);
 /** Opens `file`, which has to outlive the archive; archive_close() ends it whatever comes back. */
 MUST_CHECK enum status_code archive_open(struct archive *out, const struct scan_bytes *file, struct status *status);
 void archive_close(struct archive *archive);

@@ -19,89 +19,50 @@ void bytes_skip(struct bytes *bytes, size_t count)
     bytes->at = bytes->overrun ? bytes->end : bytes->at + count;
 }
 
-/* `size` bytes as one unsigned number, whatever the order of this machine. */
-static uint64_t take(struct bytes *bytes, size_t size)
+/* `size` bytes as one number, whatever the order of this machine. */
+static void take(struct bytes *bytes, void *value, size_t size)
 {
     const char *from = bytes->at;
-    uint64_t value = 0;
     bytes_skip(bytes, size);
-    if (!bytes->overrun)
-        for (size_t i = size; i-- > 0;)
-            value = value << 8 | (unsigned char)from[i];
-    return value;
+    if (bytes->overrun)
+        return;
+    for (size_t i = 0; i < size; i++)
+        ((char *)value)[__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__ ? i : size - 1 - i] = from[i];
 }
 
-uint16_t bytes_u16(struct bytes *bytes)
-{
-    return (uint16_t)take(bytes, 2);
-}
-
-int16_t bytes_i16(struct bytes *bytes)
-{
-    return (int16_t)take(bytes, 2);
-}
-
-uint32_t bytes_u32(struct bytes *bytes)
-{
-    return (uint32_t)take(bytes, 4);
-}
-
-int32_t bytes_i32(struct bytes *bytes)
-{
-    return (int32_t)take(bytes, 4);
-}
-
-float bytes_f32(struct bytes *bytes)
-{
-    uint32_t bits = bytes_u32(bytes);
-    float value;
-    memcpy(&value, &bits, sizeof value);
-    return value;
-}
-
-double bytes_f64(struct bytes *bytes)
-{
-    uint64_t bits = take(bytes, 8);
-    double value;
-    memcpy(&value, &bits, sizeof value);
-    return value;
-}
+#define BYTES_READ(NAME, name, ctype)                                                                                  \
+    ctype bytes_##name(struct bytes *bytes)                                                                            \
+    {                                                                                                                  \
+        ctype value = 0;                                                                                               \
+        take(bytes, &value, sizeof value);                                                                             \
+        return value;                                                                                                  \
+    }
+BYTES_TYPES(BYTES_READ)
 
 double bytes_number(struct bytes *bytes, enum bytes_type type)
 {
     switch (type) {
-    case BYTES_U8:
-        return (double)take(bytes, 1);
-    case BYTES_I8:
-        return (double)(int8_t)take(bytes, 1);
-    case BYTES_U16:
-        return bytes_u16(bytes);
-    case BYTES_I16:
-        return bytes_i16(bytes);
-    case BYTES_U32:
-        return bytes_u32(bytes);
-    case BYTES_I32:
-        return bytes_i32(bytes);
-    case BYTES_F32:
-        return (double)bytes_f32(bytes);
-    case BYTES_F64:
-    case BYTES_TYPES:
-        break;
+#define BYTES_CASE(NAME, name, ctype)                                                                                  \
+    case BYTES_##NAME:                                                                                                 \
+        return (double)bytes_##name(bytes);
+        BYTES_TYPES(BYTES_CASE)
+    default:
+        return 0.0;
     }
-    return bytes_f64(bytes);
 }
 
-struct span bytes_text(struct bytes *bytes, size_t count)
+struct string_view bytes_text(struct bytes *bytes, size_t count)
 {
-    struct span text = {bytes->at, bytes->at};
+    struct string_view text = {bytes->at, bytes->at};
     bytes_skip(bytes, count);
     if (!bytes->overrun)
         text.end = text.start + strnlen(text.start, count);
-    return span_trim(text);
+    return string_view_trim(text);
 }
 
 size_t bytes_size(enum bytes_type type)
 {
-    static const size_t sizes[BYTES_TYPES + 1] = {1, 2, 4, 4, 1, 2, 4, 8, 8};
+#define BYTES_SIZE(NAME, name, ctype) sizeof(ctype),
+    static const size_t sizes[] = {BYTES_TYPES(BYTES_SIZE)};
     return sizes[type];
 }

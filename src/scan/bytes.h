@@ -3,12 +3,23 @@
 #define SCAN_BYTES_H
 
 #include "scan/scan.h"
-#include "scan/span.h"
+#include "scan/string_view.h"
 
 #include <stdint.h>
 
 /** Kinds of numbers, in the order of ISO 25178-71's data types. */
-enum bytes_type { BYTES_U8, BYTES_U16, BYTES_U32, BYTES_F32, BYTES_I8, BYTES_I16, BYTES_I32, BYTES_F64, BYTES_TYPES };
+#define BYTES_TYPES(X)                                                                                                 \
+    X(U8, u8, uint8_t)                                                                                                 \
+    X(U16, u16, uint16_t)                                                                                              \
+    X(U32, u32, uint32_t)                                                                                              \
+    X(F32, f32, float)                                                                                                 \
+    X(I8, i8, int8_t)                                                                                                  \
+    X(I16, i16, int16_t)                                                                                               \
+    X(I32, i32, int32_t)                                                                                               \
+    X(F64, f64, double)
+#define BYTES_ENUM(NAME, name, ctype) BYTES_##NAME,
+enum bytes_type { BYTES_TYPES(BYTES_ENUM) BYTES_COUNT };
+#undef BYTES_ENUM
 
 /** Reads forward, little-endian. Past the end every number is 0 and `overrun` stays set, so that a header can be read
  * in one go and checked once. */
@@ -22,14 +33,12 @@ size_t bytes_left(const struct bytes *bytes);
 void bytes_skip(struct bytes *bytes, size_t count);
 
 double bytes_number(struct bytes *bytes, enum bytes_type type);
-uint16_t bytes_u16(struct bytes *bytes);
-int16_t bytes_i16(struct bytes *bytes);
-uint32_t bytes_u32(struct bytes *bytes);
-int32_t bytes_i32(struct bytes *bytes);
-float bytes_f32(struct bytes *bytes);
-double bytes_f64(struct bytes *bytes);
+/* uint16_t bytes_u16(struct bytes *bytes) and so on */
+#define BYTES_DECLARE(NAME, name, ctype) ctype bytes_##name(struct bytes *bytes);
+BYTES_TYPES(BYTES_DECLARE)
+#undef BYTES_DECLARE
 /** A text field of `count` bytes, without what follows a NUL and without blanks around it. */
-struct span bytes_text(struct bytes *bytes, size_t count);
+struct string_view bytes_text(struct bytes *bytes, size_t count);
 
 /** Bytes a number takes. */
 size_t bytes_size(enum bytes_type type);

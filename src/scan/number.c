@@ -115,7 +115,7 @@ static double decimal_value(const struct decimal *decimal)
     return slow_value(decimal);
 }
 
-const char *number_scan(struct span text, unsigned allowed, unsigned *met, double *value)
+const char *number_scan(struct string_view text, unsigned allowed, unsigned *met, double *value)
 {
     const char *at = text.start, *end = text.end;
     bool negative = at < end && *at == '-';
@@ -146,15 +146,15 @@ const char *number_scan(struct span text, unsigned allowed, unsigned *met, doubl
     return at;
 }
 
-bool number_read(struct span text, double *value)
+bool number_read(struct string_view text, double *value)
 {
-    text = span_trim(text);
+    text = string_view_trim(text);
     return number_scan(text, NUMBER_POINT, NULL, value) == text.end && isfinite(*value);
 }
 
-bool number_read_size(struct span text, size_t *value)
+bool number_read_size(struct string_view text, size_t *value)
 {
-    text = span_trim(text);
+    text = string_view_trim(text);
     size_t result = 0;
     for (const char *at = text.start; at < text.end; at++) {
         if (!is_digit(*at) || result > (SIZE_MAX - 9) / 10)

@@ -2,7 +2,7 @@
 #ifndef SCAN_NUMBER_H
 #define SCAN_NUMBER_H
 
-#include "scan/span.h"
+#include "scan/string_view.h"
 
 enum { NUMBER_POINT = 1, NUMBER_COMMA = 2 }; /* decimal signs: which are allowed, which was met */
 
@@ -10,12 +10,12 @@ enum { NUMBER_POINT = 1, NUMBER_COMMA = 2 }; /* decimal signs: which are allowed
  * `allowed` says which decimal signs count; the one met is added to *met (NULL: not asked). A decimal comma has to have
  * digits on both sides. The nearest double goes to *value, an infinity on overflow.
  * Returns the end of the number, or NULL where there is none (NaN and inf are none). */
-const char *number_scan(struct span text, unsigned allowed, unsigned *met, double *value);
+const char *number_scan(struct string_view text, unsigned allowed, unsigned *met, double *value);
 
 /** The whole of `text`, blanks around it aside, as a finite number with a decimal point. */
-bool number_read(struct span text, double *value);
+bool number_read(struct string_view text, double *value);
 
 /** The same for an integer >= 0, written without sign, decimal sign or exponent. */
-bool number_read_size(struct span text, size_t *value);
+bool number_read_size(struct string_view text, size_t *value);
 
 #endif

@@ -30,21 +30,21 @@ enum status_code scan_fail(struct status *status, const struct scan_bytes *file,
     return status->code;
 }
 
-struct scan_quote scan_quote(struct span span)
+struct scan_quote scan_quote(struct string_view view)
 {
     struct scan_quote quote = {""};
-    size_t length = span_length(span), shown = length > 24 ? 24 : length;
+    size_t length = string_view_length(view), shown = length > 24 ? 24 : length;
     for (size_t i = 0; i < shown; i++)
-        quote.text[i] = span.start[i] >= 0x20 && span.start[i] < 0x7f ? span.start[i] : '?';
+        quote.text[i] = view.start[i] >= 0x20 && view.start[i] < 0x7f ? view.start[i] : '?';
     if (length > shown)
         memcpy(quote.text + shown, "...", 4);
     return quote;
 }
 
-void scan_copy(char *to, size_t size, struct span span)
+void scan_copy(char *to, size_t size, struct string_view view)
 {
-    size_t length = span_length(span) < size ? span_length(span) : size - 1;
-    memcpy(to, span.start, length);
+    size_t length = string_view_length(view) < size ? string_view_length(view) : size - 1;
+    memcpy(to, view.start, length);
     to[length] = '\0';
 }
 
@@ -98,9 +98,14 @@ static enum status_code fail_units(const struct scan *out, const char *x, const 
                      slope ? "urad" : "um", slope ? "urad" : "um");
 }
 
+static struct scan_unit find_unit(const char *name, enum scan_quantity quantity)
+{
+    return scan_unit_find(string_view_of(name ? name : ""), quantity);
+}
+
 static bool is_slope_unit(const char *name)
 {
-    return name && scan_unit_slope(name, strlen(name)) > 0;
+    return find_unit(name, SCAN_SLOPE).name;
 }
 
 enum status_code scan_units(struct scan *out, const char *x_named, const char *z_named, double *x_m, double *z_m,
@@ -108,9 +113,9 @@ enum status_code scan_units(struct scan *out, const char *x_named, const char *z
 {
     const struct text_header *beside = options->sidecar ? &options->sidecar->header : NULL;
     const char *x = said(x_named), *z = said(z_named);
-    if (x && !scan_unit_name(x, strlen(x)))
+    if (x && !find_unit(x, SCAN_HEIGHT).name)
         return scan_fail(status, file, 0, "x is in '%.16s' by the file, which is no unit of length", x);
-    if (z && !scan_unit_name(z, strlen(z)) && !is_slope_unit(z))
+    if (z && !find_unit(z, SCAN_HEIGHT).name && !is_slope_unit(z))
         return scan_fail(status, file, 0, "z is in '%.16s' by the file, which is no unit of length", z);
     out->units_lacking = !x || !z;
     bool slope = out->quantity == SCAN_SLOPE || is_slope_unit(z), x_beside = false, z_beside = false;
@@ -129,14 +134,10 @@ enum status_code scan_units(struct scan *out, const char *x_named, const char *z
     if (slope ? options->quantity != SCAN_SLOPE : said_height && options->quantity == SCAN_SLOPE)
         return fail_quantity(out, z, z_beside, file, options, status);
     out->quantity = options->quantity;
-    const char *x_name = x ? scan_unit_name(x, strlen(x)) : NULL, *z_name = NULL;
-    *x_m = x_name ? scan_unit_m(x, strlen(x)) : 0.0;
-    *z_m = 0.0;
-    if (z) {
-        z_name = out->quantity == SCAN_SLOPE ? scan_unit_slope_name(z, strlen(z)) : scan_unit_name(z, strlen(z));
-        *z_m = out->quantity == SCAN_SLOPE ? scan_unit_slope(z, strlen(z)) : scan_unit_m(z, strlen(z));
-    }
-    scan_set_units(out, x_name ? x_name : "", z_name ? z_name : "");
+    struct scan_unit x_unit = find_unit(x, SCAN_HEIGHT), z_unit = find_unit(z, out->quantity);
+    *x_m = x_unit.si;
+    *z_m = z_unit.si;
+    scan_set_units(out, x_unit.name ? x_unit.name : "", z_unit.name ? z_unit.name : "");
     if (!(*x_m > 0 && *z_m > 0))
         return fail_units(out, x, z, file, status);
     out->units_beside = x_beside || z_beside;
@@ -170,12 +171,39 @@ enum status_code scan_reserve(struct scan *out, size_t nx, size_t ny, size_t roo
     return STATUS_OK;
 }
 
-static bool is_gap(char c)
+enum status_code scan_reserve_x(struct scan *out, size_t n, size_t room, const struct scan_bytes *file,
+                                struct status *status)
 {
-    return span_is_blank_char(c) || c == '\n';
+    if (scan_reserve(out, n, 1, room, file, status) != STATUS_OK)
+        return status->code;
+    out->x_m = malloc(n * sizeof *out->x_m);
+    return out->x_m ? STATUS_OK : status_memory(status);
 }
 
-bool scan_word(struct span *text, struct span *word)
+enum status_code scan_take_key(const struct scan_key *keys, struct string_view line, size_t line_number,
+                               const struct scan_bytes *file, struct status *status)
+{
+    const char *equals = memchr(line.start, '=', string_view_length(line));
+    struct string_view key = string_view_trim((struct string_view){line.start, equals ? equals : line.start});
+    struct string_view value = string_view_trim((struct string_view){equals ? equals + 1 : line.end, line.end});
+    while (keys->key && !string_view_equals(key, keys->key))
+        keys++;
+    if (!keys->key)
+        return STATUS_OK;
+    if (keys->unit)
+        scan_copy(keys->unit, SCAN_UNIT_SIZE, value);
+    else if (!(keys->count ? number_read_size(value, keys->count) : number_read(value, keys->number)))
+        return scan_fail(status, file, line_number, "%s = '%s' is no number it can have", keys->key,
+                         scan_quote(value).text);
+    return STATUS_OK;
+}
+
+static bool is_gap(char c)
+{
+    return string_view_is_blank_char(c) || c == '\n';
+}
+
+bool scan_word(struct string_view *text, struct string_view *word)
 {
     while (text->start < text->end && is_gap(*text->start))
         text->start++;
@@ -188,24 +216,24 @@ bool scan_word(struct span *text, struct span *word)
 
 size_t scan_line(const struct scan_bytes *file, const char *at)
 {
-    struct lines lines = lines_begin(scan_span(file));
-    for (struct span line; lines_next(&lines, &line);)
+    struct lines lines = lines_begin(scan_view(file));
+    for (struct string_view line; lines_next(&lines, &line);)
         if (lines.next > at)
             break;
     return lines.number;
 }
 
-bool scan_is_missing(struct span cell)
+bool scan_is_missing(struct string_view cell)
 {
-    return span_equals(cell, "NaN") || span_equals(cell, "BAD");
+    return string_view_equals(cell, "NaN") || string_view_equals(cell, "BAD");
 }
 
-enum status_code scan_fill(struct scan *out, struct span *text, double z_m, const struct scan_bytes *file,
+enum status_code scan_fill(struct scan *out, struct string_view *text, double z_m, const struct scan_bytes *file,
                            struct status *status)
 {
     size_t count = out->nx * out->ny;
     for (size_t i = 0; i < count; i++) {
-        struct span word;
+        struct string_view word;
         if (!scan_word(text, &word))
             return scan_fail(status, file, scan_line(file, text->start),
                              "the heights end after %zu of %zu; copy the file again", i, count);

@@ -3,7 +3,7 @@
 #define SCAN_READER_H
 
 #include "scan/scan.h"
-#include "scan/span.h"
+#include "scan/string_view.h"
 
 /** Stores STATUS_SCAN with "path:line: " (line 0: "path: ") before the message; control characters become '?'. */
 enum status_code scan_fail(struct status *status, const struct scan_bytes *file, size_t line, const char *format, ...)
@@ -12,19 +12,23 @@ enum status_code scan_fail(struct status *status, const struct scan_bytes *file,
 /** Control characters of `string` become '?'. */
 void scan_printable(char *string);
 
-/** At most 24 characters of `span`, printable ASCII only ('?' for the rest), to quote in a message. */
+/** At most 24 characters of `view`, printable ASCII only ('?' for the rest), to quote in a message. */
 struct scan_quote {
     char text[32];
 };
-struct scan_quote scan_quote(struct span span);
+struct scan_quote scan_quote(struct string_view view);
 
-/** Copies `span` into the `size` bytes at `to`, cut off where it is longer. */
-void scan_copy(char *to, size_t size, struct span span);
+/** Copies `view` into the `size` bytes at `to`, cut off where it is longer. */
+void scan_copy(char *to, size_t size, struct string_view view);
 
-/** The unit's name as the program prints it ("um" for every spelling of micrometre); NULL when it is no length. */
-const char *scan_unit_name(const char *name, size_t length);
-/** The same of a unit of slope ("urad" for every spelling of microradian); NULL when it is none. */
-const char *scan_unit_slope_name(const char *name, size_t length);
+/** A unit of length or of slope: its name as the program prints it ("um" for every spelling of micrometre), and metres
+ * or dz/dx per unit. */
+struct scan_unit {
+    const char *name;
+    double si;
+};
+/** The unit of that quantity spelled so; name NULL and 0 when there is none. */
+struct scan_unit scan_unit_find(struct string_view name, enum scan_quantity quantity);
 /** The unit of so many metres, or of that slope; NULL when it has no name. */
 const char *scan_unit_of(double factor, enum scan_quantity quantity);
 
@@ -43,52 +47,81 @@ void scan_set_units(struct scan *out, const char *x_unit, const char *z_unit);
 MUST_CHECK enum status_code scan_reserve(struct scan *out, size_t nx, size_t ny, size_t room,
                                          const struct scan_bytes *file, struct status *status);
 
+/** The same for a profile of n points with their positions. */
+MUST_CHECK enum status_code scan_reserve_x(struct scan *out, size_t n, size_t room, const struct scan_bytes *file,
+                                           struct status *status);
+
+/** A key of a header, and where its value goes: one of the three; a unit has SCAN_UNIT_SIZE bytes. */
+struct scan_key {
+    const char *key;
+    size_t *count;
+    double *number;
+    char *unit;
+};
+/** Takes over `line`, `Key = value`, where it is one of the keys, which end in one that is NULL. Error: STATUS_SCAN. */
+MUST_CHECK enum status_code scan_take_key(const struct scan_key *keys, struct string_view line, size_t line_number,
+                                          const struct scan_bytes *file, struct status *status);
+
 /** Is `cell` what instruments write where they measured nothing: BAD or NaN? */
-bool scan_is_missing(struct span cell);
+bool scan_is_missing(struct string_view cell);
 
 /** Fills the heights that scan_reserve() made from `text`, numbers between blanks or line ends, or missing points.
  * Moves text->start behind the last. Error: STATUS_SCAN with the line: too few, or no number. */
-MUST_CHECK enum status_code scan_fill(struct scan *out, struct span *text, double z_m, const struct scan_bytes *file,
-                                      struct status *status);
+MUST_CHECK enum status_code scan_fill(struct scan *out, struct string_view *text, double z_m,
+                                      const struct scan_bytes *file, struct status *status);
 
 /** Cuts the next word (no blanks, no line ends) off `text`; false when nothing is left. */
-bool scan_word(struct span *text, struct span *word);
+bool scan_word(struct string_view *text, struct string_view *word);
 
 /** The line, from 1, of the byte at `at`. */
 size_t scan_line(const struct scan_bytes *file, const char *at);
 
-static inline struct span scan_span(const struct scan_bytes *file)
+static inline struct string_view scan_view(const struct scan_bytes *file)
 {
-    return (struct span){file->bytes, file->bytes + file->length};
+    return (struct string_view){file->bytes, file->bytes + file->length};
 }
 
 /** Index of the first position that breaks the order set by the first two (strictly up or strictly down), n when none
  * does. A non-finite position breaks it. */
 size_t scan_disorder(const double *x, size_t n);
 
-/** The slopes dz/dx in scan->z_m become heights by the trapezoidal rule, from 0 at the first point; a missing point
- * stays missing and is bridged. Error: STATUS_SCAN: a map. */
-MUST_CHECK enum status_code scan_integrate(struct scan *scan, const struct scan_bytes *file, struct status *status);
+/* One line a format: the prefix of its functions, its name. The order matters where one looks like another: the first
+ * match wins, and text takes what no other reader knows. */
+#define SCAN_FORMATS(X)                                                                                                \
+    X(x3p, "x3p")                                                                                                      \
+    X(zip, "zip") /* with one scan of any other format in it */                                                        \
+    X(mahr_prf, "mahr-prf")                                                                                            \
+    X(sur, "sur")                                                                                                      \
+    X(al3d, "al3d")                                                                                                    \
+    X(sdf, "sdf")                                                                                                      \
+    X(gsf, "gsf")                                                                                                      \
+    X(surfer, "surfer")                                                                                                \
+    X(mahr_text, "mahr-text")                                                                                          \
+    X(npl_prf, "npl-prf")                                                                                              \
+    X(smd, "smd")                                                                                                      \
+    X(nist_xml, "nist-xml")                                                                                            \
+    X(text, "text")
 
-/* One pair a format; see the table in scan.c. */
-#define SCAN_READER(name)                                                                                              \
-    bool scan_##name##_sniff(const struct scan_bytes *file);                                                           \
-    enum status_code scan_##name##_read(struct scan *out, const struct scan_bytes *file,                               \
-                                        const struct scan_options *options, struct status *status)
-SCAN_READER(x3p);
-SCAN_READER(zip);
-SCAN_READER(mahr_prf);
-SCAN_READER(sur);
-SCAN_READER(al3d);
-SCAN_READER(sdf);
-SCAN_READER(gsf);
-SCAN_READER(surfer);
-SCAN_READER(mahr_text);
-SCAN_READER(npl_prf);
-SCAN_READER(smd);
-SCAN_READER(nist_xml);
-SCAN_READER(text);
-bool scan_dektak_sniff(const struct scan_bytes *file); /* read as text */
-bool scan_hommel_sniff(const struct scan_bytes *file); /* read as text */
+/* Do these bytes look like that format (cheap)? And reading them. */
+#define SCAN_DECLARE(prefix, name)                                                                                     \
+    bool scan_##prefix##_sniff(const struct scan_bytes *file);                                                         \
+    enum status_code scan_##prefix##_read(struct scan *out, const struct scan_bytes *file,                             \
+                                          const struct scan_options *options, struct status *status);
+SCAN_FORMATS(SCAN_DECLARE)
+#undef SCAN_DECLARE
+
+struct scan_reader {
+    const char *name;
+    bool (*sniff)(const struct scan_bytes *file);
+    enum status_code (*read)(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
+                             struct status *status);
+};
+/** The reader of these bytes; NULL where no format fits. */
+const struct scan_reader *scan_reader_find(const struct scan_bytes *file);
+
+struct text_header;
+/** Takes over what the lines of a file say that are units or other keys (text_header_add()); false, and nothing, where
+ * a line is a row of numbers: that is a scan. */
+bool scan_text_read_keys(struct text_header *out, const struct scan_bytes *file);
 
 #endif

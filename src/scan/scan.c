@@ -2,8 +2,9 @@
 #include "base/text.h"
 #include "scan/reader.h"
 #include "scan/sidecar.h"
-#include "scan/utf16.h"
 
+#include <errno.h>
+#include <iconv.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -11,26 +12,11 @@
 #include <string.h>
 #include <sys/stat.h>
 
-/* The order matters where one format looks like another: text takes what no other reader knows. */
-const struct scan_reader scan_readers[] = {
-    {"x3p", "ISO 25178-72 X3P: profiles and areal maps", scan_x3p_sniff, scan_x3p_read},
-    {"zip", "a zip archive that holds one scan of any other format", scan_zip_sniff, scan_zip_read},
-    {"mahr-prf", "Mahr MarWin binary PRF", scan_mahr_prf_sniff, scan_mahr_prf_read},
-    {"sur", "Digital Surf SUR and PRO, compressed or not", scan_sur_sniff, scan_sur_read},
-    {"al3d", "Alicona AL3D", scan_al3d_sniff, scan_al3d_read},
-    {"sdf", "ISO 25178-71 SDF, text or binary", scan_sdf_sniff, scan_sdf_read},
-    {"gsf", "Gwyddion simple field", scan_gsf_sniff, scan_gsf_read},
-    {"surfer", "Golden Software Surfer grid: DSAA, DSBB, DSRB", scan_surfer_sniff, scan_surfer_read},
-    {"mahr-text", "Mahr MarWin text", scan_mahr_text_sniff, scan_mahr_text_read},
-    {"npl-prf", "NPL and Taylor Hobson text PRF", scan_npl_prf_sniff, scan_npl_prf_read},
-    {"smd", "ISO 5436-2 SMD", scan_smd_sniff, scan_smd_read},
-    {"nist-xml", "NIST surface metrology database XML", scan_nist_xml_sniff, scan_nist_xml_read},
-    {"dektak", "Bruker Dektak CSV", scan_dektak_sniff, scan_text_read},
-    {"hommel", "Hommel text: X, Y and whether the point is valid", scan_hommel_sniff, scan_text_read},
-    {"text", "columns of numbers: x and z, heights with a spacing, x y z on a grid, a matrix with its pixel size",
-     scan_text_sniff, scan_text_read},
+static const struct scan_reader readers[] = {
+#define SCAN_ROW(prefix, name) {name, scan_##prefix##_sniff, scan_##prefix##_read},
+    SCAN_FORMATS(SCAN_ROW)
+#undef SCAN_ROW
 };
-const size_t scan_reader_count = sizeof scan_readers / sizeof *scan_readers;
 
 const char *const scan_quantity_names[SCAN_QUANTITY_COUNT] = {"height", "slope"};
 const double scan_least_m = 1e-30, scan_most_m = 1e30;
@@ -116,14 +102,38 @@ static enum status_code check_lengths(const struct scan *scan, const struct scan
     return highest_m == lowest_m ? STATUS_OK : check_length(highest_m - lowest_m, "heights", 'z', file, status);
 }
 
+/* The slopes dz/dx in scan->z_m become heights by the trapezoidal rule, from 0 at the first point; a missing point
+ * stays missing and is bridged. */
+static enum status_code integrate(struct scan *scan, const struct scan_bytes *file, struct status *status)
+{
+    if (scan->kind != SCAN_PROFILE)
+        return scan_fail(status, file, 0, "a map of slopes; only profiles can be integrated to heights");
+    double z_m = 0, slope = NAN;
+    size_t last = 0; /* the measured point before */
+    for (size_t i = 0; i < scan->nx; i++) {
+        double next = scan->z_m[i];
+        if (isnan(next))
+            continue;
+        double step_m = scan->x_m ? scan->x_m[i] - scan->x_m[last] : (double)(i - last) * scan->dx_m;
+        if (!isnan(slope))
+            z_m += 0.5 * (slope + next) * step_m;
+        scan->z_m[i] = z_m;
+        slope = next;
+        last = i;
+    }
+    scan_warn(scan, "slopes in %s, integrated to heights by the trapezoidal rule", scan->z_unit);
+    return STATUS_OK;
+}
+
 /* What scan.h promises about every scan, whichever reader made it. */
 static enum status_code check(struct scan *scan, const struct scan_bytes *file, struct status *status)
 {
     size_t points = scan->nx * scan->ny;
+    scan->dy_m = scan->kind == SCAN_AREAL ? scan->dy_m : 0.0;
     if (scan->nx < SCAN_POINTS || points < SCAN_POINTS)
         return scan_fail(status, file, 0, "only %zu points in a row; a scan needs at least %d", scan->nx, SCAN_POINTS);
     if (check_positions(scan, file, status) != STATUS_OK ||
-        (scan->quantity == SCAN_SLOPE && scan_integrate(scan, file, status) != STATUS_OK))
+        (scan->quantity == SCAN_SLOPE && integrate(scan, file, status) != STATUS_OK))
         return status->code;
     scan->missing = 0; /* what follows is about heights, those of slopes too */
     for (size_t i = 0; i < points; i++) {
@@ -165,16 +175,46 @@ static enum status_code check_asked(const struct scan *scan, const struct scan_b
     return STATUS_OK;
 }
 
-/* The same file in UTF-8. */
+/* Does the file begin with a UTF-16 byte order mark, and have an even number of bytes? */
+static bool is_utf16(const struct scan_bytes *file)
+{
+    return file->length >= 4 && file->length % 2 == 0 &&
+           (memcmp(file->bytes, "\xFF\xFE", 2) == 0 || memcmp(file->bytes, "\xFE\xFF", 2) == 0);
+}
+
+/* The same file, which some Windows program wrote in UTF-16, in UTF-8. */
 static enum status_code read_utf16(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
                                    struct status *status)
 {
+    iconv_t convert = iconv_open("UTF-8", "UTF-16");
+    if (convert == (iconv_t)-1)
+        return scan_fail(status, file, 0, "cannot convert from UTF-16 (%s); save it as UTF-8", strerror(errno));
     struct text text = {0};
-    utf16_convert(&text, file);
+    char *from = (char *)file->bytes; /* iconv takes the mark off */
+    for (size_t left = file->length; left > 0;) {
+        char piece[4096], *to = piece;
+        size_t room = sizeof piece;
+        bool stopped = iconv(convert, &from, &left, &to, &room) == (size_t)-1 && errno != E2BIG;
+        text_add_bytes(&text, piece, sizeof piece - room);
+        if (stopped) { /* at half a surrogate pair */
+            text_add_bytes(&text, "?", 1);
+            from += 2;
+            left -= 2;
+        }
+    }
+    iconv_close(convert);
     struct scan_bytes utf8 = {text_string(&text), text.length, file->path};
     enum status_code code = text.failed ? status_memory(status) : scan_read_bytes(out, &utf8, options, status);
     text_free(&text);
     return code;
+}
+
+const struct scan_reader *scan_reader_find(const struct scan_bytes *file)
+{
+    for (size_t i = 0; i < sizeof readers / sizeof *readers; i++)
+        if (readers[i].sniff(file))
+            return &readers[i];
+    return NULL;
 }
 
 enum status_code scan_read_bytes(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
@@ -183,20 +223,18 @@ enum status_code scan_read_bytes(struct scan *out, const struct scan_bytes *file
     *out = (struct scan){.ny = 1};
     if (file->length == 0)
         return scan_fail(status, file, 0, "the file is empty");
-    if (utf16_sniff(file))
+    if (is_utf16(file))
         return read_utf16(out, file, options, status);
-    for (size_t i = 0; i < scan_reader_count; i++) {
-        if (!scan_readers[i].sniff(file))
-            continue;
-        out->format = scan_readers[i].name;
-        if (scan_readers[i].read(out, file, options, status) != STATUS_OK ||
-            check_asked(out, file, options, status) != STATUS_OK || check(out, file, status) != STATUS_OK)
-            return status->code;
-        warn_unit(out, 'x', out->x_unit, options);
-        warn_unit(out, 'z', out->z_unit, options);
-        return STATUS_OK;
-    }
-    return scan_fail(status, file, 0, "binary data in no format known here: not a scan");
+    const struct scan_reader *reader = scan_reader_find(file);
+    if (!reader)
+        return scan_fail(status, file, 0, "binary data in no format known here: not a scan");
+    out->format = reader->name;
+    if (reader->read(out, file, options, status) != STATUS_OK || check_asked(out, file, options, status) != STATUS_OK ||
+        check(out, file, status) != STATUS_OK)
+        return status->code;
+    warn_unit(out, 'x', out->x_unit, options);
+    warn_unit(out, 'z', out->z_unit, options);
+    return STATUS_OK;
 }
 
 enum status_code scan_read_beside(struct scan *out, const struct scan_bytes *file, const char *path,

@@ -8,28 +8,33 @@
 
 enum scan_kind { SCAN_PROFILE, SCAN_AREAL };
 
+/** Which profiles are taken from a map: its rows or its columns. */
+enum scan_direction { SCAN_DIRECTION_X, SCAN_DIRECTION_Y, SCAN_DIRECTION_COUNT };
+extern const char *const scan_direction_names[SCAN_DIRECTION_COUNT]; /* as a scene spells them */
+
 /** What the numbers along z are in the file. Slopes dz/dx are integrated: a scan that was read holds heights. */
 enum scan_quantity { SCAN_HEIGHT, SCAN_SLOPE, SCAN_QUANTITY_COUNT };
 extern const char *const scan_quantity_names[SCAN_QUANTITY_COUNT]; /* as a scene spells them */
 
-enum { SCAN_WARNINGS = 8, SCAN_WARNING_LENGTH = 240 };
+enum { SCAN_WARNINGS = 8, SCAN_WARNING_LENGTH = 240, SCAN_UNIT_SIZE = 16 };
 
 /** What a file holds, as read: not levelled, not resampled. */
 struct scan {
     const char *format; /* the reader's name */
     enum scan_kind kind;
-    size_t nx, ny;               /* points a row, rows (ny = 1 for a profile) */
-    double *x_m;                 /* nx positions, or NULL where the file gives a spacing only */
-    double dx_m, dy_m;           /* spacing; dx_m = (last - first)/(nx - 1) when x_m is given; dy_m 0 for a profile */
-    double nominal_dx_m;         /* spacing that the header names beside the positions x_m; 0: none */
-    double *z_m;                 /* ny*nx heights, row after row; NaN where a point is missing */
-    size_t missing;              /* how many are */
-    char x_unit[16], z_unit[16]; /* as named by the file, else by a sidecar, else by the scene */
-    enum scan_quantity quantity; /* of the file; z_m has heights either way */
-    size_t x_column, z_column;   /* of a table of text, from 1; 0 where there is none */
-    bool units_lacking;          /* the file itself does not name both units */
-    bool units_beside;           /* and one or both came from a sidecar */
-    char *sidecar;               /* path of that sidecar; NULL: none was used */
+    size_t nx, ny;       /* points a row, rows (ny = 1 for a profile) */
+    double *x_m;         /* nx positions, or NULL where the file gives a spacing only */
+    double dx_m, dy_m;   /* spacing; dx_m = (last - first)/(nx - 1) when x_m is given; dy_m 0 for a profile */
+    double nominal_dx_m; /* spacing that the header names beside the positions x_m; 0: none */
+    double *z_m;         /* ny*nx heights, row after row; NaN where a point is missing */
+    size_t missing;      /* how many are */
+    char x_unit[SCAN_UNIT_SIZE],
+        z_unit[SCAN_UNIT_SIZE];                        /* as named by the file, else by a sidecar, else by the scene */
+    enum scan_quantity quantity;                       /* of the file; z_m has heights either way */
+    size_t x_column, z_column;                         /* of a table of text, from 1; 0 where there is none */
+    bool units_lacking;                                /* the file itself does not name both units */
+    bool units_beside;                                 /* and one or both came from a sidecar */
+    char *sidecar;                                     /* path of that sidecar; NULL: none was used */
     char warnings[SCAN_WARNINGS][SCAN_WARNING_LENGTH]; /* each one line, lower case */
     size_t warning_count;
 };
@@ -52,21 +57,9 @@ struct scan_bytes {
     const char *path; /* for messages only */
 };
 
-/** One row a format. */
-struct scan_reader {
-    const char *name;                             /* "text", "x3p", ... */
-    const char *description;                      /* for the table of formats */
-    bool (*sniff)(const struct scan_bytes *file); /* do these bytes look like it? cheap */
-    enum status_code (*read)(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
-                             struct status *status);
-};
-
 /** Lengths [m] beyond which nothing was measured, and a unit or an exponent is wrong. Of heights and steps between them
  * the squares of heights, slopes and curvatures (up to 1e180) keep their distance from the ends of double. */
 extern const double scan_least_m, scan_most_m;
-
-extern const struct scan_reader scan_readers[]; /* first match wins; text last */
-extern const size_t scan_reader_count;
 
 /** Reads `path`. `out` is to be freed with scan_free() whatever comes back.
  * Heights and positions are SI; x ascends strictly; at least 3 points; every number finite or, for z, NaN (missing);
@@ -84,7 +77,7 @@ MUST_CHECK enum status_code scan_read_bytes(struct scan *out, const struct scan_
                                             const struct scan_options *options, struct status *status);
 void scan_free(struct scan *scan);
 /** Exchanges rows and columns of a map, so that its columns can be taken as profiles. Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code scan_turn(struct scan *scan, struct status *status);
+MUST_CHECK enum status_code scan_transpose(struct scan *scan, struct status *status);
 /** Notes a warning; beyond SCAN_WARNINGS the last says how many more there were. */
 void scan_warn(struct scan *scan, const char *format, ...) PRINTF_LIKE(2, 3);
 

@@ -32,10 +32,10 @@ static void read_header(struct al3d_header *header, struct bytes *bytes)
                 {"PixelSizeYMeter", &header->dy},
                 {"InvalidPixelValue", &header->invalid}};
     for (double tag = 0; tag < header->tags + 2 && tag < AL3D_TAGS && !bytes->overrun; tag++) {
-        struct span key = bytes_text(bytes, AL3D_KEY), value = bytes_text(bytes, AL3D_VALUE);
+        struct string_view key = bytes_text(bytes, AL3D_KEY), value = bytes_text(bytes, AL3D_VALUE);
         bytes_skip(bytes, 2);
         for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
-            if (span_equals(key, keys[i].key))
+            if (string_view_equals(key, keys[i].key))
                 (void)number_read(value, keys[i].number); /* else it stays 0, which is refused below */
     }
 }
@@ -65,7 +65,7 @@ enum status_code scan_al3d_read(struct scan *out, const struct scan_bytes *file,
         bytes_skip(&bytes, stride - nx * sizeof(float));
     }
     out->dx_m = fabs(header.dx);
-    out->dy_m = out->kind == SCAN_AREAL ? fabs(header.dy) : 0.0;
+    out->dy_m = fabs(header.dy);
     scan_set_units(out, "m", "m");
     return STATUS_OK;
 }

@@ -11,7 +11,7 @@ static const char magic[] = "Gwyddion Simple Field 1.0\n";
 struct gsf_header {
     size_t nx, ny;
     double width, height;
-    char xy_unit[16], z_unit[16];
+    char xy_unit[SCAN_UNIT_SIZE], z_unit[SCAN_UNIT_SIZE];
 };
 
 bool scan_gsf_sniff(const struct scan_bytes *file)
@@ -19,32 +19,20 @@ bool scan_gsf_sniff(const struct scan_bytes *file)
     return file->length >= strlen(magic) && memcmp(file->bytes, magic, strlen(magic)) == 0;
 }
 
-static enum status_code read_header(struct gsf_header *header, struct span text, const struct scan_bytes *file,
+static enum status_code read_header(struct gsf_header *header, struct string_view text, const struct scan_bytes *file,
                                     struct status *status)
 {
-    struct {
-        const char *key;
-        size_t *count;
-        double *number;
-        char *unit;
-    } keys[] = {{"XRes", &header->nx, NULL, NULL},        {"YRes", &header->ny, NULL, NULL},
-                {"XReal", NULL, &header->width, NULL},    {"YReal", NULL, &header->height, NULL},
-                {"XYUnits", NULL, NULL, header->xy_unit}, {"ZUnits", NULL, NULL, header->z_unit}};
+    const struct scan_key keys[] = {{"XRes", .count = &header->nx},
+                                    {"YRes", .count = &header->ny},
+                                    {"XReal", .number = &header->width},
+                                    {"YReal", .number = &header->height},
+                                    {"XYUnits", .unit = header->xy_unit},
+                                    {"ZUnits", .unit = header->z_unit},
+                                    {0}};
     struct lines lines = lines_begin(text);
-    for (struct span line; lines_next(&lines, &line);) {
-        const char *equals = memchr(line.start, '=', span_length(line));
-        struct span key = span_trim((struct span){line.start, equals ? equals : line.start});
-        struct span value = span_trim((struct span){equals ? equals + 1 : line.end, line.end});
-        for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
-            if (!span_equals(key, keys[i].key))
-                continue;
-            if (keys[i].unit)
-                scan_copy(keys[i].unit, sizeof header->z_unit, value);
-            else if (!(keys[i].count ? number_read_size(value, keys[i].count) : number_read(value, keys[i].number)))
-                return scan_fail(status, file, lines.number, "%s = '%s' is no number it can have", keys[i].key,
-                                 scan_quote(value).text);
-        }
-    }
+    for (struct string_view line; lines_next(&lines, &line);)
+        if (scan_take_key(keys, line, lines.number, file, status) != STATUS_OK)
+            return status->code;
     return STATUS_OK;
 }
 
@@ -57,7 +45,7 @@ enum status_code scan_gsf_read(struct scan *out, const struct scan_bytes *file, 
     if (!stop)
         return scan_fail(status, file, 0, "no NUL behind the header: the file is cut off");
     size_t length = (size_t)(stop - file->bytes);
-    if (read_header(&header, (struct span){file->bytes, stop}, file, status) != STATUS_OK ||
+    if (read_header(&header, (struct string_view){file->bytes, stop}, file, status) != STATUS_OK ||
         scan_units(out, header.xy_unit, header.z_unit, &x_m, &z_m, file, options, status) != STATUS_OK)
         return status->code;
     struct bytes bytes = bytes_begin(file, length + 4 - length % 4);
@@ -66,6 +54,6 @@ enum status_code scan_gsf_read(struct scan *out, const struct scan_bytes *file, 
     for (size_t i = 0; i < header.nx * header.ny; i++)
         out->z_m[i] = (double)bytes_f32(&bytes) * z_m;
     out->dx_m = header.width / (double)header.nx * x_m;
-    out->dy_m = out->kind == SCAN_AREAL ? header.height / (double)header.ny * x_m : 0.0;
+    out->dy_m = header.height / (double)header.ny * x_m;
     return STATUS_OK;
 }

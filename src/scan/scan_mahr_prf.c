@@ -3,7 +3,6 @@
 #include "scan/bytes.h"
 #include "scan/reader.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 static const char magic[] = "[p3dlin]", trajectory[] = "[Trajec]";
@@ -12,7 +11,7 @@ static const double mahr_unit_m = 1e-3;
 
 bool scan_mahr_prf_sniff(const struct scan_bytes *file)
 {
-    return span_starts(scan_span(file), magic);
+    return string_view_starts(scan_view(file), magic);
 }
 
 enum status_code scan_mahr_prf_read(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
@@ -25,11 +24,8 @@ enum status_code scan_mahr_prf_read(struct scan *out, const struct scan_bytes *f
     if (count.overrun || !found)
         return scan_fail(status, file, 0, "no %s section: the file is cut off; export it again", trajectory);
     struct bytes bytes = bytes_begin(file, (size_t)(found - file->bytes) + MAHR_DATA_BEHIND);
-    if (scan_reserve(out, n, 1, bytes_left(&bytes) / (3 * sizeof(double)), file, status) != STATUS_OK)
+    if (scan_reserve_x(out, n, bytes_left(&bytes) / (3 * sizeof(double)), file, status) != STATUS_OK)
         return status->code;
-    out->x_m = malloc(n * sizeof *out->x_m);
-    if (!out->x_m)
-        return status_memory(status);
     for (size_t i = 0; i < n; i++)
         out->x_m[i] = bytes_f64(&bytes) * mahr_unit_m;
     bytes_skip(&bytes, n * sizeof(double)); /* y, across the profile */

@@ -4,7 +4,6 @@
 #include "scan/reader.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 static const double mahr_unit_m = 1e-3;
@@ -12,19 +11,19 @@ enum { MAHR_SHORTEST = 8 }; /* bytes of the shortest line of a point, `0=1 2 3` 
 
 bool scan_mahr_text_sniff(const struct scan_bytes *file)
 {
-    return span_starts(scan_span(file), "[PROFILE_HEADER]");
+    return string_view_starts(scan_view(file), "[PROFILE_HEADER]");
 }
 
 /* Reads `index=x y z ...`; false when the line is not of that form. */
-static bool read_point(struct span line, double *x, double *z)
+static bool read_point(struct string_view line, double *x, double *z)
 {
-    const char *equals = memchr(line.start, '=', span_length(line));
+    const char *equals = memchr(line.start, '=', string_view_length(line));
     if (!equals)
         return false;
     line.start = equals + 1;
     double value[3];
     for (size_t i = 0; i < 3; i++) {
-        struct span word;
+        struct string_view word;
         if (!scan_word(&line, &word) || !number_read(word, &value[i]))
             return false;
     }
@@ -38,9 +37,9 @@ static enum status_code read_points(struct scan *out, struct lines lines, const 
                                     struct status *status)
 {
     size_t n = 0;
-    for (struct span line; lines_next(&lines, &line);) {
-        line = span_trim(line);
-        if (line.start == line.end || span_starts(line, "//"))
+    for (struct string_view line; lines_next(&lines, &line);) {
+        line = string_view_trim(line);
+        if (line.start == line.end || string_view_starts(line, "//"))
             continue;
         if (*line.start == '[')
             break;
@@ -63,20 +62,17 @@ enum status_code scan_mahr_text_read(struct scan *out, const struct scan_bytes *
 {
     (void)options;
     size_t n = 0;
-    struct lines lines = lines_begin(scan_span(file));
-    for (struct span line; lines_next(&lines, &line);) {
-        line = span_trim(line);
-        if (span_starts(line, "NO_POINTS=") &&
-            !number_read_size((struct span){line.start + strlen("NO_POINTS="), line.end}, &n))
+    struct lines lines = lines_begin(scan_view(file));
+    for (struct string_view line; lines_next(&lines, &line);) {
+        line = string_view_trim(line);
+        if (string_view_starts(line, "NO_POINTS=") &&
+            !number_read_size((struct string_view){line.start + strlen("NO_POINTS="), line.end}, &n))
             return scan_fail(status, file, lines.number, "NO_POINTS is no number of points");
-        if (!span_equals(line, "[PROFILE_VALUES]"))
+        if (!string_view_equals(line, "[PROFILE_VALUES]"))
             continue;
         size_t room = (size_t)(lines.end - lines.next + 1) / MAHR_SHORTEST;
-        if (scan_reserve(out, n, 1, room, file, status) != STATUS_OK)
+        if (scan_reserve_x(out, n, room, file, status) != STATUS_OK)
             return status->code;
-        out->x_m = malloc(n * sizeof *out->x_m);
-        if (!out->x_m)
-            return status_memory(status);
         scan_set_units(out, "mm", "mm");
         return read_points(out, lines, file, status);
     }

@@ -19,37 +19,38 @@ static const struct {
 bool scan_nist_xml_sniff(const struct scan_bytes *file)
 {
     size_t length = file->length < NIST_SNIFF ? file->length : NIST_SNIFF;
-    return span_starts(scan_span(file), "<") && memmem(file->bytes, length, "<DATAFILE>", 10) != NULL &&
+    return string_view_starts(scan_view(file), "<") && memmem(file->bytes, length, "<DATAFILE>", 10) != NULL &&
            memmem(file->bytes, length, "DATA_POINT_VALUES", 17) != NULL;
 }
 
-static const char *find(struct span text, const char *what)
+static const char *find(struct string_view text, const char *what)
 {
-    return memmem(text.start, span_length(text), what, strlen(what));
+    return memmem(text.start, string_view_length(text), what, strlen(what));
 }
 
 /* What stands between <tag> and </tag>, the first time in `text`; empty when there is none. */
-static struct span element(struct span text, const char *tag)
+static struct string_view element(struct string_view text, const char *tag)
 {
     char open[64] = "<", close[64] = "</";
     strcat(strcat(open, tag), ">");
     strcat(strcat(close, tag), ">");
     const char *start = find(text, open);
     if (!start)
-        return (struct span){text.end, text.end};
-    struct span rest = {start + strlen(open), text.end};
+        return (struct string_view){text.end, text.end};
+    struct string_view rest = {start + strlen(open), text.end};
     const char *stop = find(rest, close);
-    return span_trim((struct span){rest.start, stop ? stop : rest.start});
+    return string_view_trim((struct string_view){rest.start, stop ? stop : rest.start});
 }
 
 enum status_code scan_nist_xml_read(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
                                     struct status *status)
 {
-    struct span text = scan_span(file), data = {text.end, text.end}, word;
+    struct string_view text = scan_view(file), data = {text.end, text.end}, word = data;
     text.start = find(text, "<DATAFILE>");
-    for (size_t i = 0; i < sizeof nist_blocks / sizeof *nist_blocks && !scan_word(&data, &word); i++) {
+    for (size_t i = 0; i < sizeof nist_blocks / sizeof *nist_blocks && word.start == word.end; i++) {
         data = element(text, nist_blocks[i].tag);
         out->format = nist_blocks[i].format;
+        (void)scan_word(&data, &word);
     }
     if (word.start == word.end)
         return scan_fail(status, file, 0, "no heights in <DATA_POINT_VALUES>");
@@ -60,10 +61,10 @@ enum status_code scan_nist_xml_read(struct scan *out, const struct scan_bytes *f
         return scan_fail(status, file, 0, "no number of points in <NUMPOINTS>");
     if (!number_read(element(text, "SPACING"), &spacing))
         return scan_fail(status, file, 0, "no spacing in <SPACING>");
-    char unit[16];
+    char unit[SCAN_UNIT_SIZE];
     scan_copy(unit, sizeof unit, element(text, "UNITS"));
     if (scan_units(out, unit, unit, &x_m, &z_m, file, options, status) != STATUS_OK ||
-        scan_reserve(out, n, 1, (span_length(data) + 1) / 2, file, status) != STATUS_OK ||
+        scan_reserve(out, n, 1, (string_view_length(data) + 1) / 2, file, status) != STATUS_OK ||
         scan_fill(out, &data, z_m, file, status) != STATUS_OK)
         return status->code;
     if (scan_word(&data, &word))

@@ -9,33 +9,32 @@ enum { NPL_SNIFF = 512 };
 
 struct npl_axis {
     size_t n;
-    double unit_m, factor;
-    const char *unit;
+    struct scan_unit unit;
+    double factor;
 };
 
 bool scan_npl_prf_sniff(const struct scan_bytes *file)
 {
-    struct span text = scan_span(file), word;
+    struct string_view text = scan_view(file), word;
     size_t length = file->length < NPL_SNIFF ? file->length : NPL_SNIFF;
-    return scan_word(&text, &word) && span_equals(word, "1") && scan_word(&text, &word) && span_equals(word, "2") &&
-           memmem(file->bytes, length, "\nCX M ", 6) != NULL;
+    return scan_word(&text, &word) && string_view_equals(word, "1") && scan_word(&text, &word) &&
+           string_view_equals(word, "2") && memmem(file->bytes, length, "\nCX M ", 6) != NULL;
 }
 
 /* `CX M 2.2401e+004 MM 1.0e+000 D`: name, M, points, unit, factor, data type. */
-static bool read_axis(struct npl_axis *axis, struct span line)
+static bool read_axis(struct npl_axis *axis, struct string_view line)
 {
-    struct span word;
+    struct string_view word;
     double n;
-    if (!scan_word(&line, &word) || !scan_word(&line, &word) || !span_equals(word, "M"))
+    if (!scan_word(&line, &word) || !scan_word(&line, &word) || !string_view_equals(word, "M"))
         return false;
     if (!scan_word(&line, &word) || !number_read(word, &n) || n < 1 || n > 1e12)
         return false;
     axis->n = (size_t)n;
     if (!scan_word(&line, &word))
         return false;
-    axis->unit = scan_unit_name(word.start, span_length(word));
-    axis->unit_m = scan_unit_m(word.start, span_length(word));
-    return axis->unit && scan_word(&line, &word) && number_read(word, &axis->factor);
+    axis->unit = scan_unit_find(word, SCAN_HEIGHT);
+    return axis->unit.name && scan_word(&line, &word) && number_read(word, &axis->factor);
 }
 
 enum status_code scan_npl_prf_read(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
@@ -45,34 +44,34 @@ enum status_code scan_npl_prf_read(struct scan *out, const struct scan_bytes *fi
     struct npl_axis x = {0}, z = {0};
     double spacing = 0;
     size_t records = 0;
-    struct lines lines = lines_begin(scan_span(file));
-    for (struct span line; records < 2 && lines_next(&lines, &line);) {
-        line = span_trim(line);
+    struct lines lines = lines_begin(scan_view(file));
+    for (struct string_view line; records < 2 && lines_next(&lines, &line);) {
+        line = string_view_trim(line);
         bool good = true;
-        if (span_equals(line, "EOR"))
+        if (string_view_equals(line, "EOR"))
             records++;
-        else if (records == 0 && span_starts(line, "CX "))
+        else if (records == 0 && string_view_starts(line, "CX "))
             good = read_axis(&x, line);
-        else if (records == 0 && span_starts(line, "CZ "))
+        else if (records == 0 && string_view_starts(line, "CZ "))
             good = read_axis(&z, line);
-        else if (records == 1 && span_starts(line, "SPACING CX "))
-            good = number_read((struct span){line.start + strlen("SPACING CX "), line.end}, &spacing);
+        else if (records == 1 && string_view_starts(line, "SPACING CX "))
+            good = number_read((struct string_view){line.start + strlen("SPACING CX "), line.end}, &spacing);
         if (!good)
             return scan_fail(status, file, lines.number, "'%s' is not as PRF has it; export the scan again",
                              scan_quote(line).text);
     }
-    if (records < 2 || !x.unit || !z.unit || !(spacing > 0))
+    if (records < 2 || !x.unit.name || !z.unit.name || !(spacing > 0))
         return scan_fail(status, file, lines.number,
                          "no CX, CZ or `SPACING CX` above the heights: only evenly spaced PRF profiles can be read");
-    struct span data = {lines.next, lines.end};
-    if (scan_reserve(out, z.n, 1, (span_length(data) + 1) / 2, file, status) != STATUS_OK ||
-        scan_fill(out, &data, z.factor * z.unit_m, file, status) != STATUS_OK)
+    struct string_view data = {lines.next, lines.end};
+    if (scan_reserve(out, z.n, 1, (string_view_length(data) + 1) / 2, file, status) != STATUS_OK ||
+        scan_fill(out, &data, z.factor * z.unit.si, file, status) != STATUS_OK)
         return status->code;
-    struct span word;
-    if (scan_word(&data, &word) && !span_equals(word, "EOR"))
+    struct string_view word;
+    if (scan_word(&data, &word) && !string_view_equals(word, "EOR"))
         return scan_fail(status, file, scan_line(file, word.start), "'%s' where the record should end (EOR)",
                          scan_quote(word).text);
-    out->dx_m = spacing * x.factor * x.unit_m;
-    scan_set_units(out, x.unit, z.unit);
+    out->dx_m = spacing * x.factor * x.unit.si;
+    scan_set_units(out, x.unit.name, z.unit.name);
     return STATUS_OK;
 }

@@ -19,9 +19,9 @@ bool scan_sdf_sniff(const struct scan_bytes *file)
 {
     if (file->length < 8 || (file->bytes[0] != 'a' && file->bytes[0] != 'b'))
         return false;
-    struct span version = {file->bytes + 1, file->bytes + file->length};
+    struct string_view version = {file->bytes + 1, file->bytes + file->length};
     for (size_t i = 0; i < sizeof sdf_versions / sizeof *sdf_versions; i++)
-        if (span_starts(version, sdf_versions[i]))
+        if (string_view_starts(version, sdf_versions[i]))
             return true;
     return false;
 }
@@ -37,7 +37,7 @@ static enum status_code take_header(struct scan *out, const struct sdf_header *h
     if (scan_reserve(out, header->nx, header->ny, room, file, status) != STATUS_OK)
         return status->code;
     out->dx_m = header->x_scale;
-    out->dy_m = out->kind == SCAN_AREAL ? header->y_scale : 0.0;
+    out->dy_m = header->y_scale;
     scan_set_units(out, "m", "m");
     return STATUS_OK;
 }
@@ -45,29 +45,20 @@ static enum status_code take_header(struct scan *out, const struct sdf_header *h
 static enum status_code read_text_header(struct sdf_header *header, struct lines *lines, const struct scan_bytes *file,
                                          struct status *status)
 {
-    struct {
-        const char *key;
-        size_t *count;
-        double *number;
-    } keys[] = {{"NumPoints", &header->nx, NULL},
-                {"NumProfiles", &header->ny, NULL},
-                {"Compression", &header->compression, NULL},
-                {"Xscale", NULL, &header->x_scale},
-                {"Yscale", NULL, &header->y_scale},
-                {"Zscale", NULL, &header->z_scale}};
-    struct span line;
+    const struct scan_key keys[] = {{"NumPoints", .count = &header->nx},
+                                    {"NumProfiles", .count = &header->ny},
+                                    {"Compression", .count = &header->compression},
+                                    {"Xscale", .number = &header->x_scale},
+                                    {"Yscale", .number = &header->y_scale},
+                                    {"Zscale", .number = &header->z_scale},
+                                    {0}};
+    struct string_view line;
     lines_next(lines, &line); /* the version */
     while (lines_next(lines, &line)) {
-        if (span_equals(span_trim(line), "*"))
+        if (string_view_equals(string_view_trim(line), "*"))
             return STATUS_OK;
-        const char *equals = memchr(line.start, '=', span_length(line));
-        struct span key = span_trim((struct span){line.start, equals ? equals : line.start});
-        struct span value = {equals ? equals + 1 : line.end, line.end};
-        for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
-            if (span_equals(key, keys[i].key) &&
-                !(keys[i].count ? number_read_size(value, keys[i].count) : number_read(value, keys[i].number)))
-                return scan_fail(status, file, lines->number, "%s = '%s' is no number it can have", keys[i].key,
-                                 scan_quote(span_trim(value)).text);
+        if (scan_take_key(keys, line, lines->number, file, status) != STATUS_OK)
+            return status->code;
     }
     return scan_fail(status, file, lines->number, "no line `*` between header and heights");
 }
@@ -75,11 +66,11 @@ static enum status_code read_text_header(struct sdf_header *header, struct lines
 static enum status_code read_text(struct scan *out, const struct scan_bytes *file, struct status *status)
 {
     struct sdf_header header = {0};
-    struct lines lines = lines_begin(scan_span(file));
+    struct lines lines = lines_begin(scan_view(file));
     if (read_text_header(&header, &lines, file, status) != STATUS_OK)
         return status->code;
-    struct span data = {lines.next, lines.end}, word;
-    if (take_header(out, &header, (span_length(data) + 1) / 2, file, status) != STATUS_OK ||
+    struct string_view data = {lines.next, lines.end}, word;
+    if (take_header(out, &header, (string_view_length(data) + 1) / 2, file, status) != STATUS_OK ||
         scan_fill(out, &data, header.z_scale, file, status) != STATUS_OK)
         return status->code;
     if (scan_word(&data, &word) && *word.start != '*')
@@ -93,7 +84,7 @@ static enum status_code read_text(struct scan *out, const struct scan_bytes *fil
  * missing anyway) for the other types. */
 static double missing_mark(size_t type)
 {
-    static const double marks[BYTES_TYPES] = {NAN, UINT16_MAX, UINT32_MAX, NAN, NAN, INT16_MIN, INT32_MIN, NAN};
+    static const double marks[BYTES_COUNT] = {NAN, UINT16_MAX, UINT32_MAX, NAN, NAN, INT16_MIN, INT32_MIN, NAN};
     return marks[type];
 }
 
@@ -107,12 +98,12 @@ static enum status_code read_binary(struct scan *out, const struct scan_bytes *f
     header.y_scale = bytes_f64(&bytes);
     header.z_scale = bytes_f64(&bytes);
     (void)bytes_f64(&bytes); /* resolution */
-    header.compression = (size_t)bytes_number(&bytes, BYTES_U8);
-    header.type = (size_t)bytes_number(&bytes, BYTES_U8);
+    header.compression = bytes_u8(&bytes);
+    header.type = bytes_u8(&bytes);
     bytes_skip(&bytes, 1); /* kind of check sum */
     if (bytes.overrun)
         return scan_fail(status, file, 0, "the file ends within its header of %d bytes", SDF_BINARY_HEADER);
-    if (header.type >= BYTES_TYPES)
+    if (header.type >= BYTES_COUNT)
         return scan_fail(status, file, 0, "data type %zu is none of ISO 25178-71", header.type);
     enum bytes_type type = (enum bytes_type)header.type;
     if (take_header(out, &header, bytes_left(&bytes) / bytes_size(type), file, status) != STATUS_OK)

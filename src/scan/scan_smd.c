@@ -11,81 +11,81 @@ static const char etx = 3;
 struct smd_axis {
     char type; /* 'I': evenly spaced, 'A': stored point by point */
     size_t n;
-    const char *unit;
-    double unit_m, scale, increment;
+    struct scan_unit unit;
+    double scale, increment;
 };
 
 bool scan_smd_sniff(const struct scan_bytes *file)
 {
-    return span_starts(scan_span(file), "ISO 5436") && memchr(file->bytes, etx, file->length) != NULL;
+    return string_view_starts(scan_view(file), "ISO 5436") && memchr(file->bytes, etx, file->length) != NULL;
 }
 
 /* Cuts the next field off a header line: NUL and blanks separate. */
-static bool next_field(struct span *line, struct span *field)
+static bool next_field(struct string_view *line, struct string_view *field)
 {
-    while (line->start < line->end && (*line->start == '\0' || span_is_blank_char(*line->start)))
+    while (line->start < line->end && (*line->start == '\0' || string_view_is_blank_char(*line->start)))
         line->start++;
     field->start = line->start;
-    while (line->start < line->end && *line->start != '\0' && !span_is_blank_char(*line->start))
+    while (line->start < line->end && *line->start != '\0' && !string_view_is_blank_char(*line->start))
         line->start++;
     field->end = line->start;
     return field->end > field->start;
 }
 
 /* `CX I n unit scale type increment`, what is behind the name. */
-static bool read_axis(struct smd_axis *axis, struct span line)
+static bool read_axis(struct smd_axis *axis, struct string_view line)
 {
-    struct span field;
+    struct string_view field;
     if (!next_field(&line, &field))
         return false;
     axis->type = *field.start;
     if (!next_field(&line, &field) || !number_read_size(field, &axis->n) || !next_field(&line, &field))
         return false;
-    axis->unit = scan_unit_name(field.start, span_length(field));
-    axis->unit_m = scan_unit_m(field.start, span_length(field));
-    if (!axis->unit || !next_field(&line, &field) || !number_read(field, &axis->scale) || !next_field(&line, &field))
+    axis->unit = scan_unit_find(field, SCAN_HEIGHT);
+    if (!axis->unit.name || !next_field(&line, &field) || !number_read(field, &axis->scale) ||
+        !next_field(&line, &field))
         return false;
     return axis->type != 'I' || (next_field(&line, &field) && number_read(field, &axis->increment));
 }
 
 /* The next record of `rest`, without its ETX and the line end behind that. */
-static struct span next_record(struct span *rest)
+static struct string_view next_record(struct string_view *rest)
 {
-    struct span record = *rest;
-    const char *stop = memchr(rest->start, etx, span_length(*rest));
+    struct string_view record = *rest;
+    const char *stop = memchr(rest->start, etx, string_view_length(*rest));
     record.end = stop ? stop : rest->end;
     rest->start = stop ? stop + 1 : rest->end;
     return record;
 }
 
-static enum status_code read_header(struct smd_axis axis[3], struct span header, const struct scan_bytes *file,
+static enum status_code read_header(struct smd_axis axis[3], struct string_view header, const struct scan_bytes *file,
                                     struct status *status)
 {
     struct lines lines = lines_begin(header);
-    for (struct span line; lines_next(&lines, &line);) {
-        struct span field;
-        if (lines.number < 3 || !next_field(&line, &field) || span_length(field) != 2 || *field.start != 'C')
+    for (struct string_view line; lines_next(&lines, &line);) {
+        struct string_view field;
+        if (lines.number < 3 || !next_field(&line, &field) || string_view_length(field) != 2 || *field.start != 'C')
             continue;
         const char *name = strchr("XYZ", field.start[1]);
         if (!name || !*name || !read_axis(&axis[name - "XYZ"], line))
             return scan_fail(status, file, lines.number, "axis '%s' is not as ISO 5436-2 has it; export the scan again",
                              scan_quote(field).text);
     }
-    if (!axis[0].unit || !axis[2].unit)
+    if (!axis[0].unit.name || !axis[2].unit.name)
         return scan_fail(status, file, 0, "no axes CX and CZ in the header");
-    if (axis[0].type != 'I' || (axis[1].unit && axis[1].type != 'I') || axis[2].type != 'A')
+    if (axis[0].type != 'I' || (axis[1].unit.name && axis[1].type != 'I') || axis[2].type != 'A')
         return scan_fail(status, file, 0, "positions stored point by point: only evenly spaced SMD scans can be read");
     return STATUS_OK;
 }
 
-static void compare_checksum(struct scan *out, struct span text, const char *end, const char *start)
+static void compare_checksum(struct scan *out, struct string_view text, const char *end, const char *start)
 {
     unsigned sum = 0;
     size_t stored;
     for (const char *at = start; at < text.start; at++)
         sum = (sum + (unsigned char)*at) & 0xffff;
-    struct span word;
-    if (scan_word(&(struct span){text.start, end}, &word) && number_read_size(word, &stored) && stored != sum)
+    struct string_view word;
+    if (scan_word(&(struct string_view){text.start, end}, &word) && number_read_size(word, &stored) && stored != sum)
         scan_warn(out, "the checksum is %u, the file says %zu: it was changed after it was written", sum, stored);
 }
 
@@ -94,23 +94,23 @@ enum status_code scan_smd_read(struct scan *out, const struct scan_bytes *file, 
 {
     (void)options;
     struct smd_axis axis[3] = {0};
-    struct span rest = scan_span(file);
-    struct span header = next_record(&rest);
+    struct string_view rest = scan_view(file);
+    struct string_view header = next_record(&rest);
     (void)next_record(&rest); /* remarks */
-    struct span heights = next_record(&rest);
+    struct string_view heights = next_record(&rest);
     if (read_header(axis, header, file, status) != STATUS_OK)
         return status->code;
-    size_t nx = axis[0].n, ny = axis[1].unit ? axis[1].n : 1;
-    if (scan_reserve(out, nx, ny, (span_length(heights) + 1) / 2, file, status) != STATUS_OK ||
-        scan_fill(out, &heights, axis[2].scale * axis[2].unit_m, file, status) != STATUS_OK)
+    size_t nx = axis[0].n, ny = axis[1].unit.name ? axis[1].n : 1;
+    if (scan_reserve(out, nx, ny, (string_view_length(heights) + 1) / 2, file, status) != STATUS_OK ||
+        scan_fill(out, &heights, axis[2].scale * axis[2].unit.si, file, status) != STATUS_OK)
         return status->code;
-    struct span word;
+    struct string_view word;
     if (scan_word(&heights, &word))
         return scan_fail(status, file, scan_line(file, word.start), "more heights than the header says, %zu x %zu", nx,
                          ny);
-    out->dx_m = axis[0].increment * axis[0].scale * axis[0].unit_m;
-    out->dy_m = out->kind == SCAN_AREAL ? axis[1].increment * axis[1].scale * axis[1].unit_m : 0.0;
-    scan_set_units(out, axis[0].unit, axis[2].unit);
+    out->dx_m = axis[0].increment * axis[0].scale * axis[0].unit.si;
+    out->dy_m = axis[1].increment * axis[1].scale * axis[1].unit.si;
+    scan_set_units(out, axis[0].unit.name, axis[2].unit.name);
     while (rest.start < rest.end && (*rest.start == '\r' || *rest.start == '\n'))
         rest.start++;
     compare_checksum(out, rest, file->bytes + file->length, file->bytes);

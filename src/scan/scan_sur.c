@@ -22,7 +22,7 @@ struct sur_header {
 
 bool scan_sur_sniff(const struct scan_bytes *file)
 {
-    return span_starts(scan_span(file), plain) || span_starts(scan_span(file), compressed);
+    return string_view_starts(scan_view(file), plain) || string_view_starts(scan_view(file), compressed);
 }
 
 static bool read_header(struct sur_header *header, struct bytes *bytes)
@@ -104,7 +104,7 @@ static enum status_code take_heights(struct scan *out, const struct sur_header *
     }
     double y_m = scan_unit_m(header->unit[1], strlen(header->unit[1]));
     out->dx_m = header->step[0] * x_m;
-    out->dy_m = out->kind == SCAN_AREAL ? header->step[1] * (y_m > 0 ? y_m : x_m) : 0.0;
+    out->dy_m = header->step[1] * (y_m > 0 ? y_m : x_m);
     if (header->objects > 1)
         scan_warn(out, "the file holds %d objects: only the first was read", header->objects);
     return STATUS_OK;
@@ -125,7 +125,7 @@ enum status_code scan_sur_read(struct scan *out, const struct scan_bytes *file, 
     if (header.bits != 16 && header.bits != 32)
         return scan_fail(status, file, 0, "%d bits a point: only 16 and 32 can be read", header.bits);
     bytes_skip(&bytes, header.remarks);
-    if (span_starts(scan_span(file), plain))
+    if (string_view_starts(scan_view(file), plain))
         return take_heights(out, &header, bytes, file, options, status);
     char *data = NULL;
     size_t size = 0;

@@ -17,8 +17,8 @@ struct surfer_grid {
 
 bool scan_surfer_sniff(const struct scan_bytes *file)
 {
-    struct span text = scan_span(file);
-    return span_starts(text, "DSAA") || span_starts(text, "DSBB") || span_starts(text, "DSRB");
+    struct string_view text = scan_view(file);
+    return string_view_starts(text, "DSAA") || string_view_starts(text, "DSBB") || string_view_starts(text, "DSRB");
 }
 
 static enum status_code take_grid(struct scan *out, const struct surfer_grid *grid, size_t room, double *z_m,
@@ -30,7 +30,7 @@ static enum status_code take_grid(struct scan *out, const struct surfer_grid *gr
         scan_reserve(out, grid->nx, grid->ny, room, file, status) != STATUS_OK)
         return status->code;
     out->dx_m = grid->dx * x_m;
-    out->dy_m = out->kind == SCAN_AREAL ? grid->dy * x_m : 0.0;
+    out->dy_m = grid->dy * x_m;
     return STATUS_OK;
 }
 
@@ -48,7 +48,7 @@ static double step(double low, double high, size_t n)
 static enum status_code read_text(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
                                   struct status *status)
 {
-    struct span text = {file->bytes + 4, file->bytes + file->length}, word;
+    struct string_view text = {file->bytes + 4, file->bytes + file->length}, word;
     double head[8], z_m; /* nx ny xlo xhi ylo yhi zlo zhi */
     for (size_t i = 0; i < 8; i++)
         if (!scan_word(&text, &word) || !number_read(word, &head[i]))
@@ -59,7 +59,7 @@ static enum status_code read_text(struct scan *out, const struct scan_bytes *fil
     struct surfer_grid grid = {(size_t)head[0], (size_t)head[1], 0, 0, surfer_blank};
     grid.dx = step(head[2], head[3], grid.nx);
     grid.dy = step(head[4], head[5], grid.ny);
-    if (take_grid(out, &grid, (span_length(text) + 1) / 2, &z_m, file, options, status) != STATUS_OK ||
+    if (take_grid(out, &grid, (string_view_length(text) + 1) / 2, &z_m, file, options, status) != STATUS_OK ||
         scan_fill(out, &text, 1.0, file, status) != STATUS_OK)
         return status->code;
     blank_out(out, grid.blank, z_m);
@@ -123,8 +123,8 @@ static enum status_code read_version7(struct scan *out, const struct scan_bytes 
 enum status_code scan_surfer_read(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
                                   struct status *status)
 {
-    if (span_starts(scan_span(file), "DSAA"))
+    if (string_view_starts(scan_view(file), "DSAA"))
         return read_text(out, file, options, status);
-    return span_starts(scan_span(file), "DSBB") ? read_version6(out, file, options, status)
-                                                : read_version7(out, file, options, status);
+    return string_view_starts(scan_view(file), "DSBB") ? read_version6(out, file, options, status)
+                                                       : read_version7(out, file, options, status);
 }

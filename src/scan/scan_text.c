@@ -1,25 +1,56 @@
 /* Text scans: x and z, perhaps with an index or other columns beside them; heights below a line that names the spacing;
- * and maps (text_grid.h). */
+ * and maps: x y z lists on a grid, and matrices of heights with their pixel size. */
 #include "scan/number.h"
 #include "scan/reader.h"
 #include "scan/sidecar.h"
-#include "scan/text_grid.h"
-#include "scan/text_header.h"
-#include "scan/text_table.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { TEXT_SNIFF = 4096, TEXT_POINTS = 3, TEXT_MOST_COLUMNS = 8 };
+enum {
+    TEXT_SNIFF = 4096,
+    TEXT_POINTS = 3,
+    TEXT_MOST_COLUMNS = 8, /* of numbers beside x; more are a map */
+    TEXT_COLUMNS = 65536   /* wider than any areal map; bounds the first row, whose width nothing else bounds */
+};
 
-/* Values instruments write where they measured nothing (-25400 um is one inch below). They count as missing only where
- * every other height is far smaller. */
-static const double sentinels[] = {-25400, -32768, -99999, -9999};
-static const double sentinel_distance = 4;
+/* The numbers of a text file: rows of one or more columns, with whatever lines stand above them. */
+struct table {
+    struct string_view text;     /* the file without byte order mark and end-of-file marks */
+    struct string_view preamble; /* the lines above the first row of numbers */
+    char delimiter;              /* ',' ';' '\t' or ' ' (any run of blanks) */
+    size_t rows, columns;
+    double *cell;                 /* rows x columns */
+    size_t first_line, last_line; /* where the rows are, counted from 1 */
+    struct string_view missing;   /* the first cell that says NaN or BAD, which `cell` has as NaN */
+    size_t missing_line;          /* and its line, 0 when there is none */
+    struct text_header header;    /* of the preamble */
+    const struct scan_bytes *file;
+    const struct scan_options *options;
+};
+
+/* Text that goes by another name. */
+static const struct {
+    const char *start, *name;
+} text_names[] = {
+    {"Scan Parameters", "dektak"}, /* Bruker CSV: keys, titles with units, x and z */
+    {"X;Y;valid", "hommel"},       /* x, z and 1 where the point is valid */
+};
+
+/* The file's name among those, else `other`. */
+static const char *name_of(const struct scan_bytes *file, const char *other)
+{
+    for (size_t i = 0; i < sizeof text_names / sizeof *text_names; i++)
+        if (string_view_starts(scan_view(file), text_names[i].start))
+            return text_names[i].name;
+    return other;
+}
 
 bool scan_text_sniff(const struct scan_bytes *file)
 {
+    if (name_of(file, NULL))
+        return true;
     size_t length = file->length < TEXT_SNIFF ? file->length : TEXT_SNIFF;
     for (size_t i = 0; i < length; i++) {
         unsigned char c = (unsigned char)file->bytes[i];
@@ -28,6 +59,233 @@ bool scan_text_sniff(const struct scan_bytes *file)
     }
     return true;
 }
+
+/* One row while it is read. */
+struct row {
+    double *cell; /* room for `room` numbers, or NULL just to count */
+    size_t room;
+    size_t count;               /* cells met, trailing empty ones aside */
+    unsigned decimal;           /* decimal signs met */
+    struct string_view bad;     /* the first cell that is no finite number */
+    struct string_view missing; /* the first cell that says that nothing was measured */
+    size_t numbers;             /* cells that are numbers */
+};
+
+/* Reads the cells of `line`; false at the first that is no number. */
+static bool read_row(struct row *row, struct string_view line, char delimiter)
+{
+    /* in a file separated by commas a comma is no decimal sign */
+    unsigned allowed = delimiter == ',' ? NUMBER_POINT : NUMBER_POINT | NUMBER_COMMA;
+    size_t cells = 0;
+    row->count = 0;
+    for (struct string_view cell; cell_next(&line, delimiter, &cell); cells++) {
+        if (cell.start == cell.end)
+            continue;
+        double value = NAN;
+        bool good = number_scan(cell, allowed, &row->decimal, &value) == cell.end && isfinite(value);
+        row->numbers += good ? 1 : 0;
+        if (!good && scan_is_missing(cell)) {
+            row->missing = row->missing.start ? row->missing : cell;
+            value = NAN;
+            good = true;
+        }
+        if (!good || cells != row->count) {
+            row->bad = cell;
+            return false;
+        }
+        if (row->count < row->room)
+            row->cell[row->count] = value;
+        row->count++;
+    }
+    return row->count > 0;
+}
+
+/* The delimiter with which `line` is a row of numbers; 0 when it is none. "0,5 1,2" has blanks between decimal commas;
+ * "0,5" is two columns, since a single column with decimal commas cannot be told from that. */
+static char find_delimiter(struct string_view line, size_t *columns)
+{
+    static const struct {
+        char delimiter;
+        size_t least; /* columns */
+    } ways[] = {{'\t', 2}, {';', 1}, {' ', 2}, {',', 1}, {' ', 1}};
+    for (size_t i = 0; i < sizeof ways / sizeof *ways; i++) {
+        char delimiter = ways[i].delimiter;
+        if (delimiter != ' ' && !memchr(line.start, delimiter, string_view_length(line)))
+            continue;
+        struct row row = {0};
+        if (read_row(&row, line, delimiter) && row.count >= ways[i].least && (row.numbers > 0 || row.count > 2)) {
+            *columns = row.count;
+            return delimiter;
+        }
+    }
+    return 0;
+}
+
+static struct string_view text_of(const struct scan_bytes *file)
+{
+    struct string_view text = scan_view(file);
+    if (string_view_starts(text, "\xEF\xBB\xBF"))
+        text.start += 3;
+    while (text.end > text.start && (text.end[-1] == '\0' || text.end[-1] == 0x1A))
+        text.end--;
+    return text;
+}
+
+/* Room for one row more; the first guess is as many rows as fit when all are as long as the first. */
+static bool reserve(struct table *table, size_t *capacity, size_t line_length)
+{
+    if (table->rows < *capacity)
+        return true;
+    size_t rows = *capacity ? 2 * *capacity : string_view_length(table->text) / (line_length + 1) + 16;
+    double *cell = reallocarray(table->cell, rows, table->columns * sizeof *cell);
+    if (!cell)
+        return false;
+    table->cell = cell;
+    *capacity = rows;
+    return true;
+}
+
+static enum status_code fail_cell(const struct table *table, struct string_view cell, size_t line,
+                                  struct status *status)
+{
+    return scan_fail(status, table->file, line, "'%s' in a column of numbers; correct or remove this line",
+                     scan_quote(cell).text);
+}
+
+static enum status_code fail_row(const struct table *table, const struct row *row, size_t line, struct status *status)
+{
+    if (row->bad.start)
+        return fail_cell(table, row->bad, line, status);
+    return scan_fail(status, table->file, line, "%zu columns where line %zu has %zu; correct or remove this line",
+                     row->count, table->first_line, table->columns);
+}
+
+/* Is `content`, trimmed and not empty, a comment below the first row? */
+static bool is_comment(const struct table *table, struct string_view content)
+{
+    char first = *content.start;
+    bool comment = false;
+    if (first == '#' || first == '%' || first == '/' || (first == ';' && table->delimiter != ';'))
+        (void)text_header_uncomment(content, &comment);
+    return comment;
+}
+
+/* The rows from `lines` on; the first is there already known to be one. */
+static enum status_code read_rows(struct table *table, struct lines lines, struct status *status)
+{
+    size_t capacity = 0, blank = 0;
+    unsigned decimal = 0;
+    for (struct string_view line; lines_next(&lines, &line);) {
+        struct string_view content = string_view_trim(line);
+        if (content.start == content.end) {
+            blank = blank ? blank : lines.number;
+            continue;
+        }
+        if (is_comment(table, content))
+            continue;
+        if (blank && table->columns == 1)
+            return scan_fail(status, table->file, blank,
+                             "a blank line among the heights; remove it, or fill in the height");
+        if (!reserve(table, &capacity, string_view_length(line)))
+            return status_memory(status);
+        struct row row = {.cell = table->cell + table->rows * table->columns, .room = table->columns};
+        if (!read_row(&row, table->delimiter == ' ' ? content : line, table->delimiter) || row.count != table->columns)
+            return fail_row(table, &row, lines.number, status);
+        decimal |= row.decimal;
+        if (decimal == (NUMBER_POINT | NUMBER_COMMA))
+            return scan_fail(status, table->file, lines.number,
+                             "both '.' and ',' as decimal signs; use one of them, and no thousands separator");
+        if (row.missing.start && table->missing_line == 0) {
+            table->missing = row.missing;
+            table->missing_line = lines.number;
+        }
+        table->last_line = lines.number;
+        table->rows++;
+    }
+    return STATUS_OK;
+}
+
+/* Is `line`, which stands right above the first row, a row with a damaged cell? It begins with a number, unlike titles
+ * and keys. Between blanks anything may stand there (`4000 points`). */
+static bool is_damaged_row(const struct table *table, struct string_view line, struct row *row)
+{
+    struct string_view rest = line, cell;
+    size_t cells = 0;
+    double value;
+    if (table->delimiter == ' ' || !cell_next(&rest, table->delimiter, &cell) || !number_read(cell, &value))
+        return false;
+    for (rest = line; cell_next(&rest, table->delimiter, &cell);)
+        cells++;
+    return cells == table->columns && table->columns > 1 && !read_row(row, line, table->delimiter);
+}
+
+/* Finds the first line that is a row of numbers and reads from there to the end; comments and, with two columns or
+ * more, blank lines are passed over. */
+static enum status_code read_table(struct table *table, struct status *status)
+{
+    table->text = text_of(table->file);
+    struct lines lines = lines_begin(table->text), before = lines;
+    struct string_view above = {NULL, NULL};
+    size_t above_line = 0;
+    for (struct string_view line; lines_next(&lines, &line); before = lines) {
+        bool comment;
+        struct string_view content = text_header_uncomment(line, &comment);
+        if (comment || content.start == content.end)
+            continue;
+        table->delimiter = find_delimiter(line, &table->columns);
+        if (!table->delimiter) {
+            above = line;
+            above_line = lines.number;
+            continue;
+        }
+        struct row row = {0};
+        if (above_line > 0 && above_line == lines.number - 1 && is_damaged_row(table, above, &row))
+            return fail_row(table, &row, above_line, status);
+        if (table->columns > TEXT_COLUMNS)
+            return scan_fail(status, table->file, lines.number, "%zu columns; at most %d can be read", table->columns,
+                             TEXT_COLUMNS);
+        table->first_line = lines.number;
+        table->preamble = (struct string_view){table->text.start, before.next};
+        table->header = text_header_read(table->preamble, table->delimiter, table->columns);
+        return read_rows(table, before, status);
+    }
+    return scan_fail(status, table->file, 0, "no line of numbers in it: not a scan");
+}
+
+bool scan_text_read_keys(struct text_header *out, const struct scan_bytes *file)
+{
+    struct table table = {.file = file};
+    struct status ignored = {0};
+    if (!scan_text_sniff(file))
+        return false;
+    bool rows = read_table(&table, &ignored) == STATUS_OK || table.columns > 0;
+    free(table.cell);
+    return !rows && text_header_add(out, table.text);
+}
+
+/* The line of row `row` (from 0). */
+static size_t line_of_row(const struct table *table, size_t row)
+{
+    struct lines lines = lines_begin(table->text);
+    for (struct string_view line; lines_next(&lines, &line);) {
+        struct string_view content = string_view_trim(line);
+        if (lines.number < table->first_line || content.start == content.end || is_comment(table, content))
+            continue;
+        if (row-- == 0)
+            return lines.number;
+    }
+    return table->last_line;
+}
+
+static double at(const struct table *table, size_t row, size_t column)
+{
+    return table->cell[row * table->columns + column];
+}
+
+/* Values instruments write where they measured nothing (-25400 um is one inch below). They count as missing only where
+ * every other height is far smaller. */
+static const double sentinels[] = {-25400, -32768, -99999, -9999};
+static const double sentinel_distance = 4;
 
 static bool is_mark(double height, double mark)
 {
@@ -55,7 +313,7 @@ static void mark_sentinels(struct scan *out)
 }
 
 /* Hands the table's first `rows` numbers, the heights by now, over to the scan. */
-static void keep_heights(struct scan *out, struct text_table *table, size_t rows)
+static void keep_heights(struct scan *out, struct table *table, size_t rows)
 {
     out->z_m = table->cell;
     out->nx = rows;
@@ -66,7 +324,7 @@ static void keep_heights(struct scan *out, struct text_table *table, size_t rows
 }
 
 /* Accretech and Surfcom write the length in mm and the number of heights above the heights in um. */
-static bool is_accretech(const struct text_table *table)
+static bool is_accretech(const struct table *table)
 {
     return table->rows >= TEXT_POINTS + 2 && table->cell[0] > 0 && table->cell[1] == (double)(table->rows - 2);
 }
@@ -76,13 +334,12 @@ static bool is_given(const char *text)
     return text && *text;
 }
 
-static enum status_code take_accretech(struct scan *out, struct text_table *table, const struct scan_bytes *file,
-                                       const struct scan_options *options, struct status *status)
+static enum status_code take_accretech(struct scan *out, struct table *table, struct status *status)
 {
     double x_m, z_m;
-    bool said = is_given(options->x_unit) && is_given(options->z_unit);
-    if (scan_units(out, is_given(options->x_unit) ? "" : "mm", is_given(options->z_unit) ? "" : "um", &x_m, &z_m, file,
-                   options, status) != STATUS_OK)
+    bool x_given = is_given(table->options->x_unit), z_given = is_given(table->options->z_unit);
+    if (scan_units(out, x_given ? "" : "mm", z_given ? "" : "um", &x_m, &z_m, table->file, table->options, status) !=
+        STATUS_OK)
         return status->code;
     size_t n = table->rows - 2;
     out->format = "accretech";
@@ -90,56 +347,68 @@ static enum status_code take_accretech(struct scan *out, struct text_table *tabl
     for (size_t i = 0; i < n; i++)
         table->cell[i] = table->cell[i + 2] * z_m;
     keep_heights(out, table, n);
-    if (!said)
+    if (!x_given || !z_given)
         scan_warn(out, "the file names no units: length taken as %s and heights as %s, as Accretech writes them",
                   out->x_unit, out->z_unit);
     return STATUS_OK;
 }
 
+/* scan_units() with what the header says of out->x_column and out->z_column; `x_unit` (NULL: none) goes before that. */
+static enum status_code take_units(struct scan *out, const struct table *table, const char *x_unit, double *x_m,
+                                   double *z_m, struct status *status)
+{
+    const struct text_header *header = &table->header;
+    bool slope = text_header_is_slope(header, out->z_column);
+    x_unit = x_unit ? x_unit : text_header_x_unit(header, out->x_column);
+    const char *z_unit = text_header_z_unit(header, out->z_column, slope);
+    out->quantity = slope ? SCAN_SLOPE : SCAN_HEIGHT;
+    if (scan_units(out, x_unit, z_unit, x_m, z_m, table->file, table->options, status) != STATUS_OK)
+        return status->code;
+    if (header->all_unit && x_unit == header->all_unit && z_unit == header->all_unit)
+        scan_warn(out, "the file names one unit for x and z alike, %s", out->x_unit);
+    return STATUS_OK;
+}
+
 /* Column `z` alone, at the spacing that the header names. */
-static enum status_code take_heights(struct scan *out, struct text_table *table, const struct text_header *header,
-                                     size_t z, const struct scan_bytes *file, const struct scan_options *options,
-                                     struct status *status)
+static enum status_code take_heights(struct scan *out, struct table *table, size_t z, struct status *status)
 {
     double x_m, z_m;
     out->z_column = z + 1;
-    if (table->columns == 1 && header->spacing.value <= 0 && is_accretech(table))
-        return take_accretech(out, table, file, options, status);
-    if (header->spacing.value <= 0)
-        return scan_fail(status, file, table->first_line,
+    if (table->columns == 1 && table->header.spacing.value <= 0 && is_accretech(table))
+        return take_accretech(out, table, status);
+    if (table->header.spacing.value <= 0)
+        return scan_fail(status, table->file, table->first_line,
                          "one column is heights only: no spacing; add a line `spacing 0.5 um` above the numbers, or a "
                          "column x");
-    if (text_header_units(out, header, header->spacing.unit, &x_m, &z_m, file, options, status) != STATUS_OK)
+    if (take_units(out, table, table->header.spacing.unit, &x_m, &z_m, status) != STATUS_OK)
         return status->code;
-    out->dx_m = header->spacing.value * x_m;
+    out->dx_m = table->header.spacing.value * x_m;
     for (size_t i = 0; i < table->rows; i++)
         table->cell[i] = table->cell[i * table->columns + z] * z_m;
     keep_heights(out, table, table->rows);
     return STATUS_OK;
 }
 
-static enum status_code fail_disorder(const struct text_table *table, const double *x, size_t bad,
-                                      const struct scan_bytes *file, struct status *status)
+static enum status_code fail_disorder(const struct table *table, const double *x, size_t bad, struct status *status)
 {
     bool repeated = bad > 0 && x[bad] == x[bad - 1];
-    return scan_fail(status, file, text_table_line(table, bad), "x %s; x has to go one way: sort or remove points%s",
+    return scan_fail(status, table->file, line_of_row(table, bad), "x %s; x has to go one way: sort or remove points%s",
                      repeated ? "is that of the point before" : "turns back",
                      table->delimiter == ',' ? ", or separate the columns by semicolons if the commas are decimal signs"
                                              : "");
 }
 
 /* The scan in columns `x` and `z`, without the points that the header's column `valid` marks by 0. */
-static enum status_code take_points(struct scan *out, struct text_table *table, const struct text_header *header,
-                                    size_t x, size_t z, const struct scan_bytes *file,
-                                    const struct scan_options *options, struct status *status)
+static enum status_code take_points(struct scan *out, struct table *table, size_t x, size_t z, struct status *status)
 {
+    const struct text_header *header = &table->header;
     double x_m, z_m;
     size_t rows = table->rows, columns = table->columns;
     if (z >= columns)
-        return scan_fail(status, file, table->first_line, "no column of heights beside x");
+        return scan_fail(status, table->file, table->first_line, "no column of heights beside x");
     out->x_column = x + 1;
     out->z_column = z + 1;
-    if (text_header_units(out, header, NULL, &x_m, &z_m, file, options, status) != STATUS_OK)
+    if (take_units(out, table, NULL, &x_m, &z_m, status) != STATUS_OK)
         return status->code;
     out->x_m = malloc(rows * sizeof *out->x_m);
     if (!out->x_m)
@@ -152,157 +421,268 @@ static enum status_code take_points(struct scan *out, struct text_table *table, 
     }
     size_t bad = scan_disorder(out->x_m, rows);
     if (bad < rows)
-        return fail_disorder(table, out->x_m, bad, file, status);
+        return fail_disorder(table, out->x_m, bad, status);
     keep_heights(out, table, rows);
     const char *unit = header->spacing.unit ? header->spacing.unit : out->x_unit;
     if (header->spacing.value > 0)
         out->nominal_dx_m = header->spacing.value * scan_unit_m(unit, strlen(unit));
-    if (columns > (header->valid < columns ? 3 : 2) && !is_given(options->z_column))
+    if (columns > (header->valid < columns ? 3 : 2) && !is_given(table->options->z_column))
         scan_warn(out, "%zu columns: column %zu read as x, column %zu as z, the others ignored", columns, x + 1, z + 1);
     return STATUS_OK;
 }
 
-static bool goes_one_way(const struct text_table *table, size_t column)
+static bool goes_one_way(const struct table *table, size_t column)
 {
-    bool up = table->cell[table->columns + column] > table->cell[column];
+    bool up = at(table, 1, column) > at(table, 0, column);
     for (size_t i = 1; i < table->rows; i++) {
-        const double *row = table->cell + i * table->columns + column, *before = row - table->columns;
-        if (!(up ? *row > *before : *row < *before))
+        double here = at(table, i, column), before = at(table, i - 1, column);
+        if (!(up ? here > before : here < before))
             return false;
     }
     return true;
 }
 
-static bool counts_up(const struct text_table *table)
+static bool counts_up(const struct table *table)
 {
     double first = table->cell[0];
     for (size_t i = 0; i < table->rows; i++)
-        if (table->cell[i * table->columns] != first + (double)i)
+        if (at(table, i, 0) != first + (double)i)
             return false;
     return first == 0 || first == 1;
 }
 
 /* Does the first column have even steps, or what rounding to the last digit leaves of them? */
-static bool has_even_steps(const struct text_table *table)
+static bool has_even_steps(const struct table *table)
 {
-    double first = table->cell[0], last = table->cell[(table->rows - 1) * table->columns];
+    double first = table->cell[0], last = at(table, table->rows - 1, 0);
     double step = (last - first) / (double)(table->rows - 1);
     for (size_t i = 1; i < table->rows; i++)
-        if (!(fabs(table->cell[i * table->columns] - (first + (double)i * step)) <= 0.5 * fabs(step)))
+        if (!(fabs(at(table, i, 0) - (first + (double)i * step)) <= 0.5 * fabs(step)))
             return false;
     return step != 0;
 }
 
 /* The column that is x: the first, unless that counts the points, or is the only one of three without a unit. */
-static size_t find_x(const struct text_table *table, const struct text_header *header,
-                     const struct scan_options *options)
+static size_t find_x(const struct table *table)
 {
-    bool first_named = header->unit[0] || (options->sidecar && options->sidecar->header.unit[0]);
+    const struct text_header *header = &table->header;
+    bool first_named = header->unit[0] || (table->options->sidecar && table->options->sidecar->header.unit[0]);
     if (table->columns < 3 || header->valid <= 2 || first_named || !goes_one_way(table, 1))
         return 0;
     return (header->unit[1] && header->unit[2]) || counts_up(table) ? 1 : 0;
 }
 
 /* Rows of heights? Where the header does not say so, only where the first column cannot be x. */
-static bool is_matrix(const struct text_table *table, const struct text_header *header)
+static bool is_matrix(const struct table *table)
 {
+    const struct text_header *header = &table->header;
     bool said = header->pixel.value > 0 || (header->width.value > 0 && header->height.value > 0);
     if (table->columns < 4 || table->rows < 2 || header->unit[0])
         return false;
     return said || (!has_even_steps(table) && (table->columns > TEXT_MOST_COLUMNS || !goes_one_way(table, 0)));
 }
 
-/* A column that the scene names by its number or its title, `key` being what it is to hold. */
-static enum status_code choose_column(size_t *column, const char *name, const struct text_table *table,
-                                      const struct scan_bytes *file, struct status *status)
+/* A column that the scene names by its number or its title. */
+static enum status_code choose_column(size_t *column, const char *name, const struct table *table,
+                                      struct status *status)
 {
     size_t columns = table->columns, number = 0;
     const char *s = columns == 1 ? "" : "s";
-    if (!number_read_size((struct span){name, name + strlen(name)}, &number)) {
+    if (!number_read_size((struct string_view){name, name + strlen(name)}, &number)) {
         number = text_header_find(table->preamble, table->delimiter, columns, name);
         if (number == 0)
-            return scan_fail(status, file, 0, "no column is titled '%.60s'; there %s %zu column%s: give a number", name,
+            return scan_fail(status, table->file, 0,
+                             "no column is titled '%.60s'; there %s %zu column%s: give a number", name,
                              columns == 1 ? "is" : "are", columns, s);
         if (number == SIZE_MAX)
-            return scan_fail(status, file, 0, "more than one column is titled '%.60s'; give its number, 1 to %zu", name,
-                             columns);
+            return scan_fail(status, table->file, 0,
+                             "more than one column is titled '%.60s'; give its number, 1 to %zu", name, columns);
     }
     if (number < 1 || number > columns)
-        return scan_fail(status, file, table->first_line, "there is no column %zu: there %s %zu column%s", number,
-                         columns == 1 ? "is" : "are", columns, s);
+        return scan_fail(status, table->file, table->first_line, "there is no column %zu: there %s %zu column%s",
+                         number, columns == 1 ? "is" : "are", columns, s);
     *column = number - 1;
     return STATUS_OK;
 }
 
 /* The line of the first row with nothing measured in one of two columns, 0: none. */
-static size_t missing_line(const struct text_table *table, size_t x, size_t z)
+static size_t missing_line(const struct table *table, size_t x, size_t z)
 {
     for (size_t i = 0; table->missing_line > 0 && i < table->rows; i++)
-        if (isnan(table->cell[i * table->columns + x]) || isnan(table->cell[i * table->columns + z]))
-            return text_table_line(table, i);
+        if (isnan(at(table, i, x)) || isnan(at(table, i, z)))
+            return line_of_row(table, i);
     return 0;
 }
 
 /* The columns that the scene chooses: z, and perhaps x. Where the header's x is z itself or no x at all, its spacing
  * will do. */
-static enum status_code take_chosen(struct scan *out, struct text_table *table, const struct text_header *header,
-                                    const struct scan_bytes *file, const struct scan_options *options,
-                                    struct status *status)
+static enum status_code take_chosen(struct scan *out, struct table *table, struct status *status)
 {
-    size_t z, x = table->columns > 1 ? find_x(table, header, options) : 0;
-    bool x_given = is_given(options->x_column);
-    if (choose_column(&z, options->z_column, table, file, status) != STATUS_OK ||
-        (x_given && choose_column(&x, options->x_column, table, file, status) != STATUS_OK))
+    size_t z, x = table->columns > 1 ? find_x(table) : 0;
+    bool x_given = is_given(table->options->x_column);
+    if (choose_column(&z, table->options->z_column, table, status) != STATUS_OK ||
+        (x_given && choose_column(&x, table->options->x_column, table, status) != STATUS_OK))
         return status->code;
     size_t line = missing_line(table, x_given ? x : z, z);
     if (line > 0)
-        return scan_fail(status, file, line, "'%s' in a column of numbers; correct or remove this line",
-                         scan_quote(table->missing).text);
-    bool no_x = x == z || (header->spacing.value > 0 && !goes_one_way(table, x));
-    if (!x_given && no_x && (table->columns == 1 || header->spacing.value > 0))
-        return take_heights(out, table, header, z, file, options, status);
+        return fail_cell(table, table->missing, line, status);
+    bool no_x = x == z || (table->header.spacing.value > 0 && !goes_one_way(table, x));
+    if (!x_given && no_x && (table->columns == 1 || table->header.spacing.value > 0))
+        return take_heights(out, table, z, status);
     if (x == z)
-        return scan_fail(status, file, table->first_line,
+        return scan_fail(status, table->file, table->first_line,
                          "column %zu cannot be x and z; choose both, as in `column: [1, 2]`", z + 1);
-    return take_points(out, table, header, x, z, file, options, status);
+    return take_points(out, table, x, z, status);
 }
 
-static enum status_code take_table(struct scan *out, struct text_table *table, const struct scan_bytes *file,
-                                   const struct scan_options *options, struct status *status)
+enum { LIST_COLUMNS = 3 };
+
+/* How far a point may be off its place, in steps: instruments jitter and round. */
+static const double grid_jitter = 0.01;
+
+/* One of the two directions of a list: the fast one steps from point to point, the slow one from run to run. */
+struct direction {
+    size_t column; /* 0 x, 1 y */
+    size_t n;
+    double first, step; /* in the unit of the file; the step may be negative */
+};
+
+static void find_directions(const struct table *table, struct direction *fast, struct direction *slow)
 {
-    struct text_header header = text_header_read(table->preamble, table->delimiter, table->columns);
-    enum status_code code = STATUS_OK;
-    size_t x = 0;
-    if (is_given(options->z_column) && table->rows >= TEXT_POINTS) {
-        code = take_chosen(out, table, &header, file, options, status);
-    } else if (text_grid_is_list(table)) {
-        code = text_grid_read_list(out, table, &header, file, options, status);
-    } else if (is_matrix(table, &header)) {
-        code = text_grid_read_matrix(out, table, &header, file, options, status);
-    } else if (table->missing_line > 0) {
-        code = scan_fail(status, file, table->missing_line, "'%s' in a column of numbers; correct or remove this line",
-                         scan_quote(table->missing).text);
-    } else if (table->rows < TEXT_POINTS) {
-        code = scan_fail(status, file, table->last_line, "only %zu points; a scan needs at least %d", table->rows,
-                         TEXT_POINTS);
-    } else if (table->columns == 1) {
-        code = take_heights(out, table, &header, 0, file, options, status);
-    } else {
-        x = find_x(table, &header, options);
-        code = take_points(out, table, &header, x, header.valid == x + 1 ? x + 2 : x + 1, file, options, status);
+    fast->column = at(table, 0, 0) == at(table, 1, 0) ? 1 : 0;
+    slow->column = 1 - fast->column;
+    fast->first = at(table, 0, fast->column);
+    slow->first = at(table, 0, slow->column);
+    for (fast->n = 1; fast->n < table->rows && at(table, fast->n, slow->column) == slow->first;)
+        fast->n++;
+    slow->n = table->rows / fast->n;
+    fast->step = (at(table, fast->n - 1, fast->column) - fast->first) / (double)(fast->n - 1);
+    slow->step =
+        slow->n > 1 ? (at(table, (slow->n - 1) * fast->n, slow->column) - slow->first) / (double)(slow->n - 1) : 0.0;
+}
+
+/* Do the three columns look like x, y, z point by point: does one of x and y stay while the other steps? */
+static bool is_list(const struct table *table)
+{
+    if (table->columns != LIST_COLUMNS || table->rows < 4)
+        return false;
+    bool x_stays = at(table, 0, 0) == at(table, 1, 0), y_stays = at(table, 0, 1) == at(table, 1, 1);
+    if (x_stays == y_stays)
+        return false;
+    struct direction fast, slow;
+    find_directions(table, &fast, &slow);
+    /* the second run starts where the first did; two equal heights in a row do not make a list */
+    return slow.n < 2 || fabs(at(table, fast.n, fast.column) - fast.first) <= grid_jitter * fabs(fast.step);
+}
+
+static bool on_grid(const struct table *table, size_t row, const struct direction *direction, size_t index)
+{
+    double off = at(table, row, direction->column) - (direction->first + (double)index * direction->step);
+    return fabs(off) <= grid_jitter * fabs(direction->step) * (1 + grid_jitter) + 1e-12 * fabs(direction->first);
+}
+
+/* Where a point goes along a direction of the map: forwards, whichever way the instrument went. */
+static size_t place(const struct direction *direction, size_t index)
+{
+    return direction->step < 0 ? direction->n - 1 - index : index;
+}
+
+static enum status_code take_list(struct scan *out, const struct table *table, struct status *status)
+{
+    double x_m, z_m;
+    struct direction fast, slow;
+    find_directions(table, &fast, &slow);
+    if (table->rows % fast.n != 0)
+        return scan_fail(status, table->file, table->last_line, "the last row of points is not complete: %zu of %zu",
+                         table->rows % fast.n, fast.n);
+    out->x_column = 1;
+    out->z_column = LIST_COLUMNS;
+    if (take_units(out, table, NULL, &x_m, &z_m, status) != STATUS_OK)
+        return status->code;
+    const char *y_unit = table->header.unit[1] ? table->header.unit[1] : table->header.y_unit;
+    double y_m = y_unit ? scan_unit_m(y_unit, strlen(y_unit)) : x_m;
+    bool along_x = fast.column == 0 || slow.n == 1; /* one run is a profile, wherever it goes */
+    const struct direction *x = along_x ? &fast : &slow, *y = along_x ? &slow : &fast;
+    if (scan_reserve(out, x->n, y->n, table->rows, table->file, status) != STATUS_OK)
+        return status->code;
+    for (size_t row = 0; row < table->rows; row++) {
+        size_t f = row % fast.n, s = row / fast.n;
+        if (!on_grid(table, row, &fast, f) || !on_grid(table, row, &slow, s))
+            return scan_fail(status, table->file, line_of_row(table, row),
+                             "this point is not on the grid of the points before; only maps on a grid can be read");
+        size_t ix = place(x, along_x ? f : s), iy = place(y, along_x ? s : f);
+        out->z_m[iy * x->n + ix] = at(table, row, 2) * z_m;
     }
-    if (code == STATUS_OK)
-        mark_sentinels(out);
-    return code;
+    out->dx_m = fabs(x->step) * (x->column == 0 ? x_m : y_m); /* one run may go along y */
+    out->dy_m = fabs(y->step) * y_m;
+    return STATUS_OK;
+}
+
+static bool sizes_fit(const struct table *table)
+{
+    const struct text_header *header = &table->header;
+    double columns = (double)table->columns, rows = (double)table->rows;
+    if (header->columns == 0 || header->rows == 0)
+        return true;
+    /* width and height are taken for one another often enough */
+    return (header->columns == columns && header->rows == rows) || (header->columns == rows && header->rows == columns);
+}
+
+static enum status_code take_matrix(struct scan *out, const struct table *table, struct status *status)
+{
+    const struct text_header *header = &table->header;
+    double x_m, z_m;
+    struct text_quantity width = header->width, height = header->height;
+    struct text_quantity step = header->pixel.value > 0 ? header->pixel : header->spacing;
+    if (step.value > 0) {
+        width = (struct text_quantity){step.value * (double)table->columns, step.unit};
+        height = (struct text_quantity){step.value * (double)table->rows, step.unit};
+    }
+    if (!(width.value > 0 && height.value > 0))
+        return scan_fail(status, table->file, table->first_line,
+                         "a matrix of %zu x %zu heights without its pixel size; add a line `pixel size = 0.5 um` above "
+                         "the numbers, or keep two columns, x and z",
+                         table->columns, table->rows);
+    if (!sizes_fit(table))
+        return scan_fail(status, table->file, table->first_line, "%zu x %zu heights where the header says %g x %g",
+                         table->columns, table->rows, header->columns, header->rows);
+    if (take_units(out, table, width.unit, &x_m, &z_m, status) != STATUS_OK ||
+        scan_reserve(out, table->columns, table->rows, table->columns * table->rows, table->file, status) != STATUS_OK)
+        return status->code;
+    for (size_t i = 0; i < table->columns * table->rows; i++)
+        out->z_m[i] = table->cell[i] * header->z_factor * z_m;
+    double y_m = height.unit ? scan_unit_m(height.unit, strlen(height.unit)) : x_m;
+    out->dx_m = width.value / (double)table->columns * x_m;
+    out->dy_m = height.value / (double)table->rows * y_m;
+    return STATUS_OK;
+}
+
+static enum status_code take_table(struct scan *out, struct table *table, struct status *status)
+{
+    if (is_given(table->options->z_column) && table->rows >= TEXT_POINTS)
+        return take_chosen(out, table, status);
+    if (is_list(table))
+        return take_list(out, table, status);
+    if (is_matrix(table))
+        return take_matrix(out, table, status);
+    if (table->missing_line > 0)
+        return fail_cell(table, table->missing, table->missing_line, status);
+    if (table->rows < TEXT_POINTS)
+        return scan_fail(status, table->file, table->last_line, "only %zu points; a scan needs at least %d",
+                         table->rows, TEXT_POINTS);
+    if (table->columns == 1)
+        return take_heights(out, table, 0, status);
+    size_t x = find_x(table);
+    return take_points(out, table, x, table->header.valid == x + 1 ? x + 2 : x + 1, status);
 }
 
 enum status_code scan_text_read(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
                                 struct status *status)
 {
-    struct text_table table;
-    enum status_code code = text_table_read(&table, file, status);
-    if (code == STATUS_OK)
-        code = take_table(out, &table, file, options, status);
-    text_table_free(&table);
-    return code;
+    struct table table = {.file = file, .options = options};
+    out->format = name_of(file, out->format);
+    if (read_table(&table, status) == STATUS_OK && take_table(out, &table, status) == STATUS_OK)
+        mark_sentinels(out);
+    free(table.cell);
+    return status->code;
 }

@@ -1,31 +1,221 @@
 /* ISO 25178-72 X3P: a zip archive with main.xml (perhaps in a folder) and the points, all in metres, in main.xml or in
  * a binary file. Stored axes (kind A) lie side by side, point by point; a value is stored x increment + offset. */
 #include "scan/archive.h"
-#include "scan/md5.h"
-#include "scan/x3p_xml.h"
+#include "scan/bytes.h"
+#include "scan/number.h"
 
+#include <expat.h>
 #include <math.h>
+#include <md5.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
-/* type letters of X3P and what they are */
-static const struct {
-    char letter;
-    enum bytes_type type;
-} x3p_types[] = {{'I', BYTES_I16}, {'L', BYTES_I32}, {'F', BYTES_F32}, {'D', BYTES_F64}};
+/* What main.xml says. */
+struct x3p_axis {
+    char kind; /* 'I': increment x index, 'A': stored for each point */
+    char type; /* of stored values: 'I' int16, 'L' int32, 'F' float, 'D' double */
+    double increment, offset;
+};
+
+struct main_xml {
+    char feature[8]; /* PRF, SUR or PCL */
+    struct x3p_axis axis[3];
+    double size[3]; /* of the matrix; 0 where there is none */
+    double list;    /* points of a list; 0 where there is none */
+    char data_link[256], valid_link[256];
+    char data_md5[40];
+    double *datum; /* datum_count x {x, z} of <DataList>, x 0 where it is not stored; NaN: missing */
+    size_t datum_count, datum_capacity;
+};
 
 struct x3p {
     struct archive archive;
     struct text main, points, valid;
-    struct x3p_xml xml;
+    struct main_xml xml;
     char folder[256]; /* of main.xml, with its last '/' */
 };
 
 bool scan_x3p_sniff(const struct scan_bytes *file)
 {
-    return archive_sniff(file) && memmem(file->bytes, file->length, "main.xml", 8) != NULL;
+    return scan_zip_sniff(file) && memmem(file->bytes, file->length, "main.xml", 8) != NULL;
+}
+
+enum { X3P_PATH = 256, X3P_TEXT = 256 };
+
+struct parse {
+    struct main_xml *out;
+    XML_Parser parser;
+    char path[X3P_PATH]; /* names of the open elements, each after a '/' */
+    size_t hidden;       /* open elements deeper than `path` has room for */
+    char text[X3P_TEXT]; /* of the innermost element */
+    size_t length;
+    const char *problem; /* NULL, or why parsing was stopped */
+    bool memory;         /* an allocation failed */
+};
+
+static void stop(struct parse *parse, const char *problem)
+{
+    parse->problem = problem;
+    XML_StopParser(parse->parser, XML_FALSE);
+}
+
+static void XMLCALL on_start(void *user, const XML_Char *name, const XML_Char **attributes)
+{
+    (void)attributes;
+    struct parse *parse = user;
+    const char *colon = strrchr(name, ':'); /* the prefix of the name space is the writer's choice */
+    size_t used = strlen(parse->path);
+    name = colon ? colon + 1 : name;
+    parse->length = 0;
+    if (parse->hidden > 0 || used + strlen(name) + 2 > sizeof parse->path)
+        parse->hidden++;
+    else
+        snprintf(parse->path + used, sizeof parse->path - used, "/%s", name);
+}
+
+static void XMLCALL on_text(void *user, const XML_Char *text, int length)
+{
+    struct parse *parse = user;
+    size_t room = sizeof parse->text - 1 - parse->length, count = (size_t)length < room ? (size_t)length : room;
+    memcpy(parse->text + parse->length, text, count);
+    parse->length += count;
+}
+
+/* `value` or `value;value`: a stored x, if any, comes first and z last. An empty datum is a missing point. */
+static void add_datum(struct parse *parse, struct string_view text)
+{
+    struct main_xml *out = parse->out;
+    double point[2] = {0.0, NAN};
+    size_t count = 0;
+    for (struct string_view cell; cell_next(&text, ';', &cell); count++) {
+        if (!number_read(cell, &point[1])) {
+            stop(parse, "a <Datum> that is no number");
+            return;
+        }
+        if (count == 0)
+            point[0] = point[1];
+    }
+    if (out->datum_count == out->datum_capacity) {
+        size_t capacity = out->datum_capacity ? 2 * out->datum_capacity : 256;
+        double *datum = reallocarray(out->datum, capacity, sizeof point);
+        if (!datum) {
+            parse->memory = true;
+            stop(parse, "out of memory");
+            return;
+        }
+        out->datum = datum;
+        out->datum_capacity = capacity;
+    }
+    memcpy(out->datum + 2 * out->datum_count++, point, sizeof point);
+}
+
+/* Takes the text of a leaf over where its path ends as one of these; numbers that are missing or empty keep what they
+ * were set to before. */
+static void take_leaf(struct parse *parse, struct string_view text)
+{
+    struct main_xml *out = parse->out;
+    struct {
+        const char *end;
+        char *string;
+        size_t size;
+        double *number;
+    } leaves[] = {
+        {"/FeatureType", out->feature, sizeof out->feature, NULL},
+        {"/CX/AxisType", &out->axis[0].kind, 1, NULL},
+        {"/CY/AxisType", &out->axis[1].kind, 1, NULL},
+        {"/CZ/AxisType", &out->axis[2].kind, 1, NULL},
+        {"/CX/DataType", &out->axis[0].type, 1, NULL},
+        {"/CY/DataType", &out->axis[1].type, 1, NULL},
+        {"/CZ/DataType", &out->axis[2].type, 1, NULL},
+        {"/CX/Increment", NULL, 0, &out->axis[0].increment},
+        {"/CY/Increment", NULL, 0, &out->axis[1].increment},
+        {"/CZ/Increment", NULL, 0, &out->axis[2].increment},
+        {"/CX/Offset", NULL, 0, &out->axis[0].offset},
+        {"/CY/Offset", NULL, 0, &out->axis[1].offset},
+        {"/CZ/Offset", NULL, 0, &out->axis[2].offset},
+        {"/MatrixDimension/SizeX", NULL, 0, &out->size[0]},
+        {"/MatrixDimension/SizeY", NULL, 0, &out->size[1]},
+        {"/MatrixDimension/SizeZ", NULL, 0, &out->size[2]},
+        {"/Record3/ListDimension", NULL, 0, &out->list},
+        {"/DataLink/PointDataLink", out->data_link, sizeof out->data_link, NULL},
+        {"/DataLink/ValidPointsLink", out->valid_link, sizeof out->valid_link, NULL},
+        {"/DataLink/MD5ChecksumPointData", out->data_md5, sizeof out->data_md5, NULL},
+    };
+    size_t used = strlen(parse->path);
+    for (size_t i = 0; i < sizeof leaves / sizeof *leaves; i++) {
+        size_t length = strlen(leaves[i].end);
+        if (used < length || strcmp(parse->path + used - length, leaves[i].end) != 0 || text.start == text.end)
+            continue;
+        if (leaves[i].size == 1)
+            *leaves[i].string = *text.start;
+        else if (leaves[i].string)
+            scan_copy(leaves[i].string, leaves[i].size, text);
+        else if (!number_read(text, leaves[i].number))
+            stop(parse, "text where a number should be");
+    }
+}
+
+static void XMLCALL on_end(void *user, const XML_Char *name)
+{
+    (void)name;
+    struct parse *parse = user;
+    struct string_view text = string_view_trim((struct string_view){parse->text, parse->text + parse->length});
+    while (text.start < text.end && *text.start == '\n')
+        text = string_view_trim((struct string_view){text.start + 1, text.end});
+    while (text.end > text.start && text.end[-1] == '\n')
+        text = string_view_trim((struct string_view){text.start, text.end - 1});
+    parse->length = 0;
+    if (parse->hidden > 0) {
+        parse->hidden--;
+        return;
+    }
+    char *last = strrchr(parse->path, '/');
+    if (strcmp(last, "/Datum") == 0)
+        add_datum(parse, text);
+    else
+        take_leaf(parse, text);
+    *last = '\0';
+}
+
+/* X3P declares no entities; files that do want to make little bytes large. */
+static void XMLCALL on_entity(void *user, const XML_Char *name, int is_parameter, const XML_Char *value, int length,
+                              const XML_Char *base, const XML_Char *system, const XML_Char *public,
+                              const XML_Char *notation)
+{
+    (void)name, (void)is_parameter, (void)value, (void)length, (void)base, (void)system, (void)public, (void)notation;
+    stop(user, "an entity declaration");
+}
+
+/* main.xml; `out->datum` is to be freed whatever comes back. */
+static enum status_code read_xml(struct main_xml *out, const struct text *xml, const struct scan_bytes *file,
+                                 struct status *status)
+{
+    *out = (struct main_xml){0};
+    for (size_t i = 0; i < 3; i++)
+        out->axis[i] = (struct x3p_axis){'A', 'D', 1.0, 0.0};
+    struct parse parse = {.out = out, .parser = XML_ParserCreate(NULL)};
+    if (!parse.parser)
+        return status_memory(status);
+    XML_SetUserData(parse.parser, &parse);
+    XML_SetElementHandler(parse.parser, on_start, on_end);
+    XML_SetCharacterDataHandler(parse.parser, on_text);
+    XML_SetEntityDeclHandler(parse.parser, on_entity);
+    /* in pieces: the length is an int */
+    enum XML_Status good = XML_STATUS_OK;
+    for (size_t at = 0; good == XML_STATUS_OK && at <= xml->length; at += 1 << 20) {
+        size_t left = xml->length - at, piece = left < 1 << 20 ? left : 1 << 20;
+        good = XML_Parse(parse.parser, text_string(xml) + at, (int)piece, piece == left);
+    }
+    if (parse.memory)
+        status_memory(status);
+    else if (good != XML_STATUS_OK)
+        scan_fail(status, file, 0, "main.xml, line %lu: %s; export the scan again",
+                  (unsigned long)XML_GetCurrentLineNumber(parse.parser),
+                  parse.problem ? parse.problem : XML_ErrorString(XML_GetErrorCode(parse.parser)));
+    XML_ParserFree(parse.parser);
+    return status->code;
 }
 
 static bool stored(const struct x3p_axis *axis)
@@ -49,8 +239,9 @@ static enum status_code read_link(struct text *text, const struct x3p *x3p, cons
 
 static void compare_md5(struct scan *out, const struct text *text, const char *expected, const char *what)
 {
-    struct md5_hex actual = md5(text_string(text), text->length);
-    if (strlen(expected) >= 32 && strncasecmp(actual.text, expected, 32) != 0)
+    char actual[MD5_DIGEST_STRING_LENGTH];
+    MD5Data((const uint8_t *)text_string(text), text->length, actual);
+    if (strlen(expected) >= strlen(actual) && strncasecmp(actual, expected, strlen(actual)) != 0)
         scan_warn(out, "the checksum of %s does not fit: it was changed after it was written", what);
 }
 
@@ -63,9 +254,9 @@ static enum status_code open_main(struct x3p *x3p, const struct scan_bytes *file
     if (index == count)
         return scan_fail(status, file, 0, "no main.xml in the archive");
     const char *name = archive_name(&x3p->archive, index), *slash = strrchr(name, '/');
-    scan_copy(x3p->folder, sizeof x3p->folder, (struct span){name, slash ? slash + 1 : name});
+    scan_copy(x3p->folder, sizeof x3p->folder, (struct string_view){name, slash ? slash + 1 : name});
     if (archive_read(&x3p->main, &x3p->archive, index, status) != STATUS_OK ||
-        x3p_xml_read(&x3p->xml, &x3p->main, file, status) != STATUS_OK)
+        read_xml(&x3p->xml, &x3p->main, file, status) != STATUS_OK)
         return status->code;
     struct text sum = {0};
     index = archive_find(&x3p->archive, "md5checksum.hex", true);
@@ -76,13 +267,13 @@ static enum status_code open_main(struct x3p *x3p, const struct scan_bytes *file
 }
 
 /* Points a row and rows, checked to be what can be read. */
-static enum status_code read_size(const struct x3p_xml *xml, size_t *nx, size_t *ny, const struct scan_bytes *file,
+static enum status_code read_size(const struct main_xml *xml, size_t *nx, size_t *ny, const struct scan_bytes *file,
                                   struct status *status)
 {
     bool profile = strcmp(xml->feature, "PRF") == 0;
     if (!profile && strcmp(xml->feature, "SUR") != 0)
         return scan_fail(status, file, 0, "feature type '%s' is neither profile (PRF) nor surface (SUR); export one",
-                         scan_quote((struct span){xml->feature, xml->feature + strlen(xml->feature)}).text);
+                         scan_quote((struct string_view){xml->feature, xml->feature + strlen(xml->feature)}).text);
     double x = xml->list > 0 ? xml->list : xml->size[0], y = xml->list > 0 ? 1 : xml->size[1];
     double z = xml->list > 0 || xml->size[2] == 0 ? 1 : xml->size[2];
     if (!(x >= 1 && x <= 1e12 && y >= 1 && y <= 1e12) || z != 1 || (profile && y != 1))
@@ -97,14 +288,15 @@ static enum status_code read_size(const struct x3p_xml *xml, size_t *nx, size_t 
     return STATUS_OK;
 }
 
+/* The type that a letter of X3P stands for. */
 static bool find_type(char letter, enum bytes_type *type)
 {
-    for (size_t i = 0; i < sizeof x3p_types / sizeof *x3p_types; i++) {
-        *type = x3p_types[i].type;
-        if (x3p_types[i].letter == letter)
-            return true;
-    }
-    return false;
+    static const char letters[] = "ILFD";
+    static const enum bytes_type types[] = {BYTES_I16, BYTES_I32, BYTES_F32, BYTES_F64};
+    const char *found = memchr(letters, letter, strlen(letters));
+    if (found)
+        *type = types[found - letters];
+    return found;
 }
 
 static double scaled(const struct x3p_axis *axis, double value)
@@ -113,50 +305,33 @@ static double scaled(const struct x3p_axis *axis, double value)
     return isfinite(result) ? result : NAN;
 }
 
-static enum status_code allocate(struct scan *out, size_t nx, size_t ny, size_t room, bool with_x,
-                                 const struct scan_bytes *file, struct status *status)
-{
-    if (scan_reserve(out, nx, ny, room, file, status) != STATUS_OK || !with_x)
-        return status->code;
-    out->x_m = malloc(nx * sizeof *out->x_m);
-    return out->x_m ? STATUS_OK : status_memory(status);
-}
-
-static enum status_code read_binary(struct scan *out, const struct x3p *x3p, size_t nx, size_t ny,
+/* The points, in the file that main.xml names or, where it names none, in main.xml itself. */
+static enum status_code read_values(struct scan *out, const struct x3p *x3p, size_t nx, size_t ny,
                                     const struct scan_bytes *file, struct status *status)
 {
-    const struct x3p_axis *axis = x3p->xml.axis;
+    const struct main_xml *xml = &x3p->xml;
+    const struct x3p_axis *axis = xml->axis;
     enum bytes_type type[3];
+    bool listed = !*xml->data_link;
     size_t size = 0;
-    for (size_t i = 0; i < 3; i++) {
+    for (size_t i = 0; i < 3 && !listed; i++) {
         if (!find_type(axis[i].type, &type[i]))
             return scan_fail(status, file, 0, "data type '%c' is none of ISO 25178-72", axis[i].type);
         size += stored(&axis[i]) ? bytes_size(type[i]) : 0;
     }
     struct bytes bytes = {text_string(&x3p->points), text_string(&x3p->points) + x3p->points.length, false};
-    if (allocate(out, nx, ny, bytes_left(&bytes) / size, stored(&axis[0]), file, status) != STATUS_OK)
+    size_t room = listed ? xml->datum_count : bytes_left(&bytes) / size;
+    if ((stored(&axis[0]) ? scan_reserve_x(out, nx, room, file, status)
+                          : scan_reserve(out, nx, ny, room, file, status)) != STATUS_OK)
         return status->code;
     for (size_t i = 0; i < nx * ny; i++) {
         double value[3] = {0};
         for (size_t k = 0; k < 3; k++)
-            value[k] = stored(&axis[k]) ? scaled(&axis[k], bytes_number(&bytes, type[k])) : 0.0;
-        out->z_m[i] = value[2];
+            if (stored(&axis[k]))
+                value[k] = listed ? xml->datum[2 * i + (k == 2)] : bytes_number(&bytes, type[k]);
+        out->z_m[i] = scaled(&axis[2], value[2]);
         if (out->x_m)
-            out->x_m[i] = value[0];
-    }
-    return STATUS_OK;
-}
-
-static enum status_code read_list(struct scan *out, const struct x3p *x3p, size_t nx, size_t ny,
-                                  const struct scan_bytes *file, struct status *status)
-{
-    const struct x3p_xml *xml = &x3p->xml;
-    if (allocate(out, nx, ny, xml->datum_count, stored(&xml->axis[0]), file, status) != STATUS_OK)
-        return status->code;
-    for (size_t i = 0; i < nx * ny; i++) {
-        out->z_m[i] = scaled(&xml->axis[2], xml->datum[2 * i + 1]);
-        if (out->x_m)
-            out->x_m[i] = scaled(&xml->axis[0], xml->datum[2 * i]);
+            out->x_m[i] = scaled(&axis[0], value[0]);
     }
     return STATUS_OK;
 }
@@ -188,13 +363,11 @@ static enum status_code read_points(struct scan *out, struct x3p *x3p, const str
         if (read_link(&x3p->points, x3p, x3p->xml.data_link, file, status) != STATUS_OK)
             return status->code;
         compare_md5(out, &x3p->points, x3p->xml.data_md5, x3p->xml.data_link);
-        if (read_binary(out, x3p, nx, ny, file, status) != STATUS_OK)
-            return status->code;
-    } else if (read_list(out, x3p, nx, ny, file, status) != STATUS_OK) {
-        return status->code;
     }
+    if (read_values(out, x3p, nx, ny, file, status) != STATUS_OK)
+        return status->code;
     out->dx_m = x3p->xml.axis[0].increment;
-    out->dy_m = out->kind == SCAN_AREAL ? x3p->xml.axis[1].increment : 0.0;
+    out->dy_m = x3p->xml.axis[1].increment;
     scan_set_units(out, "m", "m");
     return read_valid(out, x3p, file, status);
 }
@@ -208,7 +381,7 @@ enum status_code scan_x3p_read(struct scan *out, const struct scan_bytes *file, 
     text_free(&x3p.main);
     text_free(&x3p.points);
     text_free(&x3p.valid);
-    x3p_xml_free(&x3p.xml);
+    free(x3p.xml.datum);
     archive_close(&x3p.archive);
     return code;
 }

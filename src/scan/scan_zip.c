@@ -10,17 +10,7 @@ enum { ZIP_ENTRIES = 64 };
 
 bool scan_zip_sniff(const struct scan_bytes *file)
 {
-    return archive_sniff(file);
-}
-
-/* The reader for an entry; archives within archives are not opened. */
-static const struct scan_reader *reader_for(const struct scan_bytes *file)
-{
-    for (size_t i = 0; i < scan_reader_count; i++)
-        if (scan_readers[i].read != scan_zip_read && scan_readers[i].read != scan_x3p_read &&
-            scan_readers[i].sniff(file))
-            return &scan_readers[i];
-    return NULL;
+    return file->length > 4 && memcmp(file->bytes, "PK\3\4", 4) == 0;
 }
 
 /* Reads entry `index` when it is a scan of the wanted kind, text or not; *tried tells whether it was. */
@@ -36,7 +26,8 @@ static enum status_code try_entry(struct scan *out, const struct archive *archiv
     char path[512];
     snprintf(path, sizeof path, "%.300s(%.200s)", archive->file->path, name);
     struct scan_bytes entry = {text_string(&text), text.length, path};
-    const struct scan_reader *reader = code == STATUS_OK && entry.length > 0 ? reader_for(&entry) : NULL;
+    bool open = code == STATUS_OK && entry.length > 0 && !scan_zip_sniff(&entry); /* no archives within archives */
+    const struct scan_reader *reader = open ? scan_reader_find(&entry) : NULL;
     if (reader && (reader->read == scan_text_read) == as_text) {
         *tried = true;
         out->format = reader->name;

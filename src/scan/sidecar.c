@@ -1,7 +1,5 @@
 #include "scan/sidecar.h"
 #include "base/text.h"
-#include "scan/text_key.h"
-#include "scan/text_table.h"
 
 #include <jansson.h>
 #include <stdio.h>
@@ -44,17 +42,6 @@ static double dabam_factor(const json_t *object, char axis, size_t index)
     return json_number_value(json_object_get(object, key));
 }
 
-static bool says_height(const char *title)
-{
-    static const char *const words[] = {"height", "heights", "heigth", "heigths"};
-    struct span rest = {title, title + strlen(title)}, word;
-    for (char before; text_key_word(&rest, &word, &before);)
-        for (size_t i = 0; i < COUNT(words); i++)
-            if (span_equals(word, words[i]))
-                return true;
-    return false;
-}
-
 /* Is y number `index` a slope? *known: does the file say what it is? */
 static bool is_dabam_slope(const json_t *object, size_t index, bool *known)
 {
@@ -63,8 +50,8 @@ static bool is_dabam_slope(const json_t *object, size_t index, bool *known)
     snprintf(key, sizeof key, "PLOT_TITLE_Y%zu", index);
     const char *title = json_string_value(json_object_get(object, key));
     title = title ? title : "";
-    bool slope = text_header_title_slope((struct span){title, title + strlen(title)});
-    *known = slope || says_height(title);
+    bool slope = text_header_title_slope(string_view_of(title));
+    *known = slope || text_header_title_says(string_view_of(title), "height heights heigth heigths");
     if (index > 1 || format < DABAM_SLOPES || format > DABAM_HEIGHTS_IN_PAIRS)
         return slope;
     *known = true;
@@ -102,8 +89,7 @@ static bool take_members(struct text_header *out, json_t *object)
         if (!json_is_string(value))
             continue;
         text_add(&line, "%s: %s", key, json_string_value(value));
-        const char *start = text_string(&line);
-        any = text_key_read(out, (struct span){start, start + strlen(start)}) || any;
+        any = text_header_add_line(out, string_view_of(text_string(&line))) || any;
         text_free(&line);
     }
     return any;
@@ -115,25 +101,6 @@ static bool parse_json(struct text_header *out, const struct text *bytes)
     json_t *root = json_loadb(start, bytes->length - (size_t)(start - text_string(bytes)), 0, NULL);
     bool any = json_is_object(root) && (take_dabam(out, root) || take_members(out, root));
     json_decref(root);
-    return any;
-}
-
-/* Lines that name units, and no row of numbers: that would be a scan. */
-static bool parse_lines(struct text_header *out, const struct text *bytes)
-{
-    struct scan_bytes file = {text_string(bytes), bytes->length, ""};
-    struct text_table table;
-    struct status ignored = {0};
-    if (!scan_text_sniff(&file))
-        return false;
-    enum status_code code = text_table_read(&table, &file, &ignored);
-    bool rows = code == STATUS_OK || table.columns > 0, any = false;
-    struct lines lines = lines_begin(table.text);
-    for (struct span line; !rows && lines_next(&lines, &line);) {
-        bool comment;
-        any = text_key_read(out, text_header_uncomment(line, &comment)) || any;
-    }
-    text_table_free(&table);
     return any;
 }
 
@@ -151,7 +118,8 @@ bool sidecar_read(struct sidecar *out, const char *path)
         return false;
     }
     bool json = text_string(&bytes)[strspn(text_string(&bytes), "\xEF\xBB\xBF \t\r\n")] == '{';
-    bool any = json ? parse_json(&out->header, &bytes) : parse_lines(&out->header, &bytes);
+    struct scan_bytes file = {text_string(&bytes), bytes.length, ""};
+    bool any = json ? parse_json(&out->header, &bytes) : scan_text_read_keys(&out->header, &file);
     text_free(&bytes);
     return any;
 }

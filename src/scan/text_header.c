@@ -1,66 +1,260 @@
 #include "scan/text_header.h"
 #include "scan/number.h"
-#include "scan/reader.h"
-#include "scan/text_key.h"
 
-#include <stdint.h>
 #include <string.h>
-
-static const char *const comment_marks[] = {"#", "//", "%", ";"};
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
-struct span text_header_uncomment(struct span line, bool *comment)
+enum { KEY_WORDS = 6 };
+
+static const char separators[] = " \t_[](){}<>/,;:=\"'";
+
+/* The words between two numbers of a line, the first KEY_WORDS of them. */
+struct key {
+    struct string_view word[KEY_WORDS];
+    size_t count;
+    const char *unit; /* named in brackets among them */
+};
+
+/* What a number is, by the words in front of it: one of `any`, one of `also` where that is given, and none of `none`.
+ */
+struct meaning {
+    const char *any, *also, *none;
+    size_t quantity; /* offset of a struct text_quantity in struct text_header, for numbers with a unit */
+    size_t number;   /* offset of a double, for numbers without; NO_PLACE: takes `quantity` too */
+};
+
+enum { NO_PLACE = 0xffff };
+#define PLACE(member) offsetof(struct text_header, member)
+
+/* a step of the heights or of the rows is none along the profile */
+#define OTHER_AXES "y z dy dz height vertical"
+
+static const struct meaning meanings[] = {
+    {"spacing dx deltax step resolution interval increment pitch sampling", "", OTHER_AXES, PLACE(spacing), NO_PLACE},
+    {"pixel", "size", OTHER_AXES, PLACE(pixel), NO_PLACE},
+    {"width x-length", "", "", PLACE(width), NO_PLACE},
+    {"height", "", "conversion", PLACE(height), NO_PLACE},
+    {"y-length", "", "", PLACE(height), NO_PLACE},
+    {"w", "", "", PLACE(width), PLACE(columns)},
+    {"h", "", "", PLACE(height), PLACE(rows)},
+    {"x-pixels", "", "", PLACE(width), PLACE(columns)},
+    {"y-pixels", "", "", PLACE(height), PLACE(rows)},
+};
+
+enum { AXIS_X = 1, AXIS_Y = 2, AXIS_Z = 4 };
+
+/* Words beside `unit` or `units` that say of what, and words that say both. */
+static const struct {
+    const char *words;
+    unsigned axes;
+    bool unit;
+} axis_words[] = {
+    {"x x-axis lateral horizontal", AXIS_X, false},    {"y y-axis", AXIS_Y, false},
+    {"z z-axis value height vertical", AXIS_Z, false}, {"xy", AXIS_X | AXIS_Y, false},
+    {"xyz", AXIS_X | AXIS_Y | AXIS_Z, false},          {"unit units", 0, true},
+    {"x-unit x-units xunit xunits", AXIS_X, true},     {"y-unit y-units yunit yunits", AXIS_Y, true},
+    {"z-unit z-units zunit zunits", AXIS_Z, true},     {"xyunits", AXIS_X | AXIS_Y, true},
+};
+
+/* Cuts the next word off `rest`; *before is the separator in front of it that says most: a bracket or a slash, else the
+ * first that is no blank, else a blank or 0. */
+static bool next_word(struct string_view *rest, struct string_view *word, char *before)
 {
-    line = span_trim(line);
-    *comment = false;
-    for (size_t i = 0; i < COUNT(comment_marks); i++) {
-        while (span_starts(line, comment_marks[i])) {
-            line.start += strlen(comment_marks[i]);
-            *comment = true;
-        }
-    }
-    return span_trim(line);
+    *before = '\0';
+    for (; rest->start < rest->end && strchr(separators, *rest->start) && *rest->start; rest->start++)
+        if (*before == '\0' || *before == ' ' || *before == '\t' || strchr("[({/", *rest->start))
+            *before = *rest->start;
+    word->start = rest->start;
+    while (rest->start < rest->end && !(strchr(separators, *rest->start) && *rest->start))
+        rest->start++;
+    word->end = rest->start;
+    return word->end > word->start;
 }
 
-static bool is_one_of(struct span word, const char *const *words, size_t count)
+/* Does `word` begin with a number? */
+static bool is_number(struct string_view word)
 {
-    for (size_t i = 0; i < count; i++)
-        if (span_equals(word, words[i]))
+    double value;
+    return number_scan(word, NUMBER_POINT, NULL, &value) != NULL;
+}
+
+static bool has_any(const struct key *key, const char *words)
+{
+    for (size_t i = 0; i < key->count; i++)
+        if (string_view_is_one_of(key->word[i], words))
             return true;
     return false;
 }
 
-bool text_header_title_slope(struct span title)
+/* Takes over `value`, in `unit` (NULL: none), that follows `key`. `sign`: a '=' or the like stands between. */
+static void take_number(struct text_header *header, const struct key *key, double value, const char *unit, bool sign)
 {
-    static const char *const slopes[] = {"slope", "slopes", "gradient"};
-    static const char *const heights[] = {"dz", "dh", "dy"};
-    static const char *const undone[] = {"removed",     "removal",     "corrected",    "correction", "subtracted",
-                                         "subtraction", "compensated", "compensation", "detrended",  "out"};
+    if (!(value > 0 && value < 1e300) || !(unit || sign))
+        return;
+    if (has_any(key, "conversion") && has_any(key, "factor")) {
+        header->z_factor = value;
+        header->z_unit = unit ? unit : header->z_unit;
+        return;
+    }
+    for (size_t i = 0; i < COUNT(meanings); i++) {
+        if (!has_any(key, meanings[i].any) || (*meanings[i].also && !has_any(key, meanings[i].also)) ||
+            has_any(key, meanings[i].none))
+            continue;
+        if (unit || meanings[i].number == NO_PLACE)
+            memcpy((char *)header + meanings[i].quantity, &(struct text_quantity){value, unit},
+                   sizeof(struct text_quantity));
+        else
+            memcpy((char *)header + meanings[i].number, &value, sizeof value);
+        return;
+    }
+}
+
+/* The unit of length or of slope that `word` is, as the program prints it; NULL when it is none. */
+static const char *unit_of(struct string_view word)
+{
+    const char *name = scan_unit_find(word, SCAN_HEIGHT).name;
+    return name || is_number(word) ? name : scan_unit_find(word, SCAN_SLOPE).name;
+}
+
+static bool is_unit_word(struct string_view word)
+{
+    for (size_t i = 0; i < COUNT(axis_words); i++)
+        if (axis_words[i].unit && string_view_is_one_of(word, axis_words[i].words))
+            return true;
+    return false;
+}
+
+/* Takes over the unit named behind `key`. Returns whether that is a key of a unit; *all: one of everything. */
+static bool take_unit(struct text_header *header, const struct key *key, const char *name, bool *all)
+{
+    unsigned axes = 0;
+    bool unit = false;
+    for (size_t i = 0; i < COUNT(axis_words); i++) {
+        if (!has_any(key, axis_words[i].words))
+            continue;
+        axes |= axis_words[i].axes;
+        unit = unit || axis_words[i].unit;
+    }
+    *all = unit && axes == 0 && key->count == 1;
+    if (!unit || (axes == 0 && !*all))
+        return false;
+    const char **places[] = {&header->x_unit, &header->y_unit, &header->z_unit};
+    for (unsigned i = 0; i < COUNT(places); i++)
+        if (axes & (1u << i))
+            *places[i] = name;
+    if (*all)
+        header->all_unit = name;
+    return true;
+}
+
+static bool says_slope(const struct key *key, struct string_view word, char before)
+{
+    return (before == ':' || before == '=') && string_view_is_one_of(word, "slope slopes") &&
+           has_any(key, "quantity signal z value values");
+}
+
+bool text_header_add_line(struct text_header *header, struct string_view line)
+{
+    struct key key = {.count = 0};
+    struct string_view word;
+    const char *taken = NULL; /* the word that a number took as its unit */
+    bool any = false, all = false;
+    for (char before; next_word(&line, &word, &before);) {
+        double value;
+        const char *name = unit_of(word);
+        const char *end = number_scan(word, NUMBER_POINT, NULL, &value);
+        if (end) {
+            bool sign = before && strchr("=:,;\t", before);
+            struct string_view behind = {end, word.end}, rest = line;
+            char between;
+            if (behind.start == behind.end && !next_word(&rest, &behind, &between))
+                behind = (struct string_view){word.end, word.end};
+            const char *unit = scan_unit_find(behind, SCAN_HEIGHT).name;
+            taken = unit ? behind.start : NULL;
+            take_number(header, &key, value, unit ? unit : key.unit, sign);
+            key = (struct key){.count = 0};
+            continue;
+        }
+        if (name && all && word.start != taken)
+            header->all_unit = NULL; /* `units: mm, um`: which is whose is not said */
+        struct string_view rest = line, next;
+        char between;
+        if (name && word.end < line.end && *word.end == '/' && next_word(&rest, &next, &between)) {
+            const char *ratio = scan_unit_find((struct string_view){word.start, next.end}, SCAN_SLOPE).name; /* um/mm */
+            name = ratio ? ratio : name;
+            line = ratio ? rest : line;
+        }
+        bool named = before && strchr("=:,;", before);
+        named = named || (key.count > 0 && is_unit_word(key.word[key.count - 1]));
+        if (name && named && take_unit(header, &key, name, &all)) {
+            any = true;
+            key = (struct key){.count = 0};
+            continue;
+        }
+        if (says_slope(&key, word, before))
+            any = header->z_slope = true;
+        if (name && before && strchr("[({>", before))
+            key.unit = name;
+        if (key.count < KEY_WORDS)
+            key.word[key.count++] = word;
+    }
+    return any;
+}
+
+static const char *const comment_marks[] = {"#", "//", "%", ";"};
+
+struct string_view text_header_uncomment(struct string_view line, bool *comment)
+{
+    line = string_view_trim(line);
+    *comment = false;
+    for (size_t i = 0; i < COUNT(comment_marks); i++) {
+        while (string_view_starts(line, comment_marks[i])) {
+            line.start += strlen(comment_marks[i]);
+            *comment = true;
+        }
+    }
+    return string_view_trim(line);
+}
+
+bool text_header_title_slope(struct string_view title)
+{
     bool slope = false;
-    struct span word, last = {NULL, NULL};
-    for (char before; text_key_word(&title, &word, &before); last = word) {
-        slope = slope || is_one_of(word, slopes, COUNT(slopes)) ||
-                (before == '/' && last.start && span_equals(word, "dx") && is_one_of(last, heights, COUNT(heights)));
-        if (is_one_of(word, undone, COUNT(undone)))
+    struct string_view word, last = {NULL, NULL};
+    for (char before; next_word(&title, &word, &before); last = word) {
+        slope =
+            slope || string_view_is_one_of(word, "slope slopes gradient") ||
+            (before == '/' && last.start && string_view_equals(word, "dx") && string_view_is_one_of(last, "dz dh dy"));
+        if (string_view_is_one_of(
+                word, "removed removal corrected correction subtracted subtraction compensated compensation "
+                      "detrended out"))
             return false;
     }
     return slope;
 }
 
+bool text_header_title_says(struct string_view title, const char *words)
+{
+    struct string_view word;
+    for (char before; next_word(&title, &word, &before);)
+        if (string_view_is_one_of(word, words))
+            return true;
+    return false;
+}
+
 /* The unit a column's title names: its last word that is one. Where a word might be something else ("A", "in", and all
  * of them in a line with numbers, `Length, 1500.0 um`) brackets or a slash have to say that a unit is meant. */
-static const char *cell_unit(struct span cell, bool with_numbers)
+static const char *cell_unit(struct string_view cell, bool with_numbers)
 {
     const char *unit = NULL;
-    struct span word, last = {NULL, NULL};
-    for (char before; text_key_word(&cell, &word, &before); last = word) {
-        const char *name = text_key_unit(word);
-        bool is_word = with_numbers || span_equals(word, "a") || span_equals(word, "in") || span_equals(word, "u");
+    struct string_view word, last = {NULL, NULL};
+    for (char before; next_word(&cell, &word, &before); last = word) {
+        const char *name = unit_of(word);
+        bool is_word = with_numbers || string_view_is_one_of(word, "a in u");
         if (name && (!is_word || (before && strchr("[({/", before))))
             unit = name;
         if (name && before == '/' && last.start && last.end + 1 == word.start) { /* um/mm */
-            name = scan_unit_slope_name(last.start, (size_t)(word.end - last.start));
+            name = scan_unit_find((struct string_view){last.start, word.end}, SCAN_SLOPE).name;
             unit = name ? name : unit;
         }
     }
@@ -68,36 +262,35 @@ static const char *cell_unit(struct span cell, bool with_numbers)
 }
 
 /* Nothing but a unit, or something in brackets, as in a line of units below the titles. */
-static bool is_bare(struct span cell)
+static bool is_bare(struct string_view cell)
 {
-    return text_key_unit(cell) || (span_length(cell) > 2 && strchr("[({", *cell.start) && strchr("])}", cell.end[-1]));
+    return unit_of(cell) || (string_view_length(cell) > 2 && strchr("[({", *cell.start) && strchr("])}", cell.end[-1]));
 }
 
 /* Is the only column's line about x, or a key with its number (`dx [mm] = 0.5`)? */
-static bool is_about_x(struct span line)
+static bool is_about_x(struct string_view line)
 {
-    static const char *const words[] = {"x", "dx", "lateral", "horizontal", "spacing", "step", "length", "position"};
     bool number = false, sign = false, about = false;
-    struct span word;
-    for (char before; text_key_word(&line, &word, &before);) {
+    struct string_view word;
+    for (char before; next_word(&line, &word, &before);) {
         sign = sign || before == '=' || before == ':';
-        number = number || (text_key_number(word) && sign);
-        about = about || is_one_of(word, words, COUNT(words));
+        number = number || (is_number(word) && sign);
+        about = about || string_view_is_one_of(word, "x dx lateral horizontal spacing step length position");
     }
     return number || about;
 }
 
-static bool has_numbers(struct span line)
+static bool has_numbers(struct string_view line)
 {
-    struct span word;
-    for (char before; text_key_word(&line, &word, &before);)
-        if (text_key_number(word))
+    struct string_view word;
+    for (char before; next_word(&line, &word, &before);)
+        if (is_number(word))
             return true;
     return false;
 }
 
 /* The titles of a line of `columns` cells; false when it is none: another number of cells, or numbers among them. */
-static bool read_titles(struct text_header *header, struct span line, char delimiter, size_t columns)
+static bool read_titles(struct text_header *header, struct string_view line, char delimiter, size_t columns)
 {
     const char *units[TEXT_HEADER_COLUMNS] = {NULL};
     bool slopes[TEXT_HEADER_COLUMNS] = {false}, bares[TEXT_HEADER_COLUMNS] = {false};
@@ -105,9 +298,9 @@ static bool read_titles(struct text_header *header, struct span line, char delim
     bool with_numbers = has_numbers(line);
     if (columns == 1 && is_about_x(line))
         return false;
-    struct span cell;
+    struct string_view cell;
     while (cell_next(&line, delimiter, &cell)) {
-        if (text_key_number(cell))
+        if (is_number(cell))
             return false;
         if (count < TEXT_HEADER_COLUMNS) {
             units[count] = cell_unit(cell, with_numbers);
@@ -115,7 +308,7 @@ static bool read_titles(struct text_header *header, struct span line, char delim
             bares[count] = cell.end > cell.start && is_bare(cell);
             bare += bares[count] ? 1 : 0;
         }
-        if (span_equals(cell, "valid"))
+        if (string_view_equals(cell, "valid"))
             valid = count;
         count++;
         if (cell.end > cell.start)
@@ -134,12 +327,21 @@ static bool read_titles(struct text_header *header, struct span line, char delim
     return true;
 }
 
+bool text_header_add(struct text_header *header, struct string_view text)
+{
+    bool any = false, comment;
+    struct lines lines = lines_begin(text);
+    for (struct string_view line; lines_next(&lines, &line);)
+        any = text_header_add_line(header, text_header_uncomment(line, &comment)) || any;
+    return any;
+}
+
 /* The last lines of `preamble` that are not blank, uncommented: *count of them, the oldest first. */
-static void last_lines(struct span last[TEXT_HEADER_LINES], size_t *count, struct span preamble)
+static void last_lines(struct string_view last[TEXT_HEADER_LINES], size_t *count, struct string_view preamble)
 {
     *count = 0;
     struct lines lines = lines_begin(preamble);
-    for (struct span line; lines_next(&lines, &line);) {
+    for (struct string_view line; lines_next(&lines, &line);) {
         bool comment;
         line = text_header_uncomment(line, &comment);
         if (line.start == line.end)
@@ -154,19 +356,15 @@ static void last_lines(struct span last[TEXT_HEADER_LINES], size_t *count, struc
 
 static const char others[] = {'\t', ';', ',', ' '}; /* titles may be set differently from the numbers */
 
-struct text_header text_header_read(struct span preamble, char delimiter, size_t columns)
+struct text_header text_header_read(struct string_view preamble, char delimiter, size_t columns)
 {
     struct text_header header = {.valid = SIZE_MAX, .z_factor = 1}, ignored = {.z_factor = 1};
-    struct span last[TEXT_HEADER_LINES], line;
+    struct string_view last[TEXT_HEADER_LINES];
     size_t count;
-    struct lines lines = lines_begin(preamble);
-    while (lines_next(&lines, &line)) {
-        bool comment;
-        (void)text_key_read(&header, text_header_uncomment(line, &comment));
-    }
+    (void)text_header_add(&header, preamble);
     last_lines(last, &count, preamble);
     for (size_t i = 0; i < count; i++) {
-        if (text_key_read(&ignored, last[i])) /* `X unit: mm` is no pair of titles */
+        if (text_header_add_line(&ignored, last[i])) /* `X unit: mm` is no pair of titles */
             continue;
         bool found = read_titles(&header, last[i], delimiter, columns);
         for (size_t k = 0; k < COUNT(others) && !found; k++)
@@ -176,27 +374,27 @@ struct text_header text_header_read(struct span preamble, char delimiter, size_t
 }
 
 /* `title` without quotes around it and, where `bare`, without a unit in brackets behind it. */
-static struct span title_of(struct span cell, bool bare)
+static struct string_view title_of(struct string_view cell, bool bare)
 {
     const char *bracket = cell.start;
-    if (span_length(cell) > 1 && *cell.start == '"' && cell.end[-1] == '"')
-        cell = (struct span){cell.start + 1, cell.end - 1};
+    if (string_view_length(cell) > 1 && *cell.start == '"' && cell.end[-1] == '"')
+        cell = (struct string_view){cell.start + 1, cell.end - 1};
     for (bracket = cell.start; bare && bracket < cell.end; bracket++)
         if (strchr("[({", *bracket) && *bracket)
             break;
-    return span_trim((struct span){cell.start, bare && bracket > cell.start ? bracket : cell.end});
+    return string_view_trim((struct string_view){cell.start, bare && bracket > cell.start ? bracket : cell.end});
 }
 
 /* The column of `line` titled so; as text_header_find(). */
-static size_t find_title(struct span line, char delimiter, size_t columns, const char *title)
+static size_t find_title(struct string_view line, char delimiter, size_t columns, const char *title)
 {
     size_t cells = 0, whole = 0, bare = 0, wholes = 0, bares = 0;
-    for (struct span cell; cell_next(&line, delimiter, &cell);) {
+    for (struct string_view cell; cell_next(&line, delimiter, &cell);) {
         if (cell.end > cell.start)
             cells++;
-        if (span_equals(title_of(cell, false), title) && wholes++ == 0)
+        if (string_view_equals(title_of(cell, false), title) && wholes++ == 0)
             whole = cells;
-        if (span_equals(title_of(cell, true), title) && bares++ == 0)
+        if (string_view_equals(title_of(cell, true), title) && bares++ == 0)
             bare = cells;
     }
     if (cells != columns)
@@ -204,9 +402,9 @@ static size_t find_title(struct span line, char delimiter, size_t columns, const
     return wholes > 0 ? (wholes > 1 ? SIZE_MAX : whole) : bares > 1 ? SIZE_MAX : bare;
 }
 
-size_t text_header_find(struct span preamble, char delimiter, size_t columns, const char *title)
+size_t text_header_find(struct string_view preamble, char delimiter, size_t columns, const char *title)
 {
-    struct span last[TEXT_HEADER_LINES];
+    struct string_view last[TEXT_HEADER_LINES];
     size_t count, found = 0;
     last_lines(last, &count, preamble);
     for (size_t i = count; i-- > 0 && found == 0;) {
@@ -246,19 +444,4 @@ bool text_header_is_slope(const struct text_header *header, size_t column)
     const char *unit = text_header_z_unit(header, column, false);
     return header->z_slope || (column > 0 && column <= TEXT_HEADER_COLUMNS && header->slope[column - 1]) ||
            (unit && scan_unit_slope(unit, strlen(unit)) > 0);
-}
-
-enum status_code text_header_units(struct scan *out, const struct text_header *header, const char *x_unit, double *x_m,
-                                   double *z_m, const struct scan_bytes *file, const struct scan_options *options,
-                                   struct status *status)
-{
-    bool slope = text_header_is_slope(header, out->z_column);
-    x_unit = either(x_unit, text_header_x_unit(header, out->x_column));
-    const char *z_unit = text_header_z_unit(header, out->z_column, slope);
-    out->quantity = slope ? SCAN_SLOPE : SCAN_HEIGHT;
-    if (scan_units(out, x_unit, z_unit, x_m, z_m, file, options, status) != STATUS_OK)
-        return status->code;
-    if (header->all_unit && (x_unit == header->all_unit) && (z_unit == header->all_unit))
-        scan_warn(out, "the file names one unit for x and z alike, %s", out->x_unit);
-    return STATUS_OK;
 }

@@ -8,7 +8,7 @@
 
 enum { TEXT_HEADER_COLUMNS = 64, TEXT_HEADER_LINES = 3 };
 
-/** A number with its unit as scan_unit_name() gives it; value 0 and unit NULL where the file says nothing. */
+/** A number with its unit as scan_unit_find() names it; value 0 and unit NULL where the file says nothing. */
 struct text_quantity {
     double value;
     const char *unit;
@@ -35,21 +35,24 @@ const char *text_header_x_unit(const struct text_header *header, size_t column);
 const char *text_header_z_unit(const struct text_header *header, size_t column, bool slope);
 /** Does it call `column` (0: z) a slope, by its title, its unit or a key? */
 bool text_header_is_slope(const struct text_header *header, size_t column);
-/** scan_units() with what `header` says of out->x_column and out->z_column; `x_unit` (NULL: none) goes before that. */
-MUST_CHECK enum status_code text_header_units(struct scan *out, const struct text_header *header, const char *x_unit,
-                                              double *x_m, double *z_m, const struct scan_bytes *file,
-                                              const struct scan_options *options, struct status *status);
 /** Is it a title of a column of slopes: `Slope (urad)`, `dz/dx`? */
-bool text_header_title_slope(struct span title);
+bool text_header_title_slope(struct string_view title);
+/** Is one of `words`, which blanks separate, a word of the title? */
+bool text_header_title_says(struct string_view title, const char *words);
 
 /** Without its mark (#, //, %, ;) and trimmed when `line` is a comment, else just trimmed; *comment tells. */
-struct span text_header_uncomment(struct span line, bool *comment);
+struct string_view text_header_uncomment(struct string_view line, bool *comment);
+
+/** Takes over what the keys in `line`, or in every line of `text`, say, as the members of struct text_header describe
+ * it. Does a key of it name a unit, or what is measured? */
+bool text_header_add_line(struct text_header *header, struct string_view line);
+bool text_header_add(struct text_header *header, struct string_view text);
 
 /** Reads `preamble`, the lines above the numbers. Titles come from its last TEXT_HEADER_LINES lines that are not blank,
  * where such a line has `columns` cells; a later line wins. Keys come from any line. */
-struct text_header text_header_read(struct span preamble, char delimiter, size_t columns);
+struct text_header text_header_read(struct string_view preamble, char delimiter, size_t columns);
 
 /** The column (from 1) titled `title`, with its unit or without; 0: none, SIZE_MAX: more than one. */
-size_t text_header_find(struct span preamble, char delimiter, size_t columns, const char *title);
+size_t text_header_find(struct string_view preamble, char delimiter, size_t columns, const char *title);
 
 #endif

@@ -1,15 +1,13 @@
 #include "scene/scene.h"
-#include "base/text.h"
 #include "scene/scene_keys.h"
 #include "scene/scene_listing.h"
-#include "scene/scene_material.h"
-#include "scene/scene_source.h"
 #include "scene/scene_surfaces.h"
 #include "scene/scene_words.h"
 
 #include <assert.h>
 #include <errno.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -19,7 +17,7 @@ static const off_t most_bytes = 1024 * 1024; /* of scene.yaml */
 static struct scene default_scene(void)
 {
     return (struct scene){
-        .models = SCENE_MODEL_MULTISCALE | SCENE_MODEL_STATISTICAL,
+        .models = model_defaults(),
         .effects_auto = true,
         .material = *material_find("tin"),
         .counterface_kind = MATERIAL_COUNTERFACE_RIGID,
@@ -27,12 +25,12 @@ static struct scene default_scene(void)
         .nominal_area_m2 = NAN,
         .load = {.from = 1e-6, .to = 0.1, .points = 121},
         .tolerance = 1e-6,
-        .level = SCENE_LEVEL_LINE,
+        .level = LEVEL_LINE,
         .max_missing = 0.1,
-        .window = SCENE_WINDOW_NONE,
+        .window = SPECTRUM_WINDOW_NONE,
         .fit_band_m = {0.0, INFINITY},
-        .moments = SCENE_MOMENTS_DIFFERENCE,
-        .closure = SCENE_CLOSURE_THESIS,
+        .moments = ROUGHNESS_MOMENTS_DIFFERENCE,
+        .closure = SINUSOID_FIT_THESIS,
         .convergence = {.alpha = 0.085, .gamma = 1.5, .load = 1e-3, .scan_length_m = 3e-4, .scales = 4096},
     };
 }
@@ -54,11 +52,9 @@ static char *last_component(const char *path)
 
 static char *directory_title(const char *directory)
 {
-    char *title = last_component(directory);
-    if (title)
-        return title;
-    char *resolved = realpath(directory, NULL);
-    title = resolved ? last_component(resolved) : NULL;
+    char *resolved = NULL, *title = last_component(directory);
+    if (!title && (resolved = realpath(directory, NULL)))
+        title = last_component(resolved);
     free(resolved);
     return title ? title : strdup(directory);
 }
@@ -73,112 +69,99 @@ static enum status_code check_directory(const char *directory, struct status *st
     return STATUS_OK;
 }
 
-static enum status_code parse(struct scene *scene, struct scene_source *source)
-{
-    struct stat info;
-    if (stat(scene->path, &info) != 0)
-        return status_fail(source->status, STATUS_IO, "cannot open '%s': %s", scene->path, strerror(errno));
-    if (!S_ISREG(info.st_mode))
-        return status_fail(source->status, STATUS_SCENE, "'%s' is no regular file; remove it", scene->path);
-    if (info.st_size > most_bytes)
-        return status_fail(source->status, STATUS_SCENE, "'%s' is larger than 1 MiB; a scene is a few lines of text",
-                           scene->path);
-    struct text bytes = {0};
-    enum status_code code = text_read_file(&bytes, scene->path, source->status);
-    if (code == STATUS_OK)
-        code = scene_source_open(source, text_string(&bytes), bytes.length);
-    if (code == STATUS_OK)
-        code = scene_keys_read(scene, source);
-    scene_source_close(source);
-    text_free(&bytes);
-    return code;
-}
-
 /* Reads scene.yaml when there is one; a dangling link of that name is an error, not an absence. */
 static enum status_code read_text(struct scene *scene, struct scene_source *source)
 {
+    struct status *status = source->status;
     struct stat info;
     scene->path = scene_file_path(scene, "scene.yaml");
     if (!scene->path)
-        return status_memory(source->status);
+        return status_memory(status);
     if (lstat(scene->path, &info) != 0 && errno == ENOENT) {
         free(scene->path);
         scene->path = NULL;
         return STATUS_OK;
     }
-    source->path = scene->path;
-    return parse(scene, source);
+    if (stat(scene->path, &info) != 0)
+        return status_fail(status, STATUS_IO, "cannot open '%s': %s", scene->path, strerror(errno));
+    if (!S_ISREG(info.st_mode))
+        return status_fail(status, STATUS_SCENE, "'%s' is no regular file; remove it", scene->path);
+    if (info.st_size > most_bytes)
+        return status_fail(status, STATUS_SCENE, "'%s' is larger than 1 MiB; a scene is a few lines of text",
+                           scene->path);
+    struct text bytes = {0};
+    enum status_code code = text_read_file(&bytes, scene->path, status);
+    if (code == STATUS_OK && !scene_source_read(source, text_string(&bytes), bytes.length, scene_keys_read))
+        code = status->code;
+    text_free(&bytes);
+    return code;
 }
 
 static enum status_code override_effects(struct scene *scene, struct scene_source *source, const char *words)
 {
+    const char *names[EFFECT_COUNT], *word;
     memset(source->effect_line, 0, sizeof source->effect_line);
     scene->effects = 0;
     scene->effects_auto = strcmp(words, "auto") == 0;
     if (scene->effects_auto)
         return STATUS_OK;
-    const char *names[EFFECT_COUNT], *word;
     scene_keys_effect_names(names);
     size_t length;
     for (const char *rest = words; (word = scene_words_next(&rest, &length));) {
         struct scene_words_shown shown = scene_words_show(word, length);
-        enum effect effect = (enum effect)scene_words_find(word, length, names, EFFECT_COUNT);
+        size_t effect = scene_words_find(word, length, names, EFFECT_COUNT);
         if (effect == EFFECT_COUNT)
             return status_fail(source->status, STATUS_USAGE, "--effects: unknown effect '%s'; %s", shown.text,
                                scene_words_hint(shown.text, names, EFFECT_COUNT).text);
         scene->effects |= EFFECT_BIT(effect);
     }
-    if (scene->effects == 0)
-        return status_fail(source->status, STATUS_USAGE,
-                           "--effects names none; give 'auto' or names such as "
-                           "'electrical,thermal'");
     scene->effects = scene_keys_with_needed(scene->effects);
-    return STATUS_OK;
+    return scene->effects ? STATUS_OK
+                          : status_fail(source->status, STATUS_USAGE,
+                                        "--effects names none; give 'auto' or names such as 'electrical,thermal'");
 }
 
 static enum status_code override_values(struct scene *scene, struct scene_source *source,
                                         const struct scene_overrides *overrides)
 {
-    if (overrides->material) {
-        const struct material *material = material_find(overrides->material);
-        struct scene_words_shown shown = scene_words_show(overrides->material, strlen(overrides->material));
-        if (!material)
-            return status_fail(source->status, STATUS_USAGE, "--material: unknown material '%s'; %s", shown.text,
-                               scene_material_hint(overrides->material).text);
-        scene->material = *material;
-    }
-    double tolerance = overrides->tolerance;
-    if (tolerance != 0.0) {
-        if (!(tolerance >= SCENE_KEYS_TOLERANCE_LEAST && tolerance <= SCENE_KEYS_TOLERANCE_MOST))
-            return status_fail(source->status, STATUS_USAGE, "--tolerance is %g; allowed is %g to %g", tolerance,
-                               SCENE_KEYS_TOLERANCE_LEAST, SCENE_KEYS_TOLERANCE_MOST);
-        scene->tolerance = tolerance;
-    }
+    const char *word = overrides->material, *names[SCENE_SURFACES_MATERIALS];
+    const struct material *material = word ? material_find(word) : &scene->material;
+    if (!material)
+        return status_fail(source->status, STATUS_USAGE, "--material: unknown material '%s'; %s",
+                           scene_words_show(word, strlen(word)).text,
+                           scene_words_hint(word, names, scene_surfaces_materials(names, NULL, 0)).text);
+    scene->material = *material;
+    double tolerance = overrides->tolerance != 0.0 ? overrides->tolerance : scene->tolerance;
+    if (!(tolerance >= SCENE_KEYS_TOLERANCE_LEAST && tolerance <= SCENE_KEYS_TOLERANCE_MOST))
+        return status_fail(source->status, STATUS_USAGE, "--tolerance is %g; allowed is %g to %g", tolerance,
+                           SCENE_KEYS_TOLERANCE_LEAST, SCENE_KEYS_TOLERANCE_MOST);
+    scene->tolerance = tolerance;
     return overrides->effects ? override_effects(scene, source, overrides->effects) : STATUS_OK;
 }
 
-static enum status_code override_unit(struct scene *scene, size_t offset, const char *unit, const char *option,
-                                      struct status *status)
+static enum status_code override_units(struct scene *scene, const struct scene_overrides *overrides,
+                                       struct status *status)
 {
-    size_t size = sizeof scene->surfaces->x_unit;
-    if (!unit)
-        return STATUS_OK;
-    if (*unit == '\0' || strlen(unit) >= size)
-        return status_fail(status, STATUS_USAGE, "%s is '%s'; give a unit of length such as mm or um", option,
-                           scene_words_show(unit, strlen(unit)).text);
-    for (size_t i = 0; i < scene->surface_count; i++)
-        memcpy((char *)&scene->surfaces[i] + offset, unit, strlen(unit) + 1);
-    memcpy((char *)&scene->counterface_surface + offset, unit, strlen(unit) + 1);
+    const char *const units[] = {overrides->x_unit, overrides->z_unit};
+    for (size_t axis = 0; axis < 2; axis++) {
+        const char *unit = units[axis];
+        if (unit && (*unit == '\0' || strlen(unit) >= sizeof scene->surfaces->x_unit))
+            return status_fail(status, STATUS_USAGE, "--%c-unit is '%s'; give a unit of length such as mm or um",
+                               "xz"[axis], scene_words_show(unit, strlen(unit)).text);
+        for (size_t i = 0; unit && i <= scene->surface_count; i++) {
+            struct scene_surface *surface = i ? &scene->surfaces[i - 1] : &scene->counterface_surface;
+            strcpy(axis ? surface->z_unit : surface->x_unit, unit);
+        }
+    }
     return STATUS_OK;
 }
 
 static bool has_property(const struct material *material, const char *key)
 {
-    for (size_t i = 0; i < material_property_count; i++)
-        if (strcmp(material_properties[i].key, key) == 0)
-            return !isnan(material_value(material, &material_properties[i]));
-    assert(!"an effect needs a property that no material has");
-    return false;
+    size_t p = 0;
+    for (; strcmp(material_properties[p].key, key) != 0; p++)
+        assert(p + 1 < material_property_count); /* else an effect needs a property that no material has */
+    return !isnan(material_value(material, &material_properties[p]));
 }
 
 /* Fails when `body` ("material" or "counterface") lacks a property that an effect asked for by name needs. */
@@ -192,9 +175,9 @@ static enum status_code check_effects(const struct scene *scene, struct scene_so
             if (has_property(material, *key))
                 continue;
             if (source->effect_line[i])
-                return scene_source_fail(source, source->effect_line[i],
-                                         "effect '%s' needs '%s'; add it to '%s' or leave the effect out",
-                                         effect_rows[i].name, *key, body);
+                scene_source_fail(source, source->effect_line[i],
+                                  "effect '%s' needs '%s'; add it to '%s' or leave the effect out", effect_rows[i].name,
+                                  *key, body);
             return status_fail(source->status, STATUS_SCENE, "--effects: '%s' needs '%s'; add it to '%s' in '%s'",
                                effect_rows[i].name, *key, body, scene->path);
         }
@@ -210,48 +193,42 @@ static enum status_code check_baseline(const struct scene *scene, struct scene_s
         if (strcmp(scene->surfaces[i].name, scene->baseline) == 0)
             return STATUS_OK;
     const char *first = scene->surfaces[0].name;
-    return scene_source_fail(source, source->baseline_line, "'baseline' is '%s', no surface's name; the first is '%s'",
-                             scene_words_show(scene->baseline, strlen(scene->baseline)).text,
-                             scene_words_show(first, strlen(first)).text);
+    scene_source_fail(source, source->baseline_line, "'baseline' is '%s', no surface's name; the first is '%s'",
+                      scene_words_show(scene->baseline, strlen(scene->baseline)).text,
+                      scene_words_show(first, strlen(first)).text);
+    return STATUS_SCENE;
 }
 
 static enum status_code complete(struct scene *scene, struct scene_source *source,
                                  const struct scene_overrides *overrides)
 {
-    enum status_code code = override_values(scene, source, overrides);
+    struct status *status = source->status;
+    if (override_values(scene, source, overrides) != STATUS_OK)
+        return status->code;
     scene->counterface_kind = source->counterface_elastic ? MATERIAL_COUNTERFACE_ELASTIC : MATERIAL_COUNTERFACE_RIGID;
-    if (code == STATUS_OK && source->counterface_same)
+    if (source->counterface_same)
         scene->counterface = scene->material;
-    if (code == STATUS_OK)
-        code = check_effects(scene, source, "material", &scene->material);
-    if (code == STATUS_OK && source->counterface_elastic)
-        code = check_effects(scene, source, "counterface", &scene->counterface);
-    if (code == STATUS_OK && scene->surface_count == 0)
-        code = scene_listing_read(scene, source->status);
-    if (code == STATUS_OK)
-        code =
-            override_unit(scene, offsetof(struct scene_surface, x_unit), overrides->x_unit, "--x-unit", source->status);
-    if (code == STATUS_OK)
-        code =
-            override_unit(scene, offsetof(struct scene_surface, z_unit), overrides->z_unit, "--z-unit", source->status);
-    if (code == STATUS_OK)
-        code = check_baseline(scene, source);
-    if (code == STATUS_OK && !scene->title && !(scene->title = directory_title(scene->directory)))
-        code = status_memory(source->status);
-    return code;
+    if (check_effects(scene, source, "material", &scene->material) != STATUS_OK ||
+        (source->counterface_elastic &&
+         check_effects(scene, source, "counterface", &scene->counterface) != STATUS_OK) ||
+        (scene->surface_count == 0 && scene_listing_read(scene, status) != STATUS_OK) ||
+        override_units(scene, overrides, status) != STATUS_OK || check_baseline(scene, source) != STATUS_OK)
+        return status->code;
+    if (!scene->title)
+        scene->title = directory_title(scene->directory);
+    return scene->title ? STATUS_OK : status_memory(status);
 }
 
 enum status_code scene_read(struct scene *out, const char *directory, const struct scene_overrides *overrides,
                             struct status *status)
 {
     static const struct scene_overrides nothing = {0};
-    struct scene_source source = {.directory = directory, .status = status};
+    struct scene_source source = {.scene = out, .status = status};
     *out = default_scene();
     enum status_code code = check_directory(directory, status);
     if (code != STATUS_OK)
         return code;
-    out->directory = strdup(directory);
-    if (!out->directory)
+    if (!(out->directory = strdup(directory)))
         return status_memory(status);
     code = read_text(out, &source);
     return code == STATUS_OK ? complete(out, &source, overrides ? overrides : &nothing) : code;
@@ -274,5 +251,49 @@ void scene_free(struct scene *scene)
 
 char *scene_file_path(const struct scene *scene, const char *file)
 {
-    return scene_surfaces_path(scene->directory, file);
+    const char *directory = file[0] == '/' ? "" : scene->directory;
+    size_t length = strlen(directory);
+    char *path;
+    bool joined = length == 0 || directory[length - 1] == '/';
+    return asprintf(&path, "%s%s%s", directory, joined ? "" : "/", file) < 0 ? NULL : path;
+}
+
+static int compare_doubles(const void *a, const void *b)
+{
+    double first = *(const double *)a, second = *(const double *)b;
+    return (first > second) - (first < second);
+}
+
+/* `points` loads in equal steps of their logarithm; by powers of ten, so that whole decades come out exactly. */
+static void fill_decades(double *loads, const struct scene_load *load)
+{
+    double first = log10(load->from), last = log10(load->to);
+    for (size_t i = 1; i + 1 < load->points; i++) {
+        double step = (last - first) * (double)i / (double)(load->points - 1);
+        loads[i] = fmin(fmax(pow(10.0, first + step), load->from), load->to);
+    }
+    loads[load->points - 1] = load->to;
+    loads[0] = load->from;
+}
+
+enum status_code scene_loads(double **loads, size_t *count, const struct scene *scene, double effective_modulus_Pa,
+                             struct status *status)
+{
+    const struct scene_load *load = &scene->load;
+    double *all = malloc(load->points * sizeof *all);
+    *loads = all;
+    *count = 0;
+    if (!all)
+        return status_memory(status);
+    if (load->values)
+        memcpy(all, load->values, load->points * sizeof *all);
+    else
+        fill_decades(all, load);
+    for (size_t i = 0; load->in_pascal && i < load->points; i++)
+        all[i] /= effective_modulus_Pa;
+    qsort(all, load->points, sizeof *all, compare_doubles);
+    for (size_t i = 0; i < load->points; i++)
+        if (i == 0 || all[i] != all[*count - 1])
+            all[(*count)++] = all[i];
+    return STATUS_OK;
 }

@@ -1,34 +1,15 @@
-/* What the user asks for: DIR/scene.yaml, with defaults for everything (contract "Scene"). */
+/* What the user asks for: DIR/scene.yaml, with defaults for everything (README, The scene). */
 #ifndef SCENE_SCENE_H
 #define SCENE_SCENE_H
 
-#include "base/status.h"
+#include "base/text.h"
 #include "base/unit.h"
+#include "contact/model.h"
+#include "material/material.h"
+#include "profile/level.h"
 #include "scan/scan.h"
-#include "scene/effect.h"
-#include "scene/material.h"
 #include <stdbool.h>
 #include <stddef.h>
-
-enum scene_model { SCENE_MODEL_MULTISCALE = 1, SCENE_MODEL_STATISTICAL = 2 }; /* bits */
-enum scene_level {
-    SCENE_LEVEL_NONE,
-    SCENE_LEVEL_MEAN,
-    SCENE_LEVEL_LINE,
-    SCENE_LEVEL_PARABOLA,
-    SCENE_LEVEL_CIRCLE, /* an arc */
-    SCENE_LEVEL_ROBUST, /* a line that outliers do not move */
-    SCENE_LEVEL_COUNT
-};
-enum scene_window { SCENE_WINDOW_NONE, SCENE_WINDOW_HANN, SCENE_WINDOW_COUNT };
-enum scene_moments { SCENE_MOMENTS_DIFFERENCE, SCENE_MOMENTS_SPECTRAL, SCENE_MOMENTS_COUNT };
-enum scene_closure { SCENE_CLOSURE_THESIS, SCENE_CLOSURE_NUMERIC, SCENE_CLOSURE_COUNT };
-
-/** Spellings in the scene, in the order of the enums above. */
-extern const char *const scene_level_names[SCENE_LEVEL_COUNT];
-extern const char *const scene_window_names[SCENE_WINDOW_COUNT];
-extern const char *const scene_moments_names[SCENE_MOMENTS_COUNT];
-extern const char *const scene_closure_names[SCENE_CLOSURE_COUNT];
 
 /** One surface to report: one scan file, or repeated scans of it. */
 struct scene_surface {
@@ -56,9 +37,6 @@ struct scene_convergence {
     size_t scales;
 };
 
-enum scene_direction { SCENE_DIRECTION_X, SCENE_DIRECTION_Y, SCENE_DIRECTION_COUNT };
-extern const char *const scene_direction_names[SCENE_DIRECTION_COUNT];
-
 enum scene_measured_quantity { SCENE_MEASURED_ECR, SCENE_MEASURED_TCR, SCENE_MEASURED_QUANTITY_COUNT };
 
 /** What a measured load and, by quantity, a measured resistance may be: enum unit_quantity bits. */
@@ -77,7 +55,7 @@ struct scene {
     char *directory; /* DIR as given */
     char *path;      /* of scene.yaml, NULL when there is none */
     char *title;
-    unsigned models; /* bits of enum scene_model */
+    uint64_t models; /* MODEL_BITs asked for */
     bool effects_auto;
     unsigned effects; /* EFFECT_BITs asked for, and those they build on, when !effects_auto */
     struct material material;
@@ -86,18 +64,18 @@ struct scene {
     double nominal_area_m2; /* NaN: resistances stay per area */
     struct scene_load load;
     double tolerance; /* relative */
-    enum scene_level level;
+    enum level level;
     double max_missing;  /* share of a profile's points that may be missing */
     double lambda_s_m;   /* cut-off of the Gaussian low-pass; 0: none */
     double lambda_c_m;   /* cut-off of the Gaussian high-pass; 0: none */
     double tip_radius_m; /* of the stylus; 0: not known */
-    enum scene_window window;
+    enum spectrum_window window;
     double fit_band_m[2]; /* shortest, longest wavelength; 0, INFINITY: all. Where not given: what the filters leave */
-    enum scene_moments moments;
-    enum scene_closure closure;
+    enum roughness_moments moments;
+    enum sinusoid_fit_id closure;
     char *baseline; /* surface name, NULL: the second smoothest */
     struct scene_convergence convergence;
-    enum scene_direction direction;           /* of the profiles taken from an areal map */
+    enum scan_direction direction;            /* of the profiles taken from an areal map */
     struct scene_surface counterface_surface; /* file_count 0: the counterface is smooth */
     struct scene_measured measured;
     struct scene_surface *surfaces;

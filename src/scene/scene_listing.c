@@ -2,17 +2,14 @@
 #include "scan/sidecar.h"
 #include "scene/scene_surfaces.h"
 
+#include <ctype.h>
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-
-static bool is_digit(char c)
-{
-    return c >= '0' && c <= '9';
-}
+#include <unistd.h>
 
 /* Compares the numbers that `*a` and `*b` start with, and moves both past them. */
 static int compare_numbers(const char **a, const char **b)
@@ -32,7 +29,7 @@ static int compare_natural(const char *a, const char *b)
     const char *first = a, *second = b;
     while (*first && *second) {
         int order;
-        if (is_digit(*first) && is_digit(*second))
+        if (isdigit((unsigned char)*first) && isdigit((unsigned char)*second))
             order = compare_numbers(&first, &second);
         else
             order = (unsigned char)*first++ - (unsigned char)*second++;
@@ -51,16 +48,8 @@ static int compare_surfaces(const void *a, const void *b)
     return order ? order : strcmp(first->files[0], second->files[0]);
 }
 
-static enum status_code add_surface(struct scene *scene, size_t *capacity, const char *file, struct status *status)
+static enum status_code add_surface(struct scene *scene, const char *file, struct status *status)
 {
-    if (scene->surface_count == *capacity) {
-        size_t larger = *capacity ? 2 * *capacity : 64;
-        struct scene_surface *surfaces = realloc(scene->surfaces, larger * sizeof *surfaces);
-        if (!surfaces)
-            return status_memory(status);
-        scene->surfaces = surfaces;
-        *capacity = larger;
-    }
     struct scene_surface *surface = &scene->surfaces[scene->surface_count++];
     *surface = (struct scene_surface){.name = scene_surfaces_name(file, false), .files = calloc(1, sizeof(char *))};
     if (!surface->files)
@@ -73,21 +62,19 @@ static enum status_code add_surface(struct scene *scene, size_t *capacity, const
 /* Gives surfaces that share a name the ending of their file, until all differ (file names do). */
 static enum status_code tell_apart(struct scene *scene, struct status *status)
 {
+    struct scene_surface *all = scene->surfaces;
     for (bool again = true; again;) {
         again = false;
-        qsort(scene->surfaces, scene->surface_count, sizeof *scene->surfaces, compare_surfaces);
-        for (size_t i = 0; i < scene->surface_count;) {
-            size_t end = i + 1;
-            while (end < scene->surface_count && strcmp(scene->surfaces[i].name, scene->surfaces[end].name) == 0)
+        qsort(all, scene->surface_count, sizeof *all, compare_surfaces);
+        for (size_t i = 0, end; i < scene->surface_count; i = end) {
+            for (end = i + 1; end < scene->surface_count && strcmp(all[i].name, all[end].name) == 0;)
                 end++;
             for (size_t j = i; end > i + 1 && j < end; j++) {
-                free(scene->surfaces[j].name);
-                scene->surfaces[j].name = scene_surfaces_name(scene->surfaces[j].files[0], true);
-                if (!scene->surfaces[j].name)
+                free(all[j].name);
+                if (!(all[j].name = scene_surfaces_name(all[j].files[0], true)))
                     return status_memory(status);
                 again = true;
             }
-            i = end;
         }
     }
     return STATUS_OK;
@@ -115,92 +102,79 @@ static bool is_candidate(const struct scene *scene, int directory, const char *f
            S_ISREG(info.st_mode) && !is_taken(scene, directory, &info);
 }
 
-static const char *last_component(const char *path)
+static int compare_files(const void *a, const void *b)
 {
-    const char *slash = strrchr(path, '/');
-    return slash ? slash + 1 : path;
+    return strcmp(((const struct scene_surface *)a)->files[0], ((const struct scene_surface *)b)->files[0]);
 }
 
-static int compare_texts(const void *a, const void *b)
-{
-    return strcmp(*(const char *const *)a, *(const char *const *)b);
-}
-
-/* Is `file` the name of a sidecar of one of `names`, which are in order, or of a counterface's scan? */
-static bool has_scan(const struct scene *scene, const char *const *names, size_t count, const char *file)
+/* Is `file` the name of a sidecar of one of the first `count` surfaces, which are in order, or of a counterface's scan?
+ */
+static bool has_scan(const struct scene *scene, size_t count, const char *file)
 {
     size_t stem, low = 0, high = count;
     if (!sidecar_ending(file, &stem))
         return false;
     while (low < high) { /* the first that begins with the stem */
         size_t middle = low + (high - low) / 2;
-        if (strncmp(names[middle], file, stem) < 0)
+        if (strncmp(scene->surfaces[middle].files[0], file, stem) < 0)
             low = middle + 1;
         else
             high = middle;
     }
-    for (; low < count && strncmp(names[low], file, stem) == 0; low++)
-        if (sidecar_fits(file, names[low]))
+    for (; low < count && strncmp(scene->surfaces[low].files[0], file, stem) == 0; low++)
+        if (sidecar_fits(file, scene->surfaces[low].files[0]))
             return true;
     for (size_t i = 0; i < scene->counterface_surface.file_count; i++)
-        if (sidecar_fits(file, last_component(scene->counterface_surface.files[i])))
+        if (sidecar_fits(file, basename(scene->counterface_surface.files[i])))
             return true;
     return false;
 }
 
 /* Takes out the files that only say units of scans beside them. */
-static enum status_code drop_sidecars(struct scene *scene, struct status *status)
+static void drop_sidecars(struct scene *scene)
 {
-    size_t count = scene->surface_count, scans = 0, kept = 0, stem;
-    const char **names = malloc(count * sizeof *names);
-    bool *beside = calloc(count, sizeof *beside);
-    enum status_code code = names && beside ? STATUS_OK : status_memory(status);
-    for (size_t i = 0; i < count && code == STATUS_OK; i++) {
-        const char *file = scene->surfaces[i].files[0];
+    struct scene_surface *all = scene->surfaces;
+    size_t count = scene->surface_count, scans = 0, stem;
+    for (size_t i = 0; i < count; i++) { /* what may be a sidecar goes behind the scans */
+        struct scene_surface surface = all[i];
         struct sidecar sidecar;
-        char *path = sidecar_ending(file, &stem) ? scene_surfaces_path(scene->directory, file) : NULL;
-        beside[i] = path && sidecar_read(&sidecar, path);
+        char *path = sidecar_ending(surface.files[0], &stem) ? scene_file_path(scene, surface.files[0]) : NULL;
+        if (!path || !sidecar_read(&sidecar, path)) {
+            all[i] = all[scans];
+            all[scans++] = surface;
+        }
         free(path);
-        if (!beside[i])
-            names[scans++] = file;
     }
-    if (code == STATUS_OK)
-        qsort(names, scans, sizeof *names, compare_texts);
-    for (size_t i = 0; i < count && code == STATUS_OK; i++)
-        beside[i] = beside[i] && has_scan(scene, names, scans, scene->surfaces[i].files[0]);
-    for (size_t i = 0; i < count && code == STATUS_OK; i++) {
-        if (beside[i])
-            scene_surfaces_free(&scene->surfaces[i]);
+    qsort(all, scans, sizeof *all, compare_files);
+    scene->surface_count = scans;
+    for (size_t i = scans; i < count; i++) {
+        if (has_scan(scene, scans, all[i].files[0]))
+            scene_surfaces_free(&all[i]);
         else
-            scene->surfaces[kept++] = scene->surfaces[i];
+            all[scene->surface_count++] = all[i];
     }
-    scene->surface_count = code == STATUS_OK ? kept : count;
-    free(names);
-    free(beside);
-    return code;
 }
 
 enum status_code scene_listing_read(struct scene *scene, struct status *status)
 {
-    DIR *directory = opendir(scene->directory);
-    if (!directory)
-        return status_fail(status, STATUS_IO, "cannot list '%s': %s", scene->directory, strerror(errno));
+    struct dirent **entries = NULL;
+    int directory = open(scene->directory, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    int count = directory < 0 ? -1 : scandirat(directory, ".", &entries, NULL, NULL);
     enum status_code code = STATUS_OK;
-    size_t capacity = 0;
-    while (code == STATUS_OK) {
-        errno = 0;
-        const struct dirent *entry = readdir(directory);
-        if (!entry) {
-            if (errno != 0)
-                code = status_fail(status, STATUS_IO, "cannot list '%s': %s", scene->directory, strerror(errno));
-            break;
-        }
-        if (is_candidate(scene, dirfd(directory), entry->d_name))
-            code = add_surface(scene, &capacity, entry->d_name, status);
+    if (count < 0)
+        code = status_fail(status, STATUS_IO, "cannot list '%s': %s", scene->directory, strerror(errno));
+    else if (!(scene->surfaces = calloc((size_t)count + 1, sizeof *scene->surfaces)))
+        code = status_memory(status);
+    for (int i = 0; i < count; i++) {
+        if (code == STATUS_OK && is_candidate(scene, directory, entries[i]->d_name))
+            code = add_surface(scene, entries[i]->d_name, status);
+        free(entries[i]);
     }
-    closedir(directory);
-    if (code != STATUS_OK || scene->surface_count == 0)
+    free(entries);
+    if (directory >= 0)
+        close(directory);
+    if (code != STATUS_OK)
         return code;
-    code = drop_sidecars(scene, status);
-    return code == STATUS_OK ? tell_apart(scene, status) : code;
+    drop_sidecars(scene);
+    return tell_apart(scene, status);
 }

@@ -1,6 +1,9 @@
 #include "scene/scene_source.h"
+#include "scan/number.h"
 #include "scene/scene_words.h"
 
+#include <assert.h>
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -8,20 +11,27 @@
 /* A scene needs 4 levels and few anchors. libyaml's time grows with the square of both, so they are bounded. */
 enum { DEEPEST_NESTING = 16, MOST_ANCHORS = 1000 };
 
-enum status_code scene_source_fail(struct scene_source *source, size_t line, const char *format, ...)
+bool scene_source_fail(struct scene_source *source, size_t line, const char *format, ...)
 {
     char message[sizeof source->status->message];
     va_list args;
     va_start(args, format);
     vsnprintf(message, sizeof message, format, args);
     va_end(args);
-    return status_fail(source->status, STATUS_SCENE, "%s:%zu: %s", source->path, line, message);
+    (void)status_fail(source->status, STATUS_SCENE, "%s:%zu: %s", source->scene->path, line, message);
+    return false;
 }
 
-static enum status_code parser_error(struct scene_source *source, const yaml_parser_t *parser, const char *bytes)
+bool scene_source_memory(struct scene_source *source)
+{
+    (void)status_memory(source->status);
+    return false;
+}
+
+static bool parser_error(struct scene_source *source, const yaml_parser_t *parser, const char *bytes)
 {
     if (parser->error == YAML_MEMORY_ERROR)
-        return status_memory(source->status);
+        return scene_source_memory(source);
     size_t line = parser->problem_mark.line + 1;
     if (parser->error == YAML_READER_ERROR) { /* knows an offset only */
         line = 1;
@@ -36,7 +46,7 @@ struct shape {
     int depth, documents, anchors;
 };
 
-static enum status_code check_event(struct scene_source *source, const yaml_event_t *event, struct shape *shape)
+static bool check_event(struct scene_source *source, const yaml_event_t *event, struct shape *shape)
 {
     size_t line = event->start_mark.line + 1;
     bool start = event->type == YAML_SEQUENCE_START_EVENT || event->type == YAML_MAPPING_START_EVENT;
@@ -53,74 +63,68 @@ static enum status_code check_event(struct scene_source *source, const yaml_even
         return scene_source_fail(source, line, "a second document starts here; a scene is one, remove the '---'");
     if (shape->anchors > MOST_ANCHORS)
         return scene_source_fail(source, line, "more than %d anchors and aliases; write the values out", MOST_ANCHORS);
-    return STATUS_OK;
+    return true;
 }
 
 /* A first pass over the events, so that nothing hostile reaches the tree builder. */
-static enum status_code check_shape(struct scene_source *source, const char *bytes, size_t length)
+static bool check_shape(struct scene_source *source, yaml_parser_t *parser, const char *bytes)
 {
-    yaml_parser_t parser;
-    if (!yaml_parser_initialize(&parser))
-        return status_memory(source->status);
-    yaml_parser_set_input_string(&parser, (const unsigned char *)bytes, length);
     struct shape shape = {0};
-    enum status_code code = STATUS_OK;
-    for (bool end = false; code == STATUS_OK && !end;) {
-        yaml_event_t event;
-        if (!yaml_parser_parse(&parser, &event)) {
-            code = parser_error(source, &parser, bytes);
-            break;
-        }
+    yaml_event_t event;
+    for (bool end = false; !end;) {
+        if (!yaml_parser_parse(parser, &event))
+            return parser_error(source, parser, bytes);
         end = event.type == YAML_STREAM_END_EVENT;
-        code = check_event(source, &event, &shape);
+        bool good = check_event(source, &event, &shape);
         yaml_event_delete(&event);
+        if (!good)
+            return false;
     }
-    yaml_parser_delete(&parser);
-    return code;
+    return true;
 }
 
-enum status_code scene_source_open(struct scene_source *source, const char *bytes, size_t length)
+static bool load_tree(struct scene_source *source, yaml_parser_t *parser, const char *bytes)
 {
-    enum status_code code = check_shape(source, bytes, length);
-    if (code != STATUS_OK)
-        return code;
+    return yaml_parser_load(parser, &source->document) || parser_error(source, parser, bytes);
+}
+
+static bool parse(struct scene_source *source, const char *bytes, size_t length,
+                  bool (*pass)(struct scene_source *source, yaml_parser_t *parser, const char *bytes))
+{
     yaml_parser_t parser;
     if (!yaml_parser_initialize(&parser))
-        return status_memory(source->status);
+        return scene_source_memory(source);
     yaml_parser_set_input_string(&parser, (const unsigned char *)bytes, length);
-    source->open = yaml_parser_load(&parser, &source->document) != 0;
-    if (!source->open)
-        code = parser_error(source, &parser, bytes);
+    bool good = pass(source, &parser, bytes);
     yaml_parser_delete(&parser);
-    return code;
+    return good;
 }
 
-void scene_source_close(struct scene_source *source)
+/* Which of the words the node is, `count` when it is none. */
+static size_t find_word(const yaml_node_t *node, const char *const *words, size_t count)
 {
-    if (source->open)
-        yaml_document_delete(&source->document);
-    source->open = false;
+    return node->type != YAML_SCALAR_NODE
+               ? count
+               : scene_words_find((const char *)node->data.scalar.value, node->data.scalar.length, words, count);
 }
 
 /* A key without a value, or one of the ways YAML spells "nothing". */
 static bool is_null(const yaml_node_t *node)
 {
     static const char *const spellings[] = {"", "~", "null", "Null", "NULL"};
-    if (node->type != YAML_SCALAR_NODE || node->data.scalar.style != YAML_PLAIN_SCALAR_STYLE)
+    return find_word(node, spellings, SCENE_COUNT(spellings)) < SCENE_COUNT(spellings) &&
+           node->data.scalar.style == YAML_PLAIN_SCALAR_STYLE;
+}
+
+bool scene_source_read(struct scene_source *source, const char *bytes, size_t length,
+                       bool (*read)(struct scene_source *source, const yaml_node_t *root))
+{
+    if (!parse(source, bytes, length, check_shape) || !parse(source, bytes, length, load_tree))
         return false;
-    size_t count = sizeof spellings / sizeof *spellings;
-    return scene_words_find((const char *)node->data.scalar.value, node->data.scalar.length, spellings, count) < count;
-}
-
-const yaml_node_t *scene_source_root(struct scene_source *source)
-{
     const yaml_node_t *root = yaml_document_get_root_node(&source->document);
-    return root && is_null(root) ? NULL : root;
-}
-
-const yaml_node_t *scene_source_node(struct scene_source *source, int index)
-{
-    return yaml_document_get_node(&source->document, index);
+    bool good = !root || is_null(root) || read(source, root);
+    yaml_document_delete(&source->document);
+    return good;
 }
 
 size_t scene_source_item_count(const yaml_node_t *node)
@@ -132,7 +136,9 @@ size_t scene_source_item_count(const yaml_node_t *node)
 
 const yaml_node_t *scene_source_item(struct scene_source *source, const yaml_node_t *node, size_t i)
 {
-    return node->type == YAML_SEQUENCE_NODE ? scene_source_node(source, node->data.sequence.items.start[i]) : node;
+    return node->type == YAML_SEQUENCE_NODE
+               ? yaml_document_get_node(&source->document, node->data.sequence.items.start[i])
+               : node;
 }
 
 size_t scene_source_line(const yaml_node_t *node)
@@ -142,24 +148,22 @@ size_t scene_source_line(const yaml_node_t *node)
 
 bool scene_source_is(const yaml_node_t *node, const char *word)
 {
-    return node->type == YAML_SCALAR_NODE && node->data.scalar.length == strlen(word) &&
-           memcmp(node->data.scalar.value, word, strlen(word)) == 0;
+    return find_word(node, &word, 1) == 0;
 }
 
-enum status_code scene_source_wrong_type(struct scene_source *source, const yaml_node_t *node, const char *what,
-                                         const char *expected)
+bool scene_source_wrong_type(struct scene_source *source, const yaml_node_t *node, const char *what,
+                             const char *expected)
 {
     size_t line = scene_source_line(node);
-    if (node->type == YAML_SEQUENCE_NODE)
-        return scene_source_fail(source, line, "'%s' is a list; give %s", what, expected);
-    if (node->type == YAML_MAPPING_NODE)
-        return scene_source_fail(source, line, "'%s' is a mapping; give %s", what, expected);
+    if (node->type != YAML_SCALAR_NODE)
+        return scene_source_fail(source, line, "'%s' is a %s; give %s", what,
+                                 node->type == YAML_SEQUENCE_NODE ? "list" : "mapping", expected);
     struct scene_words_shown shown = scene_words_show((const char *)node->data.scalar.value, node->data.scalar.length);
     return scene_source_fail(source, line, "'%s' is '%s'; give %s", what, shown.text, expected);
 }
 
-enum status_code scene_source_unknown(struct scene_source *source, const yaml_node_t *node, const char *what,
-                                      const char *const *names, size_t count)
+bool scene_source_unknown(struct scene_source *source, const yaml_node_t *node, const char *what,
+                          const char *const *names, size_t count)
 {
     const char *word = (const char *)node->data.scalar.value;
     return scene_source_fail(source, scene_source_line(node), "unknown %s '%s'; %s", what,
@@ -167,38 +171,134 @@ enum status_code scene_source_unknown(struct scene_source *source, const yaml_no
                              scene_words_hint(word, names, count).text);
 }
 
-static enum status_code read_pair(struct scene_source *source, const yaml_node_pair_t *pair, const char *what,
-                                  const struct scene_key *keys, size_t count, void *base, size_t *lines)
+static bool read_pair(struct scene_source *source, const yaml_node_t *name, const yaml_node_t *value, const char *what,
+                      struct scene_key *keys, const char *const *names, size_t count)
 {
-    const yaml_node_t *name = scene_source_node(source, pair->key), *value = scene_source_node(source, pair->value);
-    enum { MOST_KEYS = 32 };
-    const char *names[MOST_KEYS];
-    for (size_t i = 0; i < count && i < MOST_KEYS; i++)
-        names[i] = keys[i].name;
-    size_t line = scene_source_line(name);
+    size_t k = find_word(name, names, count), line = scene_source_line(name);
     if (name->type != YAML_SCALAR_NODE)
         return scene_source_fail(source, line, "a key of '%s' is no text; write 'key: value'", what);
-    size_t k = scene_words_find((const char *)name->data.scalar.value, name->data.scalar.length, names, count);
     if (k == count)
         return scene_source_unknown(source, name, "key", names, count);
-    if (lines[k] != 0)
+    if (keys[k].line != 0)
         return scene_source_fail(source, line, "'%s' is given twice, first in line %zu; remove one", keys[k].name,
-                                 lines[k]);
-    lines[k] = line;
+                                 keys[k].line);
+    keys[k].line = line;
     if (is_null(value))
         return scene_source_fail(source, line, "'%s' has no value; give one or remove the line", keys[k].name);
-    return keys[k].read(source, &keys[k], value, (char *)base + keys[k].offset);
+    return keys[k].read(source, &keys[k], value);
 }
 
-enum status_code scene_source_mapping(struct scene_source *source, const yaml_node_t *node, const char *what,
-                                      const struct scene_key *keys, size_t count, void *base, size_t *lines)
+bool scene_source_mapping(struct scene_source *source, const yaml_node_t *node, const char *what,
+                          struct scene_key *keys, size_t count)
 {
-    memset(lines, 0, count * sizeof *lines);
+    const char *names[32];
+    assert(count <= SCENE_COUNT(names));
+    for (size_t k = 0; k < count; k++)
+        names[k] = keys[k].name;
     if (node->type != YAML_MAPPING_NODE)
         return scene_source_wrong_type(source, node, what, "'key: value' pairs");
-    enum status_code code = STATUS_OK;
-    const yaml_node_pair_t *top = node->data.mapping.pairs.top;
-    for (const yaml_node_pair_t *pair = node->data.mapping.pairs.start; code == STATUS_OK && pair < top; pair++)
-        code = read_pair(source, pair, what, keys, count, base, lines);
-    return code;
+    yaml_document_t *tree = &source->document;
+    for (const yaml_node_pair_t *pair = node->data.mapping.pairs.start; pair < node->data.mapping.pairs.top; pair++)
+        if (!read_pair(source, yaml_document_get_node(tree, pair->key), yaml_document_get_node(tree, pair->value), what,
+                       keys, names, count))
+            return false;
+    return true;
+}
+
+size_t scene_source_line_of(const struct scene_key *keys, const char *name)
+{
+    while (strcmp(keys->name, name) != 0)
+        keys++;
+    return keys->line;
+}
+
+bool scene_source_has(struct scene_source *source, const yaml_node_t *node, const char *name)
+{
+    if (node->type != YAML_MAPPING_NODE)
+        return false;
+    for (const yaml_node_pair_t *pair = node->data.mapping.pairs.start; pair < node->data.mapping.pairs.top; pair++)
+        if (scene_source_is(yaml_document_get_node(&source->document, pair->key), name))
+            return true;
+    return false;
+}
+
+/* A decimal number and nothing else: no inf, nan, hexadecimal or 1_000, nor Fortran's exponent. */
+static bool read_number(struct scene_source *source, const struct scene_key *key, const yaml_node_t *node,
+                        const char *expected, double *number)
+{
+    struct string_view text = {0};
+    if (node->type == YAML_SCALAR_NODE)
+        text = (struct string_view){(const char *)node->data.scalar.value,
+                                    (const char *)node->data.scalar.value + node->data.scalar.length};
+    if (!text.start || number_scan(text, NUMBER_POINT, NULL, number) != text.end || strpbrk(text.start, "dD"))
+        return scene_source_wrong_type(source, node, key->name, expected);
+    if (!(*number >= key->least && *number <= key->most))
+        return scene_source_fail(source, scene_source_line(node), "'%s' is %s; allowed is %g to %g", key->name,
+                                 scene_words_show(text.start, string_view_length(text)).text, key->least, key->most);
+    return true;
+}
+
+bool scene_source_number(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+{
+    return (key->word && scene_source_is(value, key->word)) ||
+           read_number(source, key, value, "a number such as 1.5e-6", key->field);
+}
+
+bool scene_source_whole(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+{
+    static const char expected[] = "a whole number";
+    double number = 0.0;
+    if (!read_number(source, key, value, expected, &number))
+        return false;
+    if (number != floor(number))
+        return scene_source_wrong_type(source, value, key->name, expected);
+    *(size_t *)key->field = (size_t)number;
+    return true;
+}
+
+bool scene_source_choice(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+{
+    size_t choice = find_word(value, key->choices, key->choice_count);
+    if (value->type != YAML_SCALAR_NODE)
+        return scene_source_wrong_type(source, value, key->name, "one word");
+    if (choice == key->choice_count)
+        return scene_source_unknown(source, value, key->name, key->choices, key->choice_count);
+    *(unsigned *)key->field = (unsigned)choice; /* an enum of small constants is unsigned in gcc and clang */
+    return true;
+}
+
+/* The scalar as a string of printable characters, one at least; NULL: failed. */
+static const char *read_text(struct scene_source *source, const struct scene_key *key, const yaml_node_t *node)
+{
+    const char *problem = NULL;
+    if (node->type != YAML_SCALAR_NODE)
+        return scene_source_wrong_type(source, node, key->name, "text"), NULL;
+    const char *text = (const char *)node->data.scalar.value, *end = text + node->data.scalar.length;
+    if (text == end)
+        problem = "is empty; give a text or remove the line";
+    for (const char *p = text; p < end; p++)
+        if ((unsigned char)*p < 0x20 || *p == 0x7f)
+            problem = "has a line end or control character inside; remove it";
+    if (!problem)
+        return text;
+    scene_source_fail(source, scene_source_line(node), "'%s' %s", key->name, problem);
+    return NULL;
+}
+
+bool scene_source_text(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+{
+    const char *text = read_text(source, key, value);
+    return text && ((*(char **)key->field = strdup(text)) || scene_source_memory(source));
+}
+
+bool scene_source_short_text(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+{
+    const char *text = read_text(source, key, value);
+    size_t size = (size_t)key->most;
+    if (text && strlen(text) >= size)
+        return scene_source_fail(source, scene_source_line(value), "'%s' is longer than %zu bytes; shorten it",
+                                 key->name, size - 1);
+    if (text)
+        memcpy(key->field, text, strlen(text) + 1);
+    return text;
 }

@@ -1,19 +1,15 @@
-/* The text of a scene as a tree of nodes that know their lines, and readers for its values. Private to src/scene. */
+/* The text of a scene as a tree of nodes that know their lines, and readers for its values. Private to src/scene.
+ * What returns false has failed: STATUS_SCENE with file, line and key, or STATUS_MEMORY, in source->status. */
 #ifndef SCENE_SCENE_SOURCE_H
 #define SCENE_SCENE_SOURCE_H
 
-#include "base/status.h"
-#include "scene/effect.h"
-#include <stdbool.h>
-#include <stddef.h>
+#include "scene/scene.h"
 #include <yaml.h>
 
 struct scene_source {
-    const char *path;      /* of the file, named in every message */
-    const char *directory; /* that it is in */
+    struct scene *scene; /* that is read: its path and directory are known */
     struct status *status;
     yaml_document_t document;
-    bool open; /* `document` is to be deleted */
     /* What is checked only once the command line has had its say: */
     size_t effect_line[EFFECT_COUNT]; /* where an effect is asked for, 0: not in the file */
     size_t baseline_line;
@@ -25,41 +21,58 @@ struct scene_source {
 /** One key of a mapping: how its value is read and where it goes. */
 struct scene_key {
     const char *name;
-    enum status_code (*read)(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
-                             void *field);
-    size_t offset;              /* of the field in the struct that the mapping fills */
+    bool (*read)(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
+    void *field;
     double least, most;         /* numbers: range, inclusive; short text: `most` is the size of the array */
     const char *const *choices; /* words that the value may be, in the order of their enum */
     size_t choice_count;
     const char *word; /* numbers: a word that leaves the default, or NULL */
+    size_t line;      /* where the scene gives it, 0: it does not; set by scene_source_mapping() */
 };
 
-/** Parses `bytes`. Errors: STATUS_SCENE (not YAML, nested too deep, more than one document), STATUS_MEMORY. */
-MUST_CHECK enum status_code scene_source_open(struct scene_source *source, const char *bytes, size_t length);
-void scene_source_close(struct scene_source *source);
-/** The outermost node, NULL when the text says nothing. */
-const yaml_node_t *scene_source_root(struct scene_source *source);
-/** Node number `index` (as items and pairs hold them). */
-const yaml_node_t *scene_source_node(struct scene_source *source, int index);
-/** Items of a node that is a list or stands for a list of one: item `i`, counted by scene_value_count(). */
+/** Parses `bytes` and calls `read` with the outermost node, unless the text says nothing. Errors: not YAML, nested too
+ * deep, more than one document, those of `read`. */
+MUST_CHECK bool scene_source_read(struct scene_source *source, const char *bytes, size_t length,
+                                  bool (*read)(struct scene_source *source, const yaml_node_t *root));
+/** Reads a mapping called `what`. */
+MUST_CHECK bool scene_source_mapping(struct scene_source *source, const yaml_node_t *node, const char *what,
+                                     struct scene_key *keys, size_t count);
+/** The line of a key of such a mapping. */
+size_t scene_source_line_of(const struct scene_key *keys, const char *name);
+
+/** Is it a mapping with the key `name`? */
+bool scene_source_has(struct scene_source *source, const yaml_node_t *node, const char *name);
+/** Items of a node that is a list or stands for a list of one. */
 size_t scene_source_item_count(const yaml_node_t *node);
 const yaml_node_t *scene_source_item(struct scene_source *source, const yaml_node_t *node, size_t i);
 size_t scene_source_line(const yaml_node_t *node);
 /** Is it the plain or quoted scalar `word`? */
 bool scene_source_is(const yaml_node_t *node, const char *word);
 
-/** STATUS_SCENE with "path:line: " before the message. */
-enum status_code scene_source_fail(struct scene_source *source, size_t line, const char *format, ...) PRINTF_LIKE(3, 4);
-/** STATUS_SCENE: the value of `what` is not of the type `expected` ("a number"). */
-enum status_code scene_source_wrong_type(struct scene_source *source, const yaml_node_t *node, const char *what,
-                                         const char *expected);
-/** STATUS_SCENE: the scalar `node` is no known `what` ("effect"). */
-enum status_code scene_source_unknown(struct scene_source *source, const yaml_node_t *node, const char *what,
-                                      const char *const *names, size_t count);
+/** Fails with "path:line: " before the message. */
+bool scene_source_fail(struct scene_source *source, size_t line, const char *format, ...) PRINTF_LIKE(3, 4);
+/** Fails: the value of `what` is not of the type `expected` ("a number"). */
+bool scene_source_wrong_type(struct scene_source *source, const yaml_node_t *node, const char *what,
+                             const char *expected);
+/** Fails: the scalar `node` is no known `what` ("effect"). */
+bool scene_source_unknown(struct scene_source *source, const yaml_node_t *node, const char *what,
+                          const char *const *names, size_t count);
+/** Fails: out of memory. */
+bool scene_source_memory(struct scene_source *source);
 
-/** Reads a mapping called `what` into the struct at `base`. `lines` gets the line of each of the `count` keys, 0 for
- * those not given. */
-MUST_CHECK enum status_code scene_source_mapping(struct scene_source *source, const yaml_node_t *node, const char *what,
-                                                 const struct scene_key *keys, size_t count, void *base, size_t *lines);
+/** To stand in scene_key.read; the field is a double, a size_t, an enum, a malloc'ed char *, a char array. */
+bool scene_source_number(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
+bool scene_source_whole(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
+bool scene_source_choice(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
+bool scene_source_text(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
+bool scene_source_short_text(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
+
+/* Parts of a key's row. */
+#define SCENE_COUNT(array)                    (sizeof(array) / sizeof *(array))
+#define SCENE_NUMBER(number, lowest, highest) scene_source_number, &(number), .least = (lowest), .most = (highest)
+#define SCENE_WHOLE(number, lowest, highest)  scene_source_whole, &(number), .least = (lowest), .most = (highest)
+#define SCENE_CHOICE(choice, spellings)                                                                                \
+    scene_source_choice, &(choice), .choices = (spellings), .choice_count = SCENE_COUNT(spellings)
+#define SCENE_SHORT_TEXT(array) scene_source_short_text, (array), .most = sizeof(array)
 
 #endif

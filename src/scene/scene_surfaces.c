@@ -1,8 +1,7 @@
 #include "scene/scene_surfaces.h"
-#include "base/text.h"
-#include "scene/scene_value.h"
 #include "scene/scene_words.h"
 
+#include <assert.h>
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,11 +10,61 @@
 /* Far beyond any measurement; keeps aliases of long lists from multiplying without end. */
 enum { MOST_FILES = 100000 };
 
-static enum status_code check_file(struct scene_source *source, const yaml_node_t *node, const char *file)
+size_t scene_surfaces_materials(const char *names[SCENE_SURFACES_MATERIALS], const char *const *words,
+                                size_t word_count)
 {
-    char *path = scene_surfaces_path(source->directory, file);
+    size_t count = 0;
+    assert(word_count + material_table_count <= SCENE_SURFACES_MATERIALS);
+    for (size_t i = 0; i < word_count; i++)
+        names[count++] = words[i];
+    for (size_t i = 0; i < material_table_count; i++)
+        names[count++] = material_table[i].name;
+    return count;
+}
+
+static bool read_material_name(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+{
+    const char *names[SCENE_SURFACES_MATERIALS], *word = (const char *)value->data.scalar.value;
+    const struct material *found = strlen(word) == value->data.scalar.length ? material_find(word) : NULL;
+    if (found)
+        *(struct material *)key->field = *found;
+    return found || scene_source_unknown(source, value, key->name, names,
+                                         scene_surfaces_materials(names, key->choices, key->choice_count));
+}
+
+bool scene_surfaces_material(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+{
+    struct material *material = key->field;
+    if (value->type == YAML_SCALAR_NODE)
+        return read_material_name(source, key, value);
+    if (value->type != YAML_MAPPING_NODE)
+        return scene_source_wrong_type(source, value, key->name, "a name or a mapping of properties");
+
+    struct scene_key keys[SCENE_SURFACES_MATERIALS] = {{"name", SCENE_SHORT_TEXT(material->name)}};
+    assert(material_property_count < SCENE_COUNT(keys));
+    for (size_t i = 0; i < material_property_count; i++) {
+        const struct material_property *property = &material_properties[i];
+        keys[1 + i] =
+            (struct scene_key){property->key, scene_source_number, .field = (char *)material + property->offset,
+                               .least = property->least, .most = property->most};
+    }
+    *material = material_unknown("custom");
+    strcpy(material->source, "given in scene.yaml");
+    if (!scene_source_mapping(source, value, key->name, keys, 1 + material_property_count))
+        return false;
+    static const char *const required[] = {"E_Pa", "nu"};
+    for (size_t i = 0; i < SCENE_COUNT(required); i++)
+        if (scene_source_line_of(keys, required[i]) == 0)
+            return scene_source_fail(source, scene_source_line(value), "'%s' has no '%s'; add it", key->name,
+                                     required[i]);
+    return true;
+}
+
+static bool check_file(struct scene_source *source, const yaml_node_t *node, const char *file)
+{
+    char *path = scene_file_path(source->scene, file);
     if (!path)
-        return status_memory(source->status);
+        return scene_source_memory(source);
     struct stat info;
     int failed = stat(path, &info), reason = errno;
     free(path);
@@ -24,129 +73,118 @@ static enum status_code check_file(struct scene_source *source, const yaml_node_
         return scene_source_fail(source, scene_source_line(node),
                                  "cannot find surface file '%s': %s; paths start at the scene's directory", shown.text,
                                  strerror(reason));
-    if (!S_ISREG(info.st_mode))
-        return scene_source_fail(source, scene_source_line(node), "surface file '%s' is no regular file; name a scan",
-                                 shown.text);
-    return STATUS_OK;
+    return S_ISREG(info.st_mode) || scene_source_fail(source, scene_source_line(node),
+                                                      "surface file '%s' is no regular file; name a scan", shown.text);
 }
 
-enum status_code scene_surfaces_files(struct scene_source *source, const struct scene_key *key,
-                                      const yaml_node_t *value, void *field)
+bool scene_surfaces_files(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
 {
-    struct scene_surface *surface = field;
-    size_t count = scene_source_item_count(value);
+    struct scene_surface *surface = key->field;
+    size_t count = scene_source_item_count(value), line = scene_source_line(value);
     source->file_count += count;
     if (count == 0)
-        return scene_source_fail(source, scene_source_line(value), "'%s' lists none; name one or more scans",
-                                 key->name);
+        return scene_source_fail(source, line, "'%s' lists none; name one or more scans", key->name);
     if (source->file_count > MOST_FILES)
-        return scene_source_fail(source, scene_source_line(value), "more than %d files in one scene; split it",
-                                 MOST_FILES);
+        return scene_source_fail(source, line, "more than %d files in one scene; split it", MOST_FILES);
     surface->files = calloc(count, sizeof *surface->files);
     if (!surface->files)
-        return status_memory(source->status);
+        return scene_source_memory(source);
     surface->file_count = count;
     for (size_t i = 0; i < count; i++) {
         const yaml_node_t *item = scene_source_item(source, value, i);
-        enum status_code code = scene_value_text(source, key, item, &surface->files[i]);
-        if (code == STATUS_OK)
-            code = check_file(source, item, surface->files[i]);
-        if (code != STATUS_OK)
-            return code;
+        struct scene_key file = {.name = key->name, .field = &surface->files[i]};
+        if (!scene_source_text(source, &file, item) || !check_file(source, item, surface->files[i]))
+            return false;
     }
-    return STATUS_OK;
+    return true;
 }
 
 /* Columns count from 1; what is no number is a title. */
-static enum status_code read_column(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
-                                    char *column)
+static bool read_column(struct scene_source *source, const char *name, const yaml_node_t *value, char *column,
+                        size_t size)
 {
-    enum status_code code = scene_value_short_text(source, key, value, column);
+    struct scene_key key = {name, scene_source_short_text, column, .most = (double)size};
+    if (!scene_source_short_text(source, &key, value))
+        return false;
     const char *number = column + (*column == '+' || *column == '-');
-    if (code == STATUS_OK && *number && number[strspn(number, "0123456789.")] == '\0' &&
+    if (*number && number[strspn(number, "0123456789.")] == '\0' &&
         (number[strspn(number, "0123456789")] || number > column || !number[strspn(number, "0")]))
         return scene_source_fail(source, scene_source_line(value),
-                                 "'%s' is '%s'; give a column's number, from 1, or its title", key->name, column);
-    return code;
+                                 "'%s' is '%s'; give a column's number, from 1, or its title", name, column);
+    return true;
 }
 
-enum status_code scene_surfaces_column(struct scene_source *source, const struct scene_key *key,
-                                       const yaml_node_t *value, void *field)
+/* A column or two of them, x and z, into a struct scene_surface. */
+static bool read_columns(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
 {
-    struct scene_surface *surface = field;
-    struct scene_key one = {.name = key->name, .most = sizeof surface->z_column};
+    struct scene_surface *surface = key->field;
+    enum { SIZE = sizeof surface->z_column };
     if (value->type == YAML_SCALAR_NODE)
-        return read_column(source, &one, value, surface->z_column);
+        return read_column(source, key->name, value, surface->z_column, SIZE);
     if (value->type != YAML_SEQUENCE_NODE || scene_source_item_count(value) != 2)
         return scene_source_fail(source, scene_source_line(value),
                                  "'%s' is no column; give one, as in `column: 3`, or x and z, as in `column: [1, 3]`",
                                  key->name);
-    enum status_code code = read_column(source, &one, scene_source_item(source, value, 0), surface->x_column);
-    return code == STATUS_OK ? read_column(source, &one, scene_source_item(source, value, 1), surface->z_column) : code;
+    return read_column(source, key->name, scene_source_item(source, value, 0), surface->x_column, SIZE) &&
+           read_column(source, key->name, scene_source_item(source, value, 1), surface->z_column, SIZE);
 }
 
-static enum status_code read_surface(struct scene_source *source, const yaml_node_t *node,
-                                     struct scene_surface *surface)
+/* How the files of a surface are read: keys of a surface and of the counterface alike. */
+#define READING_KEYS(surface)                                                                                          \
+    {"x_unit", SCENE_SHORT_TEXT((surface)->x_unit)}, {"z_unit", SCENE_SHORT_TEXT((surface)->z_unit)},                  \
+        {"quantity", SCENE_CHOICE((surface)->quantity, scan_quantity_names)},                                          \
+    {                                                                                                                  \
+        "column", read_columns, .field = (surface)                                                                     \
+    }
+
+static bool read_surface(struct scene_source *source, const yaml_node_t *node, struct scene_surface *surface)
 {
-    enum { SURFACE_NAME, SURFACE_FILE, SURFACE_X_UNIT, SURFACE_Z_UNIT, SURFACE_QUANTITY, SURFACE_COLUMN, SURFACE_KEYS };
-    static const struct scene_key keys[SURFACE_KEYS] = {
-        [SURFACE_NAME] = {"name", scene_value_text, .offset = offsetof(struct scene_surface, name)},
-        [SURFACE_FILE] = {"file", scene_surfaces_files, .offset = 0},
-        [SURFACE_X_UNIT] = {"x_unit", scene_value_short_text, .offset = offsetof(struct scene_surface, x_unit),
-                            .most = sizeof surface->x_unit},
-        [SURFACE_Z_UNIT] = {"z_unit", scene_value_short_text, .offset = offsetof(struct scene_surface, z_unit),
-                            .most = sizeof surface->z_unit},
-        [SURFACE_QUANTITY] = {"quantity", scene_value_choice, .offset = offsetof(struct scene_surface, quantity),
-                              .choices = scan_quantity_names, .choice_count = SCAN_QUANTITY_COUNT},
-        [SURFACE_COLUMN] = {"column", scene_surfaces_column, .offset = 0},
-    };
-    size_t lines[SURFACE_KEYS];
-    enum status_code code = scene_source_mapping(source, node, "surfaces", keys, SURFACE_KEYS, surface, lines);
-    if (code != STATUS_OK)
-        return code;
-    if (lines[SURFACE_FILE] == 0)
+    struct scene_key keys[] = {{"name", scene_source_text, .field = &surface->name},
+                               {"file", scene_surfaces_files, .field = surface},
+                               READING_KEYS(surface)};
+    if (!scene_source_mapping(source, node, "surfaces", keys, SCENE_COUNT(keys)))
+        return false;
+    if (scene_source_line_of(keys, "file") == 0)
         return scene_source_fail(source, scene_source_line(node), "a surface has no 'file'; add one");
     if (!surface->name)
         surface->name = scene_surfaces_name(surface->files[0], false);
-    return surface->name ? STATUS_OK : status_memory(source->status);
+    return surface->name || scene_source_memory(source);
 }
 
-struct named_line {
-    const char *name;
-    size_t line;
-};
-
-static int compare_named_lines(const void *a, const void *b)
+/* By name, then in the order of the list. */
+static int compare_surfaces(const void *a, const void *b)
 {
-    const struct named_line *first = a, *second = b;
+    const struct scene_surface *first = *(struct scene_surface *const *)a, *second = *(struct scene_surface *const *)b;
     int order = strcmp(first->name, second->name);
-    return order ? order : (first->line > second->line) - (first->line < second->line);
+    return order ? order : (first > second) - (first < second);
 }
 
-static enum status_code check_names(struct scene_source *source, const yaml_node_t *list, const struct scene *scene)
+static bool check_names(struct scene_source *source, const yaml_node_t *list)
 {
-    size_t count = scene->surface_count;
-    struct named_line *names = malloc(count * sizeof *names);
-    if (!names)
-        return status_memory(source->status);
-    for (size_t i = 0; i < count; i++)
-        names[i] = (struct named_line){scene->surfaces[i].name, scene_source_line(scene_source_item(source, list, i))};
-    qsort(names, count, sizeof *names, compare_named_lines);
-    enum status_code code = STATUS_OK;
-    for (size_t i = 1; i < count && code == STATUS_OK; i++)
-        if (strcmp(names[i].name, names[i - 1].name) == 0)
-            code = scene_source_fail(source, names[i].line,
-                                     "two surfaces are named '%s', the first in line %zu; "
-                                     "give each its own 'name'",
-                                     scene_words_show(names[i].name, strlen(names[i].name)).text, names[i - 1].line);
-    free(names);
-    return code;
+    struct scene *scene = source->scene;
+    const struct scene_surface **surfaces = malloc(scene->surface_count * sizeof *surfaces);
+    if (!surfaces)
+        return scene_source_memory(source);
+    for (size_t i = 0; i < scene->surface_count; i++)
+        surfaces[i] = &scene->surfaces[i];
+    qsort(surfaces, scene->surface_count, sizeof *surfaces, compare_surfaces);
+    bool good = true;
+    for (size_t i = 1; i < scene->surface_count && good; i++) {
+        const struct scene_surface *first = surfaces[i - 1], *second = surfaces[i];
+        if (strcmp(first->name, second->name) == 0)
+            good = scene_source_fail(
+                source, scene_source_line(scene_source_item(source, list, (size_t)(second - scene->surfaces))),
+                "two surfaces are named '%s', the first in line %zu; give each its own 'name'",
+                scene_words_show(second->name, strlen(second->name)).text,
+                scene_source_line(scene_source_item(source, list, (size_t)(first - scene->surfaces))));
+    }
+    free(surfaces);
+    return good;
 }
 
-enum status_code scene_surfaces_read(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
-                                     void *field)
+bool scene_surfaces_read(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
 {
-    struct scene *scene = field;
+    struct scene *scene = source->scene;
     if (value->type != YAML_SEQUENCE_NODE)
         return scene_source_wrong_type(source, value, key->name, "a list of '- {name: ..., file: ...}'");
     size_t count = scene_source_item_count(value);
@@ -155,14 +193,47 @@ enum status_code scene_surfaces_read(struct scene_source *source, const struct s
                                  "'surfaces' lists none; remove it to report every file of the directory");
     scene->surfaces = calloc(count, sizeof *scene->surfaces);
     if (!scene->surfaces)
-        return status_memory(source->status);
+        return scene_source_memory(source);
     scene->surface_count = count;
-    for (size_t i = 0; i < count; i++) {
-        enum status_code code = read_surface(source, scene_source_item(source, value, i), &scene->surfaces[i]);
-        if (code != STATUS_OK)
-            return code;
-    }
-    return check_names(source, value, scene);
+    for (size_t i = 0; i < count; i++)
+        if (!read_surface(source, scene_source_item(source, value, i), &scene->surfaces[i]))
+            return false;
+    return check_names(source, value);
+}
+
+/* A word, a material's name or its properties. */
+static bool read_body(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+{
+    static const char *const words[] = {"rigid", "same"}; /* besides materials */
+    struct scene_key material = {key->name, scene_surfaces_material, &source->scene->counterface, .choices = words,
+                                 .choice_count = SCENE_COUNT(words)};
+    if (scene_source_is(value, "rigid"))
+        return true;
+    source->counterface_elastic = true;
+    source->counterface_same = scene_source_is(value, "same");
+    return source->counterface_same || scene_surfaces_material(source, &material, value);
+}
+
+bool scene_surfaces_counterface(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+{
+    struct scene_surface *surface = &source->scene->counterface_surface;
+    if (!scene_source_has(source, value, "surface"))
+        return read_body(source, key, value);
+    struct scene_key keys[] = {{"surface", scene_surfaces_files, .field = surface},
+                               {"material", read_body, .field = NULL},
+                               READING_KEYS(surface)};
+    if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys)))
+        return false;
+    if (scene_source_line_of(keys, "material") == 0)
+        source->counterface_elastic = source->counterface_same = true; /* two rough bodies of one material */
+    surface->name = strdup("counterface");
+    return surface->name || scene_source_memory(source);
+}
+
+char *scene_surfaces_name(const char *file, bool ending)
+{
+    const char *start = basename(file), *dot = strrchr(start, '.');
+    return !ending && dot && dot > start ? strndup(start, (size_t)(dot - start)) : strdup(start);
 }
 
 void scene_surfaces_free(struct scene_surface *surface)
@@ -171,24 +242,4 @@ void scene_surfaces_free(struct scene_surface *surface)
         free(surface->files[i]);
     free(surface->files);
     free(surface->name);
-}
-
-char *scene_surfaces_path(const char *directory, const char *file)
-{
-    struct text path = {0};
-    if (file[0] != '/') {
-        size_t length = strlen(directory);
-        text_add(&path, "%s%s", directory, length > 0 && directory[length - 1] == '/' ? "" : "/");
-    }
-    text_add(&path, "%s", file);
-    if (!path.failed)
-        return path.data;
-    text_free(&path);
-    return NULL;
-}
-
-char *scene_surfaces_name(const char *file, bool ending)
-{
-    const char *slash = strrchr(file, '/'), *start = slash ? slash + 1 : file, *dot = strrchr(start, '.');
-    return !ending && dot && dot > start ? strndup(start, (size_t)(dot - start)) : strdup(start);
 }

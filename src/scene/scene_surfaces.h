@@ -1,28 +1,29 @@
-/* The surfaces that the text of a scene lists. Private to src/scene. */
+/* The bodies of a scene: its surfaces, what they are pressed against, and their materials. Private to src/scene. */
 #ifndef SCENE_SCENE_SURFACES_H
 #define SCENE_SCENE_SURFACES_H
 
-#include "scene/scene.h"
 #include "scene/scene_source.h"
 
-/** Reads `surfaces` into the struct scene; to stand in scene_key.read. */
-enum status_code scene_surfaces_read(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
-                                     void *field);
+enum { SCENE_SURFACES_MATERIALS = 32 };
 
-/** Frees what one surface holds. */
-void scene_surfaces_free(struct scene_surface *surface);
+/* To stand in scene_key.read. */
+/** The list `surfaces`, into source->scene. */
+bool scene_surfaces_read(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
+/** rigid | same | a material's name | a mapping of properties | {surface: file, material: ..., x_unit, z_unit}, into
+ * source->scene. */
+bool scene_surfaces_counterface(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
+/** A built-in name or a mapping of properties, into a struct material. The key's choices are named in the message about
+ * an unknown name. */
+bool scene_surfaces_material(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
+/** One file or a list of them, each checked to exist, into a struct scene_surface. */
+bool scene_surfaces_files(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
 
-/** `directory`/`file` (or `file` when that is absolute), malloc'ed; NULL: out of memory. */
-char *scene_surfaces_path(const char *directory, const char *file);
+/** The `word_count` words, then the names of the built-in materials; how many all in all. */
+size_t scene_surfaces_materials(const char *names[SCENE_SURFACES_MATERIALS], const char *const *words,
+                                size_t word_count);
 /** The name of a surface read from `file`: its last component, without the ending unless `ending`; malloc'ed. */
 char *scene_surfaces_name(const char *file, bool ending);
-
-/** Reads one file or a list of them, each checked to exist, into a struct scene_surface. */
-enum status_code scene_surfaces_files(struct scene_source *source, const struct scene_key *key,
-                                      const yaml_node_t *value, void *field);
-
-/** Reads `column`, a number or a title, or two of them, x and z, into a struct scene_surface. */
-enum status_code scene_surfaces_column(struct scene_source *source, const struct scene_key *key,
-                                       const yaml_node_t *value, void *field);
+/** Frees what one surface holds. */
+void scene_surfaces_free(struct scene_surface *surface);
 
 #endif

@@ -1,7 +1,9 @@
 #include "scene/scene_words.h"
 
+#include <ctype.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/param.h>
 
 struct scene_words_shown scene_words_show(const char *text, size_t length)
 {
@@ -21,16 +23,6 @@ struct scene_words_shown scene_words_show(const char *text, size_t length)
     return shown;
 }
 
-static char fold(char c)
-{
-    return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
-}
-
-static size_t least(size_t a, size_t b)
-{
-    return a < b ? a : b;
-}
-
 enum { LONGEST_WORD = 63 };
 
 /* Characters to insert, delete or replace (Levenshtein) to make `b` of `a`, case aside. */
@@ -43,9 +35,9 @@ static size_t edit_distance(const char *a, const char *b)
         size_t diagonal = distance[0];
         distance[0] = i;
         for (size_t j = 1; j <= columns; j++) {
-            size_t replaced = diagonal + (fold(a[i - 1]) != fold(b[j - 1]));
+            size_t replaced = diagonal + (tolower((unsigned char)a[i - 1]) != tolower((unsigned char)b[j - 1]));
             diagonal = distance[j];
-            distance[j] = least(replaced, 1 + least(distance[j], distance[j - 1]));
+            distance[j] = MIN(replaced, 1 + MIN(distance[j], distance[j - 1]));
         }
     }
     return distance[columns];

@@ -125,7 +125,7 @@ static enum status_code add_row(struct rows *rows, const struct scan *scan, size
         }
     if (count < ROW_POINTS)
         return STATUS_OK;
-    if (level_remove(&line, z_m, x_m, count, scan->dx_m, SCENE_LEVEL_LINE, status) != STATUS_OK)
+    if (level_remove(&line, z_m, x_m, count, scan->dx_m, LEVEL_LINE, status) != STATUS_OK)
         return status->code;
     for (size_t i = 0; i < count; i++) {
         square += z_m[i] * z_m[i];
@@ -151,7 +151,7 @@ static enum status_code add_spectrum(struct areal *out, const struct scan *scan,
     struct status refused = {0};
     enum status_code code = profile_make(&profile, scan, y, &profile_defaults, &refused);
     if (code == STATUS_OK)
-        code = spectrum_compute(&spectrum, profile.height_m, profile.points, profile.spacing_m, SCENE_WINDOW_NONE,
+        code = spectrum_compute(&spectrum, profile.height_m, profile.points, profile.spacing_m, SPECTRUM_WINDOW_NONE,
                                 &refused);
     if (code == STATUS_OK && out->spectrum_rows == 0) {
         out->spectrum = spectrum;

@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+const char *const roughness_moments_names[ROUGHNESS_MOMENTS_COUNT] = {"difference", "spectral"};
+
 static const double summit_variance = 3.717e-4;       /* McCool 1986, thesis (4.24) */
 static const double summit_variance_digits = 1.35e-4; /* its relative rounding: half a unit of the last digit printed */
 static const double summit_offset = 0.045944;         /* Front, thesis (4.30) */

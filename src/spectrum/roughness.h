@@ -1,8 +1,12 @@
-/* Statistical parameters of a levelled profile (physics §5; thesis 4.19-4.24, 4.29-4.30). */
+/* Statistical parameters of a levelled profile (docs/equations.md, Statistical models; 4.19-4.24, 4.30). */
 #ifndef SPECTRUM_ROUGHNESS_H
 #define SPECTRUM_ROUGHNESS_H
 
 #include "spectrum/spectrum.h"
+
+/** Where m2 and m4 come from: finite differences of the heights, or the spectrum. */
+enum roughness_moments { ROUGHNESS_MOMENTS_DIFFERENCE, ROUGHNESS_MOMENTS_SPECTRAL, ROUGHNESS_MOMENTS_COUNT };
+extern const char *const roughness_moments_names[ROUGHNESS_MOMENTS_COUNT]; /* as a scene spells them */
 
 /** Of the profile itself. */
 struct roughness {
@@ -19,7 +23,7 @@ struct roughness {
 struct roughness roughness_of_heights(const double *height_m, size_t points, double spacing_m);
 
 /** The same of heights at uneven positions (ascending): m2 by (z[i+1] - z[i-1])/(x[i+1] - x[i-1]), m4 by the second
- * divided difference through three points. */
+ * divided difference through three points (4.19, 4.20). */
 struct roughness roughness_of_points(const double *x_m, const double *height_m, size_t points);
 
 /** m0, m2, m4 of the spectrum instead; the other fields are left as they are in `roughness`. */
@@ -44,9 +48,9 @@ struct asperities {
     double sigma_m;        /* sqrt(m0) */
 };
 
-/** Error: STATUS_MODEL when no statistical model exists: a flat profile, or a Nayak parameter below about 0.8968, for
- * which sigma_s² is not positive to within the digits of (4.24). What could be computed is in `out` either way (sigma_s
- * NaN). */
+/** eta (4.21), R (4.22), sigma_s (4.24), y_s (4.30). Error: STATUS_MODEL when no statistical model exists: a flat
+ * profile, or a Nayak parameter below about 0.8968, for which sigma_s² is not positive to within the digits of (4.24).
+ * What could be computed is in `out` either way (sigma_s NaN). */
 MUST_CHECK enum status_code roughness_asperities(struct asperities *out, const struct roughness *roughness,
                                                  struct status *status);
 

@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+const char *const spectrum_window_names[SPECTRUM_WINDOW_COUNT] = {"none", "hann"};
+
 static double mean_of(const double *values, size_t count)
 {
     double sum = 0;
@@ -22,12 +24,12 @@ static double mean_square_about(const double *values, size_t count, double mean)
 }
 
 /** Copies the heights without their mean; with a Hann window, scaled so that their mean square stays. */
-static void prepare(double *record, const double *height_m, size_t points, enum scene_window window)
+static void take_window(double *record, const double *height_m, size_t points, enum spectrum_window window)
 {
     double mean = mean_of(height_m, points);
     for (size_t i = 0; i < points; i++)
         record[i] = height_m[i] - mean;
-    if (window == SCENE_WINDOW_NONE)
+    if (window == SPECTRUM_WINDOW_NONE)
         return;
     double before = mean_square_about(height_m, points, mean);
     for (size_t i = 0; i < points; i++)
@@ -40,7 +42,7 @@ static void prepare(double *record, const double *height_m, size_t points, enum 
 }
 
 enum status_code spectrum_compute(struct spectrum *out, const double *height_m, size_t points, double spacing_m,
-                                  enum scene_window window, struct status *status)
+                                  enum spectrum_window window, struct status *status)
 {
     size_t count = points / 2;
     *out = (struct spectrum){.count = count, .length_m = (double)points * spacing_m, .has_nyquist = points % 2 == 0};
@@ -52,7 +54,7 @@ enum status_code spectrum_compute(struct spectrum *out, const double *height_m, 
         fftw_free(transform);
         return status_memory(status);
     }
-    prepare(record, height_m, points, window);
+    take_window(record, height_m, points, window);
     fft_forward(transform, record, points);
     for (size_t n = 1; n <= count; n++)
         out->amplitude_m[n - 1] = 2 * hypot(transform[n][0], transform[n][1]) / (double)points;

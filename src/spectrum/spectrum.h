@@ -1,11 +1,14 @@
-/* From heights to harmonics (physics §1). */
+/* From heights to harmonics (docs/equations.md, From scan to spectrum). */
 #ifndef SPECTRUM_SPECTRUM_H
 #define SPECTRUM_SPECTRUM_H
 
 #include "base/status.h"
-#include "scene/scene.h"
 #include <stdbool.h>
 #include <stddef.h>
+
+/** What a record is multiplied by before its transform. */
+enum spectrum_window { SPECTRUM_WINDOW_NONE, SPECTRUM_WINDOW_HANN, SPECTRUM_WINDOW_COUNT };
+extern const char *const spectrum_window_names[SPECTRUM_WINDOW_COUNT]; /* as a scene spells them */
 
 /** Amplitudes of the harmonics n = 1 ... count of a record of length L = N h. Owned: spectrum_free(). */
 struct spectrum {
@@ -19,7 +22,7 @@ struct spectrum {
  * at `spacing_m`. The mean is taken out first. The Hann window is scaled to keep the mean square.
  * Errors: STATUS_MEMORY. */
 MUST_CHECK enum status_code spectrum_compute(struct spectrum *out, const double *height_m, size_t points,
-                                             double spacing_m, enum scene_window window, struct status *status);
+                                             double spacing_m, enum spectrum_window window, struct status *status);
 
 /** Adds another scan's spectrum to a mean over scans: powers averaged harmonic by harmonic; the mean keeps the fewest
  * harmonics and the first scan's length. `so_far` is how many scans `mean` holds. */

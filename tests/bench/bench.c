@@ -10,7 +10,7 @@
 #include <stdlib.h>
 
 enum {
-    EVERYTHING = CONTACT_SEPARATION | CONTACT_ELECTRICAL | CONTACT_THERMAL | CONTACT_SCALE_DEPENDENT,
+    EVERYTHING = QUANTITY_BIT(QUANTITY_SEPARATION) | QUANTITY_RESISTANCES,
     LOADS = 121,
     SEPARATIONS = 100,
     SCALES = 4096,
@@ -50,7 +50,7 @@ static double load_at(int i)
 static struct result multiscale_case(const struct material_pair *pair, bool plastic, double gamma)
 {
     struct spectrum spectrum = {malloc(SCALES * sizeof(double)), SCALES, 3e-4, false};
-    struct spot spot = spot_make(pair);
+    struct constriction spot = constriction_make(pair);
     struct status status = {0};
     struct result result = {INFINITY, NAN, 0};
     if (!spectrum.amplitude_m)
@@ -62,7 +62,7 @@ static struct result multiscale_case(const struct material_pair *pair, bool plas
         struct contact_point point;
         result.evaluations = 0;
         double started = clock_seconds();
-        must(multiscale_make(&stack, &spectrum, pair, plastic, SCENE_CLOSURE_THESIS, &status));
+        must(multiscale_make(&stack, &spectrum, pair, plastic, SINUSOID_FIT_THESIS, &status));
         for (int i = 0; i < LOADS; i++)
             multiscale_solve(&point, &stack, &spot, EVERYTHING, load_at(i), &result.evaluations);
         multiscale_free(&stack);
@@ -99,7 +99,7 @@ static double largest_error(const struct contact_point *point, const struct cont
 }
 
 /** The model made and evaluated at all separations, every integral. */
-static struct result separations_case(const struct material_pair *pair, enum asperity_law_id law, double tolerance)
+static struct result separations_case(const struct material_pair *pair, enum asperity_model_id law, double tolerance)
 {
     struct asperities asperities = surface();
     struct status status = {0};
@@ -128,12 +128,12 @@ static struct result separations_case(const struct material_pair *pair, enum asp
 }
 
 /** The same integrals by composite Simpson with the thesis's 1000 sub-intervals; the error is that of the area. */
-static struct result simpson_case(const struct material_pair *pair, enum asperity_law_id law)
+static struct result simpson_case(const struct material_pair *pair, enum asperity_model_id law)
 {
     enum { INTERVALS = 1000 };
     struct asperities asperities = surface();
     struct asperity asperity = asperity_make(asperities.radius_m, pair, law);
-    double knudsen_m = spot_make(pair).knudsen_length_m, area[SEPARATIONS], kept = 0;
+    double knudsen_m = constriction_make(pair).knudsen_length_m, area[SEPARATIONS], kept = 0;
     struct status status = {0};
     struct statistical better;
     struct contact_point point;
@@ -150,7 +150,7 @@ static struct result simpson_case(const struct material_pair *pair, enum asperit
                                                : i % 2                  ? 4
                                                                         : 2) *
                                               exp(-(u + d) * (u + d) / 2);
-                asperity_laws[law].press(&contact, &asperity, u * asperities.sigma_s_m);
+                asperity_models[law].press(&contact, &asperity, u * asperities.sigma_s_m);
                 sum[0] += weight * contact.area_m2;
                 sum[1] += weight * contact.load_N;
                 sum[2] += weight * contact.radius_m;
@@ -171,7 +171,7 @@ static struct result simpson_case(const struct material_pair *pair, enum asperit
 }
 
 /** Every load of a curve solved for its separation. */
-static struct result loads_case(const struct material_pair *pair, enum asperity_law_id law, double tolerance)
+static struct result loads_case(const struct material_pair *pair, enum asperity_model_id law, double tolerance)
 {
     struct asperities asperities = surface();
     struct status status = {0};
@@ -204,17 +204,17 @@ int main(void)
             snprintf(name, sizeof name, "4096 scales x 121 loads, gamma %.1f", gamma);
             print(name, plastic ? "multiscale plastic" : "multiscale elastic", &result, 0);
         }
-    for (int law = 0; law < ASPERITY_LAW_COUNT; law++) {
-        struct result simpson = simpson_case(&pair, (enum asperity_law_id)law);
+    for (int law = 0; law < ASPERITY_MODEL_COUNT; law++) {
+        struct result simpson = simpson_case(&pair, (enum asperity_model_id)law);
         snprintf(name, sizeof name, "%s, 100 separations, all integrals", names[law]);
         print(name, "Simpson 1000", &simpson, simpson.seconds);
         for (double tolerance = 1e-6; tolerance > 1e-11; tolerance *= 1e-4) {
             char method[40];
-            struct result result = separations_case(&pair, (enum asperity_law_id)law, tolerance);
+            struct result result = separations_case(&pair, (enum asperity_model_id)law, tolerance);
             snprintf(method, sizeof method, "%s %.0e", law == ASPERITY_HERTZ ? "closed + panels" : "panels", tolerance);
             print(name, method, &result, simpson.seconds);
         }
-        struct result loads = loads_case(&pair, (enum asperity_law_id)law, 1e-6);
+        struct result loads = loads_case(&pair, (enum asperity_model_id)law, 1e-6);
         snprintf(name, sizeof name, "%s, 121 loads, all integrals", names[law]);
         print(name, "Newton 1e-06", &loads, 0);
     }

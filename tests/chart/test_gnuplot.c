@@ -1,5 +1,6 @@
 #include "base/text.h"
 #include "chart/gnuplot.h"
+#include "contact/model.h"
 #include "support.h"
 
 #include <dirent.h>
@@ -77,6 +78,17 @@ static bool exists(const struct place *place, const char *name)
     char path[1024];
     snprintf(path, sizeof path, "%s/%s", place->directory, name);
     return access(path, F_OK) == 0;
+}
+
+/* The look of the models, as a report has it beside its charts. */
+static void write_models(const struct place *place)
+{
+    struct text script = {0};
+    for (size_t m = 0; m < model_count; m++)
+        text_add(&script, "colour_%s = '%s'; marker_%s = %d\n", model_rows[m]->style, model_rows[m]->colour,
+                 model_rows[m]->style, model_rows[m]->marker);
+    write_file(place, "models.gp", text_string(&script));
+    text_free(&script);
 }
 
 /* Sends `commands` to one gnuplot and returns how it ended. */
@@ -175,7 +187,9 @@ static void draw_all(const struct place *place, const char *before, const char *
 {
     struct gnuplot gnuplot;
     struct status status = {0};
+    write_models(place);
     assert_int_equal(gnuplot_start(&gnuplot, place->directory, &status), STATUS_OK);
+    gnuplot_send(&gnuplot, "load 'models.gp'");
     gnuplot_send(&gnuplot, "%s", before);
     for (size_t i = 0; i < SAMPLES; i++)
         gnuplot_send(&gnuplot, "call '%s.gp' '%s.csv' '%s.%s' 'a title' %s", samples[i].template, samples[i].name,
@@ -401,6 +415,7 @@ static const struct complaint {
     {"call 'curves.gp' 'missing.csv' 'x.svg' '' 'x' 'y' '' 's1'", "missing.csv"},
     {"call 'curves.gp' 'ecr.csv' 'x.svg' '' 'x' 'y' '' 's1 s2'", "ecr.csv has 4 blocks, but 2 style words were given"},
     {"call 'curves.gp' 'ecr.csv' 'x.svg' '' 'x' 'y' '' 's1 s2 s3 s9'", "'s9' is not a style word"},
+    {"call 'curves.gp' 'ecr.csv' 'x.svg' '' 'x' 'y' '' 'me s2 s3 s4'", "'me' is not a style word"}, /* no models.gp */
     {"call 'cost.gp' 'ecr.csv' 'x.svg' '' 'c1 c2 c3 fit'", "'fit' is not a style word"},
     {"call 'spectra.gp' 'ecr.csv' 'x.svg' '' 'fit s1 s2 s3'", "'fit' is not a style word"},
     {"call 'profiles.gp' 'ecr.csv' 'x.svg' '' 's1 s2 s3 me4'", "'me4' is not a style word"},

@@ -1,7 +1,7 @@
 /* What is wrong with the input is said in a line that names file, line and remedy, and nothing is half written. */
 #include "cli/process.h"
 
-#include "results/manifest.h"
+#include "output/manifest.h"
 #include <stdio.h>
 #include <sys/stat.h>
 #include <unistd.h>

@@ -23,7 +23,7 @@ static void test_install(void **state)
     struct process process =
         process_expect(process_end(process_start_list(place, install, NULL)), 0, __FILE__, __LINE__);
     process_free(&process);
-    assert_true(workspace_has(place, "first/share/roughcontact/templates/report.md"));
+    assert_true(workspace_has(place, "first/share/roughcontact/templates/page.html"));
 
     workspace_scan(place, "d/a.csv", 200, 1);
     assert_true(asprintf(&program, "%s/bin/roughcontact", prefix) > 0);

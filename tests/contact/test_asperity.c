@@ -15,11 +15,11 @@ static void matches_reference(void **state)
         double radius = table_number(&table, i, "radius_m"), interference = table_number(&table, i, "interference_m");
         struct asperity_contact contact;
         struct asperity elastic = asperity_make(radius, &pair, ASPERITY_HERTZ);
-        asperity_laws[ASPERITY_HERTZ].press(&contact, &elastic, interference);
+        asperity_models[ASPERITY_HERTZ].press(&contact, &elastic, interference);
         assert_near(contact.area_m2, table_number(&table, i, "area_m2_hertz"), 1e-10);
         assert_near(contact.load_N, table_number(&table, i, "load_N_hertz"), 1e-10);
         struct asperity plastic = asperity_make(radius, &pair, ASPERITY_JG);
-        asperity_laws[ASPERITY_JG].press(&contact, &plastic, interference);
+        asperity_models[ASPERITY_JG].press(&contact, &plastic, interference);
         assert_near(contact.area_m2, table_number(&table, i, "area_m2_jg"), 1e-10);
         assert_near(contact.load_N, table_number(&table, i, "load_N_jg"), 1e-10);
         assert_near(contact.radius_m, table_number(&table, i, "contact_radius_m_jg"), 1e-10);
@@ -35,8 +35,8 @@ static void step_at_yield_onset(void **state)
     struct asperity asperity = asperity_make(5e-6, &pair, ASPERITY_JG);
     double onset = asperity_yield_onset * asperity.critical_interference_m;
     struct asperity_contact below, above;
-    asperity_laws[ASPERITY_JG].press(&below, &asperity, onset * (1 - 1e-12));
-    asperity_laws[ASPERITY_JG].press(&above, &asperity, onset * (1 + 1e-12));
+    asperity_models[ASPERITY_JG].press(&below, &asperity, onset * (1 - 1e-12));
+    asperity_models[ASPERITY_JG].press(&above, &asperity, onset * (1 + 1e-12));
     assert_true(above.area_m2 >= below.area_m2);
     assert_near(above.area_m2, below.area_m2, 1e-11);
     assert_within(above.load_N / below.load_N - 1, -0.0075, 2e-4);
@@ -50,7 +50,7 @@ static void interference_at_inverts_the_radius(void **state)
     static const double ratios[] = {0.05, 0.41, 1};
     for (int i = 0; i < 3; i++) {
         struct asperity_contact contact;
-        asperity_laws[ASPERITY_JG].press(&contact, &asperity, asperity_interference_at(&asperity, ratios[i]));
+        asperity_models[ASPERITY_JG].press(&contact, &asperity, asperity_interference_at(&asperity, ratios[i]));
         assert_near(contact.radius_m / asperity.radius_m, ratios[i], 1e-13);
     }
     struct asperity elastic = asperity_make(2e-5, &pair, ASPERITY_HERTZ);

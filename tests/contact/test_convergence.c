@@ -34,13 +34,13 @@ static void extension_matches_every_scale(void **state)
 {
     (void)state;
     struct material_pair pair = tin();
-    const struct sinusoid_closure *closure = &sinusoid_closures[SCENE_CLOSURE_THESIS];
+    const struct sinusoid_fit *closure = &sinusoid_fits[SINUSOID_FIT_THESIS];
     for (int plastic = 0; plastic < 2; plastic++)
         for (double gamma = 0.6; gamma < 1.7; gamma += 0.2) {
-            struct powerlaw law = {.alpha = 0.085 * pow(3e-6, 1.5 - gamma), .gamma = gamma};
+            struct power_law law = {.alpha = 0.085 * pow(3e-6, 1.5 - gamma), .gamma = gamma};
             double length = 3e-5, shortest = 1e-6, area = 1, measured = 1, load = 1e-4;
             for (double n = 1; length / n >= convergence_atom_m; n++) {
-                double amplitude = powerlaw_amplitude(&law, length / n);
+                double amplitude = power_law_amplitude(&law, length / n);
                 struct sinusoid_scale scale = sinusoid_scale(amplitude, n / length, &pair, plastic);
                 struct sinusoid_cell cell;
                 sinusoid_press(&cell, &scale, closure, load * pair.effective_modulus_Pa / area, false);

@@ -2,7 +2,10 @@
 #include "contact/model.h"
 #include "support.h"
 
-enum { LOADS = 5, EVERYTHING = CONTACT_SEPARATION | CONTACT_ELECTRICAL | CONTACT_THERMAL };
+enum {
+    LOADS = 5,
+    EVERYTHING = QUANTITY_BIT(QUANTITY_SEPARATION) | QUANTITY_BIT(QUANTITY_ECR) | QUANTITY_BIT(QUANTITY_TCR)
+};
 
 static struct model_curve run(const struct asperities *surface, double yield_strength_Pa, struct contact_point *points)
 {
@@ -18,7 +21,7 @@ static struct model_curve run(const struct asperities *surface, double yield_str
                               .tolerance = 1e-6};
     struct model_curve curve = {.points = points};
     struct status status = {0};
-    assert_int_equal(model_run(&curve, MODEL_JG, &task, &status), STATUS_OK);
+    assert_int_equal(model_run(&curve, model_rows[model_named("jg")], &task, &status), STATUS_OK);
     return curve;
 }
 

@@ -2,7 +2,7 @@
 #include "contact/multiscale.h"
 #include "support.h"
 
-enum { EVERYTHING = CONTACT_SEPARATION | CONTACT_ELECTRICAL | CONTACT_THERMAL | CONTACT_SCALE_DEPENDENT };
+enum { EVERYTHING = QUANTITY_BIT(QUANTITY_SEPARATION) | QUANTITY_RESISTANCES };
 
 static struct spectrum law_spectrum(double length, double alpha, double gamma, size_t count)
 {
@@ -18,7 +18,7 @@ static void matches_reference(void **state)
     (void)state;
     struct table table = table_read("golden/multiscale.csv");
     struct material_pair pair = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
-    struct spot spot = spot_make(&pair);
+    struct constriction spot = constriction_make(&pair);
     struct status status = {0};
     for (size_t i = 0; i < table.rows; i++) {
         struct spectrum spectrum =
@@ -27,7 +27,7 @@ static void matches_reference(void **state)
         double sigma = sqrt(spectrum_moment(&spectrum, 0));
         struct multiscale stack;
         bool plastic = strcmp(table_text(&table, i, "model"), "plastic") == 0;
-        assert_int_equal(multiscale_make(&stack, &spectrum, &pair, plastic, SCENE_CLOSURE_THESIS, &status), STATUS_OK);
+        assert_int_equal(multiscale_make(&stack, &spectrum, &pair, plastic, SINUSOID_FIT_THESIS, &status), STATUS_OK);
         struct contact_point point;
         uint64_t evaluations = 0;
         multiscale_solve(&point, &stack, &spot, EVERYTHING, table_number(&table, i, "load_over_AnEp"), &evaluations);
@@ -48,12 +48,12 @@ static void full_load_is_sharp(void **state)
 {
     (void)state;
     struct material_pair pair = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
-    struct spot spot = spot_make(&pair);
+    struct constriction spot = constriction_make(&pair);
     struct status status = {0};
     struct spectrum spectrum = law_spectrum(3e-4, 0.085, 1.5, 256);
     for (int plastic = 0; plastic < 2; plastic++) {
         struct multiscale stack;
-        assert_int_equal(multiscale_make(&stack, &spectrum, &pair, plastic, SCENE_CLOSURE_THESIS, &status), STATUS_OK);
+        assert_int_equal(multiscale_make(&stack, &spectrum, &pair, plastic, SINUSOID_FIT_THESIS, &status), STATUS_OK);
         struct contact_point point;
         uint64_t evaluations = 0;
         multiscale_solve(&point, &stack, &spot, EVERYTHING, stack.full_load * (1 + 1e-12), &evaluations);
@@ -75,11 +75,11 @@ static void areas_fall_to_the_total(void **state)
 {
     (void)state;
     struct material_pair pair = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
-    struct spot spot = spot_make(&pair);
+    struct constriction spot = constriction_make(&pair);
     struct status status = {0};
     struct spectrum spectrum = law_spectrum(3e-4, 0.085, 0.5, 400);
     struct multiscale stack;
-    assert_int_equal(multiscale_make(&stack, &spectrum, &pair, true, SCENE_CLOSURE_THESIS, &status), STATUS_OK);
+    assert_int_equal(multiscale_make(&stack, &spectrum, &pair, true, SINUSOID_FIT_THESIS, &status), STATUS_OK);
     double area[400];
     uint64_t evaluations = 0;
     struct convergence_law law = {0.085, 0.5, 3e-4, 1e-3, 400};

@@ -6,7 +6,7 @@ static struct material_pair tin(void)
     return material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
 }
 
-static const struct sinusoid_closure *thesis = &sinusoid_closures[SCENE_CLOSURE_THESIS];
+static const struct sinusoid_fit *thesis = &sinusoid_fits[SINUSOID_FIT_THESIS];
 
 static void elastic_matches_reference(void **state)
 {
@@ -49,8 +49,8 @@ static void closures_keep_their_stated_error(void **state)
 {
     (void)state;
     struct table table = table_read("golden/sinusoid_bem.csv");
-    for (int c = 0; c < SCENE_CLOSURE_COUNT; c++) {
-        const struct sinusoid_closure *closure = &sinusoid_closures[c];
+    for (int c = 0; c < SINUSOID_FIT_COUNT; c++) {
+        const struct sinusoid_fit *closure = &sinusoid_fits[c];
         double area_error = 0, gap_error = 0;
         for (size_t i = 0; i < table.rows; i++) {
             double x = table_number(&table, i, "p_over_pstar");
@@ -63,7 +63,7 @@ static void closures_keep_their_stated_error(void **state)
         }
         assert_true(area_error <= closure->area_error);
         assert_true(gap_error <= closure->gap_error);
-        if (c == SCENE_CLOSURE_THESIS) {
+        if (c == SINUSOID_FIT_THESIS) {
             assert_true(area_error > 0.9 * closure->area_error);
             assert_true(gap_error > 0.9 * closure->gap_error);
         }
@@ -75,7 +75,7 @@ static void closures_keep_their_stated_error(void **state)
 static void numeric_closure_has_its_limits(void **state)
 {
     (void)state;
-    const struct sinusoid_closure *numeric = &sinusoid_closures[SCENE_CLOSURE_NUMERIC];
+    const struct sinusoid_fit *numeric = &sinusoid_fits[SINUSOID_FIT_NUMERIC];
     struct sinusoid_cell low = {0}, high = {0};
     numeric->area(&low, 1e-9);
     thesis->area(&high, 1e-9);
@@ -120,7 +120,7 @@ static void complement_does_not_cancel(void **state)
     }
 }
 
-/** The step at p_c, as physics.md states it: area up, gap down, sizes nearly independent of the material. */
+/** The step at p_c, as docs/equations.md states it: area up, gap down, sizes nearly independent of the material. */
 static void step_at_critical_pressure(void **state)
 {
     (void)state;

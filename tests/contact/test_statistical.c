@@ -9,9 +9,9 @@ static struct material_pair tin(void)
     return material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
 }
 
-enum { EVERYTHING = CONTACT_SEPARATION | CONTACT_ELECTRICAL | CONTACT_THERMAL | CONTACT_SCALE_DEPENDENT };
+enum { EVERYTHING = QUANTITY_BIT(QUANTITY_SEPARATION) | QUANTITY_RESISTANCES };
 
-static struct statistical make(double m0, double m2, double m4, enum asperity_law_id law, double tolerance,
+static struct statistical make(double m0, double m2, double m4, enum asperity_model_id law, double tolerance,
                                double lowest)
 {
     struct roughness roughness = {.m0_m2 = m0, .m2 = m2, .m4_per_m2 = m4};
@@ -27,7 +27,7 @@ static struct statistical make(double m0, double m2, double m4, enum asperity_la
     return model;
 }
 
-static enum asperity_law_id law_of(const char *name)
+static enum asperity_model_id law_of(const char *name)
 {
     return strcmp(name, "gw") == 0 ? ASPERITY_HERTZ : ASPERITY_JG;
 }
@@ -101,8 +101,8 @@ static void beta_matches_reference(void **state)
 static void solve_inverts_at(void **state)
 {
     (void)state;
-    for (int law = 0; law < ASPERITY_LAW_COUNT; law++) {
-        struct statistical model = make(1.156e-13, 0.0012, 4.5e8, (enum asperity_law_id)law, 1e-10, INFINITY);
+    for (int law = 0; law < ASPERITY_MODEL_COUNT; law++) {
+        struct statistical model = make(1.156e-13, 0.0012, 4.5e8, (enum asperity_model_id)law, 1e-10, INFINITY);
         double d = 0, previous = INFINITY;
         for (double load = 1e-30; load < model.full_load; load *= 7) {
             struct contact_point found, again;
@@ -128,7 +128,7 @@ static double load_density(double u, void *context)
 {
     const struct integrand *in = context;
     struct asperity_contact contact;
-    asperity_laws[ASPERITY_JG].press(&contact, &in->model->asperity, u * in->model->surface.sigma_s_m);
+    asperity_models[ASPERITY_JG].press(&contact, &in->model->asperity, u * in->model->surface.sigma_s_m);
     return contact.load_N * exp(-(u + in->d) * (u + in->d) / 2);
 }
 
@@ -146,7 +146,7 @@ static void outside_share_matches_adaptive_integration(void **state)
         gsl_integration_qag(&f, border, 12, 0, 1e-10, 2000, GSL_INTEG_GAUSS41, workspace, &outside, &error);
         struct contact_point point;
         statistical_at(&point, &model, d);
-        assert_near(point.outside, outside / (inside + outside), 1e-8);
+        assert_near(point.beyond_fit, outside / (inside + outside), 1e-8);
     }
     gsl_integration_workspace_free(workspace);
     statistical_free(&model);
@@ -160,7 +160,7 @@ static double log_load_beyond(const struct statistical *model, double d, double 
     gsl_function f = {load_density, &in};
     double step = 1 / fmax(1, from + d), sum = 0, piece, error;
     double breaks[] = {asperity_yield_onset * model->asperity.critical_interference_m / model->surface.sigma_s_m,
-                       model->panels.outside, model->panels.saturated};
+                       model->panels.beyond_fit, model->panels.radius_clamped};
     for (double low = from, end = from + 60 * step + fmax(0, -d); low < end;) {
         double high = fmin(low + step, end);
         for (int b = 0; b < 3; b++)
@@ -185,11 +185,12 @@ static void load_shares_follow_the_tolerance(void **state)
             double square = sizes[c] * sizes[c];
             struct statistical model =
                 make(3.3872e-11 * square, 0.02 * square, 2.4e10 * square, ASPERITY_JG, tolerances[t], INFINITY);
-            double borders[2] = {model.panels.outside, model.panels.saturated};
+            double borders[2] = {model.panels.beyond_fit, model.panels.radius_clamped};
             for (double d = model.full_d; d < 5; d += 0.7) {
                 struct contact_point point;
                 statistical_at(&point, &model, d);
-                double all = log_load_beyond(&model, d, 0, workspace), got[2] = {point.outside, point.saturated};
+                double all = log_load_beyond(&model, d, 0, workspace),
+                       got[2] = {point.beyond_fit, point.radius_clamped};
                 for (int b = 0; b < 2; b++) {
                     double share = exp(log_load_beyond(&model, d, borders[b], workspace) - all);
                     if (share < 1e-200)

@@ -3,7 +3,7 @@
 #ifndef HARD_SUPPORT_H
 #define HARD_SUPPORT_H
 
-#include "scene/material.h"
+#include "material/material.h"
 #include "support.h"
 
 #include <fenv.h>

@@ -4,10 +4,10 @@
 
 static const double radius_m = 2e-5;
 
-static struct asperity_contact press(const struct asperity *asperity, enum asperity_law_id law, double interference_m)
+static struct asperity_contact press(const struct asperity *asperity, enum asperity_model_id law, double interference_m)
 {
     struct asperity_contact contact;
-    asperity_laws[law].press(&contact, asperity, interference_m);
+    asperity_models[law].press(&contact, asperity, interference_m);
     assert_true(isfinite(contact.area_m2) && contact.area_m2 >= 0);
     assert_true(isfinite(contact.load_N) && contact.load_N >= 0);
     assert_true(isfinite(contact.radius_m) && contact.radius_m >= 0);
@@ -46,14 +46,14 @@ static void never_falls(void **state)
     (void)state;
     for (int y = 0; y < HARD_YIELD_RATIOS; y++)
         for (int n = 0; n < HARD_NUS; n++)
-            for (int law = 0; law < ASPERITY_LAW_COUNT; law++) {
+            for (int law = 0; law < ASPERITY_MODEL_COUNT; law++) {
                 struct material_pair pair = hard_pair(hard_yield_ratios[y], hard_nus[n]);
-                struct asperity asperity = asperity_make(radius_m, &pair, (enum asperity_law_id)law);
-                struct asperity_contact before = press(&asperity, (enum asperity_law_id)law, 0);
+                struct asperity asperity = asperity_make(radius_m, &pair, (enum asperity_model_id)law);
+                struct asperity_contact before = press(&asperity, (enum asperity_model_id)law, 0);
                 assert_true(before.area_m2 == 0 && before.load_N == 0 && before.radius_m == 0);
                 double last = 1e-30 * radius_m, onset = asperity_yield_onset * asperity.critical_interference_m;
                 for (double omega = last; omega < 10 * radius_m; omega *= omega < 1e-16 * radius_m ? 100 : 1.003) {
-                    struct asperity_contact contact = press(&asperity, (enum asperity_law_id)law, omega);
+                    struct asperity_contact contact = press(&asperity, (enum asperity_model_id)law, omega);
                     bool across = last < onset && omega >= onset;
                     assert_true(contact.area_m2 >= before.area_m2 && contact.radius_m >= before.radius_m);
                     assert_true(across || contact.load_N >= before.load_N);
@@ -81,7 +81,7 @@ static void hardness_is_clamped(void **state)
 }
 
 /** Largest step of the logarithms of area, load and radius over a grid, the load's at the onset left out. */
-static double largest_step(const struct asperity *asperity, enum asperity_law_id law, int points)
+static double largest_step(const struct asperity *asperity, enum asperity_model_id law, int points)
 {
     double largest = 0, before[3] = {0}, last = 0, onset = asperity_yield_onset * asperity->critical_interference_m;
     for (int i = 0; i <= points; i++) {
@@ -102,11 +102,11 @@ static void laws_do_not_jump(void **state)
     (void)state;
     enum { POINTS = 100000 / HARD_COARSER };
     for (int y = 0; y < HARD_YIELD_RATIOS; y++)
-        for (int law = 0; law < ASPERITY_LAW_COUNT; law++) {
+        for (int law = 0; law < ASPERITY_MODEL_COUNT; law++) {
             struct material_pair pair = hard_pair(hard_yield_ratios[y], 0.36);
-            struct asperity asperity = asperity_make(radius_m, &pair, (enum asperity_law_id)law);
-            double coarse = largest_step(&asperity, (enum asperity_law_id)law, POINTS / 2);
-            double fine = largest_step(&asperity, (enum asperity_law_id)law, POINTS);
+            struct asperity asperity = asperity_make(radius_m, &pair, (enum asperity_model_id)law);
+            double coarse = largest_step(&asperity, (enum asperity_model_id)law, POINTS / 2);
+            double fine = largest_step(&asperity, (enum asperity_model_id)law, POINTS);
             assert_true(fine > 0 && fine < 0.51 * coarse);
         }
 }

@@ -2,7 +2,7 @@
 #include "contact/model.h"
 #include "hard_support.h"
 
-enum { EVERYTHING = CONTACT_SEPARATION | CONTACT_ELECTRICAL | CONTACT_THERMAL | CONTACT_SCALE_DEPENDENT };
+enum { EVERYTHING = QUANTITY_BIT(QUANTITY_SEPARATION) | QUANTITY_RESISTANCES };
 enum { LOADS = 37, SCALES = 600 };
 
 static struct spectrum law_spectrum(double alpha, double gamma)
@@ -28,7 +28,7 @@ static void check_point(const struct contact_point *point, double full_load)
 
 static void check_curve(const struct model_curve *curve, const struct model_row *row, const struct model_task *task)
 {
-    bool statistical = row->family == SCENE_MODEL_STATISTICAL;
+    bool statistical = row->asperity_model != NULL;
     assert_true(curve->exists && curve->count > 1 && curve->count <= task->load_count + 1);
     assert_true(isfinite(curve->full_load) && curve->full_load > 0 && curve->full_load < 1e6);
     assert_true(isfinite(curve->closed_load) && curve->closed_load >= curve->full_load);
@@ -52,7 +52,7 @@ static void check_curve(const struct model_curve *curve, const struct model_row 
         assert_true(last->load == 1e6 && last->separation_m == 0);
     assert_true(row->plastic || (curve->clamped == 0 && curve->yielding_scales == 0));
     struct model_work work = row->work(row, task);
-    assert_true(curve->work.scales == work.scales && curve->work.laws == work.laws);
+    assert_memory_equal(&curve->work, &work, sizeof work);
 }
 
 /** Loads by decades from 1e-30 to 1e6, every model, rough and smooth spectra, both closures. */
@@ -65,7 +65,7 @@ static void loads_beyond_full_contact(void **state)
     for (int i = 0; i < LOADS; i++)
         loads[i] = pow(10, i - 30);
     for (int k = 0; k < 3; k++)
-        for (int closure = 0; closure < SCENE_CLOSURE_COUNT; closure++) {
+        for (int closure = 0; closure < SINUSOID_FIT_COUNT; closure++) {
             struct spectrum spectrum = law_spectrum(alphas[k], gammas[k]);
             struct roughness roughness = {0};
             struct asperities surface;
@@ -73,12 +73,12 @@ static void loads_beyond_full_contact(void **state)
             roughness_from_spectrum(&roughness, &spectrum);
             assert_int_equal(roughness_asperities(&surface, &roughness, &status), STATUS_OK);
             struct model_task task = {&spectrum, &surface,   &pair, loads,
-                                      LOADS,     EVERYTHING, 1e-10, (enum scene_closure)closure};
-            for (int m = 0; m < MODEL_COUNT; m++) {
+                                      LOADS,     EVERYTHING, 1e-10, (enum sinusoid_fit_id)closure};
+            for (size_t m = 0; m < model_count; m++) {
                 struct contact_point points[LOADS + 1];
                 struct model_curve curve = {.points = points};
-                assert_int_equal(model_rows[m].run(&curve, &model_rows[m], &task, &status), STATUS_OK);
-                check_curve(&curve, &model_rows[m], &task);
+                assert_int_equal(model_rows[m]->run(&curve, model_rows[m], &task, &status), STATUS_OK);
+                check_curve(&curve, model_rows[m], &task);
             }
             spectrum_free(&spectrum);
         }
@@ -97,13 +97,12 @@ static void nothing_but_full_contact(void **state)
     assert_int_equal(roughness_asperities(&surface, &roughness, &status), STATUS_OK);
     const double loads[] = {1e3, 1e6, 1e100};
     for (size_t count = 1; count <= 3; count++)
-        for (int m = 0; m < MODEL_COUNT; m++) {
+        for (size_t m = 0; m < model_count; m++) {
             struct contact_point points[4];
             struct model_curve curve = {.points = points};
-            struct model_task task = {&spectrum, &surface,   &pair, loads,
-                                      count,     EVERYTHING, 1e-10, SCENE_CLOSURE_THESIS};
-            assert_int_equal(model_rows[m].run(&curve, &model_rows[m], &task, &status), STATUS_OK);
-            assert_int_equal(curve.count, model_rows[m].family == SCENE_MODEL_STATISTICAL ? 1 : count);
+            struct model_task task = {&spectrum, &surface, &pair, loads, count, EVERYTHING, 1e-10, SINUSOID_FIT_THESIS};
+            assert_int_equal(model_rows[m]->run(&curve, model_rows[m], &task, &status), STATUS_OK);
+            assert_int_equal(curve.count, model_rows[m]->asperity_model ? 1 : count);
             for (size_t i = 0; i < curve.count; i++)
                 assert_true(points[i].area_ratio == 1 && points[i].ecr_ohm_m2 == 0 && points[i].tcr_sd_K_m2_per_W == 0);
         }
@@ -117,15 +116,15 @@ static void no_asperities(void **state)
     struct material_pair pair = hard_tin();
     struct spectrum spectrum = law_spectrum(0.085, 1.5);
     const double loads[] = {1e-9, 1e-3};
-    struct model_task task = {&spectrum, NULL, &pair, loads, 2, EVERYTHING, 1e-10, SCENE_CLOSURE_THESIS};
-    for (int m = 0; m < MODEL_COUNT; m++) {
+    struct model_task task = {&spectrum, NULL, &pair, loads, 2, EVERYTHING, 1e-10, SINUSOID_FIT_THESIS};
+    for (size_t m = 0; m < model_count; m++) {
         struct contact_point points[3];
         struct model_curve curve = {.points = points};
         struct status status = {0};
-        assert_int_equal(model_rows[m].run(&curve, &model_rows[m], &task, &status), STATUS_OK);
-        assert_true(curve.exists == (model_rows[m].family == SCENE_MODEL_MULTISCALE));
+        assert_int_equal(model_rows[m]->run(&curve, model_rows[m], &task, &status), STATUS_OK);
+        assert_true(curve.exists == !model_rows[m]->asperity_model);
         assert_int_equal(curve.count, curve.exists ? 2 : 0);
-        assert_int_equal(model_rows[m].work(&model_rows[m], &task).separations, 0);
+        assert_int_equal(model_rows[m]->work(model_rows[m], &task).separations, 0);
     }
     spectrum_free(&spectrum);
 }
@@ -145,27 +144,29 @@ static void every_choice_of_quantities(void **state)
     roughness_from_spectrum(&roughness, &spectrum);
     assert_int_equal(roughness_asperities(&surface, &roughness, &status), STATUS_OK);
     const double loads[] = {1e-30, 1e-9, 1e-6, 1e-3, 1e6};
-    for (int m = 0; m < MODEL_COUNT; m++)
+    for (size_t m = 0; m < model_count; m++)
         for (unsigned wanted = 0; wanted <= EVERYTHING; wanted++) {
-            bool conducts = wanted & (CONTACT_ELECTRICAL | CONTACT_THERMAL | CONTACT_SCALE_DEPENDENT);
+            if (wanted & ~(unsigned)EVERYTHING)
+                continue;
+            bool conducts = wanted & (QUANTITY_RESISTANCES);
             struct contact_point all[6], some[6];
             struct model_curve reference = {.points = all}, curve = {.points = some};
-            struct model_task task = {&spectrum, &surface, &known, loads, 5, EVERYTHING, 1e-10, SCENE_CLOSURE_THESIS};
-            assert_int_equal(model_rows[m].run(&reference, &model_rows[m], &task, &status), STATUS_OK);
+            struct model_task task = {&spectrum, &surface, &known, loads, 5, EVERYTHING, 1e-10, SINUSOID_FIT_THESIS};
+            assert_int_equal(model_rows[m]->run(&reference, model_rows[m], &task, &status), STATUS_OK);
             task.wanted = wanted;
             task.pair = conducts ? &known : &bare;
-            assert_int_equal(model_rows[m].run(&curve, &model_rows[m], &task, &status), STATUS_OK);
+            assert_int_equal(model_rows[m]->run(&curve, model_rows[m], &task, &status), STATUS_OK);
             assert_int_equal(curve.count, reference.count);
             for (size_t i = 0; i < curve.count; i++) {
                 assert_near(some[i].area_ratio, all[i].area_ratio, 1e-9);
                 const double got[] = {some[i].ecr_ohm_m2, some[i].tcr_K_m2_per_W, some[i].tcr_sd_K_m2_per_W};
                 const double full[] = {all[i].ecr_ohm_m2, all[i].tcr_K_m2_per_W, all[i].tcr_sd_K_m2_per_W};
                 for (int k = 0; k < 3; k++)
-                    if (wanted & (CONTACT_ELECTRICAL << k))
+                    if (wanted & (QUANTITY_BIT(QUANTITY_ECR) << k))
                         assert_near(got[k], full[k], 1e-9);
                     else
                         assert_true(isnan(got[k]));
-                assert_true((wanted & CONTACT_SEPARATION) || model_rows[m].family == SCENE_MODEL_STATISTICAL ||
+                assert_true((wanted & QUANTITY_BIT(QUANTITY_SEPARATION)) || model_rows[m]->asperity_model ||
                             isnan(some[i].separation_m));
             }
         }

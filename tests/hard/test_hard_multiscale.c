@@ -3,7 +3,7 @@
 #include "contact/multiscale.h"
 #include "hard_support.h"
 
-enum { EVERYTHING = CONTACT_SEPARATION | CONTACT_ELECTRICAL | CONTACT_THERMAL | CONTACT_SCALE_DEPENDENT };
+enum { EVERYTHING = QUANTITY_BIT(QUANTITY_SEPARATION) | QUANTITY_RESISTANCES };
 static const double length_m = 3e-4;
 
 static struct spectrum law_spectrum(double alpha, double gamma, size_t count)
@@ -20,12 +20,13 @@ static struct multiscale make(const struct spectrum *spectrum, const struct mate
 {
     struct multiscale stack;
     struct status status = {0};
-    assert_int_equal(multiscale_make(&stack, spectrum, pair, plastic, (enum scene_closure)closure, &status), STATUS_OK);
+    assert_int_equal(multiscale_make(&stack, spectrum, pair, plastic, (enum sinusoid_fit_id)closure, &status),
+                     STATUS_OK);
     assert_true(isfinite(stack.full_load) && stack.full_load >= 0 && stack.closed_load >= stack.full_load);
     return stack;
 }
 
-static struct contact_point solve(const struct multiscale *stack, const struct spot *spot, double load)
+static struct contact_point solve(const struct multiscale *stack, const struct constriction *spot, double load)
 {
     struct contact_point point;
     uint64_t evaluations = 0;
@@ -51,7 +52,7 @@ static void extreme_power_laws(void **state)
 {
     (void)state;
     struct material_pair pair = hard_tin();
-    struct spot spot = spot_make(&pair);
+    struct constriction spot = constriction_make(&pair);
     for (double gamma = 0; gamma <= 2; gamma += 0.25)
         for (double alpha = 1e-3; alpha<2e3; alpha *= HARD_COARSER> 1 ? 1e6 : 100) {
             struct spectrum spectrum = law_spectrum(alpha, gamma, 20000);
@@ -59,7 +60,7 @@ static void extreme_power_laws(void **state)
             for (size_t i = 0; i < spectrum.count; i++)
                 amplitudes += spectrum.amplitude_m[i];
             for (int plastic = 0; plastic < 2; plastic++) {
-                struct multiscale stack = make(&spectrum, &pair, plastic, SCENE_CLOSURE_THESIS);
+                struct multiscale stack = make(&spectrum, &pair, plastic, SINUSOID_FIT_THESIS);
                 double area = 0, separation = amplitudes * (1 + 1e-12), resistance = INFINITY;
                 for (double load = 1e-30; load < 1e7; load *= 1e12) {
                     struct contact_point point = solve(&stack, &spot, load);
@@ -82,10 +83,10 @@ static void separation_starts_at_the_sum_of_amplitudes(void **state)
 {
     (void)state;
     struct material_pair pair = hard_tin();
-    struct spot spot = spot_make(&pair);
+    struct constriction spot = constriction_make(&pair);
     struct spectrum spectrum = law_spectrum(0.085, 1.5, 1);
     for (int plastic = 0; plastic < 2; plastic++)
-        for (int closure = 0; closure < SCENE_CLOSURE_COUNT; closure++) {
+        for (int closure = 0; closure < SINUSOID_FIT_COUNT; closure++) {
             struct multiscale stack = make(&spectrum, &pair, plastic, closure);
             assert_near(solve(&stack, &spot, 1e-30).separation_m, spectrum.amplitude_m[0], 1e-10);
             multiscale_free(&stack);
@@ -98,16 +99,16 @@ static void single_scale(void **state)
 {
     (void)state;
     struct material_pair pair = hard_tin();
-    struct spot spot = spot_make(&pair);
+    struct constriction spot = constriction_make(&pair);
     struct spectrum spectrum = law_spectrum(0.085, 1.5, 1);
     for (int plastic = 0; plastic < 2; plastic++)
-        for (int closure = 0; closure < SCENE_CLOSURE_COUNT; closure++) {
+        for (int closure = 0; closure < SINUSOID_FIT_COUNT; closure++) {
             struct multiscale stack = make(&spectrum, &pair, plastic, closure);
             struct sinusoid_scale scale = sinusoid_scale(spectrum.amplitude_m[0], 1 / length_m, &pair, plastic);
             for (double load = 1e-30; load < 1e7; load *= 7) {
                 struct contact_point point = solve(&stack, &spot, load);
                 struct sinusoid_cell cell;
-                sinusoid_press(&cell, &scale, &sinusoid_closures[closure], load * pair.effective_modulus_Pa, true);
+                sinusoid_press(&cell, &scale, &sinusoid_fits[closure], load * pair.effective_modulus_Pa, true);
                 assert_true(point.area_ratio == cell.area_ratio);
                 assert_true(point.separation_m == scale.amplitude_m * cell.gap_ratio);
             }
@@ -122,7 +123,7 @@ static void absent_scales(void **state)
     (void)state;
     static const double nothing[] = {0, 5e-324, 1e-310};
     struct material_pair pair = hard_tin();
-    struct spot spot = spot_make(&pair);
+    struct constriction spot = constriction_make(&pair);
     for (int plastic = 0; plastic < 2; plastic++)
         for (double load = 1e-30; load < 1e7; load *= 1e6) {
             struct contact_point first = {0};
@@ -130,7 +131,7 @@ static void absent_scales(void **state)
                 struct spectrum spectrum = law_spectrum(0.085, 1.5, 300);
                 for (size_t i = 0; i < spectrum.count; i += 2)
                     spectrum.amplitude_m[i] = nothing[k];
-                struct multiscale stack = make(&spectrum, &pair, plastic, SCENE_CLOSURE_THESIS);
+                struct multiscale stack = make(&spectrum, &pair, plastic, SINUSOID_FIT_THESIS);
                 struct contact_point point = solve(&stack, &spot, load);
                 first = k == 0 ? point : first;
                 assert_true(point.area_ratio == first.area_ratio && point.separation_m == first.separation_m);
@@ -138,7 +139,7 @@ static void absent_scales(void **state)
                 multiscale_free(&stack);
                 for (size_t i = 1; i < spectrum.count; i += 2)
                     spectrum.amplitude_m[i] = nothing[k];
-                stack = make(&spectrum, &pair, plastic, SCENE_CLOSURE_THESIS);
+                stack = make(&spectrum, &pair, plastic, SINUSOID_FIT_THESIS);
                 point = solve(&stack, &spot, load);
                 assert_true(point.area_ratio == 1 && point.separation_m < 1e-300 && point.ecr_ohm_m2 == 0);
                 multiscale_free(&stack);
@@ -158,13 +159,13 @@ static struct steps scan(const struct multiscale *stack, int points)
 {
     struct steps steps = {0};
     struct material_pair pair = hard_tin();
-    struct spot spot = spot_make(&pair);
+    struct constriction spot = constriction_make(&pair);
     struct contact_point before = {0};
     for (int i = 0; i <= points; i++) {
         struct contact_point point;
         uint64_t evaluations = 0;
         double load = 2 * stack->closed_load * exp(((double)i / points - 1) * log(1e8));
-        multiscale_solve(&point, stack, &spot, CONTACT_SEPARATION, load, &evaluations);
+        multiscale_solve(&point, stack, &spot, QUANTITY_BIT(QUANTITY_SEPARATION), load, &evaluations);
         if (i > 0) {
             double area_step = point.area_ratio / before.area_ratio - 1;
             steps.fall = fmax(steps.fall, -area_step);
@@ -187,17 +188,17 @@ static void curves_do_not_jump(void **state)
     enum { POINTS = 100000 / HARD_COARSER, SCALES = 12 };
     struct material_pair pair = hard_tin();
     for (int law = 0; law < 2; law++)
-        for (int closure = 0; closure < SCENE_CLOSURE_COUNT; closure++) {
+        for (int closure = 0; closure < SINUSOID_FIT_COUNT; closure++) {
             struct spectrum spectrum = law_spectrum(alphas[law], gammas[law], SCALES);
             struct multiscale stack = make(&spectrum, &pair, false, closure);
             struct steps coarse = scan(&stack, POINTS / 10), fine = scan(&stack, POINTS / 5);
             assert_true(fine.largest < 0.51 * coarse.largest && fine.rise == 0);
-            assert_true(fine.fall <= (closure == SCENE_CLOSURE_THESIS ? 5e-4 : 1e-15));
+            assert_true(fine.fall <= (closure == SINUSOID_FIT_THESIS ? 5e-4 : 1e-15));
             multiscale_free(&stack);
 
             stack = make(&spectrum, &pair, true, closure);
             fine = scan(&stack, POINTS);
-            assert_true(fine.fall <= (closure == SCENE_CLOSURE_THESIS ? 5e-4 : 1e-15));
+            assert_true(fine.fall <= (closure == SINUSOID_FIT_THESIS ? 5e-4 : 1e-15));
             assert_true(fine.largest < 0.0785 && fine.large <= (int)stack.critical_scales * HARD_COARSER);
             assert_true(fine.rise < 5e-3);
             multiscale_free(&stack);
@@ -210,10 +211,10 @@ static void limits_are_counted(void **state)
 {
     (void)state;
     struct material_pair pair = hard_tin();
-    struct spot spot = spot_make(&pair);
+    struct constriction spot = constriction_make(&pair);
     int cut = 0, raised = 0;
     for (double ratio = 0.5; ratio < 1000; ratio *= 1.05)
-        for (int closure = 0; closure < SCENE_CLOSURE_COUNT; closure++) {
+        for (int closure = 0; closure < SINUSOID_FIT_COUNT; closure++) {
             double amplitude = ratio * sinusoid_critical_amplitude(1 / length_m, &pair);
             struct spectrum spectrum = {&amplitude, 1, length_m, false};
             struct multiscale stack = make(&spectrum, &pair, true, closure);
@@ -227,9 +228,9 @@ static void limits_are_counted(void **state)
                 struct sinusoid_cell elastic;
                 bool yields = loads[i] * modulus > stack.scales[0].critical_pressure_Pa;
                 double x = fmin(1, loads[i] * modulus / stack.scales[0].full_pressure_Pa);
-                sinusoid_closures[closure].area(&elastic, x);
+                sinusoid_fits[closure].area(&elastic, x);
                 bool full = yields && point.area_ratio == 1 && loads[i] < stack.closed_load;
-                bool floor = yields && closure == SCENE_CLOSURE_NUMERIC && point.area_ratio == elastic.area_ratio &&
+                bool floor = yields && closure == SINUSOID_FIT_NUMERIC && point.area_ratio == elastic.area_ratio &&
                              point.area_ratio < 1;
                 assert_int_equal(limited, full || floor);
                 cut += full;
@@ -257,7 +258,7 @@ static void convergence_study(void **state)
                 convergence_areas(areas, &law, &pair, plastic, &evaluations);
                 for (size_t i = 0; i < SCALES; i++)
                     assert_true(areas[i] > 0 && areas[i] <= (i > 0 ? areas[i - 1] : 1));
-                struct powerlaw fit = {.alpha = law.alpha, .gamma = law.gamma};
+                struct power_law fit = {.alpha = law.alpha, .gamma = law.gamma};
                 for (double load = 1e-30; load < 1e7; load *= 1e12) {
                     struct convergence_extension out = convergence_extend(&fit, 1e-6, 1e-7, &pair, plastic, load);
                     assert_true(out.area_extended > 0 && out.area_extended <= out.area_measured);

@@ -1,7 +1,8 @@
 /* Scans and scenes that strain the way from heights to loads: offsets, tilt, prime lengths, quantised heights. */
 #include "hard_support.h"
 #include "profile/profile.h"
-#include "spectrum/powerlaw.h"
+#include "scene/scene.h"
+#include "spectrum/power_law.h"
 #include "spectrum/roughness.h"
 
 static const double pi = 3.14159265358979323846;
@@ -17,7 +18,7 @@ static double rough(size_t i, size_t points)
     return sum;
 }
 
-static struct profile profile_of(double *height_m, size_t points, enum scene_level level)
+static struct profile profile_of(double *height_m, size_t points, enum level level)
 {
     struct scan scan = {.kind = SCAN_PROFILE, .nx = points, .ny = 1, .dx_m = spacing_m, .z_m = height_m};
     struct profile profile;
@@ -54,7 +55,7 @@ static double *heights(size_t points, double offset_m, double tilt)
 static void offset_of_a_tenth_of_a_metre(void **state)
 {
     (void)state;
-    static const enum scene_level levels[] = {SCENE_LEVEL_MEAN, SCENE_LEVEL_LINE, SCENE_LEVEL_PARABOLA};
+    static const enum level levels[] = {LEVEL_MEAN, LEVEL_LINE, LEVEL_PARABOLA};
     static const size_t lengths[] = {3000, 100003};
     for (int l = 0; l < 3; l++)
         for (int n = 0; n < 2; n++)
@@ -75,7 +76,7 @@ static void offset_of_a_tenth_of_a_metre(void **state)
 static void tilt_of_45_degrees(void **state)
 {
     (void)state;
-    static const enum scene_level levels[] = {SCENE_LEVEL_LINE, SCENE_LEVEL_PARABOLA};
+    static const enum level levels[] = {LEVEL_LINE, LEVEL_PARABOLA};
     for (int l = 0; l < 2; l++)
         for (int sign = -1; sign <= 1; sign += 2) {
             double *low = heights(3000, 0, 0), *high = heights(3000, 0, sign);
@@ -105,7 +106,8 @@ static void prime_number_of_points(void **state)
         square += (height_m[i] - mean) * (height_m[i] - mean) / POINTS;
     struct spectrum spectrum;
     struct status status = {0};
-    assert_int_equal(spectrum_compute(&spectrum, height_m, POINTS, spacing_m, SCENE_WINDOW_NONE, &status), STATUS_OK);
+    assert_int_equal(spectrum_compute(&spectrum, height_m, POINTS, spacing_m, SPECTRUM_WINDOW_NONE, &status),
+                     STATUS_OK);
     assert_int_equal(spectrum.count, POINTS / 2);
     assert_false(spectrum.has_nyquist);
     assert_near(spectrum_moment(&spectrum, 0), square, 1e-12);
@@ -120,13 +122,13 @@ static void check_description(const struct profile *profile)
     struct spectrum spectrum;
     struct status status = {0};
     const double everything_m[2] = {0, INFINITY};
-    for (int window = 0; window < SCENE_WINDOW_COUNT; window++) {
+    for (int window = 0; window < SPECTRUM_WINDOW_COUNT; window++) {
         assert_int_equal(spectrum_compute(&spectrum, profile->height_m, profile->points, spacing_m,
-                                          (enum scene_window)window, &status),
+                                          (enum spectrum_window)window, &status),
                          STATUS_OK);
         for (size_t i = 0; i < spectrum.count; i++)
             assert_true(isfinite(spectrum.amplitude_m[i]) && spectrum.amplitude_m[i] >= 0);
-        struct powerlaw law = powerlaw_fit(&spectrum, everything_m);
+        struct power_law law = power_law_fit(&spectrum, everything_m);
         assert_true(law.harmonics < 3 ? isnan(law.gamma) : isfinite(law.gamma) && isfinite(law.alpha) && law.alpha > 0);
         spectrum_free(&spectrum);
     }
@@ -145,12 +147,12 @@ static void quantised_heights(void **state)
     (void)state;
     static const double steps[] = {1e-12, 1e-9, 4e-9, 1e-8};
     for (int s = 0; s < 4; s++)
-        for (int level = 0; level < SCENE_LEVEL_COUNT; level++) {
+        for (int level = 0; level < LEVEL_COUNT; level++) {
             double *height_m = heights(1200, 0, 0);
             for (size_t i = 0; i < 1200; i++)
                 height_m[i] = steps[s] * round(height_m[i] / steps[s]);
             height_m[600] += steps[s]; /* never flat */
-            struct profile profile = profile_of(height_m, 1200, (enum scene_level)level);
+            struct profile profile = profile_of(height_m, 1200, (enum level)level);
             check_description(&profile);
             profile_free(&profile);
             free(height_m);
@@ -159,7 +161,7 @@ static void quantised_heights(void **state)
         for (size_t spike = 0; spike < points; spike += 2) {
             double *height_m = calloc(points, sizeof *height_m);
             height_m[spike] = 1e-9;
-            struct profile profile = profile_of(height_m, points, SCENE_LEVEL_MEAN);
+            struct profile profile = profile_of(height_m, points, LEVEL_MEAN);
             check_description(&profile);
             profile_free(&profile);
             free(height_m);
@@ -193,7 +195,7 @@ static void exact_power_laws(void **state)
                 assert_non_null(spectrum.amplitude_m);
                 for (size_t i = 0; i < count; i++)
                     spectrum.amplitude_m[i] = alpha * pow(3e-4 / (double)(i + 1), gamma);
-                struct powerlaw law = powerlaw_fit(&spectrum, everything_m);
+                struct power_law law = power_law_fit(&spectrum, everything_m);
                 assert_within(law.gamma, gamma, 1e-12);
                 assert_near(law.alpha, alpha, 1e-10);
                 assert_within(law.rms_decades, 0, 1e-6);

@@ -1,7 +1,7 @@
 /* One scale at its limits: complete contact, no pressure, the critical amplitude and the critical pressure. */
+#include "contact/constriction.h"
 #include "contact/sinusoid.h"
 #include "hard_support.h"
-#include "resistance/spot.h"
 
 static const double frequency = 1e5;
 static const double link_step = 5e-4; /* closure thesis, area at p/p* = 0.8: 0.9049 below, 0.9045 from there on */
@@ -16,8 +16,8 @@ static void check_cell(const struct sinusoid_cell *cell)
 
 static void elastic(struct sinusoid_cell *cell, int closure, double x)
 {
-    sinusoid_closures[closure].area(cell, x);
-    cell->gap_ratio = sinusoid_closures[closure].gap(x);
+    sinusoid_fits[closure].area(cell, x);
+    cell->gap_ratio = sinusoid_fits[closure].gap(x);
     check_cell(cell);
 }
 
@@ -26,7 +26,7 @@ static void no_pressure_is_hertz(void **state)
 {
     (void)state;
     static const double xs[] = {5e-324, 1e-310, 1e-300, 1e-100, 1e-30, 1e-24};
-    for (int closure = 0; closure < SCENE_CLOSURE_COUNT; closure++)
+    for (int closure = 0; closure < SINUSOID_FIT_COUNT; closure++)
         for (size_t i = 0; i < sizeof xs / sizeof xs[0]; i++) {
             struct sinusoid_cell cell;
             elastic(&cell, closure, xs[i]);
@@ -41,7 +41,7 @@ static void no_pressure_is_hertz(void **state)
 static void full_contact_from_both_sides(void **state)
 {
     (void)state;
-    for (int closure = 0; closure < SCENE_CLOSURE_COUNT; closure++) {
+    for (int closure = 0; closure < SINUSOID_FIT_COUNT; closure++) {
         struct sinusoid_cell cell, nearest;
         elastic(&nearest, closure, nextafter(1, 0));
         double slope = nearest.area_complement / (1 - nextafter(1, 0));
@@ -65,18 +65,18 @@ static void alleviation_keeps_its_digits(void **state)
 {
     (void)state;
     for (double rest = 1e-9; rest > 1e-200; rest /= 13) /* Psi = (c/2)^(3/2) (1 + 3c/8 ...) */
-        assert_near(spot_alleviation(1 - rest, rest), rest / 2 * sqrt(rest / 2) * (1 + 0.375 * rest), 1e-14);
-    assert_true(spot_alleviation(1, 0) == 0);
-    assert_true(spot_alleviation(0, 1) == 1);
+        assert_near(constriction_alleviation(1 - rest, rest), rest / 2 * sqrt(rest / 2) * (1 + 0.375 * rest), 1e-14);
+    assert_true(constriction_alleviation(1, 0) == 0);
+    assert_true(constriction_alleviation(0, 1) == 1);
     struct material_pair pair = hard_tin();
-    for (int closure = 0; closure < SCENE_CLOSURE_COUNT; closure++) {
+    for (int closure = 0; closure < SINUSOID_FIT_COUNT; closure++) {
         struct sinusoid_scale scale = sinusoid_scale(1e-9, frequency, &pair, false);
         double previous = 1;
         for (double rest = 1e-3; rest > 4e-16; rest /= 3) {
             double pressure = scale.full_pressure_Pa * (1 - rest);
             struct sinusoid_cell cell;
-            sinusoid_press(&cell, &scale, &sinusoid_closures[closure], pressure, false);
-            double psi = spot_alleviation(cell.area_ratio, cell.area_complement);
+            sinusoid_press(&cell, &scale, &sinusoid_fits[closure], pressure, false);
+            double psi = constriction_alleviation(cell.area_ratio, cell.area_complement);
             double linear = 3 / (4 * M_PI) * (1 - pressure / scale.full_pressure_Pa);
             assert_near(psi, linear * sqrt(linear), 5e-3);
             assert_true(psi < previous);
@@ -93,9 +93,9 @@ static void check_scale(const struct sinusoid_scale *scale, int closure)
     struct sinusoid_cell cell, before = {.gap_ratio = 1};
     double pressure = full * 1e-30, seams[] = {0.8 * full, full, critical, closed, full * 1e6};
     while (pressure < full * 1e6) {
-        bool plastic = sinusoid_press(&cell, scale, &sinusoid_closures[closure], pressure, true);
+        bool plastic = sinusoid_press(&cell, scale, &sinusoid_fits[closure], pressure, true);
         check_cell(&cell);
-        double allowed = closure == SCENE_CLOSURE_THESIS && !plastic ? link_step : 0;
+        double allowed = closure == SINUSOID_FIT_THESIS && !plastic ? link_step : 0;
         assert_true(cell.area_ratio >= before.area_ratio * (1 - allowed) - 2e-16);
         assert_true(cell.gap_ratio <= before.gap_ratio);
         assert_true((cell.gap_ratio == 0) == (pressure >= closed));
@@ -122,7 +122,7 @@ static void no_material_breaks_a_scale(void **state)
             struct material_pair pair = hard_pair(hard_yield_ratios[y], hard_nus[n]);
             double critical = sinusoid_critical_amplitude(frequency, &pair);
             for (size_t r = 0; r < sizeof ratios / sizeof ratios[0]; r++)
-                for (int variant = 0; variant < 2 * SCENE_CLOSURE_COUNT; variant++) {
+                for (int variant = 0; variant < 2 * SINUSOID_FIT_COUNT; variant++) {
                     struct sinusoid_scale scale = sinusoid_scale(ratios[r] * critical, frequency, &pair, variant % 2);
                     check_scale(&scale, variant / 2);
                 }
@@ -143,7 +143,7 @@ static void critical_amplitude_from_both_sides(void **state)
         assert_near(above.plastic_full_pressure_Pa, above.full_pressure_Pa, 1e-11);
         for (double x = 1e-12; x < 0.95; x *= 1.5) {
             struct sinusoid_cell first, second;
-            const struct sinusoid_closure *thesis = &sinusoid_closures[SCENE_CLOSURE_THESIS];
+            const struct sinusoid_fit *thesis = &sinusoid_fits[SINUSOID_FIT_THESIS];
             sinusoid_press(&first, &below, thesis, x * below.full_pressure_Pa, true);
             sinusoid_press(&second, &above, thesis, x * below.full_pressure_Pa, true);
             assert_near(second.area_ratio, first.area_ratio, 1e-11);
@@ -157,24 +157,24 @@ static void critical_pressure_from_both_sides(void **state)
 {
     (void)state;
     static const struct {
-        double ratio, area_step, gap_least, gap_most; /* physics.md, known steps */
+        double ratio, area_step, gap_least, gap_most; /* docs/equations.md, known steps */
     } stated[] = {{1.05, 0.010, -0.21, -0.17}, {1.3, 0.023, -0.145, -0.135},  {2, 0.054, -0.157, -0.15},
                   {5, 0.078, -0.065, -0.06},   {30, 0.055, -0.0016, -0.0014}, {1000, 0.012, -1e-6, 0}};
     for (int y = 0; y < HARD_YIELD_RATIOS; y++)
         for (int n = 0; n < HARD_NUS; n++)
             for (size_t i = 0; i < sizeof stated / sizeof stated[0]; i++)
-                for (int closure = 0; closure < SCENE_CLOSURE_COUNT; closure++) {
+                for (int closure = 0; closure < SINUSOID_FIT_COUNT; closure++) {
                     struct material_pair pair = hard_pair(hard_yield_ratios[y], hard_nus[n]);
                     double amplitude = stated[i].ratio * sinusoid_critical_amplitude(frequency, &pair);
                     struct sinusoid_scale scale = sinusoid_scale(amplitude, frequency, &pair, true);
-                    const struct sinusoid_closure *law = &sinusoid_closures[closure];
+                    const struct sinusoid_fit *law = &sinusoid_fits[closure];
                     struct sinusoid_cell below, above;
                     assert_false(sinusoid_press(&below, &scale, law, scale.critical_pressure_Pa * (1 - 1e-12), true));
                     assert_true(sinusoid_press(&above, &scale, law, scale.critical_pressure_Pa * (1 + 1e-12), true));
                     double area_step = above.area_ratio / below.area_ratio - 1;
                     double gap_step = above.gap_ratio / below.gap_ratio - 1;
                     assert_true(area_step >= 0 && gap_step <= 0 && gap_step > -0.3);
-                    if (closure != SCENE_CLOSURE_THESIS)
+                    if (closure != SINUSOID_FIT_THESIS)
                         continue;
                     assert_within(area_step, stated[i].area_step, 0.0027);
                     if (hard_nus[n] > 0.2 && hard_nus[n] < 0.4)
@@ -187,12 +187,12 @@ static void critical_pressure_from_both_sides(void **state)
 static void link_at_four_fifths(void **state)
 {
     (void)state;
-    for (int closure = 0; closure < SCENE_CLOSURE_COUNT; closure++) {
+    for (int closure = 0; closure < SINUSOID_FIT_COUNT; closure++) {
         struct sinusoid_cell below, above;
         elastic(&below, closure, 0.8 * (1 - 1e-12));
         elastic(&above, closure, 0.8 * (1 + 1e-12));
         assert_near(above.gap_ratio, below.gap_ratio, 1e-10);
-        if (closure == SCENE_CLOSURE_THESIS) {
+        if (closure == SINUSOID_FIT_THESIS) {
             assert_within(below.area_ratio, 0.9049, 5e-5);
             assert_within(above.area_ratio, 0.9045, 5e-5);
         } else {
@@ -209,8 +209,8 @@ static double largest_step(const struct sinusoid_scale *scale, int closure, bool
     for (int i = 0; i <= points; i++) {
         double pressure = low * exp((double)i / points * log(2e8));
         struct sinusoid_cell cell;
-        bool plastic = sinusoid_press(&cell, scale, &sinusoid_closures[closure], pressure, gap);
-        bool linked = closure == SCENE_CLOSURE_THESIS && !gap && pressure >= 0.8 * full;
+        bool plastic = sinusoid_press(&cell, scale, &sinusoid_fits[closure], pressure, gap);
+        bool linked = closure == SINUSOID_FIT_THESIS && !gap && pressure >= 0.8 * full;
         double value = gap ? cell.gap_ratio : log(cell.area_ratio);
         if (i > 0 && plastic == was_plastic && (plastic || linked == was_linked))
             largest = fmax(largest, fabs(value - last));
@@ -230,7 +230,7 @@ static void curves_do_not_jump(void **state)
     struct material_pair pair = hard_tin();
     double critical = sinusoid_critical_amplitude(frequency, &pair);
     for (size_t r = 0; r < sizeof ratios / sizeof ratios[0]; r++)
-        for (int closure = 0; closure < SCENE_CLOSURE_COUNT; closure++)
+        for (int closure = 0; closure < SINUSOID_FIT_COUNT; closure++)
             for (int gap = 0; gap < 2; gap++) {
                 struct sinusoid_scale scale = sinusoid_scale(ratios[r] * critical, frequency, &pair, true);
                 double coarse = largest_step(&scale, closure, gap, POINTS / 2);
@@ -250,11 +250,11 @@ static void vanishing_amplitudes(void **state)
         for (int i = 0; i < 4; i++) {
             struct sinusoid_cell cell;
             struct sinusoid_scale flat = sinusoid_scale(0, frequency, &pair, plastic);
-            sinusoid_press(&cell, &flat, &sinusoid_closures[i % 2], pressures[i], true);
+            sinusoid_press(&cell, &flat, &sinusoid_fits[i % 2], pressures[i], true);
             check_cell(&cell);
             assert_true(cell.area_ratio == 1 && cell.gap_ratio == 0);
             struct sinusoid_scale tiny = sinusoid_scale(5e-324, 1, &pair, plastic);
-            sinusoid_press(&cell, &tiny, &sinusoid_closures[i % 2], pressures[i], true);
+            sinusoid_press(&cell, &tiny, &sinusoid_fits[i % 2], pressures[i], true);
             check_cell(&cell);
             assert_true((cell.area_ratio < 1) == (pressures[i] < tiny.full_pressure_Pa));
         }

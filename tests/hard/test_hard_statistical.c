@@ -5,7 +5,7 @@
 
 #include <gsl/gsl_integration.h>
 
-enum { EVERYTHING = CONTACT_SEPARATION | CONTACT_ELECTRICAL | CONTACT_THERMAL | CONTACT_SCALE_DEPENDENT };
+enum { EVERYTHING = QUANTITY_BIT(QUANTITY_SEPARATION) | QUANTITY_RESISTANCES };
 
 static struct statistical make(const struct asperities *surface, const struct material_pair *pair, int law,
                                double lowest)
@@ -13,7 +13,7 @@ static struct statistical make(const struct asperities *surface, const struct ma
     struct statistical model;
     struct status status = {0};
     uint64_t evaluations = 0;
-    assert_int_equal(statistical_make(&model, surface, pair, (enum asperity_law_id)law, EVERYTHING, 1e-10, lowest,
+    assert_int_equal(statistical_make(&model, surface, pair, (enum asperity_model_id)law, EVERYTHING, 1e-10, lowest,
                                       &evaluations, &status),
                      STATUS_OK);
     assert_int_equal(evaluations, model.panels.count);
@@ -54,7 +54,7 @@ static void matches_reference_far_out(void **state)
             assert_near(point.ecr_ohm_m2, table_number(&table, i, "ecr_ohm_m2"), allowed);
             assert_near(point.tcr_K_m2_per_W, table_number(&table, i, "tcr_K_m2_per_W"), allowed);
             assert_near(point.tcr_sd_K_m2_per_W, table_number(&table, i, "tcr_sd_K_m2_per_W"), allowed);
-            double psi = spot_alleviation(area, 1 - area);
+            double psi = constriction_alleviation(area, 1 - area);
             assert_near(psi * pair.resistivity_ohm_m / (2 * point.ecr_ohm_m2 * point.area_ratio),
                         table_number(&table, i, "radius_over_area_per_m"), allowed);
         } else {
@@ -102,8 +102,8 @@ static void check_curve(const struct statistical *model)
         assert_true(isfinite(point.ecr_ohm_m2) && point.ecr_ohm_m2 > 0 && point.ecr_ohm_m2 <= before.ecr_ohm_m2);
         assert_true(isfinite(point.tcr_K_m2_per_W) && point.tcr_K_m2_per_W > 0);
         assert_true(isfinite(point.tcr_sd_K_m2_per_W) && point.tcr_sd_K_m2_per_W >= point.tcr_K_m2_per_W);
-        assert_true(point.saturated >= 0 && point.saturated <= point.outside && point.outside <= 1);
-        assert_true(model->law == ASPERITY_JG || point.outside == 0);
+        assert_true(point.radius_clamped >= 0 && point.radius_clamped <= point.beyond_fit && point.beyond_fit <= 1);
+        assert_true(model->law == ASPERITY_JG || point.beyond_fit == 0);
         before = point;
     }
     static const double beyond[] = {1, 1 + 1e-15, 1e6};
@@ -128,7 +128,7 @@ static void every_surface_in_every_material(void **state)
             assert_near(surface.nayak, nayaks[k], 1e-12);
             for (int y = 0; y < HARD_YIELD_RATIOS; y++)
                 for (int n = 0; n < HARD_NUS; n += 3)
-                    for (int law = 0; law < ASPERITY_LAW_COUNT; law++) {
+                    for (int law = 0; law < ASPERITY_MODEL_COUNT; law++) {
                         struct material_pair pair = hard_pair(hard_yield_ratios[y], hard_nus[n]);
                         struct statistical model = make(&surface, &pair, law, INFINITY);
                         check_curve(&model);
@@ -163,8 +163,8 @@ static void roots_of_full_contact(void **state)
             .radius_m = 1e-5, .sigma_s_m = 1e-7, .offset_m = 5e-8, .sigma_m = 1.2e-7, .nayak = 10};
         struct gaussian_integrals f = gaussian_integrals(target);
         surface.density_per_m2 = 1 / (M_PI * surface.radius_m * surface.sigma_s_m * f.one) * exp(-f.log_factor);
-        double d[ASPERITY_LAW_COUNT];
-        for (int law = 0; law < ASPERITY_LAW_COUNT; law++) {
+        double d[ASPERITY_MODEL_COUNT];
+        for (int law = 0; law < ASPERITY_MODEL_COUNT; law++) {
             struct statistical model = make(&surface, &pair, law, INFINITY);
             check_curve(&model);
             struct contact_point point;
@@ -186,7 +186,7 @@ static void first_guess_does_not_matter(void **state)
     static const double guesses[] = {-1e300, -1e9, -60, 0, 40, 1e4, 1e9, 1e300};
     struct material_pair pair = hard_tin();
     struct asperities surface = surface_of(1.156e-13, 0.0012, 4.5e8);
-    for (int law = 0; law < ASPERITY_LAW_COUNT; law++) {
+    for (int law = 0; law < ASPERITY_MODEL_COUNT; law++) {
         struct statistical model = make(&surface, &pair, law, INFINITY);
         for (double load = 1e-100; load < model.full_load; load *= 1e11) {
             double first = 3;
@@ -212,7 +212,7 @@ static double load_density(double u, void *context)
 {
     const struct integrand *in = context;
     struct asperity_contact contact;
-    asperity_laws[ASPERITY_JG].press(&contact, &in->model->asperity, u * in->model->surface.sigma_s_m);
+    asperity_models[ASPERITY_JG].press(&contact, &in->model->asperity, u * in->model->surface.sigma_s_m);
     return contact.load_N * exp(-(u + in->d) * (u + in->d) / 2);
 }
 
@@ -232,9 +232,9 @@ static void saturation_is_counted(void **state)
         gsl_integration_qag(&f, border, 14, 0, 1e-10, 2000, GSL_INTEG_GAUSS41, workspace, &saturated, &error);
         struct contact_point point;
         statistical_at(&point, &model, d);
-        assert_near(point.saturated, saturated / (inside + saturated), 1e-8);
-        assert_true(point.saturated > previous && point.saturated < 1);
-        previous = point.saturated;
+        assert_near(point.radius_clamped, saturated / (inside + saturated), 1e-8);
+        assert_true(point.radius_clamped > previous && point.radius_clamped < 1);
+        previous = point.radius_clamped;
     }
     gsl_integration_workspace_free(workspace);
     statistical_free(&model);
@@ -267,7 +267,7 @@ static void curves_do_not_jump(void **state)
     struct material_pair pair = hard_tin();
     struct asperities narrow = surface_of(1e-14, 1e-6, 90), moderate = surface_of(1.156e-13, 0.0012, 4.5e8);
     for (int s = 0; s < 2; s++)
-        for (int law = 0; law < ASPERITY_LAW_COUNT; law++) {
+        for (int law = 0; law < ASPERITY_MODEL_COUNT; law++) {
             struct statistical model = make(s == 0 ? &narrow : &moderate, &pair, law, INFINITY);
             double from = fmax(-10, model.full_d + 0.1);
             double coarse = largest_bend(&model, from, 10, POINTS / 2), fine = largest_bend(&model, from, 10, POINTS);

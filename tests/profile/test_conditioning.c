@@ -116,7 +116,7 @@ static void test_measured_points(void **state)
     for (size_t i = 0; i < POINTS; i++)
         f->x[i] = ((double)i + 0.3 * noise(&seed)) * 1e-6;
     struct scan scan = scan_on(f->x, f->z, POINTS, 0);
-    struct profile profile = profile_good(&scan, &(struct profile_options){.level = SCENE_LEVEL_NONE});
+    struct profile profile = profile_good(&scan, &(struct profile_options){.level = LEVEL_NONE});
     assert_memory_equal(profile.measured_x_m, f->x, sizeof f->x);
     assert_memory_equal(profile.measured_z_m, f->z, sizeof f->z);
     assert_note(&profile, "x is uneven");

@@ -4,7 +4,7 @@
 #include <stdio.h>
 
 enum { POINTS = 2000 };
-static const struct profile_options as_it_is = {.level = SCENE_LEVEL_NONE, .max_missing = 0.1};
+static const struct profile_options as_it_is = {.level = LEVEL_NONE, .max_missing = 0.1};
 
 static void make_wave(double *z)
 {

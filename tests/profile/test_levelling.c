@@ -4,7 +4,7 @@
 
 enum { POINTS = 4001 };
 
-static struct levelling level(double *z, const double *x, size_t points, double spacing_m, enum scene_level how)
+static struct levelling level(double *z, const double *x, size_t points, double spacing_m, enum level how)
 {
     struct levelling levelling;
     struct status status = {0};
@@ -27,7 +27,7 @@ static void test_an_arc_is_taken_out_whole(void **state)
                 double depth = x * x / (radii_m[r] + sqrt(radii_m[r] * radii_m[r] - x * x));
                 z[i] = 3e-3 + (crown ? -depth : depth);
             }
-            struct levelling levelling = level(z, NULL, POINTS, spacing_m, SCENE_LEVEL_CIRCLE);
+            struct levelling levelling = level(z, NULL, POINTS, spacing_m, LEVEL_CIRCLE);
             for (size_t i = 0; i < POINTS; i++)
                 assert_within(z[i], 0, 2e-15);
             double expected = crown ? -radii_m[r] : radii_m[r];
@@ -48,8 +48,8 @@ static void test_an_arc_under_roughness(void **state)
         wave[i] = 2e-7 * cos(2 * M_PI * 50 * (double)i / POINTS);
         parabola[i] = z[i] = wave[i] + sqrt(radius_m * radius_m - x * x);
     }
-    struct levelling levelling = level(z, NULL, POINTS, spacing_m, SCENE_LEVEL_CIRCLE);
-    level(parabola, NULL, POINTS, spacing_m, SCENE_LEVEL_PARABOLA);
+    struct levelling levelling = level(z, NULL, POINTS, spacing_m, LEVEL_CIRCLE);
+    level(parabola, NULL, POINTS, spacing_m, LEVEL_PARABOLA);
     double left = 0, left_by_parabola = 0;
     for (size_t i = 0; i < POINTS; i++) {
         left = fmax(left, fabs(z[i] - wave[i]));
@@ -68,7 +68,7 @@ static void test_an_arc_is_a_least_squares_fit(void **state)
     uint64_t seed = 8;
     for (size_t i = 0; i < POINTS; i++)
         z[i] = 1e-7 * noise(&seed) + 1e-9 * (double)i * 1e-3;
-    level(z, NULL, POINTS, 1e-6, SCENE_LEVEL_CIRCLE);
+    level(z, NULL, POINTS, 1e-6, LEVEL_CIRCLE);
     double product[3] = {0};
     for (size_t i = 0; i < POINTS; i++) {
         double u = (double)i / POINTS - 0.5;
@@ -89,9 +89,9 @@ static void test_outliers_do_not_move_the_robust_line(void **state)
         clean[i] = 1e-7 * (noise(&seed) + noise(&seed) + noise(&seed));
         plain[i] = z[i] = clean[i] + 2e-3 * (double)i * 1e-6 + (i % 20 == 7 ? 4e-5 * (double)i / POINTS : 0);
     }
-    struct levelling robust = level(z, NULL, POINTS, 1e-6, SCENE_LEVEL_ROBUST);
-    struct levelling line = level(plain, NULL, POINTS, 1e-6, SCENE_LEVEL_LINE);
-    struct levelling own = level(clean, NULL, POINTS, 1e-6, SCENE_LEVEL_LINE);
+    struct levelling robust = level(z, NULL, POINTS, 1e-6, LEVEL_ROBUST);
+    struct levelling line = level(plain, NULL, POINTS, 1e-6, LEVEL_LINE);
+    struct levelling own = level(clean, NULL, POINTS, 1e-6, LEVEL_LINE);
     double error = fabs(robust.tilt - own.tilt - 2e-3);
     assert_true(error < 1e-6); /* 4 nm over the 4 mm; Rq is 100 nm */
     assert_true(fabs(line.tilt - own.tilt - 2e-3) > 100 * error);
@@ -111,12 +111,12 @@ static void test_robust_line_of_clean_records(void **state)
     uint64_t seed = 6;
     for (size_t i = 0; i < POINTS; i++)
         plain[i] = z[i] = 1e-7 * noise(&seed) - 1e-9 * (double)i;
-    struct levelling robust = level(z, NULL, POINTS, 1e-6, SCENE_LEVEL_ROBUST);
-    assert_near(robust.tilt, level(plain, NULL, POINTS, 1e-6, SCENE_LEVEL_LINE).tilt, 1e-3);
+    struct levelling robust = level(z, NULL, POINTS, 1e-6, LEVEL_ROBUST);
+    assert_near(robust.tilt, level(plain, NULL, POINTS, 1e-6, LEVEL_LINE).tilt, 1e-3);
     assert_int_equal(robust.outliers, 0);
     for (size_t i = 0; i < 100; i++)
         z[i] = 0.25 * (double)i + (i % 10 == 3 ? 1000 : 0);
-    robust = level(z, NULL, 100, 1, SCENE_LEVEL_ROBUST);
+    robust = level(z, NULL, 100, 1, LEVEL_ROBUST);
     assert_near(robust.tilt, 0.25, 1e-12);
     assert_int_equal(robust.outliers, 10);
     assert_within(z[50], 0, 1e-12);
@@ -133,7 +133,7 @@ static void test_uneven_positions_count(void **state)
             x[i] = 1e-2 + 1e-3 * (u + u * u);
             z[i] = 1e-3 + 0.02 * x[i] + (degree == 2 ? 5 * x[i] * x[i] : 0);
         }
-        struct levelling levelling = level(z, x, POINTS, 0, degree == 2 ? SCENE_LEVEL_PARABOLA : SCENE_LEVEL_LINE);
+        struct levelling levelling = level(z, x, POINTS, 0, degree == 2 ? LEVEL_PARABOLA : LEVEL_LINE);
         for (size_t i = 0; i < POINTS; i++)
             assert_within(z[i], 0, 1e-17);
         if (degree == 1)
@@ -152,11 +152,11 @@ static void test_levelling_is_told(void **state)
         z[i] = 1e-7 * noise(&seed) - x * x / 2 / 0.025 + (i == 77 ? 1e-3 : 0);
     }
     struct scan scan = scan_on(NULL, z, POINTS, 1e-6);
-    struct profile profile = profile_good(&scan, &(struct profile_options){.level = SCENE_LEVEL_ROBUST});
+    struct profile profile = profile_good(&scan, &(struct profile_options){.level = LEVEL_ROBUST});
     assert_note(&profile, "robust line was taken out; ");
     profile_free(&profile);
     z[77] = z[76];
-    profile = profile_good(&scan, &(struct profile_options){.level = SCENE_LEVEL_CIRCLE});
+    profile = profile_good(&scan, &(struct profile_options){.level = LEVEL_CIRCLE});
     assert_note(&profile, "an arc of radius 25");
     assert_note(&profile, "mm (crown) was taken out");
     assert_near(profile.radius_m, -0.025, 0.01);

@@ -35,7 +35,7 @@ static double smooth(double x_m)
     return 1e-6 * (sin(2 * M_PI * x_m / 1e-4) + 0.5 * cos(2 * M_PI * x_m / 3.7e-5));
 }
 
-static struct profile make(const struct scan *scan, enum scene_level level)
+static struct profile make(const struct scan *scan, enum level level)
 {
     struct profile profile;
     struct status status = {0};
@@ -55,7 +55,7 @@ static void test_uniform_positions_are_taken_as_they_are(void **state)
                 sample->x_m[i] = origin * 0.02 + (double)i * 2.5e-7;
                 sample->z_m[i] = smooth(sample->x_m[i]);
             }
-            struct profile profile = make(finish(sample, 1000, with_x), SCENE_LEVEL_NONE);
+            struct profile profile = make(finish(sample, 1000, with_x), LEVEL_NONE);
             assert_int_equal(profile.grid, PROFILE_UNIFORM);
             assert_memory_equal(profile.height_m, sample->z_m, 1000 * sizeof(double));
             assert_near(profile.end_jump_m, sample->z_m[999] - sample->z_m[0], 0);
@@ -76,7 +76,7 @@ static void test_rounded_positions_are_recognised(void **state)
                 sample->x_m[i] = round((origin * 1.23e-3 + (double)i * spacings_m[s]) / digit_m) * digit_m;
                 sample->z_m[i] = smooth((double)i * spacings_m[s]);
             }
-            struct profile profile = make(finish(sample, 1500, true), SCENE_LEVEL_NONE);
+            struct profile profile = make(finish(sample, 1500, true), LEVEL_NONE);
             assert_int_equal(profile.grid, PROFILE_ROUNDED);
             assert_memory_equal(profile.height_m, sample->z_m, 1500 * sizeof(double));
             assert_near(profile.spacing_m, spacings_m[s], digit_m / (1499 * spacings_m[s]));
@@ -102,7 +102,7 @@ static void test_uneven_positions_are_interpolated(void **state)
     double first = NAN, error = NAN;
     for (size_t points = 501; points <= MOST; points = 2 * points - 1) {
         make_uneven(sample, points, smooth);
-        struct profile profile = make(finish(sample, points, true), SCENE_LEVEL_NONE);
+        struct profile profile = make(finish(sample, points, true), LEVEL_NONE);
         assert_int_equal(profile.grid, PROFILE_RESAMPLED);
         double widest_m = sample->x_m[points - 1] - sample->x_m[points - 2];
         error = 0;
@@ -131,7 +131,7 @@ static void test_interpolation_is_smooth(void **state)
     for (int k = 0; k < 2; k++) {
         size_t points = k == 0 ? 201 : 401;
         make_uneven(sample, points, rising);
-        struct profile profile = make(finish(sample, points, true), SCENE_LEVEL_NONE);
+        struct profile profile = make(finish(sample, points, true), LEVEL_NONE);
         for (size_t i = points / 10; i < points - points / 10; i++) {
             double exact = rising(sample->x_m[0] + (double)i * profile.spacing_m);
             error[k] = fmax(error[k], fabs(profile.height_m[i] / exact - 1));
@@ -158,7 +158,7 @@ static void test_interpolation_does_not_overshoot(void **state)
     struct sample *sample = *state;
     for (int h = 0; h < 2; h++) {
         make_uneven(sample, 300, heights[h]);
-        struct profile profile = make(finish(sample, 300, true), SCENE_LEVEL_NONE);
+        struct profile profile = make(finish(sample, 300, true), LEVEL_NONE);
         assert_int_equal(profile.grid, PROFILE_RESAMPLED);
         for (size_t i = 0, k = 0; i < 299; i++) {
             double x_m = sample->x_m[0] + (double)i * profile.spacing_m;
@@ -180,7 +180,7 @@ static void test_jitter_is_no_rounding(void **state)
         sample->x_m[i] = 2.5e-7 * ((double)i + 0.2 * (double)(int64_t)seed * 0x1p-63);
         sample->z_m[i] = smooth(sample->x_m[i]);
     }
-    struct profile profile = make(finish(sample, 1000, true), SCENE_LEVEL_NONE);
+    struct profile profile = make(finish(sample, 1000, true), LEVEL_NONE);
     assert_int_equal(profile.grid, PROFILE_RESAMPLED);
     profile_free(&profile);
 }
@@ -193,7 +193,7 @@ static void test_two_spacings_are_no_rounding(void **state)
         sample->x_m[i] = i < 500 ? 1e-7 * (double)i : 1e-7 * (500 + 2 * ((double)i - 500));
         sample->z_m[i] = smooth(sample->x_m[i]);
     }
-    struct profile profile = make(finish(sample, 1000, true), SCENE_LEVEL_NONE);
+    struct profile profile = make(finish(sample, 1000, true), LEVEL_NONE);
     assert_int_equal(profile.grid, PROFILE_RESAMPLED);
     profile_free(&profile);
 }
@@ -208,7 +208,7 @@ static void test_a_tilt_of_45_degrees(void **state)
         sample->z_m[i] = amplitude_m * cos(2 * M_PI * 8 * ((double)i + 0.5) / 2000); /* even: no slope of its own */
         sample->z_m[i] += sample->x_m[i] + 0.05;
     }
-    struct profile profile = make(finish(sample, 2000, true), SCENE_LEVEL_LINE);
+    struct profile profile = make(finish(sample, 2000, true), LEVEL_LINE);
     assert_near(profile.tilt, 1, 1e-12);
     for (size_t i = 0; i < 2000; i++)
         assert_within(profile.height_m[i], amplitude_m * cos(2 * M_PI * 8 * ((double)i + 0.5) / 2000), 1e-15);
@@ -223,7 +223,7 @@ static void test_the_end_jump_is_that_of_the_levelled_profile(void **state)
         sample->x_m[i] = (double)i * 1e-6;
         sample->z_m[i] = i < 200 ? 0 : 1e-6;
     }
-    struct profile profile = make(finish(sample, 400, true), SCENE_LEVEL_LINE);
+    struct profile profile = make(finish(sample, 400, true), LEVEL_LINE);
     double slope_m = 1.5e-6 / 400 / (1 - 1.0 / 160000);
     assert_near(profile.tilt, slope_m / 1e-6, 1e-12);
     assert_near(profile.end_jump_m, 1e-6 - 399 * slope_m, 1e-10);
@@ -241,14 +241,13 @@ static void test_a_row_of_a_map(void **state)
     sample->scan.ny = 3;
     struct profile profile;
     struct status status = {0};
-    assert_int_equal(
-        profile_make(&profile, &sample->scan, 2, &(struct profile_options){.level = SCENE_LEVEL_NONE}, &status),
-        STATUS_OK);
+    assert_int_equal(profile_make(&profile, &sample->scan, 2, &(struct profile_options){.level = LEVEL_NONE}, &status),
+                     STATUS_OK);
     assert_memory_equal(profile.height_m, sample->z_m + 20, 10 * sizeof(double));
     profile_free(&profile);
 }
 
-static void assert_refused(const struct scan *scan, enum scene_level level, const char *words)
+static void assert_refused(const struct scan *scan, enum level level, const char *words)
 {
     struct profile profile;
     struct status status = {0};
@@ -267,8 +266,8 @@ static void test_missing_heights_are_refused(void **state)
     }
     finish(sample, 50, true);
     sample->scan.missing = 2;
-    assert_refused(&sample->scan, SCENE_LEVEL_LINE, "2 of 50 heights are missing");
-    assert_refused(&sample->scan, SCENE_LEVEL_LINE, "gaps filled");
+    assert_refused(&sample->scan, LEVEL_LINE, "2 of 50 heights are missing");
+    assert_refused(&sample->scan, LEVEL_LINE, "gaps filled");
 }
 
 static void test_flat_scans_are_refused(void **state)
@@ -278,8 +277,8 @@ static void test_flat_scans_are_refused(void **state)
         sample->x_m[i] = (double)i * 1e-6;
         sample->z_m[i] = 2.5e-6;
     }
-    for (int level = 0; level < SCENE_LEVEL_COUNT; level++)
-        assert_refused(finish(sample, 50, true), (enum scene_level)level, "flat: every height is 2.5e-06 m");
+    for (int level = 0; level < LEVEL_COUNT; level++)
+        assert_refused(finish(sample, 50, true), (enum level)level, "flat: every height is 2.5e-06 m");
 }
 
 /* A straight or evenly bent scan is flat once levelled: what the subtraction rounds is no roughness. */
@@ -292,10 +291,10 @@ static void test_scans_without_roughness_are_refused(void **state)
             sample->z_m[i] = 0.1 + 0.3 * sample->x_m[i] + bent * 2.0 * sample->x_m[i] * sample->x_m[i];
         }
         finish(sample, 1000, true);
-        assert_refused(&sample->scan, SCENE_LEVEL_PARABOLA, "flat");
+        assert_refused(&sample->scan, LEVEL_PARABOLA, "flat");
         if (!bent)
-            assert_refused(&sample->scan, SCENE_LEVEL_LINE, "flat");
-        struct profile profile = make(&sample->scan, bent ? SCENE_LEVEL_LINE : SCENE_LEVEL_MEAN);
+            assert_refused(&sample->scan, LEVEL_LINE, "flat");
+        struct profile profile = make(&sample->scan, bent ? LEVEL_LINE : LEVEL_MEAN);
         profile_free(&profile);
     }
 }

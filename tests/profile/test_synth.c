@@ -2,7 +2,7 @@
 #include "profile/profile.h"
 #include "profile/synth.h"
 #include "scan/scan.h"
-#include "spectrum/powerlaw.h"
+#include "spectrum/power_law.h"
 #include "support.h"
 
 #include <stdio.h>
@@ -32,10 +32,10 @@ static void assert_comes_back(const struct synth_def *def)
     struct spectrum spectrum;
     struct status status = {0};
     assert_int_equal(spectrum_compute(&spectrum, height_m, def->points, def->length_m / (double)def->points,
-                                      SCENE_WINDOW_NONE, &status),
+                                      SPECTRUM_WINDOW_NONE, &status),
                      STATUS_OK);
     const double band_m[2] = {def->lambda_s_m, INFINITY};
-    struct powerlaw law = powerlaw_fit(&spectrum, band_m);
+    struct power_law law = power_law_fit(&spectrum, band_m);
     assert_near(law.alpha, def->alpha, 1e-9);
     assert_within(law.gamma, def->gamma, 1e-9);
     assert_within(law.rms_decades, def->scatter_decades, 1e-9);
@@ -43,7 +43,7 @@ static void assert_comes_back(const struct synth_def *def)
     if (def->rq_m > 0)
         assert_near(rq_m, def->rq_m, 1e-9);
     struct levelling line;
-    assert_int_equal(level_remove(&line, levelled_m, NULL, def->points, 1, SCENE_LEVEL_LINE, &status), STATUS_OK);
+    assert_int_equal(level_remove(&line, levelled_m, NULL, def->points, 1, LEVEL_LINE, &status), STATUS_OK);
     for (size_t i = 0; i < def->points; i++)
         assert_within(levelled_m[i], height_m[i], 1e-12 * rq_m);
     spectrum_free(&spectrum);
@@ -93,7 +93,7 @@ static void test_the_cut_off(void **state)
     double *height_m = make(&def);
     struct spectrum spectrum;
     assert_int_equal(spectrum_compute(&spectrum, height_m, def.points, def.length_m / (double)def.points,
-                                      SCENE_WINDOW_NONE, &status),
+                                      SPECTRUM_WINDOW_NONE, &status),
                      STATUS_OK);
     for (size_t n = 1; n <= 80; n++) {
         double law_m = def.alpha * pow(def.length_m / (double)n, def.gamma), ratio = (double)n / 40;

@@ -146,22 +146,46 @@ static void paths_stay_in_figures(void **state)
 static void raw_html_is_text(void **state)
 {
     (void)state;
-    assert_body("<script>alert(1)</script>\n", "&lt;script&gt;alert(1)&lt;/script&gt;");
+    assert_body("<script>alert(1)</script>\n", "<p>&lt;script&gt;alert(1)&lt;/script&gt;</p>");
     assert_body("a <b onclick=\"x\">b</b> &lt;i&gt; &#60;u>\n",
                 "a &lt;b onclick=&quot;x&quot;&gt;b&lt;/b&gt; &lt;i&gt; &lt;u&gt;");
     assert_body("![<b>](figures/chart.svg)\n", "aria-label=\"&lt;b&gt;\"");
     assert_not_in_page("<script>\n\n<table>\n\n<img src=x>\n", "<script");
 }
 
+static void characters(void **state)
+{
+    (void)state;
+    assert_body("a\x01 \x1b[31m \xff \xc2\x85 &#7; &nbsp;&eacute; b\n", "<p>a? ?[31m ? ?? ? &nbsp;&eacute; b</p>");
+    assert_body("]]> &#93;&#93;&#62; --> 'q' \"r\"\n", "<p>]]&gt; ]]&gt; --&gt; 'q' &quot;r&quot;</p>");
+    assert_body("a\\\nb  \nc\nd\n", "<p>a<br>\nb<br>\nc\nd</p>");
+    assert_body("![a *b*\n`<c>` ![d](e) f](x.png)\n", "<p>a b &lt;c&gt; d f</p>");
+}
+
+static void blocks(void **state)
+{
+    (void)state;
+    assert_body("- a\n- **b**\n", "<ul>\n<li>a</li>\n<li><strong>b</strong></li>\n</ul>\n");
+    assert_body("1. a\n   - b\n", "<ol>\n<li>a<ul>\n<li>b</li>\n</ul>\n</li>\n</ol>\n");
+    assert_body("- a\n  # b\n", "<ul>\n<li>a<h1 id=\"b\">b</h1>\n</li>\n</ul>\n");
+    assert_body("7) a\n\n8) b\n", "<ol start=\"7\">\n<li><p>a</p>\n</li>\n<li><p>b</p>\n</li>\n</ol>\n");
+    assert_body("> a\n\n---\n", "<blockquote>\n<p>a</p>\n</blockquote>\n<hr>\n");
+    assert_body("```x\na < b\n\nc\n```\n", "<pre><code>a &lt; b\n\nc\n</code></pre>\n");
+    assert_body("![a](figures/chart.svg)\n\n## b\n", "</div>\n<h2 id=\"b\">b</h2>\n");
+}
+
 static void links(void **state)
 {
     (void)state;
     assert_body("[a](https://example.org/?a=b&c) b\n", "<a href=\"https://example.org/?a=b&amp;c\">a</a> b");
-    assert_body("[a](data/contact.csv \"t\")\n", "<a href=\"data/contact.csv\" title=\"t\">a</a>");
+    assert_body("[a](data/contact.csv \"t\")\n", "<a href=\"data/contact.csv\">a</a>");
     assert_body("[a](#one:two)\n", "<a href=\"#one:two\">a</a>");
     assert_body("[a](MAILTO:b@example.org)\n", "<a href=\"MAILTO:b@example.org\">a</a>");
     assert_body("[*a*](javascript:b) [c](d)\n", "<p><em>a</em> <a href=\"d\">c</a></p>");
     assert_body("[a](java&#115;cript:b)\n", "<p>a</p>");
+    assert_body("[a](javascript&colon;b)\n", "<a href=\"javascript&amp;colon;b\">a</a>");
+    assert_body("[a](java&#9;script:b) [c](&#1;javascript:b)\n", "<p>a c</p>");
+    assert_body("[a](b&#34;&#x3C;&#39;&amp;c)\n", "<a href=\"b&quot;&lt;'&amp;c\">a</a>");
     assert_body("<DATA:text/html,x>\n", "<p>DATA:text/html,x</p>");
     assert_body("[a](//example.org) [b](httpx:c) [d](:e)\n", "<p>a b d</p>");
     assert_body("www.example.org ~~a~~\n", "<p>www.example.org ~~a~~</p>");
@@ -205,7 +229,7 @@ static void failures(void **state)
     assert_fails("a ![a](figures/missing.svg)\n", TEMPLATES, "figures/missing.svg");
     assert_fails("![a](figures/broken.svg)\n", TEMPLATES, "figures/broken.svg:4: not a well-formed SVG drawing");
     assert_fails("a\n", DIRECTORY "/none", "none/page.html");
-    assert_fails("a\n", DIRECTORY, "report/page.html: unknown mark '{{contnts}}");
+    assert_fails("a\n", DIRECTORY, "report/page.html:1: no field 'contnts'");
 }
 
 static void same_bytes_every_time(void **state)
@@ -286,6 +310,8 @@ int main(void)
         cmocka_unit_test(images_among_text),
         cmocka_unit_test(paths_stay_in_figures),
         cmocka_unit_test(raw_html_is_text),
+        cmocka_unit_test(characters),
+        cmocka_unit_test(blocks),
         cmocka_unit_test(links),
         cmocka_unit_test(nothing_from_outside),
         cmocka_unit_test(title_is_escaped),

@@ -2,8 +2,8 @@
 #ifndef TEST_PIPELINE_H
 #define TEST_PIPELINE_H
 
+#include "directory.h"
 #include "profile/synth.h"
-#include "results/directory.h"
 #include "run/run.h"
 
 /* Writes a scan of `points` heights, spacing 0.5 um, in place/NAME. */

@@ -20,9 +20,9 @@ static double difference(double a, double b)
 }
 
 /** Change of a curve by plasticity. */
-static double plastic_change(const struct surface_record *record, enum model_id elastic, enum model_id plastic)
+static double plastic_change(const struct surface_record *record, const char *elastic, const char *plastic)
 {
-    const struct model_curve *a = &record->curves[elastic], *b = &record->curves[plastic];
+    const struct model_curve *a = &record->curves[model_named(elastic)], *b = &record->curves[model_named(plastic)];
     double sigma_m = record->summary.roughness.rq_m;
     if (!a->exists)
         return 0;
@@ -39,14 +39,14 @@ static double plastic_change(const struct surface_record *record, enum model_id 
     return most;
 }
 
-static void prepare_scene(struct prepared *prepared, struct scene *scene, const char *text, const char *spool_directory)
+static void prepare_scene(struct prepared *prepared, struct scene *scene, const char *text, const char *store_directory)
 {
     struct run_options options = {.templates = PROJECT_SOURCE "/templates", .jobs = 1};
     struct status status = {0};
     directory_write(&place, "scene.yaml", text);
     if (scene_read(scene, place.path, &(struct scene_overrides){0}, &status) != STATUS_OK)
         fail_msg("%s", status.message);
-    if (prepare(prepared, scene, &options, spool_directory, &status) != STATUS_OK)
+    if (prepare(prepared, scene, &options, store_directory, &status) != STATUS_OK)
         fail_msg("%s", status.message);
 }
 
@@ -57,17 +57,16 @@ static struct truth truth_of(const char *text)
     struct status status = {0};
     struct truth truth = {0, 0};
     prepare_scene(&prepared, &scene, text, place.path);
-    for (size_t s = 0; s < prepared.spool.count; s++) {
+    for (size_t s = 0; s < prepared.store.count; s++) {
         struct surface_record record;
-        assert_int_equal(spool_get(&record, &prepared.spool, s, &status), STATUS_OK);
+        assert_int_equal(surface_store_get(&record, &prepared.store, s, &status), STATUS_OK);
         assert_int_equal(
             surface_run_models(&record, &scene, &prepared.plan, prepared.loads, prepared.results.load_count, &status),
             STATUS_OK);
-        prepared.spool.summaries[s] = record.summary; /* it may have got a note */
-        truth.plastic =
-            fmax(truth.plastic, plastic_change(&record, MODEL_MULTISCALE_ELASTIC, MODEL_MULTISCALE_PLASTIC));
-        truth.plastic = fmax(truth.plastic, plastic_change(&record, MODEL_GW, MODEL_JG));
-        for (int m = 0; m < MODEL_COUNT; m++)
+        prepared.store.summaries[s] = record.summary; /* it may have got a note */
+        truth.plastic = fmax(truth.plastic, plastic_change(&record, "multiscale-elastic", "multiscale-plastic"));
+        truth.plastic = fmax(truth.plastic, plastic_change(&record, "gw", "jg"));
+        for (size_t m = 0; m < model_count; m++)
             for (size_t i = 0; i < record.curves[m].count; i++) {
                 const struct contact_point *point = &record.curves[m].points[i];
                 if (point->tcr_K_m2_per_W > 0)
@@ -164,11 +163,12 @@ static void law_below_the_sampling_limit_counts(void **state)
     struct scene scene;
     struct prepared prepared;
     prepare_scene(&prepared, &scene, text, NULL);
-    const struct surface_summary *s = &prepared.spool.summaries[0];
+    const struct surface_summary *s = &prepared.store.summaries[0];
     double area[2];
     for (int plastic = 0; plastic < 2; plastic++)
-        area[plastic] = convergence_extend(&s->law, s->length_m, 2 * s->spacing_m, &prepared.plan.pair, plastic, 1e-2)
-                            .area_extended;
+        area[plastic] =
+            convergence_extend(&s->power_law, s->length_m, 2 * s->spacing_m, &prepared.plan.pair, plastic, 1e-2)
+                .area_extended;
     assert_true(area[1] > 1.01 * area[0]);
     prepared_free(&prepared);
     scene_free(&scene);

@@ -1,5 +1,5 @@
+#include "output/manifest.h"
 #include "pipeline.h"
-#include "results/manifest.h"
 
 static int place_setup(void **state)
 {

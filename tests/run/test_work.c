@@ -47,20 +47,15 @@ static struct work work_of(const char *scene_text, struct plan *plan)
 #define FILES    SURFACES "load: {from: 1e-6, to: 0.1, points: 31}\n"
 #define ALL      "plasticity, separation, electrical, thermal, scale-dependent, convergence"
 
+/** The two material laws, elastic and plastic, of one kind of work. */
 static uint64_t gaps(const struct work *work)
 {
-    uint64_t sum = 0;
-    for (int m = 0; m < MODEL_COUNT; m++)
-        sum += work->models[m].gaps;
-    return sum;
+    return work->elastic.gaps + work->plastic.gaps;
 }
 
-static uint64_t spots(const struct work *work)
+static uint64_t constrictions(const struct work *work)
 {
-    uint64_t sum = 0;
-    for (int m = 0; m < MODEL_COUNT; m++)
-        sum += work->models[m].spots;
-    return sum;
+    return work->elastic.constrictions + work->plastic.constrictions;
 }
 
 /** Asserts that two works differ in nothing but what the caller has already set equal. */
@@ -69,25 +64,27 @@ static void assert_same(const struct work *a, const struct work *b)
     assert_memory_equal(a, b, sizeof *a);
 }
 
+static void assert_none(const struct model_work *work)
+{
+    const struct model_work none = {0};
+    assert_memory_equal(work, &none, sizeof none);
+}
+
 static void each_effect_removes_its_own_work(void **state)
 {
     (void)state;
     struct work all = work_of(FILES "effects: [" ALL "]\n", NULL), less;
-    assert_true(gaps(&all) > 0 && spots(&all) > 0 && all.sweep_scales > 0 && all.extensions == 4);
+    assert_true(gaps(&all) > 0 && constrictions(&all) > 0 && all.sweep_scales > 0 && all.extensions == 4);
 
     less = work_of(FILES "effects: [plasticity, electrical, thermal, scale-dependent, convergence]\n", NULL);
     assert_int_equal(gaps(&less), 0);
-    for (int m = 0; m < MODEL_COUNT; m++)
-        less.models[m].gaps = all.models[m].gaps;
+    less.elastic.gaps = all.elastic.gaps;
+    less.plastic.gaps = all.plastic.gaps;
     assert_same(&less, &all);
 
     less = work_of(FILES "effects: [separation, electrical, thermal, scale-dependent, convergence]\n", NULL);
-    for (int m = 0; m < MODEL_COUNT; m++)
-        if (model_rows[m].plastic) {
-            const struct model_work none = {0};
-            assert_memory_equal(&less.models[m], &none, sizeof none);
-            less.models[m] = all.models[m];
-        }
+    assert_none(&less.plastic);
+    less.plastic = all.plastic;
     assert_int_equal(less.sweep_scales * 2, all.sweep_scales);
     assert_int_equal(less.extensions * 2, all.extensions);
     less.sweep_scales = all.sweep_scales;
@@ -101,34 +98,40 @@ static void each_effect_removes_its_own_work(void **state)
     assert_same(&less, &all);
 
     less = work_of(FILES "effects: [plasticity, separation, electrical, thermal, convergence]\n", NULL);
-    assert_int_equal(less.models[MODEL_GW].laws, 0); /* closed forms do */
-    assert_true(less.models[MODEL_JG].laws <= all.models[MODEL_JG].laws);
-    less.models[MODEL_GW].laws = all.models[MODEL_GW].laws;
-    less.models[MODEL_JG].laws = all.models[MODEL_JG].laws;
+    assert_true(all.elastic.scale_dependent_nodes > 0);
+    assert_int_equal(less.elastic.nodes + less.elastic.scale_dependent_nodes, 0); /* closed forms do */
+    assert_true(less.plastic.nodes > 0 && less.plastic.nodes <= all.plastic.nodes);
+    less.elastic.scale_dependent_nodes = all.elastic.scale_dependent_nodes;
+    less.plastic.nodes = all.plastic.nodes;
     assert_same(&less, &all);
 
     struct work thermal = work_of(FILES "effects: [plasticity, separation, thermal, convergence]\n", NULL);
     struct work electrical = work_of(FILES "effects: [plasticity, separation, electrical, convergence]\n", NULL);
-    assert_same(&thermal, &electrical); /* the two share their sums over spots */
+    assert_same(&thermal, &electrical); /* the two share their sums over contact spots */
     less = work_of(FILES "effects: [plasticity, separation, convergence]\n", NULL);
-    assert_int_equal(spots(&less), 0);
-    for (int m = 0; m < MODEL_COUNT; m++)
-        less.models[m].spots = electrical.models[m].spots;
+    assert_int_equal(constrictions(&less), 0);
+    less.elastic.constrictions = electrical.elastic.constrictions;
+    less.plastic.constrictions = electrical.plastic.constrictions;
     assert_same(&less, &electrical);
 }
 
+/** What both families take is what each takes alone: visits of scales here, solved loads and laws there. */
 static void families_remove_their_own_work(void **state)
 {
     (void)state;
     struct work all = work_of(FILES "effects: [plasticity]\n", NULL);
     struct work multiscale = work_of(FILES "effects: [plasticity]\nmodels: [multiscale]\n", NULL);
     struct work statistical = work_of(FILES "effects: [plasticity]\nmodels: [statistical]\n", NULL);
-    for (int m = 0; m < MODEL_COUNT; m++) {
-        const struct work *own = model_rows[m].family == SCENE_MODEL_MULTISCALE ? &multiscale : &statistical;
-        const struct work *other = own == &multiscale ? &statistical : &multiscale;
-        const struct model_work none = {0};
-        assert_memory_equal(&own->models[m], &all.models[m], sizeof none);
-        assert_memory_equal(&other->models[m], &none, sizeof none);
+    struct work sum = multiscale;
+    model_work_add(&sum.elastic, &statistical.elastic);
+    model_work_add(&sum.plastic, &statistical.plastic);
+    assert_same(&sum, &all);
+    const struct model_work *laws[2][2] = {{&multiscale.elastic, &statistical.elastic},
+                                           {&multiscale.plastic, &statistical.plastic}};
+    for (int law = 0; law < 2; law++) {
+        assert_true(laws[law][0]->scales > 0 && laws[law][1]->separations > 0);
+        assert_int_equal(laws[law][0]->separations + laws[law][0]->nodes + laws[law][0]->scale_dependent_nodes, 0);
+        assert_int_equal(laws[law][1]->scales + laws[law][1]->gaps + laws[law][1]->constrictions, 0);
     }
 }
 
@@ -142,7 +145,8 @@ static void auto_skips_what_cannot_matter(void **state)
                                         "load: {from: 1e-6, to: 1e-3, points: 31}\n",
                                &plan);
     assert_false(plan_runs(&plan, EFFECT_PLASTICITY));
-    assert_int_equal(work.models[MODEL_JG].separations + work.models[MODEL_MULTISCALE_PLASTIC].scales, 0);
+    assert_none(&work.plastic);
+    assert_true(work.elastic.scales > 0 && work.elastic.separations > 0);
     assert_non_null(strstr(plan.effects[EFFECT_PLASTICITY].reason, "every scale"));
     assert_false(plan_runs(&plan, EFFECT_ELECTRICAL));
     assert_non_null(strstr(plan.effects[EFFECT_ELECTRICAL].reason, "resistivity_ohm_m"));

@@ -8,7 +8,7 @@
 static void assert_scans(const char *text, unsigned allowed, double expected, const char *rest)
 {
     double value = NAN;
-    const char *end = number_scan((struct span){text, text + strlen(text)}, allowed, NULL, &value);
+    const char *end = number_scan((struct string_view){text, text + strlen(text)}, allowed, NULL, &value);
     assert_non_null(end);
     if (value != expected || signbit(value) != signbit(expected))
         fail_msg("'%s' read as %.17g, expected %.17g", text, value, expected);
@@ -37,8 +37,8 @@ static void test_forms(void **state)
     static const char *const none[] = {"", "-", "+", ".", "e5", "nan", "inf", "x", ",5", "5,", "--1", " 1"};
     for (size_t i = 0; i < sizeof none / sizeof *none; i++) {
         double value;
-        assert_null(
-            number_scan((struct span){none[i], none[i] + strlen(none[i])}, NUMBER_POINT | NUMBER_COMMA, NULL, &value));
+        assert_null(number_scan((struct string_view){none[i], none[i] + strlen(none[i])}, NUMBER_POINT | NUMBER_COMMA,
+                                NULL, &value));
     }
 }
 
@@ -141,6 +141,23 @@ static void test_units(void **state)
         {"microinches", 2.54e-8},
         {"cm", 1e-2},
         {"metres", 1},
+        {"meter", 1},
+        {"dm", 1e-1},
+        {"centimeter", 1e-2},
+        {"centimetres", 1e-2},
+        {"millimeter", 1e-3},
+        {"millimetre", 1e-3},
+        {"micrometre", 1e-6},
+        {"u", 1e-6},
+        {"nanometer", 1e-9},
+        {"nanometre", 1e-9},
+        {"picometer", 1e-12},
+        {"picometre", 1e-12},
+        {"thou", 2.54e-5},
+        {"uinch", 2.54e-8},
+        {"uinches", 2.54e-8},
+        {"microinch", 2.54e-8},
+        {"me", 0},
         {"", 0},
         {"a", 0},
         {"V", 0},

@@ -1,7 +1,7 @@
 /* X3P and other scans in zip archives. */
 #include "sample_support.h"
-#include "scan/md5.h"
 
+#include <md5.h>
 #include <zlib.h>
 
 struct member {
@@ -204,13 +204,10 @@ static void test_x3p_refusals(void **state)
 static void test_checksums(void **state)
 {
     (void)state;
-    assert_string_equal(md5("", 0).text, "d41d8cd98f00b204e9800998ecf8427e");
-    assert_string_equal(md5("abc", 3).text, "900150983cd24fb0d6963f7d28e17f72");
-    const char *digits = "12345678901234567890123456789012345678901234567890123456789012345678901234567890";
-    assert_string_equal(md5(digits, 80).text, "57edf4a22be3c955ac49da2e2107b67a");
     struct text data = points('D', false);
-    char good[64];
-    snprintf(good, sizeof good, "%s *main.xml\n", md5(samples[0].main, strlen(samples[0].main)).text);
+    char sum[MD5_DIGEST_STRING_LENGTH], good[64];
+    MD5Data((const uint8_t *)samples[0].main, strlen(samples[0].main), sum);
+    snprintf(good, sizeof good, "%s *main.xml\n", sum);
     for (int spoil = 0; spoil < 2; spoil++) {
         good[3] = spoil ? '?' : good[3];
         const struct member members[] = {{"main.xml", samples[0].main, strlen(samples[0].main)},

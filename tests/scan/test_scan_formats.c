@@ -21,7 +21,8 @@
 #define NIST(block)                                                                                                    \
     "<?xml version='1.0'?>\n<DATA>\n<DATAFILE>\n<UNITS>um</UNITS>\n<NUMPOINTS>6</NUMPOINTS>\n<SPACING>0.5</SPACING>\n" \
     "<DATA_POINT_VALUES>" block "</DATA_POINT_VALUES>\n</DATAFILE><WAVINESS><UNITS/></WAVINESS></DATA>\n"
-#define POINTS "0.5\n-1.25\n2.75\n0.125\n8.0\n-3.5\n"
+#define NIST_OTHER(kind) "</DATA_POINT_VALUES>\n<" kind "_DATA_POINT_VALUES>" POINTS "</" kind "_DATA_POINT_VALUES>\n"
+#define POINTS           "0.5\n-1.25\n2.75\n0.125\n8.0\n-3.5\n"
 
 /* SMD fields end in NUL, records in ETX; a string literal cannot be cut at a NUL, so they are set here as '@' and '$'.
  */
@@ -51,6 +52,8 @@ static void test_profiles(void **state)
         {"sdf", SDF_HEAD("6", "1") POINTS, SAMPLE_POINTS},
         {"sdf", SDF_HEAD("6", "1") "0.5 BAD 2.75 0.125 8.0 -3.5\n*\n", 1},
         {"nist-xml (DATA_POINT_VALUES)", NIST(POINTS), SAMPLE_POINTS},
+        {"nist-xml (ROUGHNESS_DATA_POINT_VALUES)", NIST(NIST_OTHER("ROUGHNESS")), SAMPLE_POINTS},
+        {"nist-xml (WAVINESS_DATA_POINT_VALUES)", NIST(NIST_OTHER("WAVINESS")), SAMPLE_POINTS},
         {"dektak",
          "Scan Parameters\r\r\nScan Type,Standard\r\r\nStylus,Radius: 2.5 \xB5m\r\nResolution,0.5 um/sample\r\n\r\r\n"
          "Scan Data\r\r\nLateral um,Raw "
@@ -165,6 +168,24 @@ static void test_utf16(void **state)
         struct text text = utf16(string, big);
         assert_sample(&text, "text", SCAN_PROFILE, SAMPLE_POINTS, &no_units);
         fuzz_sample(&text, 5);
+        text_free(&text);
+    }
+    /* a pair of surrogates is one character of four bytes, half a pair one mark, wherever it stands */
+    static const struct {
+        const char *units;
+        size_t length;
+        int marks;
+    } broken[] = {{"\x3D\xD8\x00\xDE", 4, 4},
+                  {"\x3D\xD8", 2, 1},
+                  {"\x00\xDE", 2, 1},
+                  {"\x3D\xD8\x3D\xD8\x00\xDE", 6, 5},
+                  {"\x00\xDE\x3D\xD8", 4, 2}};
+    for (size_t i = 0; i < sizeof broken / sizeof *broken; i++) {
+        char cell[16];
+        snprintf(cell, sizeof cell, "'1%.*s'", broken[i].marks, "??????");
+        struct text text = utf16("0;1\n1;1", false);
+        text_add_bytes(&text, broken[i].units, broken[i].length);
+        assert_refused_bytes(text_string(&text), text.length, &no_units, cell);
         text_free(&text);
     }
 }

@@ -104,6 +104,26 @@ static void test_one_column(void **state)
     assert_four_points("spacing: 1\nz_um\n0.5\n-1.25\n2.75\n0.125\n", "mm", "");
 }
 
+/* Every word that names a spacing, and none that an other axis stands beside. */
+static void test_words_of_spacing(void **state)
+{
+    (void)state;
+    static const char *const words[] = {"spacing",  "dx",          "deltax", "step",    "X resolution",
+                                        "Interval", "x increment", "pitch",  "sampling"};
+    static const char *const others[] = {"y", "z", "dy", "dz", "height", "vertical"};
+    char text[128];
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
+        snprintf(text, sizeof text, "# %s = 1 mm\n# z [um]\n0.5\n-1.25\n2.75\n0.125\n", words[i]);
+        assert_four_points(text, "", "");
+    }
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
+        snprintf(text, sizeof text, "# %s step = 1 mm\n# z [um]\n0.5\n-1.25\n2.75\n0.125\n", others[i]);
+        assert_refused(text, "one column is heights only: no spacing");
+    }
+    /* a pixel's size, but nothing else of it, makes a matrix */
+    assert_refused("pixel depth = 2 um\n1 3 2 4\n5 1 3 1\n1 1 1 1\n", "without its pixel size");
+}
+
 static void test_descending(void **state)
 {
     (void)state;
@@ -232,12 +252,13 @@ static void test_mutations(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_delimiters),        cmocka_unit_test(test_units_in_header),
-        cmocka_unit_test(test_units_of_scene),    cmocka_unit_test(test_one_column),
-        cmocka_unit_test(test_descending),        cmocka_unit_test(test_refusals),
-        cmocka_unit_test(test_missing_units),     cmocka_unit_test(test_binary),
-        cmocka_unit_test(test_no_file),           cmocka_unit_test(test_hostile_name),
-        cmocka_unit_test(test_warnings_overflow), cmocka_unit_test(test_mutations),
+        cmocka_unit_test(test_delimiters),       cmocka_unit_test(test_units_in_header),
+        cmocka_unit_test(test_units_of_scene),   cmocka_unit_test(test_one_column),
+        cmocka_unit_test(test_words_of_spacing), cmocka_unit_test(test_descending),
+        cmocka_unit_test(test_refusals),         cmocka_unit_test(test_missing_units),
+        cmocka_unit_test(test_binary),           cmocka_unit_test(test_no_file),
+        cmocka_unit_test(test_hostile_name),     cmocka_unit_test(test_warnings_overflow),
+        cmocka_unit_test(test_mutations),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,11 +2,13 @@
 
 #include <locale.h>
 
-#define DATA(name) TEST_DATA "/scene/" name
+#define NAMED(name) MODEL_BIT(model_named(name))
+#define DATA(name)  TEST_DATA "/scene/" name
 
 static void check_defaults(const struct scene *scene)
 {
-    assert_int_equal(scene->models, SCENE_MODEL_MULTISCALE | SCENE_MODEL_STATISTICAL);
+    assert_int_equal(scene->models,
+                     NAMED("multiscale-elastic") | NAMED("multiscale-plastic") | NAMED("gw") | NAMED("jg"));
     assert_true(scene->effects_auto);
     assert_string_equal(scene->material.name, "tin");
     assert_int_equal(scene->counterface_kind, MATERIAL_COUNTERFACE_RIGID);
@@ -17,11 +19,11 @@ static void check_defaults(const struct scene *scene)
     assert_null(scene->load.values);
     assert_false(scene->load.in_pascal);
     assert_near(scene->tolerance, 1e-6, 0);
-    assert_int_equal(scene->level, SCENE_LEVEL_LINE);
-    assert_int_equal(scene->window, SCENE_WINDOW_NONE);
+    assert_int_equal(scene->level, LEVEL_LINE);
+    assert_int_equal(scene->window, SPECTRUM_WINDOW_NONE);
     assert_true(scene->fit_band_m[0] == 0 && isinf(scene->fit_band_m[1]));
-    assert_int_equal(scene->moments, SCENE_MOMENTS_DIFFERENCE);
-    assert_int_equal(scene->closure, SCENE_CLOSURE_THESIS);
+    assert_int_equal(scene->moments, ROUGHNESS_MOMENTS_DIFFERENCE);
+    assert_int_equal(scene->closure, SINUSOID_FIT_THESIS);
     assert_null(scene->baseline);
     assert_near(scene->convergence.alpha, 0.085, 0);
     assert_near(scene->convergence.gamma, 1.5, 0);
@@ -93,7 +95,7 @@ static void test_every_key(void **state)
     struct scene scene = scene_directory_read(DATA("full"), NULL);
     assert_string_equal(scene.path, DATA("full") "/scene.yaml");
     assert_string_equal(scene.title, "Two brass blanks");
-    assert_int_equal(scene.models, SCENE_MODEL_MULTISCALE);
+    assert_int_equal(scene.models, NAMED("multiscale-elastic") | NAMED("multiscale-plastic"));
     assert_false(scene.effects_auto);
     assert_int_equal(scene.effects,
                      EFFECT_BIT(EFFECT_ELECTRICAL) | EFFECT_BIT(EFFECT_THERMAL) | EFFECT_BIT(EFFECT_SCALE_DEPENDENT));
@@ -104,12 +106,12 @@ static void test_every_key(void **state)
     assert_near(scene.load.to, 1e-2, 0);
     assert_int_equal(scene.load.points, 31);
     assert_near(scene.tolerance, 1e-9, 0);
-    assert_int_equal(scene.level, SCENE_LEVEL_PARABOLA);
-    assert_int_equal(scene.window, SCENE_WINDOW_HANN);
+    assert_int_equal(scene.level, LEVEL_PARABOLA);
+    assert_int_equal(scene.window, SPECTRUM_WINDOW_HANN);
     assert_near(scene.fit_band_m[0], 8e-6, 0);
     assert_near(scene.fit_band_m[1], 3e-4, 0);
-    assert_int_equal(scene.moments, SCENE_MOMENTS_SPECTRAL);
-    assert_int_equal(scene.closure, SCENE_CLOSURE_NUMERIC);
+    assert_int_equal(scene.moments, ROUGHNESS_MOMENTS_SPECTRAL);
+    assert_int_equal(scene.closure, SINUSOID_FIT_NUMERIC);
     assert_near(scene.max_missing, 0.25, 0);
     assert_near(scene.lambda_s_m, 2.5e-6, 0);
     assert_near(scene.lambda_c_m, 8e-4, 0);

@@ -200,7 +200,7 @@ static void test_sampling_lengths_that_fit(void **state)
 }
 
 /* A real scan, its points from `first` for `points`, made ready. */
-static struct profile real_profile(const char *name, enum scene_level level, double from_m, double to_m)
+static struct profile real_profile(const char *name, enum level level, double from_m, double to_m)
 {
     char path[4096];
     snprintf(path, sizeof path, "%s/%s", REAL_SCANS, name);
@@ -249,8 +249,8 @@ static void test_nist_edm(void **state)
                                              {"v", 1.4677, 1e-4},   {"dq", .10536, 1e-5}};
     static const char *const files[] = {"nist_npl_edm.xml", "npl_edm.prf", "npl_edm.sdf", "npl_edm.smd"};
     for (size_t f = 0; f < 4; f++)
-        for (int level = SCENE_LEVEL_NONE; level <= SCENE_LEVEL_LINE; level++) { /* it has no line to lose */
-            struct profile profile = real_profile(files[f], (enum scene_level)level, 0, 1);
+        for (int level = LEVEL_NONE; level <= LEVEL_LINE; level++) { /* it has no line to lose */
+            struct profile profile = real_profile(files[f], (enum level)level, 0, 1);
             struct parameters p = compute(profile.height_m, profile.points, profile.spacing_m, 1);
             assert_printed(&p, printed, sizeof printed / sizeof *printed);
             profile_free(&profile);
@@ -262,7 +262,7 @@ static void test_asme_sine(void **state)
     (void)state;
     NEED_REAL_SCANS();
     static const struct printed printed[] = {{"a", .63663, 1e-5}, {"q", .70711, 1e-5}, {"dq", .0111, 1e-4}};
-    struct profile profile = real_profile("nist_asme_sine.xml", SCENE_LEVEL_MEAN, 0, 1);
+    struct profile profile = real_profile("nist_asme_sine.xml", LEVEL_MEAN, 0, 1);
     struct parameters p = compute(profile.height_m, profile.points, profile.spacing_m, 1);
     assert_printed(&p, printed, 3);
     assert_value(&p, "sm", 400e-6, 0.05e-6);
@@ -277,7 +277,7 @@ static void test_mitutoyo(void **state)
     static const struct printed printed[] = {{"a", 3.308, 1e-3},  {"q", 3.959, 1e-3}, {"t", 22.233, 1e-3},
                                              {"z", 18.485, 1e-3}, {"p", 8.244, 1e-3}, {"v", 10.240, 1e-3},
                                              {"dq", 0.157, 1e-3}};
-    struct profile profile = real_profile("mitutoyo_sj_2.csv", SCENE_LEVEL_NONE, 0, 1);
+    struct profile profile = real_profile("mitutoyo_sj_2.csv", LEVEL_NONE, 0, 1);
     struct parameters p;
     struct status status = {0};
     assert_int_equal(parameters_of_roughness(&p, profile.height_m, profile.points, profile.spacing_m, 2.5e-3, &status),
@@ -293,7 +293,7 @@ static void test_dektak_window(void **state)
     (void)state;
     NEED_REAL_SCANS();
     static const struct printed printed[] = {{"a", .00525, 1e-5}, {"q", .01143, 1e-5}};
-    struct profile profile = real_profile("dektak_stylus.csv", SCENE_LEVEL_LINE, 467.95e-6, 733.05e-6);
+    struct profile profile = real_profile("dektak_stylus.csv", LEVEL_LINE, 467.95e-6, 733.05e-6);
     struct parameters p = compute(profile.height_m, profile.points, profile.spacing_m, 1);
     assert_printed(&p, printed, 2);
     profile_free(&profile);

@@ -19,7 +19,7 @@ static double noise(uint64_t *seed)
     return (double)(int64_t)*seed * 0x1p-63;
 }
 
-static struct spectrum compute(const double *height_m, size_t points, enum scene_window window)
+static struct spectrum compute(const double *height_m, size_t points, enum spectrum_window window)
 {
     struct spectrum spectrum;
     struct status status = {0};
@@ -61,7 +61,7 @@ static void test_single_harmonics(void **state)
             bool nyquist = 2 * n == points; /* only its cosine part can be sampled */
             for (size_t j = 0; j < points; j++)
                 height_m[j] = 1e-6 + amplitude_m * wave(n, j, points, nyquist ? 0 : 0.1 + (double)n);
-            struct spectrum spectrum = compute(height_m, points, SCENE_WINDOW_NONE);
+            struct spectrum spectrum = compute(height_m, points, SPECTRUM_WINDOW_NONE);
             for (size_t i = 0; i < spectrum.count; i++)
                 assert_within(spectrum.amplitude_m[i], i + 1 == n ? amplitude_m : 0, 1e-13 * amplitude_m);
             assert_near(spectrum_power(&spectrum, n - 1), amplitude_m * amplitude_m / (nyquist ? 1 : 2), 1e-12);
@@ -79,7 +79,7 @@ static void test_many_harmonics(void **state)
         for (size_t n = 1; n <= points / 2; n++)
             for (size_t j = 0; j < points; j++)
                 height_m[j] += 1e-6 / (double)n * wave(n, j, points, 2 * n == points ? 0 : sin((double)n) * M_PI);
-        struct spectrum spectrum = compute(height_m, points, SCENE_WINDOW_NONE);
+        struct spectrum spectrum = compute(height_m, points, SPECTRUM_WINDOW_NONE);
         for (size_t n = 1; n <= points / 2; n++)
             assert_within(spectrum.amplitude_m[n - 1], 1e-6 / (double)n, 1e-13 * 1e-6);
         spectrum_free(&spectrum);
@@ -94,11 +94,11 @@ static void test_a_ramp(void **state)
     for (size_t points = 999; points <= 1000; points++) {
         for (size_t j = 0; j < points; j++)
             height_m[j] = 1e-9 * (double)j;
-        struct spectrum spectrum = compute(height_m, points, SCENE_WINDOW_NONE);
+        struct spectrum spectrum = compute(height_m, points, SPECTRUM_WINDOW_NONE);
         for (size_t n = 1; n <= points / 2; n++)
             assert_near(spectrum.amplitude_m[n - 1],
                         1e-9 / sin(M_PI * (double)n / (double)points) / (2 * n == points ? 2 : 1), 1e-11);
-        struct spectrum hann = compute(height_m, points, SCENE_WINDOW_HANN);
+        struct spectrum hann = compute(height_m, points, SPECTRUM_WINDOW_HANN);
         for (size_t n = 50; n <= points / 2; n++) /* the window takes the tail away that the jump leaks */
             assert_true(hann.amplitude_m[n - 1] < 1e-3 * spectrum.amplitude_m[n - 1]);
         spectrum_free(&spectrum);
@@ -115,7 +115,7 @@ static void test_against_the_defining_sum(void **state)
     uint64_t seed = 5;
     for (size_t j = 0; j < POINTS; j++)
         height_m[j] = 1e-6 * noise(&seed);
-    struct spectrum spectrum = compute(height_m, POINTS, SCENE_WINDOW_NONE);
+    struct spectrum spectrum = compute(height_m, POINTS, SPECTRUM_WINDOW_NONE);
     for (size_t n = 1; n <= POINTS / 2; n++) {
         long double real = 0, imaginary = 0;
         for (size_t j = 0; j < POINTS; j++) {
@@ -137,8 +137,8 @@ static void test_parseval(void **state)
     for (size_t l = 0; l < sizeof lengths / sizeof *lengths; l++) {
         for (size_t j = 0; j < lengths[l]; j++)
             height_m[j] = 1e-6 * noise(&seed);
-        for (int window = 0; window < SCENE_WINDOW_COUNT; window++) { /* Hann is scaled to keep it too */
-            struct spectrum spectrum = compute(height_m, lengths[l], (enum scene_window)window);
+        for (int window = 0; window < SPECTRUM_WINDOW_COUNT; window++) { /* Hann is scaled to keep it too */
+            struct spectrum spectrum = compute(height_m, lengths[l], (enum spectrum_window)window);
             assert_near(total_power(&spectrum), mean_square(height_m, lengths[l]), 1e-13);
             assert_near(spectrum_moment(&spectrum, 0), total_power(&spectrum), 1e-13);
             spectrum_free(&spectrum);
@@ -155,7 +155,7 @@ static void test_parseval_of_a_long_surface(void **state)
     double *height_m = malloc(def.points * sizeof *height_m);
     assert_non_null(height_m);
     assert_int_equal(synth_profile(height_m, &def, &status), STATUS_OK);
-    struct spectrum spectrum = compute(height_m, def.points, SCENE_WINDOW_NONE);
+    struct spectrum spectrum = compute(height_m, def.points, SPECTRUM_WINDOW_NONE);
     assert_near(total_power(&spectrum), mean_square(height_m, def.points), 1e-13);
     spectrum_free(&spectrum);
     free(height_m);
@@ -173,11 +173,11 @@ static void test_a_large_offset_keeps_the_amplitudes(void **state)
         plain_m[j] = amplitude_m * (wave(1, j, POINTS, 1) + wave(7, j, POINTS, 2) + wave(133, j, POINTS, 3));
         lifted_m[j] = offset_m + plain_m[j];
     }
-    for (int window = 0; window < SCENE_WINDOW_COUNT; window++) {
-        struct spectrum plain = compute(plain_m, POINTS, (enum scene_window)window);
-        struct spectrum lifted = compute(lifted_m, POINTS, (enum scene_window)window);
+    for (int window = 0; window < SPECTRUM_WINDOW_COUNT; window++) {
+        struct spectrum plain = compute(plain_m, POINTS, (enum spectrum_window)window);
+        struct spectrum lifted = compute(lifted_m, POINTS, (enum spectrum_window)window);
         for (size_t i = 0; i < plain.count; i++)
-            assert_within(lifted.amplitude_m[i], plain.amplitude_m[i], window == SCENE_WINDOW_NONE ? 2e-18 : 1e-15);
+            assert_within(lifted.amplitude_m[i], plain.amplitude_m[i], window == SPECTRUM_WINDOW_NONE ? 2e-18 : 1e-15);
         spectrum_free(&plain);
         spectrum_free(&lifted);
     }
@@ -191,7 +191,7 @@ static void test_hann_lines(void **state)
     double height_m[POINTS];
     for (size_t j = 0; j < POINTS; j++)
         height_m[j] = 1e-6 * wave(LINE, j, POINTS, 0.3);
-    struct spectrum spectrum = compute(height_m, POINTS, SCENE_WINDOW_HANN);
+    struct spectrum spectrum = compute(height_m, POINTS, SPECTRUM_WINDOW_HANN);
     double main_m = 1e-6 / sqrt(1.5); /* 1 + 2/4 of its square is the power kept */
     for (size_t n = 1; n <= spectrum.count; n++)
         assert_within(spectrum.amplitude_m[n - 1],
@@ -209,7 +209,7 @@ static void test_moments_of_a_sinusoid(void **state)
     double height_m[POINTS], amplitude_m = 4e-7;
     for (size_t j = 0; j < POINTS; j++)
         height_m[j] = amplitude_m * wave(LINE, j, POINTS, 0.7);
-    struct spectrum spectrum = compute(height_m, POINTS, SCENE_WINDOW_NONE);
+    struct spectrum spectrum = compute(height_m, POINTS, SPECTRUM_WINDOW_NONE);
     double wave_number = 2 * M_PI * LINE / (POINTS * spacing_m), power = amplitude_m * amplitude_m / 2;
     for (size_t i = 0; i < spectrum.count; i++) /* only rounding beside the line, but m4 would magnify it */
         spectrum.amplitude_m[i] = spectrum.amplitude_m[i] < 1e-12 * amplitude_m ? 0 : spectrum.amplitude_m[i];
@@ -225,7 +225,7 @@ static struct spectrum random_spectrum(size_t points, uint64_t seed)
     assert_true(points <= sizeof height_m / sizeof *height_m);
     for (size_t j = 0; j < points; j++)
         height_m[j] = 1e-6 * noise(&seed);
-    return compute(height_m, points, SCENE_WINDOW_NONE);
+    return compute(height_m, points, SPECTRUM_WINDOW_NONE);
 }
 
 /* The mean over scans is one of powers, also where one record has its Nyquist harmonic and the other an ordinary one.

@@ -1,0 +1,182 @@
+/* What the curves cost: the sinusoid's closure, leaving out the shortest wavelengths, and the number of loads. */
+#include "analysis/benchmark.h"
+#include "contact/multiscale.h"
+#include "contact/statistical.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/** Closure `thesis` and `numeric` at the loads of the direct numerical solution. */
+struct closure_attempt {
+    const struct sinusoid_fit *closure;
+    bool gap;
+    double sum; /* keeps the compiler from leaving the work out */
+};
+
+static void evaluate_closure(void *context)
+{
+    struct closure_attempt *attempt = context;
+    for (size_t i = 0; i < sinusoid_bem_count; i++) {
+        struct sinusoid_cell cell;
+        attempt->closure->area(&cell, sinusoid_bem[i].x);
+        attempt->sum += attempt->gap ? attempt->closure->gap(sinusoid_bem[i].x) : cell.area_ratio;
+    }
+}
+
+static enum status_code closures(struct benchmark *cost, const struct benchmark_task *task, struct status *status)
+{
+    bool gaps = plan_runs(task->plan, EFFECT_SEPARATION);
+    for (int c = 0; c < SINUSOID_FIT_COUNT; c++)
+        for (int gap = 0; gap <= (int)gaps; gap++) {
+            struct closure_attempt attempt = {.closure = &sinusoid_fits[c], .gap = gap};
+            struct benchmark_row row = {.method = sinusoid_fits[c].name,
+                                        .evaluations = sinusoid_bem_count,
+                                        .chosen = c == (int)task->scene->closure,
+                                        .chart = BENCHMARK_CHARTS};
+            snprintf(row.study, sizeof row.study, "%s", gap ? "closure-gap" : "closure-area");
+            row.seconds = benchmark_time(evaluate_closure, &attempt);
+            row.error = sinusoid_fit_error((enum sinusoid_fit_id)c, gap);
+            if (benchmark_add(cost, &row, status) != STATUS_OK)
+                return status->code;
+        }
+    return STATUS_OK;
+}
+
+/** The multiscale curve of the baseline from its longest scales alone. */
+struct cut_attempt {
+    struct multiscale stack; /* count is what is kept */
+    const struct benchmark_task *task;
+    double *area;
+    uint64_t evaluations;
+};
+
+static void solve_cut(void *context)
+{
+    struct cut_attempt *attempt = context;
+    struct constriction none = {0};
+    attempt->evaluations = 0;
+    for (size_t i = 0; i < attempt->task->load_count; i++) {
+        struct contact_point point;
+        multiscale_solve(&point, &attempt->stack, &none, 0, attempt->task->loads[i], &attempt->evaluations);
+        attempt->area[i] = point.area_ratio;
+    }
+}
+
+static enum status_code cut_off(struct benchmark *cost, const struct benchmark_task *task, size_t model,
+                                struct status *status)
+{
+    enum { STEPS = 7 };
+    size_t loads = task->load_count;
+    struct cut_attempt attempt = {.task = task, .area = malloc(2 * loads * sizeof *attempt.area)};
+    double *full = attempt.area ? attempt.area + loads : NULL;
+    enum status_code rc = full ? STATUS_OK : status_memory(status);
+    if (rc == STATUS_OK)
+        rc = multiscale_make(&attempt.stack, &task->surface->spectrum, &task->plan->pair, model_rows[model]->plastic,
+                             task->scene->closure, status);
+    size_t all = attempt.stack.count;
+    if (rc == STATUS_OK) {
+        solve_cut(&attempt);
+        memcpy(full, attempt.area, loads * sizeof *full);
+    }
+    for (int step = STEPS; rc == STATUS_OK && step >= 1; step--) {
+        attempt.stack.count = all >> step;
+        if (attempt.stack.count == 0)
+            continue;
+        struct benchmark_row row = {.study = "cut-off",
+                                    .model = model_rows[model],
+                                    .method = model_rows[model]->name,
+                                    .chart = BENCHMARK_CURVES};
+        snprintf(row.setting, sizeof row.setting, "%.3gum",
+                 1e6 / spectrum_frequency(&task->surface->spectrum, attempt.stack.count - 1));
+        row.seconds = benchmark_time(solve_cut, &attempt);
+        row.evaluations = attempt.evaluations;
+        for (size_t i = 0; i < loads; i++)
+            row.error = fmax(row.error, fabs(attempt.area[i] / full[i] - 1));
+        rc = benchmark_add(cost, &row, status);
+    }
+    attempt.stack.count = all;
+    multiscale_free(&attempt.stack);
+    free(attempt.area);
+    return rc;
+}
+
+/** A curve of n loads, log spaced over the scene's range, by one model. */
+struct grid_attempt {
+    const struct model_row *row;
+    struct model_task task;
+    struct model_curve curve;
+    bool failed;
+};
+
+static void solve_grid(void *context)
+{
+    struct grid_attempt *attempt = context;
+    struct status status = {0};
+    struct contact_point *points = attempt->curve.points;
+    attempt->curve = (struct model_curve){.points = points};
+    attempt->failed = attempt->row->run(&attempt->curve, attempt->row, &attempt->task, &status) != STATUS_OK;
+}
+
+/** Largest relative error of the area interpolated in log-log between every second of the curve's points, at the points
+ * left out. */
+static double interpolation_error(const struct model_curve *curve)
+{
+    double error = 0;
+    for (size_t i = 1; i + 1 < curve->count; i += 2) {
+        const struct contact_point *p = &curve->points[i - 1], *q = p + 1, *r = p + 2;
+        if (!(p->area_ratio > 0))
+            continue;
+        double share = log(q->load / p->load) / log(r->load / p->load);
+        double between = p->area_ratio * pow(r->area_ratio / p->area_ratio, share);
+        error = fmax(error, fabs(between / q->area_ratio - 1));
+    }
+    return error;
+}
+
+static enum status_code load_grid(struct benchmark *cost, const struct benchmark_task *task, size_t model,
+                                  struct status *status)
+{
+    static const size_t counts[] = {5, 9, 17, 33, 65, 129};
+    enum { MOST = 2 * 129 };
+    double loads[MOST], first = task->loads[0], last = task->loads[task->load_count - 1];
+    struct contact_point points[MOST + 1];
+    enum status_code rc = STATUS_OK;
+    for (size_t c = 0; c < sizeof counts / sizeof counts[0] && rc == STATUS_OK && last > first; c++) {
+        /* n loads and the points halfway between them, where the interpolation is tested */
+        size_t n = counts[c], both = 2 * n - 1;
+        for (size_t i = 0; i < both; i++)
+            loads[i] = first * pow(last / first, (double)i / (double)(both - 1));
+        struct grid_attempt attempt = {.row = model_rows[model], .curve = {.points = points}};
+        attempt.task = surface_task(task->surface, task->scene, task->plan, loads, both);
+        attempt.task.wanted = 0;
+        solve_grid(&attempt);
+        struct benchmark_row row = {.study = "loads",
+                                    .model = model_rows[model],
+                                    .method = model_rows[model]->name,
+                                    .chart = BENCHMARK_CURVES,
+                                    .error = interpolation_error(&attempt.curve)};
+        for (size_t i = 0; i < n; i++)
+            loads[i] = first * pow(last / first, (double)i / (double)(n - 1));
+        attempt.task.load_count = n;
+        row.seconds = benchmark_time(solve_grid, &attempt);
+        row.evaluations = model_evaluations(&attempt.curve.work);
+        snprintf(row.setting, sizeof row.setting, "%zu", n);
+        rc = attempt.failed ? status_memory(status) : benchmark_add(cost, &row, status);
+    }
+    return rc;
+}
+
+enum status_code benchmark_curves(struct benchmark *cost, const struct benchmark_task *task, struct status *status)
+{
+    const struct surface_record *surface = task->surface;
+    enum status_code rc = plan_stacks_scales(task->plan) ? closures(cost, task, status) : STATUS_OK;
+    for (size_t m = 0; m < model_count && rc == STATUS_OK; m++)
+        if (model_rows[m]->stacks_scales && surface->curves[m].exists)
+            rc = cut_off(cost, task, m, status);
+    for (size_t m = 0; m < model_count && rc == STATUS_OK; m++)
+        if (surface->curves[m].exists)
+            rc = load_grid(cost, task, m, status);
+    return rc;
+}

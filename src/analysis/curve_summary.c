@@ -1,0 +1,91 @@
+#include "analysis/curve_summary.h"
+
+#include <math.h>
+
+const double curve_summary_beyond_fit_share = 0.1;
+static const double slope_area = 0.1; /* A/A_n up to which the area is held to be a power of the load */
+static const double elbow_slope = 2;  /* |d ln ECR/d ln P| that counts as the elbow: twice the slope before it */
+
+/** Least-squares slope of ln A over ln P where A/A_n < 0.1, and its RMS residual in decades. */
+static void fit_area_slope(struct curve_summary *model, const struct model_curve *curve)
+{
+    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0, syy = 0;
+    for (size_t i = 0; i < curve->count; i++) {
+        const struct contact_point *point = &curve->points[i];
+        if (point->area_ratio >= slope_area || !(point->area_ratio > 0))
+            continue;
+        double x = log(point->load), y = log(point->area_ratio);
+        n += 1;
+        sx += x;
+        sy += y;
+        sxx += x * x;
+        sxy += x * y;
+        syy += y * y;
+    }
+    model->area_slope = model->area_slope_rms = NAN;
+    if (n < 5)
+        return;
+    double spread = sxx - sx * sx / n, common = sxy - sx * sy / n;
+    double residual = syy - sy * sy / n - common * common / spread;
+    model->area_slope = common / spread;
+    model->area_slope_rms = sqrt(fmax(0, residual) / n) / M_LN10;
+}
+
+static bool is_touching(const struct contact_point *point, const struct model_row *row)
+{
+    return row->largest_area > 0 && point->area_ratio > row->largest_area;
+}
+
+size_t curve_summary_first_invalid(const struct model_curve *curve, const struct model_row *row)
+{
+    size_t i = 0;
+    while (i < curve->count && !is_touching(&curve->points[i], row) &&
+           !(curve->points[i].beyond_fit > curve_summary_beyond_fit_share))
+        i++;
+    return i;
+}
+
+void curve_summary_make(struct curve_summary *model, const struct model_curve *curve, const struct model_row *row,
+                        double sigma_m)
+{
+    *model = (struct curve_summary){
+        .exists = curve->exists,
+        .full_load = curve->full_load,
+        .closed_load = curve->closed_load,
+        .beta = curve->beta,
+        .beta_multiscale = NAN,
+        .elbow_load = NAN,
+        .sd_least = INFINITY,
+        .sd_most = -INFINITY,
+        .invalid_area_load = NAN,
+        .invalid_fit_load = NAN,
+        .gap_at_full = quantity_shown(&curve->full, model_shown(row, QUANTITY_SEPARATION), sigma_m),
+        .area_low = curve->count > 0 ? curve->points[0].area_ratio : NAN,
+        .yielding_scales = curve->yielding_scales,
+        .clamped = curve->clamped,
+        .work = curve->work,
+        .repeated_beta = model->repeated_beta,
+        .repeated_log_full_load = model->repeated_log_full_load,
+        .bounds = model->bounds,
+        .seconds = model->seconds,
+    };
+    fit_area_slope(model, curve);
+    for (size_t i = 0; i < curve->count; i++) {
+        const struct contact_point *point = &curve->points[i], *before = i > 0 ? point - 1 : NULL;
+        if (isnan(model->invalid_area_load) && is_touching(point, row))
+            model->invalid_area_load = point->load;
+        if (isnan(model->invalid_fit_load) && point->beyond_fit > curve_summary_beyond_fit_share)
+            model->invalid_fit_load = point->load;
+        model->most_beyond_fit = fmax(model->most_beyond_fit, point->beyond_fit);
+        model->most_radius_clamped = fmax(model->most_radius_clamped, point->radius_clamped);
+        if (point->tcr_K_m2_per_W > 0 && !isnan(point->tcr_sd_K_m2_per_W)) {
+            model->sd_least = fmin(model->sd_least, point->tcr_sd_K_m2_per_W / point->tcr_K_m2_per_W - 1);
+            model->sd_most = fmax(model->sd_most, point->tcr_sd_K_m2_per_W / point->tcr_K_m2_per_W - 1);
+        }
+        /* a load where the resistance has gone to 0 ends the elbow too */
+        if (before && before->ecr_ohm_m2 > 0 && isnan(model->elbow_load) &&
+            !(point->ecr_ohm_m2 > 0 &&
+              log(before->ecr_ohm_m2 / point->ecr_ohm_m2) < elbow_slope * log(point->load / before->load)))
+            model->elbow_load = before->load;
+    }
+}

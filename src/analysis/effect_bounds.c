@@ -1,0 +1,192 @@
+#include "analysis/effect_bounds.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/** What yielding can change in plastic model `m`: on the surface, on each of its scans run alone, and on the fitted
+ * power law where that is carried on below the sampling limit (its slope is largest at one of its ends). */
+static double bound_yield(const struct surface_record *record, const struct scene *scene, const struct plan *plan,
+                          size_t m, const struct model_task *task)
+{
+    const struct model_row *row = model_rows[m];
+    const struct surface_summary *summary = &record->summary;
+    if (!row->yield_bound)
+        return INFINITY;
+    double most = row->yield_bound(row, task);
+    for (size_t r = 0; r < record->repeat_count; r++) {
+        struct asperities asperities;
+        struct model_task alone = repeats_task(&asperities, &record->repeats[r], task);
+        most = fmax(most, row->yield_bound(row, &alone));
+    }
+    if (!row->stacks_scales || !plan_runs(plan, EFFECT_CONVERGENCE) || !surface_extends(summary, scene))
+        return most;
+    double ends_m[2] = {summary->length_m, convergence_atom_m};
+    for (int i = 0; i < (summary->power_law.gamma < 1 ? 2 : 1); i++) {
+        double amplitude_m = power_law_amplitude(&summary->power_law, ends_m[i]);
+        struct spectrum end = {.amplitude_m = &amplitude_m, .count = 1, .length_m = ends_m[i]};
+        struct model_task extension = *task;
+        extension.spectrum = &end;
+        most = fmax(most, row->yield_bound(row, &extension));
+    }
+    return most;
+}
+
+static bool is_converged(const struct surface_summary *summary, const struct scene *scene, const struct plan *plan)
+{
+    const struct power_law *law = &summary->power_law;
+    if (!(law->gamma >= 1))
+        return false;
+    double limit_m = 2 * summary->spacing_m, modulus = plan->pair.effective_modulus_Pa;
+    double full_Pa = sinusoid_full_pressure(power_law_amplitude(law, limit_m), 1 / limit_m, modulus);
+    return scene->convergence.load * modulus >= full_Pa;
+}
+
+/** What the scans run alone will take in each model, without and with scale dependence. */
+static void count_repeats(struct surface_record *record, const struct plan *plan, struct model_task task)
+{
+    for (size_t m = 0; m < model_count && record->repeat_count > 0; m++)
+        for (int scale_dependent = 0; scale_dependent < 2 && plan_runs_model(plan, m); scale_dependent++) {
+            const unsigned bit = QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT);
+            task.wanted = scale_dependent ? plan->wanted : plan->wanted & ~bit;
+            record->summary.models[m].bounds.repeats_work[scale_dependent] =
+                repeats_work(record->repeats, record->repeat_count, model_rows[m], &task);
+        }
+}
+
+/** Scale dependence, model by model, until one that runs whatever is decided on plasticity exceeds the tolerance. A
+ * plastic model that nothing makes yield is its elastic partner. */
+static enum status_code bound_scale_dependence(struct surface_record *record, const struct scene *scene,
+                                               const struct plan *plan, const struct model_task *task,
+                                               struct status *status)
+{
+    bool decided = false;
+    for (size_t m = 0; m < model_count; m++) {
+        const struct model_row *row = model_rows[m];
+        struct curve_bounds *bounds = &record->summary.models[m].bounds;
+        if (decided || !plan_runs_model(plan, m) || !(row->quantities & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT)) ||
+            (row->plastic && bounds->yield == 0))
+            continue;
+        if (!row->scale_dependence_bound)
+            bounds->scale_dependence = INFINITY;
+        else if (row->scale_dependence_bound(&bounds->scale_dependence, &record->summary.bound.visits, row, task,
+                                             status) != STATUS_OK)
+            return status->code;
+        decided = !row->plastic && bounds->scale_dependence > scene->tolerance;
+    }
+    return STATUS_OK;
+}
+
+enum status_code effect_bounds_surface(struct surface_record *record, const struct scene *scene,
+                                       const struct plan *plan, const double *loads, size_t load_count,
+                                       struct status *status)
+{
+    struct surface_summary *summary = &record->summary;
+    struct model_task task = surface_task(record, scene, plan, loads, load_count);
+    count_repeats(record, plan, task);
+    if (!scene->effects_auto)
+        return STATUS_OK;
+    summary->bound = (struct effect_bounds){.converged = is_converged(summary, scene, plan)};
+    for (size_t m = 0; m < model_count; m++)
+        if (plan_runs_model(plan, m) && model_rows[m]->plastic)
+            summary->models[m].bounds.yield = bound_yield(record, scene, plan, m, &task);
+    return plan_runs(plan, EFFECT_SCALE_DEPENDENT) ? bound_scale_dependence(record, scene, plan, &task, status)
+                                                   : STATUS_OK;
+}
+
+/** The largest bound of model `m` over the usable surfaces. */
+static double largest(const struct surface_summary *surfaces, size_t count, size_t m,
+                      double (*bound)(const struct curve_bounds *))
+{
+    double most = 0;
+    for (size_t i = 0; i < count; i++)
+        if (surfaces[i].usable)
+            most = fmax(most, bound(&surfaces[i].models[m].bounds));
+    return most;
+}
+
+static double yield_of(const struct curve_bounds *bounds)
+{
+    return bounds->yield;
+}
+
+static double scale_dependence_of(const struct curve_bounds *bounds)
+{
+    return bounds->scale_dependence;
+}
+
+/** Runs where one plastic model calls for it, for that model's reason; else is skipped for the reasons of all. */
+static void decide_plasticity(struct plan *plan, const struct surface_summary *surfaces, size_t count, double tolerance)
+{
+    char *reason = plan->effects[EFFECT_PLASTICITY].reason;
+    size_t size = sizeof plan->effects[EFFECT_PLASTICITY].reason, used = 0;
+    for (int needed = 1; needed >= 0; needed--)
+        for (size_t m = 0; m < model_count && used < size; m++) {
+            const struct model_row *row = model_rows[m];
+            if (!plan_runs_model(plan, m) || !row->plastic)
+                continue;
+            double bound = largest(surfaces, count, m, yield_of);
+            if (needed && !(bound > tolerance))
+                continue;
+            if (!needed && used > 0)
+                used += (size_t)snprintf(reason + used, size - used, ", and ");
+            if (row->yield_reason)
+                row->yield_reason(reason + used, size - used, bound, needed);
+            else
+                snprintf(reason + used, size - used, "%s yields", row->label);
+            if (needed)
+                return;
+            used += strlen(reason + used);
+        }
+    plan_switch_off(plan, EFFECT_PLASTICITY);
+}
+
+static void decide_scale_dependence(struct plan *plan, const struct surface_summary *surfaces, size_t count,
+                                    double tolerance)
+{
+    char *reason = plan->effects[EFFECT_SCALE_DEPENDENT].reason;
+    size_t size = sizeof plan->effects[EFFECT_SCALE_DEPENDENT].reason;
+    double most = 0;
+    size_t at = 0;
+    for (size_t m = 0; m < model_count; m++) {
+        double bound = plan_runs_model(plan, m) ? largest(surfaces, count, m, scale_dependence_of) : 0;
+        at = bound > most ? m : at;
+        most = fmax(most, bound);
+    }
+    if (isinf(most)) {
+        snprintf(reason, size, "%s has no bound on it", model_rows[at]->label);
+    } else if (most > tolerance) {
+        snprintf(reason, size, "(8/3π) λmfp/a can raise TCR by %.2g", most);
+    } else {
+        snprintf(reason, size, "(8/3π) λmfp/a raises TCR by at most %.2g, below the tolerance", most);
+        plan_switch_off(plan, EFFECT_SCALE_DEPENDENT);
+    }
+}
+
+static void decide_convergence(struct plan *plan, const struct surface_summary *surfaces, size_t count)
+{
+    char *reason = plan->effects[EFFECT_CONVERGENCE].reason;
+    size_t size = sizeof plan->effects[EFFECT_CONVERGENCE].reason, converged = 0, usable = 0;
+    for (size_t i = 0; i < count; i++) {
+        usable += surfaces[i].usable;
+        converged += surfaces[i].usable && surfaces[i].bound.converged;
+    }
+    if (converged == usable)
+        snprintf(reason, size, "sweeps only: no scale below the sampling limit can take area from any surface");
+    else
+        snprintf(reason, size, "%zu of %zu surfaces may lose area below their sampling limit", usable - converged,
+                 usable);
+}
+
+void effect_bounds_plan(struct plan *plan, const struct scene *scene, const struct surface_summary *surfaces,
+                        size_t count)
+{
+    if (!scene->effects_auto)
+        return;
+    if (plan_runs(plan, EFFECT_PLASTICITY))
+        decide_plasticity(plan, surfaces, count, scene->tolerance);
+    if (plan_runs(plan, EFFECT_SCALE_DEPENDENT))
+        decide_scale_dependence(plan, surfaces, count, scene->tolerance);
+    if (plan_runs(plan, EFFECT_CONVERGENCE))
+        decide_convergence(plan, surfaces, count);
+}

@@ -1,0 +1,211 @@
+#include "analysis/measured.h"
+
+#include "scene/measured_file.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char *const column_keys[] = {[MEASURED_LOAD] = "load_unit", [MEASURED_RESISTANCE] = "resistance_unit"};
+
+/** Completes the file's units with the scene's; what both say has to be the same. */
+static enum status_code complete_units(struct measured_file *file, const struct scene_measured *scene,
+                                       const unsigned *quantities, struct status *status)
+{
+    const char *const given[] = {[MEASURED_LOAD] = scene->load_unit, [MEASURED_RESISTANCE] = scene->resistance_unit};
+    for (size_t c = MEASURED_LOAD; c <= MEASURED_RESISTANCE; c++) {
+        struct measured_unit *own = &file->units[c];
+        struct unit unit;
+        bool known = unit_read(&unit, given[c], strlen(given[c])) && unit_of(&unit, quantities[c]);
+        if (known && own->known && !unit_equal(&unit, &own->unit))
+            return status_fail(status, STATUS_SCENE,
+                               "%s:%zu: the unit is '%s' here, but the scene's %s says '%s'; correct one of them",
+                               scene->file, own->line, own->text, column_keys[c], given[c]);
+        if (!known && !own->known)
+            return status_fail(status, STATUS_SCENE,
+                               "%s: nothing says the unit of the %s; name it in the heading, such as '%s', or add '%s' "
+                               "to 'measured' in the scene",
+                               scene->file, c == MEASURED_LOAD ? "load" : "resistance",
+                               c == MEASURED_LOAD                ? "load (N)"
+                               : quantities[c] & UNIT_RESISTANCE ? "ECR (mohm)"
+                                                                 : "TCR (K/W)",
+                               column_keys[c]);
+        if (!own->known) {
+            *own = (struct measured_unit){.known = true, .unit = unit};
+            memcpy(own->text, given[c], strlen(given[c]) + 1);
+        }
+    }
+    return STATUS_OK;
+}
+
+static enum status_code need_area(const struct scene *scene, const struct measured_unit *unit, const char *what,
+                                  struct status *status)
+{
+    if (isfinite(scene->nominal_area_m2))
+        return STATUS_OK;
+    return status_fail(status, STATUS_SCENE,
+                       "%s: measured %s in %s need the contact's area; add nominal_area_m2 to the scene",
+                       scene->measured.file, what, unit->text);
+}
+
+/** What loads of a unit are times, to be P/(A_n E'). */
+static enum status_code load_factor(double *factor, const struct measured_unit *unit, const struct scene *scene,
+                                    const struct plan *plan, struct status *status)
+{
+    double modulus_Pa = plan->pair.effective_modulus_Pa;
+    *factor = unit->unit.factor;
+    switch (unit_of(&unit->unit, SCENE_MEASURED_LOADS)) {
+    case UNIT_FORCE:
+        *factor /= modulus_Pa * scene->nominal_area_m2;
+        return need_area(scene, unit, "loads", status);
+    case UNIT_PRESSURE:
+        *factor /= modulus_Pa;
+    }
+    return STATUS_OK;
+}
+
+/** The same for resistances, to be per nominal area. */
+static enum status_code resistance_factor(double *factor, const struct measured_unit *unit, const struct scene *scene,
+                                          struct status *status)
+{
+    *factor = unit->unit.factor;
+    if (!unit_of(&unit->unit, UNIT_RESISTANCE | UNIT_THERMAL_RESISTANCE))
+        return STATUS_OK;
+    *factor *= scene->nominal_area_m2;
+    return need_area(scene, unit, "resistances", status);
+}
+
+/** The rows in the models' units. */
+static enum status_code convert(struct measured *out, const struct measured_file *file, const struct scene *scene,
+                                const struct plan *plan, struct status *status)
+{
+    const struct measured_unit *units = file->units;
+    const struct measured_unit *error_unit = &units[units[MEASURED_ERROR].known ? MEASURED_ERROR : MEASURED_RESISTANCE];
+    bool relative = unit_of(&error_unit->unit, UNIT_NUMBER | UNIT_PERCENT);
+    double load, resistance, error = error_unit->unit.factor;
+    if (load_factor(&load, &units[MEASURED_LOAD], scene, plan, status) != STATUS_OK ||
+        resistance_factor(&resistance, &units[MEASURED_RESISTANCE], scene, status) != STATUS_OK ||
+        (!relative && resistance_factor(&error, error_unit, scene, status) != STATUS_OK))
+        return status->code;
+    if (!(out->load = malloc(3 * file->count * sizeof *out->load)))
+        return status_memory(status);
+    out->count = file->count;
+    out->resistance = out->load + out->count;
+    out->error = out->resistance + out->count;
+    for (size_t i = 0; i < out->count; i++) {
+        const struct measured_row *row = &file->rows[i];
+        out->load[i] = row->value[MEASURED_LOAD] * load;
+        out->resistance[i] = row->value[MEASURED_RESISTANCE] * resistance;
+        out->error[i] = fabs(row->value[MEASURED_ERROR]) * error * (relative ? out->resistance[i] : 1);
+        if (!(out->load[i] > 0 && out->resistance[i] > 0 && isfinite(out->load[i]) && isfinite(out->resistance[i])) ||
+            isinf(out->error[i]))
+            return status_fail(status, STATUS_SCENE, "%s:%zu: too large or too small in its unit; correct the row",
+                               scene->measured.file, row->line);
+    }
+    memcpy(out->load_unit, units[MEASURED_LOAD].text, UNIT_LENGTH);
+    memcpy(out->resistance_unit, units[MEASURED_RESISTANCE].text, UNIT_LENGTH);
+    return STATUS_OK;
+}
+
+enum status_code measured_read(struct measured *out, const struct scene *scene, const struct plan *plan,
+                               struct status *status)
+{
+    *out = (struct measured){.thermal = scene->measured.quantity == SCENE_MEASURED_TCR};
+    enum effect needed = out->thermal ? EFFECT_THERMAL : EFFECT_ELECTRICAL;
+    if (!plan_runs(plan, needed))
+        return status_fail(status, STATUS_SCENE,
+                           "'%s' holds measured %s, but the effect %s does not run; add it to "
+                           "effects, or take out measured",
+                           scene->measured.file, out->thermal ? "TCR" : "ECR", effect_rows[needed].name);
+    const unsigned resistances = scene_measured_resistances[scene->measured.quantity];
+    const unsigned quantities[MEASURED_COLUMNS] = {SCENE_MEASURED_LOADS, resistances,
+                                                   resistances | UNIT_NUMBER | UNIT_PERCENT};
+    struct text content = {0};
+    struct measured_file file = {0};
+    char *path = scene_file_path(scene, scene->measured.file);
+    enum status_code rc = path ? text_read_file(&content, path, status) : status_memory(status);
+    if (rc == STATUS_OK && memchr(text_string(&content), '\0', content.length))
+        rc = status_fail(status, STATUS_SCENE, "%s: a NUL byte in the file; save it as plain text (UTF-8)",
+                         scene->measured.file);
+    const char *start = text_string(&content);
+    if (rc == STATUS_OK)
+        rc = measured_file_read(&file, (struct string_view){start, start + content.length}, scene->measured.file,
+                                quantities, status);
+    if (rc == STATUS_OK)
+        rc = complete_units(&file, &scene->measured, quantities, status);
+    if (rc == STATUS_OK)
+        rc = convert(out, &file, scene, plan, status);
+    measured_file_free(&file);
+    free(path);
+    text_free(&content);
+    return rc;
+}
+
+void measured_free(struct measured *measured)
+{
+    free(measured->load);
+    *measured = (struct measured){0};
+}
+
+/** The curve's resistance at a load, NaN outside its loads or where it is 0. */
+static double resistance_at(const struct model_curve *curve, double load, bool thermal)
+{
+    for (size_t i = 1; i < curve->count; i++) {
+        const struct contact_point *p = &curve->points[i - 1], *q = &curve->points[i];
+        if (load < p->load || load > q->load)
+            continue;
+        double low = thermal ? p->tcr_K_m2_per_W : p->ecr_ohm_m2, high = thermal ? q->tcr_K_m2_per_W : q->ecr_ohm_m2;
+        if (!(low > 0 && high > 0))
+            return NAN;
+        return low * pow(high / low, log(load / p->load) / log(q->load / p->load));
+    }
+    return NAN;
+}
+
+struct measured_distance measured_compare(const struct measured *measured, const struct model_curve *curve)
+{
+    struct measured_distance out = {0, NAN, NAN, {NAN, NAN}};
+    double square = 0, sum = 0;
+    for (size_t i = 0; i < measured->count; i++) {
+        double model = resistance_at(curve, measured->load[i], measured->thermal);
+        if (isnan(model))
+            continue;
+        double decades = log10(model / measured->resistance[i]);
+        square += decades * decades;
+        sum += decades;
+        out.load[0] = fmin(out.load[0], measured->load[i]); /* of a number and NaN, the number */
+        out.load[1] = fmax(out.load[1], measured->load[i]);
+        out.points++;
+    }
+    if (out.points > 0) {
+        out.rms_decades = sqrt(square / (double)out.points);
+        out.bias_decades = sum / (double)out.points;
+    }
+    return out;
+}
+
+struct measured_ranking measured_rank(const struct measured *measured, const struct model_curve *curves)
+{
+    struct measured_ranking out = {model_count, model_count};
+    double least = INFINITY, greatest = -INFINITY;
+    size_t most = 1;
+    for (size_t m = 0; m < model_count; m++) {
+        size_t points = curves[m].exists ? measured_compare(measured, &curves[m]).points : 0;
+        most = points > most ? points : most;
+    }
+    for (size_t m = 0; m < model_count; m++) {
+        struct measured_distance distance = {0};
+        if (curves[m].exists)
+            distance = measured_compare(measured, &curves[m]);
+        if (2 * distance.points < most)
+            continue;
+        if (distance.rms_decades < least) {
+            least = distance.rms_decades;
+            out.nearest = m;
+        }
+        if (distance.rms_decades > greatest) {
+            greatest = distance.rms_decades;
+            out.farthest = m;
+        }
+    }
+    return out;
+}

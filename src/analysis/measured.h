@@ -1,0 +1,47 @@
+/* Measured contact resistance, to be held against the models (scene: `measured`). */
+#ifndef ANALYSIS_MEASURED_H
+#define ANALYSIS_MEASURED_H
+
+#include "analysis/plan.h"
+#include "base/unit.h"
+#include "contact/model.h"
+
+/** Points in the models' units, in the order in which they were measured (loading, then unloading). Owned:
+ * measured_free(). */
+struct measured {
+    size_t count;
+    double *load;       /* P/(A_n E') */
+    double *resistance; /* per nominal area: Ω m² or K m²/W */
+    double *error;      /* of the resistance, same unit; NaN where none is given */
+    bool thermal;       /* TCR, else ECR */
+    char load_unit[UNIT_LENGTH], resistance_unit[UNIT_LENGTH]; /* that they were given in, as written */
+};
+
+/** How far a model is from the measurements, over the loads that its curve covers. */
+struct measured_distance {
+    size_t points;       /* compared */
+    double rms_decades;  /* of log10(model/measured); NaN when no point could be compared */
+    double bias_decades; /* mean of the same */
+    double load[2];      /* least and greatest compared */
+};
+
+/** Reads the scene's file (see measured_file.h). Units are those that the file names, else the scene's load_unit and
+ * resistance_unit. N are divided by the nominal area, Ω and K/W multiplied by it; an error in the unit 1 or % is
+ * relative, one without unit is in the resistance's. Errors: STATUS_SCENE with file, line and remedy (as
+ * measured_file_read(); no unit anywhere, file and scene of two minds, N, Ω or K/W without nominal_area_m2, nothing to
+ * compare with); STATUS_IO, STATUS_MEMORY. */
+MUST_CHECK enum status_code measured_read(struct measured *out, const struct scene *scene, const struct plan *plan,
+                                          struct status *status);
+void measured_free(struct measured *measured);
+
+/** Distance of one curve, interpolated in log-log between its loads. */
+struct measured_distance measured_compare(const struct measured *measured, const struct model_curve *curve);
+
+/** The models of least and greatest RMS distance among those that cover at least half as many points as the one that
+ * covers most; model_count when none covers any. */
+struct measured_ranking {
+    size_t nearest, farthest;
+};
+struct measured_ranking measured_rank(const struct measured *measured, const struct model_curve *curves);
+
+#endif

@@ -1,0 +1,37 @@
+/* Which effects run and why (README, The scene: `effects: auto`). Decided once, before any model. */
+#ifndef ANALYSIS_PLAN_H
+#define ANALYSIS_PLAN_H
+
+#include "contact/model.h"
+#include "scene/scene.h"
+
+struct plan_effect {
+    bool runs;
+    char reason[160];
+};
+
+struct plan {
+    struct plan_effect effects[EFFECT_COUNT];
+    unsigned running; /* EFFECT_BITs of those that run */
+    unsigned wanted;  /* QUANTITY_BITs that follow */
+    uint64_t models;  /* MODEL_BITs asked for; a plastic one runs only with plasticity */
+    struct material_pair pair;
+};
+
+/** Listed effects run (the scene was checked); with `auto` an effect runs where the given properties allow it. */
+void plan_make(struct plan *out, const struct scene *scene);
+
+/** Does `effect` run? */
+bool plan_runs(const struct plan *plan, enum effect effect);
+/** Takes an effect, and the quantities that belong to it, out again. */
+void plan_switch_off(struct plan *plan, enum effect effect);
+
+/** Does model `m` of the table run? */
+bool plan_runs_model(const struct plan *plan, size_t m);
+/** QUANTITY_BITs that the effects call for and some running model computes. */
+unsigned plan_quantities(const struct plan *plan);
+/** Does a model run that stacks scales, or one that works on asperities? */
+bool plan_stacks_scales(const struct plan *plan);
+bool plan_uses_asperities(const struct plan *plan);
+
+#endif

@@ -1,0 +1,89 @@
+/* One surface from its scans to its curves: the pipeline scan -> profile -> spectrum + roughness -> contact. */
+#ifndef ANALYSIS_SURFACE_H
+#define ANALYSIS_SURFACE_H
+
+#include "analysis/curve_summary.h"
+#include "analysis/plan.h"
+#include "base/text.h"
+#include "contact/model.h"
+#include "profile/profile.h"
+#include "spectrum/power_law.h"
+
+enum { SURFACE_PREVIEW = 1000 }; /* points of a profile kept for the chart */
+
+/** Where a run's time goes, by stage [s]. */
+struct surface_times {
+    double read, prepare, spectrum, convergence;
+};
+
+/** What `effects: auto` decides by, besides the bounds of each model. */
+struct effect_bounds {
+    uint64_t visits; /* scales visited to bound scale dependence */
+    bool converged;  /* no scale below the sampling limit can take any area at the convergence study's load */
+};
+
+struct surface_summary {
+    const struct scene_surface *scene; /* name and files */
+    bool usable;                       /* false: refused, see `refusal` */
+    char *refusal;                     /* one line; owned */
+    char *notes;                       /* one line a warning; owned, NULL: none */
+    char hash[65];                     /* SHA-256 of the first file (of all of them one after another), hexadecimal */
+    char format[32];
+    char units[40];         /* "x mm, z um" as read */
+    size_t scans;           /* averaged: files, or rows of a map */
+    struct repeats repeats; /* what they say apart */
+    size_t points;          /* of the first */
+    double spacing_m, length_m;
+    enum profile_spacing grid;
+    double tilt;
+    double jump_m;     /* end-to-end jump, root mean square over the scans */
+    double jump_share; /* amplitude that jump leaks at the short end of the fit band / fitted amplitude there */
+    struct roughness roughness;
+    struct asperities asperities;
+    bool has_asperities; /* a statistical model exists */
+    struct power_law power_law;
+    size_t harmonics;
+    struct effect_bounds bound;
+    struct curve_summary *models; /* model_count of them; owned like the texts */
+    struct surface_times times;
+};
+
+/** Everything of one surface; `points`, `spectrum` and the preview live as long as the record. */
+struct surface_record {
+    struct surface_summary summary;
+    struct spectrum spectrum;
+    struct repeat repeats[REPEATS_MOST]; /* scans to be run alone too */
+    size_t repeat_count, repeat_stride;  /* every repeat_stride-th scan is one */
+    struct model_curve *curves;          /* model_count of them, NULL before any model ran */
+    struct repeats_band **bands;         /* the same, each band_count long; NULL: none */
+    size_t band_count;
+    double preview_x_m[SURFACE_PREVIEW], preview_z_m[SURFACE_PREVIEW];
+    size_t preview_points;
+};
+
+/** Reads and describes one surface: everything but the models. What is wrong with its files is no error: then
+ * summary.usable is false and summary.refusal says why in one line. `counterface` is the described rough
+ * counterface, NULL for a smooth one. Error: STATUS_MEMORY. Owned: surface_record_free().
+ */
+MUST_CHECK enum status_code surface_describe(struct surface_record *out, const struct scene *scene,
+                                             const struct scene_surface *surface,
+                                             const struct surface_record *counterface, struct status *status);
+
+/** What the models are asked of a described surface. */
+struct model_task surface_task(const struct surface_record *record, const struct scene *scene, const struct plan *plan,
+                               const double *loads, size_t load_count);
+
+/** Runs the models that `plan` calls for on a described surface. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code surface_run_models(struct surface_record *record, const struct scene *scene,
+                                               const struct plan *plan, const double *loads, size_t load_count,
+                                               struct status *status);
+/** Will the fitted law of a described surface be carried on below its sampling limit, if the effect convergence runs?
+ */
+bool surface_extends(const struct surface_summary *summary, const struct scene *scene);
+
+/** Frees what a summary owns. */
+void surface_summary_free(struct surface_summary *summary);
+/** Frees the arrays of a record; what its summary owns too when `with_summary`. */
+void surface_record_free(struct surface_record *record, bool with_summary);
+
+#endif

@@ -1,0 +1,190 @@
+#include "analysis/work.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/** Typical times of one evaluation on one core [s], from the benchmark (cmake --workflow --preset bench). They are for
+ * planning only; a report prints what it took. */
+static const double scale_seconds = 20e-9, gap_seconds = 15e-9, constriction_seconds = 8e-9, node_seconds = 120e-9,
+                    separation_seconds = 8e-6, extension_seconds = 0.5e-3;
+
+static struct model_work *share_of(struct work *work, size_t m)
+{
+    return model_rows[m]->plastic ? &work->plastic : &work->elastic;
+}
+
+struct work work_predict(const struct surface_summary *surfaces, size_t count, const struct scene *scene,
+                         const struct plan *plan, size_t load_count)
+{
+    struct work work = {0};
+    for (size_t i = 0; i < count; i++) {
+        struct surface_record outline = {.summary = surfaces[i]}; /* a task's work needs no arrays */
+        if (!outline.summary.usable)
+            continue;
+        outline.spectrum.count = outline.summary.harmonics;
+        work.bounds += surfaces[i].bound.visits;
+        struct model_task task = surface_task(&outline, scene, plan, NULL, load_count);
+        for (size_t m = 0; m < model_count; m++) {
+            if (!plan_runs_model(plan, m))
+                continue;
+            struct model_work more = model_rows[m]->work(model_rows[m], &task);
+            model_work_add(share_of(&work, m), &more);
+            model_work_add(share_of(&work, m),
+                           &surfaces[i].models[m].bounds.repeats_work[plan_runs(plan, EFFECT_SCALE_DEPENDENT)]);
+            work.extensions += model_rows[m]->stacks_scales && plan_runs(plan, EFFECT_CONVERGENCE) &&
+                               surface_extends(&outline.summary, scene);
+        }
+    }
+    for (size_t m = 0; m < model_count && plan_runs(plan, EFFECT_CONVERGENCE); m++)
+        for (int s = 0; s < CONVERGENCE_SWEEP_COUNT && plan_runs_model(plan, m) && model_rows[m]->stacks_scales; s++)
+            work.sweep_scales += convergence_sweeps[s].count * scene->convergence.scales;
+    return work;
+}
+
+struct work work_done(const struct surface_summary *surfaces, size_t count, uint64_t sweep_scales)
+{
+    struct work work = {.sweep_scales = sweep_scales};
+    for (size_t i = 0; i < count; i++) {
+        work.bounds += surfaces[i].bound.visits;
+        for (size_t m = 0; surfaces[i].models && m < model_count; m++) {
+            model_work_add(share_of(&work, m), &surfaces[i].models[m].work);
+            work.extensions += surfaces[i].models[m].extended;
+        }
+    }
+    return work;
+}
+
+/** Without what scale dependence alone needs. */
+static double model_seconds(const struct model_work *work)
+{
+    return (double)work->scales * scale_seconds + (double)work->nodes * node_seconds +
+           (double)work->separations * separation_seconds;
+}
+
+/** Evaluations that are there because of `effect`, and their likely seconds. */
+static uint64_t share(const struct work *work, const struct plan *plan, enum effect effect, double *seconds)
+{
+    bool first_conductor =
+        effect == EFFECT_ELECTRICAL || (effect == EFFECT_THERMAL && !plan_runs(plan, EFFECT_ELECTRICAL));
+    uint64_t count = 0;
+    *seconds = 0;
+    switch (effect) {
+    case EFFECT_PLASTICITY:
+        count = work->plastic.scale_dependent_nodes;
+        *seconds = model_seconds(&work->plastic) + (double)count * node_seconds;
+        return model_evaluations(&work->plastic);
+    case EFFECT_SEPARATION:
+        count = work->elastic.gaps + work->plastic.gaps;
+        *seconds = (double)count * gap_seconds;
+        return count;
+    case EFFECT_ELECTRICAL:
+    case EFFECT_THERMAL:
+        count = first_conductor ? work->elastic.constrictions + work->plastic.constrictions : 0;
+        *seconds = (double)count * constriction_seconds;
+        return count;
+    case EFFECT_SCALE_DEPENDENT: /* the decision, and laws at nodes where closed forms would do without it */
+        count = work->elastic.scale_dependent_nodes;
+        *seconds = (double)work->bounds * (scale_seconds + constriction_seconds) + (double)count * node_seconds;
+        return work->bounds + count;
+    case EFFECT_CONVERGENCE:
+        *seconds = (double)work->sweep_scales * scale_seconds + (double)work->extensions * extension_seconds;
+        return work->sweep_scales + work->extensions;
+    case EFFECT_COUNT:
+        break;
+    }
+    return 0;
+}
+
+/** "LABEL: METHOD" of the running models of one material law; of the ones with a method of their own for scale
+ * dependence when `scale_dependent`. */
+static void add_methods(char *out, size_t size, const struct plan *plan, bool plastic, bool scale_dependent)
+{
+    size_t used = 0;
+    for (size_t m = 0; m < model_count && used < size; m++) {
+        const char *method = scale_dependent ? model_rows[m]->scale_dependent_method : model_rows[m]->method;
+        if (method && plan_runs_model(plan, m) && model_rows[m]->plastic == plastic)
+            used += (size_t)snprintf(out + used, size - used, "%s%s: %s", used > 0 ? "; " : "", model_rows[m]->label,
+                                     method);
+    }
+    if (used == 0)
+        snprintf(out, size, "in the same pass as the area");
+}
+
+static void add_method(struct work_row *row, enum effect effect, const struct plan *plan)
+{
+    size_t size = sizeof row->method;
+    switch (effect) {
+    case EFFECT_PLASTICITY:
+        add_methods(row->method, size, plan, true, false);
+        break;
+    case EFFECT_SCALE_DEPENDENT:
+        add_methods(row->method, size, plan, false, true);
+        break;
+    case EFFECT_CONVERGENCE:
+        snprintf(row->method, size, "direct sum over scales");
+        break;
+    case EFFECT_THERMAL:
+        snprintf(row->method, size, "%s",
+                 plan_runs(plan, EFFECT_ELECTRICAL) ? "the sums of electrical in other units, so nothing of its own"
+                                                    : "in the same pass as the area");
+        break;
+    case EFFECT_SEPARATION:
+    case EFFECT_ELECTRICAL:
+        snprintf(row->method, size, "in the same pass as the area");
+        break;
+    case EFFECT_COUNT:
+        add_methods(row->method, size, plan, false, false);
+        break;
+    }
+}
+
+void work_table(struct work_row rows[WORK_ROWS], const struct work *work, const struct plan *plan)
+{
+    rows[0] = (struct work_row){
+        .name = "area",
+        .runs = true,
+        .reason = "every report has it",
+        .evaluations = model_evaluations(&work->elastic) - work->elastic.scale_dependent_nodes,
+        .seconds = model_seconds(&work->elastic),
+    };
+    add_method(&rows[0], EFFECT_COUNT, plan);
+    for (int e = 0; e < EFFECT_COUNT; e++) {
+        struct work_row *row = &rows[e + 1];
+        *row = (struct work_row){
+            .name = effect_rows[e].name,
+            .runs = plan->effects[e].runs,
+            .reason = plan->effects[e].reason,
+        };
+        if (e == EFFECT_CONVERGENCE)
+            row->bytes = (double)work->sweep_scales * sizeof(double);
+        if (row->runs)
+            add_method(row, (enum effect)e, plan);
+        if (row->runs || e == EFFECT_SCALE_DEPENDENT) /* deciding against it takes some too */
+            row->evaluations = share(work, plan, (enum effect)e, &row->seconds);
+    }
+}
+
+uint64_t work_total(const struct work *work, const struct plan *plan, double *seconds)
+{
+    struct work_row rows[WORK_ROWS];
+    uint64_t total = 0;
+    *seconds = 0;
+    work_table(rows, work, plan);
+    for (int r = 0; r < WORK_ROWS; r++) {
+        total += rows[r].evaluations;
+        *seconds += rows[r].seconds;
+    }
+    return total;
+}
+
+double work_memory(const struct surface_summary *surfaces, size_t count, unsigned jobs)
+{
+    size_t most = 0;
+    for (size_t i = 0; i < count; i++)
+        most = surfaces[i].points > most ? surfaces[i].points : most;
+    double program = 11e6, a_point = 96; /* text and numbers of a scan, its profile, transform and spectrum [bytes] */
+    double threads = fmin(jobs, (double)count);
+    double a_summary = (double)(sizeof *surfaces + model_count * sizeof(struct curve_summary));
+    return program + threads * ((double)most * a_point + 2 * sizeof(struct surface_record)) + (double)count * a_summary;
+}

@@ -1,0 +1,285 @@
+/* The commands on a scene, `report` and `plan`. */
+#include "cli/command.h"
+#include "run/prepare.h"
+#include "run/run.h"
+
+#include <argp.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+struct arguments {
+    const char *directory;
+    struct scene_overrides overrides;
+    struct run_options run;
+    bool show, verbose;
+};
+
+enum { KEY_X_UNIT = 0x100, KEY_Z_UNIT, KEY_NO_COST };
+
+/* What both take: the directory, and what overrides its scene. */
+static const struct argp_option scene_options[] = {
+    {"material", 'm', "NAME", 0, "a built-in material (default: the scene's, else tin)", 1},
+    {"effects", 'e', "LIST", 0,
+     "auto, or some of plasticity,separation,electrical,thermal,scale-dependent,convergence "
+     "(default: the scene's, else auto)",
+     1},
+    {"tolerance", 't', "REL", 0, "relative tolerance of every number, 1e-14 to 0.1 (default: the scene's, else 1e-6)",
+     1},
+    {"x-unit", KEY_X_UNIT, "UNIT", 0, "unit of x where a file names none (default: the scene's)", 1},
+    {"z-unit", KEY_Z_UNIT, "UNIT", 0, "unit of z where a file names none (default: the scene's)", 1},
+    {0},
+};
+
+static const char *unit(const char *value, const char *name, struct argp_state *state)
+{
+    if (scan_unit_m(value, strlen(value)) == 0)
+        argp_error(state, "--%s must be a unit of length such as m, mm, um, nm or in, not '%s'", name, value);
+    return value;
+}
+
+static error_t parse_scene(int key, char *value, struct argp_state *state)
+{
+    struct arguments *arguments = state->input;
+    struct scene_overrides *overrides = &arguments->overrides;
+    char *end;
+    switch (key) {
+    case 'm':
+        overrides->material = value;
+        return 0;
+    case 'e':
+        overrides->effects = value;
+        return 0;
+    case 't':
+        overrides->tolerance = strtod(value, &end);
+        if (*end != '\0' || end == value || !(overrides->tolerance >= 1e-14 && overrides->tolerance <= 0.1))
+            argp_error(state, "--tolerance must be a number from 1e-14 to 0.1, not '%s'", value);
+        return 0;
+    case KEY_X_UNIT:
+        overrides->x_unit = unit(value, "x-unit", state);
+        return 0;
+    case KEY_Z_UNIT:
+        overrides->z_unit = unit(value, "z-unit", state);
+        return 0;
+    case ARGP_KEY_ARG:
+        if (arguments->directory)
+            argp_error(state, "one directory at a time: '%s' is too many", value);
+        arguments->directory = value;
+        return 0;
+    case ARGP_KEY_END:
+        if (!arguments->directory)
+            argp_error(state, "which directory of scans?");
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static const struct argp scene_argp = {.options = scene_options, .parser = parse_scene};
+static const struct argp_child scene_child[] = {{&scene_argp, 0, "What the scene says, overridden:", 1}, {0}};
+
+static const struct argp_option report_options[] = {
+    {"output", 'o', "OUT", 0, "where the report goes (default: out/<name of DIR>)", 0},
+    {"jobs", 'j', "N", 0, "threads, 1 to 64 (default: one a processor)", 0},
+    {"show", 's', 0, 0, "also draw the main charts as text (default: not)", 0},
+    {"no-cost", KEY_NO_COST, 0, 0, "leave out the section on what accuracy costs in time (default: not)", 0},
+    {"verbose", 'v', 0, 0, "end with where the time went (default: not)", 0},
+    {0},
+};
+
+static error_t parse_report(int key, char *value, struct argp_state *state)
+{
+    struct arguments *arguments = state->input;
+    char *end;
+    switch (key) {
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = arguments;
+        return 0;
+    case 'o':
+        arguments->run.output = value;
+        return 0;
+    case 'j':
+        arguments->run.jobs = (unsigned)strtoul(value, &end, 10);
+        if (*end != '\0' || arguments->run.jobs < 1 || arguments->run.jobs > 64)
+            argp_error(state, "--jobs must be 1 to 64, not '%s'", value);
+        return 0;
+    case 's':
+        arguments->show = true;
+        return 0;
+    case KEY_NO_COST:
+        arguments->run.no_cost = true;
+        return 0;
+    case 'v':
+        arguments->verbose = true;
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static volatile sig_atomic_t stop; /* a signal handler can reach nothing but a global */
+
+static void ask_to_stop(int signal_number)
+{
+    (void)signal_number;
+    stop = 1;
+}
+
+static void progress(size_t done, size_t total, const char *name)
+{
+    struct text shown = {0};
+    text_add_shown(&shown, name);
+    fprintf(stderr, "\r\033[K%zu of %zu  %.40s%s", done, total, text_string(&shown), done == total ? "\r\033[K" : "");
+    fflush(stderr);
+    text_free(&shown);
+}
+
+static void print_time(const char *stage, double seconds)
+{
+    fprintf(stderr, "%-28s %10.4f\n", stage, seconds);
+}
+
+static void print_times(const struct run_times *times)
+{
+    struct rusage usage;
+    fprintf(stderr, "\n%-28s %10s\n", "stage", "seconds");
+    print_time("read scans", times->read);
+    print_time("level", times->prepare);
+    print_time("spectra", times->spectrum);
+    for (size_t m = 0; m < model_count; m++)
+        print_time(model_rows[m]->label, times->models[m]);
+    print_time("convergence", times->convergence);
+    print_time("what accuracy costs", times->cost);
+    print_time("tables and json", times->tables);
+    print_time("chart data", times->figures);
+    print_time("gnuplot", times->gnuplot);
+    print_time("report", times->report);
+    print_time("total", times->total);
+    print_time("total without gnuplot", times->total - times->gnuplot);
+    if (getrusage(RUSAGE_SELF, &usage) == 0)
+        fprintf(stderr, "%-28s %7.1f MB\n", "largest memory", (double)usage.ru_maxrss / 1024);
+}
+
+static void catch_signals(void)
+{
+    struct sigaction action = {.sa_handler = ask_to_stop,
+                               .sa_flags = (int)SA_RESETHAND}; /* a second one ends at once */
+    static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
+    for (int i = 0; i < 3; i++)
+        sigaction(signals[i], &action, NULL);
+}
+
+static int report(struct arguments *arguments, struct scene *scene, struct status *status)
+{
+    struct text templates = {0};
+    struct run_outcome outcome = {0};
+    char size[32];
+    int columns, rows, exit_status = COMMAND_DONE;
+    command_terminal_size(&columns, &rows);
+    snprintf(size, sizeof size, "%d,%d", columns, rows > 34 ? 34 : rows - 1);
+    if (command_templates(&templates, status) != STATUS_OK) {
+        text_free(&templates);
+        return command_fail(status);
+    }
+    arguments->run.templates = text_string(&templates);
+    arguments->run.terminal_size = arguments->show ? size : NULL;
+    arguments->run.stop = &stop;
+    arguments->run.progress = isatty(STDERR_FILENO) ? progress : NULL;
+    catch_signals();
+    enum status_code rc = run_report(&outcome, scene, &arguments->run, status);
+    if (rc != STATUS_INTERRUPTED)
+        fputs(text_string(&outcome.messages), stderr);
+    if (rc != STATUS_OK) {
+        exit_status = command_fail(status);
+    } else {
+        fputs(text_string(&outcome.charts), stdout);
+        printf("%s\n%s\n", text_string(&outcome.table), outcome.path);
+        if (outcome.refused > 0)
+            exit_status = COMMAND_REFUSED;
+        const struct run_times *times = &outcome.times;
+        double models = times->convergence;
+        for (size_t m = 0; m < model_count; m++)
+            models += times->models[m];
+        fprintf(stderr, "models: %llu evaluations%s; %.3g s predicted, %.3g s taken\n",
+                (unsigned long long)outcome.evaluations, outcome.work_agrees ? ", as predicted" : "",
+                outcome.predicted_seconds, models);
+        if (arguments->verbose)
+            fprintf(stderr, "\n%s", text_string(&outcome.work));
+        if (!outcome.work_agrees)
+            fputs("roughcontact: the evaluations done are not those predicted; please report this\n", stderr);
+        if (arguments->verbose)
+            print_times(&outcome.times);
+    }
+    run_outcome_free(&outcome);
+    text_free(&templates);
+    return exit_status;
+}
+
+int command_report(int argc, char **argv)
+{
+    static const struct argp argp = {
+        .options = report_options,
+        .parser = parse_report,
+        .args_doc = "DIR",
+        .doc = "Reads the scans in DIR (with DIR/scene.yaml, if there is one), runs the contact models and writes "
+               "report.md, report.html, figures, data and results.json.",
+        .children = scene_child};
+    struct arguments arguments = {0};
+    struct status status = {0};
+    struct scene scene = {0};
+    argp_parse(&argp, argc, argv, 0, NULL, &arguments);
+    int exit_status;
+    if (scene_read(&scene, arguments.directory, &arguments.overrides, &status) != STATUS_OK)
+        exit_status = command_fail(&status);
+    else
+        exit_status = report(&arguments, &scene, &status);
+    scene_free(&scene);
+    return command_finish(exit_status);
+}
+
+static void print_plan(const struct scene *scene, const struct prepared *prepared)
+{
+    const struct plan *plan = &prepared->plan;
+    struct text table = {0};
+    prepare_table(&table, prepared, NULL);
+    fputs(text_string(&table), stdout);
+    text_free(&table);
+    printf("\n%-28s %-8s %s\n", "model", "", "valid");
+    for (size_t m = 0; m < model_count; m++)
+        printf("%-28s %-8s %s\n", model_rows[m]->label, plan_runs_model(plan, m) ? "run" : "skipped",
+               model_rows[m]->valid);
+    printf("\n%zu surface%s, %zu loads, tolerance %g, closure %s\n", scene->surface_count,
+           scene->surface_count == 1 ? "" : "s", prepared->results.load_count, scene->tolerance,
+           sinusoid_fits[scene->closure].name);
+}
+
+int command_plan(int argc, char **argv)
+{
+    static const struct argp argp = {
+        .args_doc = "DIR",
+        .doc = "Says what `report DIR` would simulate, why, and at which cost. Reads the scans and runs no model.",
+        .children = scene_child};
+    struct arguments arguments = {0};
+    struct status status = {0};
+    struct scene scene = {0};
+    struct prepared prepared = {0};
+    struct text messages = {0};
+    argp_parse(&argp, argc, argv, 0, NULL, &arguments);
+    enum status_code rc = scene_read(&scene, arguments.directory, &arguments.overrides, &status);
+    if (rc == STATUS_OK)
+        rc = prepare(&prepared, &scene, &arguments.run, NULL, &status);
+    size_t refused = prepare_messages(&messages, &prepared.store);
+    fputs(text_string(&messages), stderr);
+    if (rc == STATUS_OK && refused == scene.surface_count)
+        rc = status_fail(&status, STATUS_SCAN, "no readable scan in '%s'", scene.directory);
+    if (rc == STATUS_OK)
+        print_plan(&scene, &prepared);
+    int exit_status = rc != STATUS_OK ? command_fail(&status) : refused > 0 ? COMMAND_REFUSED : COMMAND_DONE;
+    text_free(&messages);
+    prepared_free(&prepared);
+    scene_free(&scene);
+    return command_finish(exit_status);
+}

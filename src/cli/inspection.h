@@ -1,0 +1,44 @@
+/* What `inspect` finds out about one file. */
+#ifndef CLI_INSPECTION_H
+#define CLI_INSPECTION_H
+
+#include "profile/profile.h"
+#include "scan/scan.h"
+#include "spectrum/areal.h"
+#include "spectrum/parameters.h"
+#include "spectrum/power_law.h"
+#include "spectrum/roughness.h"
+
+#include <jansson.h>
+
+/** Figures of a profile: over its least-squares line (or as `options` says); of uneven points without a filter: at the
+ * points as measured, not where they are interpolated. Of a map: its heights over the plane, its rows as profiles. */
+struct inspection {
+    struct scan scan;
+    struct profile profile;   /* of a map its middle row, for a chart; empty if that is none */
+    struct areal areal;       /* its spectrum is moved to `spectrum` */
+    struct spectrum spectrum; /* count 0: a map without one complete row */
+    struct roughness roughness;
+    struct power_law power_law;
+    struct parameters primary, filtered; /* P; R where lambda_c is given */
+    bool has_parameters, has_filtered;
+    struct profile_options options;
+};
+
+/** Reads and looks at a file. Owned: inspection_free(), whatever comes back. Errors: those of the stages. */
+MUST_CHECK enum status_code inspection_make(struct inspection *out, const char *path, const struct scan_options *units,
+                                            const struct profile_options *options, struct status *status);
+void inspection_free(struct inspection *inspection);
+
+/** Spacing along x [m] and first to last point [m]. */
+double inspection_spacing_m(const struct inspection *inspection);
+double inspection_length_m(const struct inspection *inspection);
+
+/** `hostile` as it may be shown: JSON is UTF-8, a file name need not be. */
+json_t *inspection_text(const char *hostile);
+/** Adds what was found out to an object. */
+void inspection_add_json(json_t *object, const struct inspection *inspection);
+/** Prints the same as lines of text. */
+void inspection_print(const char *path, const struct inspection *inspection);
+
+#endif

@@ -1,0 +1,30 @@
+/* The effects a scene can call for. One row each: what it adds and which material properties it needs. */
+#ifndef CONTACT_EFFECT_H
+#define CONTACT_EFFECT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+enum effect {
+    EFFECT_PLASTICITY,
+    EFFECT_SEPARATION,
+    EFFECT_ELECTRICAL,
+    EFFECT_THERMAL,
+    EFFECT_SCALE_DEPENDENT,
+    EFFECT_CONVERGENCE,
+    EFFECT_COUNT
+};
+
+/** Bit of an effect in a set of effects. */
+#define EFFECT_BIT(effect) (1u << (effect))
+
+struct effect_row {
+    const char *name;          /* scene spelling */
+    const char *adds;          /* what the report gains */
+    const char *properties[5]; /* material keys it needs besides E_Pa and nu, NULL-terminated */
+    unsigned needs_effects;    /* effects it builds on (bits) */
+};
+
+extern const struct effect_row effect_rows[EFFECT_COUNT];
+
+#endif

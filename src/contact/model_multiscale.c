@@ -1,0 +1,196 @@
+/* The thesis's multiscale models: every harmonic of the spectrum is a scale of the stack (thesis 4.1, 4.2, 4.11). */
+#include "contact/multiscale.h"
+
+#include <math.h>
+#include <stdio.h>
+
+static struct model_work work_of(uint64_t visits, unsigned wanted)
+{
+    return (struct model_work){
+        .scales = visits,
+        .gaps = wanted & QUANTITY_BIT(QUANTITY_SEPARATION) ? visits : 0,
+        .constrictions = wanted & QUANTITY_RESISTANCES ? visits : 0,
+    };
+}
+
+/** Every scale at every load, and once more at the load of full contact. */
+static struct model_work work(const struct model_row *row, const struct model_task *task)
+{
+    (void)row;
+    return work_of(task->spectrum->count * (task->load_count + 1), task->wanted);
+}
+
+static enum status_code run(struct model_curve *curve, const struct model_row *row, const struct model_task *task,
+                            struct status *status)
+{
+    struct multiscale stack;
+    struct constriction constriction = constriction_make(task->pair);
+    uint64_t visits = 0;
+    if (multiscale_make(&stack, task->spectrum, task->pair, row->plastic, task->sinusoid_fit, status) != STATUS_OK)
+        return status->code;
+    for (size_t i = 0; i < task->load_count; i++)
+        curve->clamped +=
+            multiscale_solve(&curve->points[i], &stack, &constriction, task->wanted, task->loads[i], &visits);
+    multiscale_solve(&curve->full, &stack, &constriction, task->wanted, stack.full_load, &visits);
+    curve->count = task->load_count;
+    curve->full_load = stack.full_load;
+    curve->closed_load = stack.closed_load;
+    curve->yielding_scales = stack.critical_scales;
+    curve->beta = NAN;
+    curve->exists = true;
+    curve->work = work_of(visits, task->wanted);
+    multiscale_free(&stack);
+    return STATUS_OK;
+}
+
+/** p_c over p* falls with the slope Delta f alone, so that the steepest harmonic answers for all. Returns the inverse
+ * of it for a harmonic that yields before it is complete, which then brings full contact forward; else 0. */
+static double yield_bound(const struct model_row *row, const struct model_task *task)
+{
+    const struct spectrum *spectrum = task->spectrum;
+    size_t steepest = 0;
+    (void)row;
+    for (size_t i = 1; i < spectrum->count; i++)
+        if (spectrum->amplitude_m[i] * spectrum_frequency(spectrum, i) >
+            spectrum->amplitude_m[steepest] * spectrum_frequency(spectrum, steepest))
+            steepest = i;
+    if (spectrum->count == 0)
+        return 0;
+    struct sinusoid_scale scale =
+        sinusoid_scale(spectrum->amplitude_m[steepest], spectrum_frequency(spectrum, steepest), task->pair, true);
+    double sooner = scale.full_pressure_Pa / scale.critical_pressure_Pa;
+    return sooner > 1 ? sooner : 0;
+}
+
+static void yield_reason(char *out, size_t size, double bound, bool runs)
+{
+    if (runs)
+        snprintf(out, size, "the steepest scale yields at %.3g p*, so that full contact comes sooner", 1 / bound);
+    else
+        snprintf(out, size, "every scale is complete before it yields");
+}
+
+/** What bounding the scale dependence of one stack takes along. */
+struct stack_study {
+    struct multiscale stack;
+    struct constriction constriction;
+    const double *loads;
+    double tolerance;
+    uint64_t visits;
+};
+
+static double raise(const struct contact_point *point)
+{
+    return point->tcr_K_m2_per_W > 0 ? point->tcr_sd_K_m2_per_W / point->tcr_K_m2_per_W - 1 : 0;
+}
+
+static double raise_at(struct contact_point *point, struct stack_study *study, size_t load)
+{
+    multiscale_solve(point, &study->stack, &study->constriction,
+                     QUANTITY_BIT(QUANTITY_TCR) | QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT), study->loads[load],
+                     &study->visits);
+    return raise(point);
+}
+
+/** Bound on TCR_sd/TCR - 1 at the loads between two solved ones. TCR and what scale dependence adds both fall with the
+ * load, so that the added part at the lower over TCR at the upper load bounds it; halved until that is within the
+ * tolerance, or one load exceeds it. */
+static double bound_between(struct stack_study *study, size_t low, const struct contact_point *at_low, size_t high,
+                            const struct contact_point *at_high)
+{
+    /* yield of a long scale unloads the shorter ones: TCR then rises, by 3 % in the worst of random stacks */
+    static const double slack = 1.1;
+    if (high - low < 2 || !(at_low->tcr_K_m2_per_W > 0))
+        return 0;
+    double added = at_low->tcr_sd_K_m2_per_W - at_low->tcr_K_m2_per_W;
+    if (slack * added <= study->tolerance * at_high->tcr_K_m2_per_W)
+        return slack * added / at_high->tcr_K_m2_per_W;
+    struct contact_point at_middle;
+    size_t middle = low + (high - low) / 2;
+    double most = raise_at(&at_middle, study, middle);
+    if (most <= study->tolerance)
+        most = fmax(most, bound_between(study, low, at_low, middle, &at_middle));
+    if (most <= study->tolerance)
+        most = fmax(most, bound_between(study, middle, &at_middle, high, at_high));
+    return most;
+}
+
+static enum status_code scale_dependence_bound(double *most, uint64_t *visits, const struct model_row *row,
+                                               const struct model_task *task, struct status *status)
+{
+    struct stack_study study = {
+        .constriction = constriction_make(task->pair), .loads = task->loads, .tolerance = task->tolerance};
+    if (multiscale_make(&study.stack, task->spectrum, task->pair, row->plastic, task->sinusoid_fit, status) !=
+        STATUS_OK)
+        return status->code;
+    struct contact_point first, last;
+    *most = raise_at(&first, &study, 0);
+    if (*most <= study.tolerance && task->load_count > 1)
+        *most = fmax(*most, raise_at(&last, &study, task->load_count - 1));
+    if (*most <= study.tolerance)
+        *most = fmax(*most, bound_between(&study, 0, &first, task->load_count - 1, &last));
+    *visits += study.visits;
+    multiscale_free(&study.stack);
+    return STATUS_OK;
+}
+
+enum {
+    COMPUTES = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_SEPARATION) |
+               QUANTITY_RESISTANCES
+};
+
+const struct model_row model_multiscale_elastic = {
+    .name = "multiscale-elastic",
+    .label = "multiscale elastic",
+    .short_label = "MS el.",
+    .family = "multiscale",
+    .by_default = true,
+    .stacks_scales = true,
+    .quantities = COMPUTES,
+    .precedence = 3,
+    .thesis_place = 2,
+    .style = "me",
+    .colour = "#3F9BE0",
+    .marker = 6,
+    .equations = "4.1-4.11, 4.40-4.42",
+    .source = "Jackson and Streator, Wear 261 (2006) 1337; Johnson, Greenwood and Higginson, Int. "
+              "J. Mech. Sci. 27 (1985) 383; "
+              "Wilson, Auburn University (2008)",
+    .assumes = "every harmonic is a scale of sinusoids on top of the longer ones; all asperities of "
+               "a scale carry the same load; "
+               "no yield",
+    .valid = "any area ratio; needs a spectrum that converges (gamma >= 1)",
+    .method = "direct sum over scales",
+    .work = work,
+    .run = run,
+    .scale_dependence_bound = scale_dependence_bound,
+};
+
+const struct model_row model_multiscale_plastic = {
+    .name = "multiscale-plastic",
+    .label = "multiscale elastic-plastic",
+    .short_label = "MS pl.",
+    .family = "multiscale",
+    .by_default = true,
+    .plastic = true,
+    .elastic = &model_multiscale_elastic,
+    .stacks_scales = true,
+    .quantities = COMPUTES,
+    .precedence = 4,
+    .thesis_place = 1,
+    .style = "mp",
+    .colour = "#1560B4",
+    .marker = 7,
+    .equations = "4.12-4.18, 4.40-4.42",
+    .source =
+        "Krithivasan and Jackson, Tribol. Lett. 27 (2007) 31; Jackson, Krithivasan and Wilson, Proc. IMechE J 222 "
+        "(2008) 1; Wilson, Auburn University (2008)",
+    .assumes = "as multiscale elastic, with yield of every scale above its critical amplitude; no hardening",
+    .valid = "any area ratio; the area steps up by up to 8 % where a scale begins to yield",
+    .method = "direct sum over scales",
+    .work = work,
+    .run = run,
+    .yield_bound = yield_bound,
+    .yield_reason = yield_reason,
+    .scale_dependence_bound = scale_dependence_bound,
+};

@@ -1,0 +1,193 @@
+#include "contact/quadrature.h"
+
+#include <gsl/gsl_integration.h>
+#include <math.h>
+#include <stdlib.h>
+
+static const double inverse_sqrt_2pi = 0.39894228040143267794;
+enum { PANELS_MOST = 1024 };
+
+/** Number of Gauss-Legendre nodes a panel, calibrated so that every integral of tests/data meets the tolerance. */
+static size_t panel_order(double tolerance)
+{
+    double digits = -log10(tolerance);
+    return (size_t)fmin(20, fmax(4, ceil(digits) + 2));
+}
+
+/** Largest u that counts at separation d: where the Gaussian over u > 0 has fallen by exp(-log_cut) from its largest
+ * value. */
+static double reach(double d, double log_cut)
+{
+    return d > 0 ? 2 * log_cut / (d + sqrt(d * d + 2 * log_cut)) : sqrt(2 * log_cut) - d;
+}
+
+/** Adds borders in t = sqrt(u) from the last one up to `end`. A panel is at most 0.35 wide near zero (there the weight
+ * is exp(-d t²), d up to 40), about 2 wide in u further out (the Gaussian's own width), and at most 1.2 times its
+ * distance from the law's nearest singularity, `singular` below t = 0. */
+static size_t lay(double *border, size_t count, double end, double singular)
+{
+    double start = border[count - 1];
+    while (start < end && count < PANELS_MOST) {
+        double width = fmin(fmin(0.35, 1 / fmax(start, 1)), 1.2 * (start + singular));
+        double next = start + 1.1 * width >= end ? end : start + width;
+        border[count++] = start = next;
+    }
+    return count;
+}
+
+/** Largest u that counts for the share of the load from u = `from` on: that share is kept as exact, for itself, as the
+ * whole. 0 where it is below the smallest double. */
+static double reach_from(double from, double d, double log_cut)
+{
+    static const double log_smallest = 708;
+    return from * (from / 2 + d) < log_smallest ? from + reach(d + from, log_cut) : 0;
+}
+
+/** Adds borders from u = `from`, the last one, up to u = `end`: doubling from a width that resolves exp(-(from + d) u)
+ * where the share from there on is above the smallest double (from + d < 55), to 2. */
+static size_t lay_tail(double *border, size_t count, double from, double end)
+{
+    double width = 0.09, start = from;
+    while (start < end && count < PANELS_MOST) {
+        double next = start + 1.1 * width >= end ? end : start + width;
+        border[count++] = sqrt(next);
+        start = next;
+        width = fmin(2, start - from);
+    }
+    return count;
+}
+
+/** All borders from 0 to sqrt(last), with breaks where the law changes. Below the first of them a = sqrt(R sigma_s) t,
+ * so that a²/(a + knudsen length) has a pole at a = -(knudsen length); above, the law has fractional powers of u. The
+ * breaks at a/R = 0.41 and 1 begin the shares of the load beyond them, which may lie wholly beyond `last`. */
+static size_t borders(double *border, const struct asperity *asperity, double sigma_s_m, double knudsen_length_m,
+                      double lowest_d, double log_cut)
+{
+    double last = reach(lowest_d, log_cut), top = sqrt(last);
+    double pole = knudsen_length_m > 0 ? knudsen_length_m / sqrt(asperity->radius_m * sigma_s_m) : INFINITY;
+    double onset = sqrt(asperity_yield_onset * asperity->critical_interference_m / sigma_s_m);
+    double shares[2] = {asperity_interference_at(asperity, asperity_fitted_radius_ratio) / sigma_s_m,
+                        asperity_interference_at(asperity, 1) / sigma_s_m};
+    size_t count = 1;
+    border[0] = 0;
+    bool yields = onset < top;
+    if (yields)
+        count = lay(border, count, onset, pole);
+    count = lay(border, count, sqrt(fmin(shares[0], last)), yields ? 0 : pole);
+    for (int i = 0; i < 2 && count < PANELS_MOST; i++) {
+        double end = reach_from(shares[i], lowest_d, log_cut);
+        if (!(end > 0))
+            break;
+        if (border[count - 1] < sqrt(shares[i])) /* one panel over heights that no sum needs */
+            border[count++] = sqrt(shares[i]);
+        end = fmax(last, end);
+        count = lay_tail(border, count, shares[i], i == 0 ? fmin(end, shares[1]) : end);
+    }
+    return count;
+}
+
+/** Lays the panels; returns how many there are. */
+static size_t lay_panels(double *border, const struct asperity *asperity, double sigma_s_m, double knudsen_length_m,
+                         double lowest_d, double log_cut)
+{
+    return borders(border, asperity, sigma_s_m, knudsen_length_m, fmin(lowest_d, 0), log_cut) - 1;
+}
+
+/** exp(-log_cut) is what a term may be left out for. */
+static double log_cut_for(double tolerance)
+{
+    return 8 - log(tolerance);
+}
+
+size_t quadrature_count(const struct asperity *asperity, double sigma_s_m, double knudsen_length_m, double lowest_d,
+                        double tolerance)
+{
+    double border[PANELS_MOST];
+    return panel_order(tolerance) *
+           lay_panels(border, asperity, sigma_s_m, knudsen_length_m, lowest_d, log_cut_for(tolerance));
+}
+
+static enum status_code allocate(struct quadrature *panels, struct status *status)
+{
+    double **arrays[] = {&panels->node, &panels->area, &panels->load, &panels->radius, &panels->radius_scale_dependent};
+    for (size_t i = 0; i < sizeof arrays / sizeof arrays[0]; i++) {
+        *arrays[i] = malloc(panels->count * sizeof **arrays[i]);
+        if (!*arrays[i])
+            return status_memory(status);
+    }
+    return STATUS_OK;
+}
+
+enum status_code quadrature_make(struct quadrature *out, const struct asperity *asperity, enum asperity_model_id law,
+                                 double sigma_s_m, double knudsen_length_m, double lowest_d, double tolerance,
+                                 uint64_t *evaluations, struct status *status)
+{
+    double border[PANELS_MOST];
+    size_t order = panel_order(tolerance);
+    *out = (struct quadrature){.log_cut = log_cut_for(tolerance)};
+    size_t panel_count = lay_panels(border, asperity, sigma_s_m, knudsen_length_m, lowest_d, out->log_cut);
+    if (panel_count + 1 == PANELS_MOST)
+        return status_fail(status, STATUS_MODEL,
+                           "separations down to %.4g sigma_s take more than %d panels; use models: [multiscale]",
+                           lowest_d, PANELS_MOST);
+    out->count = panel_count * order;
+    out->beyond_fit = asperity_interference_at(asperity, asperity_fitted_radius_ratio) / sigma_s_m;
+    out->radius_clamped = asperity_interference_at(asperity, 1) / sigma_s_m;
+    gsl_integration_glfixed_table *rule = gsl_integration_glfixed_table_alloc(order);
+    if (!rule)
+        return status_memory(status);
+    enum status_code rc = allocate(out, status);
+    for (size_t p = 0, k = 0; rc == STATUS_OK && p < panel_count; p++)
+        for (size_t i = 0; i < order; i++, k++) {
+            double t, weight;
+            gsl_integration_glfixed_point(border[p], border[p + 1], i, &t, &weight, rule);
+            weight *= 2 * t * inverse_sqrt_2pi; /* du = 2 t dt */
+            struct asperity_contact contact;
+            out->node[k] = t * t;
+            asperity_models[law].press(&contact, asperity, sigma_s_m * t * t);
+            out->area[k] = weight * contact.area_m2;
+            out->load[k] = weight * contact.load_N;
+            out->radius[k] = weight * contact.radius_m;
+            out->radius_scale_dependent[k] =
+                weight * contact.radius_m * (contact.radius_m / (contact.radius_m + knudsen_length_m));
+        }
+    gsl_integration_glfixed_table_free(rule);
+    *evaluations += out->count;
+    return rc;
+}
+
+void quadrature_free(struct quadrature *panels)
+{
+    free(panels->node);
+    free(panels->area);
+    free(panels->load);
+    free(panels->radius);
+    free(panels->radius_scale_dependent);
+    *panels = (struct quadrature){0};
+}
+
+void quadrature_sum(struct quadrature_sums *out, const struct quadrature *panels, double d)
+{
+    *out = (struct quadrature_sums){.log_factor = d > 0 ? -d * d / 2 : 0};
+    double last = reach(d, panels->log_cut), first = -d - sqrt(2 * panels->log_cut);
+    last = fmax(last, reach_from(panels->beyond_fit, d, panels->log_cut));
+    last = fmax(last, reach_from(panels->radius_clamped, d, panels->log_cut));
+    for (size_t k = 0; k < panels->count && panels->node[k] <= last; k++) {
+        double u = panels->node[k];
+        if (u < first)
+            continue;
+        double height = u + d; /* exp(-height²/2), for d > 0 without its factor exp(-d²/2) */
+        double weight = exp(d > 0 ? -u * (u / 2 + d) : -height * height / 2);
+        double area = weight * panels->area[k], load = weight * panels->load[k];
+        out->area += area;
+        out->area_slope -= height * area;
+        out->load += load;
+        out->load_slope -= height * load;
+        if (u > panels->beyond_fit)
+            out->load_beyond_fit += load;
+        if (u > panels->radius_clamped)
+            out->load_radius_clamped += load;
+        out->radius += weight * panels->radius[k];
+        out->radius_scale_dependent += weight * panels->radius_scale_dependent[k];
+    }
+}

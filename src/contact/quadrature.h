@@ -1,0 +1,51 @@
+/* Gauss-Legendre panels for the statistical integrals: the asperity law is evaluated once at fixed interferences, so
+ * that each separation costs one exponential a node and no law evaluation. */
+#ifndef CONTACT_QUADRATURE_H
+#define CONTACT_QUADRATURE_H
+
+#include "base/status.h"
+#include "contact/asperity.h"
+#include <stddef.h>
+#include <stdint.h>
+
+/** Nodes in u = omega/sigma_s, ascending, each with quadrature weight times law, the 1/sqrt(2 pi) of the Gaussian
+ * included. Owned: quadrature_free(). */
+struct quadrature {
+    size_t count;
+    double *node;                   /* u */
+    double *area;                   /* weight * area [m²] */
+    double *load;                   /* weight * load [N] */
+    double *radius;                 /* weight * a [m] */
+    double *radius_scale_dependent; /* weight * a²/(a + knudsen length) [m] */
+    double beyond_fit;              /* u from which a/R > 0.41 */
+    double radius_clamped;          /* u from which a/R is clamped to 1 */
+    double log_cut;                 /* terms exp(-log_cut) below the largest are left out */
+};
+
+/** int law(sigma_s u) phi(u + d) du of each quantity over u > 0, all without the factor exp(log_factor). */
+struct quadrature_sums {
+    double area, area_slope; /* slope: derivative of the integral with respect to d, same factor */
+    double load, load_slope;
+    double load_beyond_fit, load_radius_clamped; /* on asperities with a/R > 0.41, and > 1 */
+    double radius, radius_scale_dependent;
+    double log_factor;
+};
+
+/** For (4.25), (4.26), (4.43*), (4.46*) and (4.51) under the Gaussian of (4.23): lays panels that break where the law
+ * changes (1.9 omega_c, a/R = 0.41, a/R = 1), in t = sqrt(u) so that the square root at u = 0 does no harm, wide enough
+ * for d >= lowest_d (in sigma_s) and fine enough for `tolerance` (relative). Adds the number of law evaluations to
+ * *evaluations. Errors: STATUS_MEMORY; STATUS_MODEL when lowest_d is below about -2000. */
+MUST_CHECK enum status_code quadrature_make(struct quadrature *out, const struct asperity *asperity,
+                                            enum asperity_model_id law, double sigma_s_m, double knudsen_length_m,
+                                            double lowest_d, double tolerance, uint64_t *evaluations,
+                                            struct status *status);
+void quadrature_free(struct quadrature *panels);
+
+/** How many nodes (law evaluations) quadrature_make() takes for the same arguments. */
+size_t quadrature_count(const struct asperity *asperity, double sigma_s_m, double knudsen_length_m, double lowest_d,
+                        double tolerance);
+
+/** All sums at separation d (in sigma_s) under the Gaussian of (4.23), d >= the lowest_d of quadrature_make(). */
+void quadrature_sum(struct quadrature_sums *out, const struct quadrature *panels, double d);
+
+#endif

@@ -1,0 +1,65 @@
+/* What a model says of a contact: one row a quantity, from its name in the data to its axis in a chart. Columns,
+ * charts, captions and comparisons all loop over this table. */
+#ifndef CONTACT_QUANTITY_H
+#define CONTACT_QUANTITY_H
+
+#include "contact/effect.h"
+
+/** Contact at one load. What was not wanted, or what a model does not compute, is NaN. */
+struct contact_point {
+    double load;              /* P/(A_n E') */
+    double area_ratio;        /* A/A_n, 0...1 */
+    double separation_m;      /* mean gap (multiscale: H), or distance of the mean planes (statistical: delta) */
+    double adjusted_m;        /* statistical: delta_ADJ (4.54) */
+    double ecr_ohm_m2;        /* ECR A_n */
+    double tcr_K_m2_per_W;    /* TCR A_n */
+    double tcr_sd_K_m2_per_W; /* the same, scale-dependent */
+    double beyond_fit;        /* share of the load on asperities beyond the law's fitted range, 0...1 (JG), else 0 */
+    double radius_clamped;    /* share of the load on asperities whose a/R is clamped to 1 (JG), else 0 */
+};
+
+enum quantity {
+    QUANTITY_LOAD,
+    QUANTITY_AREA,
+    QUANTITY_SEPARATION,
+    QUANTITY_ADJUSTED,
+    QUANTITY_ECR,
+    QUANTITY_TCR,
+    QUANTITY_TCR_SCALE_DEPENDENT,
+    QUANTITY_COUNT
+};
+
+/** Bit of a quantity in a set of quantities. */
+#define QUANTITY_BIT(quantity) (1u << (quantity))
+
+/** The resistances. */
+enum {
+    QUANTITY_RESISTANCES =
+        QUANTITY_BIT(QUANTITY_ECR) | QUANTITY_BIT(QUANTITY_TCR) | QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT)
+};
+
+struct quantity_row {
+    const char *name;         /* in results.json, with its SI unit */
+    const char *column;       /* in data/; NULL: only as a multiple of sigma */
+    const char *sigma_column; /* the same in data/ as a multiple of sigma; NULL: none */
+    const char *symbol;       /* as tables and captions print it: "ECR·Aₙ" */
+    const char *short_symbol; /* in running text: "ECR" */
+    const char *title;        /* as a chart's title begins: "Separation" */
+    const char *unit;         /* as printed, "" for a ratio; lengths are printed as multiples of sigma */
+    const char *label;        /* of a chart's axis */
+    unsigned effect;          /* EFFECT_BIT that it belongs to; 0: every run has it */
+    bool logarithmic;         /* axis, and how it is averaged */
+    bool over_sigma;          /* a length that is shown divided by sigma */
+    size_t offset;            /* of its double in struct contact_point */
+};
+
+extern const struct quantity_row quantity_rows[QUANTITY_COUNT];
+
+/** Value of a quantity at a point, SI. */
+double quantity_value(const struct contact_point *point, enum quantity quantity);
+/** The same as tables and charts show it: a length as a multiple of sigma_m. */
+double quantity_shown(const struct contact_point *point, enum quantity quantity, double sigma_m);
+/** QUANTITY_BITs of all quantities that a set of EFFECT_BITs calls for. */
+unsigned quantity_wanted(unsigned effects);
+
+#endif

@@ -1,0 +1,132 @@
+#include "material/material.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+
+/* Ranges leave room for every metal, solder and conductive ceramic, and catch a wrong power of ten. */
+#define PROPERTY(member) offsetof(struct material, member)
+const struct material_property material_properties[] = {
+    {"E_Pa", "E", "Pa", "Young's modulus", PROPERTY(youngs_modulus_Pa), 1e6, 1e13},
+    {"nu", "ν", "", "Poisson's ratio", PROPERTY(poisson_ratio), 0.0, 0.5},
+    {"Sy_Pa", "S_y", "Pa", "yield strength", PROPERTY(yield_strength_Pa), 1e3, 1e12},
+    {"resistivity_ohm_m", "ρ_L", "Ω·m", "electrical resistivity", PROPERTY(resistivity_ohm_m), 1e-12, 1e18},
+    {"conductivity_W_per_mK", "k", "W/(m·K)", "thermal conductivity", PROPERTY(conductivity_W_per_mK), 1e-4, 1e5},
+    {"density_kg_per_m3", "ρ", "kg/m³", "density", PROPERTY(density_kg_per_m3), 1.0, 1e5},
+    {"specific_heat_J_per_kgK", "c_p", "J/(kg·K)", "specific heat per unit mass", PROPERTY(specific_heat_J_per_kgK),
+     1.0, 1e5},
+    {"sound_speed_m_per_s", "v_s", "m/s", "speed of sound", PROPERTY(sound_speed_m_per_s), 1.0, 1e5},
+};
+const size_t material_property_count = sizeof material_properties / sizeof *material_properties;
+
+/* Near 20 °C. Yield strength depends on temper far more than the rest: each source names the temper. */
+const struct material material_table[] = {
+    {"tin", 41.369e9, 0.36, 14e6, 11.5e-8, 66.8, 7310, 227, 2730,
+     "Wilson 2008, table 6.1 (E, nu, S_y, resistivity); CRC Handbook of Chemistry and Physics (k, density, c_p, "
+     "v_s along a thin rod)"},
+    {"copper", 117e9, 0.34, 250e6, 1.72e-8, 391, 8940, 385, 4760,
+     "ETP copper C11000, half hard (H02): ASM Handbook vol. 2; longitudinal v_s, annealed: CRC Handbook of Chemistry "
+     "and Physics"},
+    {"brass", 110e9, 0.35, 300e6, 6.45e-8, 120, 8440, 377, 4700,
+     "CuZn37 (CW508L, C27200), hard (R410): S_y minimum of EN 1652, others ASM Handbook vol. 2; longitudinal v_s of "
+     "70/30 brass: CRC Handbook of Chemistry and Physics"},
+    {"bronze", 110e9, 0.34, 434e6, 12.2e-8, 66, 8840, 377, 4380,
+     "phosphor bronze CuSn6 (CW452K, C51900), half hard (H02): ASM Handbook vol. 2; longitudinal v_s computed from E, "
+     "nu and density"},
+    {"gold", 78e9, 0.44, 205e6, 2.214e-8, 318, 19300, 129, 3240,
+     "bulk gold for soft plating; S_y cold worked 60 %, near a third of a soft plate's hardness: ASM Handbook vol. 2; "
+     "resistivity, k, density, c_p, longitudinal v_s: CRC Handbook of Chemistry and Physics"},
+    {"silver", 83e9, 0.37, 54e6, 1.587e-8, 429, 10490, 235, 3650,
+     "fine silver, bulk, annealed (plated silver is harder): E, nu, S_y ASM Handbook vol. 2; others, longitudinal v_s: "
+     "CRC Handbook of Chemistry and Physics"},
+    {"nickel", 207e9, 0.31, 59e6, 6.93e-8, 90.7, 8900, 444, 6040,
+     "pure nickel, bulk, annealed (plated nickel is far harder): E, nu, S_y ASM Handbook vol. 2; others, longitudinal "
+     "v_s: CRC Handbook of Chemistry and Physics"},
+    {"aluminium", 68.9e9, 0.33, 276e6, 3.99e-8, 167, 2700, 896, 6420,
+     "alloy 6061-T6 (solution treated, aged): ASM Handbook vol. 2; longitudinal v_s of rolled aluminium: CRC Handbook "
+     "of Chemistry and Physics"},
+    {"steel", 193e9, 0.29, 215e6, 7.2e-7, 16.2, 8000, 500, 5790,
+     "stainless steel AISI 304, annealed: ASM Handbook vol. 1; longitudinal v_s of AISI 347: CRC Handbook of Chemistry "
+     "and Physics"},
+};
+const size_t material_table_count = sizeof material_table / sizeof *material_table;
+
+/* C = 1.295 exp(0.736 nu): where yielding starts under a spherical tip. Jackson & Green 2005; thesis (4.14). */
+static const double yield_coefficient_factor = 1.295;
+static const double yield_coefficient_exponent = 0.736;
+/* k = density c_p v_s lambda/3, kinetic theory; thesis (4.52). */
+static const double kinetic_dimensions = 3.0;
+
+const struct material *material_find(const char *name)
+{
+    for (size_t i = 0; i < material_table_count; i++)
+        if (strcasecmp(material_table[i].name, name) == 0)
+            return &material_table[i];
+    return NULL;
+}
+
+struct material material_unknown(const char *name)
+{
+    struct material material = {.youngs_modulus_Pa = NAN,
+                                .poisson_ratio = NAN,
+                                .yield_strength_Pa = NAN,
+                                .resistivity_ohm_m = NAN,
+                                .conductivity_W_per_mK = NAN,
+                                .density_kg_per_m3 = NAN,
+                                .specific_heat_J_per_kgK = NAN,
+                                .sound_speed_m_per_s = NAN};
+    snprintf(material.name, sizeof material.name, "%s", name);
+    return material;
+}
+
+double material_value(const struct material *material, const struct material_property *property)
+{
+    double value;
+    memcpy(&value, (const char *)material + property->offset, sizeof value);
+    return value;
+}
+
+/* (1 - nu²)/E of one body: what it adds to 1/E'. */
+static double compliance_per_Pa(const struct material *material)
+{
+    return (1.0 - material->poisson_ratio * material->poisson_ratio) / material->youngs_modulus_Pa;
+}
+
+/* lambda_mfp = 3k/(density v_s c_p) (4.52*). */
+static double mean_free_path_m(const struct material *material)
+{
+    return kinetic_dimensions * material->conductivity_W_per_mK /
+           (material->density_kg_per_m3 * material->sound_speed_m_per_s * material->specific_heat_J_per_kgK);
+}
+
+/* Which of the two yields first cannot be told when one strength is missing: then nothing of yielding is known. */
+static struct material softer_body(const struct material *first, const struct material *second)
+{
+    if (isnan(first->yield_strength_Pa) || isnan(second->yield_strength_Pa))
+        return material_unknown("");
+    return second->yield_strength_Pa < first->yield_strength_Pa ? *second : *first;
+}
+
+struct material_pair material_pair(const struct material *material, enum material_counterface kind,
+                                   const struct material *other)
+{
+    bool elastic = kind == MATERIAL_COUNTERFACE_ELASTIC;
+    const struct material *second = elastic ? other : material;
+    struct material softer = elastic ? softer_body(material, second) : *material;
+    double k1 = material->conductivity_W_per_mK, k2 = second->conductivity_W_per_mK;
+    double nu = material->poisson_ratio;
+
+    return (struct material_pair){
+        .effective_modulus_Pa = elastic ? 1.0 / (compliance_per_Pa(material) + compliance_per_Pa(second))
+                                        : material->youngs_modulus_Pa / (1.0 - nu * nu),
+        .yield_strength_Pa = softer.yield_strength_Pa,
+        .poisson_ratio = softer.poisson_ratio,
+        .yield_coefficient = yield_coefficient_factor * exp(yield_coefficient_exponent * softer.poisson_ratio),
+        .resistivity_ohm_m = (material->resistivity_ohm_m + second->resistivity_ohm_m) / 2.0,
+        .conductivity_W_per_mK = k1 * (2.0 * k2 / (k1 + k2)), /* exactly k when both are k */
+        .mean_free_path_m = {mean_free_path_m(material), mean_free_path_m(second)},
+        .side_conductivity_W_per_mK = {k1, k2},
+    };
+}

@@ -1,0 +1,66 @@
+/* Materials: the built-in table and the pair of them that a contact is made of (docs/equations.md, Material). */
+#ifndef MATERIAL_MATERIAL_H
+#define MATERIAL_MATERIAL_H
+
+#include "base/status.h"
+#include <stddef.h>
+
+/** One metal. A property that is not known is NaN. */
+struct material {
+    char name[64];
+    double youngs_modulus_Pa;       /* E */
+    double poisson_ratio;           /* nu */
+    double yield_strength_Pa;       /* S_y */
+    double resistivity_ohm_m;       /* rho_L */
+    double conductivity_W_per_mK;   /* k */
+    double density_kg_per_m3;       /* rho */
+    double specific_heat_J_per_kgK; /* c_p, per unit mass */
+    double sound_speed_m_per_s;     /* v_s */
+    char source[256];               /* where the numbers are from */
+};
+
+/** One row a property: drives the scene's keys, the `materials` command and the range checks. */
+struct material_property {
+    const char *key;    /* scene key: E_Pa, nu, Sy_Pa, ... */
+    const char *symbol; /* E, ν, S_y, ... */
+    const char *unit;   /* Pa, Ω·m, ... ("" for a ratio) */
+    const char *meaning;
+    size_t offset;      /* of the double in struct material */
+    double least, most; /* allowed range, inclusive */
+};
+
+extern const struct material_property material_properties[];
+extern const size_t material_property_count;
+extern const struct material material_table[];
+extern const size_t material_table_count;
+
+/** The built-in material of that name (case-insensitive), NULL when there is none. */
+const struct material *material_find(const char *name);
+/** A material with every property NaN and the given name. */
+struct material material_unknown(const char *name);
+/** Value of a property row in a material. */
+double material_value(const struct material *material, const struct material_property *property);
+
+enum material_counterface {
+    MATERIAL_COUNTERFACE_RIGID,   /* a rigid flat that conducts like the material */
+    MATERIAL_COUNTERFACE_ELASTIC, /* a second elastic body */
+};
+
+/** What the models need of the two bodies together. A quantity whose properties are missing is NaN. */
+struct material_pair {
+    double effective_modulus_Pa;  /* E': E/(1-nu²), or 1/E' = (1-nu1²)/E1 + (1-nu2²)/E2 */
+    double yield_strength_Pa;     /* S_y of the softer body */
+    double poisson_ratio;         /* nu of the softer body */
+    double yield_coefficient;     /* C = 1.295 exp(0.736 nu) */
+    double resistivity_ohm_m;     /* (rho1 + rho2)/2 */
+    double conductivity_W_per_mK; /* 2 k1 k2/(k1 + k2) */
+    double mean_free_path_m[2];   /* lambda_mfp = 3k/(density v_s c_p) of each side (4.52) */
+    double side_conductivity_W_per_mK[2];
+};
+
+/** Combines `material` with its counterface (`other` is read for MATERIAL_COUNTERFACE_ELASTIC only). The softer body is
+ * the one with the lower yield strength. Source: docs/equations.md, Material; thesis (4.14), (4.52). */
+struct material_pair material_pair(const struct material *material, enum material_counterface kind,
+                                   const struct material *other);
+
+#endif

@@ -1,0 +1,20 @@
+/* Numbers on their way into a file. NaN stands for what was not computed or does not exist; nothing is infinite. */
+#ifndef OUTPUT_CELL_H
+#define OUTPUT_CELL_H
+
+#include "base/text.h"
+#include <jansson.h>
+
+/** Whose numbers are written, and where the first that is infinite is reported: STATUS_NUMBER with quantity and
+ * surface, a fault of the program. The caller looks at `status` once the file is written. */
+struct cell_guard {
+    const char *surface; /* NULL: of no surface */
+    struct status *status;
+};
+
+/** Adds a comma and the number (%.17g, SI), nothing more for NaN. */
+void cell_number(struct text *row, const struct cell_guard *guard, const char *quantity, double value);
+/** The number, null for NaN. */
+json_t *cell_json(const struct cell_guard *guard, const char *quantity, double value);
+
+#endif

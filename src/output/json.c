@@ -1,0 +1,282 @@
+#include "output/json.h"
+
+#include "output/cell.h"
+
+#include "base/version.h"
+#include "output/cell.h"
+#include <errno.h>
+#include <jansson.h>
+#include <math.h>
+#include <string.h>
+
+static void set(json_t *object, const struct cell_guard *guard, const char *key, double value)
+{
+    json_object_set_new(object, key, cell_json(guard, key, value));
+}
+
+static json_t *pair_json(const char *name, const double values[2], const struct cell_guard *guard)
+{
+    return json_pack("[o, o]", cell_json(guard, name, values[0]), cell_json(guard, name, values[1]));
+}
+
+/** Text that may not be UTF-8 (a file name): it is then as the report shows it. */
+static json_t *string(const char *value)
+{
+    json_t *json = json_string(value);
+    if (json)
+        return json;
+    struct text shown = {0};
+    text_add_shown(&shown, value);
+    json = json_string(text_string(&shown));
+    text_free(&shown);
+    return json;
+}
+
+static json_t *material_json(const struct material *material, const struct cell_guard *guard)
+{
+    json_t *json = json_pack("{s:o}", "name", string(material->name));
+    for (size_t i = 0; i < material_property_count; i++)
+        set(json, guard, material_properties[i].key, material_value(material, &material_properties[i]));
+    json_object_set_new(json, "source", string(material->source));
+    return json;
+}
+
+/** The family of model `m` where all of it was asked for, at its first model; else the name of a single one. */
+static void add_model_name(json_t *names, uint64_t models, size_t m)
+{
+    const struct model_row *row = model_rows[m];
+    uint64_t family = model_find(row->family);
+    bool whole = (models & family) == family, first = (family & (MODEL_BIT(m) - 1)) == 0;
+    if ((models & MODEL_BIT(m)) && (first || !whole))
+        json_array_append_new(names, json_string(whole ? row->family : row->name));
+}
+
+static json_t *scene_json(const struct results *results, const struct cell_guard *guard)
+{
+    const struct scene *scene = results->scene;
+    json_t *effects = json_object(), *loads = json_array(), *models = json_array();
+    for (int e = 0; e < EFFECT_COUNT; e++) {
+        const struct plan_effect *effect = &results->plan->effects[e];
+        json_object_set_new(effects, effect_rows[e].name,
+                            json_pack("{s:b, s:s}", "runs", effect->runs, "reason", effect->reason));
+    }
+    for (size_t i = 0; i < results->load_count; i++)
+        json_array_append_new(loads, cell_json(guard, "loads_over_AnEp", results->loads[i]));
+    for (size_t m = 0; m < model_count; m++)
+        add_model_name(models, scene->models, m);
+    json_t *json = json_pack("{s:o, s:o, s:o, s:o}", "title", string(scene->title), "models", models, "effects",
+                             effects, "material", material_json(&scene->material, guard));
+    bool elastic = scene->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC;
+    json_object_set_new(json, "counterface",
+                        elastic ? material_json(&scene->counterface, guard) : json_string("rigid"));
+    set(json, guard, "nominal_area_m2", scene->nominal_area_m2);
+    json_object_set_new(json, "loads_over_AnEp", loads);
+    set(json, guard, "effective_modulus_Pa", results->plan->pair.effective_modulus_Pa);
+    set(json, guard, "tolerance", scene->tolerance);
+    json_object_set_new(json, "level", json_string(level_names[scene->level]));
+    json_object_set_new(json, "window", json_string(spectrum_window_names[scene->window]));
+    json_object_set_new(json, "moments", json_string(roughness_moments_names[scene->moments]));
+    json_object_set_new(json, "closure", json_string(sinusoid_fits[scene->closure].name));
+    json_object_set_new(json, "direction", json_string(scan_direction_names[scene->direction]));
+    set(json, guard, "max_missing", scene->max_missing);
+    set(json, guard, "lambda_s_m", scene->lambda_s_m);
+    set(json, guard, "lambda_c_m", scene->lambda_c_m);
+    set(json, guard, "tip_radius_m", scene->tip_radius_m);
+    json_object_set_new(json, "baseline", string(results->store->summaries[results->baseline].scene->name));
+    if (scene->measured.file)
+        json_object_set_new(json, "measured_file", string(scene->measured.file));
+    if (results->counterface)
+        json_object_set_new(json, "counterface_surface",
+                            json_pack("{s:o, s:s}", "file", string(scene->counterface_surface.files[0]), "sha256",
+                                      results->counterface->summary.hash));
+    double band_m[2] = {scene->fit_band_m[0], scene->fit_band_m[1]};
+    if (isinf(band_m[1])) /* up to the whole record */
+        band_m[1] = NAN;
+    json_object_set_new(json, "fit_band_m", pair_json("fit_band_m", band_m, guard));
+    const struct scene_convergence *study = &scene->convergence;
+    json_object_set_new(json, "convergence",
+                        json_pack("{s:o, s:o, s:o, s:o, s:I}", "alpha", cell_json(guard, "alpha", study->alpha),
+                                  "gamma", cell_json(guard, "gamma", study->gamma), "load",
+                                  cell_json(guard, "load", study->load), "scan_length_m",
+                                  cell_json(guard, "scan_length_m", study->scan_length_m), "scales",
+                                  (json_int_t)study->scales));
+    return json;
+}
+
+static json_t *curve_json(const struct model_curve *curve, const struct curve_summary *model, unsigned wanted,
+                          const struct cell_guard *guard)
+{
+    json_t *json = json_pack("{s:o, s:o, s:o, s:o, s:o, s:I}", "full_contact_load",
+                             cell_json(guard, "full_contact_load", model->full_load), "beta",
+                             cell_json(guard, "beta", model->beta), "beta_from_multiscale",
+                             cell_json(guard, "beta_from_multiscale", model->beta_multiscale), "area_load_slope",
+                             cell_json(guard, "area_load_slope", model->area_slope), "largest_load_share_beyond_fit",
+                             cell_json(guard, "largest_load_share_beyond_fit", model->most_beyond_fit), "evaluations",
+                             (json_int_t)model_evaluations(&model->work));
+    json_object_set_new(json, "areas_limited", json_integer((json_int_t)model->clamped));
+    set(json, guard, "largest_load_share_clamped_at_radius", model->most_radius_clamped);
+    for (int q = 0; q < QUANTITY_COUNT; q++) {
+        if (!(wanted & QUANTITY_BIT(q)))
+            continue;
+        json_t *values = json_array();
+        for (size_t i = 0; i < curve->count; i++)
+            json_array_append_new(
+                values, cell_json(guard, quantity_rows[q].name, quantity_value(&curve->points[i], (enum quantity)q)));
+        json_object_set_new(json, quantity_rows[q].name, values);
+    }
+    return json;
+}
+
+static json_t *mean_json(const char *name, const struct repeats_number *number, const struct cell_guard *guard)
+{
+    json_t *json = json_object();
+    set(json, guard, name, number->mean);
+    set(json, guard, "standard_deviation", repeats_deviation(number));
+    return json;
+}
+
+/** What repeated scans say apart; loads and alpha as logarithms. */
+static json_t *repeats_json(const struct surface_summary *summary, const struct cell_guard *guard)
+{
+    const struct repeats *spread = &summary->repeats;
+    const struct {
+        const char *name;
+        const struct repeats_number *number;
+    } numbers[] = {{"rq_m", &spread->rq_m}, {"gamma", &spread->gamma}, {"ln_alpha_SI", &spread->log_alpha}};
+    json_t *json = json_pack("{s:I}", "scans_run_alone", (json_int_t)spread->count);
+    json_object_set_new(json, "gamma_95", pair_json("gamma_95", spread->gamma_interval, guard));
+    json_object_set_new(json, "alpha_95", pair_json("alpha_95", spread->alpha_interval, guard));
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
+        json_object_set_new(json, numbers[i].name, mean_json("mean", numbers[i].number, guard));
+    for (size_t m = 0; m < model_count; m++)
+        if (summary->models[m].repeated_log_full_load.count > 0)
+            json_object_set_new(json, model_rows[m]->name,
+                                mean_json("ln_full_contact_load", &summary->models[m].repeated_log_full_load, guard));
+    return json;
+}
+
+static json_t *lines_json(const char *lines)
+{
+    json_t *array = json_array();
+    while (lines && *lines) {
+        size_t length = strcspn(lines, "\n");
+        char line[1024];
+        snprintf(line, sizeof line, "%.*s", (int)length, lines);
+        json_array_append_new(array, string(line));
+        lines += length + (lines[length] == '\n');
+    }
+    return array;
+}
+
+static json_t *surface_json(const struct surface_record *record, const struct plan *plan,
+                            const struct cell_guard *guard)
+{
+    const struct surface_summary *s = &record->summary;
+    json_t *files = json_array(), *models = json_object();
+    for (size_t f = 0; f < s->scene->file_count; f++)
+        json_array_append_new(files, string(s->scene->files[f]));
+    for (size_t m = 0; m < model_count; m++)
+        if (s->models[m].exists)
+            json_object_set_new(models, model_rows[m]->name,
+                                curve_json(&record->curves[m], &s->models[m], plan->wanted, guard));
+    json_t *json = json_pack("{s:o, s:o, s:s, s:s, s:s}", "surface", string(s->scene->name), "files", files, "sha256",
+                             s->hash, "format", s->format, "units", s->units);
+    const struct {
+        const char *name;
+        double value;
+    } numbers[] = {
+        {"points", (double)s->points},
+        {"spacing_m", s->spacing_m},
+        {"scan_length_m", s->length_m},
+        {"rq_m", s->roughness.rq_m},
+        {"ra_m", s->roughness.ra_m},
+        {"pv_m", s->roughness.pv_m},
+        {"m0_m2", s->roughness.m0_m2},
+        {"m2", s->roughness.m2},
+        {"m4_per_m2", s->roughness.m4_per_m2},
+        {"nayak", s->asperities.nayak},
+        {"asperity_density_per_m2", s->asperities.density_per_m2},
+        {"asperity_radius_m", s->asperities.radius_m},
+        {"asperity_sigma_m", s->asperities.sigma_s_m},
+        {"asperity_offset_m", s->asperities.offset_m},
+        {"alpha_SI", s->power_law.alpha},
+        {"alpha_stderr", s->power_law.alpha_error},
+        {"gamma", s->power_law.gamma},
+        {"gamma_stderr", s->power_law.gamma_error},
+        {"fit_rms_decades", s->power_law.rms_decades},
+        {"end_jump_m", s->jump_m},
+        {"end_jump_share", s->jump_share},
+    };
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
+        set(json, guard, numbers[i].name, numbers[i].value);
+    json_object_set_new(json, "scans", json_integer((json_int_t)s->scans));
+    if (s->repeats.count > 0)
+        json_object_set_new(json, "spread", repeats_json(s, guard));
+    json_object_set_new(json, "notes", lines_json(s->notes));
+    json_object_set_new(json, "models", models);
+    return json;
+}
+
+/** Evaluations by effect, predicted and done. */
+static json_t *work_json(const struct results *results)
+{
+    struct work_row predicted[WORK_ROWS], done[WORK_ROWS];
+    json_t *json = json_object();
+    work_table(predicted, &results->predicted, results->plan);
+    work_table(done, &results->done, results->plan);
+    for (int r = 0; r < WORK_ROWS; r++)
+        json_object_set_new(json, predicted[r].name,
+                            json_pack("{s:I, s:I}", "evaluations_predicted", (json_int_t)predicted[r].evaluations,
+                                      "evaluations_done", (json_int_t)done[r].evaluations));
+    return json;
+}
+
+/** Prints one value; takes it over. */
+static bool print(FILE *file, json_t *json)
+{
+    bool ok = json && json_dumpf(json, file, JSON_INDENT(1) | JSON_REAL_PRECISION(17)) == 0;
+    json_decref(json);
+    return ok;
+}
+
+enum status_code json_write(const struct results *results, const char *directory, struct status *status)
+{
+    struct text path = {0};
+    text_add(&path, "%s/results.json", directory);
+    FILE *file = fopen(text_string(&path), "w");
+    text_free(&path);
+    if (!file)
+        return status_fail(status, STATUS_IO, "cannot write results.json: %s", strerror(errno));
+    const struct cell_guard of_scene = {NULL, status};
+    fprintf(file, "{\"program\": \"roughcontact\",\n\"version\": \"%s\",\n\"scene\": ", version_string());
+    bool ok = print(file, scene_json(results, &of_scene)), first = true;
+    fputs(",\n\"surfaces\": [", file);
+    for (size_t i = 0; i < results->store->count && ok; i++) {
+        if (!results->store->summaries[i].usable)
+            continue;
+        const struct cell_guard guard = {results->store->summaries[i].scene->name, status};
+        struct surface_record record;
+        ok = surface_store_get(&record, results->store, i, status) == STATUS_OK;
+        fputs(first ? "\n" : ",\n", file);
+        first = false;
+        ok = ok && print(file, surface_json(&record, results->plan, &guard));
+        surface_record_free(&record, false);
+    }
+    fputs("],\n\"refused\": [", file);
+    first = true;
+    for (size_t i = 0; i < results->store->count && ok; i++) {
+        const struct surface_summary *s = &results->store->summaries[i];
+        if (s->usable)
+            continue;
+        fputs(first ? "\n" : ",\n", file);
+        first = false;
+        ok = print(file, json_pack("{s:o, s:o}", "surface", string(s->scene->name), "error", string(s->refusal)));
+    }
+    fputs("],\n\"work\": ", file);
+    ok = ok && print(file, work_json(results));
+    fputs("}\n", file);
+    bool bad = ferror(file) || !ok;
+    if (fclose(file) != 0 || bad)
+        return status_fail(status, STATUS_IO, "cannot write results.json");
+    return status->code; /* of a number that could not be written */
+}

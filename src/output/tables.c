@@ -1,0 +1,361 @@
+#include "output/tables.h"
+
+#include "output/cell.h"
+#include <errno.h>
+#include <math.h>
+#include <string.h>
+
+enum { SWEEP_ROWS = 200 };
+
+/** A file being written, row by row. */
+struct table {
+    FILE *file;
+    const char *name;
+    struct text row;
+    struct cell_guard guard; /* names the surface of the row */
+};
+
+static enum status_code table_open(struct table *out, const char *directory, const char *name, struct status *status)
+{
+    *out = (struct table){.name = name, .guard = {NULL, status}};
+    struct text path = {0};
+    text_add(&path, "%s/data/%s", directory, name);
+    out->file = fopen(text_string(&path), "w");
+    text_free(&path);
+    return out->file ? STATUS_OK : status_fail(status, STATUS_IO, "cannot write '%s': %s", name, strerror(errno));
+}
+
+/** Ends a row of cells. */
+static void end_row(struct table *table)
+{
+    text_add_bytes(&table->row, "\n", 1);
+    fwrite(table->row.data, 1, table->row.length, table->file);
+    table->row.length = 0;
+}
+
+static void put_number(struct table *table, const char *quantity, double value)
+{
+    cell_number(&table->row, &table->guard, quantity, value);
+}
+
+/** Starts a row with the surface's name. */
+static void put_surface(struct table *table, const struct surface_summary *surface)
+{
+    table->guard.surface = surface->scene->name;
+    text_add_csv(&table->row, surface->scene->name);
+}
+
+static enum status_code table_close(struct table *table)
+{
+    bool bad = !table->file || table->row.failed || ferror(table->file);
+    text_free(&table->row);
+    if ((table->file && fclose(table->file) != 0) || bad)
+        return status_fail(table->guard.status, STATUS_IO, "cannot write '%s': %s", table->name, strerror(errno));
+    return table->guard.status->code; /* of a number that could not be written */
+}
+
+/** What surfaces.csv says of a surface besides its name, files and points. */
+static const struct surface_column {
+    const char *name;
+    size_t offset;      /* in struct surface_summary */
+    bool of_asperities; /* there only when a model works on them */
+} surface_columns[] = {
+#define COLUMN(name, member, of_asperities)                                                                            \
+    {                                                                                                                  \
+        name, offsetof(struct surface_summary, member), of_asperities                                                  \
+    }
+    COLUMN("spacing_m", spacing_m, false),
+    COLUMN("scan_length_m", length_m, false),
+    COLUMN("rq_m", roughness.rq_m, false),
+    COLUMN("ra_m", roughness.ra_m, false),
+    COLUMN("m0_m2", roughness.m0_m2, false),
+    COLUMN("m2", roughness.m2, false),
+    COLUMN("m4_per_m2", roughness.m4_per_m2, false),
+    COLUMN("nayak", asperities.nayak, false),
+    COLUMN("asperity_density_per_m2", asperities.density_per_m2, true),
+    COLUMN("asperity_radius_m", asperities.radius_m, true),
+    COLUMN("asperity_sigma_m", asperities.sigma_s_m, true),
+    COLUMN("asperity_offset_m", asperities.offset_m, true),
+    COLUMN("alpha_SI", power_law.alpha, false),
+    COLUMN("alpha_stderr", power_law.alpha_error, false),
+    COLUMN("gamma", power_law.gamma, false),
+    COLUMN("gamma_stderr", power_law.gamma_error, false),
+    COLUMN("fit_rms_decades", power_law.rms_decades, false),
+#undef COLUMN
+};
+enum { SURFACE_COLUMNS = sizeof surface_columns / sizeof *surface_columns };
+
+/** Has this model an adjusted separation, and so a beta? */
+static bool has_beta(const struct plan *plan, size_t m)
+{
+    return plan_runs_model(plan, m) && (model_rows[m]->quantities & QUANTITY_BIT(QUANTITY_ADJUSTED));
+}
+
+static enum status_code write_surfaces(const struct results *results, const char *directory, struct status *status)
+{
+    const struct plan *plan = results->plan;
+    bool asperities = plan_uses_asperities(plan);
+    struct table table;
+    if (table_open(&table, directory, "surfaces.csv", status) != STATUS_OK)
+        return status->code;
+    text_add(&table.row, "surface,files,points");
+    for (int c = 0; c < SURFACE_COLUMNS; c++)
+        if (asperities || !surface_columns[c].of_asperities)
+            text_add(&table.row, ",%s", surface_columns[c].name);
+    for (size_t m = 0; m < model_count; m++)
+        if (has_beta(plan, m))
+            text_add(&table.row, ",beta_%s", model_rows[m]->name);
+    end_row(&table);
+    for (size_t i = 0; i < results->store->count; i++) {
+        const struct surface_summary *s = &results->store->summaries[i];
+        if (!s->usable)
+            continue;
+        put_surface(&table, s);
+        struct text files = {0};
+        for (size_t f = 0; f < s->scene->file_count; f++)
+            text_add(&files, "%s%s", f > 0 ? ";" : "", s->scene->files[f]);
+        text_add_bytes(&table.row, ",", 1);
+        text_add_csv(&table.row, text_string(&files));
+        text_free(&files);
+        text_add(&table.row, ",%zu", s->points);
+        for (int c = 0; c < SURFACE_COLUMNS; c++) {
+            double value;
+            memcpy(&value, (const char *)s + surface_columns[c].offset, sizeof value);
+            if (asperities || !surface_columns[c].of_asperities)
+                put_number(&table, surface_columns[c].name, value);
+        }
+        for (size_t m = 0; m < model_count; m++)
+            if (has_beta(plan, m))
+                put_number(&table, "beta", s->models[m].exists ? s->models[m].beta : NAN);
+        end_row(&table);
+    }
+    return table_close(&table);
+}
+
+static void put_spectrum(struct table *table, const struct surface_record *record)
+{
+    const struct spectrum *spectrum = &record->spectrum;
+    for (size_t i = 0; i < spectrum->count; i++) {
+        double wavelength_m = 1 / spectrum_frequency(spectrum, i);
+        put_surface(table, &record->summary);
+        put_number(table, "wavelength_m", wavelength_m);
+        put_number(table, "amplitude_m", spectrum->amplitude_m[i]);
+        put_number(table, "fit_m", power_law_amplitude(&record->summary.power_law, wavelength_m));
+        end_row(table);
+    }
+}
+
+static void contact_header(struct table *table, unsigned quantities)
+{
+    text_add(&table->row, "surface,model");
+    for (int q = 0; q < QUANTITY_COUNT; q++) {
+        const struct quantity_row *row = &quantity_rows[q];
+        if (!(quantities & QUANTITY_BIT(q)))
+            continue;
+        if (row->column)
+            text_add(&table->row, ",%s", row->column);
+        if (q == QUANTITY_LOAD)
+            text_add(&table->row, ",pressure_Pa");
+        if (row->sigma_column)
+            text_add(&table->row, ",%s", row->sigma_column);
+    }
+    end_row(table);
+}
+
+static void put_contact(struct table *table, const struct surface_record *record, unsigned quantities,
+                        double effective_modulus_Pa)
+{
+    double sigma_m = record->summary.asperities.sigma_m;
+    for (size_t m = 0; m < model_count; m++)
+        for (size_t i = 0; i < record->curves[m].count; i++) {
+            const struct contact_point *point = &record->curves[m].points[i];
+            put_surface(table, &record->summary);
+            text_add(&table->row, ",%s", model_rows[m]->name);
+            for (int q = 0; q < QUANTITY_COUNT; q++) {
+                const struct quantity_row *row = &quantity_rows[q];
+                if (!(quantities & QUANTITY_BIT(q)))
+                    continue;
+                double value = quantity_value(point, (enum quantity)q);
+                if (row->column)
+                    put_number(table, row->column, value);
+                if (q == QUANTITY_LOAD)
+                    put_number(table, "pressure_Pa", value * effective_modulus_Pa);
+                if (row->sigma_column)
+                    put_number(table, row->sigma_column, value / sigma_m);
+            }
+            end_row(table);
+        }
+}
+
+/** spectrum.csv and contact.csv in one pass over the store. */
+static enum status_code write_curves(const struct results *results, const char *directory, struct status *status)
+{
+    struct table spectrum, contact;
+    unsigned quantities = plan_quantities(results->plan);
+    if (table_open(&spectrum, directory, "spectrum.csv", status) != STATUS_OK)
+        return status->code;
+    enum status_code rc = table_open(&contact, directory, "contact.csv", status);
+    text_add(&spectrum.row, "surface,wavelength_m,amplitude_m,fit_m");
+    end_row(&spectrum);
+    if (rc == STATUS_OK)
+        contact_header(&contact, quantities);
+    for (size_t i = 0; i < results->store->count && rc == STATUS_OK; i++) {
+        struct surface_record record;
+        if (!results->store->summaries[i].usable)
+            continue;
+        rc = surface_store_get(&record, results->store, i, status);
+        if (rc != STATUS_OK)
+            break;
+        put_spectrum(&spectrum, &record);
+        put_contact(&contact, &record, quantities, results->plan->pair.effective_modulus_Pa);
+        surface_record_free(&record, false);
+    }
+    enum status_code first = table_close(&spectrum), second = table_close(&contact);
+    return rc != STATUS_OK ? rc : first != STATUS_OK ? first : second;
+}
+
+static enum status_code write_convergence(const struct results *results, const char *directory, struct status *status)
+{
+    const struct scene_convergence *study = &results->scene->convergence;
+    size_t index[SWEEP_ROWS], count = results_sweep_scales(index, SWEEP_ROWS, study->scales);
+    struct table table;
+    if (table_open(&table, directory, "convergence.csv", status) != STATUS_OK)
+        return status->code;
+    text_add(&table.row, "sweep,value,model,wavelength_m,area_ratio");
+    end_row(&table);
+    for (int s = 0; s < CONVERGENCE_SWEEP_COUNT; s++)
+        for (size_t v = 0; v < convergence_sweeps[s].count; v++)
+            for (size_t m = 0; m < model_count; m++) {
+                if (!plan_runs_model(results->plan, m) || !model_rows[m]->stacks_scales)
+                    continue;
+                const double *area = results_sweep(results, (enum convergence_sweep)s, m, v);
+                for (size_t k = 0; k < count; k++) {
+                    text_add(&table.row, "%s", convergence_sweeps[s].name);
+                    put_number(&table, "value", convergence_sweeps[s].values[v]);
+                    text_add(&table.row, ",%s", model_rows[m]->name);
+                    put_number(&table, "wavelength_m", study->scan_length_m / (double)(index[k] + 1));
+                    put_number(&table, "area_ratio", area[index[k]]);
+                    end_row(&table);
+                }
+            }
+    return table_close(&table);
+}
+
+static enum status_code write_cost(const struct benchmark *benchmark, const char *directory, struct status *status)
+{
+    struct table table;
+    if (table_open(&table, directory, "cost.csv", status) != STATUS_OK)
+        return status->code;
+    text_add(&table.row, "study,method,setting,evaluations,seconds,max_relative_error");
+    end_row(&table);
+    for (size_t i = 0; i < benchmark->count; i++) {
+        const struct benchmark_row *row = &benchmark->rows[i];
+        text_add(&table.row, "%s,%s,%s,%llu", row->study, row->method, row->setting,
+                 (unsigned long long)row->evaluations);
+        put_number(&table, "seconds", row->seconds);
+        put_number(&table, "max_relative_error", row->error);
+        end_row(&table);
+    }
+    return table_close(&table);
+}
+
+/** surface, quantity, scans, mean, standard deviation, and the 95 % interval where there is one. */
+static void put_spread_number(struct table *table, const struct surface_summary *surface, const char *quantity,
+                              const struct repeats_number *number, const double interval[2])
+{
+    if (number->count < 2)
+        return;
+    put_surface(table, surface);
+    text_add(&table->row, ",%s,%zu", quantity, number->count);
+    put_number(table, quantity, number->mean);
+    put_number(table, quantity, repeats_deviation(number));
+    put_number(table, quantity, interval ? interval[0] : NAN);
+    put_number(table, quantity, interval ? interval[1] : NAN);
+    end_row(table);
+}
+
+static enum status_code write_spread(const struct results *results, const char *directory, struct status *status)
+{
+    struct table table;
+    if (table_open(&table, directory, "spread.csv", status) != STATUS_OK)
+        return status->code;
+    text_add(&table.row, "surface,quantity,scans,mean,standard_deviation,low_95,high_95");
+    end_row(&table);
+    for (size_t i = 0; i < results->store->count; i++) {
+        const struct surface_summary *s = &results->store->summaries[i];
+        if (!s->usable)
+            continue;
+        const struct repeats *repeats = &s->repeats;
+        double log_alpha[2] = {log(repeats->alpha_interval[0]), log(repeats->alpha_interval[1])};
+        char quantity[80];
+        put_spread_number(&table, s, "rq_m", &repeats->rq_m, NULL);
+        put_spread_number(&table, s, "gamma", &repeats->gamma, repeats->gamma_interval);
+        put_spread_number(&table, s, "ln_alpha_SI", &repeats->log_alpha, log_alpha);
+        for (size_t m = 0; m < model_count; m++) {
+            snprintf(quantity, sizeof quantity, "beta_%s", model_rows[m]->name);
+            put_spread_number(&table, s, quantity, &s->models[m].repeated_beta, NULL);
+            snprintf(quantity, sizeof quantity, "ln_full_contact_load_%s", model_rows[m]->name);
+            put_spread_number(&table, s, quantity, &s->models[m].repeated_log_full_load, NULL);
+        }
+    }
+    return table_close(&table);
+}
+
+static void put_bands(struct table *table, const struct surface_record *record, unsigned quantities)
+{
+    for (size_t m = 0; m < model_count; m++)
+        for (size_t i = 0; record->bands[m] && i < record->band_count; i++) {
+            const struct repeats_band *band = &record->bands[m][i];
+            put_surface(table, &record->summary);
+            text_add(&table->row, ",%s", model_rows[m]->name);
+            put_number(table, quantity_rows[QUANTITY_LOAD].column, band->load);
+            for (int q = 0; q < QUANTITY_COUNT; q++)
+                for (int side = 0; side < 2 && (quantities & QUANTITY_BIT(q)); side++)
+                    put_number(table, quantity_rows[q].column, band->limits[q][side]);
+            end_row(table);
+        }
+}
+
+static enum status_code write_bands(const struct results *results, const char *directory, struct status *status)
+{
+    struct table table;
+    unsigned quantities = 0;
+    if (table_open(&table, directory, "bands.csv", status) != STATUS_OK)
+        return status->code;
+    text_add(&table.row, "surface,model,%s", quantity_rows[QUANTITY_LOAD].column);
+    for (int q = 0; q < QUANTITY_COUNT; q++)
+        if (repeats_band_holds((enum quantity)q) && (results->plan->wanted & QUANTITY_BIT(q))) {
+            text_add(&table.row, ",%s_low,%s_high", quantity_rows[q].column, quantity_rows[q].column);
+            quantities |= QUANTITY_BIT(q);
+        }
+    end_row(&table);
+    enum status_code rc = STATUS_OK;
+    for (size_t i = 0; i < results->store->count && rc == STATUS_OK; i++) {
+        struct surface_record record;
+        if (!results->store->summaries[i].usable || results->store->summaries[i].repeats.count == 0)
+            continue;
+        rc = surface_store_get(&record, results->store, i, status);
+        if (rc != STATUS_OK)
+            break;
+        put_bands(&table, &record, quantities);
+        surface_record_free(&record, false);
+    }
+    enum status_code closed = table_close(&table);
+    return rc != STATUS_OK ? rc : closed;
+}
+
+enum status_code tables_write(const struct results *results, const char *directory, struct status *status)
+{
+    enum status_code rc = write_surfaces(results, directory, status);
+    if (rc == STATUS_OK)
+        rc = write_curves(results, directory, status);
+    if (rc == STATUS_OK && results->convergence)
+        rc = write_convergence(results, directory, status);
+    if (rc == STATUS_OK && results->benchmark)
+        rc = write_cost(results->benchmark, directory, status);
+    if (rc == STATUS_OK && results_repeated(results))
+        rc = write_spread(results, directory, status);
+    if (rc == STATUS_OK && results_repeated(results))
+        rc = write_bands(results, directory, status);
+    return rc;
+}

@@ -1,0 +1,12 @@
+/* The files of OUT/data (docs/report.md): CSV, every number SI with 17 digits. Columns and rows of effects that did
+ * not run are absent; what a model does not compute is an empty cell. */
+#ifndef OUTPUT_TABLES_H
+#define OUTPUT_TABLES_H
+
+#include "results/results.h"
+
+/** Writes surfaces, spectrum and contact; convergence, cost, and (where a surface has several scans) spread and bands
+ * when there are such, below `directory` (data/ exists). Errors: STATUS_IO, STATUS_MEMORY, STATUS_NUMBER. */
+MUST_CHECK enum status_code tables_write(const struct results *results, const char *directory, struct status *status);
+
+#endif

@@ -1,0 +1,292 @@
+/* One surface in every model, quantity by quantity (thesis 6.3). */
+#include "report/section.h"
+
+#include <math.h>
+#include <string.h>
+
+/** Heads of the table's columns beyond area: the quantities of this run, and ohms where the nominal area is known. */
+static bool has_column(const struct section_context *context, int q)
+{
+    return q > QUANTITY_AREA && section_computes(context, (enum quantity)q);
+}
+
+static bool has_ohms(const struct section_context *context)
+{
+    return section_computes(context, QUANTITY_ECR) && isfinite(context->results->scene->nominal_area_m2);
+}
+
+static void add_head(struct text *out, const struct quantity_row *row)
+{
+    bool unit = row->unit[0] && !row->over_sigma && !strchr(row->symbol, ',');
+    text_add(out, unit ? " | %s (%s)" : " | %s", row->symbol, row->unit);
+}
+
+/** The baseline's quantities at three loads, a row a load and model. */
+static void baseline_table(struct text *out, const struct section_context *context)
+{
+    const struct results *results = context->results;
+    struct text rule = {0};
+    text_add(out, "| P/(Aₙ E′) | pressure (MPa) | model | A/Aₙ");
+    text_add(&rule, "|---:|---:|---|---:|");
+    for (int q = 0; q < QUANTITY_COUNT; q++)
+        if (has_column(context, q)) {
+            add_head(out, &quantity_rows[q]);
+            text_add(&rule, "---:|");
+        }
+    text_add(out, "%s |\n%s%s\n", has_ohms(context) ? " | ECR (Ω)" : "", text_string(&rule),
+             has_ohms(context) ? "---:|" : "");
+    text_free(&rule);
+    double sigma_m = context->baseline->summary.asperities.sigma_m;
+    for (size_t k = 1; k <= 3; k++) {
+        double load = results->loads[k * (results->load_count - 1) / 4];
+        if (k > 1 && load == results->loads[(k - 1) * (results->load_count - 1) / 4])
+            continue;
+        for (size_t m = 0; m < model_count; m++)
+            for (size_t i = 0; i < context->baseline->curves[m].count; i++) {
+                const struct contact_point *p = &context->baseline->curves[m].points[i];
+                if (p->load != load)
+                    continue;
+                text_add(out, "| ");
+                number_format_power(out, load, 3);
+                section_cell(out, load * results->plan->pair.effective_modulus_Pa * 1e-6, 3);
+                text_add(out, " | %s", model_rows[m]->label);
+                section_cell(out, p->area_ratio, 3);
+                for (int q = 0; q < QUANTITY_COUNT; q++)
+                    if (has_column(context, q))
+                        section_cell(out, quantity_shown(p, (enum quantity)q, sigma_m), 3);
+                if (has_ohms(context))
+                    section_cell(out, p->ecr_ohm_m2 / results->scene->nominal_area_m2, 3);
+                text_add(out, " |\n");
+            }
+    }
+}
+
+/** What was learned of each model of the baseline: a row a model, a column an effect. */
+static void model_table(struct text *out, const struct section_context *context)
+{
+    bool separation = section_computes(context, QUANTITY_SEPARATION),
+         electrical = section_computes(context, QUANTITY_ECR);
+    bool scale_dependent = section_computes(context, QUANTITY_TCR_SCALE_DEPENDENT);
+    text_add(out, "| model | n in A ∝ Pⁿ | A = Aₙ at%s%s%s |\n|---|---:|---:|%s%s%s\n", separation ? " | gap 0 at" : "",
+             electrical ? " | ECR elbow at" : "", scale_dependent ? " | scale dependence adds (%)" : "",
+             separation ? "---:|" : "", electrical ? "---:|" : "", scale_dependent ? "---:|" : "");
+    for (size_t m = 0; m < model_count; m++) {
+        const struct curve_summary *model = &context->baseline->summary.models[m];
+        if (!model->exists)
+            continue;
+        text_add(out, "| %s", model_rows[m]->label);
+        section_cell(out, model->area_slope, 3);
+        section_load_cell(out, model->full_load);
+        if (separation)
+            section_load_cell(out, model->closed_load);
+        if (electrical)
+            section_load_cell(out, model->elbow_load);
+        if (scale_dependent) {
+            text_add(out, " | ");
+            number_format_range(out, 100 * model->sd_least, 100 * model->sd_most, 2);
+        }
+        text_add(out, " |\n");
+    }
+}
+
+static void baseline_text(struct text *out, const struct section_context *context)
+{
+    const struct results *results = context->results;
+    const struct surface_summary *s = &context->baseline->summary;
+    section_named(out, "Surface ", results, results->baseline);
+    text_add(out, " (%s), Rq ",
+             results->scene->baseline    ? "chosen in the scene"
+             : results->usable_count > 1 ? "the second smoothest"
+                                         : "the only one");
+    number_format_between(out, "", s->roughness.rq_m * 1e6, 3, " µm.");
+    if (!s->has_asperities && plan_uses_asperities(results->plan))
+        text_add(out, " No statistical model exists for it: see the notes.");
+    else if (plan_uses_asperities(results->plan))
+        text_add(out,
+                 " A statistical model's curve ends at its full contact; it is dashed outside its range of validity.");
+    text_add(out, " At the loads of the table:");
+}
+
+/** The smallest and largest of a number over the baseline's models. */
+static bool model_range(const struct section_context *context, double (*number)(const struct curve_summary *),
+                        double *least, double *most, size_t *most_at)
+{
+    *least = INFINITY;
+    *most = -INFINITY;
+    for (size_t m = 0; m < model_count; m++) {
+        const struct curve_summary *model = &context->baseline->summary.models[m];
+        double value = model->exists ? number(model) : NAN;
+        if (!isfinite(value))
+            continue;
+        *least = fmin(*least, value);
+        if (value > *most) {
+            *most = value;
+            *most_at = m;
+        }
+    }
+    return *least <= *most;
+}
+
+static double area_slope(const struct curve_summary *model)
+{
+    return model->area_slope;
+}
+
+static double elbow_share(const struct curve_summary *model)
+{
+    return model->elbow_load / model->full_load;
+}
+
+static double scale_dependence(const struct curve_summary *model)
+{
+    return model->sd_most;
+}
+
+static void area_text(struct text *out, const struct section_context *context)
+{
+    double least, most;
+    size_t unused;
+    if (model_range(context, area_slope, &least, &most, &unused)) {
+        text_add(out, "Up to A/Aₙ = 0.1 the area grows as Pⁿ with n = ");
+        number_format_range(out, least, most, 3);
+        text_add(out, ". ");
+    }
+    bool first = true;
+    for (size_t m = 0; m < model_count; m++) {
+        size_t partner = model_index(model_rows[m]->elastic);
+        const struct contact_point *plastic = section_middle(context, m);
+        const struct contact_point *elastic = partner < model_count ? section_middle(context, partner) : NULL;
+        if (!elastic || !plastic)
+            continue;
+        if (first) {
+            text_add(out, "At ");
+            section_middle_pressure(out, context);
+            text_add(out, " yielding multiplies it by ");
+        }
+        number_format_between(out, first ? "" : " and by ", plastic->area_ratio / elastic->area_ratio, 3, "");
+        text_add(out, " (%s against %s)", model_rows[m]->label, model_rows[partner]->label);
+        first = false;
+    }
+    text_add(out, "%s", first ? "" : ".");
+}
+
+static void separation_text(struct text *out, const struct section_context *context)
+{
+    const struct surface_summary *s = &context->baseline->summary;
+    bool first = true;
+    for (size_t m = 0; m < model_count; m++) {
+        if (!s->models[m].exists || !(model_rows[m]->quantities & QUANTITY_BIT(QUANTITY_ADJUSTED)))
+            continue;
+        number_format_between(
+            out,
+            first ? "Statistical separations are adjusted (4.54) to be 0 at full contact; before, they are there "
+                  : ", ",
+            -s->models[m].beta / 2, 3, " σ");
+        text_add(out, " (%s)", model_rows[m]->label);
+        first = false;
+    }
+    text_add(out, "%s", first ? "" : ".");
+    for (size_t m = 0; m < model_count; m++) {
+        const struct curve_summary *plastic = &s->models[m];
+        if (!plastic->exists || !model_rows[m]->plastic || !model_rows[m]->stacks_scales ||
+            !(plastic->gap_at_full > 0.001))
+            continue;
+        number_format_between(out, first ? "" : " ", plastic->gap_at_full, 2, " σ are left where the ");
+        text_add(out, "%s area first is complete.", model_rows[m]->label);
+        first = false;
+    }
+}
+
+static void electrical_text(struct text *out, const struct section_context *context)
+{
+    double least, most;
+    size_t unused;
+    if (model_range(context, elbow_share, &least, &most, &unused)) {
+        text_add(out, "The elbow, from which ECR falls faster than P⁻², lies at ");
+        number_format_range(out, 100 * least, 100 * most, 2);
+        text_add(out, " %% of the load to full contact. ");
+    }
+    bool first = true;
+    for (size_t m = 0; m < model_count; m++) {
+        const struct comparison_gap *gap = &context->comparison->models[m].gap;
+        if (isnan(gap->ecr))
+            continue;
+        number_format_between(out, first ? "Multiscale and statistical curves lie " : "; ", gap->ecr, 2, "");
+        number_format_between(out, first ? " decades apart in ECR and " : " and ", gap->area, 2,
+                              first ? " in area" : "");
+        text_add(out, " (%s)", section_law(m, "plastic"));
+        first = false;
+    }
+    text_add(out, "%s", first ? "" : ".");
+}
+
+static void thermal_text(struct text *out, const struct section_context *context)
+{
+    if (isfinite(context->comparison->proportional_error)) {
+        const struct material_pair *pair = &context->results->plan->pair;
+        number_format_between(
+            out, "TCR is ECR times 1/(ρ k) = ", 1 / (pair->resistivity_ohm_m * pair->conductivity_W_per_mK), 4,
+            " K/(W·Ω) in every model, so the curves have the same shape. ");
+    }
+    double least, most;
+    size_t at = 0;
+    if (plan_runs(context->results->plan, EFFECT_SCALE_DEPENDENT) &&
+        model_range(context, scale_dependence, &least, &most, &at)) {
+        number_format_between(out, "Scale dependence raises it by at most ", 100 * most, 2, " %");
+        text_add(out, " (%s).", model_rows[at]->label);
+    }
+}
+
+static void caption(struct text *out, const struct section_context *context, const struct figure *figure)
+{
+    enum quantity y = figure->row->y;
+    struct comparison_extremes models = section_models(context, y);
+    if (y == QUANTITY_SEPARATION && section_computes(context, QUANTITY_ADJUSTED))
+        text_add(out, " Bold with squares: adjusted by (4.54); thin: the statistical models' own separation.");
+    if (y == QUANTITY_TCR && section_computes(context, QUANTITY_TCR_SCALE_DEPENDENT))
+        text_add(out, " Small crosses: scale-dependent, hidden by the plain curve where they differ little.");
+    if (figure->row->x != QUANTITY_LOAD || models.count == 0)
+        return;
+    section_at_middle(out, context, y, models.least);
+    if (models.count > 1) {
+        text_add(out, " (%s)", model_rows[models.least_at]->label);
+        section_to(out, y, models.most);
+        text_add(out, " (%s)", model_rows[models.most_at]->label);
+    }
+    text_add(out, ".");
+}
+
+/** The parts of the section: heading, quantity it needs, text, and the figures' place. */
+static const struct part {
+    const char *heading;
+    enum quantity quantity;
+    void (*text)(struct text *out, const struct section_context *context);
+    const char *place;
+} parts[] = {
+    {"Real contact area", QUANTITY_AREA, area_text, "baseline area"},
+    {"Separation", QUANTITY_SEPARATION, separation_text, "baseline separation"},
+    {"Electrical contact resistance", QUANTITY_ECR, electrical_text, "baseline electrical"},
+    {"Thermal contact resistance", QUANTITY_TCR, thermal_text, "baseline thermal"},
+};
+
+static void write(struct text *out, const struct section_context *context)
+{
+    text_add(out, "## ");
+    section_named(out, "Surface ", context->results, context->results->baseline);
+    text_add(out, " in every model\n\n");
+    baseline_text(out, context);
+    text_add(out, "\n\n");
+    baseline_table(out, context);
+    text_add(out, "\nOver all loads:\n\n");
+    model_table(out, context);
+    for (size_t p = 0; p < sizeof parts / sizeof *parts; p++) {
+        if (!section_computes(context, parts[p].quantity))
+            continue;
+        text_add(out, "\n### %s\n\n", parts[p].heading);
+        parts[p].text(out, context);
+        text_add(out, "\n\n");
+        section_figures(out, context, parts[p].place, caption);
+    }
+}
+
+const struct section section_baseline = {"baseline", NULL, write};

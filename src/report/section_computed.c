@@ -1,0 +1,99 @@
+/* What was computed: effects with their work, settings, inputs, notes and refusals. */
+#include "report/section.h"
+
+#include "base/version.h"
+#include <stdio.h>
+#include <string.h>
+
+static void work_rows(struct text *out, const struct section_context *context)
+{
+    struct work_row predicted[WORK_ROWS], done[WORK_ROWS];
+    const struct results *results = context->results;
+    work_table(predicted, &results->predicted, results->plan);
+    work_table(done, &results->done, results->plan);
+    text_add(out, "| effect | | why | method | evaluations predicted | done |\n|---|---|---|---|---:|---:|\n");
+    for (int r = 0; r < WORK_ROWS; r++)
+        text_add(out, "| %s | %s | %s | %s | %llu | %llu |\n", predicted[r].name, predicted[r].runs ? "run" : "skipped",
+                 predicted[r].reason, predicted[r].method, (unsigned long long)predicted[r].evaluations,
+                 (unsigned long long)done[r].evaluations);
+}
+
+static void settings_text(struct text *out, const struct section_context *context)
+{
+    const struct scene *scene = context->results->scene;
+    section_given(out, "Tolerance ", scene->tolerance, " (relative)");
+    if (plan_stacks_scales(context->results->plan))
+        text_add(out, ", sinusoid closure `%s`: %s", sinusoid_fits[scene->closure].name,
+                 sinusoid_fits[scene->closure].source);
+    text_add(out, ".");
+}
+
+static void surface_inputs(struct text *out, const struct section_context *context, size_t index)
+{
+    const struct surface_summary *s = section_surface(context, index);
+    text_add(out, " | ");
+    for (size_t f = 0; f < s->scene->file_count; f++) {
+        text_add(out, "%s", f > 0 ? ", " : "");
+        text_add_markdown(out, s->scene->files[f]);
+    }
+    text_add(out, " | %s | ", s->format);
+    text_add_markdown(out, s->units);
+    text_add(out, " | `%.16s…`", s->hash);
+}
+
+/** One line of the lists of notes and refusals. */
+static void list_item(struct text *out, const struct section_context *context, size_t index, const char *line)
+{
+    text_add(out, "- ");
+    section_surface_name(out, context->results, index);
+    text_add(out, ": ");
+    text_add_markdown(out, line);
+    text_add(out, "\n");
+}
+
+static void notes(struct text *out, const struct section_context *context)
+{
+    size_t items = 0;
+    for (size_t i = 0; i < context->results->store->count; i++)
+        for (const char *line = section_surface(context, i)->notes; line && *line;) {
+            char single[1200];
+            size_t length = strcspn(line, "\n");
+            snprintf(single, sizeof single, "%.*s", (int)length, line);
+            if (items++ < SECTION_ROWS)
+                list_item(out, context, i, single);
+            line += length + (line[length] == '\n');
+        }
+    if (items > SECTION_ROWS)
+        text_add(out, "- … %zu more in results.json\n", items - SECTION_ROWS);
+}
+
+static void refused(struct text *out, const struct section_context *context)
+{
+    size_t items = 0;
+    for (size_t i = 0; i < context->results->store->count; i++)
+        if (section_surface(context, i)->refusal && items++ < SECTION_ROWS)
+            list_item(out, context, i, section_surface(context, i)->refusal);
+    if (items > SECTION_ROWS)
+        text_add(out, "- … %zu more in results.json\n", items - SECTION_ROWS);
+}
+
+static void write(struct text *out, const struct section_context *context)
+{
+    struct text list = {0};
+    text_add(out, "## What was computed\n\n");
+    work_rows(out, context);
+    text_add(out, "\n");
+    settings_text(out, context);
+    text_add(out, "\n\n| surface | files | format | units | SHA-256 |\n|---|---|---|---|---|\n");
+    section_each_surface(out, context, surface_inputs);
+    notes(&list, context);
+    if (list.length > 0)
+        text_add(out, "\n**Notes on the scans.**\n\n%s", text_string(&list));
+    list.length = 0;
+    refused(&list, context);
+    if (list.length > 0)
+        text_add(out, "\n**Refused.**\n\n%s", text_string(&list));
+    text_free(&list);
+}
+
+const struct section section_computed = {"computed", NULL, write};

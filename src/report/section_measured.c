@@ -1,0 +1,35 @@
+/* Measured contact resistance beside the models. */
+#include "report/section.h"
+
+static bool called_for(const struct section_context *context)
+{
+    return context->results->measured != NULL;
+}
+
+static void write(struct text *out, const struct section_context *context)
+{
+    const struct measured *measured = context->results->measured;
+    text_add(out, "## Measured contact resistance\n\nDistance of each model from the measurements on ");
+    section_named(out, "surface ", context->results, context->results->baseline);
+    text_add(out, ": root mean square and mean of log₁₀(model/measured). Measured loads were given in ");
+    text_add_markdown(out, measured->load_unit);
+    text_add(out, ", resistances in ");
+    text_add_markdown(out, measured->resistance_unit);
+    text_add(out, "; the charts join the points in the order in which they were measured.\n\n");
+    text_add(out, "| model | points compared | loads compared | RMS distance (decades) | mean (decades) |\n"
+                  "|---|---:|---|---:|---:|\n");
+    for (size_t m = 0; m < model_count; m++) {
+        if (!context->baseline->curves[m].exists)
+            continue;
+        struct measured_distance distance = measured_compare(measured, &context->baseline->curves[m]);
+        text_add(out, "| %s | %zu of %zu | ", model_rows[m]->label, distance.points, measured->count);
+        number_format_range(out, distance.load[0], distance.load[1], 2);
+        text_add(out, " | ");
+        number_format(out, distance.rms_decades, 3);
+        text_add(out, " | ");
+        number_format(out, distance.bias_decades, 3);
+        text_add(out, " |\n");
+    }
+}
+
+const struct section section_measured = {"measured", called_for, write};

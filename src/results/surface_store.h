@@ -1,0 +1,33 @@
+/* The surfaces' arrays on disk between evaluation and report, so that memory does not grow with their number.
+ * Summaries stay in memory; spectra, curves and previews go to an unnamed temporary file. */
+#ifndef RESULTS_SURFACE_STORE_H
+#define RESULTS_SURFACE_STORE_H
+
+#include "analysis/surface.h"
+#include <pthread.h>
+#include <stdio.h>
+
+struct surface_store {
+    struct surface_summary *summaries; /* one a surface of the scene, in its order */
+    long *offsets;                     /* of its arrays in `file` */
+    size_t count;
+    FILE *file;
+    pthread_mutex_t lock;
+};
+
+/** `directory` is where the temporary file goes (it is unlinked at once); NULL: only summaries are kept. Owned:
+ * surface_store_close().
+ * Errors: STATUS_IO, STATUS_MEMORY. */
+MUST_CHECK enum status_code surface_store_open(struct surface_store *out, const char *directory, size_t count,
+                                               struct status *status);
+void surface_store_close(struct surface_store *store);
+
+/** Stores surface `index`, in place of what was stored for it before, and takes its summary's texts over; may be called
+ * from several threads. Error: STATUS_IO; then the texts are still the caller's. */
+MUST_CHECK enum status_code surface_store_put(struct surface_store *store, size_t index,
+                                              const struct surface_record *record, struct status *status);
+/** Reads it back, from any thread; end it with surface_record_free(record, false). Errors: STATUS_IO, STATUS_MEMORY. */
+MUST_CHECK enum status_code surface_store_get(struct surface_record *out, struct surface_store *store, size_t index,
+                                              struct status *status);
+
+#endif

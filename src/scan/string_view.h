@@ -1,0 +1,53 @@
+/* Pieces of a text file in memory: views, the lines of a file, the cells of a line. Nothing is copied. */
+#ifndef SCAN_STRING_VIEW_H
+#define SCAN_STRING_VIEW_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <string.h>
+
+/** The characters start..end-1; not terminated. */
+struct string_view {
+    const char *start, *end;
+};
+
+static inline size_t string_view_length(struct string_view view)
+{
+    return (size_t)(view.end - view.start);
+}
+
+static inline struct string_view string_view_of(const char *string)
+{
+    return (struct string_view){string, string + strlen(string)};
+}
+
+static inline bool string_view_is_blank_char(char c)
+{
+    return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v';
+}
+
+/** `view` without blanks at both ends. */
+struct string_view string_view_trim(struct string_view view);
+/** Do the first characters of `view` equal `prefix` (ASCII case ignored)? */
+bool string_view_starts(struct string_view view, const char *prefix);
+/** Does `view` equal `word` (ASCII case ignored)? */
+bool string_view_equals(struct string_view view, const char *word);
+/** Does it equal one of `words`, which blanks separate? */
+bool string_view_is_one_of(struct string_view view, const char *words);
+
+/** Walks over lines that end in LF, CRLF or, in a file without any LF, CR. */
+struct lines {
+    const char *next, *end;
+    char stop;     /* '\n' or '\r' */
+    size_t number; /* of the line handed out last, from 1 */
+};
+
+struct lines lines_begin(struct string_view text);
+/** Hands out the next line without its end; false behind the last one. */
+bool lines_next(struct lines *lines, struct string_view *line);
+
+/** Cuts the next cell, trimmed, off `rest`; false when nothing is left. With `delimiter` ' ' any run of blanks
+ * separates, but not before '[' or '(', so that `x [mm] z [um]` is two cells. */
+bool cell_next(struct string_view *rest, char delimiter, struct string_view *cell);
+
+#endif

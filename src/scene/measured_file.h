@@ -1,0 +1,42 @@
+/* The text file of a measurement: rows of load, resistance and perhaps its error, and the units it names. */
+#ifndef SCENE_MEASURED_FILE_H
+#define SCENE_MEASURED_FILE_H
+
+#include "base/text.h"
+#include "base/unit.h"
+#include "scan/string_view.h"
+
+enum { MEASURED_LOAD, MEASURED_RESISTANCE, MEASURED_ERROR, MEASURED_COLUMNS };
+
+/** What is known of a column's unit. */
+struct measured_unit {
+    bool known;
+    struct unit unit;
+    char text[UNIT_LENGTH]; /* as written there */
+    size_t line;            /* of the file; 0: the scene says so */
+};
+
+struct measured_row {
+    double value[MEASURED_COLUMNS]; /* as written; the error NaN where there is none */
+    size_t line;
+};
+
+/** Owned: measured_file_free(). */
+struct measured_file {
+    struct measured_row *rows; /* in the file's order */
+    size_t count;
+    struct measured_unit units[MEASURED_COLUMNS];
+};
+
+/** Reads `content`, called `name` in messages. `quantities` has the enum unit_quantity bits that each column may be in.
+ * A row begins with a number; its cells are delimited by semicolons, tabs, commas or blanks, and a number may have its
+ * unit behind it. The last two lines before the rows that have as many cells (or a comment there whose columns all have
+ * one) are headings; they name a unit as `load (N)`, `load [N]`, `F/N`, `load, N`, `load_N`, `load N`, or in a line of
+ * units below the names. What else is no row is passed over. Errors: STATUS_SCENE with file and line: a row of another
+ * form, numbers that are not positive, a unit that is unknown or not of the column's quantities, two units for one
+ * column; STATUS_MEMORY. */
+MUST_CHECK enum status_code measured_file_read(struct measured_file *out, struct string_view content, const char *name,
+                                               const unsigned quantities[MEASURED_COLUMNS], struct status *status);
+void measured_file_free(struct measured_file *file);
+
+#endif

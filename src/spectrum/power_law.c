@@ -1,0 +1,133 @@
+#include "spectrum/power_law.h"
+
+#include <math.h>
+
+const double power_law_gaussian_scatter_decades = 0.27850215700262515; /* pi/(sqrt(24) ln 10) */
+
+/** Running sums of a straight-line fit y = intercept + slope x, about a fixed origin to keep digits. */
+struct sums {
+    double n, x, y, xx, xy, yy;
+};
+
+struct line {
+    double slope, intercept, residual; /* residual: sum of squares */
+    double x_mean, x_spread;           /* x_spread: sum (x - x_mean)² */
+};
+
+static void sums_add(struct sums *sums, double x, double y)
+{
+    sums->n += 1;
+    sums->x += x;
+    sums->y += y;
+    sums->xx += x * x;
+    sums->xy += x * y;
+    sums->yy += y * y;
+}
+
+static struct sums sums_rest(const struct sums *all, const struct sums *part)
+{
+    return (struct sums){all->n - part->n,   all->x - part->x,   all->y - part->y,
+                         all->xx - part->xx, all->xy - part->xy, all->yy - part->yy};
+}
+
+static struct line line_of(const struct sums *sums)
+{
+    double x_mean = sums->x / sums->n, y_mean = sums->y / sums->n;
+    double xx = sums->xx - sums->n * x_mean * x_mean, xy = sums->xy - sums->n * x_mean * y_mean;
+    double yy = sums->yy - sums->n * y_mean * y_mean;
+    double slope = xy / xx;
+    return (struct line){slope, y_mean - slope * x_mean, fmax(0, yy - slope * xy), x_mean, xx};
+}
+
+static bool in_band(const struct spectrum *spectrum, size_t i, const double band_m[2])
+{
+    double wavelength_m = 1 / spectrum_frequency(spectrum, i);
+    return spectrum->amplitude_m[i] > 0 && wavelength_m >= band_m[0] * (1 - 1e-12) &&
+           wavelength_m <= band_m[1] * (1 + 1e-12);
+}
+
+/** Origin of the sums: x = log10(lambda/L), y = log10(Delta/1 um). */
+static double log_wavelength(size_t i)
+{
+    return -log10((double)(i + 1));
+}
+
+static double log_amplitude(const struct spectrum *spectrum, size_t i)
+{
+    return log10(spectrum->amplitude_m[i] / 1e-6);
+}
+
+/** Looks for the wavelength at which two straight lines beat one by the Bayesian information criterion with a margin of
+ * 10 ("very strong"), each over at least 8 harmonics and a factor of 2 in wavelength, with slopes 0.3 apart. */
+static void find_knee(struct power_law *law, const struct spectrum *spectrum, const struct sums *all, double residual)
+{
+    struct sums longer = {0};
+    double best = residual, first_x = NAN, last_x = NAN;
+    for (size_t i = 0; i < spectrum->count; i++)
+        if (in_band(spectrum, i, law->band_m)) {
+            first_x = isnan(first_x) ? log_wavelength(i) : first_x;
+            last_x = log_wavelength(i);
+        }
+    for (size_t i = 0; i < spectrum->count; i++) {
+        if (!in_band(spectrum, i, law->band_m))
+            continue;
+        double x = log_wavelength(i);
+        sums_add(&longer, x, log_amplitude(spectrum, i));
+        struct sums shorter = sums_rest(all, &longer);
+        if (longer.n < 8 || shorter.n < 8 || first_x - x < M_LN2 / M_LN10 || x - last_x < M_LN2 / M_LN10)
+            continue;
+        struct line above = line_of(&longer), below = line_of(&shorter);
+        double both = above.residual + below.residual;
+        if (both < best && fabs(above.slope - below.slope) > 0.3) {
+            best = both;
+            law->knee_m = 1 / spectrum_frequency(spectrum, i);
+            law->gamma_above = above.slope;
+            law->gamma_below = below.slope;
+        }
+    }
+    /* three more parameters; an exact law leaves nothing to gain */
+    double gain = residual > 0 ? all->n * log(residual / fmax(best, 1e-300)) - 3 * log(all->n) : 0;
+    if (gain <= 10)
+        law->knee_m = law->gamma_above = law->gamma_below = NAN;
+}
+
+struct power_law power_law_fit(const struct spectrum *spectrum, const double band_m[2])
+{
+    struct power_law law = {NAN, NAN, NAN, NAN, NAN, {band_m[0], band_m[1]}, 0, NAN, NAN, NAN};
+    struct sums sums = {0};
+    size_t first = 0, last = 0;
+    for (size_t i = 0; i < spectrum->count; i++)
+        if (in_band(spectrum, i, band_m)) {
+            first = sums.n > 0 ? first : i;
+            last = i;
+            sums_add(&sums, log_wavelength(i), log_amplitude(spectrum, i));
+        }
+    law.harmonics = (size_t)sums.n;
+    if (law.harmonics < 3)
+        return law;
+    law.band_m[0] = 1 / spectrum_frequency(spectrum, last);
+    law.band_m[1] = 1 / spectrum_frequency(spectrum, first);
+
+    struct line line = line_of(&sums);
+    double variance = line.residual / (sums.n - 2);
+    double log_length = log10(spectrum->length_m);
+    double log_alpha = line.intercept - 6 - line.slope * log_length;
+    /* log10 alpha is the line's value at x = -log10 L, where its error is that of the mean and of the slope together */
+    double lever = -log_length - line.x_mean;
+    double log_alpha_error = sqrt(variance * (1 / sums.n + lever * lever / line.x_spread));
+    double alpha = pow(10, log_alpha), alpha_error = alpha * M_LN10 * log_alpha_error;
+    if (!isnormal(alpha) || !isfinite(alpha_error)) /* a steep law through a record of 1e-20 m */
+        return law;
+    law.gamma = line.slope;
+    law.gamma_error = sqrt(variance / line.x_spread);
+    law.alpha = alpha;
+    law.alpha_error = alpha_error;
+    law.rms_decades = sqrt(line.residual / sums.n);
+    find_knee(&law, spectrum, &sums, line.residual);
+    return law;
+}
+
+double power_law_amplitude(const struct power_law *law, double wavelength_m)
+{
+    return law->alpha * pow(wavelength_m, law->gamma);
+}

@@ -1,0 +1,296 @@
+/* What accuracy costs: each method on a real surface against what it must come to. Times are never tested. */
+#include "analysis/benchmark.h"
+#include "contact/convergence.h"
+#include "contact/multiscale.h"
+#include "contact/statistical.h"
+#include "profile/synth.h"
+#include "support.h"
+
+#include <stdio.h>
+
+enum { POINTS = 256, LOADS = 13 };
+
+static struct surface_record *record;
+static struct scene scene;
+static struct plan plan;
+static double loads[LOADS];
+static struct benchmark cost;
+
+static int make(void **state)
+{
+    (void)state;
+    struct synth_def def = synth_def_default();
+    struct status status = {0};
+    double height_m[POINTS];
+    def.points = POINTS;
+    def.length_m = 5e-7 * POINTS;
+    def.seed = 3;
+    assert_int_equal(synth_profile(height_m, &def, &status), STATUS_OK);
+    record = calloc(1, sizeof *record);
+    assert_non_null(record);
+    record->summary.usable = true;
+    record->summary.models = calloc(model_count, sizeof *record->summary.models);
+    record->summary.roughness = roughness_of_heights(height_m, POINTS, 5e-7);
+    assert_int_equal(spectrum_compute(&record->spectrum, height_m, POINTS, 5e-7, SPECTRUM_WINDOW_NONE, &status),
+                     STATUS_OK);
+    assert_int_equal(roughness_asperities(&record->summary.asperities, &record->summary.roughness, &status), STATUS_OK);
+    record->summary.has_asperities = true;
+    scene = (struct scene){.models = model_defaults(),
+                           .effects = (1u << EFFECT_COUNT) - 1 - EFFECT_BIT(EFFECT_CONVERGENCE),
+                           .material = *material_find("tin"),
+                           .counterface_kind = MATERIAL_COUNTERFACE_RIGID,
+                           .counterface = material_unknown("rigid"),
+                           .tolerance = 1e-7,
+                           .closure = SINUSOID_FIT_THESIS};
+    plan_make(&plan, &scene);
+    for (int i = 0; i < LOADS; i++)
+        loads[i] = pow(10, -6 + i / 4.0);
+    assert_int_equal(surface_run_models(record, &scene, &plan, loads, LOADS, &status), STATUS_OK);
+    const struct benchmark_task task = {record, &scene, &plan, loads, LOADS};
+    assert_int_equal(benchmark_measure(&cost, &task, &status), STATUS_OK);
+    return 0;
+}
+
+static int end(void **state)
+{
+    (void)state;
+    benchmark_free(&cost);
+    surface_record_free(record, true);
+    free(record);
+    return 0;
+}
+
+static const struct benchmark_row *find(const char *study, const char *method, const char *setting)
+{
+    const struct benchmark_row *row = benchmark_find(&cost, study, method, setting);
+    if (!row)
+        fail_msg("no %s, %s, %s", study, method, setting ? setting : "(chosen)");
+    return row;
+}
+
+/* Each method comes to the same integrals, from its own formula of the law: one that did not would be off by as much
+ * as its integrand, its closed form, or the one it is held against. */
+static void test_the_integrals_agree(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *study, *method, *setting;
+        double most;
+    } rows[] = {
+        {"gw-integrals", "Simpson", "100000", 1e-5},       {"gw-integrals", "adaptive", "1e-10", 1e-9},
+        {"gw-integrals", "Gauss-Legendre", "1e-10", 1e-9}, {"gw-integrals", "closed form", "", 1e-10},
+        {"jg-integrals", "Simpson", "100000", 1e-4},       {"jg-integrals", "adaptive", "1e-10", 1e-9},
+        {"jg-integrals", "Gauss-Legendre", "1e-10", 1e-9}, {"jg-integrals", "Gauss-Legendre", "1e-07", 1e-6},
+        {"jg-integrals", "Gauss-Legendre", "0.001", 1e-2},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        double error = find(rows[i].study, rows[i].method, rows[i].setting)->error;
+        if (!(error <= rows[i].most))
+            fail_msg("%s, %s, %s: %g", rows[i].study, rows[i].method, rows[i].setting, error);
+    }
+}
+
+/* More effort, less error; evaluations as the rule has them. */
+static void test_effort_and_error(void **state)
+{
+    (void)state;
+    static const char *const studies[] = {"gw-integrals", "jg-integrals"};
+    static const char *const intervals[] = {"10", "100", "1000", "10000", "100000"};
+    for (int s = 0; s < 2; s++) {
+        double before = INFINITY;
+        for (int i = 0; i < 5; i++) {
+            const struct benchmark_row *row = find(studies[s], "Simpson", intervals[i]);
+            assert_int_equal(row->evaluations, 3 * (strtoul(intervals[i], NULL, 10) + 1)); /* at 3 separations */
+            assert_true(row->error < before);
+            before = row->error;
+            assert_int_equal(row->chart, BENCHMARK_INTEGRALS);
+        }
+        assert_true(find(studies[s], "Simpson", "10")->error > 1e-3);
+        assert_true(find(studies[s], "adaptive", "1e-12")->evaluations >
+                    find(studies[s], "adaptive", "1e-03")->evaluations);
+    }
+}
+
+/** int_0^inf law(u) phi(u + d) du but for a factor: area, load, radius, and radius with scale dependence k; by
+ * Simpson's rule in u (`squared` false: as the thesis does), or in sqrt(u). */
+static double simpson(int quantity, double d, double k, size_t intervals, bool squared)
+{
+    double last = d > 0 ? 80 / (d + sqrt(d * d + 80)) : sqrt(80) - d; /* the Gaussian has fallen by e^-40 */
+    double end_of_range = squared ? sqrt(last) : last, step = end_of_range / (double)intervals, sum = 0;
+    for (size_t i = 0; i <= intervals; i++) {
+        double t = step * (double)i, u = squared ? t * t : t;
+        const double laws[] = {u, u * sqrt(u), sqrt(u), u > 0 ? u / (sqrt(u) + k) : 0};
+        double value = laws[quantity] * exp(-u * u / 2 - u * d) * (squared ? 2 * t : 1);
+        sum += value * (i == 0 || i == intervals ? 1 : i % 2 ? 4 : 2);
+    }
+    return sum * step / 3;
+}
+
+/* The error of GW by the thesis's rule, from integrals of its own at the same three separations. */
+static void test_the_error_itself(void **state)
+{
+    (void)state;
+    static const size_t intervals[] = {10, 30, 100, 1000};
+    const struct asperities *surface = &record->summary.asperities;
+    struct status status = {0};
+    struct statistical gw;
+    struct contact_point point;
+    uint64_t none = 0;
+    assert_int_equal(statistical_make(&gw, surface, &plan.pair, ASPERITY_HERTZ, 0, 1, INFINITY, &none, &status),
+                     STATUS_OK);
+    size_t last = LOADS;
+    while (loads[last - 1] >= gw.full_load)
+        last--;
+    const size_t index[] = {0, last / 2, last - 1};
+    double k = gw.spot.knudsen_length_m / sqrt(surface->radius_m * surface->sigma_s_m), d = 3;
+    for (size_t i = 0; i < sizeof intervals / sizeof *intervals; i++) {
+        double error = 0;
+        for (int s = 0; s < 3; s++) {
+            assert_true(statistical_solve(&point, &gw, loads[index[s]], &d));
+            for (int q = 0; q < 4; q++)
+                error = fmax(error, fabs(simpson(q, d, k, intervals[i], false) / simpson(q, d, k, 20000, true) - 1));
+        }
+        char setting[24];
+        snprintf(setting, sizeof setting, "%zu", intervals[i]);
+        assert_near(find("gw-integrals", "Simpson", setting)->error, error, 1e-4);
+    }
+    statistical_free(&gw);
+}
+
+/* What the report uses: the closed forms and the panels at the scene's tolerance, one closure. */
+static void test_what_is_chosen(void **state)
+{
+    (void)state;
+    size_t chosen = 0;
+    assert_string_equal(find("jg-integrals", "Gauss-Legendre", NULL)->setting, "1e-07");
+    assert_string_equal(find("gw-integrals", "Gauss-Legendre", NULL)->setting, "1e-07"); /* of scale dependence */
+    assert_true(find("gw-integrals", "closed form", "")->chosen);
+    assert_true(find("closure-area", "thesis", "")->chosen);
+    assert_false(find("closure-area", "numeric", "")->chosen);
+    for (size_t i = 0; i < cost.count; i++)
+        chosen += cost.rows[i].chosen;
+    assert_int_equal(chosen, 5); /* and closure-gap */
+    assert_null(benchmark_find(&cost, "jg-integrals", "closed form", ""));
+    assert_null(benchmark_find(&cost, "gw-integrals", "Simpson", NULL));
+}
+
+/* Without scale dependence GW needs closed forms alone. */
+static void test_closed_forms_alone(void **state)
+{
+    (void)state;
+    struct status status = {0};
+    struct plan plain = plan;
+    struct benchmark rows = {0};
+    plan_switch_off(&plain, EFFECT_SCALE_DEPENDENT);
+    const struct benchmark_task task = {record, &scene, &plain, loads, LOADS};
+    assert_int_equal(benchmark_integrals(&rows, &task, &status), STATUS_OK);
+    assert_null(benchmark_find(&rows, "gw-integrals", "Gauss-Legendre", NULL));
+    assert_true(benchmark_find(&rows, "gw-integrals", "closed form", NULL)->error < 1e-10);
+    assert_non_null(benchmark_find(&rows, "jg-integrals", "Gauss-Legendre", NULL));
+    benchmark_free(&rows);
+}
+
+/* Leaving out the shorter half of the scales: the stack of the longer ones alone, worked out here. */
+static void test_the_cut_off(void **state)
+{
+    (void)state;
+    struct status status = {0};
+    struct spectrum half = record->spectrum;
+    struct constriction none = {0};
+    struct multiscale stack;
+    uint64_t visits = 0;
+    double error = 0;
+    half.count /= 2;
+    assert_int_equal(multiscale_make(&stack, &half, &plan.pair, false, scene.closure, &status), STATUS_OK);
+    for (int i = 0; i < LOADS; i++) {
+        struct contact_point point;
+        multiscale_solve(&point, &stack, &none, 0, loads[i], &visits);
+        size_t m = model_index(&model_multiscale_elastic);
+        error = fmax(error, fabs(point.area_ratio / record->curves[m].points[i].area_ratio - 1));
+    }
+    multiscale_free(&stack);
+    const struct benchmark_row *row = NULL;
+    size_t rows = 0;
+    for (size_t i = 0; i < cost.count; i++)
+        if (strcmp(cost.rows[i].study, "cut-off") == 0 && strcmp(cost.rows[i].method, "multiscale-elastic") == 0) {
+            row = &cost.rows[i]; /* the last keeps most */
+            rows++;
+        }
+    assert_int_equal(rows, 7);
+    assert_string_equal(row->setting, "2um"); /* 128 um over 64 */
+    assert_int_equal(row->evaluations, visits);
+    assert_near(row->error, error, 1e-9);
+    assert_int_equal(row->chart, BENCHMARK_CURVES);
+}
+
+/* Loads left out: the interpolation falls short between loads at which the area follows no power; with more of them
+ * less. Settings are the loads kept. */
+static void test_the_number_of_loads(void **state)
+{
+    (void)state;
+    static const char *const settings[] = {"5", "9", "17", "33", "65", "129"};
+    for (size_t m = 0; m < model_count; m++) {
+        if (!record->curves[m].exists)
+            continue;
+        for (int i = 0; i < 6; i++) {
+            const struct benchmark_row *row = find("loads", model_rows[m]->name, settings[i]);
+            assert_true(row->error >= 0 && row->error < 1);
+            assert_true(row->evaluations > 0);
+        }
+        assert_true(find("loads", model_rows[m]->name, "129")->error < find("loads", model_rows[m]->name, "5")->error);
+    }
+    /* GW between 9 loads, from a run of its own at the 17 that halve their steps */
+    size_t gw = 0;
+    while (strcmp(model_rows[gw]->name, "gw") != 0)
+        gw++;
+    double fine[17], error = 0;
+    struct contact_point points[18];
+    struct model_curve curve = {.points = points};
+    struct status status = {0};
+    for (int i = 0; i < 17; i++)
+        fine[i] = loads[0] * pow(loads[LOADS - 1] / loads[0], i / 16.0);
+    struct model_task task = surface_task(record, &scene, &plan, fine, 17);
+    assert_int_equal(model_run(&curve, model_rows[gw], &task, &status), STATUS_OK);
+    for (size_t i = 1; i + 1 < curve.count; i += 2) {
+        double x = log(points[i].load / points[i - 1].load) / log(points[i + 1].load / points[i - 1].load);
+        double between = pow(points[i - 1].area_ratio, 1 - x) * pow(points[i + 1].area_ratio, x);
+        error = fmax(error, fabs(between / points[i].area_ratio - 1));
+    }
+    assert_near(find("loads", "gw", "9")->error, error, 1e-6);
+}
+
+static void test_the_closures(void **state)
+{
+    (void)state;
+    for (int c = 0; c < SINUSOID_FIT_COUNT; c++)
+        for (int gap = 0; gap < 2; gap++)
+            assert_near(find(gap ? "closure-gap" : "closure-area", sinusoid_fits[c].name, "")->error,
+                        sinusoid_fit_error((enum sinusoid_fit_id)c, gap), 1e-12);
+}
+
+static void count_runs(void *context)
+{
+    ++*(int *)context;
+}
+
+static void test_the_clock(void **state)
+{
+    (void)state;
+    int runs = 0;
+    double seconds = benchmark_time(count_runs, &runs);
+    assert_true(runs >= 2 && runs <= 12);
+    assert_true(seconds >= 0 && seconds < INFINITY);
+    assert_true(cost.seconds > 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_the_integrals_agree), cmocka_unit_test(test_effort_and_error),
+        cmocka_unit_test(test_what_is_chosen),      cmocka_unit_test(test_closed_forms_alone),
+        cmocka_unit_test(test_the_cut_off),         cmocka_unit_test(test_the_number_of_loads),
+        cmocka_unit_test(test_the_closures),        cmocka_unit_test(test_the_clock),
+        cmocka_unit_test(test_the_error_itself),
+    };
+    return cmocka_run_group_tests(tests, make, end);
+}

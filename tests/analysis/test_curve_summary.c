@@ -1,0 +1,142 @@
+/* What a curve is condensed to, on curves whose numbers follow from a formula. */
+#include "analysis/curve_summary.h"
+#include "support.h"
+
+enum { LOADS = 41 };
+
+static struct contact_point points[LOADS];
+static struct model_curve curve;
+
+static const struct model_row plain = {.name = "plain", .quantities = (1u << QUANTITY_COUNT) - 1, .largest_area = 0.1};
+
+/* Loads 1e-6 ... 1e-2, ten a decade, A/A_n = 10 load^0.9, ECR = 1e-12 load^-slope. */
+static void make(double slope)
+{
+    curve = (struct model_curve){.exists = true,
+                                 .points = points,
+                                 .count = LOADS,
+                                 .full_load = 0.02,
+                                 .closed_load = 0.03,
+                                 .beta = 5,
+                                 .full = {.separation_m = 3e-8, .adjusted_m = 2e-8},
+                                 .yielding_scales = 4,
+                                 .clamped = 6};
+    for (int i = 0; i < LOADS; i++) {
+        double load = pow(10, -6 + i / 10.0);
+        points[i] = (struct contact_point){.load = load,
+                                           .area_ratio = 10 * pow(load, 0.9),
+                                           .ecr_ohm_m2 = 1e-12 * pow(load, -slope),
+                                           .tcr_K_m2_per_W = 1,
+                                           .tcr_sd_K_m2_per_W = 1.01 + 0.001 * i};
+    }
+}
+
+static struct curve_summary summary_of(void)
+{
+    struct curve_summary summary = {.seconds = 3, .bounds.yield = 7, .repeated_beta.count = 2};
+    curve_summary_make(&summary, &curve, &plain, 1e-7);
+    return summary;
+}
+
+static void test_the_slope_of_the_area(void **state)
+{
+    (void)state;
+    make(1);
+    struct curve_summary s = summary_of();
+    assert_near(s.area_slope, 0.9, 1e-9);
+    assert_within(s.area_slope_rms, 0, 1e-6);
+    assert_near(s.area_low, 10 * pow(1e-6, 0.9), 1e-12);
+    for (int i = 0; i < LOADS; i++) /* no part of the law from A/A_n = 0.1 on */
+        if (points[i].area_ratio >= 0.1)
+            points[i].area_ratio = 0.1 + 0.1 * points[i].area_ratio;
+    assert_near(summary_of().area_slope, 0.9, 1e-9);
+    for (int i = 0; i < LOADS; i++) /* every second one above, the others below by 0.01 decades */
+        points[i].area_ratio = pow(10, -5 + i / 20.0 + (i % 2 ? 0.01 : -0.01));
+    assert_near(summary_of().area_slope, 0.5, 0.01);
+    assert_near(summary_of().area_slope_rms, 0.01, 0.01);
+    curve.count = 5;
+    assert_true(isfinite(summary_of().area_slope));
+    curve.count = 4; /* too few */
+    assert_true(isnan(summary_of().area_slope));
+}
+
+/* The elbow is where |d ln ECR/d ln P| first exceeds 2, or ECR goes to 0. */
+static void test_the_elbow(void **state)
+{
+    (void)state;
+    make(1.99);
+    assert_true(isnan(summary_of().elbow_load));
+    make(2.01);
+    assert_near(summary_of().elbow_load, 1e-6, 1e-9);
+    make(1.99);
+    for (int i = 20; i < LOADS; i++) /* from the 20th point on it falls more steeply */
+        points[i].ecr_ohm_m2 = points[19].ecr_ohm_m2 * pow(points[i].load / points[19].load, -2.01);
+    assert_near(summary_of().elbow_load, points[19].load, 1e-9);
+    make(1);
+    points[30].ecr_ohm_m2 = 0;
+    assert_near(summary_of().elbow_load, points[29].load, 1e-9);
+    for (int i = 0; i < LOADS; i++)
+        points[i].ecr_ohm_m2 = NAN;
+    assert_true(isnan(summary_of().elbow_load));
+}
+
+static void test_where_it_is_not_valid(void **state)
+{
+    (void)state;
+    make(1);
+    for (int i = 0; i < LOADS; i++) {
+        points[i].area_ratio = i < 15 ? 0.1 : 0.1001;
+        points[i].beyond_fit = i < 12 ? 0.1 : 0.1001;
+        points[i].radius_clamped = i == 20 ? 0.3 : 0;
+    }
+    points[33].beyond_fit = 0.4;
+    struct curve_summary s = summary_of();
+    assert_near(s.invalid_area_load, points[15].load, 1e-12);
+    assert_near(s.invalid_fit_load, points[12].load, 1e-12);
+    assert_near(s.most_beyond_fit, 0.4, 1e-12);
+    assert_near(s.most_radius_clamped, 0.3, 1e-12);
+    assert_int_equal(curve_summary_first_invalid(&curve, &plain), 12);
+    for (int i = 0; i < LOADS; i++)
+        points[i].beyond_fit = 0;
+    assert_int_equal(curve_summary_first_invalid(&curve, &plain), 15);
+    struct model_row any = plain;
+    any.largest_area = 0; /* valid at any area */
+    assert_int_equal(curve_summary_first_invalid(&curve, &any), LOADS);
+    curve_summary_make(&s, &curve, &any, 1e-7);
+    assert_true(isnan(s.invalid_area_load) && isnan(s.invalid_fit_load));
+}
+
+static void test_the_rest(void **state)
+{
+    (void)state;
+    make(1);
+    points[40].tcr_K_m2_per_W = 0; /* full contact */
+    struct curve_summary s = summary_of();
+    assert_near(s.sd_least, 0.01, 1e-9);
+    assert_near(s.sd_most, 0.01 + 0.039, 1e-9);
+    assert_near(s.gap_at_full, 0.2, 1e-12); /* the adjusted one, over sigma */
+    assert_near(s.full_load, 0.02, 1e-12);
+    assert_near(s.closed_load, 0.03, 1e-12);
+    assert_near(s.beta, 5, 1e-12);
+    assert_true(isnan(s.beta_multiscale));
+    assert_int_equal(s.yielding_scales, 4);
+    assert_int_equal(s.clamped, 6);
+    assert_near(s.seconds, 3, 1e-12); /* what was known before stays */
+    assert_near(s.bounds.yield, 7, 1e-12);
+    assert_int_equal(s.repeated_beta.count, 2);
+    struct model_row stacked = plain;
+    stacked.quantities &= ~QUANTITY_BIT(QUANTITY_ADJUSTED);
+    curve_summary_make(&s, &curve, &stacked, 1e-7);
+    assert_near(s.gap_at_full, 0.3, 1e-12);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_the_slope_of_the_area),
+        cmocka_unit_test(test_the_elbow),
+        cmocka_unit_test(test_where_it_is_not_valid),
+        cmocka_unit_test(test_the_rest),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,265 @@
+/* How the models' bounds decide on effects. The program has a table of its own, of models whose bounds are known. */
+#include "analysis/effect_bounds.h"
+#include "support.h"
+
+#include <stdio.h>
+
+/* ---------------------------------------------------------------- models */
+
+static struct model_work no_work(const struct model_row *row, const struct model_task *task)
+{
+    (void)row;
+    return (struct model_work){.scales = task->spectrum->count,
+                               .gaps = task->wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT) ? 5 : 0};
+}
+
+/** The amplitude of the first harmonic, in metres. */
+static double amplitude_bound(const struct model_row *row, const struct model_task *task)
+{
+    (void)row;
+    return task->spectrum->amplitude_m[0];
+}
+
+static double no_bound(const struct model_row *row, const struct model_task *task)
+{
+    (void)row, (void)task;
+    return 0;
+}
+
+static void reason(char *out, size_t size, double bound, bool runs)
+{
+    snprintf(out, size, "%s %.3g", runs ? "yields" : "rests", bound);
+}
+
+/** Twice the amplitude, for a visit. */
+static enum status_code raise_bound(double *most, uint64_t *visits, const struct model_row *row,
+                                    const struct model_task *task, struct status *status)
+{
+    (void)row, (void)status;
+    *most = 2 * task->spectrum->amplitude_m[0];
+    *visits += 1;
+    return STATUS_OK;
+}
+
+enum { ALL = (1u << QUANTITY_COUNT) - 1 };
+enum { ELASTIC, STACK, SPHERES, UNBOUNDED };
+
+static struct model_row elastic = {
+    .name = "elastic", .label = "Elastic", .family = "f", .quantities = ALL, .work = no_work};
+static struct model_row stack = {.name = "stack",
+                                 .label = "Stack",
+                                 .family = "f",
+                                 .plastic = true,
+                                 .stacks_scales = true,
+                                 .quantities = ALL,
+                                 .work = no_work,
+                                 .yield_bound = amplitude_bound,
+                                 .yield_reason = reason,
+                                 .scale_dependence_bound = raise_bound};
+static struct model_row spheres = {.name = "spheres",
+                                   .label = "Spheres",
+                                   .family = "g",
+                                   .plastic = true,
+                                   .quantities = ALL,
+                                   .work = no_work,
+                                   .yield_bound = no_bound,
+                                   .yield_reason = reason,
+                                   .scale_dependence_bound = raise_bound};
+static struct model_row unbounded = {
+    .name = "unbounded", .label = "Unbounded", .family = "h", .plastic = true, .quantities = ALL, .work = no_work};
+
+const struct model_row *const model_rows[] = {&elastic, &stack, &spheres, &unbounded};
+const size_t model_count = 4;
+
+/* ---------------------------------------------------------------- a surface */
+
+static struct scene scene;
+static struct plan plan;
+static struct surface_record record;
+static double amplitudes_m[3]; /* of the mean and of two scans */
+static const double loads[] = {1e-4};
+
+static int make(void **state)
+{
+    (void)state;
+    elastic.scale_dependence_bound = raise_bound;
+    amplitudes_m[0] = 1e-6;
+    amplitudes_m[1] = amplitudes_m[2] = 0.5e-6;
+    scene = (struct scene){.effects_auto = true, .tolerance = 1e-8, .convergence.load = 1e-3};
+    plan = (struct plan){.running = (1u << EFFECT_COUNT) - 1,
+                         .wanted = ALL,
+                         .models = MODEL_BIT(ELASTIC) | MODEL_BIT(STACK) | MODEL_BIT(SPHERES),
+                         .pair = {.effective_modulus_Pa = 1e11}};
+    record = (struct surface_record){.summary = {.usable = true, .length_m = 1e-3, .spacing_m = 1e-6}};
+    record.summary.models = calloc(model_count, sizeof *record.summary.models);
+    assert_non_null(record.summary.models);
+    record.spectrum = (struct spectrum){&amplitudes_m[0], 1, 1e-3, false};
+    record.summary.power_law = (struct power_law){.alpha = 1e-4, .gamma = NAN};
+    return 0;
+}
+
+static int end(void **state)
+{
+    (void)state;
+    free(record.summary.models);
+    return 0;
+}
+
+#define bounds_test(test) cmocka_unit_test_setup_teardown(test, make, end)
+
+static const struct curve_bounds *bounds_of(size_t m)
+{
+    struct status status = {0};
+    record.summary.bound.visits = 0;
+    for (size_t i = 0; i < model_count; i++)
+        record.summary.models[i].bounds = (struct curve_bounds){0};
+    assert_int_equal(effect_bounds_surface(&record, &scene, &plan, loads, 1, &status), STATUS_OK);
+    return &record.summary.models[m].bounds;
+}
+
+static void add_repeats(void)
+{
+    record.repeat_count = 2;
+    for (int r = 0; r < 2; r++)
+        record.repeats[r].spectrum = (struct spectrum){&amplitudes_m[r + 1], 1, 1e-3, false};
+}
+
+/* ---------------------------------------------------------------- bounds */
+
+static void test_yield_of_the_surface_its_scans_and_its_extension(void **state)
+{
+    (void)state;
+    assert_near(bounds_of(STACK)->yield, 1e-6, 1e-12);
+    add_repeats();
+    assert_near(bounds_of(STACK)->yield, 1e-6, 1e-12);
+    amplitudes_m[2] = 3e-6;
+    assert_near(bounds_of(STACK)->yield, 3e-6, 1e-12);
+    scene.convergence.load = 1e-9; /* not converged */
+    /* the law at its longest wavelength: 0.1 (1e-3)^1.5; at an atom's only where it is the steeper end */
+    record.summary.power_law = (struct power_law){.alpha = 0.1, .gamma = 1.5};
+    assert_near(bounds_of(STACK)->yield, 0.1 * pow(1e-3, 1.5), 1e-9);
+    assert_near(bounds_of(SPHERES)->yield, 0, 0);
+    plan_switch_off(&plan, EFFECT_CONVERGENCE);
+    assert_near(bounds_of(STACK)->yield, 3e-6, 1e-12);
+    plan.running |= EFFECT_BIT(EFFECT_CONVERGENCE);
+    record.summary.power_law = (struct power_law){.alpha = 1, .gamma = -0.1};
+    assert_near(bounds_of(STACK)->yield, pow(3e-10, -0.1), 1e-9);
+    plan.models |= MODEL_BIT(UNBOUNDED);
+    assert_true(isinf(bounds_of(UNBOUNDED)->yield));
+}
+
+/* Converged: gamma >= 1, and the nominal pressure at least p* = sqrt2 pi E' Delta f at the sampling limit. */
+static void test_converged(void **state)
+{
+    (void)state;
+    double limit_m = 2e-6;
+    for (int side = -1; side <= 1; side += 2) {
+        double slope = 1e-3 / (sqrt(2) * M_PI) * (1 + 1e-6 * side); /* Delta f */
+        record.summary.power_law = (struct power_law){.alpha = slope / pow(limit_m, 0.5), .gamma = 1.5};
+        bounds_of(STACK);
+        assert_int_equal(record.summary.bound.converged, side < 0);
+        record.summary.power_law = (struct power_law){.alpha = 0.5 * slope, .gamma = 1};
+        bounds_of(STACK);
+        assert_true(record.summary.bound.converged);
+        record.summary.power_law = (struct power_law){.alpha = 0.5 * slope * pow(limit_m, 0.001), .gamma = 0.999};
+        bounds_of(STACK);
+        assert_false(record.summary.bound.converged);
+    }
+}
+
+/* Scale dependence is bounded until an elastic model decides; a plastic one that cannot yield is not asked. */
+static void test_scale_dependence(void **state)
+{
+    (void)state;
+    assert_near(bounds_of(ELASTIC)->scale_dependence, 2e-6, 1e-12);
+    assert_near(bounds_of(STACK)->scale_dependence, 0, 0);
+    assert_int_equal(record.summary.bound.visits, 1);
+    scene.tolerance = 3e-6;
+    assert_near(bounds_of(STACK)->scale_dependence, 2e-6, 1e-12);
+    assert_near(bounds_of(SPHERES)->scale_dependence, 0, 0);
+    assert_int_equal(record.summary.bound.visits, 2);
+    scene.tolerance = 2e-6; /* at the tolerance is within it */
+    bounds_of(ELASTIC);
+    assert_int_equal(record.summary.bound.visits, 2);
+    elastic.scale_dependence_bound = NULL;
+    assert_true(isinf(bounds_of(ELASTIC)->scale_dependence));
+    plan_switch_off(&plan, EFFECT_SCALE_DEPENDENT);
+    assert_near(bounds_of(ELASTIC)->scale_dependence, 0, 0);
+}
+
+static void test_work_of_scans_alone(void **state)
+{
+    (void)state;
+    add_repeats();
+    assert_int_equal(bounds_of(ELASTIC)->repeats_work[0].scales, 2);
+    assert_int_equal(bounds_of(ELASTIC)->repeats_work[0].gaps, 0);
+    assert_int_equal(bounds_of(ELASTIC)->repeats_work[1].gaps, 10);
+    scene.effects_auto = false; /* counted all the same, and nothing is bounded */
+    assert_int_equal(bounds_of(STACK)->repeats_work[1].gaps, 10);
+    assert_near(bounds_of(STACK)->yield, 0, 0);
+}
+
+/* ---------------------------------------------------------------- decisions */
+
+static void decide(double yield, double raise)
+{
+    bounds_of(STACK);
+    record.summary.models[STACK].bounds.yield = yield;
+    record.summary.models[SPHERES].bounds.yield = 0.5e-8;
+    record.summary.models[ELASTIC].bounds.scale_dependence = raise;
+    effect_bounds_plan(&plan, &scene, &record.summary, 1);
+}
+
+static void test_decisions(void **state)
+{
+    (void)state;
+    decide(1.01e-8, 1.01e-8);
+    assert_true(plan_runs(&plan, EFFECT_PLASTICITY) && plan_runs(&plan, EFFECT_SCALE_DEPENDENT));
+    assert_string_equal(plan.effects[EFFECT_PLASTICITY].reason, "yields 1.01e-08");
+    assert_string_equal(plan.effects[EFFECT_SCALE_DEPENDENT].reason, "(8/3π) λmfp/a can raise TCR by 1e-08");
+    assert_string_equal(plan.effects[EFFECT_CONVERGENCE].reason,
+                        "1 of 1 surfaces may lose area below their sampling limit");
+    decide(0.99e-8, 0.99e-8);
+    assert_false(plan_runs(&plan, EFFECT_PLASTICITY) || plan_runs(&plan, EFFECT_SCALE_DEPENDENT));
+    assert_string_equal(plan.effects[EFFECT_PLASTICITY].reason, "rests 9.9e-09, and rests 5e-09");
+    assert_false(plan.wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT));
+}
+
+/* A refused surface has no say; nor has a bound in a scene that lists its effects. */
+static void test_who_has_no_say(void **state)
+{
+    (void)state;
+    record.summary.usable = false;
+    decide(1, 1);
+    assert_false(plan_runs(&plan, EFFECT_PLASTICITY) || plan_runs(&plan, EFFECT_SCALE_DEPENDENT));
+    plan.running = (1u << EFFECT_COUNT) - 1;
+    scene.effects_auto = false;
+    record.summary.usable = true;
+    decide(0, 0);
+    assert_true(plan_runs(&plan, EFFECT_PLASTICITY) && plan_runs(&plan, EFFECT_SCALE_DEPENDENT));
+}
+
+static void test_models_without_a_bound(void **state)
+{
+    (void)state;
+    plan.models |= MODEL_BIT(UNBOUNDED);
+    scene.tolerance = 1e-5; /* above the others' bounds */
+    decide(0, 0);
+    assert_true(plan_runs(&plan, EFFECT_PLASTICITY) && plan_runs(&plan, EFFECT_SCALE_DEPENDENT));
+    assert_string_equal(plan.effects[EFFECT_PLASTICITY].reason, "Unbounded yields");
+    assert_string_equal(plan.effects[EFFECT_SCALE_DEPENDENT].reason, "Unbounded has no bound on it");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        bounds_test(test_yield_of_the_surface_its_scans_and_its_extension),
+        bounds_test(test_converged),
+        bounds_test(test_scale_dependence),
+        bounds_test(test_work_of_scans_alone),
+        bounds_test(test_decisions),
+        bounds_test(test_who_has_no_say),
+        bounds_test(test_models_without_a_bound),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

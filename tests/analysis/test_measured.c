@@ -1,0 +1,361 @@
+#include "analysis/measured.h"
+#include "directory.h"
+#include "scene/measured_file.h"
+
+static struct directory place;
+
+/* What the scene says of a file: quantity, units ("" for none), and the contact's area [m²], NaN for none. */
+struct said {
+    enum scene_measured_quantity quantity;
+    const char *load_unit, *resistance_unit;
+    double area_m2;
+};
+
+/* Reads `csv` under such a scene, E' being 10 GPa. */
+static enum status_code read_csv(struct measured *out, const char *csv, const struct said *said, struct status *status)
+{
+    static char name[] = "ecr.csv";
+    struct plan plan = {.running = EFFECT_BIT(EFFECT_ELECTRICAL) | EFFECT_BIT(EFFECT_THERMAL)};
+    struct scene scene = {.directory = place.path, .nominal_area_m2 = said->area_m2};
+    scene.measured = (struct scene_measured){.file = name, .quantity = said->quantity};
+    snprintf(scene.measured.load_unit, UNIT_LENGTH, "%s", said->load_unit);
+    snprintf(scene.measured.resistance_unit, UNIT_LENGTH, "%s", said->resistance_unit);
+    plan.pair.effective_modulus_Pa = 1e10;
+    directory_write(&place, name, csv);
+    *status = (struct status){0};
+    return measured_read(out, &scene, &plan, status);
+}
+
+static void units_are_the_models(void **state)
+{
+    (void)state;
+    static const struct {
+        struct said said;
+        double load, resistance;
+    } cases[] = {{{SCENE_MEASURED_ECR, "dimensionless", "ohm m2", NAN}, 20, 3e-3},
+                 {{SCENE_MEASURED_ECR, "Pa", "ohm m2", NAN}, 2e-9, 3e-3},
+                 {{SCENE_MEASURED_ECR, "Pa", "ohm", 1e-6}, 2e-9, 3e-9},
+                 {{SCENE_MEASURED_ECR, "Pa", "ohm m2", 1e-6}, 2e-9, 3e-3}, /* the area is in it already */
+                 {{SCENE_MEASURED_ECR, "N", "ohm", 1e-6}, 2e-3, 3e-9},
+                 {{SCENE_MEASURED_ECR, "kN", "mohm", 1e-6}, 2, 3e-12},
+                 {{SCENE_MEASURED_TCR, "bar", "mm2 K/W", NAN}, 2e-4, 3e-9}};
+    static const char *const dialects[] = {"load,ecr,error\n20,3e-3,1e-4\n10,6e-3,2e-4\n",
+                                           "# mine\r\n20;3e-3;1e-4\r\n10;6e-3;2e-4\r\n",
+                                           "20\t3e-3\t1e-4\n\n10 6e-3 2e-4",
+                                           "load,ecr\r20,3e-3,1e-4\r10,6e-3,2e-4\r",
+                                           "\"20\",\"3e-3\",\"1e-4\"\n10,6e-3,2e-4\n",
+                                           "\xEF\xBB\xBF"
+                                           "20,3e-3,1e-4 # run 3\n10 , 6e-3 , 2e-4,,\n"};
+    for (size_t c = 0; c < sizeof cases / sizeof *cases; c++)
+        for (size_t d = 0; d < sizeof dialects / sizeof *dialects; d++) {
+            struct measured measured;
+            struct status status;
+            if (read_csv(&measured, dialects[d], &cases[c].said, &status) != STATUS_OK)
+                fail_msg("%s", status.message);
+            assert_int_equal(measured.count, 2);
+            assert_near(measured.load[0], cases[c].load, 1e-14);
+            assert_near(measured.load[1], cases[c].load / 2, 1e-14); /* in the file's order */
+            assert_near(measured.resistance[0], cases[c].resistance, 1e-14);
+            assert_near(measured.error[0] / measured.resistance[0], 1.0 / 30, 1e-12);
+            assert_string_equal(measured.load_unit, cases[c].said.load_unit);
+            assert_string_equal(measured.resistance_unit, cases[c].said.resistance_unit);
+            measured_free(&measured);
+        }
+}
+
+/* 10 and 4.8 in the units that the file names: the scene says nothing, or the same. */
+static void headings_say_the_units(void **state)
+{
+    (void)state;
+    static const double area_m2 = 1e-6;
+    static const struct {
+        const char *csv;
+        double load, resistance, error; /* N, Ω, Ω */
+    } rows[] = {
+        {"Load (N), R [m\xCE\xA9]\n10,4.8\n", 10, 4.8e-3, NAN},
+        {"F/kN;R/\xC2\xB5Ohm\n10;4.8\n", 1e4, 4.8e-6, NAN},
+        {"load_N,ecr_mohm\n10,4.8\n", 10, 4.8e-3, NAN},
+        {"\"Load (kN)\",\"R (\xCE\xBC\xE2\x84\xA6)\"\n10,4.8\n", 1e4, 4.8e-6, NAN},
+        {"\"Load, mN\",\"R, mOhm\"\n10,4.8\n", 1e-2, 4.8e-3, NAN},
+        {"Load, kN; R, mOhm\n10;4.8\n", 1e4, 4.8e-3, NAN},
+        {"Load in kN\tresistance mOhm\n10\t4.8\n", 1e4, 4.8e-3, NAN},
+        {"load_kN ecr_mohm\n10 4.8\n", 1e4, 4.8e-3, NAN},
+        {"Load (kN) R (mOhm)\n10 4.8\n", 1e4, 4.8e-3, NAN},
+        {"F,R\nkN,mOhm\n10,4.8\n", 1e4, 4.8e-3, NAN},
+        {"F;R;u\n[kN];[m\xCE\xA9];[\xC2\xB5\xCE\xA9]\n10;4.8;30\n", 1e4, 4.8e-3, 3e-5},
+        {"N,mOhm\n10,4.8\n", 10, 4.8e-3, NAN},
+        {"N (kN),R (mOhm)\n10,4.8\n", 1e4, 4.8e-3, NAN},
+        {"N/kN,R/mOhm\n10,4.8\n", 1e4, 4.8e-3, NAN}, /* the symbol of a normal load */
+        {"force_mN,R_c (4-wire) [mOhm]\n10,4.8\n", 1e-2, 4.8e-3, NAN},
+        {"load (N),4-wire R (mOhm)\n10,4.8\n", 10, 4.8e-3, NAN},
+        {"p (MPa),ECR (ohm mm\xC2\xB2)\n10,4.8\n", 10, 4.8, NAN}, /* over 1 mm² */
+        {"pressure N/mm2,ecr_mohm\n10,4.8\n", 10, 4.8e-3, NAN},
+        {"load_over_AnEp,ecr_ohm_m2\n10,4.8\n", 1e5, 4.8e6, NAN},
+        {"load P/(A\xE2\x82\x99 E\xE2\x80\xB2),R (Ohm)\n10,4.8\n", 1e5, 4.8, NAN},
+        {"# Load (kN), R (mOhm)\n10,4.8\n", 1e4, 4.8e-3, NAN},
+        {"# measured (twice), by hand\nLoad (kN), R (mOhm)\n# run 3, wet (a)\n10,4.8\n", 1e4, 4.8e-3, NAN},
+        {"Contact test, tin (matt)\nLoad range (mN), 5 to 10\nLoad (kN), R (mOhm)\n\n10,4.8\n", 1e4, 4.8e-3, NAN},
+        {"F (N);R (\xB5Ohm)\n10;4.8\n", 10, 4.8e-6, NAN}, /* latin-1 */
+        {"10 kN, 4.8 mOhm\n", 1e4, 4.8e-3, NAN},
+        {"10 kN 4.8 m\xCE\xA9 0.1 mohm\n", 1e4, 4.8e-3, 1e-4},
+        {"load (N),R (mOhm),error\n10,4.8,0.1\n", 10, 4.8e-3, 1e-4},
+        {"load (N),R (mOhm),error (uOhm)\n10,4.8,-30\n", 10, 4.8e-3, 3e-5},
+        {"load (N),R (mOhm),error (%)\n10,4.8,5\n", 10, 4.8e-3, 2.4e-4},
+        {"load (N),R (mOhm),u_r (-)\n10,4.8,0.05\n", 10, 4.8e-3, 2.4e-4},
+        {"load (N),R (mOhm),sd (ohm mm2)\n10,4.8,1e-4\n", 10, 4.8e-3, 1e-4},
+        {"Samples, 3\nLoad (N)\tR (mOhm)\n10\t4.8\nunloading 2\n# nan, 3\n9\t5\n", 10, 4.8e-3, NAN},
+        {"Load (N), R (mOhm)\n10 4.8 0.1\n", 10, 4.8e-3, 1e-4},
+        {"Load (N),R (mOhm)\n10,4.8,0.1\n", 10, 4.8e-3, 1e-4},
+        {"Load (N),R (mOhm)\n10,4.8\nunloading (N),R (milliohm)\n9,5\n", 10, 4.8e-3, NAN},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        for (int agreed = 0; agreed < 2; agreed++) {
+            struct measured measured;
+            struct status status;
+            struct said said = {SCENE_MEASURED_ECR, "", "", area_m2};
+            char load_unit[UNIT_LENGTH], resistance_unit[UNIT_LENGTH];
+            if (agreed) { /* the scene says what was found, which is no contradiction */
+                said.load_unit = load_unit;
+                said.resistance_unit = resistance_unit;
+            }
+            if (read_csv(&measured, rows[i].csv, &said, &status) != STATUS_OK)
+                fail_msg("%s: %s", rows[i].csv, status.message);
+            if (!(fabs(measured.load[0] * 1e10 * area_m2 / rows[i].load - 1) < 1e-14) ||
+                !(fabs(measured.resistance[0] / area_m2 / rows[i].resistance - 1) < 1e-14))
+                fail_msg("%s: %g N, %g ohm", rows[i].csv, measured.load[0] * 1e10 * area_m2,
+                         measured.resistance[0] / area_m2);
+            assert_int_equal(isnan(measured.error[0]), isnan(rows[i].error));
+            if (!isnan(rows[i].error))
+                assert_near(measured.error[0] / area_m2, rows[i].error, 1e-14);
+            snprintf(load_unit, sizeof load_unit, "%s", measured.load_unit);
+            snprintf(resistance_unit, sizeof resistance_unit, "%s", measured.resistance_unit);
+            measured_free(&measured);
+        }
+}
+
+static void what_is_wrong_is_named(void **state)
+{
+    (void)state;
+    static const struct said plain = {SCENE_MEASURED_ECR, "Pa", "ohm m2", NAN};
+    static const struct said silent = {SCENE_MEASURED_ECR, "", "", 1e-6};
+    static const struct said newton = {SCENE_MEASURED_ECR, "N", "mohm", 1e-6};
+    static const struct said huge = {SCENE_MEASURED_ECR, "Pa", "kohm", 1e6};
+    static const struct said no_area = {SCENE_MEASURED_ECR, "", "", NAN};
+    static const struct said thermal = {SCENE_MEASURED_TCR, "", "", NAN};
+    static const struct {
+        const char *csv;
+        const struct said *said;
+        const char *message;
+    } cases[] = {
+        {"load,ecr\n", &plain, "ecr.csv: no row"},
+        {"", &plain, "ecr.csv: no row"},
+        {"load,ecr\n1\n", &plain, "ecr.csv:2: a row is load, resistance"},
+        {"1,2,3,4\n", &plain, "ecr.csv:1: a row is load, resistance"},
+        {"1,2\n0,2\n", &plain, "ecr.csv:2: load and resistance must be positive"},
+        {"1,-2\n", &plain, "ecr.csv:1: load and resistance must be positive"},
+        {"load,ecr\n\n\n1,2\n\n1,-1\n", &plain, "ecr.csv:6: load and resistance"},
+        {"1,2,3\n1,,3\n", &plain, "ecr.csv:2: a row is load, resistance"},
+        {"1,5;2\n", &plain, "ecr.csv:1: both ',' and ';' in a row"},
+        {"1,5\t2\n", &plain, "ecr.csv:1: '1,5' is no number"},
+        {"1,2\n-.5,2\n", &plain, "ecr.csv:2: load and resistance must be positive"},
+        {"1,1e999\n", &plain, "ecr.csv:1: '1e999' is no number"},
+        {"1,1e308\n1,2\n", &huge, "ecr.csv:1: a resistance of 1e+308; allowed is"},
+        /* decimal commas between commas; a load that is none */
+        {"Load (N),R (mOhm)\n10,4,8\n20,2,1\n", &silent,
+         "ecr.csv:2: more cells than titles in line 1: decimal commas? Write decimals with a point"},
+        {"Load,R\nN,mOhm\n10,4\n20,2,1\n", &silent, "ecr.csv:4: more cells than titles in line 2"},
+        {"1,2\nnan,3\n", &newton, "ecr.csv:2: 'nan' is no load; correct the row or remove it"},
+        {"1 2\nInf 3\n", &newton, "ecr.csv:2: 'Inf' is no load"},
+        {"1;2\n;3\n", &newton, "ecr.csv:2: '' is no load"},
+        {"1,2\nO.5,3\n", &newton, "ecr.csv:2: 'O.5' is no load"},
+        {"1 2\nO.5 3\n", &newton, "ecr.csv:2: 'O.5' is no load"},
+        {"1,2\nabc,3\n", &newton, "ecr.csv:2: 'abc' is no load"},
+        {"load (N),R (mOhm)\n-,3\n1,2\n", &newton, "ecr.csv:2: '-' is no load"},
+        /* no unit, and what to add */
+        {"load,ecr\n1,2\n", &silent,
+         "unit of the load; name it in the heading, such as 'load (N)', or add 'load_unit'"},
+        {"load (N),ecr\n1,2\n", &silent,
+         "unit of the resistance; name it in the heading, such as 'ECR (mohm)', or add 'resistance_unit'"},
+        {"load (N),tcr\n1,2\n", &thermal, "such as 'TCR (K/W)', or add 'resistance_unit'"},
+        {"1,2\n", &silent, "add 'load_unit'"},
+        {"F_c,R_s\n1,2\n", &silent, "add 'load_unit'"},
+        /* unknown, or not a column's */
+        {"load (N),R (mOm)\n1,2\n", &newton,
+         "ecr.csv:1: 'mOm' is no unit of electrical resistance; understood: ohm (Ω), nohm, uohm (µΩ), mohm (mΩ)"},
+        {"\nload [kNm],R (mOhm)\n1,2\n", &newton,
+         "ecr.csv:2: 'kNm' is no unit of load; understood: dimensionless; N, "},
+        {"F/KN,R/ohm\n1,2\n", &newton, "ecr.csv:1: 'KN' is no unit of load"},
+        {"F,R\nN,mOm\n1,2\n", &newton, "ecr.csv:2: 'mOm' is no unit of electrical resistance"},
+        {"load_N,R_mV\n1,2\n", &newton, "ecr.csv:1: 'mV' is no unit of electrical resistance"},
+        {"R (mOhm),load (N)\n1,2\n", &newton, "ecr.csv:1: 'mOhm' is no unit of load"},
+        {"load (N),R (K/W)\n1,2\n", &silent, "the 'quantity' of 'measured' in the scene"},
+        {"load (N),R (mohm)\n1,2\n", &thermal, "ecr.csv:1: 'mohm' is no unit of thermal resistance"},
+        {"load (N),R (mOhm),T (degC)\n1,2,3\n", &newton, "ecr.csv:1: 'degC' is no unit of the error"},
+        {"load (%),R (mOhm)\n1,2\n", &silent, "ecr.csv:1: '%' is no unit of load"},
+        {"1 N,2 mOm\n", &newton, "ecr.csv:1: 'mOm' is no unit of electrical resistance"},
+        {"1,2 run 3\n", &newton, "ecr.csv:1: 'run 3' is no unit of electrical resistance"},
+        {"load (N),R (\x1b[31m)\n1,2\n", &newton, "'?[31m' is no unit"},
+        /* two that disagree */
+        {"load (kN),R (mOhm)\n1,2\n", &newton,
+         "ecr.csv:1: the unit is 'kN' here, but the scene's load_unit says 'N'; correct one of them"},
+        {"load (N),R (Ohm)\n1,2\n", &newton,
+         "ecr.csv:1: the unit is 'Ohm' here, but the scene's resistance_unit says 'mohm'"},
+        {"load (Pa),R (Ohm)\n1,2\n", &newton, "'Pa' here, but the scene's load_unit says 'N'"},
+        {"load (kN),R (mOhm)\nN,mOhm\n1,2\n", &silent, "ecr.csv:2: 'N' as unit of load, but line 1 says 'kN'"},
+        {"load (N),R (mOhm)\n1,2\nload (kN),R (mOhm)\n1,2\n", &silent, "ecr.csv:3: 'kN' as unit of load, but line 1"},
+        {"1 N,2 ohm\n1 N,2 mohm\n", &silent, "ecr.csv:2: 'mohm' as unit of resistance, but line 1 says 'ohm'"},
+        /* without the area */
+        {"load (N),R (ohm m2)\n1,2\n", &no_area, "measured loads in N need the contact's area; add nominal_area_m2"},
+        {"load (Pa),R (mohm)\n1,2\n", &no_area, "resistances in mohm need the contact's area; add nominal_area_m2"},
+    };
+    for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
+        struct measured measured;
+        struct status status;
+        if (read_csv(&measured, cases[c].csv, cases[c].said, &status) != STATUS_SCENE)
+            fail_msg("'%s' is read", cases[c].csv);
+        if (!strstr(status.message, cases[c].message))
+            fail_msg("'%s' without '%s'", status.message, cases[c].message);
+        measured_free(&measured);
+    }
+}
+
+/* Whatever bytes stand in a file of no more bytes than those, it is read to finite numbers or refused. */
+static void any_bytes_are_read_or_refused(void **state)
+{
+    (void)state;
+    static const char sample[] =
+        "\xEF\xBB\xBFLoad (N), \"R [m\xCE\xA9]\";u/%\n# K m2/W (a\n10 kN,4.8 \xB5Ohm ,5e-1\r\n\"9\"\t1";
+    static const char marks[] = "\"\n\r,;\t ()[]/_#%^*-+.09eNm\xCE\xA9\xC2\xB5";
+    static const unsigned quantities[MEASURED_COLUMNS] = {SCENE_MEASURED_LOADS, 255, 255};
+    unsigned long seed = 1;
+    size_t taken = 0;
+    for (int run = 0; run < 20000; run++) {
+        size_t length = sizeof sample - 1, cut = 0;
+        char *bytes = malloc(length);
+        assert_non_null(bytes);
+        memcpy(bytes, sample, length);
+        for (int change = 0; change < 1 + run % 6; change++) {
+            seed = seed * 6364136223846793005u + 1442695040888963407u;
+            size_t at = (seed >> 33) % length;
+            bytes[at] = change % 3 ? marks[(seed >> 20) % (sizeof marks - 1)] : (char)(seed >> 25);
+            cut = run % 4 ? 0 : at;
+        }
+        char *exact = malloc(length - cut); /* a byte read behind its end is seen */
+        assert_non_null(exact);
+        memcpy(exact, bytes, length - cut);
+        struct measured_file file;
+        struct status status = {0};
+        enum status_code rc =
+            measured_file_read(&file, (struct string_view){exact, exact + length - cut}, "x", quantities, &status);
+        assert_true(rc == STATUS_OK || (rc == STATUS_SCENE && status.message[0] != '\0'));
+        taken += rc == STATUS_OK;
+        for (size_t i = 0; rc == STATUS_OK && i < file.count; i++)
+            assert_true(isfinite(file.rows[i].value[MEASURED_LOAD]) && file.rows[i].value[MEASURED_RESISTANCE] > 0);
+        measured_file_free(&file);
+        free(exact);
+        free(bytes);
+    }
+    assert_true(taken > 500); /* not only refused */
+}
+
+static void only_an_effect_that_runs_is_compared(void **state)
+{
+    (void)state;
+    static char name[] = "ecr.csv";
+    struct measured measured;
+    struct plan plan = {.running = EFFECT_BIT(EFFECT_ELECTRICAL)};
+    struct status status = {0};
+    struct scene scene = {.directory = place.path, .nominal_area_m2 = NAN};
+    scene.measured = (struct scene_measured){.file = name, .quantity = SCENE_MEASURED_TCR};
+    assert_int_equal(measured_read(&measured, &scene, &plan, &status), STATUS_SCENE);
+    assert_non_null(strstr(status.message, "the effect thermal does not run"));
+    measured_free(&measured);
+}
+
+/** Measurements that are the curve times a factor: the distance is its logarithm; what the curve does not cover is not
+ * compared. */
+static void distance_is_in_decades(void **state)
+{
+    (void)state;
+    struct contact_point points[9];
+    struct model_curve curve = {.exists = true, .points = points, .count = 9};
+    for (int i = 0; i < 9; i++)
+        points[i] = (struct contact_point){.load = 1e-6 * pow(10, 0.5 * i), .ecr_ohm_m2 = 1e-8 * pow(10, -0.45 * i)};
+    double loads[] = {1, 3e-5, 4e-4, 1e-7, 2e-6, 5e-5}, resistances[6], errors[6]; /* in the order of a measurement */
+    for (int i = 0; i < 6; i++) {
+        resistances[i] = 4 * 1e-8 * pow(loads[i] / 1e-6, -0.9); /* the curve is a power law, so is its interpolation */
+        errors[i] = NAN;
+    }
+    struct measured measured = {.count = 6, .load = loads, .resistance = resistances, .error = errors};
+    struct measured_distance distance = measured_compare(&measured, &curve);
+    assert_int_equal(distance.points, 4);
+    assert_near(distance.rms_decades, log10(4), 1e-12);
+    assert_near(distance.bias_decades, -log10(4), 1e-12);
+    assert_near(distance.load[0], 2e-6, 0);
+    assert_near(distance.load[1], 4e-4, 0);
+    measured.count = 1;
+    assert_true(isnan(measured_compare(&measured, &curve).rms_decades));
+    assert_true(isnan(measured_compare(&measured, &curve).load[0]));
+}
+
+/** The nearest of the models that cover enough of the points: not the one that happens to meet a single one. */
+static void models_are_ranked(void **state)
+{
+    (void)state;
+    enum { MODELS = 4 }; /* that have a curve: the first in the table */
+    struct contact_point points[MODELS][2];
+    struct model_curve *curves = calloc(model_count, sizeof *curves);
+    static const double above[MODELS] = {3, 0.5, 7, 1};
+    assert_non_null(curves);
+    assert_true(model_count >= MODELS);
+    for (int m = 0; m < MODELS; m++) {
+        curves[m] = (struct model_curve){.exists = true, .points = points[m], .count = 2};
+        points[m][0] = (struct contact_point){.load = 1e-6, .ecr_ohm_m2 = 1e-8 * above[m]};
+        points[m][1] = (struct contact_point){.load = 1e-2, .ecr_ohm_m2 = 1e-12 * above[m]};
+    }
+    points[3][1] = (struct contact_point){.load = 1e-5, .ecr_ohm_m2 = 1e-9};
+    double loads[] = {1e-3, 1e-4, 2e-6, 5e-3, 1e-2}, resistances[5], errors[5];
+    for (int i = 0; i < 5; i++)
+        resistances[i] = 1e-14 / loads[i];
+    struct measured measured = {.count = 5, .load = loads, .resistance = resistances, .error = errors};
+    struct measured_ranking rank = measured_rank(&measured, curves);
+    assert_int_equal(rank.nearest, 1);
+    assert_int_equal(rank.farthest, 2);
+    curves[1].exists = false;
+    assert_int_equal(measured_rank(&measured, curves).nearest, 0);
+    points[3][1] = (struct contact_point){.load = 2e-3, .ecr_ohm_m2 = 5e-12}; /* three of five, and those are met */
+    assert_int_equal(measured_rank(&measured, curves).nearest, 3);
+    loads[0] = loads[1] = loads[2] = loads[3] = loads[4] = 1;
+    rank = measured_rank(&measured, curves);
+    assert_int_equal(rank.nearest, model_count);
+    assert_int_equal(rank.farthest, model_count);
+    free(curves);
+}
+
+static int set_up(void **state)
+{
+    (void)state;
+    place = directory_make();
+    return 0;
+}
+
+static int tear_down(void **state)
+{
+    (void)state;
+    directory_remove(&place);
+    return 0;
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(units_are_the_models),
+        cmocka_unit_test(headings_say_the_units),
+        cmocka_unit_test(what_is_wrong_is_named),
+        cmocka_unit_test(any_bytes_are_read_or_refused),
+        cmocka_unit_test(only_an_effect_that_runs_is_compared),
+        cmocka_unit_test(distance_is_in_decades),
+        cmocka_unit_test(models_are_ranked),
+    };
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}

@@ -1,0 +1,193 @@
+#include "base/number_format.h"
+#include "support.h"
+
+#include <float.h>
+
+static void assert_number(double value, int digits, const char *expected)
+{
+    struct text text = {0};
+    number_format(&text, value, digits);
+    assert_string_equal(text_string(&text), expected);
+    text_free(&text);
+}
+
+static void test_plain_numbers(void **state)
+{
+    (void)state;
+    assert_number(1, 3, "1.00");
+    assert_number(0.24, 2, "0.24");
+    assert_number(0.001, 1, "0.001");
+    assert_number(0.0012345, 3, "0.00123");
+    assert_number(12.345, 3, "12.3");
+    assert_number(1234.5, 5, "1234.5");
+    assert_number(1234.5, 2, "1234"); /* digits before the point are never dropped */
+    assert_number(9999, 4, "9999");
+    assert_number(12345, 3, "12345");
+}
+
+static void test_powers_of_ten(void **state)
+{
+    (void)state;
+    assert_number(1.2e-5, 2, "1.2·10⁻⁵");
+    assert_number(100000, 3, "1.00·10⁵");
+    assert_number(6.02214076e23, 4, "6.022·10²³");
+    assert_number(1e100, 1, "1·10¹⁰⁰");
+    assert_number(DBL_MAX, 3, "1.80·10³⁰⁸");
+    assert_number(DBL_TRUE_MIN, 2, "4.9·10⁻³²⁴");
+    assert_number(1234567890e60, 10, "1.234567890·10⁶⁹");
+}
+
+/* The form follows the rounded number: what rounds up to a power of ten is shown as that. */
+static void test_rounding_over_a_border(void **state)
+{
+    (void)state;
+    assert_number(0.00099999, 2, "0.0010");
+    assert_number(9999.9, 3, "10000");
+    assert_number(99999, 3, "1.00·10⁵");
+    assert_number(9.996, 3, "10.0");
+    assert_number(0.00099994, 4, "9.999·10⁻⁴");
+    assert_number(999.96, 4, "1000");
+}
+
+static void test_signs_and_zero(void **state)
+{
+    (void)state;
+    assert_number(0, 3, "0");
+    assert_number(-0.0, 3, "0");
+    assert_number(-2.5, 2, "−2.5");
+    assert_number(-1.5e-7, 2, "−1.5·10⁻⁷");
+    assert_number(-123456, 3, "−1.23·10⁵");
+}
+
+static void test_what_is_no_number(void **state)
+{
+    (void)state;
+    assert_number(NAN, 3, "–");
+    assert_number(INFINITY, 3, "–");
+    assert_number(-INFINITY, 3, "–");
+}
+
+/* Read back, a number is itself within half a unit of its last digit. */
+static void test_every_magnitude_reads_back(void **state)
+{
+    (void)state;
+    static const char *const superscripts[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    for (int exponent = -40; exponent <= 40; exponent++)
+        for (int digits = 2; digits <= 7; digits++) {
+            struct text text = {0};
+            char *rest;
+            double value = 3.14159265 * pow(10, exponent), back;
+            number_format(&text, value, digits);
+            back = strtod(text_string(&text), &rest);
+            if (strncmp(rest, "·10", strlen("·10")) == 0) {
+                int power = 0, sign = 1;
+                rest += strlen("·10");
+                if (strncmp(rest, "⁻", strlen("⁻")) == 0) {
+                    sign = -1;
+                    rest += strlen("⁻");
+                }
+                while (*rest)
+                    for (int d = 0; d < 10; d++)
+                        if (strncmp(rest, superscripts[d], strlen(superscripts[d])) == 0) {
+                            power = 10 * power + d;
+                            rest += strlen(superscripts[d]);
+                        }
+                back *= pow(10, sign * power);
+            }
+            assert_string_equal(rest, "");
+            assert_near(back, value, 0.5 * pow(10, 1 - digits));
+            text_free(&text);
+        }
+}
+
+static void assert_range(double least, double most, int digits, const char *expected)
+{
+    struct text text = {0};
+    number_format_range(&text, least, most, digits);
+    assert_string_equal(text_string(&text), expected);
+    text_free(&text);
+}
+
+static void test_ranges(void **state)
+{
+    (void)state;
+    assert_range(1, 2, 2, "1.0 to 2.0");
+    assert_range(1.001, 1.002, 2, "1.0");
+    assert_range(1.001, 1.002, 4, "1.001 to 1.002");
+    assert_range(-1e-6, 0, 1, "−1·10⁻⁶ to 0");
+}
+
+static void assert_text(struct text *text, const char *expected)
+{
+    assert_string_equal(text_string(text), expected);
+    text_free(text);
+}
+
+static void test_loads_are_powers_of_ten(void **state)
+{
+    (void)state;
+    struct text text = {0};
+    number_format_power(&text, 0.834, 3);
+    number_format_between(&text, " ", 1, 1, " ");
+    number_format_power(&text, 1e-6, 3);
+    assert_text(&text, "8.34·10⁻¹ 1 1.00·10⁻⁶");
+}
+
+static void test_given_numbers_keep_no_zeros(void **state)
+{
+    (void)state;
+    struct text text = {0};
+    number_format_given(&text, 0.36);
+    text_add(&text, " ");
+    number_format_given(&text, 41.369e9);
+    text_add(&text, " ");
+    number_format_given(&text, 7310);
+    text_add(&text, " ");
+    number_format_given(&text, 1e-6);
+    text_add(&text, " ");
+    number_format_given(&text, NAN);
+    assert_text(&text, "0.36 4.1369·10¹⁰ 7310 1·10⁻⁶ –");
+}
+
+static void test_value_and_error_have_the_same_decimals(void **state)
+{
+    static const struct {
+        double value, error;
+        const char *expected;
+    } cases[] = {
+        {0.006, 0.00094, "0.00600 ± 0.00094"},
+        {0.13, 0.212, "0.13 ± 0.21"},
+        {0.085, 0.171, "0.085 ± 0.171"},
+        {1.8571, 0.0121, "1.857 ± 0.012"},
+        {-1.5, 0.25, "−1.50 ± 0.25"},
+        {3.5e11, 3.2e11, "(3.5 ± 3.2)·10¹¹"},
+        {2e-5, 4e-7, "(2.000 ± 0.040)·10⁻⁵"},
+        {120, 30, "120 ± 30"},
+        {1.5, NAN, "1.50"},
+        {1.5, 0, "1.50"},
+        {NAN, 1, "–"},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct text text = {0};
+        number_format_uncertain(&text, cases[i].value, cases[i].error);
+        assert_text(&text, cases[i].expected);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_plain_numbers),
+        cmocka_unit_test(test_powers_of_ten),
+        cmocka_unit_test(test_rounding_over_a_border),
+        cmocka_unit_test(test_signs_and_zero),
+        cmocka_unit_test(test_what_is_no_number),
+        cmocka_unit_test(test_every_magnitude_reads_back),
+        cmocka_unit_test(test_ranges),
+        cmocka_unit_test(test_loads_are_powers_of_ten),
+        cmocka_unit_test(test_given_numbers_keep_no_zeros),
+        cmocka_unit_test(test_value_and_error_have_the_same_decimals),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,164 @@
+/* docs/report.md against a report: every file of data/ and every column, key and section is described. */
+#include "cli/process.h"
+#include "contact/model.h"
+
+#include <jansson.h>
+#include <stdio.h>
+
+enum { NAME = 128 };
+
+static char *read_document(void)
+{
+    return workspace_read(PROJECT_SOURCE, "docs/report.md");
+}
+
+/** Fails unless the document has `name` between `before` and `after`. */
+static void expect_described(const char *document, const char *before, const char *name, const char *after)
+{
+    char written[2 * NAME];
+    snprintf(written, sizeof written, "%s%s%s", before, name, after);
+    if (!strstr(document, written))
+        fail_msg("docs/report.md does not have %s", written);
+}
+
+/** `name` as the document has it: `<model>` for a model's name, nothing for the ends of a band. */
+static void generic(char out[NAME], const char *name)
+{
+    static const char *const ends[] = {"_low", "_high"};
+    snprintf(out, NAME, "%s", name);
+    size_t length = strlen(out);
+    for (size_t m = 0; m < model_count; m++) {
+        size_t model = strlen(model_rows[m]->name);
+        if (length > model && out[length - model - 1] == '_' &&
+            strcmp(out + length - model, model_rows[m]->name) == 0) {
+            snprintf(out + length - model, NAME - (length - model), "<model>");
+            return;
+        }
+    }
+    for (size_t e = 0; e < 2; e++)
+        if (length > strlen(ends[e]) && strcmp(out + length - strlen(ends[e]), ends[e]) == 0)
+            out[length - strlen(ends[e])] = '\0';
+}
+
+/** What stands below the heading that names a file of data/. To be freed. */
+static char *read_chapter(const char *document, const char *file)
+{
+    for (const char *at = document; (at = strstr(at, "\n## ")); at++) {
+        size_t heading = strcspn(at + 1, "\n") + 1;
+        const char *named = strstr(at, file), *end = strstr(at + heading, "\n## ");
+        if (named && named < at + heading)
+            return strndup(at + heading, end ? (size_t)(end - at) - heading : strlen(at + heading));
+    }
+    fail_msg("docs/report.md has no chapter on data/%s", file);
+    return NULL;
+}
+
+/** The columns of a table in the chapter of its name. */
+static size_t check_columns(const char *document, const char *place, const char *file)
+{
+    char path[NAME], name[NAME];
+    snprintf(path, sizeof path, "out/data/%s", file);
+    char *table = workspace_read(place, path), *rest = table;
+    char *chapter = read_chapter(document, file);
+    table[strcspn(table, "\n")] = '\0';
+    size_t columns = 0;
+    for (char *column; (column = strsep(&rest, ","));) {
+        generic(name, column);
+        const char *quote = strcmp(name, column) == 0 || strchr(name, '<') ? "`" : ""; /* a band's are listed without */
+        expect_described(chapter, quote, name, quote);
+        columns++;
+    }
+    free(chapter);
+    free(table);
+    return columns;
+}
+
+static bool is_row_name(const char *key)
+{
+    for (size_t m = 0; m < model_count; m++)
+        if (strcmp(key, model_rows[m]->name) == 0)
+            return true;
+    for (int e = 0; e < EFFECT_COUNT; e++)
+        if (strcmp(key, effect_rows[e].name) == 0)
+            return true;
+    return strcmp(key, "area") == 0; /* the base of the table of work */
+}
+
+/** Keys of an object and of what it holds. */
+static size_t check_keys(const char *document, json_t *json)
+{
+    size_t keys = 0, index;
+    const char *key;
+    json_t *value;
+    json_object_foreach(json, key, value)
+    {
+        if (!is_row_name(key))
+            expect_described(document, "`", key, "`");
+        keys += 1 + check_keys(document, value);
+    }
+    if (json_is_array(json))
+        json_array_foreach(json, index, value) keys += check_keys(document, value);
+    return keys;
+}
+
+/** Headings of the report, but for names and the title. */
+static size_t check_sections(const char *document, const char *place)
+{
+    char *report = workspace_read(place, "out/report.md");
+    size_t sections = 0;
+    for (char *at = report; (at = strstr(at, "\n## ")); at++) {
+        char heading[NAME];
+        snprintf(heading, sizeof heading, "%.*s", (int)strcspn(at + 4, "\n"), at + 4);
+        if (strstr(heading, " in every model"))
+            snprintf(heading, sizeof heading, "Surface … in every model");
+        char *dots = strstr(heading, "Does the area converge") ? heading + strlen("Does the area converge") : NULL;
+        dots = strstr(heading, ", checked") ? strstr(heading, ", checked") + strlen(", checked") : dots;
+        if (dots)
+            snprintf(dots, sizeof heading - (size_t)(dots - heading), " …");
+        expect_described(document, "| ", heading, " |");
+        sections++;
+    }
+    free(report);
+    return sections;
+}
+
+static void report_is_described(void **state)
+{
+    const char *place = *state;
+    static const char *const tables[] = {"surfaces.csv", "spectrum.csv", "contact.csv", "convergence.csv",
+                                         "cost.csv",     "spread.csv",   "bands.csv"};
+    char *document = read_document();
+    workspace_scan(place, "in/a.csv", 300, 1);
+    workspace_scan(place, "in/b.csv", 300, 2);
+    workspace_scan(place, "in/c.csv", 300, 3);
+    workspace_scan(place, "in/flat.csv", 300, 4);
+    workspace_write(place, "in/broken.csv", "x [um],z [um]\n0,1\n1,two\n");
+    workspace_write(place, "in/ecr.txt", "load_N,ecr_mohm\n1,10\n2,6\n4,3\n");
+    workspace_write(place, "in/scene.yaml",
+                    "effects: [plasticity, separation, electrical, thermal, scale-dependent, convergence]\n"
+                    "load: {from: 1e-6, to: 1e-2, points: 7}\nnominal_area_m2: 1e-6\n"
+                    "convergence: {scales: 64}\ncounterface: {surface: flat.csv, material: copper}\n"
+                    "measured: {file: ecr.txt, quantity: ecr}\n"
+                    "surfaces:\n  - {name: one, file: [a.csv, b.csv]}\n  - {name: two, file: c.csv}\n"
+                    "  - {name: three, file: broken.csv}\n");
+    struct process process = expect_exit(place, 1, "report", "in", "-o", "out");
+    process_free(&process);
+    size_t columns = 0;
+    for (size_t i = 0; i < sizeof tables / sizeof *tables; i++)
+        columns += check_columns(document, place, tables[i]);
+    assert_true(columns > 50);
+    char *text = workspace_read(place, "out/results.json");
+    json_t *results = json_loads(text, 0, NULL);
+    assert_non_null(results);
+    assert_true(check_keys(document, results) > 200);
+    json_decref(results);
+    free(text);
+    assert_int_equal(check_sections(document, place), 13); /* all but the title's */
+    free(document);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {workspace_test(report_is_described)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

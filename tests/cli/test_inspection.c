@@ -1,0 +1,193 @@
+/* What `inspect` says of the real scans, against the figures computed beside them (reference.json). */
+#include "cli/inspection.h"
+#include "cli/process.h"
+#include "scan/scan_support.h"
+
+/* Units of the files that name none, as reference.json takes them. */
+static const struct {
+    const char *file, *x_unit, *z_unit;
+} units[] = {
+    {"WAAM Profile.txt", "um", "um"},
+    {"dektakxt_opdx-3.txt", "m", "m"},
+    {"nanovea_st400_test1.txt", "mm", "um"},
+    {"stylus_nounits_xy-4.txt", "mm", "mm"},
+};
+
+static struct inspection find(const char *file, const struct profile_options *options)
+{
+    char path[4096];
+    snprintf(path, sizeof path, "%s/%s", REAL_SCANS, file);
+    struct scan_options known = no_units;
+    for (size_t u = 0; u < sizeof units / sizeof *units; u++)
+        if (strcmp(file, units[u].file) == 0)
+            known = (struct scan_options){.x_unit = units[u].x_unit, .z_unit = units[u].z_unit};
+    struct inspection inspection;
+    struct status status = {0};
+    if (inspection_make(&inspection, path, &known, options, &status) != STATUS_OK)
+        fail_msg("%s", status.message);
+    return inspection;
+}
+
+static double number(json_t *object, const char *key)
+{
+    json_t *value = json_object_get(object, key);
+    assert_true(json_is_number(value));
+    return json_number_value(value);
+}
+
+static void check_map(const struct inspection *f, json_t *expected)
+{
+    assert_int_equal(f->scan.kind, SCAN_AREAL);
+    assert_int_equal(f->scan.nx, (size_t)number(expected, "nx"));
+    assert_int_equal(f->scan.ny, (size_t)number(expected, "ny"));
+    assert_int_equal(f->scan.missing, (size_t)number(expected, "nmiss"));
+    assert_near(f->scan.dx_m, number(expected, "dx_um") * 1e-6, 1e-12);
+    assert_near(f->scan.dy_m, number(expected, "dy_um") * 1e-6, 1e-12);
+    assert_near(f->areal.sq_m, number(expected, "Sq_um") * 1e-6, 1e-9);
+    assert_near(f->areal.sa_m, number(expected, "Sa_um") * 1e-6, 1e-9);
+    assert_near(f->areal.sz_m, number(expected, "Sz_um") * 1e-6, 1e-9);
+    assert_near(f->roughness.rq_m, number(expected, "Rq_rows_um") * 1e-6, 1e-9);
+    assert_near(f->roughness.m2, number(expected, "M2x_rows"), 1e-6);
+    assert_near(f->roughness.m4_per_m2, number(expected, "M4x_rows_um_2") * 1e12, 1e-6);
+}
+
+static void check_profile(const struct inspection *f, json_t *expected)
+{
+    assert_int_equal(f->scan.kind, SCAN_PROFILE);
+    assert_int_equal(f->scan.nx, (size_t)number(expected, "n"));
+    assert_int_equal(f->scan.missing, (size_t)number(expected, "nmiss"));
+    assert_near(inspection_spacing_m(f), number(expected, "dx_mean_um") * 1e-6, 1e-12);
+    assert_near(inspection_length_m(f), number(expected, "len_um") * 1e-6, 1e-12);
+    assert_near(f->roughness.rq_m, number(expected, "Rq_um") * 1e-6, 1e-9);
+    assert_near(f->roughness.ra_m, number(expected, "Ra_um") * 1e-6, 1e-9);
+    assert_near(f->roughness.pv_m, number(expected, "PV_um") * 1e-6, 1e-9);
+    assert_near(f->roughness.m2, number(expected, "M2c"), 1e-6);
+    assert_near(f->roughness.m4_per_m2, number(expected, "M4_um_2") * 1e12, 1e-6);
+    if (!f->profile.measured_x_m) { /* the parameters are of the uniform profile */
+        assert_near(parameters_value(&f->primary, "sk"), number(expected, "Sk"), 1e-6);
+        assert_near(parameters_value(&f->primary, "ku"), number(expected, "Ku"), 1e-9);
+        assert_near(parameters_value(&f->primary, "dq"), sqrt(number(expected, "M2_7")), 1e-6);
+    }
+}
+
+/* Positions that are rounded: the reference's "as_uniform"; all others, the truly uneven ones too: "actual_x". */
+static void test_every_reference_figure(void **state)
+{
+    (void)state;
+    NEED_REAL_SCANS();
+    json_error_t error;
+    json_t *all = json_load_file(REAL_SCANS "/reference.json", 0, &error), *entry;
+    const char *file;
+    assert_non_null(all);
+    assert_true(json_object_size(all) >= 24);
+    json_object_foreach(all, file, entry)
+    {
+        print_message("%s\n", file);
+        struct inspection inspection = find(file, &profile_defaults);
+        json_t *map = json_object_get(entry, "areal"), *uniform = json_object_get(entry, "as_uniform");
+        bool measured = inspection.profile.measured_x_m != NULL;
+        if (map)
+            check_map(&inspection, map);
+        else
+            check_profile(&inspection, uniform && !measured ? uniform : json_object_get(entry, "actual_x"));
+        assert_true(isfinite(inspection.power_law.gamma) || inspection.scan.nx < 10);
+        inspection_free(&inspection);
+    }
+    json_decref(all);
+}
+
+/* With lambda_c there are R parameters beside those of the profile before. */
+static void test_roughness_profile(void **state)
+{
+    (void)state;
+    NEED_REAL_SCANS();
+    struct profile_options options = profile_defaults;
+    struct inspection without = find("nist_npl_edm.xml", &options);
+    options.lambda_c_m = 8e-4;
+    struct inspection with = find("nist_npl_edm.xml", &options);
+    assert_false(without.has_filtered);
+    assert_true(with.has_filtered);
+    assert_int_equal(with.filtered.sampling_lengths, 7);
+    assert_memory_equal(with.primary.value, without.primary.value, sizeof with.primary.value);
+    assert_true(parameters_value(&with.filtered, "q") < parameters_value(&with.primary, "q"));
+    json_t *object = json_object(), *parameters;
+    inspection_add_json(object, &with);
+    parameters = json_object_get(object, "parameters");
+    assert_near(number(parameters, "lambda_c_m"), 8e-4, 1e-12);
+    assert_true(json_is_null(json_object_get(parameters, "lambda_s_m")));
+    assert_near(number(parameters, "Rq"), parameters_value(&with.filtered, "q"), 0);
+    assert_near(number(parameters, "Pq"), 0.55994e-6, 1e-5);
+    assert_int_equal(json_array_size(json_object_get(parameters, "P_material_ratio_m")), PARAMETERS_CURVE);
+    assert_string_equal(json_string_value(json_object_get(parameters, "slope")), "7-point");
+    json_decref(object);
+    inspection_free(&without);
+    inspection_free(&with);
+}
+
+static json_t *inspect_first(struct process process)
+{
+    json_error_t error;
+    json_t *all = json_loads(process.out, 0, &error);
+    assert_int_equal(json_array_size(all), 1);
+    json_t *first = json_incref(json_array_get(all, 0));
+    json_decref(all);
+    process_free(&process);
+    return first;
+}
+
+/* A map of 6 x 4 heights, of which the plane leaves (-1)^(x + y) um. */
+static void test_a_map_on_the_command_line(void **state)
+{
+    const char *place = *state;
+    workspace_write(place, "map.txt",
+                    "pixel size = 2 um\n1 -1 1 -1 1 -1\n-1 1 -1 1 -1 1\n1 -1 1 -1 1 -1\n-1 1 -1 1 -1 1\n");
+    json_t *map = inspect_first(expect_exit(place, 0, "inspect", "--json", "--z-unit", "um", "map.txt"));
+    assert_string_equal(json_string_value(json_object_get(map, "kind")), "areal");
+    assert_near(number(map, "points"), 24, 0);
+    assert_near(number(map, "nx"), 6, 0);
+    assert_near(number(map, "ny"), 4, 0);
+    assert_near(number(map, "dx_m"), 2e-6, 1e-12);
+    assert_near(number(map, "dy_m"), 2e-6, 1e-12);
+    assert_near(number(map, "sq_m"), 1e-6, 0.02);
+    assert_near(number(map, "sz_m"), 2e-6, 0.1);
+    assert_near(number(map, "m4_per_m2"), 1e12, 1e-9); /* (4 um/(2 um)²)² */
+    assert_null(json_object_get(map, "parameters"));
+    json_decref(map);
+    struct process text = expect_exit(place, 0, "inspect", "--no-chart", "--z-unit", "um", "map.txt");
+    expect_part(text.out, "points      6 x 4, spacing 2 um x 2 um, 0 missing");
+    expect_part(text.out, "plane out   Sq ");
+    process_free(&text);
+}
+
+static void test_options(void **state)
+{
+    const char *place = *state;
+    workspace_scan(place, "a.csv", 2000, 1);
+    json_t *raw = inspect_first(expect_exit(place, 0, "inspect", "--json", "--level", "none", "a.csv"));
+    json_t *smooth = inspect_first(expect_exit(place, 0, "inspect", "--json", "--lambda-s", "8e-6", "a.csv"));
+    assert_true(number(smooth, "m4_per_m2") < number(raw, "m4_per_m2"));
+    assert_near(number(json_object_get(smooth, "parameters"), "lambda_s_m"), 8e-6, 0);
+    json_decref(raw);
+    json_decref(smooth);
+    struct process text = expect_exit(place, 0, "inspect", "--no-chart", "--level", "robust", "a.csv");
+    expect_part(text.out, "robust line tilt");
+    expect_part(text.out, "parameters  Pa ");
+    process_free(&text);
+    expect_failure(place, 2, 3, "unknown level 'plane'; allowed: none, mean, line, parabola, circle, robust", "inspect",
+                   "--level", "plane", "a.csv");
+    expect_failure(place, 2, 3, "'8 um' is no length in metres", "inspect", "--lambda-s", "8 um", "a.csv");
+    expect_failure(place, 2, 3, "--lambda-c is not above --lambda-s", "inspect", "--lambda-s", "8e-6", "--lambda-c",
+                   "8e-6", "a.csv");
+    expect_failure(place, 4, 1, "a.csv: lambda_c_m is 1, longer than the scan", "inspect", "--lambda-c", "1", "a.csv");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_every_reference_figure),
+        cmocka_unit_test(test_roughness_profile),
+        workspace_test(test_a_map_on_the_command_line),
+        workspace_test(test_options),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

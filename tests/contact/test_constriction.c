@@ -1,0 +1,190 @@
+#include "contact/constriction.h"
+#include "contact/sinusoid.h"
+#include "support.h"
+
+/* Psi = (1 - sqrt(a))^(3/2) in long double. */
+static void test_alleviation(void **state)
+{
+    (void)state;
+    assert_near(constriction_alleviation(1, 0), 0, 0);
+    assert_near(constriction_alleviation(0, 1), 1, 0);
+    for (double area = 1e-15; area < 1; area *= 1.7) {
+        long double open = 1 - sqrtl(area);
+        assert_near(constriction_alleviation(area, 1 - area), (double)(open * sqrtl(open)), 1e-12);
+    }
+    double before = 1;
+    for (double area = 1e-15; area < 1; area *= 1.7) { /* more contact, less constriction */
+        double now = constriction_alleviation(area, 1 - area);
+        assert_true(now < before);
+        before = now;
+    }
+}
+
+/* Near full contact 1 - sqrt(1 - c) -> c/2 + c²/8: no digit of the complement c is lost. */
+static void test_alleviation_near_full_contact(void **state)
+{
+    (void)state;
+    for (double complement = 1e-3; complement > 1e-300; complement /= 1e3) {
+        double open = complement / 2 * (1 + complement / 4 + complement * complement / 8);
+        assert_near(constriction_alleviation(1 - complement, complement), pow(open, 1.5), 1e-9);
+    }
+    assert_near(constriction_alleviation(1, 1e-20), pow(5e-21, 1.5), 1e-14);
+}
+
+static struct material copper_like(double conductivity, double resistivity, double sound_speed)
+{
+    struct material material = material_unknown("test");
+    material.youngs_modulus_Pa = 1e11;
+    material.poisson_ratio = 0.3;
+    material.yield_strength_Pa = 1e8;
+    material.resistivity_ohm_m = resistivity;
+    material.conductivity_W_per_mK = conductivity;
+    material.density_kg_per_m3 = 8000;
+    material.specific_heat_J_per_kgK = 400;
+    material.sound_speed_m_per_s = sound_speed;
+    return material;
+}
+
+static struct sinusoid_cell cell_of(double area_ratio)
+{
+    return (struct sinusoid_cell){.area_ratio = area_ratio, .area_complement = 1 - area_ratio};
+}
+
+/* (4.39), (4.42*) written out for one scale on the whole nominal area: n = 2f² spots a unit area, all in parallel. */
+static void test_one_scale(void **state)
+{
+    (void)state;
+    const struct material tin = *material_find("tin");
+    const struct material_pair pair = material_pair(&tin, MATERIAL_COUNTERFACE_RIGID, NULL);
+    const struct constriction spot = constriction_make(&pair);
+    const double mean_free_path_m =
+        3 * tin.conductivity_W_per_mK / (tin.density_kg_per_m3 * tin.sound_speed_m_per_s * tin.specific_heat_J_per_kgK);
+    for (double area = 1e-6; area < 1; area *= 3)
+        for (double frequency = 1e3; frequency < 1e9; frequency *= 10) {
+            struct constriction_sum sum = {0};
+            struct sinusoid_cell cell = cell_of(area);
+            constriction_add_scale(&sum, cell.area_ratio, cell.area_complement, frequency, 1);
+            double radius_m = sqrt(area / (2 * M_PI * frequency * frequency)), spots = 2 * frequency * frequency;
+            double factor = pow(1 - sqrt(area), 1.5) / spots;
+            double tcr = factor / (2 * tin.conductivity_W_per_mK * radius_m);
+            assert_near(constriction_electrical(&spot, &sum), factor * 2 * tin.resistivity_ohm_m / (4 * radius_m),
+                        1e-12);
+            assert_near(constriction_thermal(&spot, &sum), tcr, 1e-12);
+            assert_near(constriction_thermal_scale_dependent(&spot, &sum),
+                        tcr * (1 + 8 / (3 * M_PI) * mean_free_path_m / radius_m), 1e-12);
+        }
+}
+
+/* Half the area above: half the spots, twice the resistance; scales add; a full scale adds nothing. */
+static void test_scales_in_series(void **state)
+{
+    (void)state;
+    struct constriction_sum one = {0}, half = {0}, both = {0};
+    struct sinusoid_cell first = cell_of(0.3), second = cell_of(0.1), full = cell_of(1);
+    constriction_add_scale(&one, first.area_ratio, first.area_complement, 1e5, 1);
+    constriction_add_scale(&half, first.area_ratio, first.area_complement, 1e5, 0.5);
+    assert_near(half.by_radius, 2 * one.by_radius, 1e-14);
+    assert_near(half.by_radius_squared, 2 * one.by_radius_squared, 1e-14);
+    struct constriction_sum other = {0};
+    constriction_add_scale(&other, second.area_ratio, second.area_complement, 7e5, 0.3);
+    constriction_add_scale(&both, first.area_ratio, first.area_complement, 1e5, 1);
+    constriction_add_scale(&both, second.area_ratio, second.area_complement, 7e5, 0.3);
+    assert_near(both.by_radius, one.by_radius + other.by_radius, 1e-14);
+    assert_near(both.by_radius_squared, one.by_radius_squared + other.by_radius_squared, 1e-14);
+    struct constriction_sum before = both;
+    constriction_add_scale(&both, full.area_ratio, full.area_complement, 3e6, 0.03);
+    assert_near(both.by_radius, before.by_radius, 0);
+    assert_near(both.by_radius_squared, before.by_radius_squared, 0);
+}
+
+/* Two materials: each side gives half the constriction, with its own conductivity and mean free path. */
+static void test_two_materials(void **state)
+{
+    (void)state;
+    const struct material sides[2] = {copper_like(400, 2e-8, 4000), copper_like(20, 5e-7, 1500)};
+    const struct material_pair pair = material_pair(&sides[0], MATERIAL_COUNTERFACE_ELASTIC, &sides[1]);
+    const struct constriction spot = constriction_make(&pair);
+    struct constriction_sum sum = {0};
+    struct sinusoid_cell cell = cell_of(0.02);
+    const double frequency = 2e7, radius_m = sqrt(0.02 / (2 * M_PI)) / frequency;
+    constriction_add_scale(&sum, cell.area_ratio, cell.area_complement, frequency, 0.4);
+    const double factor = pow(1 - sqrt(0.02), 1.5) / (2 * frequency * frequency * 0.4);
+    double ecr = 0, tcr = 0, scale_dependent = 0;
+    for (int s = 0; s < 2; s++) {
+        double mean_free_path_m = 3 * sides[s].conductivity_W_per_mK / (8000 * 400 * sides[s].sound_speed_m_per_s);
+        double half = factor / (4 * sides[s].conductivity_W_per_mK * radius_m);
+        ecr += factor * sides[s].resistivity_ohm_m / (4 * radius_m);
+        tcr += half;
+        scale_dependent += half * (1 + 8 / (3 * M_PI) * mean_free_path_m / radius_m);
+    }
+    assert_near(constriction_electrical(&spot, &sum), ecr, 1e-12);
+    assert_near(constriction_thermal(&spot, &sum), tcr, 1e-12);
+    assert_near(constriction_thermal_scale_dependent(&spot, &sum), scale_dependent, 1e-12);
+    assert_true(scale_dependent > 1.01 * tcr);
+
+    const struct material_pair turned = material_pair(&sides[1], MATERIAL_COUNTERFACE_ELASTIC, &sides[0]);
+    const struct constriction swapped = constriction_make(&turned);
+    assert_near(constriction_thermal_scale_dependent(&swapped, &sum), scale_dependent, 1e-14);
+}
+
+/* The same material on both sides is the rigid flat that conducts like it. */
+static void test_the_same_material_twice(void **state)
+{
+    (void)state;
+    const struct material material = copper_like(400, 2e-8, 4000);
+    const struct material_pair rigid = material_pair(&material, MATERIAL_COUNTERFACE_RIGID, NULL);
+    const struct material_pair same = material_pair(&material, MATERIAL_COUNTERFACE_ELASTIC, &material);
+    const struct constriction one = constriction_make(&rigid), two = constriction_make(&same);
+    assert_near(two.resistivity_ohm_m, one.resistivity_ohm_m, 1e-15);
+    assert_near(two.conductivity_W_per_mK, one.conductivity_W_per_mK, 1e-15);
+    assert_near(two.knudsen_length_m, one.knudsen_length_m, 1e-15);
+    assert_near(one.knudsen_length_m, 8 / (3 * M_PI) * 3 * 400 / (8000.0 * 400 * 4000), 1e-14);
+}
+
+/* Whatever the stack, TCR/ECR = 1/(rho k). */
+static void test_heat_flows_as_current_does(void **state)
+{
+    (void)state;
+    const struct material_pair pair = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
+    const struct constriction spot = constriction_make(&pair);
+    struct constriction_sum sum = {0};
+    double area = 1;
+    for (int n = 1; n <= 50; n++) {
+        struct sinusoid_cell cell = cell_of(0.5 + 0.009 * n);
+        constriction_add_scale(&sum, cell.area_ratio, cell.area_complement, 1e4 * n, area);
+        area *= cell.area_ratio;
+        assert_near(constriction_thermal(&spot, &sum) / constriction_electrical(&spot, &sum),
+                    1 / (spot.resistivity_ohm_m * spot.conductivity_W_per_mK), 1e-14);
+    }
+}
+
+static void test_unknown_properties_give_nothing(void **state)
+{
+    (void)state;
+    struct material material = copper_like(400, 2e-8, 4000);
+    material.sound_speed_m_per_s = NAN;
+    material.resistivity_ohm_m = NAN;
+    const struct material_pair pair = material_pair(&material, MATERIAL_COUNTERFACE_RIGID, NULL);
+    const struct constriction spot = constriction_make(&pair);
+    struct constriction_sum sum = {0};
+    struct sinusoid_cell cell = cell_of(0.02);
+    constriction_add_scale(&sum, cell.area_ratio, cell.area_complement, 1e6, 1);
+    assert_true(isnan(constriction_electrical(&spot, &sum)));
+    assert_true(isfinite(constriction_thermal(&spot, &sum)));
+    assert_true(isnan(constriction_thermal_scale_dependent(&spot, &sum)));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_alleviation),
+        cmocka_unit_test(test_alleviation_near_full_contact),
+        cmocka_unit_test(test_one_scale),
+        cmocka_unit_test(test_scales_in_series),
+        cmocka_unit_test(test_two_materials),
+        cmocka_unit_test(test_the_same_material_twice),
+        cmocka_unit_test(test_heat_flows_as_current_does),
+        cmocka_unit_test(test_unknown_properties_give_nothing),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

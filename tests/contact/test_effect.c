@@ -1,0 +1,40 @@
+#include "contact/effect.h"
+#include "material/material.h"
+#include "support.h"
+
+static void test_spellings(void **state)
+{
+    (void)state;
+    static const char *const names[EFFECT_COUNT] = {"plasticity", "separation",      "electrical",
+                                                    "thermal",    "scale-dependent", "convergence"};
+    for (int i = 0; i < EFFECT_COUNT; i++) {
+        assert_string_equal(effect_rows[i].name, names[i]);
+        assert_true(strlen(effect_rows[i].adds) > 0);
+    }
+}
+
+static void test_what_they_need(void **state)
+{
+    (void)state;
+    static const size_t counts[EFFECT_COUNT] = {1, 0, 1, 1, 4, 0};
+    for (int i = 0; i < EFFECT_COUNT; i++) {
+        size_t count = 0;
+        for (const char *const *key = effect_rows[i].properties; *key; key++, count++) {
+            size_t p = 0;
+            while (p < material_property_count && strcmp(material_properties[p].key, *key) != 0)
+                p++;
+            assert_true(p < material_property_count);
+        }
+        assert_int_equal(count, counts[i]);
+        assert_int_equal(effect_rows[i].needs_effects, i == EFFECT_SCALE_DEPENDENT ? EFFECT_BIT(EFFECT_THERMAL) : 0);
+    }
+    assert_string_equal(effect_rows[EFFECT_PLASTICITY].properties[0], "Sy_Pa");
+    assert_string_equal(effect_rows[EFFECT_ELECTRICAL].properties[0], "resistivity_ohm_m");
+    assert_string_equal(effect_rows[EFFECT_THERMAL].properties[0], "conductivity_W_per_mK");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_spellings), cmocka_unit_test(test_what_they_need)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,435 @@
+/* The documents against the program: what they name exists, and what exists is named. */
+#include "contact/model.h"
+#include "material/material.h"
+#include "scan/reader.h"
+#include "scan/scan.h"
+#include "support.h"
+
+#include <dirent.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <unistd.h>
+
+enum { NAME = 96, EQUATIONS = 55, ROOMS = 32, NAMES_MOST = 16 };
+
+static const char *const documents[] = {"README.md", "docs/equations.md", "docs/formats.md", "docs/report.md",
+                                        "docs/CONTRIBUTING.md"};
+
+/** A file of the project as text, NULL where there is none. To be freed. */
+static char *read_project(const char *path)
+{
+    char full[8192];
+    snprintf(full, sizeof full, "%s/%s", PROJECT_SOURCE, path);
+    FILE *file = fopen(full, "r");
+    if (!file)
+        return NULL;
+    char *text = NULL;
+    size_t size = 0;
+    if (getdelim(&text, &size, '\0', file) < 0) {
+        free(text);
+        text = NULL;
+    }
+    fclose(file);
+    return text;
+}
+
+static char *read_document(const char *path)
+{
+    char *text = read_project(path);
+    if (!text)
+        fail_msg("cannot read %s", path);
+    return text;
+}
+
+static bool is_word_char(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+/** The next place at or behind `at`, before `end` (NULL: the text's), of `word` as a whole word. */
+static const char *find_word(const char *at, const char *end, const char *word)
+{
+    size_t length = strlen(word);
+    for (const char *start = at; (at = strstr(at, word)) && (!end || at + length <= end); at++)
+        if ((at == start || !is_word_char(at[-1])) && !is_word_char(at[length]))
+            return at;
+    return NULL;
+}
+
+/** Is `number` (of the thesis's chapter 4) written between `at` and `end`, by itself and not within a range's length?
+ */
+static bool has_number(const char *at, const char *end, int number)
+{
+    char text[16];
+    size_t length = (size_t)snprintf(text, sizeof text, "4.%d", number);
+    for (; (at = strstr(at, text)) && at < end; at++)
+        if (!is_word_char(at[-1]) && at[-1] != '.' && !(at[length] >= '0' && at[length] <= '9'))
+            return true;
+    return false;
+}
+
+/** A definition or declaration: from the comment above it to its end. */
+struct passage {
+    const char *start, *end;
+};
+
+/** Finds a function or a value called `name` at the outermost level; `with_body`: no mere declaration of a function. */
+static bool find_definition(struct passage *out, const char *text, const char *name, bool with_body)
+{
+    for (const char *at = text; (at = find_word(at, NULL, name)); at++) {
+        const char *line = at, *above;
+        while (line > text && line[-1] != '\n')
+            line--;
+        const char *after = at + strlen(name);
+        bool value = *after == '[' || strncmp(after, " =", 2) == 0 || (!with_body && *after == ';');
+        bool function = *after == '(';
+        if (!(is_word_char(*line) || *line == '}') || !(value || function))
+            continue;
+        const char *close = strstr(at, "\n}"), *stop = strchr(at, ';'), *open = strchr(at, '{');
+        if (function && with_body && !(open && (!stop || open < stop)))
+            continue;
+        out->end = open && (!stop || open < stop) && close ? close : stop ? stop : at + strlen(at);
+        const char *rest = strchr(out->end, '\n'); /* a comment behind it */
+        out->end = rest ? rest : out->end;
+        for (out->start = line; out->start > text; out->start = above) {
+            for (above = out->start - 1; above > text && above[-1] != '\n';)
+                above--;
+            if (strncmp(above, "/*", 2) != 0 && strncmp(above, " *", 2) != 0)
+                break;
+        }
+        return true;
+    }
+    return false;
+}
+
+/** The text between two spans, blanks and line ends as one blank each. */
+static void normalise(char out[NAME], const char *start, const char *end)
+{
+    size_t used = 0;
+    for (; start < end && used + 1 < NAME; start++) {
+        bool blank = *start == ' ' || *start == '\n';
+        if (!blank)
+            out[used++] = *start;
+        else if (used == 0 || out[used - 1] != ' ')
+            out[used++] = ' ';
+    }
+    out[used] = '\0';
+}
+
+struct span {
+    const char *start, *end;
+};
+
+/** The next text between backticks, without them. */
+static bool next_span(struct span *out, const char *at)
+{
+    const char *open = strchr(at, '`'), *close = open ? strchr(open + 1, '`') : NULL;
+    if (!close)
+        return false;
+    *out = (struct span){open + 1, close};
+    return true;
+}
+
+/** Calls `each` for every `name` that a document places `in` a file of src/, and returns how many there were. */
+static size_t each_place(const char *text, void (*each)(const char *name, const char *path, const char *at))
+{
+    char names[NAMES_MOST][NAME], between[NAME], word[NAME];
+    size_t pending = 0, places = 0;
+    struct span span;
+    const char *at = text;
+    for (; next_span(&span, at); at = span.end + 1) {
+        normalise(between, at, span.start - 1);
+        size_t length = (size_t)(span.end - span.start);
+        if (length >= NAME ||
+            (strcmp(between, ", ") != 0 && strcmp(between, " and ") != 0 && strcmp(between, " in ") != 0))
+            pending = 0;
+        if (length >= NAME)
+            continue;
+        memcpy(word, span.start, length);
+        word[length] = '\0';
+        if (strncmp(word, "src/", 4) != 0) {
+            assert_true(pending < NAMES_MOST);
+            memcpy(names[pending++], word, length + 1);
+            continue;
+        }
+        for (size_t i = 0; i < pending && strcmp(between, " in ") == 0; i++, places++)
+            each(names[i], word, span.start);
+        pending = 0;
+    }
+    return places;
+}
+
+static void check_place(const char *name, const char *path, const char *at)
+{
+    struct passage passage;
+    char *source = read_project(path);
+    (void)at;
+    if (!source)
+        fail_msg("there is no %s, where %s is said to be", path, name);
+    if (!find_definition(&passage, source, name, true))
+        fail_msg("%s has no %s", path, name);
+    free(source);
+}
+
+static void places_exist(void **state)
+{
+    (void)state;
+    size_t places = 0;
+    for (size_t d = 0; d < sizeof documents / sizeof *documents; d++) {
+        char *text = read_document(documents[d]);
+        places += each_place(text, check_place);
+        free(text);
+    }
+    assert_true(places > 80); /* else the search finds nothing any more */
+}
+
+/** Numbers in the first cell of the table row that `at` stands in; starred[n]: printed with an erratum. */
+static void row_numbers(const char *text, const char *at, bool there[EQUATIONS + 1], bool starred[EQUATIONS + 1])
+{
+    while (at > text && at[-1] != '\n')
+        at--;
+    const char *end = *at == '|' ? strchr(at + 1, '|') : at;
+    for (int n = 1; n <= EQUATIONS; n++) {
+        char number[16];
+        snprintf(number, sizeof number, "4.%d", n);
+        const char *found = find_word(at, end, number);
+        there[n] = found;
+        starred[n] = found && found[strlen(number)] == '*';
+    }
+}
+
+static const char *equations; /* the document while each_place() goes through it */
+static size_t lacking;
+
+/** Is the number written at the function, in its comment there or in the header's, or within it? */
+static void check_number(const char *name, const char *path, const char *at)
+{
+    bool there[EQUATIONS + 1], starred[EQUATIONS + 1];
+    char header_path[NAME];
+    snprintf(header_path, sizeof header_path, "%s", path);
+    header_path[strlen(header_path) - 1] = 'h';
+    char *source = read_document(path), *header = read_project(header_path);
+    struct passage own = {source, source}, declared = {source, source};
+    assert_true(find_definition(&own, source, name, true));
+    if (header && !find_definition(&declared, header, name, false))
+        declared = own;
+    row_numbers(equations, at, there, starred);
+    for (int n = 1; n <= EQUATIONS; n++)
+        if (there[n] && !has_number(own.start, own.end, n) && !has_number(declared.start, declared.end, n))
+            print_error("%s in %s does not carry the number 4.%d\n", name, path, n), lacking++;
+    free(source);
+    free(header);
+}
+
+static void functions_carry_their_numbers(void **state)
+{
+    (void)state;
+    char *text = read_document("docs/equations.md");
+    equations = text;
+    lacking = 0;
+    assert_true(each_place(text, check_number) > 80);
+    assert_int_equal(lacking, 0);
+    free(text);
+}
+
+/** Every equation of the thesis has its row, and those with a star, and no others, an erratum. */
+static void equations_are_complete(void **state)
+{
+    (void)state;
+    char *text = read_document("docs/equations.md"), *errata = strstr(text, "\n## Errata");
+    bool placed[EQUATIONS + 1] = {false}, corrected[EQUATIONS + 1] = {false}, listed[EQUATIONS + 1] = {false};
+    assert_non_null(errata);
+    for (const char *line = text; line; line = strchr(line, '\n') ? strchr(line, '\n') + 1 : NULL) {
+        bool there[EQUATIONS + 1], starred[EQUATIONS + 1];
+        const char *end = strchr(line, '\n') ? strchr(line, '\n') : line + strlen(line), *place = strstr(line, "`src/");
+        const char *aside = strstr(line, "(text)");
+        row_numbers(text, line, there, starred);
+        for (int n = 1; n <= EQUATIONS; n++) {
+            placed[n] = placed[n] || (there[n] && place && place < end);
+            corrected[n] = corrected[n] || starred[n];
+            listed[n] = listed[n] || (there[n] && line > errata && !(aside && aside < end));
+        }
+    }
+    for (int n = 1; n <= EQUATIONS; n++) {
+        if (!placed[n])
+            fail_msg("no row of docs/equations.md says where (4.%d) is", n);
+        if (corrected[n] != listed[n])
+            fail_msg("(4.%d) %s", n, listed[n] ? "has an erratum but no star" : "has a star but no erratum");
+    }
+    free(text);
+}
+
+/** Files and folders that the documents name. */
+static void paths_exist(void **state)
+{
+    (void)state;
+    static const char *const folders[] = {"src/", "tests/", "templates/", "docs/", "surfaces/"};
+    size_t paths = 0;
+    for (size_t d = 0; d < sizeof documents / sizeof *documents; d++) {
+        char *text = read_document(documents[d]);
+        struct span span;
+        for (const char *at = text; next_span(&span, at); at = span.end + 1) {
+            char full[8192];
+            bool ours = false, pattern = false;
+            for (size_t f = 0; f < sizeof folders / sizeof *folders; f++)
+                ours = ours || strncmp(span.start, folders[f], strlen(folders[f])) == 0;
+            for (const char *c = span.start; c < span.end; c++)
+                pattern = pattern || *c == '<' || *c == '*' || *c == '{';
+            if (!ours || pattern)
+                continue;
+            snprintf(full, sizeof full, "%s/%.*s", PROJECT_SOURCE, (int)(span.end - span.start), span.start);
+            if (access(full, R_OK) != 0)
+                fail_msg("%s names %.*s, which is not there", documents[d], (int)(span.end - span.start), span.start);
+            paths++;
+        }
+        free(text);
+    }
+    assert_true(paths > 100);
+}
+
+/** Links from one file of the project to another. */
+static void links_lead_somewhere(void **state)
+{
+    (void)state;
+    size_t links = 0;
+    for (size_t d = 0; d < sizeof documents / sizeof *documents; d++) {
+        char *text = read_document(documents[d]), folder[NAME] = "";
+        const char *slash = strrchr(documents[d], '/');
+        snprintf(folder, sizeof folder, "%.*s", slash ? (int)(slash + 1 - documents[d]) : 0, documents[d]);
+        for (const char *at = text; (at = strstr(at, "](")); at++) {
+            const char *target = at + 2;
+            size_t length = strcspn(target, ")#");
+            char full[8192];
+            if (length == 0 || strncmp(target, "http", 4) == 0)
+                continue;
+            snprintf(full, sizeof full, "%s/%s%.*s", PROJECT_SOURCE, folder, (int)length, target);
+            if (access(full, R_OK) != 0)
+                fail_msg("%s links to %.*s, which is not there", documents[d], (int)length, target);
+            links++;
+        }
+        free(text);
+    }
+    assert_true(links > 5);
+}
+
+/** Fails unless `document` names `name` between backticks. */
+static void expect_named(const char *document, const char *text, const char *name)
+{
+    char quoted[NAME];
+    snprintf(quoted, sizeof quoted, "`%s`", name);
+    if (!strstr(text, quoted))
+        fail_msg("%s does not name %s", document, name);
+}
+
+static void tables_are_described(void **state)
+{
+    (void)state;
+    char *laws = read_document("docs/equations.md"), *formats = read_document("docs/formats.md");
+    char *report = read_document("docs/report.md");
+    for (size_t m = 0; m < model_count; m++)
+        expect_named("docs/equations.md", laws, model_rows[m]->name);
+#define EXPECT_FORMAT(reader, name) expect_named("docs/formats.md", formats, name);
+    SCAN_FORMATS(EXPECT_FORMAT)
+#undef EXPECT_FORMAT
+    for (int q = 0; q < QUANTITY_COUNT; q++)
+        expect_named("docs/report.md", report, q == QUANTITY_LOAD ? "load_over_AnEp" : quantity_rows[q].name);
+    for (size_t p = 0; p < material_property_count; p++)
+        expect_named("docs/report.md", report, material_properties[p].key);
+    free(laws);
+    free(formats);
+    free(report);
+}
+
+/** The rooms of src/ as docs/CONTRIBUTING.md orders them, which the README repeats. */
+struct rooms {
+    char name[ROOMS][NAME];
+    size_t count;
+};
+
+static struct rooms read_rooms(const char *document)
+{
+    struct rooms rooms = {.count = 0};
+    char *text = read_document(document), *line = strstr(text, "\n    base → ");
+    if (!line)
+        fail_msg("%s has no order of rooms", document);
+    line[1 + strcspn(line + 1, "\n")] = '\0';
+    char *rest = line;
+    for (char *word; (word = strsep(&rest, " \n"));)
+        if (*word >= 'a' && *word <= 'z') {
+            assert_true(rooms.count < ROOMS);
+            snprintf(rooms.name[rooms.count++], NAME, "%s", word);
+        }
+    free(text);
+    return rooms;
+}
+
+static size_t room_index(const struct rooms *rooms, const char *name, size_t length)
+{
+    size_t i = 0;
+    while (i < rooms->count && (strlen(rooms->name[i]) != length || strncmp(rooms->name[i], name, length) != 0))
+        i++;
+    return i;
+}
+
+static void check_includes(const struct rooms *rooms, size_t room, const char *path)
+{
+    char *text = read_document(path);
+    for (const char *at = text; (at = strstr(at, "#include \"")); at++) {
+        const char *name = at + strlen("#include \"");
+        size_t used = room_index(rooms, name, strcspn(name, "/\""));
+        if (used > room)
+            fail_msg("%s uses %.*s, which is no room before %s", path, (int)strcspn(name, "\""), name,
+                     rooms->name[room]);
+    }
+    free(text);
+}
+
+static void rooms_use_only_those_before(void **state)
+{
+    (void)state;
+    struct rooms rooms = read_rooms("docs/CONTRIBUTING.md"), again = read_rooms("README.md");
+    size_t files = 0;
+    assert_int_equal(rooms.count, again.count);
+    for (size_t room = 0; room < rooms.count; room++) {
+        char path[4096 + NAME];
+        assert_string_equal(rooms.name[room], again.name[room]);
+        snprintf(path, sizeof path, "%s/src/%s", PROJECT_SOURCE, rooms.name[room]);
+        DIR *directory = opendir(path);
+        if (!directory)
+            fail_msg("there is no room src/%s", rooms.name[room]);
+        for (const struct dirent *entry; (entry = readdir(directory));) {
+            const char *dot = strrchr(entry->d_name, '.');
+            if (!dot || (strcmp(dot, ".c") != 0 && strcmp(dot, ".h") != 0))
+                continue;
+            snprintf(path, sizeof path, "src/%s/%s", rooms.name[room], entry->d_name);
+            check_includes(&rooms, room, path);
+            files++;
+        }
+        closedir(directory);
+    }
+    assert_true(files > 100);
+    /* and no room is missing from the order */
+    char path[4096 + NAME];
+    snprintf(path, sizeof path, "%s/src", PROJECT_SOURCE);
+    DIR *directory = opendir(path);
+    assert_non_null(directory);
+    for (const struct dirent *entry; (entry = readdir(directory));)
+        if (entry->d_name[0] != '.' && entry->d_type == DT_DIR &&
+            room_index(&rooms, entry->d_name, strlen(entry->d_name)) == rooms.count)
+            fail_msg("the room src/%s stands in no order", entry->d_name);
+    closedir(directory);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(places_exist),
+        cmocka_unit_test(functions_carry_their_numbers),
+        cmocka_unit_test(equations_are_complete),
+        cmocka_unit_test(paths_exist),
+        cmocka_unit_test(links_lead_somewhere),
+        cmocka_unit_test(tables_are_described),
+        cmocka_unit_test(rooms_use_only_those_before),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

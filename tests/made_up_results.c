@@ -1,0 +1,344 @@
+#include "made_up_results.h"
+
+#include "contact/convergence.h"
+#include "support.h"
+
+#include <stdio.h>
+
+static const struct {
+    char *name;
+    double rq_m, area, ecr, gamma;
+} surfaces[MADE_UP_USABLE] = {
+    {"beta", 2e-7, 500, 3, 1.4}, {"alpha", 1e-7, 1000, 1, 1.6}, {"gamma", 4e-7, 200, 7.5, 1.2}};
+
+size_t made_up_model(const char *name)
+{
+    for (size_t m = 0; m < model_count; m++)
+        if (strcmp(model_rows[m]->name, name) == 0)
+            return m;
+    fail_msg("no model '%s'", name);
+    return 0;
+}
+
+/** Area of a model of the thesis over that of multiscale elastic. */
+static double factor_of(size_t m)
+{
+    static const double factors[] = {2, 1, 0.8, 0.5}; /* by place in chapter 6 */
+    return factors[model_rows[m]->thesis_place - 1];
+}
+
+/** Takes out what was not asked for. */
+static void keep_wanted(struct contact_point *point, unsigned wanted)
+{
+    for (int q = 0; q < QUANTITY_COUNT; q++)
+        if (!(wanted & QUANTITY_BIT(q)))
+            *(double *)((char *)point + quantity_rows[q].offset) = NAN;
+}
+
+static void make_curve(struct surface_record *record, size_t index, size_t m, const double *loads, unsigned wanted)
+{
+    struct model_curve *curve = &record->curves[m];
+    double area = surfaces[index].area * factor_of(m), sigma_m = surfaces[index].rq_m;
+    bool adjusts = model_rows[m]->quantities & QUANTITY_BIT(QUANTITY_ADJUSTED);
+    *curve = (struct model_curve){.exists = true,
+                                  .points = calloc(MADE_UP_LOADS, sizeof *curve->points),
+                                  .count = MADE_UP_LOADS,
+                                  .full_load = 1 / area,
+                                  .closed_load = 1 / area,
+                                  .beta = adjusts ? 6 : NAN,
+                                  .full = {.load = 1 / area, .area_ratio = 1, .adjusted_m = adjusts ? 0 : NAN}};
+    assert_non_null(curve->points);
+    for (size_t i = 0; i < MADE_UP_LOADS; i++) {
+        double ratio = fmin(1, area * loads[i]);
+        double ecr = ratio < 1 ? surfaces[index].ecr * 1e-14 / factor_of(m) / loads[i] : 0;
+        curve->points[i] = (struct contact_point){.load = loads[i],
+                                                  .area_ratio = ratio,
+                                                  .separation_m = sigma_m * (1 - ratio),
+                                                  .adjusted_m = adjusts ? sigma_m * (1 - ratio) : NAN,
+                                                  .ecr_ohm_m2 = ecr,
+                                                  .tcr_K_m2_per_W = 2e5 * ecr,
+                                                  .tcr_sd_K_m2_per_W = 1.02 * 2e5 * ecr};
+        keep_wanted(&curve->points[i], wanted);
+    }
+    keep_wanted(&curve->full, wanted);
+}
+
+/** Two scans to either side of a number. */
+static struct repeats_number about(double value, double deviation)
+{
+    struct repeats_number number = {0};
+    repeats_add(&number, value - deviation / M_SQRT2);
+    repeats_add(&number, value + deviation / M_SQRT2);
+    return number;
+}
+
+static void make_repeats(struct surface_record *record, size_t m)
+{
+    struct curve_summary *model = &record->summary.models[m];
+    model->repeated_log_full_load = about(log(model->full_load), log(1.5));
+    model->repeated_beta = about(6, 0.5);
+    record->bands[m] = calloc(MADE_UP_LOADS, sizeof *record->bands[m]);
+    record->band_count = MADE_UP_LOADS;
+    for (size_t i = 0; i < MADE_UP_LOADS; i++) {
+        const struct contact_point *point = &record->curves[m].points[i];
+        record->bands[m][i].load = point->load;
+        for (int q = 0; q < QUANTITY_COUNT; q++)
+            for (int side = 0; side < 2; side++)
+                record->bands[m][i].limits[q][side] = quantity_value(point, (enum quantity)q) * (side == 0 ? 0.9 : 1.1);
+    }
+}
+
+static void make_surface(struct made_up *made, size_t index, void (*change)(struct surface_record *, size_t))
+{
+    struct surface_record *record = calloc(1, sizeof *record);
+    struct status status = {0};
+    assert_non_null(record);
+    struct surface_summary *summary = &record->summary;
+    *summary = (struct surface_summary){.scene = &made->names[index],
+                                        .usable = index < MADE_UP_USABLE,
+                                        .models = calloc(model_count, sizeof *summary->models),
+                                        .format = "text",
+                                        .units = "x um, z um",
+                                        .hash = "0123456789abcdef0123"};
+    if (!summary->usable) {
+        summary->refusal = strdup("broken.csv: no number in it");
+    } else {
+        double rq_m = surfaces[index].rq_m, gamma = surfaces[index].gamma;
+        summary->roughness = (struct roughness){rq_m, 0.8 * rq_m, 6 * rq_m, rq_m * rq_m, 0.01, 1e9};
+        summary->asperities = (struct asperities){10, 1e10, 2e-6, 0.9 * rq_m, 0.1 * rq_m, rq_m};
+        summary->has_asperities = true;
+        summary->power_law = (struct power_law){.alpha = 0.5,
+                                                .alpha_error = 0.05,
+                                                .gamma = gamma,
+                                                .gamma_error = 0.01,
+                                                .rms_decades = 0.2,
+                                                .band_m = {2e-6, 1e-4},
+                                                .harmonics = 3,
+                                                .knee_m = NAN};
+        summary->points = 200;
+        summary->spacing_m = 1e-6;
+        summary->length_m = 2e-4;
+        summary->harmonics = 3;
+        summary->jump_m = 1e-8;
+        summary->jump_share = 0.1;
+        summary->scans = index == 0 ? 2 : 1;
+        summary->notes = index == 0 ? strdup("beta.csv: a note") : NULL;
+        record->spectrum = (struct spectrum){malloc(3 * sizeof(double)), 3, 2e-4, false};
+        for (size_t i = 0; i < 3; i++)
+            record->spectrum.amplitude_m[i] = power_law_amplitude(&summary->power_law, 2e-4 / (double)(i + 1));
+        record->preview_points = 2;
+        record->preview_x_m[1] = 2e-4;
+        record->preview_z_m[1] = rq_m;
+        record->curves = calloc(model_count, sizeof *record->curves);
+        record->bands = calloc(model_count, sizeof *record->bands);
+        for (size_t m = 0; m < model_count; m++) {
+            if (plan_runs_model(&made->plan, m))
+                make_curve(record, index, m, made->loads, made->plan.wanted);
+        }
+        if (change)
+            change(record, index);
+        for (size_t m = 0; m < model_count; m++) {
+            if (!record->curves[m].exists)
+                continue;
+            curve_summary_make(&summary->models[m], &record->curves[m], model_rows[m], rq_m);
+            summary->models[m].extended = model_rows[m]->stacks_scales;
+            if (model_rows[m]->stacks_scales)
+                summary->models[m].extension = (struct convergence_extension){0.4, 0.3, NAN, 100};
+            else
+                summary->models[m].beta_multiscale = 7;
+            if (index == 0)
+                make_repeats(record, m);
+        }
+        if (index == 0)
+            summary->repeats = (struct repeats){.count = 2,
+                                                .rq_m = about(rq_m, 1e-8),
+                                                .gamma = about(gamma, 0.02),
+                                                .log_alpha = about(log(0.5), log(1.1)),
+                                                .gamma_interval = {1.38, 1.42},
+                                                .alpha_interval = {0.45, 0.55}};
+    }
+    assert_int_equal(surface_store_put(&made->store, index, record, &status), STATUS_OK);
+    surface_record_free(record, false);
+    free(record);
+}
+
+/** 1.5 times the baseline's ECR by multiscale plastic, whose law is 1.5e-14/load. */
+static void make_measured(struct made_up *made)
+{
+    static const double loads[MADE_UP_MEASURED] = {1e-5, 3e-5, 1e-4};
+    double *values = made->measured_values;
+    made->measured = (struct measured){.count = MADE_UP_MEASURED,
+                                       .load = values,
+                                       .resistance = values + MADE_UP_MEASURED,
+                                       .error = values + 2 * MADE_UP_MEASURED,
+                                       .load_unit = "N",
+                                       .resistance_unit = "mOhm"};
+    for (size_t i = 0; i < MADE_UP_MEASURED; i++) {
+        values[i] = loads[i];
+        values[MADE_UP_MEASURED + i] = 1.5 * 1.5e-14 / loads[i];
+        values[2 * MADE_UP_MEASURED + i] = NAN;
+    }
+}
+
+static void make_benchmark(struct made_up *made)
+{
+    const struct model_row *gw = model_rows[made_up_model("gw")], *jg = model_rows[made_up_model("jg")];
+    const struct benchmark_row rows[] = {
+        {"gw-integrals", gw, "Simpson", "1000", 3000, 1e-4, 1e-3, false, BENCHMARK_INTEGRALS},
+        {"gw-integrals", gw, "Gauss-Legendre", "0.0001", 100, 1e-6, 1e-5, false, BENCHMARK_INTEGRALS},
+        {"gw-integrals", gw, "Gauss-Legendre", "1e-10", 200, 4e-6, 1e-11, false, BENCHMARK_INTEGRALS},
+        {"gw-integrals", gw, "closed form", "", 3, 1e-7, 1e-13, true, BENCHMARK_INTEGRALS},
+        {"jg-integrals", jg, "Simpson", "300", 900, 1e-5, 5e-3, false, BENCHMARK_INTEGRALS},
+        {"jg-integrals", jg, "Simpson", "1000", 3000, 4e-5, 2e-3, false, BENCHMARK_INTEGRALS},
+        {"jg-integrals", jg, "adaptive", "1e-03", 900, 1e-5, 1e-4, false, BENCHMARK_INTEGRALS},
+        {"jg-integrals", jg, "adaptive", "1e-04", 950, 1.1e-5, 1e-6, false, BENCHMARK_INTEGRALS},
+        {"jg-integrals", jg, "Gauss-Legendre", "0.0001", 100, 1e-6, 1e-4, false, BENCHMARK_INTEGRALS},
+        {"jg-integrals", jg, "Gauss-Legendre", "1e-08", 150, 1.5e-6, 1e-8, true, BENCHMARK_INTEGRALS},
+        {"jg-integrals", jg, "Gauss-Legendre", "1e-10", 200, 2.43e-6, 1e-9, false, BENCHMARK_INTEGRALS},
+        {"closure-area", NULL, "thesis", "", 20, 1e-6, 0.08, true, BENCHMARK_CHARTS},
+        {"closure-area", NULL, "numeric", "", 20, 3e-6, 0.001, false, BENCHMARK_CHARTS},
+        {"cut-off", gw, "multiscale-elastic", "4um", 50, 1e-6, 0.1, false, BENCHMARK_CURVES},
+        {"loads", gw, "multiscale-elastic", "129", 129, 1e-6, 0.002, false, BENCHMARK_CURVES},
+        {"loads", gw, "gw", "129", 129, 1e-6, 0.003, false, BENCHMARK_CURVES},
+    };
+    struct status status = {0};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        assert_int_equal(benchmark_add(&made->benchmark, &rows[i], &status), STATUS_OK);
+}
+
+void made_up_sweep(struct made_up *made, enum convergence_sweep sweep, const char *model, size_t value, double last)
+{
+    double *area =
+        made->sweeps + (results_sweep(&made->results, sweep, made_up_model(model), value) - made->results.convergence);
+    for (size_t i = 0; i < MADE_UP_SCALES; i++)
+        area[i] = i < MADE_UP_SCALES / 2 ? 0.5 : last;
+}
+
+/** All settle that should. */
+static void make_sweeps(struct made_up *made)
+{
+    made->sweeps = calloc(results_sweep_size(&made->results), sizeof *made->sweeps);
+    assert_non_null(made->sweeps);
+    made->results.convergence = made->sweeps;
+    for (int s = 0; s < CONVERGENCE_SWEEP_COUNT; s++)
+        for (size_t v = 0; v < convergence_sweeps[s].count; v++)
+            for (size_t m = 0; m < model_count; m++)
+                if (plan_runs_model(&made->plan, m) && model_rows[m]->stacks_scales)
+                    made_up_sweep(made, (enum convergence_sweep)s, model_rows[m]->name, v,
+                                  s == CONVERGENCE_ALPHA || convergence_sweeps[s].values[v] >= 1 ? 0.5 : 0.4);
+}
+
+uint64_t made_up_models(void)
+{
+    uint64_t models = 0;
+    for (size_t m = 0; m < model_count; m++)
+        models |= model_rows[m]->thesis_place > 0 ? MODEL_BIT(m) : 0;
+    return models;
+}
+
+static void make_plan(struct plan *plan, uint64_t models, unsigned effects)
+{
+    *plan = (struct plan){.models = models,
+                          .running = effects,
+                          .wanted = quantity_wanted(effects),
+                          .pair = {.effective_modulus_Pa = 1e11,
+                                   .yield_strength_Pa = 1e8,
+                                   .poisson_ratio = 0.3,
+                                   .yield_coefficient = 1.6,
+                                   .resistivity_ohm_m = 1e-7,
+                                   .conductivity_W_per_mK = 50,
+                                   .mean_free_path_m = {2e-8, 2e-8},
+                                   .side_conductivity_W_per_mK = {50, 50}}};
+    for (int e = 0; e < EFFECT_COUNT; e++) {
+        plan->effects[e].runs = effects & EFFECT_BIT(e);
+        snprintf(plan->effects[e].reason, sizeof plan->effects[e].reason, "reason %d", e);
+    }
+}
+
+void made_up_again(struct made_up *made)
+{
+    struct status status = {0};
+    comparison_free(&made->comparison);
+    surface_record_free(&made->baseline, false);
+    figure_list_free(&made->figures);
+    assert_int_equal(comparison_make(&made->comparison, &made->results, &status), STATUS_OK);
+    assert_int_equal(surface_store_get(&made->baseline, &made->store, made->results.baseline, &status), STATUS_OK);
+    assert_int_equal(figure_list_make(&made->figures, &made->results, &status), STATUS_OK);
+}
+
+void made_up_make(struct made_up *made, void (*change)(struct surface_record *record, size_t index))
+{
+    made_up_make_of(made, made_up_models(), (1u << EFFECT_COUNT) - 1, change);
+}
+
+void made_up_make_of(struct made_up *made, uint64_t models, unsigned effects,
+                     void (*change)(struct surface_record *record, size_t index))
+{
+    struct status status = {0};
+    *made = (struct made_up){.files = {"scan.csv"}, .order = {1, 0, 2}, .shown = {0, 1, 2}};
+    make_plan(&made->plan, models, effects);
+    for (size_t i = 0; i < MADE_UP_SURFACES; i++)
+        made->names[i] = (struct scene_surface){
+            .name = i < MADE_UP_USABLE ? surfaces[i].name : "broken", .files = made->files, .file_count = 1};
+    for (size_t i = 0; i < MADE_UP_LOADS; i++)
+        made->loads[i] = pow(10, -6 + (double)i / 2);
+    made->scene = (struct scene){
+        .title = "Made up",
+        .models = made->plan.models,
+        .nominal_area_m2 = 1e-6,
+        .tolerance = 1e-8,
+        .fit_band_m = {0, INFINITY},
+        .counterface_kind = MATERIAL_COUNTERFACE_RIGID,
+        .material = *material_find("tin"),
+        .counterface = material_unknown("rigid"),
+        .convergence = {.alpha = 0.1, .gamma = 1.5, .load = 1e-3, .scan_length_m = 1e-3, .scales = MADE_UP_SCALES},
+        .surfaces = made->names,
+        .surface_count = MADE_UP_SURFACES,
+    };
+    const char *temporary = getenv("TMPDIR"); /* the store's file has no name in it */
+    assert_int_equal(surface_store_open(&made->store, temporary ? temporary : "/tmp", MADE_UP_SURFACES, &status),
+                     STATUS_OK);
+    make_measured(made);
+    make_benchmark(made);
+    made->results = (struct results){.scene = &made->scene,
+                                     .plan = &made->plan,
+                                     .loads = made->loads,
+                                     .load_count = MADE_UP_LOADS,
+                                     .store = &made->store,
+                                     .measured = &made->measured,
+                                     .benchmark = &made->benchmark,
+                                     .shown = made->shown,
+                                     .shown_count = MADE_UP_USABLE,
+                                     .by_roughness = made->order,
+                                     .usable_count = MADE_UP_USABLE,
+                                     .baseline = 0};
+    if (plan_runs(&made->plan, EFFECT_CONVERGENCE))
+        make_sweeps(made);
+    for (size_t i = 0; i < MADE_UP_SURFACES; i++)
+        make_surface(made, i, change);
+    made->context = (struct section_context){&made->results, &made->comparison, &made->baseline, &made->figures};
+    made_up_again(made);
+}
+
+void made_up_free(struct made_up *made)
+{
+    comparison_free(&made->comparison);
+    surface_record_free(&made->baseline, false);
+    figure_list_free(&made->figures);
+    surface_store_close(&made->store);
+    benchmark_free(&made->benchmark);
+    free(made->sweeps);
+}
+
+struct surface_summary *made_up_surface(struct made_up *made, size_t index)
+{
+    return &made->store.summaries[index];
+}
+
+struct text made_up_section(const struct made_up *made, const struct section *section)
+{
+    struct text text = {0};
+    section->write(&text, &made->context);
+    assert_false(text.failed);
+    return text;
+}

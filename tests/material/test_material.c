@@ -1,0 +1,175 @@
+#include "material/material.h"
+#include "support.h"
+
+static const double k_tin_effective_modulus = 47528722426.470588; /* Pa */
+
+static const struct material *known(const char *name)
+{
+    const struct material *material = material_find(name);
+    assert_non_null(material);
+    return material;
+}
+
+static void test_tin_is_table_6_1(void **state)
+{
+    (void)state;
+    const struct material *tin = known("tin");
+    assert_near(tin->youngs_modulus_Pa, 41.369e9, 0);
+    assert_near(tin->poisson_ratio, 0.36, 0);
+    assert_near(tin->yield_strength_Pa, 14e6, 0);
+    assert_near(tin->resistivity_ohm_m, 11.5e-8, 0);
+    assert_near(tin->conductivity_W_per_mK, 66.8, 0);
+    assert_near(tin->density_kg_per_m3, 7310, 0);
+    assert_near(tin->specific_heat_J_per_kgK, 227, 0);
+    assert_near(tin->sound_speed_m_per_s, 2730, 0);
+}
+
+static void test_tin_against_a_rigid_flat(void **state)
+{
+    (void)state;
+    struct material_pair pair = material_pair(known("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
+    assert_near(pair.yield_coefficient, 1.6878755972587788, 1e-14);
+    assert_near(pair.effective_modulus_Pa, k_tin_effective_modulus, 1e-14);
+    assert_near(pair.mean_free_path_m[0], 4.4237628381008097e-8, 1e-14);
+    assert_near(pair.mean_free_path_m[1], pair.mean_free_path_m[0], 0);
+    assert_near(pair.yield_strength_Pa, 14e6, 0);
+    assert_near(pair.poisson_ratio, 0.36, 0);
+    assert_near(pair.resistivity_ohm_m, 11.5e-8, 0); /* the flat conducts like the tin */
+    assert_near(pair.conductivity_W_per_mK, 66.8, 0);
+    assert_near(pair.side_conductivity_W_per_mK[1], 66.8, 0);
+}
+
+static void test_same_metal_is_half_as_stiff(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < material_table_count; i++) {
+        const struct material *metal = &material_table[i];
+        struct material_pair rigid = material_pair(metal, MATERIAL_COUNTERFACE_RIGID, NULL);
+        struct material_pair same = material_pair(metal, MATERIAL_COUNTERFACE_ELASTIC, metal);
+        assert_near(same.effective_modulus_Pa, rigid.effective_modulus_Pa / 2, 1e-15);
+        assert_near(same.conductivity_W_per_mK, rigid.conductivity_W_per_mK, 0);
+        assert_near(same.resistivity_ohm_m, rigid.resistivity_ohm_m, 0);
+        assert_near(same.yield_coefficient, rigid.yield_coefficient, 0);
+    }
+}
+
+static void test_two_metals(void **state)
+{
+    (void)state;
+    const struct material *tin = known("tin"), *copper = known("copper");
+    struct material_pair pair = material_pair(copper, MATERIAL_COUNTERFACE_ELASTIC, tin);
+    double expected = 1 / ((1 - 0.36 * 0.36) / 41.369e9 +
+                           (1 - copper->poisson_ratio * copper->poisson_ratio) / copper->youngs_modulus_Pa);
+    assert_near(pair.effective_modulus_Pa, expected, 1e-15);
+    assert_near(pair.yield_strength_Pa, 14e6, 0); /* tin is the softer */
+    assert_near(pair.poisson_ratio, 0.36, 0);
+    assert_near(pair.yield_coefficient, 1.6878755972587788, 1e-14);
+    assert_near(pair.resistivity_ohm_m, (11.5e-8 + copper->resistivity_ohm_m) / 2, 1e-15);
+    double k = copper->conductivity_W_per_mK;
+    assert_near(pair.conductivity_W_per_mK, 2 * 66.8 * k / (66.8 + k), 1e-15);
+    assert_near(pair.mean_free_path_m[1], 4.4237628381008097e-8, 1e-14);
+    assert_true(pair.mean_free_path_m[0] != pair.mean_free_path_m[1]);
+    assert_near(pair.side_conductivity_W_per_mK[0], k, 0);
+
+    struct material_pair turned = material_pair(tin, MATERIAL_COUNTERFACE_ELASTIC, copper);
+    assert_near(turned.effective_modulus_Pa, pair.effective_modulus_Pa, 1e-15);
+    assert_near(turned.conductivity_W_per_mK, pair.conductivity_W_per_mK, 1e-15);
+    assert_near(turned.yield_strength_Pa, 14e6, 0);
+}
+
+static void test_what_is_missing_is_nan(void **state)
+{
+    (void)state;
+    struct material some = material_unknown("some");
+    assert_string_equal(some.name, "some");
+    for (size_t i = 0; i < material_property_count; i++)
+        assert_true(isnan(material_value(&some, &material_properties[i])));
+    some.youngs_modulus_Pa = 1e9;
+    some.poisson_ratio = 0;
+    struct material_pair pair = material_pair(&some, MATERIAL_COUNTERFACE_RIGID, NULL);
+    assert_near(pair.effective_modulus_Pa, 1e9, 0);
+    assert_near(pair.yield_coefficient, 1.295, 0); /* needs nu alone */
+    assert_true(isnan(pair.yield_strength_Pa));
+    assert_true(isnan(pair.resistivity_ohm_m));
+    assert_true(isnan(pair.conductivity_W_per_mK));
+    assert_true(isnan(pair.mean_free_path_m[0]));
+
+    /* Which body is softer is not known. */
+    pair = material_pair(known("tin"), MATERIAL_COUNTERFACE_ELASTIC, &some);
+    assert_near(pair.effective_modulus_Pa, 1 / (1 / k_tin_effective_modulus + 1e-9), 1e-15);
+    assert_true(isnan(pair.yield_strength_Pa));
+    assert_true(isnan(pair.poisson_ratio));
+    assert_true(isnan(pair.yield_coefficient));
+    assert_true(isnan(pair.resistivity_ohm_m));
+    assert_near(pair.mean_free_path_m[0], 4.4237628381008097e-8, 1e-14);
+    assert_true(isnan(pair.mean_free_path_m[1]));
+}
+
+static void test_names(void **state)
+{
+    (void)state;
+    assert_ptr_equal(material_find("TIN"), known("tin"));
+    assert_null(material_find("unobtainium"));
+    assert_null(material_find(""));
+    for (size_t i = 0; i < material_table_count; i++)
+        assert_ptr_equal(material_find(material_table[i].name), &material_table[i]); /* no name twice */
+}
+
+/* A wrong power of ten or two exchanged columns would break these laws of metals. */
+static void test_the_table_is_plausible(void **state)
+{
+    (void)state;
+    assert_true(material_table_count >= 9);
+    for (size_t i = 0; i < material_table_count; i++) {
+        const struct material *metal = &material_table[i];
+        assert_true(strlen(metal->source) > 20 && strlen(metal->source) < sizeof metal->source - 1);
+        for (size_t p = 0; p < material_property_count; p++) {
+            double value = material_value(metal, &material_properties[p]);
+            assert_true(value >= material_properties[p].least && value <= material_properties[p].most);
+        }
+        /* Wiedemann-Franz: 2.44e-8 W·Ω/K²; the lattice carries a good part of the heat in stainless steel */
+        assert_within(metal->conductivity_W_per_mK * metal->resistivity_ohm_m / 293, 3e-8, 1e-8);
+        /* longitudinal waves: v² = E(1-nu)/((1+nu)(1-2nu) density) */
+        double nu = metal->poisson_ratio;
+        double modulus = metal->youngs_modulus_Pa * (1 - nu) / ((1 + nu) * (1 - 2 * nu));
+        assert_near(metal->sound_speed_m_per_s, sqrt(modulus / metal->density_kg_per_m3), 0.13);
+        /* Dulong and Petit for densities: heat per volume of all metals is 1.6...4 MJ/(m³ K) */
+        assert_within(metal->density_kg_per_m3 * metal->specific_heat_J_per_kgK, 2.8e6, 1.3e6);
+        assert_true(metal->yield_strength_Pa < metal->youngs_modulus_Pa / 100);
+    }
+}
+
+static void test_property_rows(void **state)
+{
+    (void)state;
+    static const char *const keys[] = {"E_Pa",
+                                       "nu",
+                                       "Sy_Pa",
+                                       "resistivity_ohm_m",
+                                       "conductivity_W_per_mK",
+                                       "density_kg_per_m3",
+                                       "specific_heat_J_per_kgK",
+                                       "sound_speed_m_per_s"};
+    assert_int_equal(material_property_count, sizeof keys / sizeof *keys);
+    for (size_t p = 0; p < material_property_count; p++) {
+        assert_string_equal(material_properties[p].key, keys[p]);
+        assert_true(strlen(material_properties[p].symbol) > 0 && strlen(material_properties[p].meaning) > 0);
+        for (size_t other = 0; other < p; other++)
+            assert_true(material_properties[p].offset != material_properties[other].offset);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_tin_is_table_6_1),
+        cmocka_unit_test(test_tin_against_a_rigid_flat),
+        cmocka_unit_test(test_same_metal_is_half_as_stiff),
+        cmocka_unit_test(test_two_metals),
+        cmocka_unit_test(test_what_is_missing_is_nan),
+        cmocka_unit_test(test_names),
+        cmocka_unit_test(test_the_table_is_plausible),
+        cmocka_unit_test(test_property_rows),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

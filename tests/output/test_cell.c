@@ -1,0 +1,48 @@
+/* Numbers on their way into files: what is absent, and what must not be. */
+#include "output/cell.h"
+#include "support.h"
+
+static void test_cells(void **state)
+{
+    (void)state;
+    struct status status = {0};
+    const struct cell_guard guard = {"dull", &status};
+    struct text row = {0};
+    cell_number(&row, &guard, "rq_m", 0.1);
+    cell_number(&row, &guard, "rq_m", NAN);
+    cell_number(&row, &guard, "rq_m", -5e-324);
+    assert_string_equal(text_string(&row), ",0.10000000000000001,,-4.9406564584124654e-324");
+    json_t *number = cell_json(&guard, "rq_m", 0.1), *absent = cell_json(&guard, "rq_m", NAN);
+    assert_true(json_is_real(number) && json_real_value(number) == 0.1 && json_is_null(absent));
+    assert_int_equal(status.code, STATUS_OK);
+    json_decref(number);
+    json_decref(absent);
+    text_free(&row);
+}
+
+/* Of two the first is reported: by quantity and surface, or by quantity alone. */
+static void test_infinite_numbers(void **state)
+{
+    (void)state;
+    struct status status = {0};
+    const struct cell_guard guard = {"dull", &status}, of_scene = {NULL, &status};
+    struct text row = {0};
+    cell_number(&row, &guard, "rq_m", -INFINITY);
+    cell_number(&row, &guard, "ra_m", INFINITY);
+    assert_string_equal(text_string(&row), ",,");
+    assert_int_equal(status.code, STATUS_NUMBER);
+    assert_non_null(strstr(status.message, "rq_m of surface 'dull' came out infinite"));
+    status = (struct status){0};
+    json_t *absent = cell_json(&of_scene, "tolerance", INFINITY);
+    assert_true(json_is_null(absent));
+    assert_int_equal(status.code, STATUS_NUMBER);
+    assert_non_null(strstr(status.message, "tolerance came out infinite"));
+    json_decref(absent);
+    text_free(&row);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_cells), cmocka_unit_test(test_infinite_numbers)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,153 @@
+#include "results/results.h"
+#include "run/pipeline.h"
+
+#include <jansson.h>
+
+/* Three surfaces, one of which has no statistical model, run once for all tests: place/out. */
+static int place_setup(void **state)
+{
+    static struct directory place;
+    place = directory_make();
+    mkdir(directory_path(&place, "in"), 0777);
+    mkdir(directory_path(&place, "electrical"), 0777);
+    pipeline_rough(&place, "in/smooth.csv", 120, 0.3, 1);
+    pipeline_rough(&place, "in/rough.csv", 120, 1, 2);
+    pipeline_bowl(&place, "in/bowl.csv", 121);
+    pipeline_rough(&place, "electrical/smooth.csv", 120, 0.3, 1);
+    directory_write(&place, "in/scene.yaml",
+                    "material: tin\nload: {from: 1e-5, to: 0.5, points: 11}\nconvergence: {scales: 9}\n");
+    directory_write(&place, "electrical/scene.yaml", "material: tin\neffects: [electrical]\n");
+    assert_int_equal(pipeline_run(&place, "in", "out", 1), 0);
+    assert_int_equal(pipeline_run(&place, "electrical", "out-electrical", 1), 0);
+    *state = &place;
+    return 0;
+}
+
+static int place_teardown(void **state)
+{
+    directory_remove(*state);
+    return 0;
+}
+
+static struct table open_table(const struct directory *place, const char *name)
+{
+    return table_read_path(directory_path(place, name));
+}
+
+static bool is_null_or_finite(const json_t *json)
+{
+    if (json_is_real(json))
+        return isfinite(json_real_value(json));
+    size_t index;
+    const char *key;
+    json_t *value;
+    if (json_is_array(json)) {
+        json_array_foreach((json_t *)json, index, value) if (!is_null_or_finite(value)) return false;
+    } else if (json_is_object(json)) {
+        json_object_foreach((json_t *)json, key, value) if (!is_null_or_finite(value)) return false;
+    }
+    return true;
+}
+
+static const json_t *json_surface(const json_t *root, const char *name)
+{
+    const json_t *surfaces = json_object_get(root, "surfaces");
+    for (size_t i = 0; i < json_array_size(surfaces); i++) {
+        const json_t *surface = json_array_get(surfaces, i);
+        if (strcmp(json_string_value(json_object_get(surface, "surface")), name) == 0)
+            return surface;
+    }
+    fail_msg("no surface '%s' in results.json", name);
+    return NULL;
+}
+
+static json_t *read_json(const struct directory *place, const char *name)
+{
+    json_error_t error;
+    json_t *root = json_load_file(directory_path(place, name), JSON_REJECT_DUPLICATES, &error);
+    if (!root)
+        fail_msg("%s:%d: %s", name, error.line, error.text);
+    return root;
+}
+
+/* The same numbers as the tables, to the last bit, and everything they were made from. */
+static void test_the_json_agrees_with_the_tables(void **state)
+{
+    static const char *const columns[] = {"load_over_AnEp", "area_ratio",     "separation_m",
+                                          "ecr_ohm_m2",     "tcr_K_m2_per_W", "tcr_sd_K_m2_per_W"};
+    json_t *root = read_json(*state, "out/results.json");
+    struct table contact = open_table(*state, "out/data/contact.csv"),
+                 surfaces = open_table(*state, "out/data/surfaces.csv");
+    size_t index = 0;
+    for (size_t row = 0; row < contact.rows; row++) {
+        const char *model = table_text(&contact, row, "model");
+        index = row > 0 && strcmp(model, table_text(&contact, row - 1, "model")) == 0 ? index + 1 : 0;
+        const json_t *curve =
+            json_object_get(json_object_get(json_surface(root, table_text(&contact, row, "surface")), "models"), model);
+        for (size_t c = 0; c < sizeof columns / sizeof *columns; c++) {
+            const json_t *value = json_array_get(json_object_get(curve, columns[c]), index);
+            assert_true(json_is_number(value));
+            assert_near(json_number_value(value), table_number(&contact, row, columns[c]), 0);
+        }
+    }
+    for (size_t row = 0; row < surfaces.rows; row++)
+        for (size_t c = 2; c < surfaces.columns; c++) {
+            const char *column = surfaces.cell[c];
+            const json_t *surface = json_surface(root, table_text(&surfaces, row, "surface"));
+            const json_t *value = json_object_get(surface, column);
+            if (strncmp(column, "beta_", 5) == 0) {
+                value = json_object_get(json_object_get(json_object_get(surface, "models"), column + 5), "beta");
+                if (!value)
+                    continue; /* no such model for the surface */
+            }
+            assert_non_null(value);
+            if (*table_text(&surfaces, row, column))
+                assert_near(json_number_value(value), table_number(&surfaces, row, column), 0);
+            else
+                assert_true(json_is_null(value));
+        }
+    assert_true(is_null_or_finite(root));
+    table_free(&contact);
+    table_free(&surfaces);
+    json_decref(root);
+}
+
+static void test_the_json_names_program_scene_and_input(void **state)
+{
+    json_t *root = read_json(*state, "out/results.json");
+    const json_t *scene = json_object_get(root, "scene");
+    assert_string_equal(json_string_value(json_object_get(root, "program")), "roughcontact");
+    assert_true(strlen(json_string_value(json_object_get(root, "version"))) > 0);
+    assert_int_equal(json_array_size(json_object_get(scene, "loads_over_AnEp")), 11);
+    assert_int_equal(json_array_size(json_object_get(root, "refused")), 0);
+    assert_true(json_is_true(json_object_get(json_object_get(json_object_get(scene, "effects"), "thermal"), "runs")));
+    assert_near(json_number_value(json_object_get(json_object_get(scene, "material"), "E_Pa")),
+                material_find("tin")->youngs_modulus_Pa, 0);
+    for (size_t i = 0; i < 3; i++) {
+        const json_t *surface = json_array_get(json_object_get(root, "surfaces"), i);
+        assert_int_equal(strlen(json_string_value(json_object_get(surface, "sha256"))), 64);
+    }
+    json_decref(root);
+}
+
+static void test_effects_that_do_not_run_leave_nothing(void **state)
+{
+    json_t *root = read_json(*state, "out-electrical/results.json");
+    const json_t *models = json_object_get(json_surface(root, "smooth"), "models");
+    assert_int_equal(json_object_size(models), 2);
+    const json_t *curve = json_object_get(models, "multiscale-elastic");
+    assert_non_null(json_object_get(curve, "ecr_ohm_m2"));
+    assert_null(json_object_get(curve, "separation_m"));
+    assert_null(json_object_get(curve, "tcr_K_m2_per_W"));
+    json_decref(root);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_the_json_agrees_with_the_tables),
+        cmocka_unit_test(test_the_json_names_program_scene_and_input),
+        cmocka_unit_test(test_effects_that_do_not_run_leave_nothing),
+    };
+    return cmocka_run_group_tests(tests, place_setup, place_teardown);
+}

@@ -1,0 +1,777 @@
+#include "directory.h"
+#include "output/manifest.h"
+#include "output/output.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/ptrace.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+
+static int place_setup(void **state)
+{
+    static struct directory place;
+    place = directory_make();
+    *state = &place;
+    return 0;
+}
+
+static int place_teardown(void **state)
+{
+    directory_remove(*state);
+    return 0;
+}
+
+static struct output begin(const struct directory *place, const char *target)
+{
+    struct output output;
+    struct status status = {0};
+    if (output_begin(&output, directory_path(place, target), &status) != STATUS_OK)
+        fail_msg("%s", status.message);
+    return output;
+}
+
+/* Writes a one-word report into the staging directory. */
+static void fill(const struct output *output, const char *word)
+{
+    static const char *const files[] = {"report.md", "report.html", "results.json", "data/contact.csv",
+                                        "figures/6-05.svg"};
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
+        struct text path = {0};
+        struct status status = {0};
+        text_add(&path, "%s/%s", output->staging, files[i]);
+        assert_int_equal(text_write_file(text_string(&path), word, strlen(word), &status), STATUS_OK);
+        text_free(&path);
+    }
+}
+
+static void commit(struct output *output)
+{
+    struct status status = {0};
+    if (output_commit(output, &status) != STATUS_OK)
+        fail_msg("%s", status.message);
+    assert_string_equal(output->staging, "");
+    output_abandon(output); /* has nothing left to do, as in a run */
+}
+
+static void assert_report(const struct directory *place, const char *target, const char *word)
+{
+    char name[256];
+    static const char *const files[] = {"report.md", "data/contact.csv", "figures/6-05.svg"};
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
+        snprintf(name, sizeof name, "%s/%s", target, files[i]);
+        struct text text = directory_read(place, name);
+        assert_string_equal(text_string(&text), word);
+        text_free(&text);
+    }
+    assert_int_equal(directory_entries(place, target), 6);
+}
+
+/* Puts the report `word` at `target`. */
+static void publish(const struct directory *place, const char *target, const char *word)
+{
+    struct output output = begin(place, target);
+    fill(&output, word);
+    commit(&output);
+}
+
+static void assert_content(const struct directory *place, const char *name, const char *content)
+{
+    struct text text = directory_read(place, name);
+    assert_string_equal(text_string(&text), content);
+    text_free(&text);
+}
+
+static void assert_refused(const struct directory *place, const char *target, const char *words)
+{
+    struct output output;
+    struct status status = {0};
+    assert_int_equal(output_begin(&output, directory_path(place, target), &status), STATUS_IO);
+    if (!strstr(status.message, words))
+        fail_msg("'%s' without '%s'", status.message, words);
+    output_abandon(&output);
+}
+
+static void test_a_first_report_appears_at_once(void **state)
+{
+    struct output output = begin(*state, "out");
+    fill(&output, "one");
+    assert_false(directory_has(*state, "out"));
+    commit(&output);
+    assert_report(*state, "out", "one");
+    assert_int_equal(directory_entries(*state, ""), 1);
+}
+
+static void test_a_report_takes_the_place_of_the_one_before(void **state)
+{
+    for (int k = 0; k < 3; k++) {
+        const char *words[] = {"one", "two", "three"};
+        struct output output = begin(*state, "out");
+        fill(&output, words[k]);
+        if (k > 0)
+            assert_report(*state, "out", words[k - 1]);
+        commit(&output);
+        assert_report(*state, "out", words[k]);
+    }
+    assert_int_equal(directory_entries(*state, ""), 1);
+}
+
+static void test_an_abandoned_run_leaves_the_report_before(void **state)
+{
+    struct output output = begin(*state, "out");
+    fill(&output, "one");
+    commit(&output);
+    output = begin(*state, "out");
+    fill(&output, "half a report");
+    output_abandon(&output);
+    assert_string_equal(output.staging, "");
+    output_abandon(&output); /* twice is once */
+    assert_report(*state, "out", "one");
+    assert_int_equal(directory_entries(*state, ""), 1);
+
+    output = begin(*state, "other");
+    output_abandon(&output);
+    assert_int_equal(directory_entries(*state, ""), 1);
+}
+
+/* Nothing of an earlier, larger report stays behind in a smaller one. */
+static void test_files_of_the_report_before_do_not_survive(void **state)
+{
+    const struct directory *place = *state;
+    struct output output = begin(place, "out");
+    fill(&output, "one");
+    struct text path = {0};
+    struct status status = {0};
+    text_add(&path, "%s/figures/6-30.svg", output.staging);
+    assert_int_equal(text_write_file(text_string(&path), "old", 3, &status), STATUS_OK);
+    text_free(&path);
+    commit(&output);
+    assert_true(directory_has(place, "out/figures/6-30.svg"));
+    publish(place, "out", "two");
+    assert_false(directory_has(place, "out/figures/6-30.svg"));
+    assert_report(place, "out", "two");
+    assert_int_equal(directory_entries(place, ""), 1);
+}
+
+static void test_the_manifest_names_each_file(void **state)
+{
+    publish(*state, "out", "one");
+    assert_content(*state, "out/manifest.txt",
+                   MANIFEST_HEADER
+                   "data/contact.csv\nfigures/6-05.svg\nmanifest.txt\nreport.html\nreport.md\nresults.json\n");
+}
+
+static void test_an_empty_directory_may_be_the_target(void **state)
+{
+    const struct directory *place = *state;
+    assert_int_equal(mkdir(directory_path(place, "out"), 0777), 0);
+    directory_write(place, "out/.gitkeep", "kept");
+    publish(place, "out///", "one");
+    assert_content(place, "out/.gitkeep", "kept");
+    assert_int_equal(remove(directory_path(place, "out/.gitkeep")), 0);
+    assert_report(place, "out", "one");
+    assert_int_equal(directory_entries(place, ""), 1);
+}
+
+static void test_missing_parents_are_made(void **state)
+{
+    struct output output = begin(*state, "a/b/c/out");
+    fill(&output, "one");
+    commit(&output);
+    assert_report(*state, "a/b/c/out", "one");
+    assert_int_equal(directory_entries(*state, "a/b/c"), 1);
+}
+
+static void test_a_directory_that_is_no_report_is_refused(void **state)
+{
+    const struct directory *place = *state;
+    assert_int_equal(mkdir(directory_path(place, "out"), 0777), 0);
+    assert_int_equal(mkdir(directory_path(place, "out/figures"), 0777), 0);
+    directory_write(place, "out/figures/plot1.svg", "mine");
+    assert_refused(place, "out", "holds 'figures/plot1.svg', and no manifest.txt names it as part of a report");
+    directory_write(place, "out/report.md", "mine");
+    directory_write(place, "out/results.json", "mine"); /* or a report of an earlier version */
+    assert_refused(place, "out", "(a report of an earlier version: remove it first)");
+    assert_refused(place, "out", "choose another directory with -o");
+    directory_write(place, "out/manifest.txt", "report.md\nresults.json\nfigures/plot1.svg\nmanifest.txt\n");
+    assert_refused(place, "out", "and no manifest.txt names it");
+    assert_int_equal(remove(directory_path(place, "out/manifest.txt")), 0);
+    assert_int_equal(mkfifo(directory_path(place, "out/manifest.txt"), 0666), 0); /* which would be read for ever */
+    assert_refused(place, "out", "and no manifest.txt names it");
+    assert_content(place, "out/figures/plot1.svg", "mine");
+    assert_content(place, "out/report.md", "mine");
+    assert_content(place, "out/results.json", "mine");
+    assert_int_equal(directory_entries(place, "out"), 4);
+    assert_int_equal(directory_entries(place, ""), 1);
+}
+
+static const char *const users_files[] = {
+    "notes.md",
+    "figures/holiday.svg",
+    ".hidden",
+    "data/mine.csv",
+    "figures/6-05.svg\nreport.md",
+    /* nearly the names of the report's files */
+    "report",
+    "data/contact.cs",
+    "figures/6-05.svg~",
+    "# the files of this report by roughcontact, which its next run replaces; no others",
+};
+enum { USERS_FILES = sizeof users_files / sizeof *users_files, FEW = 2 };
+
+static void write_users_files(const struct directory *place, const char *target, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        char name[128];
+        snprintf(name, sizeof name, "%s/%s", target, users_files[i]);
+        directory_write(place, name, users_files[i]);
+    }
+}
+
+static void assert_users_files(const struct directory *place, const char *target, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        char name[128];
+        snprintf(name, sizeof name, "%s/%s", target, users_files[i]);
+        assert_content(place, name, users_files[i]);
+    }
+}
+
+static void test_files_of_the_user_stay(void **state)
+{
+    const struct directory *place = *state;
+    struct stat before, after;
+    publish(place, "out", "one");
+    write_users_files(place, "out", USERS_FILES);
+    assert_int_equal(symlink("../elsewhere", directory_path(place, "out/data/link")), 0);
+    assert_int_equal(mkfifo(directory_path(place, "out/pipe"), 0600), 0);
+    assert_int_equal(stat(directory_path(place, "out/notes.md"), &before), 0);
+    publish(place, "out", "two");
+    publish(place, "out", "three");
+    assert_users_files(place, "out", USERS_FILES);
+    assert_content(place, "out/report.md", "three");
+    assert_int_equal(stat(directory_path(place, "out/notes.md"), &after), 0);
+    assert_true(before.st_ino == after.st_ino); /* the file itself, no copy of it */
+    assert_int_equal(after.st_nlink, 1);
+    assert_int_equal(lstat(directory_path(place, "out/data/link"), &after), 0);
+    assert_true(S_ISLNK(after.st_mode));
+    assert_int_equal(stat(directory_path(place, "out/pipe"), &after), 0);
+    assert_true(S_ISFIFO(after.st_mode));
+    assert_int_equal(directory_entries(place, "out"), 6 + 5);
+    assert_int_equal(directory_entries(place, "out/data"), 1 + 3);
+    assert_int_equal(directory_entries(place, "out/figures"), 1 + 3);
+    assert_int_equal(directory_entries(place, ""), 1);
+
+    struct output output = begin(place, "out"); /* and where nothing comes of the run */
+    output_abandon(&output);
+    assert_users_files(place, "out", USERS_FILES);
+}
+
+static void test_a_directory_of_the_user_stops_the_run(void **state)
+{
+    const struct directory *place = *state;
+    publish(place, "out", "one");
+    struct output output = begin(place, "out");
+    struct status status = {0};
+    assert_int_equal(mkdir(directory_path(place, "out/figures/src.csv"), 0777), 0);
+    directory_write(place, "out/figures/src.csv/thesis.tex", "mine");
+    assert_refused(place, "out", "holds the directory 'figures/src.csv', which is not part of a report; move it away");
+    fill(&output, "two"); /* the same when it comes during the run */
+    assert_int_equal(output_commit(&output, &status), STATUS_IO);
+    assert_non_null(strstr(status.message, "holds the directory 'figures/src.csv'"));
+    output_abandon(&output);
+    assert_content(place, "out/figures/src.csv/thesis.tex", "mine");
+    assert_content(place, "out/report.md", "one");
+    assert_int_equal(directory_entries(place, ""), 1);
+}
+
+static void test_files_that_come_during_a_run_stay(void **state)
+{
+    const struct directory *place = *state;
+    struct output output = begin(place, "out"); /* where there is no report yet */
+    fill(&output, "one");
+    assert_int_equal(mkdir(directory_path(place, "out"), 0777), 0);
+    directory_write(place, "out/results.json", "mine");
+    struct status status = {0};
+    assert_int_equal(output_commit(&output, &status), STATUS_IO);
+    assert_non_null(strstr(status.message, "holds 'results.json', and no manifest.txt names it"));
+    output_abandon(&output);
+    assert_content(place, "out/results.json", "mine");
+    assert_int_equal(remove(directory_path(place, "out/results.json")), 0);
+
+    publish(place, "out", "one");
+    output = begin(place, "out");
+    fill(&output, "two");
+    write_users_files(place, "out", USERS_FILES);
+    commit(&output);
+    assert_users_files(place, "out", USERS_FILES);
+    assert_content(place, "out/report.md", "two");
+    assert_int_equal(directory_entries(place, ""), 1);
+}
+
+/* The user's file has a name that only the new report writes. */
+static void test_a_file_of_the_user_is_never_replaced(void **state)
+{
+    const struct directory *place = *state;
+    publish(place, "out", "one");
+    directory_write(place, "out/data/cost.csv", "mine");
+    struct output output = begin(place, "out");
+    struct text path = {0};
+    struct status status = {0};
+    fill(&output, "two");
+    text_add(&path, "%s/data/cost.csv", output.staging);
+    assert_int_equal(text_write_file(text_string(&path), "two", 3, &status), STATUS_OK);
+    text_free(&path);
+    assert_int_equal(output_commit(&output, &status), STATUS_IO);
+    assert_non_null(strstr(status.message, "out/data/cost.csv' is not of the report before"));
+    output_abandon(&output);
+    assert_content(place, "out/data/cost.csv", "mine");
+    assert_content(place, "out/report.md", "one");
+    assert_int_equal(directory_entries(place, ""), 1);
+}
+
+/* Links, pipes and directories under the names of the report's own files and folders. */
+static void test_what_is_no_file_is_never_replaced(void **state)
+{
+    static const char *const names[] = {"out/report.md", "out/data/contact.csv", "out/manifest.txt", "out/data"};
+    const struct directory *place = *state;
+    for (size_t i = 0; i < 3 * sizeof names / sizeof *names; i++) {
+        const char *name = names[i / 3];
+        struct status status = {0};
+        publish(place, "out", "one");
+        struct output output = begin(place, "out");
+        assert_int_equal(rename(directory_path(place, name), directory_path(place, "aside")), 0);
+        if (i % 3 == 0)
+            assert_int_equal(symlink(directory_path(place, "aside"), directory_path(place, name)), 0);
+        else if (i % 3 == 1)
+            assert_int_equal(mkfifo(directory_path(place, name), 0666), 0);
+        else if (i / 3 == 3)
+            directory_write(place, name, "mine");
+        else
+            assert_int_equal(mkdir(directory_path(place, name), 0777), 0);
+        assert_refused(place, "out",
+                       i / 3 == 3   ? "out/data"
+                       : i / 3 == 2 ? "and no manifest.txt names it"
+                                    : "' is in the place of a file of the report but is none; move it");
+        fill(&output, "two");
+        assert_int_equal(output_commit(&output, &status), STATUS_IO);
+        output_abandon(&output);
+        struct stat info;
+        assert_int_equal(lstat(directory_path(place, name), &info), 0);
+        assert_true(i % 3 == 0   ? S_ISLNK(info.st_mode)
+                    : i % 3 == 1 ? S_ISFIFO(info.st_mode)
+                                 : S_ISDIR(info.st_mode) || i / 3 == 3);
+        assert_int_equal(directory_entries(place, ""), 2);
+        assert_int_equal(remove(directory_path(place, name)), 0);
+        assert_int_equal(rename(directory_path(place, "aside"), directory_path(place, name)), 0);
+        assert_report(place, "out", "one");
+    }
+}
+
+/* A manifest reaches nothing outside OUT, whatever it says. */
+static void test_a_hostile_manifest_removes_nothing_else(void **state)
+{
+    const struct directory *place = *state;
+    publish(place, "out", "one");
+    struct text text = directory_read(place, "out/manifest.txt");
+    text_add(&text, "../victim\n%s\n.\n..\ndata\nfigures\n\n", directory_path(place, "victim"));
+    text_add(&text, "notes.md"); /* a line without its end is none */
+    directory_write(place, "victim", "mine");
+    directory_write(place, "out/manifest.txt", text_string(&text));
+    text_free(&text);
+    directory_write(place, "out/notes.md", "mine");
+    publish(place, "out", "two");
+    assert_content(place, "victim", "mine");
+    assert_content(place, "out/notes.md", "mine");
+    assert_int_equal(directory_entries(place, ""), 2);
+}
+
+static void test_a_link_to_the_directory_stays_a_link(void **state)
+{
+    const struct directory *place = *state;
+    struct stat info;
+    publish(place, "real/out", "one");
+    directory_write(place, "real/out/notes.md", "mine");
+    assert_int_equal(symlink("real/out", directory_path(place, "link")), 0);
+    publish(place, "link", "two");
+    assert_int_equal(lstat(directory_path(place, "link"), &info), 0);
+    assert_true(S_ISLNK(info.st_mode));
+    assert_content(place, "real/out/report.md", "two");
+    assert_content(place, "link/notes.md", "mine");
+    assert_int_equal(directory_entries(place, "real"), 1);
+}
+
+/* Lets `result` become of the system calls in `calls` from here on. */
+static void filter_calls(const unsigned *calls, size_t count, unsigned result)
+{
+    struct sock_filter filter[64] = {BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(struct seccomp_data, nr))};
+    unsigned short length = 1;
+    for (size_t i = 0; i < count; i++) {
+        filter[length++] = (struct sock_filter)BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, calls[i], 0, 1);
+        filter[length++] = (struct sock_filter)BPF_STMT(BPF_RET | BPF_K, result);
+    }
+    filter[length++] = (struct sock_filter)BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW);
+    struct sock_fprog program = {length, filter};
+    if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0 || prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) != 0)
+        _exit(77);
+}
+
+/* Makes a system call fail, as on a file system that has no such thing. */
+static void forbid(unsigned call, unsigned reason)
+{
+    filter_calls(&call, 1, SECCOMP_RET_ERRNO | reason);
+}
+
+static void stop_at_changes(void)
+{
+    static const unsigned calls[] = {
+        SYS_openat, SYS_newfstatat, SYS_getdents64, SYS_linkat, SYS_unlinkat, SYS_renameat, SYS_renameat2,
+#ifdef SYS_rename /* the older calls, which newer machines do not have */
+        SYS_rename, SYS_rmdir,      SYS_unlink,     SYS_open,
+#endif
+    };
+    filter_calls(calls, sizeof calls / sizeof *calls, SECCOMP_RET_TRACE);
+}
+
+/* Runs output_commit() in a process of its own up to its `step`-th system call that could change something or opens a
+ * directory, does `act` before it and kills the process or lets it go on. False when it ended before. */
+static bool commit_stepwise(struct output *output, size_t step, bool end,
+                            void (*act)(const struct directory *place, int old), const struct directory *place, int old,
+                            int *code)
+{
+    int state;
+    pid_t child = fork();
+    assert_true(child >= 0);
+    if (child == 0) {
+        struct status status = {0};
+        if (ptrace(PTRACE_TRACEME, 0, NULL, NULL) != 0)
+            _exit(77);
+        raise(SIGSTOP);
+        stop_at_changes();
+        _exit((int)output_commit(output, &status));
+    }
+    assert_int_equal(waitpid(child, &state, 0), child);
+    if (WIFSTOPPED(state) && ptrace(PTRACE_SETOPTIONS, child, NULL, PTRACE_O_TRACESECCOMP) == 0)
+        for (size_t i = 0; i <= step && WIFSTOPPED(state); i++) {
+            assert_int_equal(ptrace(PTRACE_CONT, child, NULL, NULL), 0);
+            assert_int_equal(waitpid(child, &state, 0), child);
+        }
+    if (WIFEXITED(state) && WEXITSTATUS(state) == 77) {
+        output_abandon(output);
+        print_message("[  SKIPPED ] no process may be traced here\n");
+        skip();
+    }
+    if (!WIFSTOPPED(state))
+        return false;
+    if (act)
+        act(place, old);
+    if (end)
+        assert_int_equal(kill(child, SIGKILL), 0);
+    for (; WIFSTOPPED(state); assert_int_equal(waitpid(child, &state, 0), child))
+        assert_true(ptrace(PTRACE_CONT, child, NULL, NULL) == 0 || end);
+    assert_true(end ? WIFSIGNALED(state) : WIFEXITED(state));
+    *code = end ? 0 : WEXITSTATUS(state);
+    return true;
+}
+
+static void assert_whole_report(const struct directory *place)
+{
+    struct text text = directory_read(place, "out/results.json");
+    assert_true(strcmp(text_string(&text), "one") == 0 || strcmp(text_string(&text), "two") == 0);
+    assert_content(place, "out/report.md", text_string(&text));
+    assert_content(place, "out/report.html", text_string(&text));
+    assert_content(place, "out/data/contact.csv", text_string(&text));
+    assert_content(place, "out/figures/6-05.svg", text_string(&text));
+    assert_true(directory_has(place, "out/manifest.txt"));
+    text_free(&text);
+}
+
+static void test_a_kill_at_any_instant_loses_nothing(void **state)
+{
+    bool ended = false;
+    size_t steps = 0;
+    for (; !ended; steps++) {
+        struct directory place = directory_make();
+        int code;
+        publish(&place, "out", "one");
+        write_users_files(&place, "out", FEW);
+        struct output output = begin(&place, "out");
+        fill(&output, "two");
+        ended = !commit_stepwise(&output, steps, true, NULL, &place, -1, &code);
+        assert_whole_report(&place);
+        assert_users_files(&place, "out", FEW);
+        publish(&place, "out", "three"); /* what is left behind disturbs no later run */
+        assert_content(&place, "out/report.md", "three");
+        assert_users_files(&place, "out", FEW);
+        directory_remove(&place);
+    }
+    assert_true(steps > 30);
+    (void)state;
+}
+
+/* Is there a file `name` with this content in OUT or where the message says? */
+static bool survives(const struct directory *place, const char *name, const char *content)
+{
+    DIR *open = opendir(place->path);
+    bool found = false;
+    assert_non_null(open);
+    for (const struct dirent *entry; !found && (entry = readdir(open));) {
+        char path[512];
+        struct text text = {0};
+        struct status status = {0};
+        if (strcmp(entry->d_name, "out") != 0 && strncmp(entry->d_name, "out.kept-", 9) != 0)
+            continue;
+        snprintf(path, sizeof path, "%s/%s/%s", place->path, entry->d_name, name);
+        found = text_read_file(&text, path, &status) == STATUS_OK && strcmp(text_string(&text), content) == 0;
+        text_free(&text);
+    }
+    closedir(open);
+    return found;
+}
+
+static bool has_kept(const struct directory *place)
+{
+    DIR *open = opendir(place->path);
+    bool found = false;
+    assert_non_null(open);
+    for (const struct dirent *entry; (entry = readdir(open));)
+        found |= strncmp(entry->d_name, "out.kept-", 9) == 0;
+    closedir(open);
+    return found;
+}
+
+static bool put(int folder, const char *name, const char *content)
+{
+    int file = openat(folder, name, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (file < 0)
+        return false; /* its directory is gone: whoever writes there is told */
+    assert_int_equal(write(file, content, strlen(content)), (ssize_t)strlen(content));
+    close(file);
+    return true;
+}
+
+static bool came; /* what the act did arrived */
+
+static void add_file(const struct directory *place, int old)
+{
+    (void)old;
+    directory_write(place, "out/figures/late.txt", "late");
+    came = true;
+}
+
+static void add_directory(const struct directory *place, int old)
+{
+    (void)old;
+    assert_int_equal(mkdir(directory_path(place, "out/late"), 0777), 0);
+    directory_write(place, "out/late/late.txt", "late");
+    came = true;
+}
+
+/* By a process that stands in the directory, wherever that is meanwhile. */
+static void add_file_inside(const struct directory *place, int old)
+{
+    (void)place;
+    came = put(old, "late.txt", "late");
+}
+
+/* As an editor saves: a new file, then renamed over the one before. */
+static void save_file(const struct directory *place, int old)
+{
+    (void)place;
+    came = put(old, "notes.md~", "late") && renameat(old, "notes.md~", old, "notes.md") == 0;
+}
+
+static void test_what_comes_at_any_instant_is_not_lost(void **state)
+{
+    static const struct {
+        void (*act)(const struct directory *place, int old);
+        const char *name;
+        bool left; /* it may have to stay beside OUT */
+    } acts[] = {{add_file, "figures/late.txt", false},
+                {add_directory, "late/late.txt", false},
+                {add_file_inside, "late.txt", false},
+                {save_file, "notes.md", true}};
+    for (size_t i = 0; i < sizeof acts / sizeof *acts; i++) {
+        bool ended = false, left = false;
+        for (size_t steps = 0; !ended; steps++) {
+            struct directory place = directory_make();
+            int code = 0;
+            publish(&place, "out", "one");
+            write_users_files(&place, "out", FEW);
+            struct output output = begin(&place, "out");
+            fill(&output, "two");
+            int old = open(directory_path(&place, "out"), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+            assert_true(old >= 0);
+            came = false;
+            ended = !commit_stepwise(&output, steps, false, acts[i].act, &place, old, &code);
+            close(old);
+            assert_whole_report(&place);
+            for (size_t k = 0; k < FEW; k++)
+                if (!came || strcmp(users_files[k], acts[i].name) != 0)
+                    assert_true(survives(&place, users_files[k], users_files[k]));
+            if (came && !survives(&place, acts[i].name, "late"))
+                fail_msg("'%s' is lost when it comes at step %zu", acts[i].name, steps);
+            if (code == 0)
+                assert_content(&place, "out/report.md", "two");
+            if (has_kept(&place)) {
+                assert_int_equal(code, STATUS_IO); /* and says so */
+                left = true;
+            }
+            directory_remove(&place);
+        }
+        assert_int_equal(left, acts[i].left);
+    }
+    (void)state;
+}
+
+/* Begins, fills and commits in a process of its own where `call` fails; returns the status code. */
+static int publish_without(const struct directory *place, unsigned call, unsigned reason)
+{
+    int state;
+    pid_t child = fork();
+    assert_true(child >= 0);
+    if (child == 0) {
+        struct output output;
+        struct status status = {0};
+        forbid(call, reason);
+        if (output_begin(&output, directory_path(place, "out"), &status) == STATUS_OK) {
+            fill(&output, "two");
+            (void)!output_commit(&output, &status);
+        }
+        output_abandon(&output);
+        _exit((int)status.code);
+    }
+    assert_int_equal(waitpid(child, &state, 0), child);
+    assert_true(WIFEXITED(state));
+    if (WEXITSTATUS(state) == 77)
+        skip();
+    return WEXITSTATUS(state);
+}
+
+static void test_file_systems_that_can_do_less(void **state)
+{
+    const struct directory *place = *state;
+    static const unsigned reasons[] = {EINVAL, ENOSYS};
+    for (size_t i = 0; i < sizeof reasons / sizeof *reasons; i++) { /* no exchange: with two renames */
+        publish(place, "out", "one");
+        write_users_files(place, "out", USERS_FILES);
+        assert_int_equal(publish_without(place, SYS_renameat2, reasons[i]), STATUS_OK);
+        assert_whole_report(place);
+        assert_content(place, "out/report.md", "two");
+        assert_users_files(place, "out", USERS_FILES);
+        assert_int_equal(directory_entries(place, ""), 1);
+    }
+    assert_int_equal(rename(directory_path(place, "out"), directory_path(place, "aside")), 0);
+    assert_int_equal(publish_without(place, SYS_renameat2, EINVAL), STATUS_OK); /* nothing there */
+    assert_report(place, "out", "two");
+    assert_int_equal(publish_without(place, SYS_linkat, EPERM),
+                     STATUS_OK); /* no links: needed for others' files only */
+    directory_write(place, "out/notes.md", "mine");
+    assert_int_equal(publish_without(place, SYS_linkat, EPERM), STATUS_IO);
+    assert_content(place, "out/notes.md", "mine");
+    assert_int_equal(directory_entries(place, ""), 2);
+}
+
+/* Files in the way, which stop root too. */
+static void test_a_target_that_cannot_be_written_is_named(void **state)
+{
+    const struct directory *place = *state;
+    directory_write(place, "file", "mine");
+    assert_refused(place, "file", "Not a directory");
+    assert_refused(place, "file/out", "Not a directory");
+    assert_refused(place, "file/a/b/out", "file");
+    assert_int_equal(symlink("nowhere/at/all", directory_path(place, "link")), 0);
+    assert_refused(place, "link/out", "link");
+    struct text text = directory_read(place, "file");
+    assert_string_equal(text_string(&text), "mine");
+    text_free(&text);
+    assert_int_equal(directory_entries(place, ""), 2);
+}
+
+static void test_a_name_that_is_too_long_is_refused(void **state)
+{
+    char name[PATH_MAX];
+    struct output output;
+    struct status status = {0};
+    (void)state;
+    memset(name, 'x', sizeof name - 1);
+    name[sizeof name - 1] = '\0';
+    assert_int_equal(output_begin(&output, name, &status), STATUS_IO);
+    assert_non_null(strstr(status.message, "too long"));
+    output_abandon(&output);
+}
+
+/* As the user's umask has it, not as mkdtemp leaves it. */
+static void test_the_report_can_be_read_by_whom_the_umask_allows(void **state)
+{
+    const struct directory *place = *state;
+    static const mode_t masks[] = {022, 077, 0};
+    static const char *const names[] = {"022", "077", "0"};
+    char name[32];
+    mode_t before = umask(0);
+    for (size_t i = 0; i < sizeof masks / sizeof *masks; i++) {
+        struct stat info;
+        umask(masks[i]);
+        publish(place, names[i], "one");
+        snprintf(name, sizeof name, "%s/data", names[i]);
+        assert_int_equal(stat(directory_path(place, names[i]), &info), 0);
+        assert_int_equal(info.st_mode & 0777, 0777 & ~masks[i]);
+        assert_int_equal(stat(directory_path(place, name), &info), 0);
+        assert_int_equal(info.st_mode & 0777, 0777 & ~masks[i]);
+    }
+    assert_int_equal(chmod(directory_path(place, "022"), 02750), 0); /* a mode that was chosen stays */
+    publish(place, "022", "two");
+    struct stat info;
+    assert_int_equal(stat(directory_path(place, "022"), &info), 0);
+    assert_int_equal(info.st_mode & 07777, 02750);
+    umask(before);
+}
+
+/* The directory around the target is moved away while the report is being made. */
+static void test_a_commit_that_fails_keeps_what_stands_there(void **state)
+{
+    const struct directory *place = *state;
+    struct output output = begin(place, "a/out");
+    struct status status = {0};
+    fill(&output, "one");
+    assert_int_equal(rename(directory_path(place, "a"), directory_path(place, "b")), 0);
+    assert_int_equal(output_commit(&output, &status), STATUS_IO);
+    assert_non_null(strstr(status.message, "a/out"));
+    assert_int_equal(rename(directory_path(place, "b"), directory_path(place, "a")), 0);
+    output_abandon(&output);
+    assert_false(directory_has(place, "a")); /* made for the report, so it goes with it */
+}
+
+int main(void)
+{
+#define TEST(function) cmocka_unit_test_setup_teardown(function, place_setup, place_teardown)
+    const struct CMUnitTest tests[] = {
+        TEST(test_a_first_report_appears_at_once),
+        TEST(test_a_report_takes_the_place_of_the_one_before),
+        TEST(test_an_abandoned_run_leaves_the_report_before),
+        TEST(test_files_of_the_report_before_do_not_survive),
+        TEST(test_an_empty_directory_may_be_the_target),
+        TEST(test_missing_parents_are_made),
+        TEST(test_the_manifest_names_each_file),
+        TEST(test_a_directory_that_is_no_report_is_refused),
+        TEST(test_files_of_the_user_stay),
+        TEST(test_a_directory_of_the_user_stops_the_run),
+        TEST(test_files_that_come_during_a_run_stay),
+        TEST(test_a_file_of_the_user_is_never_replaced),
+        TEST(test_what_is_no_file_is_never_replaced),
+        TEST(test_a_hostile_manifest_removes_nothing_else),
+        TEST(test_a_link_to_the_directory_stays_a_link),
+        cmocka_unit_test(test_a_kill_at_any_instant_loses_nothing),
+        cmocka_unit_test(test_what_comes_at_any_instant_is_not_lost),
+        TEST(test_file_systems_that_can_do_less),
+        TEST(test_a_target_that_cannot_be_written_is_named),
+        TEST(test_a_name_that_is_too_long_is_refused),
+        TEST(test_the_report_can_be_read_by_whom_the_umask_allows),
+        TEST(test_a_commit_that_fails_keeps_what_stands_there),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

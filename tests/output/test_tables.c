@@ -1,0 +1,333 @@
+#include "contact/model.h"
+#include "results/results.h"
+#include "run/pipeline.h"
+
+/* What docs/report.md says. */
+static const char surfaces_columns[] =
+    "surface,files,points,spacing_m,scan_length_m,rq_m,ra_m,m0_m2,m2,m4_per_m2,nayak,asperity_density_per_m2,"
+    "asperity_radius_m,asperity_sigma_m,asperity_offset_m,alpha_SI,alpha_stderr,gamma,gamma_stderr,fit_rms_decades,"
+    "beta_gw,beta_jg";
+static const char spectrum_columns[] = "surface,wavelength_m,amplitude_m,fit_m";
+static const char contact_columns[] =
+    "surface,model,load_over_AnEp,pressure_Pa,area_ratio,separation_m,separation_over_sigma,"
+    "adjusted_separation_over_sigma,ecr_ohm_m2,tcr_K_m2_per_W,tcr_sd_K_m2_per_W";
+static const char convergence_columns[] = "sweep,value,model,wavelength_m,area_ratio";
+
+static const char everything[] =
+    "material: tin\n"
+    "effects: [plasticity, separation, electrical, thermal, scale-dependent, convergence]\n"
+    "load: {from: 1e-5, to: 0.5, points: 11}\n"
+    "convergence: {scales: 40}\n"
+    "surfaces:\n"
+    "  - {name: smooth, file: smooth.csv}\n"
+    "  - {name: bowl, file: bowl.csv}\n"
+    "  - {name: rough, file: [rough-1.csv, rough-2.csv]}\n";
+
+/* The scene with everything, run once for all tests: place/out. */
+static int place_setup(void **state)
+{
+    static struct directory place;
+    place = directory_make();
+    static const char *const scenes[] = {"in", "electrical", "multiscale", "statistical"};
+    for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
+        char name[64];
+        mkdir(directory_path(&place, scenes[i]), 0777);
+        snprintf(name, sizeof name, "%s/smooth.csv", scenes[i]);
+        pipeline_rough(&place, name, 120, 0.3, 1);
+        snprintf(name, sizeof name, "%s/bowl.csv", scenes[i]);
+        pipeline_bowl(&place, name, 121);
+    }
+    pipeline_rough(&place, "in/rough-1.csv", 120, 1, 2);
+    pipeline_rough(&place, "in/rough-2.csv", 120, 1, 3);
+    directory_write(&place, "in/scene.yaml", everything);
+    directory_write(&place, "electrical/scene.yaml", "material: tin\neffects: [electrical]\n");
+    directory_write(&place, "multiscale/scene.yaml", "material: tin\nmodels: [multiscale]\nconvergence: {scales: 9}\n");
+    directory_write(&place, "statistical/scene.yaml",
+                    "material: tin\nmodels: [statistical]\nconvergence: {scales: 9}\n");
+    assert_int_equal(pipeline_run(&place, "in", "out", 2), 0);
+    *state = &place;
+    return 0;
+}
+
+static int place_teardown(void **state)
+{
+    directory_remove(*state);
+    return 0;
+}
+
+static struct table open_table(const struct directory *place, const char *name)
+{
+    return table_read_path(directory_path(place, name));
+}
+
+static void assert_header(const struct table *table, const char *expected)
+{
+    struct text header = {0};
+    for (size_t c = 0; c < table->columns; c++)
+        text_add(&header, "%s%s", c > 0 ? "," : "", table->cell[c]);
+    assert_string_equal(text_string(&header), expected);
+    text_free(&header);
+}
+
+static bool has_column(const struct table *table, const char *name)
+{
+    for (size_t c = 0; c < table->columns; c++)
+        if (strcmp(table->cell[c], name) == 0)
+            return true;
+    return false;
+}
+
+/* Every cell but those of names is a finite number in full, or empty where `may_be_empty` says so. */
+static void assert_numbers(const struct table *table, const char *texts,
+                           bool (*may_be_empty)(const struct table *table, size_t row, const char *column))
+{
+    for (size_t row = 0; row < table->rows; row++)
+        for (size_t c = 0; c < table->columns; c++) {
+            const char *column = table->cell[c], *cell = table->cell[(row + 1) * table->columns + c];
+            char *end;
+            if (strstr(texts, column))
+                continue;
+            double number = strtod(cell, &end);
+            bool empty = may_be_empty && may_be_empty(table, row, column);
+            if (empty ? *cell != '\0' : end == cell || *end != '\0' || !isfinite(number))
+                fail_msg("row %zu, %s: '%s'", row, column, cell);
+        }
+}
+
+static bool empty_in_contact(const struct table *table, size_t row, const char *column)
+{
+    return strcmp(column, "adjusted_separation_over_sigma") == 0 &&
+           strncmp(table_text(table, row, "model"), "multiscale", 10) == 0;
+}
+
+static bool empty_in_surfaces(const struct table *table, size_t row, const char *column)
+{
+    return strcmp(table_text(table, row, "surface"), "bowl") == 0 &&
+           (strcmp(column, "asperity_sigma_m") == 0 || strncmp(column, "beta", 4) == 0);
+}
+
+static void test_columns_are_those_promised(void **state)
+{
+    static const struct {
+        const char *name, *columns, *texts;
+        bool (*may_be_empty)(const struct table *table, size_t row, const char *column);
+    } files[] = {
+        {"out/data/surfaces.csv", surfaces_columns, "surface,files", empty_in_surfaces},
+        {"out/data/spectrum.csv", spectrum_columns, "surface", NULL},
+        {"out/data/contact.csv", contact_columns, "surface,model", empty_in_contact},
+        {"out/data/convergence.csv", convergence_columns, "sweep,model", NULL},
+    };
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
+        struct table table = open_table(*state, files[i].name);
+        assert_header(&table, files[i].columns);
+        assert_numbers(&table, files[i].texts, files[i].may_be_empty);
+        table_free(&table);
+    }
+}
+
+static void test_the_surfaces(void **state)
+{
+    struct table table = open_table(*state, "out/data/surfaces.csv");
+    static const char *const files[] = {"smooth.csv", "bowl.csv", "rough-1.csv;rough-2.csv"};
+    assert_int_equal(table.rows, 3);
+    for (size_t row = 0; row < 3; row++) {
+        assert_string_equal(table_text(&table, row, "files"), files[row]);
+        assert_near(table_number(&table, row, "points"), row == 1 ? 121 : 120, 0);
+        assert_near(table_number(&table, row, "spacing_m"), 5e-7, 1e-12);
+        assert_near(table_number(&table, row, "scan_length_m"), row == 1 ? 60.5e-6 : 60e-6, 1e-12);
+        assert_near(table_number(&table, row, "m0_m2"), pow(table_number(&table, row, "rq_m"), 2), 1e-13);
+        assert_near(table_number(&table, row, "nayak"),
+                    table_number(&table, row, "m0_m2") * table_number(&table, row, "m4_per_m2") /
+                        pow(table_number(&table, row, "m2"), 2),
+                    1e-13);
+    }
+    assert_within(table_number(&table, 1, "nayak"), 0.2, 0.02);          /* a parabola */
+    assert_near(table_number(&table, 0, "alpha_SI"), 0.3 * 0.085, 1e-3); /* heights are printed to the femtometre */
+    assert_near(table_number(&table, 0, "gamma"), 1.5, 1e-4);
+    table_free(&table);
+}
+
+/* Parseval over the file, the fit as in surfaces.csv, wavelengths L/n. */
+static void test_the_spectra(void **state)
+{
+    struct table spectrum = open_table(*state, "out/data/spectrum.csv");
+    struct table surfaces = open_table(*state, "out/data/surfaces.csv");
+    size_t row = 0;
+    for (size_t s = 0; s < surfaces.rows; s++) {
+        size_t points = (size_t)table_number(&surfaces, s, "points");
+        double power = 0;
+        for (size_t n = 1; n <= points / 2; n++, row++) {
+            double wavelength_m = table_number(&spectrum, row, "wavelength_m");
+            double amplitude_m = table_number(&spectrum, row, "amplitude_m");
+            assert_string_equal(table_text(&spectrum, row, "surface"), table_text(&surfaces, s, "surface"));
+            assert_near(wavelength_m, table_number(&surfaces, s, "scan_length_m") / (double)n, 1e-14);
+            assert_near(table_number(&spectrum, row, "fit_m"),
+                        table_number(&surfaces, s, "alpha_SI") * pow(wavelength_m, table_number(&surfaces, s, "gamma")),
+                        1e-12);
+            power += amplitude_m * amplitude_m / (2 * n == points ? 1 : 2);
+        }
+        assert_near(power, table_number(&surfaces, s, "m0_m2"), 1e-12);
+    }
+    assert_int_equal(row, spectrum.rows);
+    table_free(&spectrum);
+    table_free(&surfaces);
+}
+
+static size_t surface_row(const struct table *surfaces, const char *name)
+{
+    for (size_t row = 0; row < surfaces->rows; row++)
+        if (strcmp(table_text(surfaces, row, "surface"), name) == 0)
+            return row;
+    fail_msg("no surface '%s'", name);
+    return 0;
+}
+
+/* One row against its own units and the row before of the same curve. */
+static void assert_contact_row(const struct table *t, size_t row, bool starts, double sigma_m)
+{
+    const struct material *tin = material_find("tin");
+    double load = table_number(t, row, "load_over_AnEp"), area = table_number(t, row, "area_ratio");
+    double ecr = table_number(t, row, "ecr_ohm_m2"), tcr = table_number(t, row, "tcr_K_m2_per_W");
+    double effective_Pa = tin->youngs_modulus_Pa / (1 - tin->poisson_ratio * tin->poisson_ratio);
+    assert_near(table_number(t, row, "pressure_Pa"), load * effective_Pa, 1e-14);
+    assert_near(table_number(t, row, "separation_over_sigma"), table_number(t, row, "separation_m") / sigma_m, 1e-13);
+    assert_true(area > 0 && area <= 1);
+    assert_true(area < 1 ? ecr > 0 && table_number(t, row, "tcr_sd_K_m2_per_W") > tcr : ecr == 0 && tcr == 0);
+    if (ecr > 0)
+        assert_near(tcr / ecr * tin->resistivity_ohm_m * tin->conductivity_W_per_mK, 1, 1e-12);
+    if (starts)
+        return;
+    assert_true(load > table_number(t, row - 1, "load_over_AnEp"));
+    assert_true(area >= table_number(t, row - 1, "area_ratio"));
+    assert_true(ecr <= table_number(t, row - 1, "ecr_ohm_m2"));
+}
+
+static void test_the_contact_curves(void **state)
+{
+    struct table contact = open_table(*state, "out/data/contact.csv");
+    struct table surfaces = open_table(*state, "out/data/surfaces.csv");
+    size_t curves = 0, full = 0;
+    for (size_t row = 0; row < contact.rows; row++) {
+        const char *surface = table_text(&contact, row, "surface"), *model = table_text(&contact, row, "model");
+        bool starts = row == 0 || strcmp(model, table_text(&contact, row - 1, "model")) != 0;
+        bool ends = row + 1 == contact.rows || strcmp(model, table_text(&contact, row + 1, "model")) != 0;
+        bool statistical = strcmp(model, "gw") == 0 || strcmp(model, "jg") == 0;
+        assert_contact_row(&contact, row, starts, table_number(&surfaces, surface_row(&surfaces, surface), "rq_m"));
+        curves += starts;
+        if (!statistical)
+            continue;
+        assert_string_not_equal(surface, "bowl");
+        double area = table_number(&contact, row, "area_ratio");
+        assert_true(ends ? area == 1 : area < 1); /* the rows end at full contact, and there only */
+        if (ends) {
+            assert_within(table_number(&contact, row, "adjusted_separation_over_sigma"), 0, 1e-12);
+            char column[16];
+            snprintf(column, sizeof column, "beta_%s", model);
+            assert_near(table_number(&surfaces, surface_row(&surfaces, surface), column),
+                        -2 * table_number(&contact, row, "separation_over_sigma"), 1e-10);
+            full++;
+        }
+    }
+    assert_int_equal(curves, 3 * 2 + 2 * 2);
+    assert_int_equal(full, 4);
+    table_free(&contact);
+    table_free(&surfaces);
+}
+
+/* Both sweeps in both laws; areas fall as shorter waves are let in. */
+static void test_the_convergence_study(void **state)
+{
+    struct table table = open_table(*state, "out/data/convergence.csv");
+    size_t curves = 0;
+    for (size_t row = 0; row < table.rows; row++) {
+        double wavelength_m = table_number(&table, row, "wavelength_m"), area = table_number(&table, row, "area_ratio");
+        bool starts = row == 0 || wavelength_m > table_number(&table, row - 1, "wavelength_m");
+        bool ends = row + 1 == table.rows || wavelength_m < table_number(&table, row + 1, "wavelength_m");
+        if (starts)
+            assert_near(wavelength_m, 3e-4, 1e-15);
+        else
+            assert_true(area <= table_number(&table, row - 1, "area_ratio"));
+        if (ends)
+            assert_near(wavelength_m, 3e-4 / 40, 1e-14);
+        assert_true(area > 0 && area <= 1);
+        const char *sweep = table_text(&table, row, "sweep");
+        double value = table_number(&table, row, "value");
+        if (strcmp(sweep, "alpha") == 0)
+            assert_within(log10(value), round(log10(value)), 1e-12);
+        else
+            assert_true(strcmp(sweep, "gamma") == 0 && 4 * value == round(4 * value) && value <= 2);
+        curves += starts;
+    }
+    assert_int_equal(curves, 2 * (7 + 9)); /* alpha 1e-3...1e3 by decades, gamma 0...2 by 0.25 */
+    table_free(&table);
+}
+
+/* Called for: electrical. Nothing else leaves a column, a row or a file. */
+static void test_effects_that_do_not_run_leave_nothing(void **state)
+{
+    assert_int_equal(pipeline_run(*state, "electrical", "out-electrical", 1), 0);
+    struct table contact = open_table(*state, "out-electrical/data/contact.csv");
+    struct table surfaces = open_table(*state, "out-electrical/data/surfaces.csv");
+    assert_header(&contact, "surface,model,load_over_AnEp,pressure_Pa,area_ratio,ecr_ohm_m2");
+    assert_numbers(&contact, "surface,model", NULL);
+    for (size_t row = 0; row < contact.rows; row++) {
+        const char *model = table_text(&contact, row, "model");
+        assert_true(strcmp(model, "multiscale-elastic") == 0 || strcmp(model, "gw") == 0);
+    }
+    assert_false(has_column(&surfaces, "beta_jg"));
+    assert_false(directory_has(*state, "out-electrical/data/convergence.csv"));
+    table_free(&contact);
+    table_free(&surfaces);
+}
+
+static void test_models_that_do_not_run_leave_nothing(void **state)
+{
+    assert_int_equal(pipeline_run(*state, "multiscale", "out-multiscale", 1), 0);
+    struct table contact = open_table(*state, "out-multiscale/data/contact.csv");
+    struct table surfaces = open_table(*state, "out-multiscale/data/surfaces.csv");
+    assert_true(has_column(&contact, "separation_m"));
+    assert_false(has_column(&contact, "adjusted_separation_over_sigma"));
+    assert_false(has_column(&surfaces, "asperity_radius_m") || has_column(&surfaces, "beta_gw"));
+    for (size_t row = 0; row < contact.rows; row++)
+        assert_true(strncmp(table_text(&contact, row, "model"), "multiscale-", 11) == 0);
+    table_free(&contact);
+    table_free(&surfaces);
+
+    assert_int_equal(pipeline_run(*state, "statistical", "out-statistical", 1), 0);
+    contact = open_table(*state, "out-statistical/data/contact.csv");
+    for (size_t row = 0; row < contact.rows; row++)
+        assert_true(strlen(table_text(&contact, row, "model")) == 2);
+    table_free(&contact);
+}
+
+static void test_scales_are_spread_evenly(void **state)
+{
+    (void)state;
+    size_t index[50];
+    for (size_t scales = 1; scales <= 100000; scales *= 10) {
+        size_t count = results_sweep_scales(index, 50, scales);
+        assert_true(count >= 1 && count <= 50 && count <= scales);
+        assert_int_equal(index[0], 0);
+        assert_int_equal(index[count - 1], scales - 1);
+        for (size_t k = 1; k < count; k++) {
+            assert_true(index[k] > index[k - 1]);
+            assert_true((double)(index[k] + 1) / (double)(index[k - 1] + 1) <=
+                        fmax(2, 1.5 * pow((double)scales, 1 / 49.0)));
+        }
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_columns_are_those_promised),
+        cmocka_unit_test(test_the_surfaces),
+        cmocka_unit_test(test_the_spectra),
+        cmocka_unit_test(test_the_contact_curves),
+        cmocka_unit_test(test_the_convergence_study),
+        cmocka_unit_test(test_effects_that_do_not_run_leave_nothing),
+        cmocka_unit_test(test_models_that_do_not_run_leave_nothing),
+        cmocka_unit_test(test_scales_are_spread_evenly),
+    };
+    return cmocka_run_group_tests(tests, place_setup, place_teardown);
+}

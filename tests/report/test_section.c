@@ -1,0 +1,44 @@
+/* What all sections write with: names of surfaces. */
+#include "report/section.h"
+#include "support.h"
+
+static void test_surface_names_are_harmless(void **state)
+{
+    (void)state;
+    static char name[] = "| <script>*x*\n";
+    struct scene_surface surface = {.name = name};
+    struct surface_summary summary = {.scene = &surface};
+    struct surface_store store = {.summaries = &summary, .count = 1};
+    struct results results = {.store = &store};
+    struct text text = {0};
+    section_surface_name(&text, &results, 0);
+    assert_string_equal(text_string(&text), "\\| &#60;script&#62;\\*x\\*?");
+    text_free(&text);
+}
+
+/* A name that begins with the word goes without it. */
+static void test_surfaces_are_named_once(void **state)
+{
+    (void)state;
+    static char names[2][16] = {"2", "Surface-2"};
+    struct scene_surface surfaces[2] = {{.name = names[0]}, {.name = names[1]}};
+    struct surface_summary summaries[2] = {{.scene = &surfaces[0]}, {.scene = &surfaces[1]}};
+    struct surface_store store = {.summaries = summaries, .count = 2};
+    struct results results = {.store = &store};
+    struct text text = {0};
+    section_named(&text, "surface ", &results, 0);
+    section_named(&text, ", surface ", &results, 0);
+    text_add(&text, " and ");
+    section_named(&text, "surface ", &results, 1);
+    assert_string_equal(text_string(&text), "surface 2, surface 2 and Surface-2");
+    text_free(&text);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_surface_names_are_harmless),
+        cmocka_unit_test(test_surfaces_are_named_once),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,474 @@
+/* What each section says of results made up to order: made_up_results.h gives the numbers, the expected texts are
+ * worked out by hand from them. */
+#include "made_up_results.h"
+#include "report/report.h"
+#include "support.h"
+
+#include <stdio.h>
+
+static struct made_up made;
+
+static int make(void **state)
+{
+    (void)state;
+    made_up_make(&made, NULL);
+    return 0;
+}
+
+static int end(void **state)
+{
+    (void)state;
+    made_up_free(&made);
+    return 0;
+}
+
+#define section_test(test) cmocka_unit_test_setup_teardown(test, make, end)
+
+static void check(const struct section *section, const char *what, bool expected)
+{
+    struct text text = made_up_section(&made, section);
+    bool there = strstr(text_string(&text), what) != NULL;
+    if (there != expected)
+        print_error("%s\n", text_string(&text));
+    text_free(&text);
+    if (there != expected)
+        fail_msg("%s'%s'", expected ? "no " : "", what);
+}
+
+static void expect(const struct section *section, const char *what)
+{
+    check(section, what, true);
+}
+
+static void expect_not(const struct section *section, const char *what)
+{
+    check(section, what, false);
+}
+
+static struct curve_summary *model_of(size_t surface, const char *name)
+{
+    return &made_up_surface(&made, surface)->models[made_up_model(name)];
+}
+
+/* ---------------------------------------------------------------- the whole */
+
+static const char *const headings[] = {"# Made up",
+                                       "## The surfaces",
+                                       "## Material and load",
+                                       "## Does the area converge",
+                                       "## Surface beta in every model",
+                                       "## All surfaces, model by model",
+                                       "## The findings of chapter 6",
+                                       "## How far repeated scans lie apart",
+                                       "## Measured contact resistance",
+                                       "## Where the models may be trusted",
+                                       "## What accuracy costs",
+                                       "## What was computed",
+                                       "## Accuracy and time of every method tried",
+                                       "## Models and sources"};
+enum { HEADINGS = sizeof headings / sizeof *headings };
+
+static void test_every_section_is_reached_in_order(void **state)
+{
+    (void)state;
+    struct text text = {0};
+    report_markdown(&text, &made.context);
+    const char *at = text_string(&text);
+    for (int h = 0; h < HEADINGS; h++) {
+        const char *next = strstr(at, headings[h]);
+        if (!next)
+            fail_msg("no '%s' behind '%.30s'", headings[h], at);
+        at = next + 1;
+    }
+    size_t count = 0;
+    for (const char *p = text_string(&text); (p = strstr(p, "\n## ")); p++)
+        count++;
+    assert_int_equal(count, HEADINGS - 1);
+    text_free(&text);
+}
+
+static void test_sections_without_cause_are_left_out(void **state)
+{
+    (void)state;
+    static const int absent[] = {3, 7, 8, 10, 12};
+    struct text text = {0};
+    plan_switch_off(&made.plan, EFFECT_CONVERGENCE);
+    made.results.convergence = NULL;
+    made.results.measured = NULL;
+    made.results.benchmark = NULL;
+    made_up_surface(&made, 0)->repeats.count = 0;
+    made_up_again(&made);
+    report_markdown(&text, &made.context);
+    for (int h = 0, a = 0; h < HEADINGS; h++) {
+        bool there = strstr(text_string(&text), headings[h]);
+        bool off = a < 5 && h == absent[a];
+        if (there == off)
+            fail_msg("%s", headings[h]);
+        a += off;
+    }
+    text_free(&text);
+}
+
+/* Each figure stands in the report once, and with everything on every row of the figures is among them. */
+static void test_every_figure_is_shown_once(void **state)
+{
+    (void)state;
+    struct text text = {0};
+    report_markdown(&text, &made.context);
+    size_t images = 0, rows[64] = {0};
+    for (const char *p = text_string(&text); (p = strstr(p, "![")); p++)
+        images++;
+    for (size_t i = 0; i < made.figures.count; i++) {
+        const struct figure *figure = &made.figures.figures[i];
+        char link[96];
+        snprintf(link, sizeof link, "](figures/%s.svg)", figure->number);
+        const char *first = strstr(text_string(&text), link);
+        if (!first || strstr(first + 1, link))
+            fail_msg("%s is shown %s", figure->number, first ? "twice" : "nowhere");
+        rows[figure->row - figure_rows]++;
+    }
+    assert_int_equal(images, made.figures.count);
+    for (size_t r = 0; r < figure_row_count; r++) {
+        if (rows[r] == 0)
+            fail_msg("no figure of row %zu, '%s'", r, figure_rows[r].section);
+        assert_int_equal(rows[r], figure_rows[r].kind == FIGURE_SURFACES ? 4
+                                  : figure_rows[r].kind == FIGURE_SWEEP  ? 2
+                                                                         : 1);
+    }
+    text_free(&text);
+}
+
+/* Rows of a table have as many cells as its head, and nothing that is no number is printed as one. */
+static void test_tables_are_whole(void **state)
+{
+    (void)state;
+    struct text text = {0};
+    report_markdown(&text, &made.context);
+    size_t expected = 0, tables = 0;
+    for (const char *line = text_string(&text); *line;) {
+        size_t length = strcspn(line, "\n"), bars = 0;
+        for (size_t i = 0; i < length; i++)
+            bars += line[i] == '|';
+        if (*line != '|')
+            expected = 0;
+        else if (expected == 0 && ++tables)
+            expected = bars;
+        else if (bars != expected)
+            fail_msg("%zu cells for %zu in '%.*s'", bars, expected, (int)length, line);
+        line += length + (line[length] == '\n');
+    }
+    assert_true(tables >= 15);
+    assert_null(strstr(text_string(&text), "nan"));
+    assert_null(strstr(text_string(&text), "inf "));
+    assert_null(strstr(text_string(&text), "(null)"));
+    text_free(&text);
+}
+
+/* ---------------------------------------------------------------- sentences */
+
+static void test_what_the_sections_say(void **state)
+{
+    (void)state;
+    static const struct {
+        const struct section *section;
+        const char *says;
+    } expected[] = {
+        {&section_summary, "- 3 surfaces, Rq 0.100 to 0.400 µm, of tin, pressed against a rigid flat that conducts "
+                           "like it at nominal pressures of 0.100 to 1000 MPa.\n"},
+        {&section_summary, "- **At 10.0 MPa** (P/(Aₙ E′) = 1.00·10⁻⁴; multiscale elastic-plastic) the real contact "
+                           "area is 4.00 to 20.0 % of the nominal one; ECR·Aₙ is 5.00·10⁻¹¹ to 3.75·10⁻¹⁰ Ω·m² "
+                           "(5.00·10⁻⁵ to 3.75·10⁻⁴ Ω on 1 mm²); TCR·Aₙ is 1.00·10⁻⁵ to 7.50·10⁻⁵ K·m²/W.\n"},
+        {&section_summary,
+         "- **Surface alpha has the lowest ECR** there: surface beta, the next, has 3.00 times its ECR, surface gamma, "
+         "the worst, 7.50 times its ECR. It is best in 4 of 4 models.\n"},
+        {&section_summary, "for surface beta at that load, the area is 2.50 (GW) to 10.0 % (multiscale "
+                           "elastic-plastic), ECR·Aₙ 1.50·10⁻¹⁰ (multiscale elastic-plastic) to 6.00·10⁻¹⁰ Ω·m² "
+                           "(GW).\n"},
+        {&section_summary, "multiscale elastic is nearest, off by a factor of 1.33 (root mean square over 3 of 3 "
+                           "points) and 1.33 times the measured on average; GW is farthest, off by a factor of 2.67."},
+        {&section_summary, "scales below the sampling limit would take up to 25 % more of the area"},
+        {&section_summary, "- **1 surface was refused**"},
+        {&section_summary, "| beta | 0.200 | 10.0 | 0.900 | 1.50·10⁻¹⁰ | 3.00·10⁻⁵ | 1.00·10⁻³ |\n"},
+        {&section_surfaces, "| beta | 0.200 | 0.160 | 0.200 | 1.00 | 200 | 0.500 ± 0.050 | 1.400 ± 0.010 | 0.200 |\n"},
+        {&section_surfaces, "| gamma | 0.0100 | 0.00100 | 10.0 | 10000 | 2.00 | 0.360 | 0.0400 |\n"},
+        {&section_material, "E′ = 100.0 GPa, C = 1.600"},
+        {&section_material, "that is 0.100 to 1000 MPa of nominal pressure"},
+        {&section_material, "| yield strength | S_y | 1.4·10⁷ | Pa |\n"},
+        {&section_convergence, "- elastic: for 7 of 7 α and for γ from 1 up.\n"},
+        {&section_convergence, "| beta | 1.400 ± 0.010 | 2.00 | 0.400 | 25 | 0.400 | 25 |\n"},
+        {&section_convergence, "5 of 9 curves have settled"},
+        {&section_baseline, "| 1.00·10⁻⁵ | 1.00 | GW | 0.00250 | 0.998 | 0.998 | 6.00·10⁻⁹ | 0.00120 | 0.00122 | "
+                            "0.00600 |\n"},
+        {&section_baseline, "| GW | 1.00 | 4.00·10⁻³ | 4.00·10⁻³ | 3.16·10⁻³ | 2.0 |\n"},
+        {&section_baseline, "yielding multiplies it by 2.00 (multiscale elastic-plastic against multiscale elastic) "
+                            "and by 1.60 (JG against GW)."},
+        {&section_baseline, "before, they are there −3.00 σ (GW), −3.00 σ (JG)."},
+        {&section_baseline, "lies at 32 to 79 % of the load to full contact. Multiscale and statistical curves lie "
+                            "0.30 decades apart in ECR and 0.30 in area (elastic); 0.40 and 0.40 (plastic)."},
+        {&section_baseline, "TCR is ECR times 1/(ρ k) = 2.000·10⁵ K/(W·Ω)"},
+        {&section_baseline, "Scale dependence raises it by at most 2.0 %"},
+        {&section_baseline, "A/Aₙ is 0.0250 (GW) to 0.100 (multiscale elastic-plastic).](figures/6-05.svg)"},
+        {&section_baseline, "the separation is 0.900 σ (multiscale elastic-plastic) to 0.975 σ (GW).](figures/6-07"},
+        {&section_all_surfaces, "| gamma | 5.00·10⁻³ | 2.50·10⁻³ | 1.00·10⁻² | 6.25·10⁻³ |\n"},
+        {&section_all_surfaces, "A/Aₙ is 0.0400 (surface gamma) to 0.200 (surface alpha).](figures/6-11.svg)"},
+        {&section_all_surfaces, "is 0.920 σ (surface alpha) to 0.984 σ (surface gamma).](figures/6-17.svg)"},
+        {&section_all_surfaces, "| beta | 6.00 | 6.00 | 7.00 | 7.00 |\n"},
+        {&section_checks, "TCR/ECR is 1/(ρ k) at every load"},
+        {&section_checks, "statistical: plastic/elastic area 1.00 to 1.60, not below at 27 of 27 loads"},
+        {&section_repeats, "| beta | 2 | 2 | 0.200 ± 0.010 | 1.40 ± 0.020 | 1.38…1.42 | 0.500 ×÷ 1.10 | 0.00200 ×÷ "
+                           "1.50 | 0.00100 ×÷ 1.50 | 0.00400 ×÷ 1.50 | 0.00250 ×÷ 1.50 |\n"},
+        {&section_measured, "| multiscale elastic-plastic | 3 of 3 | 1.0·10⁻⁵ to 1.0·10⁻⁴ | 0.176 | −0.176 |\n"},
+        {&section_measured, "from the measurements on surface beta: "},
+        {&section_validity, "| beta | 0.0100 | 10 | 1.00·10⁻³ | 3.16·10⁻⁴ | – | 0 | 0 | 0 of 3 | 0 |\n"},
+        {&section_cost, "GW's area, load and conductance come from closed forms, within 1.0·10⁻¹³. JG's integrals "
+                        "come from Gauss-Legendre panels at tolerance 1e-08, within 1.0·10⁻⁸. With them one more digit "
+                        "takes 19 % more time. The thesis's Simpson rule of 1000 sub-intervals is off by 0.0020 and "
+                        "takes 27 times as long. "},
+        {&section_cost, "Simpson: beyond 300; adaptive: nowhere in the settings tried; Gauss-Legendre: nowhere"},
+        {&section_cost, "`thesis` is off by up to 8.0 % in area, `numeric` by 0.10 %, at 3.0 times the time."},
+        {&section_cost, "is off by up to: multiscale-elastic 0.0020; gw 0.0030."},
+        {&section_cost, "sub-intervals"},
+        {&section_cost, "ringed: what this report uses.](figures/cost-integrals.svg)"},
+        {&section_cost, "Lower left is better.](figures/cost-curves.svg)"},
+        {&section_methods, "| closure-area | thesis |  | 20 | 1.00 | 0.080 | used here |\n"},
+        {&section_computed, "| thermal | run | reason 3 | the sums of electrical in other units"},
+        {&section_computed, "- beta: beta.csv: a note\n"},
+        {&section_computed, "- broken: broken.csv: no number in it\n"},
+        {&section_sources, "- **JG** (eq. 4.31-4.38, 4.45-4.46, 4.54). Assumes: "},
+    };
+    for (size_t i = 0; i < sizeof expected / sizeof *expected; i++)
+        expect(expected[i].section, expected[i].says);
+}
+
+static void make_of(const char *first, const char *second, unsigned effects)
+{
+    made_up_free(&made);
+    made_up_make_of(&made, MODEL_BIT(made_up_model(first)) | MODEL_BIT(made_up_model(second)), effects, NULL);
+}
+
+/* Without resistances surfaces are ranked by area, of which more is better. */
+static void test_the_best_by_area(void **state)
+{
+    (void)state;
+    make_of("multiscale-elastic", "gw", 0);
+    made.results.measured = NULL;
+    expect(&section_summary, "multiscale elastic) the real contact area is 2.00 to 10.0 % of the nominal one.\n");
+    expect(&section_summary, "- **Surface alpha has the largest area** there: surface beta, the next, has 0.500 times "
+                             "its area, surface gamma, the worst, 0.200 times its area. It is best in 2 of 2 models.");
+    expect_not(&section_summary, "CR");
+    expect(&section_baseline, "| 1.00·10⁻⁴ | 10.0 | GW | 0.0250 |\n");
+    expect_not(&section_all_surfaces, "CR");
+}
+
+/* By TCR where there is no ECR; two surfaces have no next, and a single model no others to agree with. */
+static void test_the_best_by_heat(void **state)
+{
+    (void)state;
+    static const size_t two[] = {1, 2};
+    make_of("multiscale-elastic", "multiscale-elastic", EFFECT_BIT(EFFECT_THERMAL));
+    made.results.usable_count = 2;
+    memcpy(made.order, two, sizeof two);
+    made_up_again(&made);
+    expect(&section_summary, "- **Surface alpha has the lowest TCR** there: surface gamma has 7.50 times its TCR.\n");
+}
+
+/* ---------------------------------------------------------------- thresholds */
+
+static void set_beta(double gw, double jg)
+{
+    for (size_t i = 0; i < MADE_UP_USABLE; i++) {
+        model_of(i, "gw")->beta = gw;
+        model_of(i, "jg")->beta = jg;
+    }
+}
+
+static void test_the_range_of_beta(void **state)
+{
+    (void)state;
+    set_beta(4, 12);
+    expect(&section_all_surfaces, "Every β lies in the expected 4…12.");
+    expect(&section_checks, "6 of 6 lie in 4…12");
+    set_beta(3.99, 12.01);
+    expect(&section_all_surfaces, " 3 between 0 and 4 ");
+    expect(&section_all_surfaces, " 3 above 12 ");
+    expect(&section_checks, "0 of 6 lie in 4…12");
+    set_beta(-0.01, 0);
+    expect(&section_all_surfaces, " 3 negative ");
+    expect(&section_all_surfaces, " 3 between 0 and 4 ");
+    expect(&section_checks, "0 of 6 lie in 4…12, 3 below 0");
+}
+
+/* Of separation against area: less than a thousandth of sigma counts as closed. */
+static void test_what_is_left_at_full_contact(void **state)
+{
+    (void)state;
+    static const char closed[] = "Separation against area, multiscale elastic. Less than 0.001 σ is left",
+                      open[] = "Separation against area, multiscale elastic. Where A = Aₙ first holds, 0 to 0.0011 σ";
+    model_of(1, "multiscale-elastic")->gap_at_full = 0.0009;
+    expect(&section_all_surfaces, closed);
+    model_of(1, "multiscale-elastic")->gap_at_full = 0.0011;
+    expect(&section_all_surfaces, open);
+    for (size_t i = 0; i < MADE_UP_USABLE; i++)
+        model_of(i, "multiscale-elastic")->gap_at_full = NAN;
+    expect(&section_all_surfaces, "multiscale elastic. No surface reaches A = Aₙ within the loads.");
+    size_t plastic = made_up_model("multiscale-plastic");
+    made.baseline.summary.models[plastic].gap_at_full = 0.0009;
+    expect_not(&section_baseline, "σ are left where the multiscale elastic-plastic area first is complete.");
+    made.baseline.summary.models[plastic].gap_at_full = 0.0011;
+    expect(&section_baseline, " 0.0011 σ are left where the multiscale elastic-plastic area first is complete.");
+    model_of(0, "multiscale-plastic")->gap_at_full = 0.0099;
+    expect(&section_checks, "below 0.01 in 3 of 3 curves");
+    model_of(0, "multiscale-plastic")->gap_at_full = 0.0101;
+    expect(&section_checks, "below 0.01 in 2 of 3 curves");
+}
+
+/* A caption says of how many surfaces it speaks. */
+static void test_captions_of_some_surfaces(void **state)
+{
+    (void)state;
+    made.comparison.models[made_up_model("jg")].extremes[QUANTITY_ECR].count = 2;
+    expect(&section_all_surfaces, "ECR against load, JG. At P/(Aₙ E′) = 1.00·10⁻⁴, ECR·Aₙ is 1.25·10⁻¹⁰ Ω·m² (surface "
+                                  "alpha) to 9.37·10⁻¹⁰ Ω·m² (surface gamma); 2 of 3 surfaces, the others are past "
+                                  "full contact or without a solution.]");
+    made.comparison.models[made_up_model("jg")].extremes[QUANTITY_ECR].count = 0;
+    expect(&section_all_surfaces, "![Figure 6-25. ECR against load, JG.](figures/6-25.svg)");
+    made.results.shown_count = 2;
+    expect(&section_all_surfaces, "The charts show 2 of the 3 surfaces");
+}
+
+/* The last halving of the wavelength changes the area by less, or more, than 0.1 %. */
+static void test_what_has_settled(void **state)
+{
+    (void)state;
+    made_up_sweep(&made, CONVERGENCE_ALPHA, "multiscale-elastic", 2, 0.5 * 0.9991);
+    expect(&section_convergence, "- elastic: for 7 of 7 α ");
+    made_up_sweep(&made, CONVERGENCE_ALPHA, "multiscale-elastic", 2, 0.5 * 0.9989);
+    expect(&section_convergence, "- elastic: for 6 of 7 α ");
+    expect(&section_convergence, "- elastic-plastic: for 7 of 7 α ");
+    expect(&section_convergence, "α varied, elastic. 6 of 7 curves have settled");
+    expect(&section_checks, "elastic: settled for 6 of 7 α, 5 of 5 γ ≥ 1 and 0 of 4 γ < 1");
+    for (size_t v = 0; v < 4; v++)
+        made_up_sweep(&made, CONVERGENCE_GAMMA, "multiscale-plastic", v, 0.5);
+    expect(&section_convergence, "- elastic-plastic: for 7 of 7 α and for every γ from 0 up.");
+    made_up_sweep(&made, CONVERGENCE_GAMMA, "multiscale-elastic", 8, 0.4);
+    expect(&section_convergence, "- elastic: for 6 of 7 α and for no γ.");
+}
+
+/* How many surfaces each limit of trust concerns. */
+static void test_the_limits(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < MADE_UP_USABLE; i++)
+        for (size_t m = 0; m < model_count; m++)
+            made_up_surface(&made, i)->models[m].extension.area_extended = 0.4 * (1 - 0.9e-3);
+    expect_not(&section_summary, "Limits");
+    model_of(2, "multiscale-plastic")->extension.area_extended = 0.4 * (1 - 1.1e-3);
+    expect(&section_summary, "would take up to 0.11 % more of the area.\n");
+    made_up_surface(&made, 1)->jump_share = 0.49;
+    expect_not(&section_summary, "a jump between the ends");
+    made_up_surface(&made, 1)->jump_share = 0.51;
+    expect(&section_summary, "a jump between the ends of the record draws γ towards 1 on 1 of 3 surfaces");
+    made_up_surface(&made, 0)->power_law.knee_m = 1e-5;
+    expect(&section_summary, "two slopes fit the spectrum better than one law on 1 of 3 surfaces");
+    made_up_surface(&made, 2)->power_law.gamma = 0.99; /* within its error of 0.01 */
+    expect_not(&section_summary, "γ is below 1");
+    made_up_surface(&made, 2)->power_law.gamma = 0.98;
+    expect(&section_summary, "γ is below 1 on 1 of 3 surfaces, so the elastic area depends on the sampling");
+    model_of(0, "gw")->invalid_area_load = 1.1e-4; /* the middle load is 1e-4 */
+    expect_not(&section_summary, "GW is outside");
+    model_of(0, "gw")->invalid_area_load = 1e-4;
+    model_of(1, "gw")->invalid_fit_load = 1e-5;
+    expect(&section_summary, "GW is outside its range of validity at that load on 2 of 3 surfaces");
+    model_of(2, "gw")->invalid_fit_load = 1e-5;
+    expect(&section_summary, "GW is outside its range of validity at that load on all 3 surfaces");
+}
+
+static void test_thresholds_of_the_checks(void **state)
+{
+    (void)state;
+    model_of(0, "gw")->area_slope = 1.0999;
+    model_of(1, "gw")->area_slope = 0.9001;
+    expect(&section_checks, "9 of 9 curves lie within 0.1 of 1");
+    model_of(0, "gw")->area_slope = 1.1001;
+    model_of(1, "gw")->area_slope = 0.8999;
+    expect(&section_checks, "| The area is linear in the load | **in part** |");
+    expect(&section_checks, "7 of 9 curves lie within 0.1 of 1");
+    model_of(0, "jg")->elbow_load = 0.1001 * model_of(0, "jg")->full_load;
+    expect(&section_checks, "in the last decade before it in 12 of 12 curves");
+    model_of(0, "jg")->elbow_load = 0.0999 * model_of(0, "jg")->full_load;
+    expect(&section_checks, "in the last decade before it in 11 of 12 curves");
+    model_of(0, "jg")->sd_most = 0.0499;
+    expect(&section_checks, "Scale dependence is negligible (below 5 %) | **holds**");
+    model_of(0, "jg")->sd_most = 0.0501;
+    expect(&section_checks, "Scale dependence is negligible (below 5 %) | **fails**");
+    made.comparison.proportional_error = 0.9e-6;
+    expect(&section_checks, "TCR is ECR in other units | **holds**");
+    made.comparison.proportional_error = 1.1e-6;
+    expect(&section_checks, "TCR is ECR in other units | **fails**");
+}
+
+static void test_shares_of_the_load(void **state)
+{
+    (void)state;
+    model_of(0, "jg")->most_beyond_fit = 0.9e-4;
+    model_of(0, "jg")->most_radius_clamped = 0.25;
+    model_of(0, "jg")->invalid_fit_load = 2e-4;
+    model_of(0, "multiscale-plastic")->yielding_scales = 2;
+    model_of(0, "multiscale-plastic")->clamped = 17;
+    made_up_surface(&made, 0)->jump_share = 0.6;
+    expect(&section_validity, "| beta | 0.0100 | 60 | 1.00·10⁻³ | 3.16·10⁻⁴ | 2.00·10⁻⁴ | 0 | 25.0 | 2 of 3 | 17 |\n");
+    model_of(0, "jg")->most_beyond_fit = 1.1e-4;
+    expect(&section_validity, "| 2.00·10⁻⁴ | 0.0110 | 25.0 |");
+}
+
+/* A row is the knee when the next digit more than doubles the time, but not one that is still off by a per cent. */
+static void test_the_knee(void **state)
+{
+    (void)state;
+    struct benchmark_row *rows = made.benchmark.rows; /* jg, Simpson: 4 and 5 */
+    rows[4].error = 0.0101;
+    expect(&section_cost, "Simpson: nowhere in the settings tried");
+    rows[4].error = 0.0099;
+    rows[5].error = 0.00099;
+    rows[5].seconds = 1.99e-5;
+    expect(&section_cost, "Simpson: nowhere in the settings tried");
+    rows[5].seconds = 2.01e-5;
+    expect(&section_cost, "Simpson: beyond 300");
+}
+
+static void test_two_bodies(void **state)
+{
+    (void)state;
+    made.scene.counterface_kind = MATERIAL_COUNTERFACE_ELASTIC;
+    made.scene.counterface = *material_find("copper");
+    expect(&section_summary, "pressed against a smooth flat of copper");
+    expect(&section_material, "| property | symbol | tin | copper | unit |\n|---|---|---:|---:|---|\n");
+    made.scene.counterface = made.scene.material;
+    expect(&section_material, "| property | symbol | tin, both bodies | unit |\n");
+    plan_switch_off(&made.plan, EFFECT_PLASTICITY);
+    expect_not(&section_material, "| S_y |");
+    expect(&section_material, "| electrical resistivity |");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        section_test(test_every_section_is_reached_in_order),
+        section_test(test_sections_without_cause_are_left_out),
+        section_test(test_every_figure_is_shown_once),
+        section_test(test_tables_are_whole),
+        section_test(test_what_the_sections_say),
+        section_test(test_the_best_by_area),
+        section_test(test_the_best_by_heat),
+        section_test(test_the_range_of_beta),
+        section_test(test_what_is_left_at_full_contact),
+        section_test(test_captions_of_some_surfaces),
+        section_test(test_what_has_settled),
+        section_test(test_the_limits),
+        section_test(test_thresholds_of_the_checks),
+        section_test(test_shares_of_the_load),
+        section_test(test_the_knee),
+        section_test(test_two_bodies),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,171 @@
+/* Results made up to order, without a run. */
+#ifndef TEST_FAKE_RESULTS_H
+#define TEST_FAKE_RESULTS_H
+
+#include "directory.h"
+#include "results/comparison.h"
+
+enum {
+    SURFACES = 3,
+    SCALES = 2,
+    LOADS = 6,
+    FAKE_MODELS = 4,
+    MODELS_MOST = 64 /* rows of the table of models */
+};
+
+/* The models that run; the table may have others, which do not. */
+static const char *const fake_models[FAKE_MODELS] = {"multiscale-elastic", "multiscale-plastic", "gw", "jg"};
+
+/* Three surfaces made up to order, smoothest first, in these models. Not to be moved: its parts point at each other. */
+struct fake {
+    struct scene scene;
+    struct plan plan;
+    struct scene_surface names[SURFACES];
+    struct surface_summary summaries[SURFACES];
+    struct curve_summary curves[SURFACES][MODELS_MOST];
+    struct surface_store store;
+    size_t order[SURFACES];
+    struct results results;
+    double sweeps[MODELS_MOST * CONVERGENCE_SWEEP_COUNT * CONVERGENCE_VALUES_MOST * SCALES];
+    struct comparison_model models[MODELS_MOST];
+    struct comparison comparison;
+};
+
+static inline struct curve_summary *fake_curve(struct fake *fake, size_t surface, const char *model)
+{
+    return &fake->curves[surface][model_named(model)];
+}
+
+static inline struct comparison_model *fake_compared(struct fake *fake, const char *model)
+{
+    return &fake->comparison.models[model_named(model)];
+}
+
+/* The areas of one curve of the convergence study: settled, or falling to the last. */
+static inline void fake_sweep(struct fake *fake, enum convergence_sweep sweep, const char *model, size_t value,
+                              bool settled)
+{
+    double *area = fake->sweeps + (results_sweep(&fake->results, sweep, model_named(model), value) - fake->sweeps);
+    area[0] = 0.5;
+    area[1] = settled ? 0.5 : 0.4;
+}
+
+static inline void make_fake(struct fake *fake)
+{
+    static char names[SURFACES][8] = {"one", "two", "three"};
+    *fake = (struct fake){.scene = {.convergence = {.load = 1e-3, .scales = SCALES}},
+                          .plan = {.running = (1u << EFFECT_COUNT) - 1}};
+    fake->plan.wanted = quantity_wanted(fake->plan.running);
+    fake->comparison.models = fake->models;
+    for (int i = 0; i < FAKE_MODELS; i++) {
+        fake->plan.models |= MODEL_BIT(model_named(fake_models[i]));
+        struct comparison_model *model = fake_compared(fake, fake_models[i]);
+        bool plastic = model_rows[model_named(fake_models[i])]->plastic;
+        model->rank.pairs = 100;
+        for (int q = 0; q < QUANTITY_COUNT; q++)
+            model->rank.ranked[q] = q == QUANTITY_SEPARATION ? 40 : 100;
+        model->extremes[QUANTITY_AREA] =
+            (struct comparison_extremes){.least = 0.1, .most = plastic ? 0.2 : 0.3, .count = SURFACES};
+    }
+    for (size_t k = 0; k < SURFACES; k++) {
+        fake->names[k].name = names[k];
+        fake->order[k] = k;
+        struct surface_summary *summary = &fake->summaries[k];
+        summary->scene = &fake->names[k];
+        summary->usable = true;
+        summary->power_law.gamma = 1.6 - 0.2 * (double)k;
+        summary->power_law.knee_m = NAN;
+        summary->models = fake->curves[k];
+        for (int i = 0; i < FAKE_MODELS; i++)
+            *fake_curve(fake, k, fake_models[i]) = (struct curve_summary){.exists = true,
+                                                                          .full_load = 0.1,
+                                                                          .elbow_load = 0.05,
+                                                                          .beta = 6,
+                                                                          .area_slope = 0.95,
+                                                                          .gap_at_full = 0,
+                                                                          .sd_least = 0.001,
+                                                                          .sd_most = 0.01};
+    }
+    for (size_t m = 0; m < model_count; m++)
+        fake->models[m].gap = (struct comparison_gap){NAN, NAN};
+    fake_compared(fake, "multiscale-plastic")->plastic = fake_compared(fake, "jg")->plastic =
+        (struct comparison_plastic){100, 100, 1.1, 2, 3, 3};
+    fake_compared(fake, "gw")->gap = fake_compared(fake, "jg")->gap = (struct comparison_gap){.area = 0.5, .ecr = 0.2};
+    fake->comparison.proportional_error = 1e-15;
+    fake->comparison.middle_load = 1e-3;
+    fake->store = (struct surface_store){.summaries = fake->summaries, .count = SURFACES};
+    static const double loads[] = {1e-3, 1};
+    fake->results = (struct results){.scene = &fake->scene,
+                                     .loads = loads,
+                                     .load_count = 2,
+                                     .convergence = fake->sweeps,
+                                     .plan = &fake->plan,
+                                     .store = &fake->store,
+                                     .by_roughness = fake->order,
+                                     .usable_count = SURFACES,
+                                     .baseline = 1};
+    for (int s = 0; s < CONVERGENCE_SWEEP_COUNT; s++)
+        for (size_t v = 0; v < convergence_sweeps[s].count; v++)
+            for (int i = 0; i < 2; i++) /* those that stack scales */
+                fake_sweep(fake, (enum convergence_sweep)s, fake_models[i], v,
+                           s == CONVERGENCE_ALPHA || convergence_sweeps[s].values[v] >= 1);
+}
+
+/* A record whose areas, resistances and separations follow from the load and an area a model, as in fake_models. */
+static inline void fake_put_curves(struct fake *fake, struct surface_store *store, size_t index,
+                                   const double areas[FAKE_MODELS])
+{
+    struct surface_record *record = calloc(1, sizeof *record);
+    struct status status = {0};
+    assert_non_null(record);
+    record->summary = fake->summaries[index];
+    record->summary.asperities.sigma_m = 1e-6;
+    record->curves = calloc(model_count, sizeof *record->curves);
+    record->bands = calloc(model_count, sizeof *record->bands);
+    assert_true(record->curves && record->bands);
+    for (int m = 0; m < FAKE_MODELS; m++) {
+        size_t model = model_named(fake_models[m]);
+        struct model_curve *curve = &record->curves[model];
+        *curve =
+            (struct model_curve){.exists = true, .count = LOADS, .full_load = model_rows[model]->plastic ? 0.1 : 0.2};
+        curve->points = calloc(LOADS, sizeof *curve->points);
+        assert_non_null(curve->points);
+        for (int i = 0; i < LOADS; i++) {
+            double area = fmin(1, areas[m] * pow(10, i - 3)), ecr = area < 1 ? 1e-9 / area : 0;
+            curve->points[i] = (struct contact_point){.load = pow(10, i - 5),
+                                                      .area_ratio = area,
+                                                      .ecr_ohm_m2 = ecr,
+                                                      .separation_m = 1e-6 / area,
+                                                      .adjusted_m = 1e-6 / area,
+                                                      .tcr_K_m2_per_W = 2e5 * ecr};
+        }
+    }
+    assert_int_equal(surface_store_put(store, index, record, &status), STATUS_OK);
+    surface_record_free(record, false);
+    free(record);
+}
+
+/* The comparison of curves made to order: areas in the ratios given, the resistance in inverse proportion. To be ended
+ * with comparison_free(). */
+static inline void make_comparison(struct fake *fake, const double areas[SURFACES][FAKE_MODELS])
+{
+    struct directory place = directory_make();
+    struct status status = {0};
+    static const double loads[LOADS] = {1e-5, 1e-4, 1e-3, 1e-2, 1e-1, 1};
+    make_fake(fake);
+    fake->results.loads = loads;
+    fake->results.load_count = LOADS;
+    fake->plan.pair.resistivity_ohm_m = 1e-7;
+    fake->plan.pair.conductivity_W_per_mK = 50; /* 1/(rho k) = 2e5 */
+    assert_int_equal(surface_store_open(&fake->store, place.path, SURFACES, &status), STATUS_OK);
+    struct surface_summary *own = fake->store.summaries;
+    for (size_t k = 0; k < SURFACES; k++)
+        fake_put_curves(fake, &fake->store, k, areas[k]);
+    assert_int_equal(comparison_make(&fake->comparison, &fake->results, &status), STATUS_OK);
+    memset(own, 0, SURFACES * sizeof *own); /* their models are the fake's, not to be freed */
+    surface_store_close(&fake->store);
+    directory_remove(&place);
+    fake->store = (struct surface_store){.summaries = fake->summaries, .count = SURFACES};
+}
+
+#endif

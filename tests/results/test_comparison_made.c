@@ -1,0 +1,195 @@
+/* comparison_make() on curves made up to order: every count and ratio worked out by hand. */
+#include "made_up_results.h"
+#include "support.h"
+
+static struct made_up made;
+
+static int end(void **state)
+{
+    (void)state;
+    made_up_free(&made);
+    return 0;
+}
+
+#define comparison_test(test) cmocka_unit_test_setup_teardown(test, NULL, end)
+
+static const struct comparison_model *of(const char *name)
+{
+    return &made.comparison.models[made_up_model(name)];
+}
+
+/** Area and resistance of one point of one curve. */
+static struct contact_point *point_of(struct surface_record *record, const char *model, size_t load)
+{
+    return &record->curves[made_up_model(model)].points[load];
+}
+
+/* Powers of the load: see made_up_results.h. Loads 1e-6 ... 1e-2, so that i = 4 is the middle. */
+static void test_power_laws(void **state)
+{
+    (void)state;
+    made_up_make(&made, NULL);
+    const struct comparison *c = &made.comparison;
+    assert_near(c->middle_load, 1e-4, 1e-12);
+    assert_int_equal(c->leading, made_up_model("multiscale-plastic"));
+    assert_near(c->middle[0].area_ratio, 0.1, 1e-12);
+    assert_near(c->middle[1].area_ratio, 0.2, 1e-12);
+    assert_near(c->middle[2].ecr_ohm_m2, 3.75e-10, 1e-12);
+    assert_true(isnan(c->middle[3].load)); /* refused */
+    assert_within(c->proportional_error, 0, 1e-14);
+
+    /* elastic: full from 1e-3 (alpha), 2e-3 (beta), 5e-3 (gamma), so that both of a pair are full at 1e-2 alone, and
+     * alpha and beta at 3.16e-3 too */
+    assert_int_equal(of("multiscale-elastic")->rank.pairs, 2 * 9 - 2 - 1);
+    for (int q = 1; q < QUANTITY_COUNT; q++)
+        assert_int_equal(of("multiscale-elastic")->rank.ranked[q], q == QUANTITY_ADJUSTED ? 0 : 15);
+    assert_int_equal(of("gw")->rank.ranked[QUANTITY_SEPARATION], of("gw")->rank.pairs);
+
+    const struct comparison_plastic *plastic = &of("multiscale-plastic")->plastic;
+    assert_int_equal(plastic->points, 27);
+    assert_int_equal(plastic->above, 27);
+    assert_near(plastic->most, 2, 1e-12);
+    assert_near(plastic->least, 1, 1e-12); /* where both are full */
+    assert_int_equal(plastic->surfaces, 3);
+    assert_int_equal(plastic->sooner, 3);
+    assert_int_equal(of("multiscale-elastic")->plastic.points, 0);
+
+    assert_near(of("gw")->gap.area, log10(2), 1e-12);
+    assert_near(of("jg")->gap.ecr, log10(2.5), 1e-12);
+    assert_true(isnan(of("multiscale-elastic")->gap.area));
+
+    const struct comparison_extremes *ecr = &of("jg")->extremes[QUANTITY_ECR];
+    assert_int_equal(ecr->count, 3);
+    assert_int_equal(ecr->least_at, 1);
+    assert_int_equal(ecr->most_at, 2);
+    assert_near(ecr->least, 1e-10 / 0.8, 1e-12);
+    assert_near(ecr->most, 7.5e-10 / 0.8, 1e-12);
+    const struct comparison_extremes *gap = &of("gw")->extremes[QUANTITY_SEPARATION]; /* over sigma */
+    assert_near(gap->least, 0.95, 1e-12);
+    assert_near(gap->most, 0.99, 1e-12);
+    assert_int_equal(of("multiscale-elastic")->extremes[QUANTITY_ADJUSTED].count, 0);
+}
+
+/* One point of the rougher neighbour out of order in each quantity. */
+static void turn_one(struct surface_record *record, size_t index)
+{
+    if (index != 2)
+        return;
+    struct contact_point *p = point_of(record, "gw", 3);
+    p->area_ratio *= 10;
+    p->ecr_ohm_m2 /= 10;
+    p->tcr_K_m2_per_W /= 10;
+    p->adjusted_m = 0;
+    p->separation_m = 0; /* what is shown is the adjusted one */
+    point_of(record, "gw", 4)->separation_m = 0;
+}
+
+static void test_neighbours_out_of_order(void **state)
+{
+    (void)state;
+    made_up_make(&made, turn_one);
+    const struct comparison_rank *rank = &of("gw")->rank;
+    assert_int_equal(rank->ranked[QUANTITY_AREA], rank->pairs - 1);
+    assert_int_equal(rank->ranked[QUANTITY_SEPARATION], rank->pairs - 1);
+    assert_int_equal(rank->ranked[QUANTITY_ECR], rank->pairs - 1);
+    assert_int_equal(rank->ranked[QUANTITY_TCR], rank->pairs - 1);
+    assert_int_equal(of("jg")->rank.ranked[QUANTITY_AREA], of("jg")->rank.pairs);
+}
+
+/* Equal numbers are in order; a plastic area short of the elastic one by no more than rounding is not below it. */
+static void make_equal(struct surface_record *record, size_t index)
+{
+    (void)index;
+    for (size_t i = 0; i < MADE_UP_LOADS; i++) {
+        struct contact_point *elastic = point_of(record, "gw", i), *plastic = point_of(record, "jg", i);
+        elastic->area_ratio = 0.01 * (double)(i + 1);
+        elastic->ecr_ohm_m2 = 1e-10;
+        elastic->adjusted_m = 0.5 * record->summary.roughness.rq_m;
+        plastic->area_ratio = elastic->area_ratio * (i == 0 ? 1 - 1e-13 : i == 1 ? 1 - 1e-11 : 1.5);
+    }
+    record->curves[made_up_model("jg")].full_load = record->curves[made_up_model("gw")].full_load;
+}
+
+static void test_equal_neighbours_and_laws(void **state)
+{
+    (void)state;
+    made_up_make(&made, make_equal);
+    const struct comparison_rank *rank = &of("gw")->rank;
+    assert_int_equal(rank->pairs, 18);
+    assert_int_equal(rank->ranked[QUANTITY_AREA], 18);
+    assert_int_equal(rank->ranked[QUANTITY_SEPARATION], 18);
+    assert_int_equal(rank->ranked[QUANTITY_ECR], 18);
+    const struct comparison_plastic *plastic = &of("jg")->plastic;
+    assert_int_equal(plastic->points, 27);
+    assert_int_equal(plastic->above, 24);
+    assert_near(plastic->most, 1.5, 1e-12);
+    assert_near(plastic->least, 1 - 1e-11, 1e-15);
+    assert_int_equal(plastic->sooner, 0); /* at the same load is not sooner */
+}
+
+/* Curves that end early, with a load of their own, are compared up to their last common load; ones that do not exist
+ * not at all. */
+static void cut_short(struct surface_record *record, size_t index)
+{
+    struct model_curve *jg = &record->curves[made_up_model("jg")];
+    jg->count = 4;
+    jg->points[3].load *= 1.5; /* the point of full contact */
+    if (index == 1)
+        record->curves[made_up_model("gw")] =
+            (struct model_curve){.points = record->curves[made_up_model("gw")].points};
+}
+
+static void test_short_curves(void **state)
+{
+    (void)state;
+    made_up_make(&made, cut_short);
+    assert_int_equal(of("jg")->rank.pairs, 2 * 4); /* two that end alike have even that point in common */
+    assert_int_equal(of("jg")->plastic.points, 2 * 3);
+    assert_int_equal(of("jg")->plastic.surfaces, 2);
+    assert_int_equal(of("gw")->rank.pairs, 9 - 1); /* both full at the last */
+    assert_int_equal(of("gw")->extremes[QUANTITY_AREA].count, 2);
+    assert_int_equal(of("jg")->extremes[QUANTITY_AREA].count, 0); /* it ends below the middle load */
+    assert_near(of("jg")->gap.area, log10(2.5), 1e-12);
+}
+
+/* Resistances that are not in proportion, by one point. */
+static void disturb_one(struct surface_record *record, size_t index)
+{
+    if (index == 1)
+        point_of(record, "jg", 2)->tcr_K_m2_per_W *= 1 - 1e-3;
+}
+
+static void test_proportion(void **state)
+{
+    (void)state;
+    made_up_make(&made, disturb_one);
+    assert_near(made.comparison.proportional_error, 1e-3, 1e-9);
+    made_up_free(&made);
+    made_up_make_of(&made, made_up_models(), EFFECT_BIT(EFFECT_ELECTRICAL) | EFFECT_BIT(EFFECT_PLASTICITY), NULL);
+    assert_true(isnan(made.comparison.proportional_error));
+}
+
+/* The last halving of the wavelength: from the scale in the middle to the last. */
+static void test_a_settled_sweep(void **state)
+{
+    (void)state;
+    made_up_make(&made, NULL);
+    size_t model = made_up_model("multiscale-plastic");
+    made_up_sweep(&made, CONVERGENCE_GAMMA, "multiscale-plastic", 3, 0.5 * 0.99901);
+    assert_true(comparison_converges(&made.results, CONVERGENCE_GAMMA, model, 3));
+    made_up_sweep(&made, CONVERGENCE_GAMMA, "multiscale-plastic", 3, 0.5 * 0.99899);
+    assert_false(comparison_converges(&made.results, CONVERGENCE_GAMMA, model, 3));
+    made.scene.convergence.scales = 1;
+    assert_true(comparison_converges(&made.results, CONVERGENCE_ALPHA, model, 0));
+    made.scene.convergence.scales = MADE_UP_SCALES;
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        comparison_test(test_power_laws),   comparison_test(test_neighbours_out_of_order),
+        comparison_test(test_short_curves), comparison_test(test_equal_neighbours_and_laws),
+        comparison_test(test_proportion),   comparison_test(test_a_settled_sweep),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,248 @@
+#include "directory.h"
+#include "results/surface_store.h"
+
+enum { SURFACES = 7 };
+
+/* A record whose every number follows from `k`, with arrays of lengths of its own. */
+static struct surface_record *make(size_t k)
+{
+    struct surface_record *record = calloc(1, sizeof *record);
+    assert_non_null(record);
+    record->summary.usable = true;
+    record->summary.points = 100 + k;
+    record->summary.power_law.gamma = 1 + 0.1 * (double)k;
+    record->summary.notes = strdup("a note\nand another");
+    record->spectrum = (struct spectrum){.count = 50 * k + 1, .length_m = 1e-3 * (double)(k + 1), .has_nyquist = k % 2};
+    record->spectrum.amplitude_m = calloc(record->spectrum.count, sizeof(double));
+    for (size_t i = 0; i < record->spectrum.count; i++)
+        record->spectrum.amplitude_m[i] = (double)(1000 * k + i);
+    record->curves = calloc(model_count, sizeof *record->curves);
+    record->bands = calloc(model_count, sizeof *record->bands);
+    assert_true(record->curves && record->bands);
+    record->band_count = 2 + k;
+    for (size_t m = 0; m < model_count; m++) {
+        struct model_curve *curve = &record->curves[m];
+        curve->exists = (k + m) % 3 != 0;
+        curve->count = curve->exists ? 3 * k + m : 0;
+        curve->full_load = (double)(k + m);
+        curve->points = curve->exists ? calloc(curve->count + 1, sizeof *curve->points) : NULL;
+        for (size_t i = 0; i < curve->count; i++)
+            curve->points[i] =
+                (struct contact_point){.load = (double)i, .area_ratio = (double)(100 * k + m), .tcr_K_m2_per_W = NAN};
+        record->bands[m] = (k + m) % 4 == 0 ? calloc(record->band_count, sizeof **record->bands) : NULL;
+        for (size_t i = 0; record->bands[m] && i < record->band_count; i++)
+            record->bands[m][i] = (struct repeats_band){.load = (double)(k + m + i), .limits = {{NAN, (double)i}}};
+    }
+    record->preview_points = 2;
+    record->preview_z_m[1] = (double)k;
+    return record;
+}
+
+static void assert_same(const struct surface_record *got, size_t k)
+{
+    struct surface_record *expected = make(k);
+    assert_true(got->summary.usable);
+    assert_int_equal(got->summary.points, expected->summary.points);
+    assert_near(got->summary.power_law.gamma, expected->summary.power_law.gamma, 0);
+    assert_string_equal(got->summary.notes, expected->summary.notes);
+    assert_int_equal(got->spectrum.count, expected->spectrum.count);
+    assert_int_equal(got->spectrum.has_nyquist, expected->spectrum.has_nyquist);
+    assert_near(got->spectrum.length_m, expected->spectrum.length_m, 0);
+    assert_memory_equal(got->spectrum.amplitude_m, expected->spectrum.amplitude_m,
+                        got->spectrum.count * sizeof(double));
+    for (size_t m = 0; m < model_count; m++) {
+        const struct model_curve *a = &got->curves[m], *b = &expected->curves[m];
+        assert_true(a->exists == b->exists && a->count == b->count && a->full_load == b->full_load);
+        if (a->count > 0)
+            assert_memory_equal(a->points, b->points, a->count * sizeof *a->points);
+        assert_int_equal(got->bands[m] != NULL, expected->bands[m] != NULL);
+        if (got->bands[m])
+            assert_memory_equal(got->bands[m], expected->bands[m], got->band_count * sizeof **got->bands);
+    }
+    assert_int_equal(got->band_count, expected->band_count);
+    assert_int_equal(got->preview_points, 2);
+    assert_near(got->preview_z_m[1], (double)k, 0);
+    surface_record_free(expected, true);
+    free(expected);
+}
+
+static void put(struct surface_store *store, size_t k)
+{
+    struct surface_record *record = make(k);
+    struct status status = {0};
+    assert_int_equal(surface_store_put(store, k, record, &status), STATUS_OK);
+    surface_record_free(record, false);
+    free(record);
+}
+
+/* Reads surface `index`, which is to be that of `k`. */
+static void get_as(struct surface_store *store, size_t index, size_t k)
+{
+    struct surface_record *record = malloc(sizeof *record);
+    struct status status = {0};
+    assert_non_null(record);
+    assert_int_equal(surface_store_get(record, store, index, &status), STATUS_OK);
+    assert_same(record, k);
+    surface_record_free(record, false);
+    free(record);
+}
+
+static void get(struct surface_store *store, size_t k)
+{
+    get_as(store, k, k);
+}
+
+static void test_surfaces_come_back_in_any_order(void **state)
+{
+    (void)state;
+    static const size_t in[SURFACES] = {3, 0, 6, 1, 5, 2, 4}, out[] = {6, 0, 0, 5, 1, 4, 2, 3, 6};
+    struct directory place = directory_make();
+    struct surface_store store;
+    struct status status = {0};
+    assert_int_equal(surface_store_open(&store, place.path, SURFACES, &status), STATUS_OK);
+    assert_int_equal(directory_entries(&place, ""), 0); /* the file has no name */
+    for (size_t i = 0; i < SURFACES; i++) {
+        put(&store, in[i]);
+        get(&store, in[i / 2]); /* reading in between disturbs nothing */
+    }
+    for (size_t i = 0; i < sizeof out / sizeof *out; i++)
+        get(&store, out[i]);
+    surface_store_close(&store);
+    assert_null(store.file);
+    directory_remove(&place);
+}
+
+struct writer {
+    struct surface_store *store;
+    size_t first, step;
+    pthread_t thread;
+};
+
+static void *write_some(void *context)
+{
+    const struct writer *writer = context;
+    for (size_t k = writer->first; k < writer->store->count; k += writer->step)
+        put(writer->store, k);
+    return NULL;
+}
+
+static void test_several_threads_may_put(void **state)
+{
+    (void)state;
+    enum { THREADS = 4, MANY = 200 };
+    struct directory place = directory_make();
+    struct surface_store store;
+    struct writer writers[THREADS];
+    struct status status = {0};
+    assert_int_equal(surface_store_open(&store, place.path, MANY, &status), STATUS_OK);
+    for (size_t t = 0; t < THREADS; t++) {
+        writers[t] = (struct writer){.store = &store, .first = t, .step = THREADS};
+        assert_int_equal(pthread_create(&writers[t].thread, NULL, write_some, &writers[t]), 0);
+    }
+    for (size_t t = 0; t < THREADS; t++)
+        pthread_join(writers[t].thread, NULL);
+    for (size_t k = 0; k < MANY; k++)
+        get(&store, k);
+    surface_store_close(&store);
+    directory_remove(&place);
+}
+
+/* A surface that was described has no curves yet; once its models ran it is stored again. */
+static void test_a_surface_is_put_again_with_its_curves(void **state)
+{
+    (void)state;
+    struct directory place = directory_make();
+    struct surface_store store;
+    struct status status = {0};
+    assert_int_equal(surface_store_open(&store, place.path, 2, &status), STATUS_OK);
+    struct surface_record *record = make(2), got;
+    struct model_curve *curves = record->curves;
+    struct repeats_band **bands = record->bands;
+    record->curves = NULL;
+    record->bands = NULL;
+    assert_int_equal(surface_store_put(&store, 0, record, &status), STATUS_OK);
+    put(&store, 1);
+    assert_int_equal(surface_store_get(&got, &store, 0, &status), STATUS_OK);
+    assert_true(got.curves == NULL && got.bands == NULL);
+    assert_memory_equal(got.spectrum.amplitude_m, record->spectrum.amplitude_m, got.spectrum.count * sizeof(double));
+    surface_record_free(&got, false);
+    record->curves = curves;
+    record->bands = bands;
+    assert_int_equal(surface_store_put(&store, 0, record, &status), STATUS_OK);
+    get_as(&store, 0, 2);
+    get(&store, 1);
+    assert_int_equal(store.summaries[0].points, 102);
+    surface_record_free(record, false);
+    free(record);
+    surface_store_close(&store);
+    directory_remove(&place);
+}
+
+/* A refused surface has a summary only. */
+static void test_refusals_are_kept(void **state)
+{
+    (void)state;
+    struct directory place = directory_make();
+    struct surface_store store;
+    struct status status = {0};
+    struct surface_record *record = calloc(1, sizeof *record);
+    assert_non_null(record);
+    record->summary.refusal = strdup("a.csv: the scan is flat");
+    assert_int_equal(surface_store_open(&store, place.path, 2, &status), STATUS_OK);
+    assert_int_equal(surface_store_put(&store, 0, record, &status), STATUS_OK);
+    put(&store, 1);
+    assert_string_equal(store.summaries[0].refusal, "a.csv: the scan is flat");
+    assert_false(store.summaries[0].usable);
+    get(&store, 1);
+    surface_store_close(&store);
+    surface_record_free(record, false);
+    free(record);
+    directory_remove(&place);
+}
+
+static void test_a_directory_that_cannot_be_written_is_named(void **state)
+{
+    (void)state;
+    struct directory place = directory_make();
+    struct surface_store store;
+    struct status status = {0};
+    directory_write(&place, "file", "");
+    assert_int_equal(surface_store_open(&store, directory_path(&place, "file"), 2, &status), STATUS_IO);
+    assert_non_null(strstr(status.message, directory_path(&place, "file")));
+    surface_store_close(&store);
+    directory_remove(&place);
+}
+
+/* After a failed put the record is still the caller's: nothing of it is freed twice. */
+static void test_a_full_disk_leaves_the_record_to_the_caller(void **state)
+{
+    (void)state;
+    struct directory place = directory_make();
+    struct surface_store store;
+    struct status status = {0};
+    assert_int_equal(surface_store_open(&store, place.path, 1, &status), STATUS_OK);
+    fclose(store.file);
+    store.file = fopen("/dev/full", "w+b");
+    assert_non_null(store.file);
+    struct surface_record *record = make(3);
+    assert_int_equal(surface_store_put(&store, 0, record, &status), STATUS_IO);
+    assert_non_null(strstr(status.message, "No space left"));
+    assert_null(store.summaries[0].notes);
+    surface_record_free(record, true);
+    free(record);
+    surface_store_close(&store);
+    directory_remove(&place);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_surfaces_come_back_in_any_order),
+        cmocka_unit_test(test_several_threads_may_put),
+        cmocka_unit_test(test_a_surface_is_put_again_with_its_curves),
+        cmocka_unit_test(test_refusals_are_kept),
+        cmocka_unit_test(test_a_directory_that_cannot_be_written_is_named),
+        cmocka_unit_test(test_a_full_disk_leaves_the_record_to_the_caller),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,470 @@
+/* A new model is a row: two more, registered here in place of model_table.c, run through a whole report. One stacks
+ * scales and computes every quantity, one knows the area alone and never comes to full contact. */
+#include "contact/multiscale.h"
+#include "pipeline.h"
+#include "run/prepare.h"
+
+#include <stdio.h>
+
+/* ---------------------------------------------------------------- the two models */
+
+/** Every scale at every load, and once more at full contact. */
+static struct model_work stack_work(const struct model_row *row, const struct model_task *task)
+{
+    (void)row;
+    uint64_t visits = task->spectrum->count * (task->load_count + 1);
+    return (struct model_work){
+        .scales = visits,
+        .gaps = task->wanted & QUANTITY_BIT(QUANTITY_SEPARATION) ? visits : 0,
+        .constrictions = task->wanted & QUANTITY_RESISTANCES ? visits : 0,
+    };
+}
+
+/** The stack of the multiscale models by the numerical closure, whatever the scene says; its separation closes by
+ * itself, so that the adjusted one is the same. */
+static enum status_code stack_run(struct model_curve *curve, const struct model_row *row, const struct model_task *task,
+                                  struct status *status)
+{
+    struct multiscale stack;
+    struct constriction constriction = constriction_make(task->pair);
+    uint64_t visits = 0;
+    if (multiscale_make(&stack, task->spectrum, task->pair, false, SINUSOID_FIT_NUMERIC, status) != STATUS_OK)
+        return status->code;
+    for (size_t i = 0; i <= task->load_count; i++) {
+        struct contact_point *point = i < task->load_count ? &curve->points[i] : &curve->full;
+        multiscale_solve(point, &stack, &constriction, task->wanted,
+                         i < task->load_count ? task->loads[i] : stack.full_load, &visits);
+        point->adjusted_m = point->separation_m;
+    }
+    curve->count = task->load_count;
+    curve->full_load = stack.full_load;
+    curve->closed_load = stack.closed_load;
+    curve->beta = 0;
+    curve->exists = true;
+    curve->work = stack_work(row, task);
+    assert_int_equal(curve->work.scales, visits);
+    multiscale_free(&stack);
+    return STATUS_OK;
+}
+
+static struct model_work area_work(const struct model_row *row, const struct model_task *task)
+{
+    (void)row;
+    return (struct model_work){.separations = task->load_count};
+}
+
+/** Root mean square slope of the spectrum. */
+static double slope_of(const struct spectrum *spectrum)
+{
+    return sqrt(spectrum_moment(spectrum, 1));
+}
+
+/** A/A_n = x/(x + 1) with x = 2 P/(A_n E')/slope. */
+static enum status_code area_run(struct model_curve *curve, const struct model_row *row, const struct model_task *task,
+                                 struct status *status)
+{
+    (void)status;
+    const struct contact_point unknown = {
+        .separation_m = NAN, .adjusted_m = NAN, .ecr_ohm_m2 = NAN, .tcr_K_m2_per_W = NAN, .tcr_sd_K_m2_per_W = NAN};
+    for (size_t i = 0; i < task->load_count; i++) {
+        double x = 2 * task->loads[i] / slope_of(task->spectrum);
+        curve->points[i] = unknown;
+        curve->points[i].load = task->loads[i];
+        curve->points[i].area_ratio = x / (x + 1);
+    }
+    curve->full = unknown;
+    curve->full.load = curve->full.area_ratio = NAN;
+    curve->full_load = curve->closed_load = curve->beta = NAN;
+    curve->count = task->load_count;
+    curve->exists = true;
+    curve->work = area_work(row, task);
+    return STATUS_OK;
+}
+
+static const struct model_row numeric_stack = {
+    .name = "numeric-stack",
+    .label = "numeric stack",
+    .short_label = "num.",
+    .family = "registered",
+    .by_default = true,
+    .counterpart = &model_multiscale_elastic,
+    .stacks_scales = true,
+    .quantities = (1u << QUANTITY_COUNT) - 1,
+    .style = "ns",
+    .colour = "#2E8B57",
+    .marker = 8,
+    .equations = "none",
+    .source = "source of the numeric stack",
+    .assumes = "what the stack assumes",
+    .valid = "where the stack is valid",
+    .method = "sum by the numerical closure",
+    .work = stack_work,
+    .run = stack_run,
+};
+
+static const struct model_row area_alone = {
+    .name = "area-alone",
+    .label = "area alone",
+    .short_label = "alone",
+    .family = "registered",
+    .by_default = true,
+    .quantities = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA),
+    .style = "aa",
+    .colour = "#8B2E57",
+    .marker = 9,
+    .equations = "none",
+    .source = "source of the area alone",
+    .assumes = "what the area assumes",
+    .valid = "where the area is valid",
+    .method = "one division a load",
+    .work = area_work,
+    .run = area_run,
+};
+
+extern const struct model_row model_gw, model_jg;
+
+/* In place of model_table.c, which a program that has its own table does not get from the library. */
+const struct model_row *const model_rows[] = {
+    &model_multiscale_elastic, &model_multiscale_plastic, &model_gw, &model_jg, &numeric_stack, &area_alone,
+};
+const size_t model_count = sizeof model_rows / sizeof *model_rows;
+enum { STACK = 4, ALONE = 5 };
+
+/* ---------------------------------------------------------------- the runs */
+
+#define LOADS "load: {from: 1e-6, to: 1, points: 13}\nconvergence: {scales: 64}\nnominal_area_m2: 1e-6\n"
+
+/** Three surfaces, the first of three scans, in OUT of `place`. */
+static struct run_outcome report_of(const struct directory *place, const char *scene, bool no_cost)
+{
+    struct run_outcome outcome;
+    struct status status = {0};
+    char target[4096];
+    snprintf(target, sizeof target, "%s", directory_path(place, "out"));
+    mkdir(directory_path(place, "in"), 0777);
+    for (int i = 0; i < 5; i++) {
+        char name[16];
+        snprintf(name, sizeof name, "in/%c.csv", 'a' + i);
+        pipeline_rough(place, name, 128, i < 3 ? 2 : 2.0 * i, (unsigned long)i + 1);
+    }
+    directory_write(place, "in/scene.yaml", scene);
+    struct run_options options = {.output = target,
+                                  .templates = PROJECT_SOURCE "/templates",
+                                  .terminal_size = no_cost ? NULL : "80,24",
+                                  .no_cost = no_cost,
+                                  .jobs = 2};
+    if (pipeline_try(&outcome, place, "in", options, &status) != STATUS_OK)
+        fail_msg("%s\n%s", status.message, text_string(&outcome.messages));
+    assert_int_equal(outcome.refused, 0);
+    assert_true(outcome.work_agrees);
+    return outcome;
+}
+
+#define SURFACES                                                                                                       \
+    "surfaces: [{name: one, file: [a.csv, b.csv, c.csv]}, {name: two, file: d.csv}, {name: three, file: e.csv}]\n"
+
+static struct directory whole; /* of the report with everything in it */
+static struct run_outcome whole_outcome;
+
+static int make_whole(void **state)
+{
+    (void)state;
+    whole = directory_make();
+    mkdir(directory_path(&whole, "in"), 0777);
+    directory_write(&whole, "in/ecr.csv", "Load (N);ECR (mOhm);error (%)\n1;20;10\n10;3;10\n100;0.4;10\n");
+    whole_outcome = report_of(&whole,
+                              "material: tin\n" LOADS SURFACES
+                              "effects: [plasticity, separation, electrical, thermal, scale-dependent, convergence]\n"
+                              "measured: {file: ecr.csv}\n",
+                              false);
+    return 0;
+}
+
+static int remove_whole(void **state)
+{
+    (void)state;
+    run_outcome_free(&whole_outcome);
+    directory_remove(&whole);
+    return 0;
+}
+
+/* ---------------------------------------------------------------- helpers */
+
+static size_t occurrences(const char *in, const char *what)
+{
+    size_t count = 0;
+    for (; (in = strstr(in, what)); in += strlen(what))
+        count++;
+    return count;
+}
+
+static void assert_has(const char *in, const char *what)
+{
+    if (!strstr(in, what))
+        fail_msg("no '%s' in\n%s", what, in);
+}
+
+static void assert_lacks(const char *in, const char *what)
+{
+    if (strstr(in, what))
+        fail_msg("'%s' in\n%s", what, in);
+}
+
+/** The Markdown from a heading to the next one, `start` for the first; in place, until the next call. */
+static const char *section(const char *markdown, const char *heading)
+{
+    static struct text part;
+    const char *from = strstr(markdown, heading);
+    if (!from)
+        fail_msg("no section '%s'", heading);
+    const char *to = strstr(from + 1, "\n## ");
+    text_free(&part);
+    text_add_bytes(&part, from, to ? (size_t)(to - from) : strlen(from));
+    return text_string(&part);
+}
+
+/** Does a table's row that starts so, without blanks, hold this many cells? */
+static void assert_row(const char *markdown, const char *start, size_t cells)
+{
+    const char *row = strstr(markdown, start);
+    if (!row)
+        fail_msg("no row '%s' in\n%s", start, markdown);
+    size_t bars = 0;
+    for (; *row && *row != '\n'; row++)
+        bars += *row == '|';
+    assert_int_equal(bars, cells + 1);
+}
+
+/* ---------------------------------------------------------------- data and results */
+
+static void test_the_data(void **state)
+{
+    (void)state;
+    struct table contact = table_read_path(directory_path(&whole, "out/data/contact.csv"));
+    size_t rows[2] = {0};
+    for (size_t r = 0; r < contact.rows; r++) {
+        const char *model = table_text(&contact, r, "model");
+        double area = table_number(&contact, r, "area_ratio");
+        if (strcmp(model, "numeric-stack") == 0) {
+            rows[0]++;
+            assert_near(table_number(&contact, r, "adjusted_separation_over_sigma"),
+                        table_number(&contact, r, "separation_over_sigma"), 1e-12);
+            assert_true(area < 1 ? table_number(&contact, r, "ecr_ohm_m2") > 0 : true);
+            assert_true(table_number(&contact, r, "tcr_sd_K_m2_per_W") >= table_number(&contact, r, "tcr_K_m2_per_W"));
+        } else if (strcmp(model, "area-alone") == 0) {
+            static const char *const empty[] = {
+                "separation_m", "separation_over_sigma", "adjusted_separation_over_sigma",
+                "ecr_ohm_m2",   "tcr_K_m2_per_W",        "tcr_sd_K_m2_per_W"};
+            rows[1]++;
+            assert_true(area > 0 && area < 1);
+            for (size_t i = 0; i < sizeof empty / sizeof *empty; i++)
+                assert_string_equal(table_text(&contact, r, empty[i]), "");
+        }
+    }
+    assert_int_equal(rows[0], 3 * 13);
+    assert_int_equal(rows[1], 3 * 13);
+    table_free(&contact);
+}
+
+static void test_the_other_tables(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *file, *has[3], *lacks;
+    } files[] = {
+        {"out/data/surfaces.csv", {",beta_numeric-stack"}, "area-alone"},
+        {"out/data/convergence.csv", {"alpha,0.001", ",numeric-stack,"}, "area-alone"},
+        {"out/data/cost.csv", {"cut-off,numeric-stack,", "loads,numeric-stack,", "loads,area-alone,"}, "cut-off,area"},
+        {"out/data/spread.csv",
+         {"ln_full_contact_load_numeric-stack,3", "beta_numeric-stack,3"},
+         "ln_full_contact_load_area-alone"},
+        {"out/data/bands.csv", {"one,numeric-stack,", "one,area-alone,"}, "nan"},
+        {"out/results.json", {"\"numeric-stack\": {", "\"area-alone\": {", "\"registered\""}, "inf"},
+    };
+    for (size_t f = 0; f < sizeof files / sizeof *files; f++) {
+        struct text text = directory_read(&whole, files[f].file);
+        for (int i = 0; i < 3 && files[f].has[i]; i++)
+            assert_has(text_string(&text), files[f].has[i]);
+        assert_lacks(text_string(&text), files[f].lacks);
+        text_free(&text);
+    }
+}
+
+/* ---------------------------------------------------------------- charts */
+
+static void test_the_charts(void **state)
+{
+    (void)state;
+    static const char *const stack_figures[] = {
+        "area-load", "separation-load", "separation-area", "ecr-load", "tcr-load", "alpha", "gamma"};
+    static const struct {
+        const char *file;
+        bool stack, alone;
+    } shared[] = {{"6-05", true, true},  {"6-06", true, false}, {"6-07", true, false},
+                  {"6-08", true, false}, {"6-09", true, false}, {"cost-curves", true, true}};
+    char name[128];
+    struct text text = directory_read(&whole, "out/figures/models.gp");
+    assert_has(text_string(&text), "colour_ns = '#2E8B57'; marker_ns = 8 # numeric-stack");
+    assert_has(text_string(&text), "colour_aa = '#8B2E57'; marker_aa = 9 # area-alone");
+    text_free(&text);
+    for (size_t i = 0; i < sizeof stack_figures / sizeof *stack_figures; i++)
+        for (int alone = 0; alone < 2; alone++) {
+            snprintf(name, sizeof name, "out/figures/%s-%s.svg", stack_figures[i],
+                     alone ? "area-alone" : "numeric-stack");
+            if (directory_has(&whole, name) != (!alone || i == 0))
+                fail_msg("%s", name);
+        }
+    for (size_t i = 0; i < sizeof shared / sizeof *shared; i++) {
+        static const char *const names[][2] = {{"numeric stack", "area alone"}, {"numeric-stack", "area-alone"}};
+        const char *const *labels = names[strncmp(shared[i].file, "cost", 4) == 0]; /* there as in cost.csv */
+        for (int svg = 0; svg < 2; svg++) {
+            snprintf(name, sizeof name, "out/figures/%s.%s", shared[i].file, svg ? "svg" : "csv");
+            text = directory_read(&whole, name);
+            if ((strstr(text_string(&text), labels[0]) != NULL) != shared[i].stack ||
+                (strstr(text_string(&text), labels[1]) != NULL) != shared[i].alone)
+                fail_msg("%s", name);
+            text_free(&text);
+        }
+    }
+    text = directory_read(&whole, "out/figures/6-05.gp"); /* curves and bands of both in one chart */
+    assert_has(text_string(&text), " ns");
+    assert_has(text_string(&text), " aa");
+    text_free(&text);
+}
+
+/* ---------------------------------------------------------------- report, terminal, plan */
+
+static void test_the_report(void **state)
+{
+    (void)state;
+    struct text text = directory_read(&whole, "out/report.md");
+    const char *md = text_string(&text);
+    assert_has(section(md, "## Does the area converge"), "- numeric stack: for ");
+    assert_has(section(md, "## Does the area converge"), "A/Aₙ numeric stack");
+    const char *baseline = section(md, " in every model\n");
+    assert_has(baseline, "| numeric stack | ");
+    assert_row(baseline, "| 1.50 | area alone | 0.00110 |", 10 - 1);
+    assert_row(baseline, "| area alone | 0.99", 6);
+    assert_has(baseline, "](figures/6-05.svg)");
+    assert_has(baseline, " σ (GW), "); /* its beta stands beside the others' */
+    assert_has(baseline, " 0 σ (numeric stack)");
+    assert_has(baseline, " (elastic); ");
+    assert_has(baseline, " and 0.011 (numeric stack).");
+    const char *all = section(md, "## All surfaces");
+    assert_has(all, " | numeric stack | area alone |");
+    assert_has(all, "](figures/area-load-numeric-stack.svg)");
+    assert_has(all, "](figures/area-load-area-alone.svg)");
+    assert_has(all, "](figures/tcr-load-numeric-stack.svg)");
+    assert_has(all, " | β numeric stack | ");
+    assert_lacks(all, "β area alone");
+    const char *checks = section(md, "## The findings");
+    assert_int_equal(occurrences(checks, "numeric stack: settled for "), 1);
+    assert_int_equal(occurrences(checks, "numeric stack: ECR "), 1); /* against its counterpart */
+    assert_int_equal(occurrences(checks, "numeric stack "), 9);
+    assert_int_equal(occurrences(checks, "area alone "), 2); /* linear, and ranked by roughness */
+    assert_has(section(md, "## How far repeated"), "| full contact, area alone |");
+    const char *measured = section(md, "## Measured contact resistance");
+    assert_has(measured, "| numeric stack | ");
+    assert_has(measured, "| area alone | 0 of 3 | – | – | – |");
+    assert_has(section(md, "## What accuracy costs"), "numeric-stack ");
+    assert_has(section(md, "## Models and sources"), "- **numeric stack** (eq. none). Assumes: what the stack");
+    assert_has(section(md, "## Models and sources"), "- **area alone** (eq. none). Assumes: what the area");
+    assert_has(section(md, "## What was computed"), "numeric stack: sum by the numerical closure");
+    assert_has(section(md, "## What was computed"), "area alone: one division a load");
+    assert_lacks(md, "nan");
+    assert_lacks(md, "inf ");
+    text_free(&text);
+    text = directory_read(&whole, "out/report.html");
+    assert_has(text_string(&text), "numeric stack");
+    assert_has(text_string(&text), "<strong>area alone</strong>");
+    text_free(&text);
+}
+
+static void test_the_terminal(void **state)
+{
+    (void)state;
+    const char *table = text_string(&whole_outcome.table);
+    assert_has(table, "β num.");
+    assert_lacks(table, "β alone");
+    assert_has(table, "alone\n");
+    assert_has(table, " -\n"); /* the load to a full contact that there is not */
+    assert_has(text_string(&whole_outcome.charts), "numeric stack");
+    assert_has(text_string(&whole_outcome.charts), "area alone");
+    assert_has(text_string(&whole_outcome.work), "numeric stack: sum by the numerical closure");
+    assert_has(text_string(&whole_outcome.work), "area alone: one division a load");
+    assert_true(whole_outcome.times.models[STACK] > 0 && whole_outcome.times.models[ALONE] > 0);
+}
+
+/* ---------------------------------------------------------------- alone, and in the plan */
+
+/* Nothing but an area: what other models would add has no place in the report. */
+static void test_the_area_alone(void **state)
+{
+    (void)state;
+    struct directory place = directory_make();
+    struct run_outcome outcome = report_of(&place,
+                                           "material: tin\n" LOADS SURFACES "models: [area-alone]\n"
+                                           "effects: [separation, electrical, thermal, scale-dependent]\n",
+                                           true);
+    struct text text = directory_read(&place, "out/report.md");
+    assert_has(text_string(&text), "**, area alone:");
+    assert_has(text_string(&text), "| A/Aₙ (%) | full contact");
+    assert_has(text_string(&text), "has the largest area** there");
+    assert_lacks(text_string(&text), "ECR·Aₙ");
+    assert_lacks(text_string(&text), "### Separation");
+    assert_lacks(text_string(&text), "multiscale elastic");
+    assert_false(directory_has(&place, "out/figures/6-08.svg"));
+    text_free(&text);
+    run_outcome_free(&outcome);
+    directory_remove(&place);
+}
+
+/** The table of the plan of the scene in place/in, before any model runs. */
+static struct text plan_of(const struct directory *place)
+{
+    struct scene scene;
+    struct prepared prepared;
+    struct status status = {0};
+    struct run_options options = {.jobs = 1};
+    struct text table = {0};
+    if (scene_read(&scene, directory_path(place, "in"), &(struct scene_overrides){0}, &status) != STATUS_OK ||
+        prepare(&prepared, &scene, &options, NULL, &status) != STATUS_OK)
+        fail_msg("%s", status.message);
+    prepare_table(&table, &prepared, NULL);
+    assert_true(plan_runs_model(&prepared.plan, STACK) && plan_runs_model(&prepared.plan, ALONE));
+    prepared_free(&prepared);
+    scene_free(&scene);
+    return table;
+}
+
+/* What a model does not bound may change anything: the effect runs, and the reason says whose doing that is. */
+static void test_the_plan(void **state)
+{
+    (void)state;
+    struct text table = plan_of(&whole);
+    assert_has(text_string(&table), "numeric stack: sum by the numerical closure");
+    assert_has(text_string(&table), "area alone: one division a load");
+    text_free(&table);
+
+    struct directory place = directory_make();
+    mkdir(directory_path(&place, "in"), 0777);
+    pipeline_rough(&place, "in/a.csv", 128, 1, 1);
+    directory_write(&place, "in/scene.yaml", "material: tin\n" LOADS "effects: auto\nmodels: [registered]\n");
+    table = plan_of(&place);
+    assert_has(text_string(&table), "scale-dependent  run");
+    assert_has(text_string(&table), "numeric stack has no bound on it");
+    assert_lacks(text_string(&table), " inf");
+    text_free(&table);
+    directory_remove(&place);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_the_data),       cmocka_unit_test(test_the_other_tables),
+        cmocka_unit_test(test_the_charts),     cmocka_unit_test(test_the_report),
+        cmocka_unit_test(test_the_terminal),   cmocka_unit_test(test_the_plan),
+        cmocka_unit_test(test_the_area_alone),
+    };
+    return cmocka_run_group_tests(tests, make_whole, remove_whole);
+}
