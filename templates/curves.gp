@@ -1,12 +1,14 @@
 # Curves against a load, an area or a wavelength.
-#   call 'curves.gp' DATA OUTPUT TITLE XLABEL YLABEL LOGARITHMIC STYLES [AXES]
+#   call 'curves.gp' DATA OUTPUT TITLE XLABEL YLABEL LOGARITHMIC STYLES [AXES [UNSURE]]
 # LOGARITHMIC: 'xy', 'x', 'y' or ''. STYLES: one word a block of DATA: s1..s8 surfaces, two letters a model (models.gp), with `a` its
 # adjusted separation, with `S` scale-dependent, r1..r9 steps of a sweep; with x at its end the part of that curve outside
-# its range of validity, with b the band of repeated scans around it (rows x,low,high); these get no legend entry. meas:
+# its range of validity, with b the interval of the mean around it (rows x,low,high); these get no legend entry. meas:
 # measured points (rows x,y,low,high), joined in their order. AXES: 'A B C': the x axis holds at least A to B; the y axis ends a
 # little below C when the data go further down (0: it does not).
+# UNSURE: left of this x the chart is shaded.
 data = ARG1; output = ARG2; title_text = ARG3; x_label = ARG4; y_label = ARG5; logarithmic = ARG6; style_words = ARG7
 axes = ARGC > 7 ? ARG8 : ''
+unsure = ARGC > 8 ? ARG9 + 0.0 : 0
 load 'style.gp'
 log_x = strstrt(logarithmic, 'x') > 0
 log_y = strstrt(logarithmic, 'y') > 0
@@ -45,7 +47,7 @@ do for [i = 1:BLOCKS] {
     if (ROWS[i] > 1 && !outside(w) && shape(w) > 0) { marked = marked . sprintf(' %d', i) }
 }
 note_outside = 'outside the range of validity'
-note_band = 'one standard deviation of the scans'
+note_band = '95 % interval of the mean'
 if (strlen(bands) && !text_mode) { count = count + 1; longest = most(longest, strlen(note_band)) }
 if (strlen(measured)) { count = count + 1; longest = most(longest, 8) }
 if (strlen(dashed)) { count = count + 1; longest = most(longest, strlen(note_outside)) }
@@ -60,6 +62,8 @@ call 'axis.gp' 'x' (log_x ? 'log' : 'zero') '0' (text_mode ? '6' : '8')
 low = y_low; high = y_high
 call 'axis.gp' 'y' (log_y ? 'log' : 'zero') '0.04' (text_mode ? '5' : '7')
 if (!log_y && !text_mode) { set xzeroaxis lc rgb quiet lw 0.7 lt 1 }
+
+if (unsure > x_low && !empty && !text_mode) { set object 1 rectangle from graph 0, graph 0 to first (least(unsure, x_high)), graph 1 behind fc rgb quiet fs transparent solid 0.15 noborder }
 
 # The plot is put together from parts because gnuplot runs a loop over an empty list once. The parts name variables only.
 interval(i) = int(most(1, ceil(ROWS[i] / (scaled(word(style_words, i)) ? 14.0 : 9.0))))

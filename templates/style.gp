@@ -30,7 +30,7 @@ marker_c6 = 6; marker_c7 = 4; marker_c8 = 8; marker_c9 = 12
 colour_meas = ink
 
 # A style word is a name of the tables above, then perhaps `a` (adjusted) or `S` (scale-dependent), then perhaps `x`
-# (outside the range of validity) or `b` (the band of repeated scans). `meas` is what was measured.
+# (outside the range of validity) or `b` (the interval of the mean). `meas` is what was measured.
 outside(w) = strlen(w) > 1 && w[strlen(w):*] eq 'x'
 band(w) = strlen(w) > 1 && w[strlen(w):*] eq 'b'
 stem(w) = outside(w) || band(w) ? w[1:strlen(w) - 1] : w

@@ -63,28 +63,61 @@ static void make_curve(struct surface_record *record, size_t index, size_t m, co
     keep_wanted(&curve->full, wanted);
 }
 
-/** Two scans to either side of a number. */
-static struct repeats_number about(double value, double deviation)
+/** Of two scans a standard deviation of `deviation` apart (of ln value where `logarithmic`) about this number. */
+static struct estimate about(double value, double deviation, bool logarithmic)
 {
-    struct repeats_number number = {0};
-    repeats_add(&number, value - deviation / M_SQRT2);
-    repeats_add(&number, value + deviation / M_SQRT2);
-    return number;
+    struct status status = {0};
+    struct estimate estimate;
+    double step = deviation / M_SQRT2;
+    const double scans[2] = {logarithmic ? value * exp(-step) : value - step,
+                             logarithmic ? value * exp(step) : value + step};
+    assert_int_equal(estimate_scans(&estimate, scans, NULL, 2, logarithmic, &status), STATUS_OK);
+    return estimate;
 }
 
-static void make_repeats(struct surface_record *record, size_t m)
+struct estimate made_up_single(double value, double s, bool logarithmic)
+{
+    const struct single_scan single = {.s = s, .half_width = single_scan_half_width(s)};
+    return estimate_single(value, &single, logarithmic);
+}
+
+/** What is known of a model's answers: by two scans of the first surface, else by simulated records if they run. */
+static void make_estimates(struct made_up *made, struct surface_record *record, size_t index, size_t m)
 {
     struct curve_summary *model = &record->summary.models[m];
-    model->repeated_log_full_load = about(log(model->full_load), log(1.5));
-    model->repeated_beta = about(6, 0.5);
-    record->bands[m] = calloc(MADE_UP_LOADS, sizeof *record->bands[m]);
+    const struct contact_point *middle = &record->curves[m].points[MADE_UP_LOADS / 2];
+    bool several = index == 0, known = several || plan_runs(&made->plan, EFFECT_UNCERTAINTY);
+    model->full_load_estimate = several ? about(model->full_load, log(1.5), true) : estimate_none;
+    model->beta_estimate = several && isfinite(model->beta) ? about(model->beta, 0.5, false) : estimate_none;
+    for (int q = 0; q < QUANTITY_COUNT; q++) {
+        bool logarithmic = q != QUANTITY_SEPARATION;
+        enum quantity shown = model_shown(model_rows[m], (enum quantity)q);
+        double value = quantity_value(middle, shown), s = logarithmic ? 0.05 : 0.05 * value;
+        bool held = known && repeats_band_holds((enum quantity)q) && isfinite(value);
+        model->middle[q] = !held     ? estimate_none
+                           : several ? about(value, s, logarithmic)
+                                     : made_up_single(value, s, logarithmic);
+    }
+}
+
+/** The mean within a tenth of the curve, another scan within two. */
+static void make_bands(struct surface_record *record, size_t m)
+{
     record->band_count = MADE_UP_LOADS;
+    record->bands[m] = calloc(MADE_UP_LOADS, sizeof *record->bands[m]);
+    assert_non_null(record->bands[m]);
     for (size_t i = 0; i < MADE_UP_LOADS; i++) {
         const struct contact_point *point = &record->curves[m].points[i];
-        record->bands[m][i].load = point->load;
+        struct repeats_band *band = &record->bands[m][i];
+        band->load = point->load;
         for (int q = 0; q < QUANTITY_COUNT; q++)
-            for (int side = 0; side < 2; side++)
-                record->bands[m][i].limits[q][side] = quantity_value(point, (enum quantity)q) * (side == 0 ? 0.9 : 1.1);
+            for (int side = 0; side < 2; side++) {
+                double value = repeats_band_holds((enum quantity)q)
+                                   ? quantity_value(point, model_shown(model_rows[m], (enum quantity)q))
+                                   : NAN;
+                band->mean[q][side] = value * (side == 0 ? 0.9 : 1.1);
+                band->next[q][side] = value * (side == 0 ? 0.8 : 1.2);
+            }
     }
 }
 
@@ -104,14 +137,16 @@ static void make_surface(struct made_up *made, size_t index, void (*change)(stru
         summary->refusal = strdup("broken.csv: no number in it");
     } else {
         double rq_m = surfaces[index].rq_m, gamma = surfaces[index].gamma;
-        summary->roughness = (struct roughness){rq_m, 0.8 * rq_m, 6 * rq_m, rq_m * rq_m, 0.01, 1e9};
+        summary->roughness =
+            (struct roughness){rq_m, 0.8 * rq_m, 6 * rq_m, rq_m * rq_m, 0.01, 1e9, 0, 3 * pow(rq_m, 4)};
         summary->asperities = (struct asperities){10, 1e10, 2e-6, 0.9 * rq_m, 0.1 * rq_m, rq_m};
         summary->has_asperities = true;
-        summary->power_law = (struct power_law){.alpha = 0.5,
+        summary->power_law = (struct power_law){.found = POWER_LAW_BAND_LAW,
+                                                .alpha = 0.5,
                                                 .alpha_error = 0.05,
                                                 .gamma = gamma,
                                                 .gamma_error = 0.01,
-                                                .rms_decades = 0.2,
+                                                .misfit_decades = 0.2,
                                                 .band_m = {2e-6, 1e-4},
                                                 .harmonics = 3,
                                                 .knee_m = NAN};
@@ -122,10 +157,12 @@ static void make_surface(struct made_up *made, size_t index, void (*change)(stru
         summary->jump_m = 1e-8;
         summary->jump_share = 0.1;
         summary->scans = index == 0 ? 2 : 1;
+        summary->independent = (double)summary->scans;
         summary->notes = index == 0 ? strdup("beta.csv: a note") : NULL;
         record->spectrum = (struct spectrum){malloc(3 * sizeof(double)), 3, 2e-4, false};
         for (size_t i = 0; i < 3; i++)
             record->spectrum.amplitude_m[i] = power_law_amplitude(&summary->power_law, 2e-4 / (double)(i + 1));
+        summary->tail = convergence_tail(&record->spectrum);
         record->preview_points = 2;
         record->preview_x_m[1] = 2e-4;
         record->preview_z_m[1] = rq_m;
@@ -146,16 +183,19 @@ static void make_surface(struct made_up *made, size_t index, void (*change)(stru
                 summary->models[m].extension = (struct convergence_extension){0.4, 0.3, NAN, 100};
             else
                 summary->models[m].beta_multiscale = 7;
+            summary->models[m].sensitivity = (struct sensitivity_factors){{1.05, 0.8}, {0.95, 1.3}};
+            make_estimates(made, record, index, m);
             if (index == 0)
-                make_repeats(record, m);
+                make_bands(record, m);
         }
         if (index == 0)
             summary->repeats = (struct repeats){.count = 2,
-                                                .rq_m = about(rq_m, 1e-8),
-                                                .gamma = about(gamma, 0.02),
-                                                .log_alpha = about(log(0.5), log(1.1)),
-                                                .gamma_interval = {1.38, 1.42},
-                                                .alpha_interval = {0.45, 0.55}};
+                                                .scans = 2,
+                                                .rq_m = about(rq_m, 0.05, true),
+                                                .gamma = about(gamma, 0.02, false),
+                                                .psd_m3 = about(1e-20, 0.1, true)};
+        else
+            summary->repeats = (struct repeats){.rq_m = estimate_none, .gamma = estimate_none, .psd_m3 = estimate_none};
     }
     assert_int_equal(surface_store_put(&made->store, index, record, &status), STATUS_OK);
     surface_record_free(record, false);
@@ -178,6 +218,14 @@ static void make_measured(struct made_up *made)
         values[MADE_UP_MEASURED + i] = 1.5 * 1.5e-14 / loads[i];
         values[2 * MADE_UP_MEASURED + i] = NAN;
     }
+    made->answers = (struct measured_answers){calloc(model_count * MADE_UP_MEASURED, sizeof(double)),
+                                              calloc(model_count, sizeof(struct model_work))};
+    assert_non_null(made->answers.work);
+    assert_non_null(made->answers.resistance);
+    for (size_t m = 0; m < model_count; m++)
+        for (size_t i = 0; i < MADE_UP_MEASURED; i++)
+            made->answers.resistance[m * MADE_UP_MEASURED + i] =
+                plan_runs_model(&made->plan, m) ? surfaces[0].ecr * 1e-14 / factor_of(m) / loads[i] : NAN;
 }
 
 static void make_benchmark(struct made_up *made)
@@ -287,6 +335,7 @@ void made_up_make_of(struct made_up *made, uint64_t models, unsigned effects,
         .models = made->plan.models,
         .nominal_area_m2 = 1e-6,
         .tolerance = 1e-8,
+        .fit = POWER_LAW_THESIS,
         .fit_band_m = {0, INFINITY},
         .counterface_kind = MATERIAL_COUNTERFACE_RIGID,
         .material = *material_find("tin"),
@@ -306,6 +355,7 @@ void made_up_make_of(struct made_up *made, uint64_t models, unsigned effects,
                                      .load_count = MADE_UP_LOADS,
                                      .store = &made->store,
                                      .measured = &made->measured,
+                                     .answers = &made->answers,
                                      .benchmark = &made->benchmark,
                                      .shown = made->shown,
                                      .shown_count = MADE_UP_USABLE,
@@ -328,6 +378,7 @@ void made_up_free(struct made_up *made)
     surface_store_close(&made->store);
     benchmark_free(&made->benchmark);
     free(made->sweeps);
+    measured_answers_free(&made->answers);
 }
 
 struct surface_summary *made_up_surface(struct made_up *made, size_t index)

@@ -17,7 +17,10 @@ enum { MADE_UP_SURFACES = 4, MADE_UP_USABLE = 3, MADE_UP_LOADS = 9, MADE_UP_SCAL
  *     3    broken                                              refused
  *
  * of multiscale elastic. Multiscale plastic has 2, GW 0.5 and JG 0.8 times the area and the inverse of that times the
- * resistance; TCR is 2e5 ECR, the scale-dependent one 1.02 TCR; separation/sigma is 1 - A/A_n. */
+ * resistance; TCR is 2e5 ECR, the scale-dependent one 1.02 TCR; separation/sigma is 1 - A/A_n.
+ *
+ * Every answer at the middle load has a standard deviation of 5 %: of beta by two scans, of the others, with the effect
+ * uncertainty, by records simulated from one. That tells all of them apart. */
 struct made_up {
     struct scene scene;
     struct plan plan;
@@ -28,6 +31,7 @@ struct made_up {
     size_t order[MADE_UP_USABLE], shown[MADE_UP_USABLE];
     struct measured measured;
     double measured_values[3 * MADE_UP_MEASURED];
+    struct measured_answers answers;
     struct benchmark benchmark;
     double *sweeps;
     struct results results;
@@ -51,6 +55,8 @@ void made_up_again(struct made_up *made);
 
 /** Summary of surface `index`, to be changed. */
 struct surface_summary *made_up_surface(struct made_up *made, size_t index);
+/** Estimate of one scan whose place alone makes a standard deviation s. */
+struct estimate made_up_single(double value, double s, bool logarithmic);
 /** Index of the model of that name; fails the test when there is none. */
 size_t made_up_model(const char *name);
 /** Sets the second half of one curve of the convergence study to `last`; the first is 0.5. */

@@ -3,8 +3,8 @@
 #include <math.h>
 
 const double curve_summary_beyond_fit_share = 0.1;
+const double curve_summary_elbow_slope = 2;
 static const double slope_area = 0.1; /* A/A_n up to which the area is held to be a power of the load */
-static const double elbow_slope = 2;  /* |d ln ECR/d ln P| that counts as the elbow: twice the slope before it */
 
 /** Least-squares slope of ln A over ln P where A/A_n < 0.1, and its RMS residual in decades. */
 static void fit_area_slope(struct curve_summary *model, const struct model_curve *curve)
@@ -36,13 +36,27 @@ static bool is_touching(const struct contact_point *point, const struct model_ro
     return row->largest_area > 0 && point->area_ratio > row->largest_area;
 }
 
-size_t curve_summary_first_invalid(const struct model_curve *curve, const struct model_row *row)
+static bool is_valid(const struct contact_point *point, const struct model_row *row)
 {
-    size_t i = 0;
-    while (i < curve->count && !is_touching(&curve->points[i], row) &&
-           !(curve->points[i].beyond_fit > curve_summary_beyond_fit_share))
-        i++;
-    return i;
+    return !is_touching(point, row) && !(point->beyond_fit > curve_summary_beyond_fit_share);
+}
+
+struct curve_validity curve_summary_validity(const struct model_curve *curve, const struct model_row *row)
+{
+    struct curve_validity valid = {0, 0};
+    while (valid.first < curve->count && !is_valid(&curve->points[valid.first], row))
+        valid.first++;
+    if (valid.first == curve->count)
+        valid.first = 0;
+    valid.end = valid.first;
+    while (valid.end < curve->count && is_valid(&curve->points[valid.end], row))
+        valid.end++;
+    return valid;
+}
+
+double curve_summary_elbow_share(const struct curve_summary *model)
+{
+    return model->elbow_load > model->first_load ? model->elbow_load / model->full_load : NAN;
 }
 
 void curve_summary_make(struct curve_summary *model, const struct model_curve *curve, const struct model_row *row,
@@ -50,6 +64,7 @@ void curve_summary_make(struct curve_summary *model, const struct model_curve *c
 {
     *model = (struct curve_summary){
         .exists = curve->exists,
+        .first_load = curve->count > 0 ? curve->points[0].load : NAN,
         .full_load = curve->full_load,
         .closed_load = curve->closed_load,
         .beta = curve->beta,
@@ -64,17 +79,17 @@ void curve_summary_make(struct curve_summary *model, const struct model_curve *c
         .yielding_scales = curve->yielding_scales,
         .clamped = curve->clamped,
         .work = curve->work,
-        .repeated_beta = model->repeated_beta,
-        .repeated_log_full_load = model->repeated_log_full_load,
         .bounds = model->bounds,
+        .sensitivity = model->sensitivity,
         .seconds = model->seconds,
     };
+    struct curve_validity valid = curve_summary_validity(curve, row);
     fit_area_slope(model, curve);
     for (size_t i = 0; i < curve->count; i++) {
         const struct contact_point *point = &curve->points[i], *before = i > 0 ? point - 1 : NULL;
         if (isnan(model->invalid_area_load) && is_touching(point, row))
             model->invalid_area_load = point->load;
-        if (isnan(model->invalid_fit_load) && point->beyond_fit > curve_summary_beyond_fit_share)
+        if (i >= valid.first && isnan(model->invalid_fit_load) && point->beyond_fit > curve_summary_beyond_fit_share)
             model->invalid_fit_load = point->load;
         model->most_beyond_fit = fmax(model->most_beyond_fit, point->beyond_fit);
         model->most_radius_clamped = fmax(model->most_radius_clamped, point->radius_clamped);
@@ -83,9 +98,9 @@ void curve_summary_make(struct curve_summary *model, const struct model_curve *c
             model->sd_most = fmax(model->sd_most, point->tcr_sd_K_m2_per_W / point->tcr_K_m2_per_W - 1);
         }
         /* a load where the resistance has gone to 0 ends the elbow too */
-        if (before && before->ecr_ohm_m2 > 0 && isnan(model->elbow_load) &&
-            !(point->ecr_ohm_m2 > 0 &&
-              log(before->ecr_ohm_m2 / point->ecr_ohm_m2) < elbow_slope * log(point->load / before->load)))
+        if (before && before->ecr_ohm_m2 > 0 && !isnan(point->ecr_ohm_m2) && isnan(model->elbow_load) &&
+            !(point->ecr_ohm_m2 > 0 && log(before->ecr_ohm_m2 / point->ecr_ohm_m2) <
+                                           curve_summary_elbow_slope * log(point->load / before->load)))
             model->elbow_load = before->load;
     }
 }

@@ -3,45 +3,62 @@
 #define ANALYSIS_CURVE_SUMMARY_H
 
 #include "analysis/repeats.h"
+#include "analysis/sensitivity.h"
 #include "contact/convergence.h"
 
 /** What is known of a model on a surface before it runs. */
 struct curve_bounds {
-    double yield;                      /* model_row.yield_bound: of the surface, its scans alone and its extension */
-    double scale_dependence;           /* model_row.scale_dependence_bound */
-    struct model_work repeats_work[2]; /* what the scans run alone will take: without and with scale dependence */
+    double yield;              /* model_row.yield_bound: of the surface, its scans alone and its extension */
+    double scale_dependence;   /* model_row.scale_dependence_bound */
+    struct model_work work[2]; /* what the scans will take: without and with scale dependence */
+    struct model_work sensitivity_work;
 };
 
 struct curve_summary {
     struct curve_bounds bounds;
     bool exists;
+    double first_load; /* of the curve */
     double full_load, closed_load, beta, beta_multiscale;
     double area_slope;        /* d ln A/d ln P, least squares over A/A_n < 0.1 */
     double area_slope_rms;    /* decades */
-    double elbow_load;        /* where |d ln ECR/d ln P| first exceeds 2; NaN: nowhere */
+    double elbow_load;        /* where |d ln ECR/d ln P| first exceeds 2, by landmarks_solve(); NaN: nowhere; the first
+                                 load: there or below */
     double sd_least, sd_most; /* TCR_sd/TCR - 1 over the curve */
     double invalid_area_load; /* first load beyond the model's largest valid area; NaN: none */
-    double invalid_fit_load;  /* first load with over 10 % of it beyond the fitted range; NaN: none */
-    double most_beyond_fit;   /* largest share of the load beyond the fitted range */
-    double gap_at_full;       /* separation/sigma as shown, at the load of A = A_n */
-    double area_low;          /* A/A_n at the lowest load */
+    double
+        invalid_fit_load;   /* first load from a valid one on with over 10 % of it beyond the fitted range; NaN: none */
+    double most_beyond_fit; /* largest share of the load beyond the fitted range */
+    double gap_at_full;     /* separation/sigma as shown, at the load of A = A_n */
+    double area_low;        /* A/A_n at the lowest load */
     size_t yielding_scales;
     uint64_t clamped;           /* visits in which the published plastic area was cut off at 1 */
     double most_radius_clamped; /* largest share of the load on asperities whose a/R is clamped to 1 */
     struct model_work work;
     bool extended; /* the fitted power law was carried on below the sampling limit */
     struct convergence_extension extension;
-    struct repeats_number repeated_beta, repeated_log_full_load; /* over the scans run alone */
-    double seconds;                                              /* that the curve took */
+    struct estimate full_load_estimate, beta_estimate; /* over the scans run alone */
+    struct estimate middle[QUANTITY_COUNT];            /* at the middle load, as shown: area, separation, ECR, TCR */
+    struct sensitivity_factors sensitivity;
+    double seconds; /* that the curve took */
 };
 
+/** |d ln ECR/d ln P| that counts as the elbow: twice the slope before it. */
+extern const double curve_summary_elbow_slope;
 /** Share of the load beyond a law's fitted range from which a curve is drawn as outside its validity. */
 extern const double curve_summary_beyond_fit_share;
 
-/** First point of a curve that is outside the model's validity; curve->count when all are inside. */
-size_t curve_summary_first_invalid(const struct model_curve *curve, const struct model_row *row);
+/** Points of a curve inside the model's validity: from `first` to before `end`, which are the same when none is. Light
+ * loads may be outside too (contacting slopes: too few points touch). */
+struct curve_validity {
+    size_t first, end;
+};
+struct curve_validity curve_summary_validity(const struct model_curve *curve, const struct model_row *row);
 
-/** Condenses one model's curve on a surface of rms height sigma_m; what is known of its repeats is kept. */
+/** The elbow as a share of the load to full contact; NaN: none, or at the first load or below. */
+double curve_summary_elbow_share(const struct curve_summary *model);
+
+/** Condenses one model's curve on a surface of rms height sigma_m; bounds, sensitivity and seconds are kept. Loads that
+ * are not the model's own answer are points of the curve: landmarks_solve() solves for them. */
 void curve_summary_make(struct curve_summary *out, const struct model_curve *curve, const struct model_row *row,
                         double sigma_m);
 

@@ -1,11 +1,18 @@
 #include "analysis/effect_bounds.h"
 
+#include "analysis/work.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-/** What yielding can change in plastic model `m`: on the surface, on each of its scans run alone, and on the fitted
- * power law where that is carried on below the sampling limit (its slope is largest at one of its ends). */
+/** The shortest wavelength of the spectrum. */
+static double shortest_m(const struct surface_record *record)
+{
+    return record->spectrum.length_m / (double)record->spectrum.count;
+}
+
+/** What yielding can change in plastic model `m`: on the surface, on each of its scans run alone, and on the tail of
+ * the spectrum where that is carried on below the sampling limit (its slope is largest at one of its ends). */
 static double bound_yield(const struct surface_record *record, const struct scene *scene, const struct plan *plan,
                           size_t m, const struct model_task *task)
 {
@@ -14,16 +21,16 @@ static double bound_yield(const struct surface_record *record, const struct scen
     if (!row->yield_bound)
         return INFINITY;
     double most = row->yield_bound(row, task);
-    for (size_t r = 0; r < record->repeat_count; r++) {
+    for (size_t r = 0; r < record->repeats.count; r++) {
         struct asperities asperities;
-        struct model_task alone = repeats_task(&asperities, &record->repeats[r], task);
+        struct model_task alone = repeats_task(&asperities, &record->repeats.parts[r], task);
         most = fmax(most, row->yield_bound(row, &alone));
     }
     if (!row->stacks_scales || !plan_runs(plan, EFFECT_CONVERGENCE) || !surface_extends(summary, scene))
         return most;
-    double ends_m[2] = {summary->length_m, convergence_atom_m};
-    for (int i = 0; i < (summary->power_law.gamma < 1 ? 2 : 1); i++) {
-        double amplitude_m = power_law_amplitude(&summary->power_law, ends_m[i]);
+    double ends_m[2] = {shortest_m(record), convergence_atom_m};
+    for (int i = 0; i < (summary->tail.gamma < 1 ? 2 : 1); i++) {
+        double amplitude_m = convergence_tail_amplitude(&summary->tail, ends_m[i]);
         struct spectrum end = {.amplitude_m = &amplitude_m, .count = 1, .length_m = ends_m[i]};
         struct model_task extension = *task;
         extension.spectrum = &end;
@@ -32,26 +39,56 @@ static double bound_yield(const struct surface_record *record, const struct scen
     return most;
 }
 
-static bool is_converged(const struct surface_summary *summary, const struct scene *scene, const struct plan *plan)
+static bool is_converged(const struct surface_record *record, const struct scene *scene, const struct plan *plan)
 {
-    const struct power_law *law = &summary->power_law;
-    if (!(law->gamma >= 1))
+    const struct convergence_tail *tail = &record->summary.tail;
+    if (!(tail->gamma >= 1))
         return false;
-    double limit_m = 2 * summary->spacing_m, modulus = plan->pair.effective_modulus_Pa;
-    double full_Pa = sinusoid_full_pressure(power_law_amplitude(law, limit_m), 1 / limit_m, modulus);
+    double limit_m = shortest_m(record), modulus = plan->pair.effective_modulus_Pa;
+    double full_Pa = sinusoid_full_pressure(convergence_tail_amplitude(tail, limit_m), 1 / limit_m, modulus);
     return scene->convergence.load * modulus >= full_Pa;
 }
 
-/** What the scans run alone will take in each model, without and with scale dependence. */
-static void count_repeats(struct surface_record *record, const struct plan *plan, struct model_task task)
+/** What the scans will take in each model, without and with scale dependence. */
+static void count_work(struct surface_record *record, const struct plan *plan, struct model_task task)
 {
-    for (size_t m = 0; m < model_count && record->repeat_count > 0; m++)
+    for (size_t m = 0; m < model_count; m++)
         for (int scale_dependent = 0; scale_dependent < 2 && plan_runs_model(plan, m); scale_dependent++) {
             const unsigned bit = QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT);
             task.wanted = scale_dependent ? plan->wanted : plan->wanted & ~bit;
-            record->summary.models[m].bounds.repeats_work[scale_dependent] =
-                repeats_work(record->repeats, record->repeat_count, model_rows[m], &task);
+            record->summary.models[m].bounds.work[scale_dependent] =
+                repeats_several(&record->repeats, model_rows[m]) ? repeats_work(&record->repeats, model_rows[m], &task)
+                                                                 : model_rows[m]->work(model_rows[m], &task);
         }
+}
+
+/** What the changed scans will take at the middle load. */
+static void count_sensitivity(struct surface_record *record, const struct plan *plan, const struct model_task *task)
+{
+    struct model_task one = surface_middle_task(task);
+    for (size_t m = 0; m < model_count; m++)
+        if (plan_runs_model(plan, m))
+            record->summary.models[m].bounds.sensitivity_work =
+                sensitivity_work(&record->sensitivity, model_rows[m], &one, record->repeats.count == 0);
+}
+
+/** Scale dependence of every scan in one model, until one exceeds the tolerance. */
+static enum status_code bound_scans(struct curve_bounds *bounds, struct surface_record *record,
+                                    const struct model_row *row, const struct model_task *task, double tolerance,
+                                    struct status *status)
+{
+    uint64_t *visits = &record->summary.bound.visits;
+    if (record->repeats.count == 0)
+        return row->scale_dependence_bound(&bounds->scale_dependence, visits, row, task, status);
+    for (size_t r = 0; r < record->repeats.count && !(bounds->scale_dependence > tolerance); r++) {
+        struct asperities asperities;
+        struct model_task alone = repeats_task(&asperities, &record->repeats.parts[r], task);
+        double most = 0;
+        if (row->scale_dependence_bound(&most, visits, row, &alone, status) != STATUS_OK)
+            return status->code;
+        bounds->scale_dependence = fmax(bounds->scale_dependence, most);
+    }
+    return STATUS_OK;
 }
 
 /** Scale dependence, model by model, until one that runs whatever is decided on plasticity exceeds the tolerance. A
@@ -69,8 +106,7 @@ static enum status_code bound_scale_dependence(struct surface_record *record, co
             continue;
         if (!row->scale_dependence_bound)
             bounds->scale_dependence = INFINITY;
-        else if (row->scale_dependence_bound(&bounds->scale_dependence, &record->summary.bound.visits, row, task,
-                                             status) != STATUS_OK)
+        else if (bound_scans(bounds, record, row, task, scene->tolerance, status) != STATUS_OK)
             return status->code;
         decided = !row->plastic && bounds->scale_dependence > scene->tolerance;
     }
@@ -83,10 +119,11 @@ enum status_code effect_bounds_surface(struct surface_record *record, const stru
 {
     struct surface_summary *summary = &record->summary;
     struct model_task task = surface_task(record, scene, plan, loads, load_count);
-    count_repeats(record, plan, task);
+    count_work(record, plan, task);
+    count_sensitivity(record, plan, &task);
     if (!scene->effects_auto)
         return STATUS_OK;
-    summary->bound = (struct effect_bounds){.converged = is_converged(summary, scene, plan)};
+    summary->bound = (struct effect_bounds){.converged = is_converged(record, scene, plan)};
     for (size_t m = 0; m < model_count; m++)
         if (plan_runs_model(plan, m) && model_rows[m]->plastic)
             summary->models[m].bounds.yield = bound_yield(record, scene, plan, m, &task);
@@ -166,20 +203,48 @@ static void decide_scale_dependence(struct plan *plan, const struct surface_summ
 static void decide_convergence(struct plan *plan, const struct surface_summary *surfaces, size_t count)
 {
     char *reason = plan->effects[EFFECT_CONVERGENCE].reason;
-    size_t size = sizeof plan->effects[EFFECT_CONVERGENCE].reason, converged = 0, usable = 0;
+    size_t size = sizeof plan->effects[EFFECT_CONVERGENCE].reason, converged = 0, tailless = 0, usable = 0;
     for (size_t i = 0; i < count; i++) {
         usable += surfaces[i].usable;
         converged += surfaces[i].usable && surfaces[i].bound.converged;
+        tailless += surfaces[i].usable && isnan(surfaces[i].tail.gamma);
     }
     if (converged == usable)
         snprintf(reason, size, "sweeps only: no scale below the sampling limit can take area from any surface");
+    else if (converged + tailless == usable)
+        snprintf(reason, size,
+                 "sweeps only: %zu of %zu surfaces have too few harmonics to carry on below their sampling limit",
+                 tailless, usable);
     else
-        snprintf(reason, size, "%zu of %zu surfaces may lose area below their sampling limit", usable - converged,
-                 usable);
+        snprintf(reason, size, "%zu of %zu surfaces may lose area below their sampling limit",
+                 usable - converged - tailless, usable);
+}
+
+/** Runs where a surface has one scan and all of them together take less than a second, by the count of what they take.
+ */
+static void decide_uncertainty(struct plan *plan, const struct scene *scene, const struct surface_summary *surfaces,
+                               size_t count, size_t load_count)
+{
+    char *reason = plan->effects[EFFECT_UNCERTAINTY].reason;
+    size_t size = sizeof plan->effects[EFFECT_UNCERTAINTY].reason, single = 0;
+    double seconds;
+    for (size_t i = 0; i < count; i++)
+        single += surfaces[i].usable && surfaces[i].single_points > 0;
+    struct uncertainty_work work = work_simulated(surfaces, count, scene, plan, load_count);
+    uint64_t evaluations = work_uncertainty(&work, &seconds);
+    bool affordable = seconds < uncertainty_most_seconds;
+    if (single > 0)
+        snprintf(reason, size, "%zu surface%s one scan; records like it would take %.2g evaluations, %s", single,
+                 single == 1 ? " has" : "s have", (double)evaluations,
+                 affordable ? "under a second" : "over a second: list the effect to have them");
+    else
+        snprintf(reason, size, "no surface has one scan alone that records can be simulated of");
+    if (single == 0 || !affordable)
+        plan_switch_off(plan, EFFECT_UNCERTAINTY);
 }
 
 void effect_bounds_plan(struct plan *plan, const struct scene *scene, const struct surface_summary *surfaces,
-                        size_t count)
+                        size_t count, size_t load_count)
 {
     if (!scene->effects_auto)
         return;
@@ -189,4 +254,17 @@ void effect_bounds_plan(struct plan *plan, const struct scene *scene, const stru
         decide_scale_dependence(plan, surfaces, count, scene->tolerance);
     if (plan_runs(plan, EFFECT_CONVERGENCE))
         decide_convergence(plan, surfaces, count);
+    if (plan_runs(plan, EFFECT_UNCERTAINTY))
+        decide_uncertainty(plan, scene, surfaces, count, load_count);
+}
+
+void effect_bounds_heights(struct plan *plan, const struct scene *scene, const struct surface_summary *surfaces,
+                           size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        if (surfaces[i].usable && !roughness_is_gaussian(&surfaces[i].roughness))
+            return;
+    for (size_t m = 0; m < model_count && !scene->models_named; m++)
+        if (model_rows[m]->uses_heights)
+            plan->models &= ~MODEL_BIT(m);
 }

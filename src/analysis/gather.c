@@ -1,7 +1,10 @@
 #include "analysis/gather.h"
 
+#include "analysis/piece.h"
 #include "base/clock.h"
+#include "spectrum/areal.h"
 #include "spectrum/grid.h"
+#include "statistics/interval.h"
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -26,13 +29,6 @@ void gather_note(struct surface_summary *summary, const char *format, ...)
     } else {
         free(line);
     }
-}
-
-void gather_free_repeats(struct surface_record *record)
-{
-    for (size_t p = 0; p < record->repeat_count; p++)
-        spectrum_free(&record->repeats[p].spectrum);
-    record->repeat_count = 0;
 }
 
 static void note_scan(struct surface_summary *summary, const struct scan *scan, const struct profile *profile,
@@ -65,47 +61,132 @@ static void keep_preview(struct surface_record *record, const struct profile *pr
     record->preview_points = n;
 }
 
-/** Keeps the scan for a run of its own; when there are too many, every second one goes. Takes the spectrum over. */
-static void keep_repeat(struct surface_record *record, struct spectrum *spectrum, const struct roughness *roughness)
+/** What of a profile is run alone. */
+enum part { PART_NONE, PART_ROW, PART_SCAN };
+
+/** Room for one more of `count`; false: out of memory. */
+static bool make_room(struct repeat_set *set)
 {
-    record->repeat_stride = record->repeat_stride ? record->repeat_stride : 1;
-    if (record->summary.scans % record->repeat_stride != 0) {
+    if (set->count < set->capacity)
+        return true;
+    size_t capacity = 2 * set->capacity + 4;
+    struct repeat *parts = reallocarray(set->parts, capacity, sizeof *parts);
+    if (!parts)
+        return false;
+    set->parts = parts;
+    set->capacity = capacity;
+    return true;
+}
+
+/** Keeps the profile for a run of its own. Takes the spectrum over. */
+static enum status_code keep_part(struct repeat_set *set, enum part part, const struct profile *profile,
+                                  struct spectrum *spectrum, const struct roughness *roughness, struct status *status)
+{
+    double *height_m = NULL;
+    bool fits = part == PART_NONE || make_room(set);
+    if (part == PART_SCAN && fits) {
+        height_m = malloc(profile->points * sizeof *height_m);
+        fits = height_m != NULL;
+        if (fits)
+            memcpy(height_m, profile->height_m, profile->points * sizeof *height_m);
+    }
+    if (part == PART_NONE || !fits) {
         spectrum_free(spectrum);
-        return;
+        return fits ? STATUS_OK : status_memory(status);
     }
-    if (record->repeat_count == REPEATS_MOST) {
-        record->repeat_count = 0;
-        for (size_t p = 0; p < REPEATS_MOST; p++)
-            if (p % 2 == 0)
-                record->repeats[record->repeat_count++] = record->repeats[p];
-            else
-                spectrum_free(&record->repeats[p].spectrum);
-        record->repeat_stride *= 2;
-        if (record->summary.scans % record->repeat_stride != 0) {
-            spectrum_free(spectrum);
-            return;
-        }
+    set->parts[set->count++] = (struct repeat){.spectrum = *spectrum,
+                                               .roughness = *roughness,
+                                               .scan = set->scan_count - 1,
+                                               .height_m = height_m,
+                                               .points = profile->points,
+                                               .spacing_m = profile->spacing_m,
+                                               .periodic = profile->periodic};
+    return STATUS_OK;
+}
+
+/** Is this row of a map one of those run alone? All are where there are few; else some of every block, evenly spaced.
+ */
+static bool row_is_run(size_t row, size_t rows)
+{
+    if (rows <= REPEATS_ROWS_MOST)
+        return true;
+    size_t block = row * ESTIMATE_BLOCKS / rows;
+    size_t first = (block * rows + ESTIMATE_BLOCKS - 1) / ESTIMATE_BLOCKS;
+    size_t end = ((block + 1) * rows + ESTIMATE_BLOCKS - 1) / ESTIMATE_BLOCKS;
+    for (size_t k = 0; k < REPEATS_BLOCK_ROWS; k++)
+        if (row == first + (2 * k + 1) * (end - first) / (2 * REPEATS_BLOCK_ROWS))
+            return true;
+    return false;
+}
+
+/** Does a model that may run use heights? */
+static bool wants_points(const struct scene *scene)
+{
+    for (size_t m = 0; m < model_count; m++)
+        if ((scene->models & MODEL_BIT(m)) && model_rows[m]->uses_heights)
+            return true;
+    return false;
+}
+
+/** Room for `more` points behind those the surface has; NULL: out of memory. */
+static struct slope_point *more_points(struct surface_record *record, size_t more)
+{
+    struct slope_point *points = reallocarray(record->points, record->summary.heights + more, sizeof *points);
+    if (!points)
+        return NULL;
+    record->points = points;
+    return points + record->summary.heights;
+}
+
+/** Keeps the heights and slopes of a profile, or of a whole map over its plane, whose rows share one height. */
+static enum status_code keep_points(struct surface_record *record, const struct scan *scan,
+                                    const struct profile *profile, struct status *status)
+{
+    if (profile) {
+        struct slope_point *room = more_points(record, profile->points);
+        if (!room)
+            return status_memory(status);
+        record->summary.heights +=
+            contacting_slopes_of_profile(room, profile->height_m, profile->points, profile->spacing_m);
+        return STATUS_OK;
     }
-    record->repeats[record->repeat_count++] = (struct repeat){*spectrum, *roughness};
+    struct status none = {0};
+    double *height_m = malloc(scan->nx * scan->ny * sizeof *height_m);
+    struct slope_point *room = height_m ? more_points(record, scan->nx * scan->ny) : NULL;
+    if (room && areal_flatten(height_m, scan, &none) == STATUS_OK)
+        record->summary.heights += contacting_slopes_of_map(room, height_m, scan->nx, scan->ny, scan->dx_m, scan->dy_m);
+    free(height_m);
+    return room ? STATUS_OK : status_memory(status);
 }
 
 /** Adds one profile to the surface: averages its spectrum and moments into the record's. */
 static enum status_code add_profile(struct surface_record *record, const struct profile *profile,
-                                    const struct scene *scene, struct status *status)
+                                    struct power_law_scans *scans, bool row, const struct scene *scene, enum part part,
+                                    struct status *status)
 {
     struct surface_summary *summary = &record->summary;
     struct spectrum spectrum;
+    enum spectrum_window window = spectrum_window_for(scene->window, profile->periodic);
     struct roughness roughness =
         profile->measured_x_m ? roughness_of_points(profile->measured_x_m, profile->measured_z_m, profile->points)
                               : roughness_of_heights(profile->height_m, profile->points, profile->spacing_m);
     double started = clock_seconds();
-    if (spectrum_compute(&spectrum, profile->height_m, profile->points, profile->spacing_m, scene->window, status) !=
+    if (spectrum_compute(&spectrum, profile->height_m, profile->points, profile->spacing_m, window, status) !=
         STATUS_OK) {
         spectrum_free(&spectrum);
         return status->code;
     }
     if (scene->moments == ROUGHNESS_MOMENTS_SPECTRAL)
         roughness_from_spectrum(&roughness, &spectrum);
+    /* of a map also to know how many independent rows it has */
+    if ((scene->fit == POWER_LAW_AUTO || row) &&
+        power_law_scans_add(scans, profile->height_m, profile->points, profile->spacing_m, profile->digit_m, status) !=
+            STATUS_OK) {
+        spectrum_free(&spectrum);
+        return status->code;
+    }
+    summary->periodic += profile->periodic;
+    summary->windowed += window == SPECTRUM_WINDOW_HANN;
     summary->times.spectrum += clock_seconds() - started;
     double jumps =
         (double)summary->scans * summary->jump_m * summary->jump_m + profile->end_jump_m * profile->end_jump_m;
@@ -123,22 +204,37 @@ static enum status_code add_profile(struct surface_record *record, const struct 
         rc = grid_average(&record->spectrum, &spectrum, summary->scans, status);
         roughness_average(&summary->roughness, &roughness, summary->scans);
     }
-    keep_repeat(record, &spectrum, &roughness);
+    if (rc == STATUS_OK)
+        rc = keep_part(&record->repeats, part, profile, &spectrum, &roughness, status);
+    else
+        spectrum_free(&spectrum);
     summary->length_m = record->spectrum.length_m;
     summary->scans++;
     return rc;
 }
 
+/** One scan more, of which nothing is known yet. */
+static enum status_code add_scan(struct repeat_set *set, struct status *status)
+{
+    struct repeats_scan *scans = reallocarray(set->scans, set->scan_count + 1, sizeof *scans);
+    if (!scans)
+        return status_memory(status);
+    set->scans = scans;
+    set->scans[set->scan_count++] = (struct repeats_scan){.weight = 1};
+    return STATUS_OK;
+}
+
 /** Every row of a scan (a profile has one) into the surface. A row of a map that cannot be used (all missing, flat) is
  * left out and counted; the map is refused when none is left. */
-static enum status_code add_rows(struct surface_record *record, const struct scan *scan, const struct scene *scene,
-                                 const char *file, struct status *status)
+static enum status_code add_rows(struct surface_record *record, struct power_law_scans *scans, const struct scan *scan,
+                                 const struct scene *scene, const char *file, struct status *status)
 {
     struct surface_summary *summary = &record->summary;
-    const struct profile_options how = {scene->level, scene->max_missing, scene->lambda_s_m, scene->lambda_c_m,
-                                        scene->tip_radius_m};
-    size_t unusable = 0;
+    const struct profile_options how = gather_profile_options(scene);
+    size_t unusable = 0, run_before = record->repeats.count, heights_before = summary->heights;
     struct status first = {0};
+    if (add_scan(&record->repeats, status) != STATUS_OK)
+        return status->code;
     for (size_t row = 0; row < scan->ny; row++) {
         struct profile profile;
         struct status problem = {0};
@@ -148,7 +244,15 @@ static enum status_code add_rows(struct surface_record *record, const struct sca
         if (rc == STATUS_OK && row == unusable) /* the first usable one speaks for all */
             note_scan(summary, scan, &profile, file);
         if (rc == STATUS_OK)
-            rc = add_profile(record, &profile, scene, &problem);
+            rc = add_profile(record, &profile, scans, scan->kind == SCAN_AREAL, scene,
+                             scan->ny == 1               ? PART_SCAN
+                             : row_is_run(row, scan->ny) ? PART_ROW
+                                                         : PART_NONE,
+                             &problem);
+        if (rc == STATUS_OK && scene->counterface_surface.file_count == 0)
+            rc = sensitivity_add(&record->sensitivity, &profile, &how, scene->window, scene->moments, &problem);
+        if (rc == STATUS_OK && scan->kind == SCAN_PROFILE && wants_points(scene))
+            rc = keep_points(record, scan, &profile, &problem);
         profile_free(&profile);
         if (rc == STATUS_MEMORY)
             return status_memory(status);
@@ -157,16 +261,37 @@ static enum status_code add_rows(struct surface_record *record, const struct sca
     }
     if (unusable == scan->ny)
         return status_fail(status, first.code, "%s: %s", file, first.message);
-    if (scan->kind == SCAN_AREAL)
-        gather_note(summary, "%s: a map; its %zu %s were averaged as profiles", file, scan->ny - unusable,
-                    scene->direction == SCAN_DIRECTION_X ? "rows" : "columns");
+    if (scan->kind == SCAN_AREAL && wants_points(scene) && keep_points(record, scan, NULL, status) != STATUS_OK)
+        return status->code;
+    struct repeats_scan *own = &record->repeats.scans[record->repeats.scan_count - 1];
+    own->first_point = heights_before;
+    own->point_count = summary->heights - heights_before;
+    size_t run = record->repeats.count - run_before, used = scan->ny - unusable;
+    const char *rows = scene->direction == SCAN_DIRECTION_X ? "rows" : "columns";
+    if (scan->kind == SCAN_AREAL && run < used)
+        gather_note(summary,
+                    "%s: a map; its %zu %s were averaged as profiles for spectrum and fit, and %zu of them, "
+                    "evenly spaced, go through the models",
+                    file, used, rows, run);
+    else if (scan->kind == SCAN_AREAL)
+        gather_note(summary, "%s: a map; its %zu %s were averaged as profiles for spectrum and fit", file, used, rows);
     if (unusable > 0)
         gather_note(summary, "%s: %zu %s%s left out, the first because %s", file, unusable,
                     scene->direction == SCAN_DIRECTION_X ? "row" : "column", unusable == 1 ? "" : "s", first.message);
-    return STATUS_OK;
+    return power_law_scans_end_file(scans, scan->ny - unusable, scan->kind == SCAN_AREAL, status);
 }
 
-enum status_code gather_file(struct surface_record *record, const struct scene *scene,
+struct profile_options gather_profile_options(const struct scene *scene)
+{
+    return (struct profile_options){.level = scene->level,
+                                    .max_missing = scene->max_missing,
+                                    .lambda_s_m = scene->lambda_s_m,
+                                    .lambda_c_m = scene->lambda_c_m,
+                                    .tip_radius_m = scene->tip_radius_m,
+                                    .periodic_mean = !scene->level_given};
+}
+
+enum status_code gather_file(struct surface_record *record, struct power_law_scans *scans, const struct scene *scene,
                              const struct scene_surface *surface, const char *file, struct hash *hash,
                              struct status *status)
 {
@@ -200,7 +325,7 @@ enum status_code gather_file(struct surface_record *record, const struct scene *
     if (rc == STATUS_OK) {
         snprintf(summary->format, sizeof summary->format, "%s", scan.format);
         snprintf(summary->units, sizeof summary->units, "x %s, z %s", scan.x_unit, scan.z_unit);
-        rc = add_rows(record, &scan, scene, file, status);
+        rc = add_rows(record, scans, &scan, scene, file, status);
     }
     scan_free(&scan);
     free(path);
@@ -224,8 +349,8 @@ static void note_counterface(struct surface_summary *summary, const struct surfa
     }
 }
 
-enum status_code gather_counterface(struct surface_record *record, const struct surface_record *counterface,
-                                    struct status *status)
+enum status_code gather_counterface(struct surface_record *record, struct power_law_scans *scans,
+                                    const struct surface_record *counterface, struct status *status)
 {
     struct roughness *own = &record->summary.roughness;
     double own_rq_m = own->rq_m;
@@ -233,23 +358,32 @@ enum status_code gather_counterface(struct surface_record *record, const struct 
     gather_note(&record->summary, "pressed against a rough counterface: Rq %.4g um and %.4g um give %.4g um together",
                 own_rq_m * 1e6, counterface->summary.roughness.rq_m * 1e6, own->rq_m * 1e6);
     note_counterface(&record->summary, &counterface->summary);
-    for (size_t p = 0; p < record->repeat_count; p++) {
-        roughness_add(&record->repeats[p].roughness, &counterface->summary.roughness);
-        if (grid_add(&record->repeats[p].spectrum, &counterface->spectrum, status) != STATUS_OK)
+    struct repeat_set *set = &record->repeats;
+    set->no_intervals = true;
+    for (size_t p = 0; p < set->count; p++) {
+        roughness_add(&set->parts[p].roughness, &counterface->summary.roughness);
+        if (grid_add(&set->parts[p].spectrum, &counterface->spectrum, status) != STATUS_OK)
             return status->code;
     }
+    if (set->count > 0)
+        gather_note(&record->summary, "no intervals: how far the rough counterface's own scans scatter is not told by "
+                                      "those of the surface");
+    for (size_t i = 0; i < scans->scan_count && counterface->tapered.count > 0; i++)
+        if (grid_add(&scans->scan[i], &counterface->tapered, status) != STATUS_OK)
+            return status->code;
+    if (scans->scan_count > 0 && counterface->tapered.count > 0 &&
+        grid_add(&scans->mean, &counterface->tapered, status) != STATUS_OK)
+        return status->code;
     return grid_add(&record->spectrum, &counterface->spectrum, status);
 }
 
-/** Puts the parts on the mean's grid and lets them say how far they differ. A single scan has no parts. */
 enum status_code gather_describe_repeats(struct surface_record *record, const struct scene *scene,
                                          struct status *status)
 {
     const struct spectrum *mean = &record->spectrum;
-    if (record->repeat_count < 2)
-        gather_free_repeats(record);
-    for (size_t p = 0; p < record->repeat_count; p++) {
-        struct spectrum *own = &record->repeats[p].spectrum, same;
+    struct repeat_set *set = &record->repeats;
+    for (size_t p = 0; p < set->count; p++) {
+        struct spectrum *own = &set->parts[p].spectrum, same;
         if (own->count == mean->count && fabs(own->length_m / mean->length_m - 1) < 1e-6)
             continue;
         if (grid_spectrum(&same, own, mean->length_m, mean->count, status) != STATUS_OK)
@@ -257,5 +391,138 @@ enum status_code gather_describe_repeats(struct surface_record *record, const st
         spectrum_free(own);
         *own = same;
     }
-    return repeats_laws(&record->summary.repeats, record->repeats, record->repeat_count, scene->fit_band_m, status);
+    return repeats_laws(&record->summary.repeats, set,
+                        scene->fit == POWER_LAW_THESIS ? &record->summary.power_law : NULL, status);
+}
+
+/** Is every part the first once more? */
+static bool are_identical(const struct repeat_set *set)
+{
+    const struct repeat *first = &set->parts[0];
+    for (size_t p = 1; p < set->count; p++) {
+        const struct repeat *part = &set->parts[p];
+        if (!part->height_m || part->points != first->points || part->spacing_m != first->spacing_m ||
+            memcmp(part->height_m, first->height_m, first->points * sizeof *first->height_m) != 0)
+            return false;
+    }
+    return first->height_m != NULL;
+}
+
+/** One scan: the surface itself, of which others may be simulated. */
+static enum status_code keep_single(struct surface_record *record, const struct scene *scene, struct status *status)
+{
+    struct repeat *part = &record->repeats.parts[0];
+    bool listed = scene->effects & EFFECT_BIT(EFFECT_UNCERTAINTY), simulable = false;
+    if (part->height_m && scene->counterface_surface.file_count == 0 && (scene->effects_auto || listed)) {
+        simulable = true;
+        if ((listed || uncertainty_affordable(part->points)) &&
+            uncertainty_possible(&simulable, part->height_m, part->points, status) != STATUS_OK)
+            return status->code;
+        record->summary.single_points = simulable ? part->points : 0;
+        if (simulable && (listed || uncertainty_affordable(part->points))) {
+            record->height_m = part->height_m;
+            part->height_m = NULL;
+        }
+    }
+    repeats_free(&record->repeats);
+    return STATUS_OK;
+}
+
+/** Cuts one scan to pieces of `points`; the pieces follow those already in `cut`. Takes the part over. */
+static enum status_code cut_scan(struct repeat_set *cut, struct repeat *part, size_t points, const struct scene *scene,
+                                 struct status *status)
+{
+    const struct piece_how how = piece_how_of(scene, part->periodic);
+    size_t pieces = interval_pieces(part->points, points);
+    cut->scans[part->scan].weight = (double)pieces;
+    for (size_t k = 0; k < pieces; k++) {
+        if (!make_room(cut))
+            return status_memory(status);
+        struct repeat *piece = &cut->parts[cut->count];
+        *piece = (struct repeat){.scan = part->scan, .points = points, .spacing_m = part->spacing_m};
+        cut->count++;
+        if (piece_describe(&piece->spectrum, &piece->roughness,
+                           part->height_m + interval_piece_first(part->points, points, k), points, part->spacing_m,
+                           &how, status) != STATUS_OK)
+            return status->code;
+    }
+    return STATUS_OK;
+}
+
+/** Scans of unlike lengths are cut to pieces of the shortest one's. */
+static enum status_code cut_to_shortest(struct surface_record *record, const struct scene *scene,
+                                        const char *const *files, struct status *status)
+{
+    struct repeat_set *set = &record->repeats;
+    size_t shortest = 0, longer = 0;
+    double least_m = INFINITY;
+    double *length_m = malloc(set->count * sizeof *length_m);
+    if (!length_m)
+        return status_memory(status);
+    for (size_t p = 0; p < set->count; p++) {
+        length_m[p] = (double)set->parts[p].points * set->parts[p].spacing_m;
+        if (length_m[p] < least_m) {
+            least_m = length_m[p];
+            shortest = p;
+        }
+    }
+    if (interval_shortest_is_odd(length_m, set->count))
+        gather_note(&record->summary,
+                    "%s is less than half as long as the others, which are all cut to its length; leave it out",
+                    files[set->parts[shortest].scan]);
+    free(length_m);
+    struct repeat_set cut = {.scans = set->scans, .scan_count = set->scan_count};
+    enum status_code rc = STATUS_OK;
+    for (size_t p = 0; p < set->count && rc == STATUS_OK; p++) {
+        struct repeat *part = &set->parts[p];
+        size_t points = (size_t)floor(least_m / part->spacing_m * (1 + 1e-9) + 1e-9);
+        if (points < part->points && points >= 3) {
+            rc = cut_scan(&cut, part, points, scene, status);
+            longer++;
+            continue;
+        }
+        if (!make_room(&cut)) {
+            rc = status_memory(status);
+            break;
+        }
+        cut.parts[cut.count++] = *part;
+        part->spectrum = (struct spectrum){0};
+        part->height_m = NULL;
+    }
+    if (longer > 0)
+        record->summary.repeats.cut = cut.count;
+    set->scans = NULL;
+    repeats_free(set);
+    *set = cut;
+    return rc;
+}
+
+enum status_code gather_conclude(struct surface_record *record, struct power_law_scans *scans,
+                                 const struct scene *scene, const char *const *files, struct status *status)
+{
+    struct repeat_set *set = &record->repeats;
+    bool profiles = true;
+    for (size_t p = 0; p < set->count; p++)
+        profiles = profiles && set->parts[p].height_m;
+    if (set->count == 0) /* a map of which other rows were chosen than can be used */
+        return STATUS_OK;
+    if (set->count > 1 && are_identical(set)) {
+        gather_note(&record->summary, "its %zu scans are the same to the last digit: they count as one", set->count);
+        for (size_t p = 1; p < set->count; p++) {
+            spectrum_free(&set->parts[p].spectrum);
+            free(set->parts[p].height_m);
+        }
+        set->count = 1;
+        record->summary.heights = set->scans[0].point_count; /* of one, too */
+        scans->independent = 1;
+    }
+    if (set->count == 1)
+        return keep_single(record, scene, status);
+    if (profiles && cut_to_shortest(record, scene, files, status) != STATUS_OK)
+        return status->code;
+    for (size_t p = 0; p < set->count; p++) {
+        free(set->parts[p].height_m);
+        set->parts[p].height_m = NULL;
+    }
+    return STATUS_OK;
 }

@@ -9,22 +9,30 @@
 /** Adds a line to the surface's notes; a note that cannot be stored for want of memory is dropped. */
 void gather_note(struct surface_summary *summary, const char *format, ...) PRINTF_LIKE(2, 3);
 
-/** Reads one file into the surface: averages the spectrum and moments of its profile, or of every row of a map, and
- * keeps scans for runs of their own. Errors: STATUS_IO, STATUS_SCAN (one line with the file's name), STATUS_MEMORY. */
-MUST_CHECK enum status_code gather_file(struct surface_record *record, const struct scene *scene,
-                                        const struct scene_surface *surface, const char *file, struct hash *hash,
-                                        struct status *status);
+/** How the scene wants scans to be made ready. */
+struct profile_options gather_profile_options(const struct scene *scene);
+
+/** Reads one file into the surface: averages the spectrum and moments of its profile, or of every row of a map, keeps
+ * scans for runs of their own, and adds them to those the law is fitted to. Errors: STATUS_IO, STATUS_SCAN (one line
+ * with the file's name), STATUS_MEMORY. */
+MUST_CHECK enum status_code gather_file(struct surface_record *record, struct power_law_scans *scans,
+                                        const struct scene *scene, const struct scene_surface *surface,
+                                        const char *file, struct hash *hash, struct status *status);
 
 /** Two rough bodies: amplitudes and moments of the surface and of its counterface add as squares (docs/equations.md,
- * From scan to spectrum).
- * Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code gather_counterface(struct surface_record *record, const struct surface_record *counterface,
-                                               struct status *status);
+ * From scan to spectrum); those
+ * the law is fitted to are added to `scans`. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code gather_counterface(struct surface_record *record, struct power_law_scans *scans,
+                                               const struct surface_record *counterface, struct status *status);
 
-/** Puts the scans to be run alone on the mean's grid and lets them say how far they differ; a single one is let go.
- * Error: STATUS_MEMORY. */
+/** Once all of the files were added, in this order: a single scan (or several that are identical, which are
+ * one independent scan) is the surface itself; of several profiles the longer ones are cut to pieces as long as the
+ * shortest. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code gather_conclude(struct surface_record *record, struct power_law_scans *scans,
+                                            const struct scene *scene, const char *const *files, struct status *status);
+
+/** Puts the scans to be run alone on the mean's grid and lets them say how far they differ. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code gather_describe_repeats(struct surface_record *record, const struct scene *scene,
                                                     struct status *status);
-void gather_free_repeats(struct surface_record *record);
 
 #endif

@@ -146,27 +146,124 @@ void measured_free(struct measured *measured)
     *measured = (struct measured){0};
 }
 
-/** The curve's resistance at a load, NaN outside its loads or where it is 0. */
-static double resistance_at(const struct model_curve *curve, double load, bool thermal)
+static enum quantity quantity_of(const struct measured *measured)
 {
-    for (size_t i = 1; i < curve->count; i++) {
-        const struct contact_point *p = &curve->points[i - 1], *q = &curve->points[i];
-        if (load < p->load || load > q->load)
-            continue;
-        double low = thermal ? p->tcr_K_m2_per_W : p->ecr_ohm_m2, high = thermal ? q->tcr_K_m2_per_W : q->ecr_ohm_m2;
-        if (!(low > 0 && high > 0))
-            return NAN;
-        return low * pow(high / low, log(load / p->load) / log(q->load / p->load));
-    }
+    return measured->thermal ? QUANTITY_TCR : QUANTITY_ECR;
+}
+
+static int compare_numbers(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/** The different measured loads within those of the run, ascending; returns how many. */
+static size_t loads_within(double *loads, const struct measured *measured, const struct model_task *task)
+{
+    size_t count = 0, kept = 0;
+    for (size_t i = 0; i < measured->count; i++)
+        if (measured->load[i] >= task->loads[0] && measured->load[i] <= task->loads[task->load_count - 1])
+            loads[count++] = measured->load[i];
+    qsort(loads, count, sizeof *loads, compare_numbers);
+    for (size_t i = 0; i < count; i++)
+        if (kept == 0 || loads[i] != loads[kept - 1])
+            loads[kept++] = loads[i];
+    return kept;
+}
+
+/** What the models are asked: one quantity, at these loads. */
+static struct model_task task_at(const struct measured *measured, const struct model_task *task, const double *loads,
+                                 size_t load_count)
+{
+    struct model_task asked = *task;
+    asked.loads = loads;
+    asked.load_count = load_count;
+    asked.wanted = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(quantity_of(measured));
+    return asked;
+}
+
+static bool answers(const struct measured *measured, size_t m, size_t load_count)
+{
+    return load_count > 0 && (model_rows[m]->quantities & QUANTITY_BIT(quantity_of(measured)));
+}
+
+enum status_code measured_work(struct model_work *out, const struct measured *measured, size_t m,
+                               const struct model_task *task, const struct repeat_set *scans, struct status *status)
+{
+    double *loads = malloc(measured->count * sizeof *loads);
+    *out = (struct model_work){0};
+    if (!loads)
+        return status_memory(status);
+    size_t count = loads_within(loads, measured, task);
+    struct model_task asked = task_at(measured, task, loads, count);
+    if (answers(measured, m, count))
+        *out = repeats_several(scans, model_rows[m]) ? repeats_work(scans, model_rows[m], &asked)
+                                                     : model_rows[m]->work(model_rows[m], &asked);
+    free(loads);
+    return STATUS_OK;
+}
+
+/** The resistance at a load, NaN where the curve has none above 0. */
+static double resistance_at(const struct model_curve *curve, double load, enum quantity quantity)
+{
+    for (size_t i = 0; i < curve->count; i++)
+        if (curve->points[i].load == load && quantity_value(&curve->points[i], quantity) > 0)
+            return quantity_value(&curve->points[i], quantity);
     return NAN;
 }
 
-struct measured_distance measured_compare(const struct measured *measured, const struct model_curve *curve)
+/** One model at the loads of the task, as surface_run_models() has it. */
+static enum status_code run_model(struct model_curve *curve, const struct model_row *model,
+                                  const struct model_task *task, const struct repeat_set *scans, struct status *status)
+{
+    if (!repeats_several(scans, model))
+        return model_run(curve, model, task, status);
+    struct repeats_result result = {.band = repeats_band_make(task->loads, task->load_count)};
+    if (!result.band)
+        return status_memory(status);
+    enum status_code rc = repeats_model(curve, &result, scans, model, task, status);
+    free(result.band);
+    return rc;
+}
+
+enum status_code measured_answer(struct measured_answers *out, const struct measured *measured, uint64_t models,
+                                 const struct model_task *task, const struct repeat_set *scans, struct status *status)
+{
+    double *loads = malloc(measured->count * sizeof *loads);
+    struct contact_point *points = malloc((measured->count + 1) * sizeof *points);
+    *out = (struct measured_answers){.resistance = malloc(model_count * measured->count * sizeof *out->resistance),
+                                     .work = calloc(model_count, sizeof *out->work)};
+    bool stored = loads && points && out->resistance && out->work;
+    size_t count = stored ? loads_within(loads, measured, task) : 0;
+    struct model_task asked = task_at(measured, task, loads, count);
+    enum status_code rc = stored ? STATUS_OK : status_memory(status);
+    for (size_t m = 0; m < model_count && rc == STATUS_OK; m++) {
+        struct model_curve curve = {.points = points};
+        if ((models & MODEL_BIT(m)) && answers(measured, m, count))
+            rc = run_model(&curve, model_rows[m], &asked, scans, status);
+        out->work[m] = curve.work;
+        for (size_t i = 0; i < measured->count; i++)
+            out->resistance[m * measured->count + i] = resistance_at(&curve, measured->load[i], quantity_of(measured));
+    }
+    free(loads);
+    free(points);
+    return rc;
+}
+
+void measured_answers_free(struct measured_answers *out)
+{
+    free(out->resistance);
+    free(out->work);
+    *out = (struct measured_answers){0};
+}
+
+struct measured_distance measured_compare(const struct measured *measured, const struct measured_answers *models,
+                                          size_t m)
 {
     struct measured_distance out = {0, NAN, NAN, {NAN, NAN}};
     double square = 0, sum = 0;
     for (size_t i = 0; i < measured->count; i++) {
-        double model = resistance_at(curve, measured->load[i], measured->thermal);
+        double model = models->resistance[m * measured->count + i];
         if (isnan(model))
             continue;
         double decades = log10(model / measured->resistance[i]);
@@ -183,19 +280,17 @@ struct measured_distance measured_compare(const struct measured *measured, const
     return out;
 }
 
-struct measured_ranking measured_rank(const struct measured *measured, const struct model_curve *curves)
+struct measured_ranking measured_rank(const struct measured *measured, const struct measured_answers *models)
 {
     struct measured_ranking out = {model_count, model_count};
     double least = INFINITY, greatest = -INFINITY;
     size_t most = 1;
     for (size_t m = 0; m < model_count; m++) {
-        size_t points = curves[m].exists ? measured_compare(measured, &curves[m]).points : 0;
+        size_t points = measured_compare(measured, models, m).points;
         most = points > most ? points : most;
     }
     for (size_t m = 0; m < model_count; m++) {
-        struct measured_distance distance = {0};
-        if (curves[m].exists)
-            distance = measured_compare(measured, &curves[m]);
+        struct measured_distance distance = measured_compare(measured, models, m);
         if (2 * distance.points < most)
             continue;
         if (distance.rms_decades < least) {

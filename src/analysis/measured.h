@@ -3,6 +3,7 @@
 #define ANALYSIS_MEASURED_H
 
 #include "analysis/plan.h"
+#include "analysis/repeats.h"
 #include "base/unit.h"
 #include "contact/model.h"
 
@@ -17,7 +18,25 @@ struct measured {
     char load_unit[UNIT_LENGTH], resistance_unit[UNIT_LENGTH]; /* that they were given in, as written */
 };
 
-/** How far a model is from the measurements, over the loads that its curve covers. */
+/** What the models say at the measured loads, as far as these lie within the run's. Owned: measured_answers_free(). */
+struct measured_answers {
+    double *resistance;      /* [model][measured point]; NaN: beyond the run's loads, or none */
+    struct model_work *work; /* what each model took */
+};
+
+/** Work of model `m` at the measured loads: what measured_answer() will take. `task` is that of the surface; of its
+ * arrays only the loads are needed, and of its scans (`scans`) the lengths. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code measured_work(struct model_work *out, const struct measured *measured, size_t m,
+                                          const struct model_task *task, const struct repeat_set *scans,
+                                          struct status *status);
+/** Runs the set `models` at the measured loads themselves, on every scan as the surface's curve. Error: STATUS_MEMORY.
+ */
+MUST_CHECK enum status_code measured_answer(struct measured_answers *out, const struct measured *measured,
+                                            uint64_t models, const struct model_task *task,
+                                            const struct repeat_set *scans, struct status *status);
+void measured_answers_free(struct measured_answers *answers);
+
+/** How far a model is from the measurements, over the loads that it answers. */
 struct measured_distance {
     size_t points;       /* compared */
     double rms_decades;  /* of log10(model/measured); NaN when no point could be compared */
@@ -34,14 +53,15 @@ MUST_CHECK enum status_code measured_read(struct measured *out, const struct sce
                                           struct status *status);
 void measured_free(struct measured *measured);
 
-/** Distance of one curve, interpolated in log-log between its loads. */
-struct measured_distance measured_compare(const struct measured *measured, const struct model_curve *curve);
+/** Distance of model `m`. */
+struct measured_distance measured_compare(const struct measured *measured, const struct measured_answers *answers,
+                                          size_t m);
 
-/** The models of least and greatest RMS distance among those that cover at least half as many points as the one that
- * covers most; model_count when none covers any. */
+/** The models of least and greatest RMS distance among those that answer at least half as many points as the one that
+ * answers most; model_count when none answers any. */
 struct measured_ranking {
     size_t nearest, farthest;
 };
-struct measured_ranking measured_rank(const struct measured *measured, const struct model_curve *curves);
+struct measured_ranking measured_rank(const struct measured *measured, const struct measured_answers *answers);
 
 #endif

@@ -57,6 +57,7 @@ void plan_make(struct plan *out, const struct scene *scene)
 {
     *out = (struct plan){
         .models = scene->models,
+        .all_uncertain = !scene->effects_auto,
         .pair = material_pair(&scene->material, scene->counterface_kind, &scene->counterface),
     };
     for (int e = 0; e < EFFECT_COUNT; e++)
@@ -102,6 +103,26 @@ bool plan_uses_asperities(const struct plan *plan)
 {
     for (size_t m = 0; m < model_count; m++)
         if (plan_runs_model(plan, m) && model_rows[m]->asperity_model)
+            return true;
+    return false;
+}
+
+size_t plan_leading_model(const struct plan *plan)
+{
+    size_t leading = 0;
+    int most = -1;
+    for (size_t m = 0; m < model_count; m++)
+        if (plan_runs_model(plan, m) && model_rows[m]->precedence > most) {
+            most = model_rows[m]->precedence;
+            leading = m;
+        }
+    return leading;
+}
+
+bool plan_beyond_thesis(const struct plan *plan)
+{
+    for (size_t m = 0; m < model_count; m++)
+        if (plan_runs_model(plan, m) && model_rows[m]->thesis_place == 0)
             return true;
     return false;
 }

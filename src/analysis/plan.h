@@ -12,9 +12,10 @@ struct plan_effect {
 
 struct plan {
     struct plan_effect effects[EFFECT_COUNT];
-    unsigned running; /* EFFECT_BITs of those that run */
-    unsigned wanted;  /* QUANTITY_BITs that follow */
-    uint64_t models;  /* MODEL_BITs asked for; a plastic one runs only with plasticity */
+    unsigned running;   /* EFFECT_BITs of those that run */
+    unsigned wanted;    /* QUANTITY_BITs that follow */
+    uint64_t models;    /* MODEL_BITs asked for; a plastic one runs only with plasticity */
+    bool all_uncertain; /* the effect uncertainty was listed: of all models; else of the leading one alone */
     struct material_pair pair;
 };
 
@@ -28,6 +29,10 @@ void plan_switch_off(struct plan *plan, enum effect effect);
 
 /** Does model `m` of the table run? */
 bool plan_runs_model(const struct plan *plan, size_t m);
+/** The model that the summary speaks of: the running one of the greatest precedence. */
+size_t plan_leading_model(const struct plan *plan);
+/** Does a model run that is not in the thesis? */
+bool plan_beyond_thesis(const struct plan *plan);
 /** QUANTITY_BITs that the effects call for and some running model computes. */
 unsigned plan_quantities(const struct plan *plan);
 /** Does a model run that stacks scales, or one that works on asperities? */

@@ -1,89 +1,120 @@
 #include "analysis/repeats.h"
 
-#include <gsl/gsl_rng.h>
 #include <math.h>
+#include <stddef.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-void repeats_add(struct repeats_number *number, double value)
+void repeats_free(struct repeat_set *set)
 {
-    number->count++;
-    double before = value - number->mean;
-    number->mean += before / (double)number->count;
-    number->square += before * (value - number->mean);
+    for (size_t p = 0; p < set->count; p++) {
+        spectrum_free(&set->parts[p].spectrum);
+        free(set->parts[p].height_m);
+    }
+    free(set->parts);
+    free(set->scans);
+    *set = (struct repeat_set){0};
 }
 
-double repeats_deviation(const struct repeats_number *number)
+bool repeats_are_rows(const struct repeat_set *set)
 {
-    return number->count < 2 ? NAN : sqrt(number->square / (double)(number->count - 1));
+    return set->scan_count == 1;
 }
 
-static int compare(const void *a, const void *b)
+/** The mean of every scan's values (of logarithms where logarithmic), and its weight. Returns how many scans have any.
+ */
+static size_t scan_means(double *mean, double *weight, const double *value, const struct repeats_grouping *of,
+                         bool logarithmic)
 {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
+    size_t scans = 0;
+    for (size_t i = 0, end; i < of->count; i = end, scans++) {
+        double sum = 0, first = logarithmic ? log(value[i]) : value[i];
+        for (end = i; end < of->count && of->scan[end] == of->scan[i]; end++)
+            sum += (logarithmic ? log(value[end]) : value[end]) - first;
+        double own = first + sum / (double)(end - i); /* equal values have this very mean */
+        mean[scans] = end == i + 1 ? value[i] : logarithmic ? exp(own) : own;
+        weight[scans] = of->set->scans[of->scan[i]].weight;
+    }
+    return scans;
 }
 
-/** 2.5 and 97.5 per cent of `count` sorted values. */
-static void interval(double out[2], double *values, size_t count)
+enum status_code repeats_estimate_grouped(struct estimate *out, const double *value, const struct repeats_grouping *of,
+                                          bool logarithmic, struct status *status)
 {
-    qsort(values, count, sizeof *values, compare);
-    out[0] = values[(size_t)(0.025 * (double)(count - 1) + 0.5)];
-    out[1] = values[(size_t)(0.975 * (double)(count - 1) + 0.5)];
+    enum status_code rc;
+    if (of->count > 1 && of->scan[0] == of->scan[of->count - 1] && repeats_are_rows(of->set)) {
+        rc = estimate_rows(out, value, of->count, logarithmic, status);
+    } else {
+        double *mean = malloc(2 * of->count * sizeof *mean);
+        if (!mean)
+            return status_memory(status);
+        double *weight = mean + of->count;
+        size_t scans = scan_means(mean, weight, value, of, logarithmic);
+        rc = estimate_scans(out, mean, weight, scans, logarithmic, status);
+        free(mean);
+    }
+    if (of->set->no_intervals)
+        out->s = out->sd = out->half_width = out->next_half_width = NAN;
+    return rc;
 }
 
-/** Fits laws to mean spectra of scans drawn with replacement. */
-static enum status_code bootstrap(struct repeats *out, const struct repeat *parts, size_t count, const double band_m[2],
-                                  struct status *status)
+enum status_code repeats_estimate(struct estimate *out, const double *value, const struct repeat_set *set,
+                                  bool logarithmic, struct status *status)
 {
-    double gamma[REPEATS_BOOTSTRAP], alpha[REPEATS_BOOTSTRAP];
-    struct spectrum mean = parts[0].spectrum;
-    for (size_t p = 1; p < count; p++)
-        mean.count = parts[p].spectrum.count < mean.count ? parts[p].spectrum.count : mean.count;
-    mean.amplitude_m = malloc(mean.count * sizeof *mean.amplitude_m);
-    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
-    if (!mean.amplitude_m || !random) {
-        free(mean.amplitude_m);
-        if (random)
-            gsl_rng_free(random);
+    size_t *scan = malloc(set->count * sizeof *scan);
+    if (!scan)
         return status_memory(status);
-    }
-    gsl_rng_set(random, 1);
-    for (int b = 0; b < REPEATS_BOOTSTRAP; b++) {
-        memset(mean.amplitude_m, 0, mean.count * sizeof *mean.amplitude_m);
-        for (size_t draw = 0; draw < count; draw++) {
-            const double *amplitude_m = parts[gsl_rng_uniform_int(random, count)].spectrum.amplitude_m;
-            for (size_t i = 0; i < mean.count; i++)
-                mean.amplitude_m[i] += amplitude_m[i] * amplitude_m[i] / (double)count;
-        }
-        for (size_t i = 0; i < mean.count; i++)
-            mean.amplitude_m[i] = sqrt(mean.amplitude_m[i]);
-        struct power_law law = power_law_fit(&mean, band_m);
-        gamma[b] = law.gamma;
-        alpha[b] = law.alpha;
-    }
-    interval(out->gamma_interval, gamma, REPEATS_BOOTSTRAP);
-    interval(out->alpha_interval, alpha, REPEATS_BOOTSTRAP);
-    gsl_rng_free(random);
-    free(mean.amplitude_m);
-    return STATUS_OK;
+    for (size_t p = 0; p < set->count; p++)
+        scan[p] = set->parts[p].scan;
+    const struct repeats_grouping all = {set, scan, set->count};
+    enum status_code rc = repeats_estimate_grouped(out, value, &all, logarithmic, status);
+    free(scan);
+    return rc;
 }
 
-enum status_code repeats_laws(struct repeats *out, const struct repeat *parts, size_t count, const double band_m[2],
+enum status_code repeats_laws(struct repeats *out, const struct repeat_set *set, const struct power_law *law,
                               struct status *status)
 {
-    *out = (struct repeats){.count = count < 2 ? 0 : count, .gamma_interval = {NAN, NAN}, .alpha_interval = {NAN, NAN}};
-    bool fitted = true;
-    for (size_t p = 0; p < out->count; p++) {
-        struct power_law law = power_law_fit(&parts[p].spectrum, band_m);
-        repeats_add(&out->rq_m, parts[p].roughness.rq_m);
-        fitted = fitted && isfinite(law.gamma);
-        if (isfinite(law.gamma)) {
-            repeats_add(&out->gamma, law.gamma);
-            repeats_add(&out->log_alpha, log(law.alpha));
-        }
+    out->rq_m = out->gamma = out->psd_m3 = estimate_none;
+    out->count = set->count;
+    out->scans = set->scan_count;
+    if (set->count == 0)
+        return STATUS_OK;
+    double *rq_m = malloc(3 * set->count * sizeof *rq_m);
+    if (!rq_m)
+        return status_memory(status);
+    double *gamma = rq_m + set->count, *psd_m3 = gamma + set->count;
+    double middle_m = law ? sqrt(law->band_m[0]) * sqrt(law->band_m[1]) : NAN;
+    for (size_t p = 0; p < set->count; p++) {
+        const struct repeat *part = &set->parts[p];
+        rq_m[p] = part->roughness.rq_m;
+        gamma[p] = psd_m3[p] = NAN;
+        if (!law || isnan(law->gamma))
+            continue;
+        struct power_law own = power_law_fit(&part->spectrum, law->band_m);
+        gamma[p] = own.gamma;
+        psd_m3[p] = pow(power_law_amplitude(&own, middle_m), 2) * part->spectrum.length_m / 2;
     }
-    return out->count >= 3 && fitted ? bootstrap(out, parts, count, band_m, status) : STATUS_OK;
+    enum status_code rc = repeats_estimate(&out->rq_m, rq_m, set, true, status);
+    if (rc == STATUS_OK)
+        rc = repeats_estimate(&out->gamma, gamma, set, false, status);
+    if (rc == STATUS_OK)
+        rc = repeats_estimate(&out->psd_m3, psd_m3, set, true, status);
+    free(rq_m);
+    return rc;
+}
+
+struct repeats_band *repeats_band_make(const double *loads, size_t count)
+{
+    struct repeats_band *band = malloc(count * sizeof *band);
+    for (size_t i = 0; band && i < count; i++) {
+        band[i].load = loads[i];
+        for (int q = 0; q < QUANTITY_COUNT; q++)
+            for (int side = 0; side < 2; side++)
+                band[i].mean[q][side] = band[i].next[q][side] = NAN;
+    }
+    return band;
 }
 
 bool repeats_band_holds(enum quantity quantity)
@@ -92,94 +123,238 @@ bool repeats_band_holds(enum quantity quantity)
            quantity == QUANTITY_TCR;
 }
 
-/** Sums at one load over the parts, a quantity each. */
-struct sums {
-    struct repeats_number of[QUANTITY_COUNT];
-};
-
-static void add_value(struct repeats_number *number, double value, bool logarithmic)
-{
-    if (!logarithmic)
-        repeats_add(number, value);
-    else if (value > 0)
-        repeats_add(number, log(value));
-}
-
-static void add_curve(struct sums *sums, const struct model_curve *curve, const struct model_task *task,
-                      const struct model_row *model)
-{
-    for (size_t i = 0; i < curve->count && i < task->load_count; i++) {
-        const struct contact_point *point = &curve->points[i];
-        if (point->load != task->loads[i])
-            break; /* a statistical curve closes at a load of its own */
-        for (int q = 0; q < QUANTITY_COUNT; q++)
-            if (repeats_band_holds((enum quantity)q) && (task->wanted & QUANTITY_BIT(q)))
-                add_value(&sums[i].of[q], quantity_value(point, model_shown(model, (enum quantity)q)),
-                          quantity_rows[q].logarithmic);
-    }
-}
-
-/** Mean less and plus one standard deviation, when all `count` scans have the quantity. */
-static void limits(double out[2], const struct repeats_number *number, size_t count, bool logarithmic)
-{
-    double deviation = number->count == count ? repeats_deviation(number) : NAN;
-    for (int side = 0; side < 2; side++) {
-        double value = number->mean + (side ? deviation : -deviation);
-        out[side] = logarithmic ? exp(value) : value;
-    }
-}
-
 struct model_task repeats_task(struct asperities *asperities, const struct repeat *part, const struct model_task *task)
 {
     struct model_task own = *task;
     struct status none = {0};
     own.spectrum = &part->spectrum;
+    own.points = NULL; /* a whole scan's: see run_task() */
+    own.point_count = 0;
     own.asperities = roughness_asperities(asperities, &part->roughness, &none) == STATUS_OK ? asperities : NULL;
     return own;
 }
 
-struct model_work repeats_work(const struct repeat *parts, size_t count, const struct model_row *model,
+/** Runs of a model: one a part, or of one that uses heights one a scan. */
+static size_t run_count(const struct repeat_set *set, const struct model_row *model)
+{
+    return model->uses_heights ? set->scan_count : set->count;
+}
+
+bool repeats_several(const struct repeat_set *set, const struct model_row *model)
+{
+    return set->count > 1 && run_count(set, model) > 1;
+}
+
+/** The spectrum of a whole scan; NULL where it was cut, or is a map. */
+static const struct spectrum *whole_spectrum(const struct repeat_set *set, size_t scan)
+{
+    const struct spectrum *found = NULL;
+    size_t parts = 0;
+    for (size_t p = 0; p < set->count; p++)
+        if (set->parts[p].scan == scan) {
+            found = &set->parts[p].spectrum;
+            parts++;
+        }
+    return parts == 1 ? found : NULL;
+}
+
+/** Task of run r, and the scan it is of. A model that uses heights takes them of whole scans; where such a one has no
+ * spectrum of its own, with that of all. */
+static struct model_task run_task(struct asperities *asperities, size_t *scan, const struct repeat_set *set, size_t r,
+                                  const struct model_row *model, const struct model_task *task)
+{
+    if (!model->uses_heights) {
+        *scan = set->parts[r].scan;
+        return repeats_task(asperities, &set->parts[r], task);
+    }
+    struct model_task own = *task;
+    const struct spectrum *whole = whole_spectrum(set, r);
+    *scan = r;
+    own.spectrum = whole ? whole : task->spectrum;
+    own.points = task->points ? task->points + set->scans[r].first_point : NULL;
+    own.point_count = task->point_count > 0 ? set->scans[r].point_count : 0;
+    return own;
+}
+
+struct model_work repeats_work(const struct repeat_set *set, const struct model_row *model,
                                const struct model_task *task)
 {
     struct model_work sum = {0};
-    for (size_t p = 0; p < count; p++) {
+    for (size_t r = 0; r < run_count(set, model); r++) {
         struct asperities asperities;
-        struct model_task own = repeats_task(&asperities, &parts[p], task);
+        size_t scan;
+        struct model_task own = run_task(&asperities, &scan, set, r, model, task);
         struct model_work work = model->work(model, &own);
         model_work_add(&sum, &work);
     }
     return sum;
 }
 
-enum status_code repeats_model(struct repeats_number *beta, struct repeats_number *log_full_load,
-                               struct repeats_band *band, const struct repeat *parts, size_t count,
-                               const struct model_row *model, const struct model_task *task, struct model_work *work,
-                               struct status *status)
+/** The curves of all runs on which the model has a solution. */
+struct runs {
+    struct model_curve *curves;
+    struct contact_point *points; /* of all */
+    size_t *scan;
+    double *value; /* one a run, to work with */
+    size_t count;
+};
+
+static void free_runs(struct runs *runs)
 {
-    struct sums *sums = calloc(task->load_count, sizeof *sums);
-    struct contact_point *points = calloc(task->load_count + 1, sizeof *points);
-    enum status_code rc = sums && points ? STATUS_OK : status_memory(status);
-    for (size_t p = 0; p < count && rc == STATUS_OK; p++) {
+    free(runs->curves);
+    free(runs->points);
+    free(runs->scan);
+    free(runs->value);
+}
+
+static enum status_code run_all(struct runs *out, struct model_curve *curve, struct repeats_result *result,
+                                const struct repeat_set *set, const struct model_row *model,
+                                const struct model_task *task, struct status *status)
+{
+    size_t all = run_count(set, model), room = task->load_count + 1;
+    *out = (struct runs){.curves = calloc(all, sizeof *out->curves),
+                         .points = calloc(all * room, sizeof *out->points),
+                         .scan = calloc(all, sizeof *out->scan),
+                         .value = calloc(all, sizeof *out->value)};
+    if (!out->curves || !out->points || !out->scan || !out->value)
+        return status_memory(status);
+    for (size_t r = 0; r < all; r++) {
         struct asperities asperities;
-        struct model_task own = repeats_task(&asperities, &parts[p], task);
-        struct model_curve curve = {.points = points};
-        rc = model_run(&curve, model, &own, status);
-        if (rc != STATUS_OK)
-            break;
-        model_work_add(work, &curve.work);
-        if (!curve.exists)
-            continue;
-        add_curve(sums, &curve, task, model);
-        add_value(log_full_load, curve.full_load, true);
-        if (isfinite(curve.beta))
-            repeats_add(beta, curve.beta);
+        struct model_curve *own = &out->curves[out->count];
+        struct model_task alone = run_task(&asperities, &out->scan[out->count], set, r, model, task);
+        *own = (struct model_curve){.points = out->points + out->count * room};
+        if (model_run(own, model, &alone, status) != STATUS_OK)
+            return status->code;
+        model_work_add(&curve->work, &own->work);
+        curve->overflows = curve->overflows || own->overflows;
+        curve->clamped += own->clamped;
+        curve->yielding_scales =
+            own->yielding_scales > curve->yielding_scales ? own->yielding_scales : curve->yielding_scales;
+        out->count += own->exists;
     }
-    for (size_t i = 0; i < task->load_count && rc == STATUS_OK; i++) {
-        band[i].load = task->loads[i];
-        for (int q = 0; q < QUANTITY_COUNT; q++)
-            limits(band[i].limits[q], &sums[i].of[q], count, quantity_rows[q].logarithmic);
+    result->left_out = all - out->count;
+    return STATUS_OK;
+}
+
+/** The mean of what is in runs->value. Where nothing is left of a positive quantity in any run, that is the mean. */
+static enum status_code mean_of(double *mean, struct estimate *estimate, const struct runs *runs,
+                                const struct repeat_set *set, bool logarithmic, struct status *status)
+{
+    const struct repeats_grouping all = {set, runs->scan, runs->count};
+    bool zero = logarithmic;
+    for (size_t r = 0; r < runs->count && zero; r++)
+        zero = runs->value[r] == 0;
+    if (repeats_estimate_grouped(estimate, runs->value, &all, logarithmic, status) != STATUS_OK)
+        return status->code;
+    *mean = zero ? 0 : estimate_value(estimate);
+    return STATUS_OK;
+}
+
+/** Mean of one number of the curves. */
+static enum status_code mean_number(double *mean, struct estimate *estimate, const struct runs *runs,
+                                    const struct repeat_set *set, size_t offset, bool logarithmic,
+                                    struct status *status)
+{
+    for (size_t r = 0; r < runs->count; r++)
+        memcpy(&runs->value[r], (const char *)&runs->curves[r] + offset, sizeof *runs->value);
+    return mean_of(mean, estimate, runs, set, logarithmic, status);
+}
+
+/** Fills the quantities of `out` from a point of every run, `at` (in each curve's points), or the one of full contact
+ * where that is SIZE_MAX. estimates: NULL, or QUANTITY_COUNT. */
+static enum status_code mean_point(struct contact_point *out, struct estimate *estimates, const struct runs *runs,
+                                   const struct repeat_set *set, size_t at, struct status *status)
+{
+    static const size_t shares[] = {offsetof(struct contact_point, beyond_fit),
+                                    offsetof(struct contact_point, radius_clamped)};
+    struct estimate unused;
+    for (int q = QUANTITY_AREA; q < QUANTITY_COUNT + 2; q++) {
+        bool quantity = q < QUANTITY_COUNT;
+        size_t offset = quantity ? quantity_rows[q].offset : shares[q - QUANTITY_COUNT];
+        bool logarithmic = quantity && quantity_rows[q].logarithmic;
+        double mean = NAN;
+        for (size_t r = 0; r < runs->count; r++) {
+            const struct contact_point *point = at == SIZE_MAX ? &runs->curves[r].full : &runs->curves[r].points[at];
+            memcpy(&runs->value[r], (const char *)point + offset, sizeof *runs->value);
+        }
+        if (mean_of(&mean, quantity && estimates ? &estimates[q] : &unused, runs, set, logarithmic, status) !=
+            STATUS_OK)
+            return status->code;
+        memcpy((char *)out + offset, &mean, sizeof mean);
     }
-    free(points);
-    free(sums);
+    return STATUS_OK;
+}
+
+/** Have all runs a point at load i of the task, not one of their own? */
+static bool all_reach(const struct runs *runs, size_t i, double load)
+{
+    for (size_t r = 0; r < runs->count; r++)
+        if (i >= runs->curves[r].count || runs->curves[r].points[i].load != load)
+            return false;
+    return true;
+}
+
+/** Does every run end with its own point of full contact? */
+static bool all_close(const struct runs *runs)
+{
+    for (size_t r = 0; r < runs->count; r++) {
+        const struct model_curve *curve = &runs->curves[r];
+        if (curve->count == 0 || curve->points[curve->count - 1].load != curve->full_load)
+            return false;
+    }
+    return true;
+}
+
+static void fill_band(struct repeats_band *band, const struct estimate *estimates, const struct model_row *model)
+{
+    for (int q = 0; q < QUANTITY_COUNT; q++)
+        for (int side = 0; side < 2; side++) {
+            const struct estimate *estimate = &estimates[model_shown(model, (enum quantity)q)];
+            bool holds = repeats_band_holds((enum quantity)q);
+            band->mean[q][side] = holds ? estimate_end(estimate, side) : NAN;
+            band->next[q][side] = holds ? estimate_next_end(estimate, side) : NAN;
+        }
+}
+
+static enum status_code mean_curve(struct model_curve *curve, struct repeats_result *result, const struct runs *runs,
+                                   const struct repeat_set *set, const struct model_row *model,
+                                   const struct model_task *task, struct status *status)
+{
+    struct estimate unused, estimates[QUANTITY_COUNT];
+    size_t full = offsetof(struct model_curve, full_load), closed = offsetof(struct model_curve, closed_load),
+           beta = offsetof(struct model_curve, beta);
+    estimates[QUANTITY_LOAD] = estimate_none;
+    curve->exists = true;
+    if (mean_number(&curve->full_load, &result->full_load, runs, set, full, true, status) != STATUS_OK ||
+        mean_number(&curve->closed_load, &unused, runs, set, closed, true, status) != STATUS_OK ||
+        mean_number(&curve->beta, &result->beta, runs, set, beta, false, status) != STATUS_OK ||
+        mean_point(&curve->full, NULL, runs, set, SIZE_MAX, status) != STATUS_OK)
+        return status->code;
+    curve->full.load = curve->full_load;
+    for (size_t i = 0; i < task->load_count && all_reach(runs, i, task->loads[i]); i++) {
+        struct contact_point *point = &curve->points[curve->count++];
+        point->load = task->loads[i];
+        if (mean_point(point, estimates, runs, set, i, status) != STATUS_OK)
+            return status->code;
+        fill_band(&result->band[i], estimates, model);
+        for (int q = 0; q < QUANTITY_COUNT && i == task->load_count / 2; q++)
+            result->middle[q] = estimates[model_shown(model, (enum quantity)q)];
+    }
+    if (curve->count < task->load_count && all_close(runs))
+        curve->points[curve->count++] = curve->full;
+    return STATUS_OK;
+}
+
+enum status_code repeats_model(struct model_curve *curve, struct repeats_result *result, const struct repeat_set *set,
+                               const struct model_row *model, const struct model_task *task, struct status *status)
+{
+    struct runs runs;
+    result->full_load = result->beta = estimate_none;
+    for (int q = 0; q < QUANTITY_COUNT; q++)
+        result->middle[q] = estimate_none;
+    enum status_code rc = run_all(&runs, curve, result, set, model, task, status);
+    if (rc == STATUS_OK && runs.count > 0)
+        rc = mean_curve(curve, result, &runs, set, model, task, status);
+    free_runs(&runs);
     return rc;
 }

@@ -1,65 +1,111 @@
-/* Repeated scans of one surface: every scan run alone beside the mean spectrum, so that each curve carries a band and
- * each number a spread. */
+/* Repeated scans of one surface. Each goes through the models alone, and the surface's curve is the geometric mean of
+ * theirs: the curve of their mean spectrum is another quantity (every harmonic's scatter averaged away), two to four
+ * standard deviations of a scan from it. The mean spectrum is there to be drawn and fitted. */
 #ifndef ANALYSIS_REPEATS_H
 #define ANALYSIS_REPEATS_H
 
+#include "analysis/estimate.h"
 #include "contact/model.h"
 #include "spectrum/power_law.h"
 
 enum {
-    REPEATS_MOST = 24,      /* scans (or rows of a map) of a surface that are also run alone; more are thinned evenly */
-    REPEATS_BOOTSTRAP = 200 /* resamples */
+    REPEATS_ROWS_MOST = 128, /* rows of a map that are run alone; of more, REPEATS_BLOCK_ROWS in each block */
+    REPEATS_BLOCK_ROWS = REPEATS_ROWS_MOST / ESTIMATE_BLOCKS
 };
 
-/** Mean and standard deviation of a number over scans. */
-struct repeats_number {
-    size_t count;
-    double mean, square; /* square: sum of squared deviations */
-};
-
-void repeats_add(struct repeats_number *number, double value);
-/** Standard deviation of a single scan (n - 1); NaN below two. */
-double repeats_deviation(const struct repeats_number *number);
-
-/** One scan of a surface. Owned by the record that holds it. */
+/** What is run alone: a scan, a piece of one, or a row of a map. */
 struct repeat {
     struct spectrum spectrum;
     struct roughness roughness;
+    size_t scan;      /* index of the scan it is of */
+    double *height_m; /* levelled; of a profile, until its scans are known to be of one length; else NULL */
+    size_t points;
+    double spacing_m;
+    bool periodic; /* it closes on itself */
 };
+
+/** A file. */
+struct repeats_scan {
+    double weight;                   /* lengths of the shortest scan that it holds */
+    size_t first_point, point_count; /* of the surface's slope_points, where those are kept */
+};
+
+/** The scans of a surface, parts in their order. Owned by the record that holds it: repeats_free(). */
+struct repeat_set {
+    struct repeat *parts;
+    size_t count, capacity; /* 0: a single scan, the surface itself */
+    struct repeats_scan *scans;
+    size_t scan_count;
+    bool no_intervals; /* a rough counterface adds scatter of its own, which its scans do not tell */
+};
+void repeats_free(struct repeat_set *set);
 
 /** What the scans of a surface say apart. */
 struct repeats {
     size_t count; /* run alone: 0 or at least 2 */
-    struct repeats_number rq_m, gamma, log_alpha;
-    double gamma_interval[2]; /* bootstrap over scans, 95 %; NaN below three scans */
-    double alpha_interval[2];
+    size_t scans; /* files; 1: a map, whose rows they are */
+    size_t cut;   /* pieces that scans longer than the shortest were cut to; 0: all of one length */
+    struct estimate rq_m, gamma, psd_m3; /* the latter two by a fit to each */
 };
 
-/** One standard deviation to either side of the scans' mean at a load; logarithmic for all but the separation, which
- * is the one the model shows. A quantity that not all scans have there (beyond a full contact) is NaN. */
+/** Does every part belong to the one map that the surface is? */
+bool repeats_are_rows(const struct repeat_set *set);
+
+/** What values are of: the scan of each, ascending. */
+struct repeats_grouping {
+    const struct repeat_set *set;
+    const size_t *scan; /* of value i */
+    size_t count;
+};
+
+/** What is known of a number from its value of every part: the mean over a scan's parts counts once, with the scan's
+ * weight; rows of a map by estimate_rows(). Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code repeats_estimate(struct estimate *out, const double *value, const struct repeat_set *set,
+                                             bool logarithmic, struct status *status);
+/** The same of values that are not one of each part. */
+MUST_CHECK enum status_code repeats_estimate_grouped(struct estimate *out, const double *value,
+                                                     const struct repeats_grouping *of, bool logarithmic,
+                                                     struct status *status);
+
+/** Rq, and gamma and C = Delta² L/2 (power spectral density at the middle of `law`, the mean spectrum's) of a fit to
+ * each part in that law's band (law NULL: not, that is done elsewhere). Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code repeats_laws(struct repeats *out, const struct repeat_set *set, const struct power_law *law,
+                                         struct status *status);
+
+/** Intervals at a load, low and high, of the quantity that the model shows as separation, and of the others as they
+ * are. NaN where not known. */
 struct repeats_band {
     double load;
-    double limits[QUANTITY_COUNT][2]; /* area, separation, ECR and TCR; the others are not kept */
+    double mean[QUANTITY_COUNT][2]; /* 95 %: where the surface's mean lies */
+    double next[QUANTITY_COUNT][2]; /* 95 %: where another scan lies */
 };
-/** Does a band hold this quantity? */
+/** A band of nothing known at these loads: malloc'ed; NULL: out of memory. */
+struct repeats_band *repeats_band_make(const double *loads, size_t count);
+/** Does a band hold this quantity? Area, separation, ECR and TCR. */
 bool repeats_band_holds(enum quantity quantity);
 
-/** Fits each part's law and bootstraps gamma and alpha over the parts (fixed seed: the same input, the same numbers).
- * Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code repeats_laws(struct repeats *out, const struct repeat *parts, size_t count,
-                                         const double band_m[2], struct status *status);
+/** `task` with one part in place of the mean of all; `asperities` is where its own go. */
+struct model_task repeats_task(struct asperities *asperities, const struct repeat *part, const struct model_task *task);
 
-/** `task` with one scan in place of the mean of all; `asperities` is where its own go. */
-struct model_task repeats_task(struct asperities *asperities, const struct repeat *scan, const struct model_task *task);
+/** What repeats_model() fills beside the curve. */
+struct repeats_result {
+    struct repeats_band *band; /* task->load_count, the caller's, made by repeats_band_make() */
+    struct estimate middle[QUANTITY_COUNT];
+    struct estimate full_load, beta;
+    size_t left_out; /* parts on which the model has no solution */
+};
 
-/** Runs one model on every part alone: `band` (task->load_count entries, the caller's), and the model's `beta` and
- * logarithm of the load of full contact over the parts; adds what that took to *work. Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code repeats_model(struct repeats_number *beta, struct repeats_number *log_full_load,
-                                          struct repeats_band *band, const struct repeat *parts, size_t count,
-                                          const struct model_row *model, const struct model_task *task,
-                                          struct model_work *work, struct status *status);
+/** Has a model several runs on these scans? One that uses heights takes a map as a whole. */
+bool repeats_several(const struct repeat_set *set, const struct model_row *model);
+
+/** Runs a model on every part alone; for repeats_several() only. `curve` (its points: the caller's) is what the surface
+ * has: at every load at which all have an answer, the geometric mean, of separations the arithmetic one; so are the
+ * loads of full contact and beta. A resistance of which some parts have none left is empty. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code repeats_model(struct model_curve *curve, struct repeats_result *result,
+                                          const struct repeat_set *set, const struct model_row *model,
+                                          const struct model_task *task, struct status *status);
 /** What repeats_model() will take for this task. */
-struct model_work repeats_work(const struct repeat *parts, size_t count, const struct model_row *model,
+struct model_work repeats_work(const struct repeat_set *set, const struct model_row *model,
                                const struct model_task *task);
 
 #endif

@@ -1,8 +1,8 @@
 #include "analysis/surface.h"
 
 #include "analysis/gather.h"
+#include "analysis/landmarks.h"
 #include "base/clock.h"
-#include "contact/statistical.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,17 +19,21 @@ static void note_models_lost(struct surface_summary *summary, uint64_t models, c
     text_free(&names);
 }
 
-/** Power law, statistical parameters, and what the end-to-end jump may have leaked into them. */
-static void describe(struct surface_record *record, const struct scene *scene)
+/** gamma at short wavelengths, where convergence is decided. */
+static double short_gamma(const struct power_law *law)
 {
-    struct surface_summary *summary = &record->summary;
-    summary->harmonics = record->spectrum.count;
-    summary->power_law = power_law_fit(&record->spectrum, scene->fit_band_m);
-    struct status status = {0};
-    summary->has_asperities = roughness_asperities(&summary->asperities, &summary->roughness, &status) == STATUS_OK;
-    if (!summary->has_asperities)
-        note_models_lost(summary, scene->models, status.message);
+    return isfinite(law->knee_m) ? law->gamma_below : law->gamma;
+}
 
+bool surface_diverges(const struct surface_summary *summary)
+{
+    const struct power_law *law = &summary->power_law;
+    return power_law_holds(law) && short_gamma(law) + law->gamma_error < 1;
+}
+
+/** What the line through all harmonics leaves to say: a step between the ends, two slopes. */
+static void note_thesis_fit(struct surface_summary *summary)
+{
     const struct power_law *law = &summary->power_law;
     if (isnan(law->gamma)) {
         gather_note(summary, "no power law: %s",
@@ -39,7 +43,8 @@ static void describe(struct surface_record *record, const struct scene *scene)
     }
     /* a jump J at the border of the record adds J/(pi n) to harmonic n, an f^-1 tail */
     double shortest = law->band_m[0], leak_m = summary->jump_m * shortest / (M_PI * summary->length_m);
-    summary->jump_share = scene->window == SPECTRUM_WINDOW_HANN ? 0 : leak_m / power_law_amplitude(law, shortest);
+    bool leaks = summary->windowed < summary->scans && summary->periodic < summary->scans;
+    summary->jump_share = leaks ? leak_m / power_law_amplitude(law, shortest) : 0;
     if (summary->jump_share > 0.5)
         gather_note(
             summary,
@@ -50,27 +55,98 @@ static void describe(struct surface_record *record, const struct scene *scene)
         gather_note(summary,
                     "two slopes fit better than one: gamma %.2f above %.3g um, %.2f below; consider fit_band_m",
                     law->gamma_above, law->knee_m * 1e6, law->gamma_below);
-    if (law->gamma < 1)
-        gather_note(summary,
-                    "gamma = %.2f is below 1: the elastic multiscale area depends on the shortest wavelength sampled",
-                    law->gamma);
 }
 
-/** The second estimate of beta, against the multiscale model of the same material law. */
-static void estimate_beta(struct surface_record *record, size_t model)
+static void note_band(struct surface_summary *summary, const struct power_law_band *band)
 {
-    size_t counterpart = model_index(model_rows[model]->counterpart);
-    if (counterpart == model_count || !record->curves[model].exists || !record->curves[counterpart].exists)
-        return;
-    const struct model_curve *low = &record->curves[model], *high = &record->curves[counterpart];
-    double sigma_m = record->summary.asperities.sigma_m, sum = 0;
-    size_t common = 0;
-    for (size_t i = 0; i < low->count && i < high->count; i++)
-        if (low->points[i].load == high->points[i].load) {
-            sum += statistical_beta_multiscale(&low->points[i].separation_m, &high->points[i].separation_m, 1, sigma_m);
-            common++;
-        }
-    record->summary.models[model].beta_multiscale = common > 0 ? sum / (double)common : NAN;
+    const struct power_law *law = &summary->power_law;
+    double line_m[LOG_BIN_MOST];
+    size_t count = power_law_band_lines(line_m, band);
+    struct text lines = {0};
+    if (law->found == POWER_LAW_BAND_NONE)
+        gather_note(summary, "no power law found");
+    else if (law->found == POWER_LAW_BAND_NARROW)
+        gather_note(summary, "the power law is narrow: it holds from %.3g to %.3g um only, under a decade",
+                    law->band_m[0] * 1e6, law->band_m[1] * 1e6);
+    for (size_t i = 0; i < count; i++)
+        text_add(&lines, "%s%.3g um", i > 0 ? ", " : "", line_m[i] * 1e6);
+    if (count > 0)
+        gather_note(summary, "lines of periodic marks, left out of the fit: %s", text_string(&lines));
+    text_free(&lines);
+}
+
+static struct power_law_scans_def fit_def(const struct scene *scene)
+{
+    return (struct power_law_scans_def){scene->lambda_s_m, scene->fit_band_given ? scene->fit_band_m : NULL};
+}
+
+/** Every scan's law in the band of their mean. */
+static enum status_code fit_alone(struct surface_record *record, const struct power_law_scans *scans,
+                                  const struct scene *scene, struct status *status)
+{
+    const struct power_law_scans_def def = fit_def(scene);
+    struct repeats *repeats = &record->summary.repeats;
+    const struct repeats_grouping of = {&record->repeats, scans->file, scans->scan_count};
+    if (repeats->count == 0)
+        return STATUS_OK;
+    double *gamma = malloc(2 * of.count * sizeof *gamma);
+    if (!gamma)
+        return status_memory(status);
+    double *psd_m3 = gamma + of.count;
+    enum status_code rc = STATUS_OK;
+    for (size_t i = 0; i < of.count && rc == STATUS_OK; i++) {
+        struct power_law_band alone;
+        rc = power_law_scans_fit_alone(&alone, scans, i, &def, &record->band, status);
+        struct power_law law = power_law_of_band(&alone);
+        gamma[i] = law.gamma;
+        psd_m3[i] = law.psd_m3;
+    }
+    if (rc == STATUS_OK)
+        rc = repeats_estimate_grouped(&repeats->gamma, gamma, &of, false, status);
+    if (rc == STATUS_OK)
+        rc = repeats_estimate_grouped(&repeats->psd_m3, psd_m3, &of, true, status);
+    free(gamma);
+    return rc;
+}
+
+static enum status_code fit_band(struct surface_record *record, struct power_law_scans *scans,
+                                 const struct scene *scene, struct status *status)
+{
+    const struct power_law_scans_def def = fit_def(scene);
+    if (power_law_scans_fit(&record->band, scans, &def, status) != STATUS_OK)
+        return status->code;
+    record->summary.power_law = power_law_of_band(&record->band);
+    note_band(&record->summary, &record->band);
+    record->tapered = scans->mean;
+    scans->mean = (struct spectrum){0};
+    return STATUS_OK;
+}
+
+/** Power law and statistical parameters. */
+static enum status_code describe(struct surface_record *record, struct power_law_scans *scans,
+                                 const struct scene *scene, struct status *status)
+{
+    struct surface_summary *summary = &record->summary;
+    struct status none = {0};
+    double started = clock_seconds();
+    summary->harmonics = record->spectrum.count;
+    summary->tail = convergence_tail(&record->spectrum);
+    summary->independent = fmax(1, scans->independent);
+    if (scene->fit == POWER_LAW_THESIS) {
+        summary->power_law = power_law_fit(&record->spectrum, scene->fit_band_m);
+        note_thesis_fit(summary);
+    } else if (fit_band(record, scans, scene, status) != STATUS_OK) {
+        return status->code;
+    }
+    summary->times.spectrum += clock_seconds() - started;
+    summary->has_asperities = roughness_asperities(&summary->asperities, &summary->roughness, &none) == STATUS_OK;
+    if (!summary->has_asperities)
+        note_models_lost(summary, scene->models, none.message);
+    if (surface_diverges(summary))
+        gather_note(summary,
+                    "gamma = %.2f is below 1: the elastic multiscale area depends on the shortest wavelength sampled",
+                    short_gamma(&summary->power_law));
+    return STATUS_OK;
 }
 
 struct model_task surface_task(const struct surface_record *record, const struct scene *scene, const struct plan *plan,
@@ -85,42 +161,143 @@ struct model_task surface_task(const struct surface_record *record, const struct
         .wanted = plan->wanted,
         .tolerance = scene->tolerance,
         .sinusoid_fit = scene->closure,
+        .points = record->points,
+        .point_count = record->summary.heights,
+        .hardness_Pa =
+            isnan(scene->hardness_Pa) ? material_hardness_ratio * plan->pair.yield_strength_Pa : scene->hardness_Pa,
     };
 }
 
 bool surface_extends(const struct surface_summary *summary, const struct scene *scene)
 {
-    return !isnan(summary->power_law.gamma) && !(scene->effects_auto && summary->bound.converged);
+    return !isnan(summary->tail.gamma) && !(scene->effects_auto && summary->bound.converged);
 }
 
-/** Carries the fitted law on below the sampling limit (twice the spacing), where that can change anything. */
-static void extend(struct surface_summary *summary, const struct scene *scene, const struct plan *plan)
+/** Carries the spectrum on below the sampling limit, where that can change anything. */
+static void extend(struct surface_record *record, const struct scene *scene, const struct plan *plan)
 {
+    struct surface_summary *summary = &record->summary;
     double started = clock_seconds();
     for (size_t m = 0; m < model_count; m++) {
         struct curve_summary *model = &summary->models[m];
         if (!model_rows[m]->stacks_scales || !model->exists || !surface_extends(summary, scene))
             continue;
-        model->extension = convergence_extend(&summary->power_law, summary->length_m, 2 * summary->spacing_m,
-                                              &plan->pair, model_rows[m]->plastic, scene->convergence.load);
+        model->extension = convergence_extend(&record->spectrum, &summary->tail, &plan->pair, model_rows[m]->plastic,
+                                              scene->convergence.load);
         model->extended = true;
     }
     summary->times.convergence = clock_seconds() - started;
 }
 
-/** Every scan of the surface alone in one model. */
+static enum status_code make_band(struct surface_record *record, size_t m, const struct model_task *task,
+                                  struct status *status)
+{
+    record->band_count = task->load_count;
+    record->bands[m] = repeats_band_make(task->loads, task->load_count);
+    return record->bands[m] ? STATUS_OK : status_memory(status);
+}
+
+/** Every scan of the surface alone in one model; the curve is their mean. */
 static enum status_code run_repeats(struct surface_record *record, size_t m, const struct model_task *task,
-                                    struct status *status)
+                                    struct repeats_result *result, struct status *status)
+{
+    if (make_band(record, m, task, status) != STATUS_OK)
+        return status->code;
+    result->band = record->bands[m];
+    if (repeats_model(&record->curves[m], result, &record->repeats, model_rows[m], task, status) != STATUS_OK)
+        return status->code;
+    if (result->left_out > 0 && record->curves[m].exists)
+        gather_note(&record->summary, "%s has no solution for %zu of the scans run alone; its curve is of the others",
+                    model_rows[m]->label, result->left_out);
+    return STATUS_OK;
+}
+
+/** What simulated records say of how far another place of a surface with one scan may answer. */
+static enum status_code run_uncertainty(struct surface_record *record, const struct scene *scene,
+                                        const struct plan *plan, const struct model_task *task, struct status *status)
+{
+    struct surface_summary *summary = &record->summary;
+    const struct uncertainty_scan scan = {record->height_m, summary->single_points, summary->spacing_m,
+                                          piece_how_of(scene, false), task};
+    struct uncertainty *all = calloc(model_count, sizeof *all);
+    if (!all)
+        return status_memory(status);
+    enum status_code rc = uncertainty_run(all, &scan, plan, &summary->simulated, status);
+    for (size_t m = 0; m < model_count && rc == STATUS_OK; m++) {
+        const struct model_curve *curve = &record->curves[m];
+        if (!curve->exists || !uncertainty_holds(plan, m))
+            continue;
+        for (size_t i = 0; i < curve->count; i++)
+            for (int q = 0; q < QUANTITY_COUNT && curve->points[i].load == task->loads[task->load_count / 2]; q++)
+                summary->models[m].middle[q] = uncertainty_estimate(
+                    &all[m], (enum quantity)q,
+                    quantity_value(&curve->points[i], model_shown(model_rows[m], (enum quantity)q)));
+        rc = make_band(record, m, task, status);
+        if (rc == STATUS_OK)
+            uncertainty_band(record->bands[m], &all[m], curve, model_rows[m]);
+    }
+    free(all);
+    return rc;
+}
+
+struct model_task surface_middle_task(const struct model_task *task)
+{
+    struct model_task one = *task;
+    one.loads = task->loads ? &task->loads[task->load_count / 2] : NULL;
+    one.load_count = 1;
+    return one;
+}
+
+/** What area and resistance at the middle load hang on. */
+static enum status_code run_sensitivity(struct surface_record *record, size_t m, const struct model_task *task,
+                                        struct status *status)
 {
     struct curve_summary *model = &record->summary.models[m];
-    if (record->repeat_count < 2)
+    struct model_task one = surface_middle_task(task);
+    struct contact_point as_is = {.area_ratio = NAN, .ecr_ohm_m2 = NAN};
+    for (size_t i = 0; i < record->curves[m].count; i++)
+        if (record->curves[m].points[i].load == one.loads[0])
+            as_is = record->curves[m].points[i];
+    bool averaged = record->repeats.count > 0; /* as the changed scans are: the curve is not of the mean spectrum */
+    return sensitivity_run(&model->sensitivity, &record->sensitivity, model_rows[m], &one, averaged ? NULL : &as_is,
+                           &model->work, status);
+}
+
+/** Where model `m` bends and its validity ends on this surface. */
+static enum status_code run_landmarks(struct surface_record *record, size_t m, const struct model_task *task,
+                                      struct status *status)
+{
+    const unsigned quantities = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_ECR);
+    struct landmarks_model searched = {model_rows[m], *task, quantities, &record->repeats};
+    const struct landmarks_curve landmarks = {landmarks_run_model, &searched, task->tolerance};
+    return landmarks_solve(&record->summary.models[m], &record->curves[m], model_rows[m], &landmarks, status);
+}
+
+bool surface_seeks_beta(const struct plan *plan, size_t m)
+{
+    return plan_runs(plan, EFFECT_SEPARATION) && plan_runs_model(plan, m) &&
+           plan_runs_model(plan, model_index(model_rows[m]->counterpart));
+}
+
+/** The second estimate of beta, against the multiscale model of the same material law. */
+static enum status_code estimate_beta(struct surface_record *record, size_t m, const struct model_task *task,
+                                      struct status *status)
+{
+    const unsigned quantities =
+        QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_SEPARATION);
+    const struct model_row *counterpart = model_rows[m]->counterpart;
+    const struct model_curve *curve = &record->curves[m];
+    struct curve_summary *model = &record->summary.models[m];
+    model->work.searches++;
+    if (!curve->exists || !record->curves[model_index(counterpart)].exists)
         return STATUS_OK;
-    record->band_count = task->load_count;
-    record->bands[m] = calloc(task->load_count, sizeof *record->bands[m]);
-    if (!record->bands[m])
-        return status_memory(status);
-    return repeats_model(&model->repeated_beta, &model->repeated_log_full_load, record->bands[m], record->repeats,
-                         record->repeat_count, model_rows[m], task, &model->work, status);
+    struct landmarks_model own = {model_rows[m], *task, quantities, &record->repeats},
+                           other = {counterpart, *task, quantities, &record->repeats};
+    const struct landmarks_curve adjusted = {landmarks_run_model, &own, task->tolerance},
+                                 multiscale = {landmarks_run_model, &other, task->tolerance};
+    double to = fmin(curve->full_load, task->loads[task->load_count - 1]);
+    return landmarks_nearest_beta(&model->beta_multiscale, &adjusted, &multiscale, task->loads[0], to,
+                                  record->summary.asperities.sigma_m, status);
 }
 
 static enum status_code run_model(struct surface_record *record, size_t m, const struct model_task *task,
@@ -132,18 +309,29 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
     if (!curve->points)
         return status_memory(status);
     double started = clock_seconds();
-    if (model_run(curve, model_rows[m], task, status) != STATUS_OK)
+    bool several = repeats_several(&record->repeats, model_rows[m]);
+    struct repeats_result result = {.left_out = 0};
+    if (several ? run_repeats(record, m, task, &result, status) != STATUS_OK
+                : model_run(curve, model_rows[m], task, status) != STATUS_OK)
         return status->code;
-    model->seconds = clock_seconds() - started;
-    if (curve->exists)
+    if (curve->exists) {
         curve_summary_make(model, curve, model_rows[m], record->summary.asperities.sigma_m);
-    else
+        if (run_landmarks(record, m, task, status) != STATUS_OK)
+            return status->code;
+    } else {
         model->work = curve->work;
+    }
+    model->work.searches++;
+    model->seconds = clock_seconds() - started;
+    model->full_load_estimate = several ? result.full_load : estimate_none;
+    model->beta_estimate = several ? result.beta : estimate_none;
+    for (int q = 0; q < QUANTITY_COUNT; q++)
+        model->middle[q] = several ? result.middle[q] : estimate_none;
     if (curve->overflows)
         gather_note(&record->summary,
                     "no %s: its numbers leave what can be computed with; check the units, the material and the loads",
                     model_rows[m]->label);
-    return run_repeats(record, m, task, status);
+    return run_sensitivity(record, m, task, status);
 }
 
 enum status_code surface_run_models(struct surface_record *record, const struct scene *scene, const struct plan *plan,
@@ -157,11 +345,61 @@ enum status_code surface_run_models(struct surface_record *record, const struct 
     for (size_t m = 0; m < model_count; m++)
         if (plan_runs_model(plan, m) && run_model(record, m, &task, status) != STATUS_OK)
             return status->code;
-    for (size_t m = 0; m < model_count && plan_runs(plan, EFFECT_SEPARATION); m++)
-        estimate_beta(record, m);
+    if (plan_runs(plan, EFFECT_UNCERTAINTY) && record->height_m &&
+        run_uncertainty(record, scene, plan, &task, status) != STATUS_OK)
+        return status->code;
+    for (size_t m = 0; m < model_count; m++)
+        if (surface_seeks_beta(plan, m) && estimate_beta(record, m, &task, status) != STATUS_OK)
+            return status->code;
     if (plan_runs(plan, EFFECT_CONVERGENCE))
-        extend(&record->summary, scene, plan);
+        extend(record, scene, plan);
     return STATUS_OK;
+}
+
+/** Heights stay where a model that was asked for uses them, or unasked where they are not Gaussian; two rough bodies
+ * have none in common. */
+static void drop_points(struct surface_record *record, const struct scene *scene)
+{
+    bool asked = scene->models_named || !roughness_is_gaussian(&record->summary.roughness);
+    if (asked && scene->counterface_surface.file_count == 0)
+        return;
+    free(record->points);
+    record->points = NULL;
+    record->summary.heights = 0;
+}
+
+static int by_name(const void *a, const void *b)
+{
+    return strcmp(*(const char *const *)a, *(const char *const *)b);
+}
+
+/** The files by name: what comes out does not depend on the order in which a scene lists them. malloc'ed; NULL: out of
+ * memory. */
+static const char **sorted_files(const struct scene_surface *surface)
+{
+    const char **files = malloc((surface->file_count + 1) * sizeof *files);
+    if (!files)
+        return NULL;
+    for (size_t f = 0; f < surface->file_count; f++)
+        files[f] = surface->files[f];
+    qsort(files, surface->file_count, sizeof *files, by_name);
+    return files;
+}
+
+/** From what was gathered to the description of the surface. */
+static enum status_code conclude(struct surface_record *record, struct power_law_scans *scans,
+                                 const struct scene *scene, const struct surface_record *counterface,
+                                 struct status *status)
+{
+    if (counterface && gather_counterface(record, scans, counterface, status) != STATUS_OK)
+        return status->code;
+    if (describe(record, scans, scene, status) != STATUS_OK)
+        return status->code;
+    drop_points(record, scene);
+    if (gather_describe_repeats(record, scene, status) != STATUS_OK)
+        return status->code;
+    bool found = scene->fit == POWER_LAW_AUTO && record->band.law != POWER_LAW_BAND_NONE;
+    return found ? fit_alone(record, scans, scene, status) : STATUS_OK;
 }
 
 enum status_code surface_describe(struct surface_record *out, const struct scene *scene,
@@ -170,26 +408,42 @@ enum status_code surface_describe(struct surface_record *out, const struct scene
 {
     struct surface_summary *summary = &out->summary;
     struct status problem = {0};
+    struct power_law_scans scans = {0};
     struct hash hash = hash_start();
     summary->scene = surface;
     summary->models = calloc(model_count, sizeof *summary->models);
     if (!summary->models)
         return status_memory(status);
+    const char **files = sorted_files(surface);
+    if (!files)
+        return status_memory(status);
     enum status_code rc = STATUS_OK;
     for (size_t f = 0; f < surface->file_count && rc == STATUS_OK; f++)
-        rc = gather_file(out, scene, surface, surface->files[f], &hash, &problem);
+        rc = gather_file(out, &scans, scene, surface, files[f], &hash, &problem);
     hash_finish(&hash, summary->hash);
+    if (rc == STATUS_OK)
+        rc = gather_conclude(out, &scans, scene, files, &problem);
+    free(files);
+    if (rc == STATUS_OK) {
+        summary->usable = true;
+        rc = conclude(out, &scans, scene, counterface, &problem);
+    }
+    power_law_scans_free(&scans);
     if (rc == STATUS_MEMORY)
         return status_memory(status);
     if (rc != STATUS_OK) {
+        summary->usable = false;
         summary->refusal = strdup(problem.message);
         return summary->refusal ? STATUS_OK : status_memory(status);
     }
-    summary->usable = true;
-    if (counterface && gather_counterface(out, counterface, status) != STATUS_OK)
-        return status->code;
-    describe(out, scene);
-    return gather_describe_repeats(out, scene, status);
+    return STATUS_OK;
+}
+
+void surface_drop_scans(struct surface_record *record)
+{
+    repeats_free(&record->repeats);
+    free(record->height_m);
+    record->height_m = NULL;
 }
 
 void surface_summary_free(struct surface_summary *summary)
@@ -204,6 +458,7 @@ void surface_summary_free(struct surface_summary *summary)
 void surface_record_free(struct surface_record *record, bool with_summary)
 {
     spectrum_free(&record->spectrum);
+    spectrum_free(&record->tapered);
     for (size_t m = 0; m < model_count; m++) {
         if (record->curves)
             free(record->curves[m].points);
@@ -214,7 +469,10 @@ void surface_record_free(struct surface_record *record, bool with_summary)
     free(record->bands);
     record->curves = NULL;
     record->bands = NULL;
-    gather_free_repeats(record);
+    free(record->points);
+    record->points = NULL;
+    sensitivity_free(&record->sensitivity);
+    surface_drop_scans(record);
     if (with_summary)
         surface_summary_free(&record->summary);
 }

@@ -4,10 +4,11 @@
 
 #include "analysis/curve_summary.h"
 #include "analysis/plan.h"
+#include "analysis/uncertainty.h"
 #include "base/text.h"
 #include "contact/model.h"
 #include "profile/profile.h"
-#include "spectrum/power_law.h"
+#include "spectrum/power_law_scans.h"
 
 enum { SURFACE_PREVIEW = 1000 }; /* points of a profile kept for the chart */
 
@@ -29,10 +30,12 @@ struct surface_summary {
     char *notes;                       /* one line a warning; owned, NULL: none */
     char hash[65];                     /* SHA-256 of the first file (of all of them one after another), hexadecimal */
     char format[32];
-    char units[40];         /* "x mm, z um" as read */
-    size_t scans;           /* averaged: files, or rows of a map */
-    struct repeats repeats; /* what they say apart */
-    size_t points;          /* of the first */
+    char units[40];                    /* "x mm, z um" as read */
+    size_t scans;                      /* averaged: files, or rows of a map */
+    struct repeats repeats;            /* what they say apart */
+    size_t single_points;              /* of a surface with one scan, which records can be simulated of; else 0 */
+    struct uncertainty_work simulated; /* that was */
+    size_t points;                     /* of the first */
     double spacing_m, length_m;
     enum profile_spacing grid;
     double tilt;
@@ -42,9 +45,14 @@ struct surface_summary {
     struct asperities asperities;
     bool has_asperities; /* a statistical model exists */
     struct power_law power_law;
+    double independent;           /* scans averaged; rows of a map count less */
+    size_t periodic;              /* of the scans: those that close on themselves */
+    size_t windowed;              /* of the scans: those whose spectrum was taken under a Hann window */
+    struct convergence_tail tail; /* the spectrum's own short end, carried on below the sampling limit */
     size_t harmonics;
     struct effect_bounds bound;
     struct curve_summary *models; /* model_count of them; owned like the texts */
+    size_t heights;               /* points kept in surface_record.points */
     struct surface_times times;
 };
 
@@ -52,14 +60,24 @@ struct surface_summary {
 struct surface_record {
     struct surface_summary summary;
     struct spectrum spectrum;
-    struct repeat repeats[REPEATS_MOST]; /* scans to be run alone too */
-    size_t repeat_count, repeat_stride;  /* every repeat_stride-th scan is one */
-    struct model_curve *curves;          /* model_count of them, NULL before any model ran */
-    struct repeats_band **bands;         /* the same, each band_count long; NULL: none */
+    struct spectrum tapered;    /* rms amplitudes the law is fitted to; count 0: fit: thesis */
+    struct power_law_band band; /* the same law with its bins, knees and lines */
+    struct repeat_set repeats;  /* scans to be run alone, until they have been; count 0: there is one */
+    double *height_m; /* of the one scan, summary.single_points long, until the models have run; NULL: not kept */
+    struct model_curve *curves;  /* model_count of them, NULL before any model ran */
+    struct repeats_band **bands; /* the same, each band_count long; NULL: none */
     size_t band_count;
+    struct sensitivity sensitivity; /* scans 0 where there is a rough counterface */
+    struct slope_point *points;     /* heights and slopes of all its scans, where a model uses them; NULL: not kept */
     double preview_x_m[SURFACE_PREVIEW], preview_z_m[SURFACE_PREVIEW];
     size_t preview_points;
 };
+
+/** Is the beta of model `m` sought that is nearest to its multiscale counterpart? */
+bool surface_seeks_beta(const struct plan *plan, size_t m);
+/** The one criterion of divergence (4.55): gamma is below 1 by more than its standard error; where two slopes fit
+ * better than one law, the one at short wavelengths. False without a law. */
+bool surface_diverges(const struct surface_summary *summary);
 
 /** Reads and describes one surface: everything but the models. What is wrong with its files is no error: then
  * summary.usable is false and summary.refusal says why in one line. `counterface` is the described rough
@@ -73,6 +91,9 @@ MUST_CHECK enum status_code surface_describe(struct surface_record *out, const s
 struct model_task surface_task(const struct surface_record *record, const struct scene *scene, const struct plan *plan,
                                const double *loads, size_t load_count);
 
+/** The same at the middle load alone. */
+struct model_task surface_middle_task(const struct model_task *task);
+
 /** Runs the models that `plan` calls for on a described surface. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code surface_run_models(struct surface_record *record, const struct scene *scene,
                                                const struct plan *plan, const double *loads, size_t load_count,
@@ -80,6 +101,9 @@ MUST_CHECK enum status_code surface_run_models(struct surface_record *record, co
 /** Will the fitted law of a described surface be carried on below its sampling limit, if the effect convergence runs?
  */
 bool surface_extends(const struct surface_summary *summary, const struct scene *scene);
+
+/** Frees the scans that only the models need: those run alone, the heights of a single one. */
+void surface_drop_scans(struct surface_record *record);
 
 /** Frees what a summary owns. */
 void surface_summary_free(struct surface_summary *summary);

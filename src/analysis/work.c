@@ -7,11 +7,37 @@
 /** Typical times of one evaluation on one core [s], from the benchmark (cmake --workflow --preset bench). They are for
  * planning only; a report prints what it took. */
 static const double scale_seconds = 20e-9, gap_seconds = 15e-9, constriction_seconds = 8e-9, node_seconds = 120e-9,
-                    separation_seconds = 8e-6, extension_seconds = 0.5e-3;
+                    separation_seconds = 8e-6, search_seconds = 0.5e-3, extension_seconds = 0.5e-3;
 
 static struct model_work *share_of(struct work *work, size_t m)
 {
     return model_rows[m]->plastic ? &work->plastic : &work->elastic;
+}
+
+static void add_simulated(struct uncertainty_work *sum, const struct uncertainty_work *more)
+{
+    sum->heights += more->heights;
+    model_work_add(&sum->models, &more->models);
+}
+
+struct uncertainty_work work_simulated(const struct surface_summary *surfaces, size_t count, const struct scene *scene,
+                                       const struct plan *plan, size_t load_count)
+{
+    struct uncertainty_work sum = {0};
+    for (size_t i = 0; i < count; i++) {
+        struct surface_record outline = {.summary = surfaces[i]}; /* a task's work needs no arrays */
+        if (!outline.summary.usable || outline.summary.single_points == 0)
+            continue;
+        struct model_task task = surface_task(&outline, scene, plan, NULL, load_count);
+        struct uncertainty_work more = uncertainty_predict(outline.summary.single_points, plan, &task);
+        add_simulated(&sum, &more);
+    }
+    return sum;
+}
+
+void work_add(struct work *work, size_t m, const struct model_work *more)
+{
+    model_work_add(share_of(work, m), more);
 }
 
 struct work work_predict(const struct surface_summary *surfaces, size_t count, const struct scene *scene,
@@ -19,26 +45,26 @@ struct work work_predict(const struct surface_summary *surfaces, size_t count, c
 {
     struct work work = {0};
     for (size_t i = 0; i < count; i++) {
-        struct surface_record outline = {.summary = surfaces[i]}; /* a task's work needs no arrays */
-        if (!outline.summary.usable)
+        if (!surfaces[i].usable)
             continue;
-        outline.spectrum.count = outline.summary.harmonics;
         work.bounds += surfaces[i].bound.visits;
-        struct model_task task = surface_task(&outline, scene, plan, NULL, load_count);
         for (size_t m = 0; m < model_count; m++) {
             if (!plan_runs_model(plan, m))
                 continue;
-            struct model_work more = model_rows[m]->work(model_rows[m], &task);
-            model_work_add(share_of(&work, m), &more);
+            struct model_work searches = {.searches = surface_seeks_beta(plan, m) ? 2 : 1};
+            model_work_add(share_of(&work, m), &searches);
             model_work_add(share_of(&work, m),
-                           &surfaces[i].models[m].bounds.repeats_work[plan_runs(plan, EFFECT_SCALE_DEPENDENT)]);
+                           &surfaces[i].models[m].bounds.work[plan_runs(plan, EFFECT_SCALE_DEPENDENT)]);
+            model_work_add(share_of(&work, m), &surfaces[i].models[m].bounds.sensitivity_work);
             work.extensions += model_rows[m]->stacks_scales && plan_runs(plan, EFFECT_CONVERGENCE) &&
-                               surface_extends(&outline.summary, scene);
+                               surface_extends(&surfaces[i], scene);
         }
     }
     for (size_t m = 0; m < model_count && plan_runs(plan, EFFECT_CONVERGENCE); m++)
         for (int s = 0; s < CONVERGENCE_SWEEP_COUNT && plan_runs_model(plan, m) && model_rows[m]->stacks_scales; s++)
             work.sweep_scales += convergence_sweeps[s].count * scene->convergence.scales;
+    if (plan_runs(plan, EFFECT_UNCERTAINTY))
+        work.simulated = work_simulated(surfaces, count, scene, plan, load_count);
     return work;
 }
 
@@ -47,6 +73,7 @@ struct work work_done(const struct surface_summary *surfaces, size_t count, uint
     struct work work = {.sweep_scales = sweep_scales};
     for (size_t i = 0; i < count; i++) {
         work.bounds += surfaces[i].bound.visits;
+        add_simulated(&work.simulated, &surfaces[i].simulated);
         for (size_t m = 0; surfaces[i].models && m < model_count; m++) {
             model_work_add(share_of(&work, m), &surfaces[i].models[m].work);
             work.extensions += surfaces[i].models[m].extended;
@@ -59,7 +86,14 @@ struct work work_done(const struct surface_summary *surfaces, size_t count, uint
 static double model_seconds(const struct model_work *work)
 {
     return (double)work->scales * scale_seconds + (double)work->nodes * node_seconds +
-           (double)work->separations * separation_seconds;
+           (double)work->separations * separation_seconds + (double)work->searches * search_seconds;
+}
+
+uint64_t work_uncertainty(const struct uncertainty_work *work, double *seconds)
+{
+    *seconds = (double)work->heights * uncertainty_height_seconds + model_seconds(&work->models) +
+               (double)work->models.gaps * gap_seconds + (double)work->models.constrictions * constriction_seconds;
+    return work->heights + model_evaluations(&work->models);
 }
 
 /** Evaluations that are there because of `effect`, and their likely seconds. */
@@ -90,6 +124,8 @@ static uint64_t share(const struct work *work, const struct plan *plan, enum eff
     case EFFECT_CONVERGENCE:
         *seconds = (double)work->sweep_scales * scale_seconds + (double)work->extensions * extension_seconds;
         return work->sweep_scales + work->extensions;
+    case EFFECT_UNCERTAINTY:
+        return work_uncertainty(&work->simulated, seconds);
     case EFFECT_COUNT:
         break;
     }
@@ -123,6 +159,10 @@ static void add_method(struct work_row *row, enum effect effect, const struct pl
         break;
     case EFFECT_CONVERGENCE:
         snprintf(row->method, size, "direct sum over scales");
+        break;
+    case EFFECT_UNCERTAINTY:
+        snprintf(row->method, size, "%d simulated records of each, through %s at %d loads", SINGLE_SCAN_RECORDS,
+                 plan->all_uncertain ? "all models" : model_rows[plan_leading_model(plan)]->label, UNCERTAINTY_LOADS);
         break;
     case EFFECT_THERMAL:
         snprintf(row->method, size, "%s",

@@ -10,6 +10,7 @@ struct work {
     uint64_t sweep_scales;              /* scales of the synthetic spectra of the convergence study */
     uint64_t extensions;                /* fitted power laws carried on below the sampling limit */
     uint64_t bounds;                    /* scales visited to decide on scale dependence */
+    struct uncertainty_work simulated;  /* records in place of scans that are not there */
 };
 
 /** One row of the plan: an effect, or the base that always runs (the elastic models' area). */
@@ -27,8 +28,15 @@ enum { WORK_ROWS = EFFECT_COUNT + 1 };
 /** Work of all usable ones of `count` described surfaces, for a bounded plan. */
 struct work work_predict(const struct surface_summary *surfaces, size_t count, const struct scene *scene,
                          const struct plan *plan, size_t load_count);
+/** What simulating the single scans of the surfaces will take (uncertainty.h). */
+struct uncertainty_work work_simulated(const struct surface_summary *surfaces, size_t count, const struct scene *scene,
+                                       const struct plan *plan, size_t load_count);
+/** Its evaluations, heights and answers of the models, and their likely seconds on one core. */
+uint64_t work_uncertainty(const struct uncertainty_work *work, double *seconds);
 /** Work that was done; `sweep_scales` is what the convergence study counted. */
 struct work work_done(const struct surface_summary *surfaces, size_t count, uint64_t sweep_scales);
+/** Adds what model `m` takes or took besides. */
+void work_add(struct work *work, size_t m, const struct model_work *more);
 /** Evaluations of all rows of the plan, and their likely seconds on one core. */
 uint64_t work_total(const struct work *work, const struct plan *plan, double *seconds);
 

@@ -12,7 +12,9 @@ enum figure_kind {
     FIGURE_SURFACES, /* all surfaces; a figure a model */
     FIGURE_PROFILES,
     FIGURE_SPECTRA,
-    FIGURE_BENCHMARK, /* error against time */
+    FIGURE_BENCHMARK,   /* error against time */
+    FIGURE_SENSITIVITY, /* the baseline against the shortest wavelength included, all models */
+    FIGURE_PROBABILITY, /* heights against their normal scores, of surfaces on which a model uses them */
 };
 
 /** One row a figure, or a figure a model. */
@@ -26,6 +28,7 @@ struct figure_row {
     enum quantity x, y;
     enum convergence_sweep sweep;
     enum benchmark_chart chart;
+    bool beyond_thesis; /* FIGURE_MODELS: every model, not the thesis's alone */
 };
 
 extern const struct figure_row figure_rows[];

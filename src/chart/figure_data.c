@@ -1,6 +1,8 @@
 #include "chart/figure_data.h"
 
+#include "contact/persson.h"
 #include <errno.h>
+#include <gsl/gsl_cdf.h>
 #include <math.h>
 #include <string.h>
 
@@ -24,34 +26,40 @@ static void put_point(struct figure_file *out, double x, double y, bool x_logari
         fprintf(out->file, "%.17g,%.17g\n", x, y);
 }
 
-/** A curve as two blocks: inside the model's validity, and (dashed, starting at the last valid point) outside. `y` is
- * the quantity drawn, which may be another form of the figure's. */
+/** Points `from` to before `to` of a curve as one block. */
+static void put_part(struct figure_file *out, const struct model_curve *curve, size_t from, size_t to, enum quantity y,
+                     double sigma_m, const char *style, const char *legend)
+{
+    enum quantity x = out->figure->row->x;
+    begin_block(out, style, legend);
+    for (size_t i = from; i < to; i++)
+        put_point(out, quantity_shown(&curve->points[i], x, sigma_m), quantity_shown(&curve->points[i], y, sigma_m),
+                  quantity_rows[x].logarithmic, quantity_rows[y].logarithmic);
+}
+
+/** A curve as up to three blocks: inside the model's validity, and (dashed, meeting the first or the last valid point)
+ * outside. `y` is the quantity drawn, which may be another form of the figure's. */
 static void put_curve(struct figure_file *out, const struct model_curve *curve, const struct model_row *model,
                       enum quantity y, double sigma_m, const char *style, const char *legend)
 {
-    enum quantity x = out->figure->row->x;
-    size_t border = curve_summary_first_invalid(curve, model);
+    struct curve_validity valid = curve_summary_validity(curve, model);
     if (QUANTITY_BIT(y) & QUANTITY_RESISTANCES)
         for (size_t i = 0; i < curve->count && curve->points[i].area_ratio <= nearly_full_area; i++)
             out->floor = fmin(out->floor, quantity_value(&curve->points[i], y));
     char outside_style[32];
     snprintf(outside_style, sizeof outside_style, "%sx", style);
-    for (int outside = 0; outside < (border < curve->count ? 2 : 1); outside++) {
-        begin_block(out, outside ? outside_style : style, legend);
-        for (size_t i = outside && border > 0 ? border - 1
-                        : outside             ? border
-                                              : 0;
-             i < (outside ? curve->count : border); i++)
-            put_point(out, quantity_shown(&curve->points[i], x, sigma_m), quantity_shown(&curve->points[i], y, sigma_m),
-                      quantity_rows[x].logarithmic, quantity_rows[y].logarithmic);
-    }
+    put_part(out, curve, valid.first, valid.end, y, sigma_m, style, legend);
+    if (valid.first > 0)
+        put_part(out, curve, 0, valid.first + 1, y, sigma_m, outside_style, legend);
+    if (valid.end < curve->count)
+        put_part(out, curve, valid.end > 0 ? valid.end - 1 : 0, curve->count, y, sigma_m, outside_style, legend);
 }
 
-/** The band of repeated scans against load, where there is one. */
+/** The 95 % interval of the surface's mean against load, where there is one. */
 static void put_band(struct figure_file *out, const struct surface_record *record, size_t model, const char *style)
 {
     enum quantity y = out->figure->row->y;
-    if (!record->bands[model] || out->figure->row->x != QUANTITY_LOAD || !repeats_band_holds(y))
+    if (!record->bands || !record->bands[model] || out->figure->row->x != QUANTITY_LOAD || !repeats_band_holds(y))
         return;
     double scale = quantity_rows[y].over_sigma ? 1 / record->summary.asperities.sigma_m : 1;
     char band_style[32];
@@ -59,7 +67,7 @@ static void put_band(struct figure_file *out, const struct surface_record *recor
     begin_block(out, band_style, "band");
     for (size_t i = 0; i < record->band_count; i++) {
         const struct repeats_band *band = &record->bands[model][i];
-        double low = band->limits[y][0] * scale, high = band->limits[y][1] * scale;
+        double low = band->mean[y][0] * scale, high = band->mean[y][1] * scale;
         if (isfinite(low) && isfinite(high) && (!quantity_rows[y].logarithmic || low > 0))
             fprintf(out->file, "%.17g,%.17g,%.17g\n", band->load, low, high);
     }
@@ -91,12 +99,16 @@ static void put_variant(struct figure_file *out, const struct surface_record *re
     put_curve(out, &record->curves[m], model, variant, record->summary.asperities.sigma_m, style, legend);
 }
 
+/** The charts of chapter 6 show the thesis's models, and others where none of those has a curve. */
 static void put_models(struct figure_file *out, const struct surface_record *record, unsigned wanted)
 {
     enum quantity y = out->figure->row->y;
+    bool thesis = false;
+    for (size_t m = 0; m < model_count && !out->figure->row->beyond_thesis; m++)
+        thesis = thesis || (record->curves[m].exists && model_rows[m]->thesis_place > 0);
     for (size_t m = 0; m < model_count; m++) {
         const struct model_row *model = model_rows[m];
-        if (!record->curves[m].exists || !(model->quantities & QUANTITY_BIT(y)))
+        if (!record->curves[m].exists || !(model->quantities & QUANTITY_BIT(y)) || (model->thesis_place == 0 && thesis))
             continue;
         if (model_shown(model, y) == y)
             put_band(out, record, m, model->style);
@@ -115,6 +127,54 @@ static void surface_legend(char *legend, size_t size, const struct surface_summa
     snprintf(legend, size, "%s, Rq %.3g µm", summary->scene->name, summary->roughness.rq_m * 1e6);
 }
 
+/** Bins of the spectrum the law is fitted to: wavelength, amplitude, one standard error below and above, decades over
+ * the law (empty: no law). */
+static void put_bins(struct figure_file *out, const struct power_law_band *band, const char *style, const char *legend,
+                     bool (*is_one)(enum power_law_band_use))
+{
+    begin_block(out, style, legend);
+    for (size_t j = 0; j < band->bins; j++) {
+        const struct log_bin *bin = &band->bin[j];
+        double s = sqrt(bin->variance), high_m = pow(10, bin->y + s), low_m = pow(10, bin->y - s);
+        if (!is_one(band->use[j]) || !isfinite(high_m) || !(low_m > 0))
+            continue;
+        fprintf(out->file, "%.9g,%.9g,%.9g,%.9g", pow(10, bin->x), pow(10, bin->y), low_m, high_m);
+        if (isfinite(band->residual_decades[j]))
+            fprintf(out->file, ",%.6g", band->residual_decades[j]);
+        fprintf(out->file, "\n");
+    }
+}
+
+static bool is_used(enum power_law_band_use use)
+{
+    return use == POWER_LAW_BAND_USED;
+}
+
+static bool is_line(enum power_law_band_use use)
+{
+    return use == POWER_LAW_BAND_LINE;
+}
+
+static bool is_left_out(enum power_law_band_use use)
+{
+    return !is_used(use) && !is_line(use);
+}
+
+/** What the law was found in. A knee's row has the amplitude of the bin next to it. */
+static void put_found(struct figure_file *out, const struct power_law_band *band)
+{
+    put_bins(out, band, "bin", "in the fit", is_used);
+    put_bins(out, band, "binx", "not in the fit", is_left_out);
+    put_bins(out, band, "line", "lines", is_line);
+    begin_block(out, "knee", "knees");
+    for (size_t k = 0; k + 1 < band->pieces; k++)
+        for (size_t j = 0; j < band->bins; j++)
+            if (pow(10, band->bin[j].x) < band->knee_m[k]) {
+                put_point(out, band->knee_m[k], pow(10, band->bin[j].y), true, true);
+                break;
+            }
+}
+
 /** Spectrum of one surface: points (thinned evenly in log wavelength), the fit over its band, the fit beyond. */
 static void put_spectrum(struct figure_file *out, const struct surface_record *record, const char *style,
                          const char *legend)
@@ -128,19 +188,89 @@ static void put_spectrum(struct figure_file *out, const struct surface_record *r
         put_point(out, 1 / spectrum_frequency(&record->spectrum, index[k]), record->spectrum.amplitude_m[index[k]],
                   true, true);
     char fit[80] = "no power law";
-    if (isfinite(law->gamma))
+    if (isfinite(law->alpha_error))
         snprintf(fit, sizeof fit, "α %.3g, γ %.3f ± %.3f", law->alpha, law->gamma, law->gamma_error);
+    else if (isfinite(law->gamma))
+        snprintf(fit, sizeof fit, "γ %.2f ± %.2f%s", law->gamma, law->gamma_error,
+                 law->found == POWER_LAW_BAND_NARROW ? ", narrow" : "");
     begin_block(out, "fit", fit);
     for (int i = 0; i < 2; i++)
         put_point(out, law->band_m[i], power_law_amplitude(law, law->band_m[i]), true, true);
     begin_block(out, "fitx", fit);
     put_point(out, shortest, power_law_amplitude(law, shortest), true, true);
     put_point(out, law->band_m[0], power_law_amplitude(law, law->band_m[0]), true, true);
+    if (record->band.bins > 0)
+        put_found(out, &record->band);
+}
+
+size_t figure_data_heights_model(const struct surface_summary *summary)
+{
+    size_t m = 0;
+    while (m < model_count && !(model_rows[m]->uses_heights && summary->models && summary->models[m].exists))
+        m++;
+    return m;
+}
+
+/** Every so many of the sorted heights, evenly over their normal scores: both ends in full. */
+static void put_scores(struct figure_file *out, const struct contacting_slopes *slopes)
+{
+    enum { MOST = 300 };
+    size_t next = 0;
+    double highest = contacting_slopes_score(0, slopes->points);
+    for (size_t k = 0; k <= MOST; k++) {
+        double share = gsl_cdf_ugaussian_Q(highest * (1 - 2.0 * (double)k / MOST));
+        size_t i = (size_t)fmin(share * (double)slopes->points, (double)(slopes->points - 1));
+        if (i < next)
+            continue;
+        fprintf(out->file, "%.9g,%.9g\n", contacting_slopes_score(i, slopes->points), slopes->height_m[i] * 1e6);
+        next = i + 1;
+    }
+}
+
+/** The line through the points that touch and as many again, and carried on down to the lowest point. */
+static void put_contact_line(struct figure_file *out, const struct contacting_slopes *slopes, double area_ratio)
+{
+    size_t fitted = contacting_slopes_fitted(slopes, area_ratio);
+    double offset_m = slopes->line[fitted].offset_m, scale_m = slopes->line[fitted].scale_m;
+    double low_m = slopes->height_m[slopes->points - 1], highest = contacting_slopes_score(0, slopes->points);
+    double from = contacting_slopes_score(fitted - 1, slopes->points);
+    double to = scale_m > 0 ? fmin(from, fmax(-highest, (low_m - offset_m) / scale_m)) : -highest;
+    const double ends[] = {highest, from, to};
+    char legend[80];
+    snprintf(legend, sizeof legend, "A/Aₙ %.3g", area_ratio);
+    for (int part = 0; part < 2; part++) {
+        begin_block(out, part == 0 ? "fit" : "fitx", legend);
+        for (int e = 0; e < 2; e++)
+            fprintf(out->file, "%.9g,%.9g\n", ends[part + e], (offset_m + scale_m * ends[part + e]) * 1e6);
+    }
+}
+
+/** Heights against normal score, and the line where it touches at the middle load. */
+static enum status_code put_probability(struct figure_file *out, const struct surface_record *record,
+                                        const struct results *results, const char *style, const char *legend,
+                                        struct status *status)
+{
+    size_t m = figure_data_heights_model(&record->summary);
+    struct contacting_slopes slopes;
+    double load = results->loads[results->load_count / 2];
+    if (m == model_count)
+        return STATUS_OK;
+    if (contacting_slopes_make(&slopes, record->points, record->summary.heights, persson_energy_factor, status) !=
+        STATUS_OK)
+        return status->code;
+    begin_block(out, style, legend);
+    put_scores(out, &slopes);
+    double area_ratio = contacting_slopes_area(&slopes, load).area_ratio;
+    if (area_ratio <= contacting_slopes_separation_area) /* beyond, no line stands for what touches */
+        put_contact_line(out, &slopes, area_ratio);
+    contacting_slopes_free(&slopes);
+    return STATUS_OK;
 }
 
 static enum status_code put_surfaces(struct figure_file *out, const struct results *results, struct status *status)
 {
-    for (size_t k = 0; k < results->shown_count; k++) {
+    enum status_code rc = STATUS_OK;
+    for (size_t k = 0; k < results->shown_count && rc == STATUS_OK; k++) {
         struct surface_record record;
         if (surface_store_get(&record, results->store, results->shown[k], status) != STATUS_OK)
             return status->code;
@@ -152,6 +282,8 @@ static enum status_code put_surfaces(struct figure_file *out, const struct resul
             begin_block(out, style, legend);
             for (size_t i = 0; i < record.preview_points; i++)
                 fprintf(out->file, "%.9g,%.9g\n", record.preview_x_m[i] * 1e3, record.preview_z_m[i] * 1e6);
+        } else if (row->kind == FIGURE_PROBABILITY) {
+            rc = put_probability(out, &record, results, style, legend, status);
         } else if (row->kind == FIGURE_SPECTRA) {
             put_spectrum(out, &record, style, legend);
         } else {
@@ -162,7 +294,7 @@ static enum status_code put_surfaces(struct figure_file *out, const struct resul
         }
         surface_record_free(&record, false);
     }
-    return STATUS_OK;
+    return rc;
 }
 
 static void put_sweep(struct figure_file *out, const struct results *results)
@@ -181,6 +313,24 @@ static void put_sweep(struct figure_file *out, const struct results *results)
         for (size_t k = 0; k < count; k++)
             put_point(out, study->scan_length_m / (double)(index[k] + 1), area[index[k]], true, true);
     }
+}
+
+static void put_sensitivity(struct figure_file *out, const struct sensitivity_curves *curves)
+{
+    enum quantity y = out->figure->row->y;
+    for (size_t m = 0; m < model_count; m++) {
+        const struct contact_point *points = curves->points + m * SENSITIVITY_WAVELENGTHS;
+        bool any = false;
+        for (size_t w = 0; w < SENSITIVITY_WAVELENGTHS; w++)
+            any = any || quantity_value(&points[w], y) > 0;
+        if (!any)
+            continue;
+        begin_block(out, model_rows[m]->style, model_rows[m]->label);
+        for (size_t w = 0; w < SENSITIVITY_WAVELENGTHS; w++)
+            put_point(out, curves->wavelength_m[w], quantity_value(&points[w], y), true, true);
+    }
+    if (out->blocks == 0)
+        begin_block(out, model_rows[0]->style, "no model has a value");
 }
 
 /** One line a study and method, and a ring round what the report uses. */
@@ -216,6 +366,9 @@ enum status_code figure_data_put(struct figure_file *file, const struct results 
     case FIGURE_SWEEP:
         put_sweep(file, results);
         break;
+    case FIGURE_SENSITIVITY:
+        put_sensitivity(file, results->sensitivity);
+        break;
     case FIGURE_BENCHMARK:
         put_cost(file, results->benchmark);
         break;
@@ -226,6 +379,7 @@ enum status_code figure_data_put(struct figure_file *file, const struct results 
     case FIGURE_SURFACES:
     case FIGURE_PROFILES:
     case FIGURE_SPECTRA:
+    case FIGURE_PROBABILITY:
         return put_surfaces(file, results, status);
     }
     return STATUS_OK;

@@ -13,6 +13,9 @@ struct figure_file {
     double floor; /* least resistance up to nearly_full_area; INFINITY: none so far */
 };
 
+/** The model that used this surface's heights; model_count: none did. */
+size_t figure_data_heights_model(const struct surface_summary *summary);
+
 /** Writes every block of the figure into `file`. Errors: STATUS_IO, STATUS_MEMORY. */
 MUST_CHECK enum status_code figure_data_put(struct figure_file *file, const struct results *results,
                                             const struct surface_record *baseline, struct status *status);

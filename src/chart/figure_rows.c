@@ -6,6 +6,11 @@
         .number = (first), .kind = FIGURE_MODELS, .section = (where), .title = (words), .terminal = (in_terminal),     \
         .x = (across), .y = (up)                                                                                       \
     }
+#define BEYOND(file, words, up)                                                                                        \
+    {                                                                                                                  \
+        .name = (file), .kind = FIGURE_MODELS, .section = "beyond thesis", .title = (words), .x = QUANTITY_LOAD,       \
+        .y = (up), .beyond_thesis = true                                                                               \
+    }
 #define SURFACES(first, file, where, in_terminal, across, up)                                                          \
     {                                                                                                                  \
         .number = (first), .name = (file), .kind = FIGURE_SURFACES, .section = (where), .terminal = (in_terminal),     \
@@ -15,6 +20,10 @@
     {                                                                                                                  \
         .number = (first), .name = (parameter), .kind = FIGURE_SWEEP, .section = "convergence", .title = (words),      \
         .sweep = (what)                                                                                                \
+    }
+#define SENSITIVITY(file, words, up)                                                                                   \
+    {                                                                                                                  \
+        .name = (file), .kind = FIGURE_SENSITIVITY, .section = "sensitivity", .title = (words), .y = (up)              \
     }
 #define BENCHMARK(file, words, what)                                                                                   \
     {                                                                                                                  \
@@ -30,12 +39,21 @@ const struct figure_row figure_rows[] = {
     MODELS(8, "baseline electrical", "Electrical contact resistance against load", true, QUANTITY_LOAD, QUANTITY_ECR),
     MODELS(9, "baseline thermal", "Thermal contact resistance against load", false, QUANTITY_LOAD, QUANTITY_TCR),
     {.number = 10, .kind = FIGURE_PROFILES, .section = "profiles", .title = "Surface profiles"},
+    BEYOND("models-area", "Area against load, every model", QUANTITY_AREA),
+    BEYOND("models-separation", "Separation against load, every model", QUANTITY_SEPARATION),
+    BEYOND("models-ecr", "ECR against load, every model", QUANTITY_ECR),
+    {.name = "normal-probability",
+     .kind = FIGURE_PROBABILITY,
+     .section = "heights",
+     .title = "Heights on normal-probability axes"},
     SURFACES(11, "area-load", "surfaces area", true, QUANTITY_LOAD, QUANTITY_AREA),
     SURFACES(15, "separation-load", "surfaces separation", true, QUANTITY_LOAD, QUANTITY_SEPARATION),
     SURFACES(19, "separation-area", "surfaces separation-area", false, QUANTITY_AREA, QUANTITY_SEPARATION),
     SURFACES(23, "ecr-load", "surfaces electrical", false, QUANTITY_LOAD, QUANTITY_ECR),
     SURFACES(27, "tcr-load", "surfaces thermal", false, QUANTITY_LOAD, QUANTITY_TCR),
     {.name = "power-law", .kind = FIGURE_SPECTRA, .section = "power law", .title = "Spectra and their power laws"},
+    SENSITIVITY("sensitivity-area", "Area against the shortest wavelength included", QUANTITY_AREA),
+    SENSITIVITY("sensitivity-ecr", "ECR against the shortest wavelength included", QUANTITY_ECR),
     BENCHMARK("cost-integrals", "Error against time, integrals of the statistical models", BENCHMARK_INTEGRALS),
     BENCHMARK("cost-curves", "Error against time, scales and loads left out", BENCHMARK_CURVES),
 };

@@ -15,6 +15,7 @@ struct arguments {
     struct scan_options scan;
     char x_column[64];
     struct profile_options how;
+    enum power_law_method fit;
     bool json, chart, no_chart;
     char **files;
     int file_count;
@@ -30,7 +31,8 @@ enum {
     KEY_LAMBDA_S,
     KEY_LAMBDA_C,
     KEY_QUANTITY,
-    KEY_COLUMN
+    KEY_COLUMN,
+    KEY_FIT
 };
 
 static const struct argp_option options[] = {
@@ -41,9 +43,11 @@ static const struct argp_option options[] = {
     {"z-unit", KEY_Z_UNIT, "UNIT", 0, "unit of z where the file names none (default: such a file is refused)", 0},
     {"quantity", KEY_QUANTITY, "NAME", 0, "height or slope, which is integrated to heights (default: height)", 0},
     {"column", KEY_COLUMN, "Z|X,Z", 0, "columns by number or title (default: the first two that can be x and z)", 0},
-    {"level", KEY_LEVEL, "NAME", 0, "none, mean, line, parabola, circle or robust (default: line; maps: plane)", 0},
+    {"level", KEY_LEVEL, "NAME", 0,
+     "none, mean, line, parabola, circle or robust (default: line, mean of a periodic record; maps: plane)", 0},
     {"lambda-s", KEY_LAMBDA_S, "METRES", 0, "cut-off of a Gaussian low-pass (default: none; profiles only)", 0},
     {"lambda-c", KEY_LAMBDA_C, "METRES", 0, "cut-off of a high-pass: R beside P parameters (default: none)", 0},
+    {"fit", KEY_FIT, "NAME", 0, "power law: auto, in the band found, or thesis, all harmonics (default: auto)", 0},
     {0},
 };
 
@@ -114,6 +118,10 @@ static error_t parse(int key, char *value, struct argp_state *state)
         return 0;
     case KEY_LEVEL:
         arguments->how.level = parse_name("level", value, level_names, LEVEL_COUNT, state);
+        arguments->how.periodic_mean = false;
+        return 0;
+    case KEY_FIT:
+        arguments->fit = parse_name("fit", value, power_law_method_names, POWER_LAW_METHOD_COUNT, state);
         return 0;
     case KEY_LAMBDA_S:
         arguments->how.lambda_s_m = parse_length(value, state);
@@ -225,7 +233,7 @@ int command_inspect(int argc, char **argv)
         const char *path = arguments.files[i];
         json_t *json = json_pack("{s:o}", "file", inspection_text(path));
         json_array_append_new(all, json);
-        if (inspection_make(&inspection, path, &arguments.scan, &arguments.how, &status) != STATUS_OK) {
+        if (inspection_make(&inspection, path, &arguments.scan, &arguments.how, arguments.fit, &status) != STATUS_OK) {
             refused++;
             if (arguments.json)
                 json_object_set_new(json, "error", inspection_text(status.message));

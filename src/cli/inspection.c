@@ -55,22 +55,45 @@ static enum status_code look_at_profile(struct inspection *out, struct status *s
     if (compute_parameters(out, status) != STATUS_OK)
         return status->code;
     return spectrum_compute(&out->spectrum, profile->height_m, profile->points, profile->spacing_m,
-                            SPECTRUM_WINDOW_NONE, status);
+                            spectrum_window_for(SPECTRUM_WINDOW_AUTO, profile->periodic), status);
+}
+
+/** The law as a report would fit it. */
+static enum status_code fit_law(struct inspection *out, struct status *status)
+{
+    const struct profile_options *options = &out->options;
+    bool map = out->scan.kind == SCAN_AREAL; /* which no filter has cut */
+    const double cut[2] = {map ? 0 : options->lambda_s_m,
+                           !map && options->lambda_c_m > 0 ? options->lambda_c_m : INFINITY};
+    if (out->fit == POWER_LAW_THESIS) {
+        out->power_law = power_law_fit(&out->spectrum, cut);
+        return STATUS_OK;
+    }
+    const struct power_law_scans_def def = {map ? 0 : options->lambda_s_m, NULL};
+    const struct profile *profile = &out->profile;
+    struct power_law_scans single = {0}, *scans = map ? &out->areal.scans : &single;
+    enum status_code code = STATUS_OK;
+    if (!map)
+        code = power_law_scans_add(&single, profile->height_m, profile->points, profile->spacing_m, profile->digit_m,
+                                   status);
+    if (code == STATUS_OK)
+        code = power_law_scans_fit(&out->band, scans, &def, status);
+    out->power_law = power_law_of_band(&out->band);
+    power_law_scans_free(&single);
+    return code;
 }
 
 enum status_code inspection_make(struct inspection *out, const char *path, const struct scan_options *units,
-                                 const struct profile_options *options, struct status *status)
+                                 const struct profile_options *options, enum power_law_method fit,
+                                 struct status *status)
 {
-    *out = (struct inspection){.options = *options};
+    *out = (struct inspection){.options = *options, .fit = fit};
     if (scan_read(&out->scan, path, units, status) != STATUS_OK)
         return status->code;
-    bool map = out->scan.kind == SCAN_AREAL; /* which no filter has cut */
-    if ((map ? look_at_map(out, status) : look_at_profile(out, status)) != STATUS_OK)
-        return status_prefix(status, "%s", path);
-    const double band[2] = {map ? 0 : options->lambda_s_m,
-                            !map && options->lambda_c_m > 0 ? options->lambda_c_m : INFINITY};
-    out->power_law = power_law_fit(&out->spectrum, band);
-    return STATUS_OK;
+    enum status_code code = out->scan.kind == SCAN_AREAL ? look_at_map(out, status) : look_at_profile(out, status);
+    if (code == STATUS_OK)
+        code = fit_law(out, status);
+    return code == STATUS_OK ? STATUS_OK : status_prefix(status, "%s", path);
 }
 
 void inspection_free(struct inspection *inspection)
@@ -212,12 +235,49 @@ static void print_shown(const char *before, const char *hostile)
     text_free(&shown);
 }
 
+/** Knees and lines, behind the law. */
+static void print_spectrum(const struct power_law_band *band)
+{
+    bool first = true;
+    for (size_t k = 0; k + 1 < band->pieces; k++, first = false)
+        printf("%s%.3g um", first ? "              knees at " : ", ", band->knee_m[k] * 1e6);
+    printf("%s", first ? "" : "\n");
+    double line_m[LOG_BIN_MOST];
+    size_t lines = power_law_band_lines(line_m, band);
+    for (size_t i = 0; i < lines; i++)
+        printf("%s%.3g um", i == 0 ? "              lines at " : ", ", line_m[i] * 1e6);
+    printf("%s", lines == 0 ? "" : "\n");
+}
+
+static void print_law(const struct inspection *f)
+{
+    const struct power_law *law = &f->power_law;
+    if (f->fit == POWER_LAW_THESIS && isnan(law->gamma)) {
+        printf("  power law   - (%s)\n",
+               law->harmonics < 3 ? "it takes 3 harmonics" : "alpha leaves the range of numbers");
+    } else if (f->fit == POWER_LAW_THESIS) {
+        printf("  power law   alpha %.4g +- %.2g, gamma %.3f +- %.3f, scatter %.3f decades\n", law->alpha,
+               law->alpha_error, law->gamma, law->gamma_error, law->misfit_decades);
+    } else if (law->found == POWER_LAW_BAND_NONE) {
+        printf("  power law   - (no power law found)\n");
+    } else {
+        printf("  power law   gamma %.3f +- %.3f from %.3g to %.3g um%s, misfit %.2g decades\n", law->gamma,
+               law->gamma_error, law->band_m[0] * 1e6, law->band_m[1] * 1e6,
+               law->found == POWER_LAW_BAND_NARROW ? " (narrow)" : "", law->misfit_decades);
+        printf("              rms amplitude %.4g um x/: %.3g at %.3g um, C %.3g m3; alpha %.3g follows\n",
+               law->amplitude_m * 1e6, pow(10, law->amplitude_error_decades), law->wavelength_m * 1e6, law->psd_m3,
+               law->alpha);
+    }
+    print_spectrum(&f->band);
+}
+
 void inspection_print(const char *path, const struct inspection *f)
 {
     const struct roughness *r = &f->roughness;
     static const char *const grids[] = {"uniform", "rounded x, nominal spacing used", "uneven x, interpolated"};
     static const char *const level_labels[LEVEL_COUNT] = {"as it is",     "mean out", "line out",
                                                           "parabola out", "arc out",  "robust line"};
+    enum level level = f->options.periodic_mean && f->profile.periodic ? LEVEL_MEAN : f->options.level;
     print_shown("", path);
     printf("  format      %s, x in %s, z in %s\n", f->scan.format, f->scan.x_unit, f->scan.z_unit);
     if (f->scan.kind == SCAN_AREAL)
@@ -227,9 +287,10 @@ void inspection_print(const char *path, const struct inspection *f)
                f->areal.sa_m * 1e6, f->areal.sz_m * 1e6);
     else
         printf("  points      %zu, spacing %.6g um (%s), length %.6g mm\n"
-               "  %-11s tilt %.4g um/mm, end-to-end jump left %.4g um\n",
+               "  %-11s tilt %.4g um/mm, end-to-end jump left %.4g um%s\n",
                f->scan.nx, f->profile.spacing_m * 1e6, grids[f->profile.grid], inspection_length_m(f) * 1e3,
-               level_labels[f->options.level], f->profile.tilt * 1e3, f->profile.end_jump_m * 1e6);
+               level_labels[level], f->profile.tilt * 1e3, f->profile.end_jump_m * 1e6,
+               f->profile.periodic ? ", periodic" : "");
     if (f->has_parameters)
         print_parameters(&f->primary);
     if (f->has_filtered)
@@ -242,12 +303,7 @@ void inspection_print(const char *path, const struct inspection *f)
         printf("Nayak - (no slope from a point to the next but one)\n");
     else
         printf("Nayak %.4g\n", nayak);
-    if (isnan(f->power_law.gamma))
-        printf("  power law   - (%s)\n",
-               f->power_law.harmonics < 3 ? "it takes 3 harmonics" : "alpha leaves the range of numbers");
-    else
-        printf("  power law   alpha %.4g +- %.2g, gamma %.3f +- %.3f, scatter %.3f decades\n", f->power_law.alpha,
-               f->power_law.alpha_error, f->power_law.gamma, f->power_law.gamma_error, f->power_law.rms_decades);
+    print_law(f);
     const char *warning;
     for (size_t w = 0; (warning = warning_at(f, w)); w++)
         print_shown("  note        ", warning);

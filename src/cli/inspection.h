@@ -6,7 +6,7 @@
 #include "scan/scan.h"
 #include "spectrum/areal.h"
 #include "spectrum/parameters.h"
-#include "spectrum/power_law.h"
+#include "spectrum/power_law_scans.h"
 #include "spectrum/roughness.h"
 
 #include <jansson.h>
@@ -19,7 +19,9 @@ struct inspection {
     struct areal areal;       /* its spectrum is moved to `spectrum` */
     struct spectrum spectrum; /* count 0: a map without one complete row */
     struct roughness roughness;
+    struct power_law_band band; /* fit: auto */
     struct power_law power_law;
+    enum power_law_method fit;
     struct parameters primary, filtered; /* P; R where lambda_c is given */
     bool has_parameters, has_filtered;
     struct profile_options options;
@@ -27,7 +29,8 @@ struct inspection {
 
 /** Reads and looks at a file. Owned: inspection_free(), whatever comes back. Errors: those of the stages. */
 MUST_CHECK enum status_code inspection_make(struct inspection *out, const char *path, const struct scan_options *units,
-                                            const struct profile_options *options, struct status *status);
+                                            const struct profile_options *options, enum power_law_method fit,
+                                            struct status *status);
 void inspection_free(struct inspection *inspection);
 
 /** Spacing along x [m] and first to last point [m]. */

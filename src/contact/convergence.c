@@ -27,33 +27,60 @@ void convergence_areas(double *area_ratio, const struct convergence_law *law, co
     *evaluations += law->scales;
 }
 
-struct convergence_extension convergence_extend(const struct power_law *law, double length_m, double shortest_m,
+struct convergence_tail convergence_tail(const struct spectrum *spectrum)
+{
+    static const double half_decade = 3.1622776601683795; /* sqrt(10) */
+    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0, origin = log(spectrum->length_m / (double)spectrum->count);
+    for (size_t i = spectrum->count; i-- > 0 && (double)(i + 1) * half_decade >= (double)spectrum->count;) {
+        if (!(spectrum->amplitude_m[i] > 0))
+            continue;
+        double x = -log(spectrum_frequency(spectrum, i)) - origin, y = log(spectrum->amplitude_m[i]);
+        n += 1;
+        sx += x;
+        sy += y;
+        sxx += x * x;
+        sxy += x * y;
+    }
+    if (n < 3)
+        return (struct convergence_tail){NAN, NAN, NAN};
+    return (struct convergence_tail){exp(origin + sx / n), exp(sy / n), (sxy - sx * sy / n) / (sxx - sx * sx / n)};
+}
+
+double convergence_tail_amplitude(const struct convergence_tail *tail, double wavelength_m)
+{
+    return tail->amplitude_m * pow(wavelength_m / tail->wavelength_m, tail->gamma);
+}
+
+struct convergence_extension convergence_extend(const struct spectrum *spectrum, const struct convergence_tail *tail,
                                                 const struct material_pair *pair, bool plastic, double load)
 {
     const struct sinusoid_fit *closure = &sinusoid_fits[SINUSOID_FIT_THESIS];
     struct convergence_extension out = {1, 1, NAN, 0};
     double nominal_Pa = load * pair->effective_modulus_Pa;
-    bool rising = law->gamma < 1; /* p* ~ lambda^(gamma-1) (4.55) */
-    for (double n = 1; length_m / n >= convergence_atom_m; n++) {
-        double wavelength_m = length_m / n;
-        struct sinusoid_scale scale =
-            sinusoid_scale(power_law_amplitude(law, wavelength_m), n / length_m, pair, plastic);
+    bool rising = tail->gamma < 1; /* p* ~ lambda^(gamma-1) (4.55) */
+    for (double n = 1; spectrum->length_m / n >= convergence_atom_m; n++) {
+        double wavelength_m = spectrum->length_m / n;
+        bool measured = n <= (double)spectrum->count;
+        double amplitude_m =
+            measured ? spectrum->amplitude_m[(size_t)n - 1] : convergence_tail_amplitude(tail, wavelength_m);
+        struct sinusoid_scale scale = sinusoid_scale(amplitude_m, n / spectrum->length_m, pair, plastic);
         struct sinusoid_cell cell;
         sinusoid_press(&cell, &scale, closure, nominal_Pa / out.area_extended, false);
         out.scales++;
         out.area_extended *= cell.area_ratio;
-        bool measured = wavelength_m >= shortest_m * (1 - 1e-9);
-        if (measured)
+        if (measured) {
             out.area_measured = out.area_extended;
+            continue;
+        }
         if (cell.area_complement == 0 && !rising) {
             out.settled_m = wavelength_m;
             break;
         }
         /* On a rising law every scale is soon just short of complete: d ln p/dn = (3/2pi)(1 - p/p*) keeps p within
          * (2pi/3)(1-gamma)/n of p*, so the last scale's complete pressure gives the area without visiting the rest. */
-        if (rising && !measured && n > 1000 && cell.area_complement < 1e-3) {
+        if (rising && n > 1000 && cell.area_complement < 1e-3) {
             double last_m = convergence_atom_m;
-            scale = sinusoid_scale(power_law_amplitude(law, last_m), 1 / last_m, pair, plastic);
+            scale = sinusoid_scale(convergence_tail_amplitude(tail, last_m), 1 / last_m, pair, plastic);
             out.area_extended = fmin(out.area_extended, nominal_Pa / sinusoid_full_area_pressure(&scale));
             break;
         }

@@ -4,7 +4,7 @@
 #define CONTACT_CONVERGENCE_H
 
 #include "material/material.h"
-#include "spectrum/power_law.h"
+#include "spectrum/spectrum.h"
 #include <stdint.h>
 
 enum convergence_sweep { CONVERGENCE_ALPHA, CONVERGENCE_GAMMA, CONVERGENCE_SWEEP_COUNT };
@@ -31,17 +31,30 @@ void convergence_areas(double *area_ratio, const struct convergence_law *law, co
 /** Smallest wavelength a continuum can have: about an atom's diameter. */
 extern const double convergence_atom_m;
 
+/** How a measured spectrum goes on below its sampling limit: Delta = amplitude (lambda/wavelength)^gamma. */
+struct convergence_tail {
+    double wavelength_m; /* geometric mean of the harmonics that say so */
+    double amplitude_m;  /* of the line there */
+    double gamma;        /* local slope; NaN: fewer than 3 harmonics to tell it from */
+};
+
+/** The spectrum's own short end: the least-squares line of log Delta on log lambda over its shortest half decade of
+ * wavelengths; amplitudes of zero are left out. */
+struct convergence_tail convergence_tail(const struct spectrum *spectrum);
+/** Amplitude of the tail at a wavelength [m]. */
+double convergence_tail_amplitude(const struct convergence_tail *tail, double wavelength_m);
+
 /** What the scales below a measured surface's sampling limit would still take from its area. */
 struct convergence_extension {
-    double area_measured; /* A/A_n of the fitted law down to the shortest measured wavelength */
-    double area_extended; /* the same carried on to atomic size */
+    double area_measured; /* A/A_n of the measured spectrum */
+    double area_extended; /* the same with its tail carried on to atomic size */
     double settled_m;     /* wavelength from which every shorter scale is complete; NaN: none */
     uint64_t scales;      /* visited */
 };
 
-/** Extends the fitted law (4.53, 4.55) of a surface of scan length `length_m`, sampled down to `shortest_m`, at one
- * load. Stops at the first scale from which p* can no longer exceed the pressure (gamma >= 1), or at atomic size. */
-struct convergence_extension convergence_extend(const struct power_law *law, double length_m, double shortest_m,
+/** Stacks the measured harmonics (4.1, 4.2; closure thesis) and goes on along the tail, at one load. Stops at the first
+ * scale of the tail from which p* can no longer exceed the pressure (gamma >= 1, 4.55), or at atomic size. */
+struct convergence_extension convergence_extend(const struct spectrum *spectrum, const struct convergence_tail *tail,
                                                 const struct material_pair *pair, bool plastic, double load);
 
 #endif

@@ -14,4 +14,8 @@ const struct effect_row effect_rows[EFFECT_COUNT] = {
                                  "sound_speed_m_per_s"},
                                 EFFECT_BIT(EFFECT_THERMAL)},
     [EFFECT_CONVERGENCE] = {"convergence", "area over wavelength as finer and finer scales are added", {NULL}, 0},
+    [EFFECT_UNCERTAINTY] = {"uncertainty",
+                            "how far the numbers of a surface with one scan may be from those of another place on it",
+                            {NULL},
+                            0},
 };

@@ -79,9 +79,10 @@ void model_work_add(struct model_work *sum, const struct model_work *more)
     sum->nodes += more->nodes;
     sum->scale_dependent_nodes += more->scale_dependent_nodes;
     sum->separations += more->separations;
+    sum->searches += more->searches;
 }
 
 uint64_t model_evaluations(const struct model_work *work)
 {
-    return work->scales + work->nodes + work->scale_dependent_nodes + work->separations;
+    return work->scales + work->nodes + work->scale_dependent_nodes + work->separations + work->searches;
 }

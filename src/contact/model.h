@@ -4,6 +4,7 @@
 #define CONTACT_MODEL_H
 
 #include "contact/asperity.h"
+#include "contact/contacting_slopes.h"
 #include "contact/quantity.h"
 #include "contact/sinusoid.h"
 #include "spectrum/roughness.h"
@@ -20,6 +21,10 @@ struct model_task {
     unsigned wanted; /* QUANTITY_BITs */
     double tolerance;
     enum sinusoid_fit_id sinusoid_fit;
+    double hardness_Pa; /* H_d of the softer body; NaN: not known */
+    const struct slope_point
+        *points; /* heights and slopes of the surface, for models that use_heights; NULL: not kept */
+    size_t point_count;
 };
 
 /** What answering took: visits of scales, asperity laws at quadrature nodes, and loads solved for a separation. */
@@ -30,6 +35,7 @@ struct model_work {
     uint64_t nodes;                 /* asperity laws at a quadrature node */
     uint64_t scale_dependent_nodes; /* the same, needed for nothing but scale dependence */
     uint64_t separations;           /* loads of a statistical model solved for a separation */
+    uint64_t searches;              /* curves searched for their landmarks, by as many loads as the tolerance takes */
 };
 
 /** What it answers. `points` is the caller's, load_count + 1 long. */
@@ -52,6 +58,7 @@ struct model_row {
     const char *label;                   /* as in charts and tables */
     const char *short_label;             /* as in the terminal's table */
     const char *family;                  /* asked for together in scenes */
+    const char *family_title;            /* heading of its own section of the report; NULL: in chapter 6 alone */
     bool by_default;                     /* runs when the scene names no models */
     bool plastic;                        /* needs the effect plasticity */
     const struct model_row *elastic;     /* of a plastic model: the one it adds yield to; NULL: none */
@@ -59,12 +66,14 @@ struct model_row {
                                             against; NULL: none */
     bool stacks_scales;                  /* every harmonic is a scale: the convergence study speaks of it */
     const struct asperity_model *asperity_model; /* it sums this over model_task.asperities; NULL: it needs none */
-    unsigned quantities;                         /* QUANTITY_BITs it computes */
+    bool uses_heights;     /* works on model_task.points; runs unasked where a surface is not Gaussian */
+    unsigned quantities;   /* QUANTITY_BITs it computes */
     unsigned may_be_empty; /* those of them that it leaves empty (NaN) where it should not be trusted */
     double largest_area;   /* A/A_n up to which it is valid; 0: any */
     const char *fitted_to; /* end of its fitted range, which contact_point.beyond_fit is the share beyond; NULL: none */
     int precedence;        /* the summary speaks of the running model with the greatest */
     int thesis_place;      /* among the four charts of each quantity in chapter 6, 1...4; 0: not in the thesis */
+    bool in_findings;      /* the findings of chapter 6 are checked on it */
     const char *style;     /* two letters that stand for its line in a chart's script */
     const char *colour;    /* of its line, "#rrggbb", for a light and a dark page */
     int marker;            /* gnuplot's point type: open (even) elastic, filled (odd) plastic */
@@ -101,7 +110,7 @@ extern const size_t model_count; /* at most 64: sets of models are bits of a uin
 size_t model_index(const struct model_row *row);
 /** Models of that name or family, as bits; 0: no such name. */
 uint64_t model_find(const char *name);
-/** Those that run when a scene names none. */
+/** Those that run when a scene names none; the ones that use heights only where a surface is not Gaussian. */
 uint64_t model_defaults(void);
 /** May model `m` of the set `models` run with these EFFECT_BITs: a plastic one needs plasticity. */
 bool model_runs(size_t m, uint64_t models, unsigned effects);

@@ -6,7 +6,11 @@
     X(multiscale_elastic)                                                                                              \
     X(multiscale_plastic)                                                                                              \
     X(gw)                                                                                                              \
-    X(jg)
+    X(jg)                                                                                                              \
+    X(two_band_elastic)                                                                                                \
+    X(two_band_plastic)                                                                                                \
+    X(persson)                                                                                                         \
+    X(contacting_slopes)
 
 #define DECLARE(name) extern const struct model_row model_##name;
 #define ENTRY(name)   &model_##name,

@@ -25,19 +25,25 @@ enum status_code multiscale_make(struct multiscale *out, const struct spectrum *
     };
     if (!out->scales)
         return status_memory(status);
+    for (size_t i = 0; i < spectrum->count; i++)
+        out->scales[i] = sinusoid_scale(spectrum->amplitude_m[i], spectrum_frequency(spectrum, i), pair, plastic);
+    multiscale_complete(out);
+    return STATUS_OK;
+}
+
+void multiscale_complete(struct multiscale *stack)
+{
     double full_Pa = 0, closed_Pa = 0;
-    for (size_t i = 0; i < spectrum->count; i++) {
-        double frequency = spectrum_frequency(spectrum, i);
-        out->scales[i] = sinusoid_scale(spectrum->amplitude_m[i], frequency, pair, plastic);
-        out->critical_scales += isfinite(out->scales[i].critical_pressure_Pa);
-        double closed = sinusoid_closed_pressure(&out->scales[i]);
+    stack->critical_scales = 0;
+    for (size_t i = 0; i < stack->count; i++) {
+        stack->critical_scales += isfinite(stack->scales[i].critical_pressure_Pa);
+        double closed = sinusoid_closed_pressure(&stack->scales[i]);
         closed_Pa = fmax(closed_Pa, closed);
         if (closed > full_Pa) /* else this scale cannot be the last to fill */
-            full_Pa = fmax(full_Pa, sinusoid_full_area_pressure(&out->scales[i]));
+            full_Pa = fmax(full_Pa, sinusoid_full_area_pressure(&stack->scales[i]));
     }
-    out->full_load = load_reaching(full_Pa, pair->effective_modulus_Pa);
-    out->closed_load = load_reaching(closed_Pa, pair->effective_modulus_Pa);
-    return STATUS_OK;
+    stack->full_load = load_reaching(full_Pa, stack->effective_modulus_Pa);
+    stack->closed_load = load_reaching(closed_Pa, stack->effective_modulus_Pa);
 }
 
 void multiscale_free(struct multiscale *stack)

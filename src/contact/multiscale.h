@@ -25,6 +25,9 @@ struct multiscale {
 MUST_CHECK enum status_code multiscale_make(struct multiscale *out, const struct spectrum *spectrum,
                                             const struct material_pair *pair, bool plastic,
                                             enum sinusoid_fit_id closure, struct status *status);
+/** Fills full_load, closed_load and critical_scales of a stack whose other fields are set: for stacks whose scales are
+ * chosen otherwise. */
+void multiscale_complete(struct multiscale *stack);
 void multiscale_free(struct multiscale *stack);
 
 /** Contact at P/(A_n E') = load > 0: A_i = a_i A_{i-1} (4.1) under p_i = P/A_{i-1} (4.2); H = sum Delta_i G_i

@@ -4,7 +4,7 @@
 
 static const double link_area_low = 1.51; /* exponents of the linking equation (4.5) */
 static const double link_area_high = 1.04;
-static const double link_switch = 0.8; /* p/p* from which the near-complete asymptote holds alone (4.6) */
+const double sinusoid_link_switch = 0.8;
 static const double critical_strain =
     2.0 / 3; /* exp(2 nu/3) in Delta_c; the thesis's form, see docs/equations.md, Unsettled */
 
@@ -52,7 +52,7 @@ static void thesis_area(struct sinusoid_cell *cell, double x)
     if (x >= 1) {
         cell->area_ratio = 1;
         cell->area_complement = 0;
-    } else if (x >= link_switch) {
+    } else if (x >= sinusoid_link_switch) {
         cell->area_complement = area_high_complement(x);
         cell->area_ratio = 1 - cell->area_complement;
     } else {
@@ -104,6 +104,7 @@ struct sinusoid_scale sinusoid_scale(double amplitude_m, double frequency_per_m,
         .frequency_per_m = frequency_per_m,
         .full_pressure_Pa = sinusoid_full_pressure(amplitude_m, frequency_per_m, modulus),
         .critical_pressure_Pa = INFINITY,
+        .hardness_Pa = INFINITY,
     };
     double critical_amplitude_m = plastic ? sinusoid_critical_amplitude(frequency_per_m, pair) : INFINITY;
     if (amplitude_m <= critical_amplitude_m)
@@ -143,6 +144,15 @@ static void raise_to_elastic(struct sinusoid_cell *cell, const struct sinusoid_s
     cell->limited = true;
 }
 
+/** Law `plastic-limited`: a = max(a, min(1, p/H)). */
+static void raise_to_hardness(struct sinusoid_cell *cell, double pressure_over_hardness)
+{
+    if (pressure_over_hardness <= cell->area_ratio)
+        return;
+    cell->area_ratio = fmin(1, pressure_over_hardness);
+    cell->area_complement = fmax(0, 1 - pressure_over_hardness);
+}
+
 bool sinusoid_press(struct sinusoid_cell *cell, const struct sinusoid_scale *scale, const struct sinusoid_fit *closure,
                     double pressure_Pa, bool with_gap)
 {
@@ -159,6 +169,7 @@ bool sinusoid_press(struct sinusoid_cell *cell, const struct sinusoid_scale *sca
         link_areas(cell, low, x, ln_x);
         if (closure->floors_plastic)
             raise_to_elastic(cell, scale, closure, pressure_Pa);
+        raise_to_hardness(cell, pressure_Pa / scale->hardness_Pa);
     } else {
         cell->limited = false;
         closure->area(cell, x);

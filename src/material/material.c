@@ -59,6 +59,8 @@ static const double yield_coefficient_exponent = 0.736;
 /* k = density c_p v_s lambda/3, kinetic theory; thesis (4.52). */
 static const double kinetic_dimensions = 3.0;
 
+const double material_hardness_ratio = 2.84;
+
 const struct material *material_find(const char *name)
 {
     for (size_t i = 0; i < material_table_count; i++)

@@ -89,6 +89,7 @@ static json_t *scene_json(const struct results *results, const struct cell_guard
         json_object_set_new(json, "counterface_surface",
                             json_pack("{s:o, s:s}", "file", string(scene->counterface_surface.files[0]), "sha256",
                                       results->counterface->summary.hash));
+    json_object_set_new(json, "fit", json_string(power_law_method_names[scene->fit]));
     double band_m[2] = {scene->fit_band_m[0], scene->fit_band_m[1]};
     if (isinf(band_m[1])) /* up to the whole record */
         band_m[1] = NAN;
@@ -103,7 +104,7 @@ static json_t *scene_json(const struct results *results, const struct cell_guard
     return json;
 }
 
-static json_t *curve_json(const struct model_curve *curve, const struct curve_summary *model, unsigned wanted,
+static json_t *curve_json(const struct model_curve *curve, const struct curve_summary *model, const struct plan *plan,
                           const struct cell_guard *guard)
 {
     json_t *json = json_pack("{s:o, s:o, s:o, s:o, s:o, s:I}", "full_contact_load",
@@ -115,8 +116,14 @@ static json_t *curve_json(const struct model_curve *curve, const struct curve_su
                              (json_int_t)model_evaluations(&model->work));
     json_object_set_new(json, "areas_limited", json_integer((json_int_t)model->clamped));
     set(json, guard, "largest_load_share_clamped_at_radius", model->most_radius_clamped);
+    json_t *pressures = json_array(); /* of the real contact */
+    double yields_at = plan->pair.effective_modulus_Pa / plan->pair.yield_strength_Pa;
+    for (size_t i = 0; i < curve->count && isfinite(yields_at); i++)
+        json_array_append_new(pressures, cell_json(guard, "contact_pressure_over_Sy",
+                                                   curve->points[i].load / curve->points[i].area_ratio * yields_at));
+    json_object_set_new(json, "contact_pressure_over_Sy", pressures);
     for (int q = 0; q < QUANTITY_COUNT; q++) {
-        if (!(wanted & QUANTITY_BIT(q)))
+        if (!(plan->wanted & QUANTITY_BIT(q)))
             continue;
         json_t *values = json_array();
         for (size_t i = 0; i < curve->count; i++)
@@ -127,31 +134,46 @@ static json_t *curve_json(const struct model_curve *curve, const struct curve_su
     return json;
 }
 
-static json_t *mean_json(const char *name, const struct repeats_number *number, const struct cell_guard *guard)
+/** A number with the 95 % intervals of the surface's mean and of another scan; the deviation is of the logarithm where
+ * the mean is geometric. */
+static json_t *estimate_json(const struct estimate *estimate, const struct cell_guard *guard)
 {
-    json_t *json = json_object();
-    set(json, guard, name, number->mean);
-    set(json, guard, "standard_deviation", repeats_deviation(number));
+    json_t *json = json_pack("{s:I, s:b}", "scans", (json_int_t)estimate->count, "geometric", estimate->logarithmic);
+    double mean_95[2] = {estimate_end(estimate, 0), estimate_end(estimate, 1)};
+    double next_95[2] = {estimate_next_end(estimate, 0), estimate_next_end(estimate, 1)};
+    set(json, guard, "mean", estimate_value(estimate));
+    set(json, guard, "standard_deviation", estimate->sd);
+    set(json, guard, "effective", estimate->effective);
+    json_object_set_new(json, "mean_95", pair_json("mean_95", mean_95, guard));
+    json_object_set_new(json, "next_scan_95", pair_json("next_scan_95", next_95, guard));
+    if (estimate->heterogeneous)
+        json_object_set_new(json, "same_along_the_scan", json_false());
     return json;
 }
 
-/** What repeated scans say apart; loads and alpha as logarithms. */
+/** What repeated scans say apart. */
 static json_t *repeats_json(const struct surface_summary *summary, const struct cell_guard *guard)
 {
     const struct repeats *spread = &summary->repeats;
-    const struct {
-        const char *name;
-        const struct repeats_number *number;
-    } numbers[] = {{"rq_m", &spread->rq_m}, {"gamma", &spread->gamma}, {"ln_alpha_SI", &spread->log_alpha}};
-    json_t *json = json_pack("{s:I}", "scans_run_alone", (json_int_t)spread->count);
-    json_object_set_new(json, "gamma_95", pair_json("gamma_95", spread->gamma_interval, guard));
-    json_object_set_new(json, "alpha_95", pair_json("alpha_95", spread->alpha_interval, guard));
-    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
-        json_object_set_new(json, numbers[i].name, mean_json("mean", numbers[i].number, guard));
-    for (size_t m = 0; m < model_count; m++)
-        if (summary->models[m].repeated_log_full_load.count > 0)
-            json_object_set_new(json, model_rows[m]->name,
-                                mean_json("ln_full_contact_load", &summary->models[m].repeated_log_full_load, guard));
+    json_t *json =
+        json_pack("{s:I, s:I}", "scans_run_alone", (json_int_t)spread->count, "files", (json_int_t)spread->scans);
+    json_object_set_new(json, "rq_m", estimate_json(&spread->rq_m, guard));
+    json_object_set_new(json, "gamma", estimate_json(&spread->gamma, guard));
+    json_object_set_new(json, "fit_psd_m3", estimate_json(&spread->psd_m3, guard));
+    return json;
+}
+
+/** What is known of a model's numbers at the middle load, and of its load of full contact. */
+static json_t *intervals_json(const struct curve_summary *model, const struct cell_guard *guard)
+{
+    json_t *json = json_object();
+    for (int q = 0; q < QUANTITY_COUNT; q++)
+        if (repeats_band_holds((enum quantity)q) && model->middle[q].count > 0)
+            json_object_set_new(json, quantity_rows[q].name, estimate_json(&model->middle[q], guard));
+    if (model->full_load_estimate.count > 0)
+        json_object_set_new(json, "full_contact_load", estimate_json(&model->full_load_estimate, guard));
+    if (model->beta_estimate.count > 0)
+        json_object_set_new(json, "beta", estimate_json(&model->beta_estimate, guard));
     return json;
 }
 
@@ -168,7 +190,40 @@ static json_t *lines_json(const char *lines)
     return array;
 }
 
-static json_t *surface_json(const struct surface_record *record, const struct plan *plan,
+/** What was found beside the law's numbers; of fit: thesis its class alone. */
+static json_t *fit_json(const struct surface_record *record, enum power_law_method method,
+                        const struct cell_guard *guard)
+{
+    const struct power_law_band *band = &record->band;
+    const struct power_law *law = &record->summary.power_law;
+    json_t *json = json_pack("{s:s, s:s}", "method", power_law_method_names[method], "class",
+                             power_law_band_class_names[law->found]);
+    if (method == POWER_LAW_THESIS)
+        return json;
+    json_t *knees = json_array(), *lines = json_array(), *others = json_array();
+    for (size_t k = 0; k + 1 < band->pieces; k++)
+        json_array_append_new(knees, cell_json(guard, "knees_m", band->knee_m[k]));
+    double line_m[LOG_BIN_MOST];
+    size_t line_count = power_law_band_lines(line_m, band);
+    for (size_t i = 0; i < line_count; i++)
+        json_array_append_new(lines, cell_json(guard, "lines_m", line_m[i]));
+    for (size_t k = 0; k < band->pieces; k++) {
+        if (isnan(band->piece[k].candidate_gamma) || (law->found != POWER_LAW_BAND_NONE && k == band->chosen))
+            continue;
+        json_t *other = json_object();
+        set(other, guard, "gamma", band->piece[k].candidate_gamma);
+        set(other, guard, "low_m", band->piece[k].band_m[0]);
+        set(other, guard, "high_m", band->piece[k].band_m[1]);
+        json_array_append_new(others, other);
+    }
+    json_object_set_new(json, "knees_m", knees);
+    json_object_set_new(json, "lines_m", lines);
+    json_object_set_new(json, "other_candidates", others);
+    set(json, guard, "share_of_m2", band->slope_share);
+    return json;
+}
+
+static json_t *surface_json(const struct surface_record *record, const struct scene *scene, const struct plan *plan,
                             const struct cell_guard *guard)
 {
     const struct surface_summary *s = &record->summary;
@@ -176,9 +231,14 @@ static json_t *surface_json(const struct surface_record *record, const struct pl
     for (size_t f = 0; f < s->scene->file_count; f++)
         json_array_append_new(files, string(s->scene->files[f]));
     for (size_t m = 0; m < model_count; m++)
-        if (s->models[m].exists)
-            json_object_set_new(models, model_rows[m]->name,
-                                curve_json(&record->curves[m], &s->models[m], plan->wanted, guard));
+        if (s->models[m].exists) {
+            json_t *model = curve_json(&record->curves[m], &s->models[m], plan, guard);
+            json_t *intervals = intervals_json(&s->models[m], guard);
+            if (json_object_size(intervals) > 0)
+                json_object_set(model, "at_middle_load", intervals);
+            json_decref(intervals);
+            json_object_set_new(models, model_rows[m]->name, model);
+        }
     json_t *json = json_pack("{s:o, s:o, s:s, s:s, s:s}", "surface", string(s->scene->name), "files", files, "sha256",
                              s->hash, "format", s->format, "units", s->units);
     const struct {
@@ -200,16 +260,25 @@ static json_t *surface_json(const struct surface_record *record, const struct pl
         {"asperity_sigma_m", s->asperities.sigma_s_m},
         {"asperity_offset_m", s->asperities.offset_m},
         {"alpha_SI", s->power_law.alpha},
-        {"alpha_stderr", s->power_law.alpha_error},
         {"gamma", s->power_law.gamma},
         {"gamma_stderr", s->power_law.gamma_error},
-        {"fit_rms_decades", s->power_law.rms_decades},
+        {"fit_amplitude_m", s->power_law.amplitude_m},
+        {"fit_amplitude_stderr_decades", s->power_law.amplitude_error_decades},
+        {"fit_wavelength_m", s->power_law.wavelength_m},
+        {"fit_low_m", s->power_law.band_m[0]},
+        {"fit_high_m", s->power_law.band_m[1]},
+        {"fit_misfit_decades", s->power_law.misfit_decades},
+        {"fit_psd_m3", s->power_law.psd_m3},
         {"end_jump_m", s->jump_m},
         {"end_jump_share", s->jump_share},
     };
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
         set(json, guard, numbers[i].name, numbers[i].value);
+    json_object_set_new(json, "fit", fit_json(record, scene->fit, guard));
     json_object_set_new(json, "scans", json_integer((json_int_t)s->scans));
+    json_object_set_new(json, "scans_periodic", json_integer((json_int_t)s->periodic));
+    json_object_set_new(json, "scans_windowed", json_integer((json_int_t)s->windowed));
+    set(json, guard, "scans_independent", s->independent);
     if (s->repeats.count > 0)
         json_object_set_new(json, "spread", repeats_json(s, guard));
     json_object_set_new(json, "notes", lines_json(s->notes));
@@ -259,7 +328,7 @@ enum status_code json_write(const struct results *results, const char *directory
         ok = surface_store_get(&record, results->store, i, status) == STATUS_OK;
         fputs(first ? "\n" : ",\n", file);
         first = false;
-        ok = ok && print(file, surface_json(&record, results->plan, &guard));
+        ok = ok && print(file, surface_json(&record, results->scene, results->plan, &guard));
         surface_record_free(&record, false);
     }
     fputs("],\n\"refused\": [", file);

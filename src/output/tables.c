@@ -77,10 +77,14 @@ static const struct surface_column {
     COLUMN("asperity_sigma_m", asperities.sigma_s_m, true),
     COLUMN("asperity_offset_m", asperities.offset_m, true),
     COLUMN("alpha_SI", power_law.alpha, false),
-    COLUMN("alpha_stderr", power_law.alpha_error, false),
     COLUMN("gamma", power_law.gamma, false),
     COLUMN("gamma_stderr", power_law.gamma_error, false),
-    COLUMN("fit_rms_decades", power_law.rms_decades, false),
+    COLUMN("fit_amplitude_m", power_law.amplitude_m, false),
+    COLUMN("fit_amplitude_stderr_decades", power_law.amplitude_error_decades, false),
+    COLUMN("fit_wavelength_m", power_law.wavelength_m, false),
+    COLUMN("fit_low_m", power_law.band_m[0], false),
+    COLUMN("fit_high_m", power_law.band_m[1], false),
+    COLUMN("fit_misfit_decades", power_law.misfit_decades, false),
 #undef COLUMN
 };
 enum { SURFACE_COLUMNS = sizeof surface_columns / sizeof *surface_columns };
@@ -259,18 +263,22 @@ static enum status_code write_cost(const struct benchmark *benchmark, const char
     return table_close(&table);
 }
 
-/** surface, quantity, scans, mean, standard deviation, and the 95 % interval where there is one. */
+/** surface, quantity, scans (or blocks of a map's rows), what they are worth, mean, standard deviation of one of them
+ * (of the logarithm where the mean is geometric), ends of the 95 % interval of the mean, and of another scan's. */
 static void put_spread_number(struct table *table, const struct surface_summary *surface, const char *quantity,
-                              const struct repeats_number *number, const double interval[2])
+                              const struct estimate *estimate)
 {
-    if (number->count < 2)
+    if (estimate->count == 0)
         return;
     put_surface(table, surface);
-    text_add(&table->row, ",%s,%zu", quantity, number->count);
-    put_number(table, quantity, number->mean);
-    put_number(table, quantity, repeats_deviation(number));
-    put_number(table, quantity, interval ? interval[0] : NAN);
-    put_number(table, quantity, interval ? interval[1] : NAN);
+    text_add(&table->row, ",%s,%zu", quantity, estimate->count);
+    put_number(table, quantity, estimate->effective);
+    put_number(table, quantity, estimate_value(estimate));
+    put_number(table, quantity, estimate->sd);
+    for (int side = 0; side < 2; side++)
+        put_number(table, quantity, estimate_end(estimate, side));
+    for (int side = 0; side < 2; side++)
+        put_number(table, quantity, estimate_next_end(estimate, side));
     end_row(table);
 }
 
@@ -279,23 +287,30 @@ static enum status_code write_spread(const struct results *results, const char *
     struct table table;
     if (table_open(&table, directory, "spread.csv", status) != STATUS_OK)
         return status->code;
-    text_add(&table.row, "surface,quantity,scans,mean,standard_deviation,low_95,high_95");
+    text_add(&table.row, "surface,quantity,scans,effective,mean,standard_deviation,mean_low_95,mean_high_95,"
+                         "next_scan_low_95,next_scan_high_95");
     end_row(&table);
     for (size_t i = 0; i < results->store->count; i++) {
         const struct surface_summary *s = &results->store->summaries[i];
         if (!s->usable)
             continue;
         const struct repeats *repeats = &s->repeats;
-        double log_alpha[2] = {log(repeats->alpha_interval[0]), log(repeats->alpha_interval[1])};
         char quantity[80];
-        put_spread_number(&table, s, "rq_m", &repeats->rq_m, NULL);
-        put_spread_number(&table, s, "gamma", &repeats->gamma, repeats->gamma_interval);
-        put_spread_number(&table, s, "ln_alpha_SI", &repeats->log_alpha, log_alpha);
+        if (repeats->count > 0) {
+            put_spread_number(&table, s, "rq_m", &repeats->rq_m);
+            put_spread_number(&table, s, "gamma", &repeats->gamma);
+            put_spread_number(&table, s, "fit_psd_m3", &repeats->psd_m3);
+        }
         for (size_t m = 0; m < model_count; m++) {
             snprintf(quantity, sizeof quantity, "beta_%s", model_rows[m]->name);
-            put_spread_number(&table, s, quantity, &s->models[m].repeated_beta, NULL);
-            snprintf(quantity, sizeof quantity, "ln_full_contact_load_%s", model_rows[m]->name);
-            put_spread_number(&table, s, quantity, &s->models[m].repeated_log_full_load, NULL);
+            put_spread_number(&table, s, quantity, &s->models[m].beta_estimate);
+            snprintf(quantity, sizeof quantity, "full_contact_load_%s", model_rows[m]->name);
+            put_spread_number(&table, s, quantity, &s->models[m].full_load_estimate);
+            for (int q = 0; q < QUANTITY_COUNT; q++) {
+                snprintf(quantity, sizeof quantity, "%s_at_middle_load_%s", quantity_rows[q].name, model_rows[m]->name);
+                if (repeats_band_holds((enum quantity)q))
+                    put_spread_number(&table, s, quantity, &s->models[m].middle[q]);
+            }
         }
     }
     return table_close(&table);
@@ -304,14 +319,14 @@ static enum status_code write_spread(const struct results *results, const char *
 static void put_bands(struct table *table, const struct surface_record *record, unsigned quantities)
 {
     for (size_t m = 0; m < model_count; m++)
-        for (size_t i = 0; record->bands[m] && i < record->band_count; i++) {
+        for (size_t i = 0; record->bands && record->bands[m] && i < record->band_count; i++) {
             const struct repeats_band *band = &record->bands[m][i];
             put_surface(table, &record->summary);
             text_add(&table->row, ",%s", model_rows[m]->name);
             put_number(table, quantity_rows[QUANTITY_LOAD].column, band->load);
             for (int q = 0; q < QUANTITY_COUNT; q++)
-                for (int side = 0; side < 2 && (quantities & QUANTITY_BIT(q)); side++)
-                    put_number(table, quantity_rows[q].column, band->limits[q][side]);
+                for (int end = 0; end < 4 && (quantities & QUANTITY_BIT(q)); end++)
+                    put_number(table, quantity_rows[q].column, end < 2 ? band->mean[q][end] : band->next[q][end - 2]);
             end_row(table);
         }
 }
@@ -325,14 +340,16 @@ static enum status_code write_bands(const struct results *results, const char *d
     text_add(&table.row, "surface,model,%s", quantity_rows[QUANTITY_LOAD].column);
     for (int q = 0; q < QUANTITY_COUNT; q++)
         if (repeats_band_holds((enum quantity)q) && (results->plan->wanted & QUANTITY_BIT(q))) {
-            text_add(&table.row, ",%s_low,%s_high", quantity_rows[q].column, quantity_rows[q].column);
+            const char *name = quantity_rows[q].column;
+            text_add(&table.row, ",%s_mean_low_95,%s_mean_high_95,%s_next_scan_low_95,%s_next_scan_high_95", name, name,
+                     name, name);
             quantities |= QUANTITY_BIT(q);
         }
     end_row(&table);
     enum status_code rc = STATUS_OK;
     for (size_t i = 0; i < results->store->count && rc == STATUS_OK; i++) {
         struct surface_record record;
-        if (!results->store->summaries[i].usable || results->store->summaries[i].repeats.count == 0)
+        if (!results->store->summaries[i].usable)
             continue;
         rc = surface_store_get(&record, results->store, i, status);
         if (rc != STATUS_OK)
@@ -344,18 +361,45 @@ static enum status_code write_bands(const struct results *results, const char *d
     return rc != STATUS_OK ? rc : closed;
 }
 
+static enum status_code write_sensitivity(const struct results *results, const char *directory, struct status *status)
+{
+    struct table table;
+    bool ecr = plan_runs(results->plan, EFFECT_ELECTRICAL);
+    if (table_open(&table, directory, "sensitivity.csv", status) != STATUS_OK)
+        return status->code;
+    text_add(&table.row, "surface,model,change,area_factor%s", ecr ? ",ecr_factor" : "");
+    end_row(&table);
+    for (size_t i = 0; i < results->store->count; i++)
+        for (size_t m = 0; m < model_count; m++) {
+            const struct surface_summary *s = &results->store->summaries[i];
+            if (!s->usable || !s->models[m].exists || model_rows[m]->uses_heights)
+                continue;
+            for (int c = 0; c < SENSITIVITY_CHANGES; c++) {
+                put_surface(&table, s);
+                text_add(&table.row, ",%s,%s", model_rows[m]->name, sensitivity_change_names[c]);
+                put_number(&table, "area_factor", s->models[m].sensitivity.area[c]);
+                if (ecr)
+                    put_number(&table, "ecr_factor", s->models[m].sensitivity.ecr[c]);
+                end_row(&table);
+            }
+        }
+    return table_close(&table);
+}
+
 enum status_code tables_write(const struct results *results, const char *directory, struct status *status)
 {
     enum status_code rc = write_surfaces(results, directory, status);
     if (rc == STATUS_OK)
         rc = write_curves(results, directory, status);
+    if (rc == STATUS_OK)
+        rc = write_sensitivity(results, directory, status);
     if (rc == STATUS_OK && results->convergence)
         rc = write_convergence(results, directory, status);
     if (rc == STATUS_OK && results->benchmark)
         rc = write_cost(results->benchmark, directory, status);
-    if (rc == STATUS_OK && results_repeated(results))
+    if (rc == STATUS_OK && results_intervals(results))
         rc = write_spread(results, directory, status);
-    if (rc == STATUS_OK && results_repeated(results))
+    if (rc == STATUS_OK && results_intervals(results))
         rc = write_bands(results, directory, status);
     return rc;
 }

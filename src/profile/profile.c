@@ -3,6 +3,7 @@
 #include "profile/filter.h"
 #include "profile/gaps.h"
 #include "profile/level.h"
+#include "profile/record_window.h"
 #include "profile/sanity.h"
 #include "profile/spacing.h"
 #include <float.h>
@@ -12,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-const struct profile_options profile_defaults = {.level = LEVEL_LINE, .max_missing = 0.1};
+const struct profile_options profile_defaults = {.level = LEVEL_LINE, .max_missing = 0.1, .periodic_mean = true};
 
 void profile_note(struct profile *profile, const char *format, ...)
 {
@@ -34,13 +35,11 @@ static double peak_to_valley(const struct profile *profile)
     return highest - lowest;
 }
 
-/** Keeps the measured points of an uneven scan, levelled, and puts its heights on a uniform grid. */
-static enum status_code even_out(struct profile *profile, const double *x_m, const struct profile_options *options,
-                                 struct status *status)
+/** Keeps the measured points of an uneven scan and puts its heights on a uniform grid. */
+static enum status_code even_out(struct profile *profile, const double *x_m, struct status *status)
 {
     size_t points = profile->points;
     double *uniform_m = malloc(points * sizeof *uniform_m);
-    struct levelling ignored;
     profile->measured_x_m = malloc(points * sizeof *x_m);
     profile->measured_z_m = profile->height_m;
     profile->height_m = uniform_m;
@@ -51,7 +50,7 @@ static enum status_code even_out(struct profile *profile, const double *x_m, con
         return status->code;
     profile_note(profile, "x is uneven; heights were interpolated (Steffen) to a uniform %.6g um",
                  profile->spacing_m * 1e6);
-    return level_remove(&ignored, profile->measured_z_m, x_m, points, 0, options->level, status);
+    return STATUS_OK;
 }
 
 /** What a step makes of heights with nothing but form or waves in them is rounding: up to some units of the last place
@@ -64,7 +63,7 @@ static double rounding(const struct profile *profile)
 static enum status_code take_level(struct profile *profile, const struct profile_options *options,
                                    struct status *status)
 {
-    struct levelling levelling;
+    struct levelling levelling, ignored;
     double before_m = peak_to_valley(profile), rounding_m = rounding(profile);
     if (before_m == 0)
         return status_fail(status, STATUS_SCAN, "the scan is flat: every height is %.9g m; check the column",
@@ -72,6 +71,9 @@ static enum status_code take_level(struct profile *profile, const struct profile
     if (before_m < scan_least_m) /* a row of a map; a profile was refused as a scan */
         return status_fail(status, STATUS_SCAN, "the scan is flat: its heights differ by no more than %.3g m",
                            before_m);
+    if (profile->measured_x_m && level_remove(&ignored, profile->measured_z_m, profile->measured_x_m, profile->points,
+                                              0, options->level, status) != STATUS_OK)
+        return status->code;
     if (level_remove(&levelling, profile->height_m, NULL, profile->points, profile->spacing_m, options->level,
                      status) != STATUS_OK)
         return status->code;
@@ -157,20 +159,24 @@ enum status_code profile_make(struct profile *out, const struct scan *scan, size
     size_t first = 0;
     if (gaps_close(out, &first, scan->x_m, options->max_missing, status) != STATUS_OK)
         return status->code;
-    double digit_m = sanity_digitising(out->height_m, out->points);
+    out->digit_m = sanity_digitising(out->height_m, out->points);
     if (out->grid == PROFILE_ROUNDED)
         profile_note(out, "x is rounded to a few digits; %s spacing of %.6g um was used",
                      spacing.nominal ? "the header's" : "its mean", out->spacing_m * 1e6);
     if (out->grid == PROFILE_RESAMPLED) {
         const double *x_m = scan->x_m + first;
         out->spacing_m = (x_m[out->points - 1] - x_m[0]) / (double)(out->points - 1);
-        if (even_out(out, x_m, options, status) != STATUS_OK)
+        if (even_out(out, x_m, status) != STATUS_OK)
             return status->code;
     }
-    if (take_level(out, options, status) != STATUS_OK)
+    out->periodic = record_window_is_periodic(out->height_m, out->points);
+    struct profile_options how = *options;
+    if (out->periodic && how.periodic_mean && how.level == LEVEL_LINE)
+        how.level = LEVEL_MEAN;
+    if (take_level(out, &how, status) != STATUS_OK)
         return status->code;
-    sanity_check(out, digit_m, options);
-    if (take_filters(out, options, status) != STATUS_OK)
+    sanity_check(out, out->digit_m, &how);
+    if (take_filters(out, &how, status) != STATUS_OK)
         return status->code;
     out->end_jump_m = out->height_m[out->points - 1] - out->height_m[0];
     return STATUS_OK;

@@ -16,6 +16,7 @@ struct profile_options {
     double max_missing;            /* share of the points, 0...1 */
     double lambda_s_m, lambda_c_m; /* cut-offs of the Gaussian low-pass and high-pass; 0: none */
     double tip_radius_m;           /* for a warning only; 0: not known */
+    bool periodic_mean;            /* of a periodic record the mean is taken out, not a line, which would make a step */
 };
 
 struct profile {
@@ -24,6 +25,8 @@ struct profile {
     double spacing_m;
     enum profile_spacing grid;           /* as printed; rounded x, nominal spacing used; uneven x, interpolated */
     double *measured_x_m, *measured_z_m; /* uneven x and no filter: the points as measured, levelled; else NULL */
+    bool periodic;                       /* it closes on itself, before levelling: record_window_is_periodic() */
+    double digit_m;                      /* step of the digitiser: sanity_digitising(); 0: none seen */
     size_t bridged, trimmed;             /* missing points: between others, and at the ends */
     double tilt;                         /* slope the levelling took out (line, parabola, circle, robust), else 0 */
     double radius_m;                     /* of the arc the levelling took out, else infinite */
@@ -33,7 +36,7 @@ struct profile {
     size_t note_count;
 };
 
-/** Line, a tenth of the points may be missing, no filters. */
+/** Line (mean of a periodic record), a tenth of the points may be missing, no filters. */
 extern const struct profile_options profile_defaults;
 
 /** Makes the profile of a scan's row `row` (0 for a profile):

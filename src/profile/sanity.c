@@ -8,27 +8,38 @@ static const double sanity_noise_ratio = 8;   /* of m4 at h to m4 at 2h: amplitu
 static const double sanity_end_jump = 3;      /* Rq */
 enum { SANITY_POINTS = 64, SANITY_STEPS = 30 };
 
+/** Of the differences of neighbours the one nearest to their mean: the tilt, rounded as the heights are. */
+static double rounded_tilt(const double *height_m, size_t points)
+{
+    double mean = (height_m[points - 1] - height_m[0]) / (double)(points - 1), nearest = INFINITY;
+    for (size_t i = 1; i < points; i++) {
+        double d = height_m[i] - height_m[i - 1];
+        nearest = fabs(d - mean) < fabs(nearest - mean) ? d : nearest;
+    }
+    return nearest;
+}
+
 double sanity_digitising(const double *height_m, size_t points)
 {
-    double largest = 0, least = INFINITY, sum = 0;
+    double largest = 0, least = INFINITY, sum = 0, tilt = rounded_tilt(height_m, points);
     for (size_t i = 0; i < points; i++)
         largest = fmax(largest, fabs(height_m[i]));
     double nothing = 1e-13 * largest; /* equal heights may differ by what conversion of units rounds */
     for (size_t i = 1; i < points; i++) {
-        double d = fabs(height_m[i] - height_m[i - 1]);
+        double d = fabs(height_m[i] - height_m[i - 1] - tilt);
         least = d > nothing && d < least ? d : least;
     }
     size_t ones = 0, small = 0, whole = 0;
     for (size_t i = 1; i < points; i++) {
-        double d = fabs(height_m[i] - height_m[i - 1]);
+        double d = fabs(height_m[i] - height_m[i - 1] - tilt);
         if (d > nothing && d < 1.5 * least)
             sum += d, ones++;
     }
     if (ones == 0)
-        return 0; /* no two heights differ */
+        return 0; /* all neighbours differ alike */
     double step = sum / (double)ones;
     for (size_t i = 1; i < points; i++) {
-        double d = fabs(height_m[i] - height_m[i - 1]) / step;
+        double d = fabs(height_m[i] - height_m[i - 1] - tilt) / step;
         if (d * step <= nothing || d > 3.5)
             continue;
         small++;

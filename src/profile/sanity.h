@@ -4,9 +4,11 @@
 
 #include "profile/profile.h"
 
-/** The step [m] of the digitiser, 0 where none is seen, in heights as measured (not levelled) from the differences of
- * neighbours: the smallest one, when at least 95 % of the small ones (below 3.5 of it) are whole multiples of it to 15
- * % (instruments round once more when they print), and there are enough of them (1 % of the points, 30 or more). */
+/** The step [m] of the digitiser, 0 where none is seen, in at least 2 heights, from the differences of neighbours with
+ * the tilt off: less the one that is nearest to their mean, which is rounded as they are, so that it does not matter
+ * whether the instrument levelled after it had digitised. The step is the smallest that is left, when at least 95 % of
+ * the small ones (below 3.5 of it) are whole multiples of it to 15 % (instruments round once more when they print), and
+ * there are enough of them (1 % of the points, 30 or more). */
 double sanity_digitising(const double *height_m, size_t points);
 
 /** Notes what is doubtful about a levelled profile that is not filtered yet:

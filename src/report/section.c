@@ -28,7 +28,7 @@ void section_figures(struct text *out, const struct section_context *context, co
         if (figure->row->number > 0 && figure->number[0] == '6')
             text_add(out, "Figure %s. ", figure->number);
         text_add(out, "%s", figure->title);
-        if (figure->row->kind == FIGURE_MODELS) {
+        if (figure->row->kind == FIGURE_MODELS || figure->row->kind == FIGURE_SENSITIVITY) {
             text_add(out, ", ");
             section_named(out, "surface ", context->results, context->results->baseline);
         }
@@ -64,6 +64,28 @@ const struct surface_summary *section_surface(const struct section_context *cont
 const struct surface_summary *section_smoothest(const struct section_context *context, size_t k)
 {
     return section_surface(context, context->results->by_roughness[k]);
+}
+
+void section_gaussian_mark(struct text *out, const struct section_context *context, size_t index, size_t model)
+{
+    if (!model_rows[model]->uses_heights && !roughness_is_gaussian(&section_surface(context, index)->roughness))
+        text_add(out, " ‡");
+}
+
+size_t section_not_gaussian(const struct section_context *context)
+{
+    size_t count = 0;
+    for (size_t k = 0; k < context->results->usable_count; k++)
+        count += !roughness_is_gaussian(&section_smoothest(context, k)->roughness);
+    return count;
+}
+
+size_t section_heights_model(const struct section_context *context)
+{
+    size_t m = 0;
+    while (m < model_count && !(plan_runs_model(context->results->plan, m) && model_rows[m]->uses_heights))
+        m++;
+    return m;
 }
 
 bool section_extended(const struct section_context *context)
@@ -102,14 +124,34 @@ void section_middle_pressure(struct text *out, const struct section_context *con
                           3, " MPa");
 }
 
-struct comparison_extremes section_models(const struct section_context *context, enum quantity quantity)
+bool section_is_valid(const struct surface_summary *summary, size_t model, double load)
+{
+    const struct curve_summary *curve = &summary->models[model];
+    return !(curve->invalid_area_load <= load) && !(curve->invalid_fit_load <= load);
+}
+
+const double section_hardest = 3;
+
+double section_contact_pressure(const struct section_context *context, const struct contact_point *point)
+{
+    const struct material_pair *pair = &context->results->plan->pair;
+    return point->load / point->area_ratio * pair->effective_modulus_Pa / pair->yield_strength_Pa;
+}
+
+bool section_knows_yield(const struct section_context *context)
+{
+    return isfinite(context->results->plan->pair.yield_strength_Pa);
+}
+
+struct comparison_extremes section_models(const struct section_context *context, enum quantity quantity, bool valid)
 {
     struct comparison_extremes extremes = {.least = INFINITY, .most = -INFINITY};
     for (size_t m = 0; m < model_count; m++) {
         const struct contact_point *point = section_middle(context, m);
         double value =
             point ? comparison_value(point, quantity, m, context->baseline->summary.asperities.sigma_m) : NAN;
-        if (isnan(value))
+        if (isnan(value) ||
+            (valid && !section_is_valid(&context->baseline->summary, m, context->comparison->middle_load)))
             continue;
         extremes.count++;
         if (value < extremes.least) {
@@ -156,6 +198,22 @@ void section_each_surface(struct text *out, const struct section_context *contex
         text_add(out, "| … %zu more in data/ |\n", context->results->usable_count - rows);
 }
 
+void section_interval(struct text *out, const struct estimate *estimate, double scale, int digits)
+{
+    number_format(out, estimate->count > 0 ? scale * estimate_value(estimate) : NAN, digits);
+    if (estimate->count == 0 || isnan(estimate->half_width))
+        return;
+    number_format_between(out, " (", scale * estimate_end(estimate, 0), digits, "…");
+    number_format_between(out, "", scale * estimate_end(estimate, 1), digits, ")");
+}
+
+void section_factor(struct text *out, const struct estimate *estimate, double half_width)
+{
+    bool known = estimate->count > 0 && isfinite(half_width);
+    text_add(out, "%s", !known ? "" : estimate->logarithmic ? "×÷ " : "± ");
+    number_format(out, !known ? NAN : estimate->logarithmic ? exp(half_width) : half_width, 3);
+}
+
 void section_cell(struct text *out, double value, int digits)
 {
     text_add(out, " | ");
@@ -166,6 +224,14 @@ void section_load_cell(struct text *out, double load)
 {
     text_add(out, " | ");
     number_format_power(out, load, 3);
+}
+
+void section_threshold_cell(struct text *out, const struct curve_summary *curve, double load)
+{
+    if (load <= curve->first_load)
+        text_add(out, " | from the first load on");
+    else
+        section_load_cell(out, load);
 }
 
 void section_error_cell(struct text *out, double value, double error)

@@ -23,8 +23,8 @@ struct section {
 };
 
 extern const struct section section_summary, section_surfaces, section_material, section_convergence, section_baseline,
-    section_all_surfaces, section_checks, section_repeats, section_measured, section_validity, section_cost,
-    section_computed, section_methods, section_sources;
+    section_beyond_thesis, section_all_surfaces, section_checks, section_sensitivity, section_repeats, section_measured,
+    section_validity, section_cost, section_computed, section_methods, section_sources;
 
 /** Surfaces that a table or list of the report shows at most; data/ and results.json have all. */
 enum { SECTION_ROWS = 100 };
@@ -46,6 +46,12 @@ void section_named(struct text *out, const char *article, const struct results *
 const struct surface_summary *section_surface(const struct section_context *context, size_t index);
 /** The k-th smoothest usable surface. */
 const struct surface_summary *section_smoothest(const struct section_context *context, size_t k);
+/** Marks what a model that takes heights as Gaussian says of surface `index`: " ‡" where they are not, else nothing. */
+void section_gaussian_mark(struct text *out, const struct section_context *context, size_t index, size_t model);
+/** Usable surfaces whose heights are not Gaussian. */
+size_t section_not_gaussian(const struct section_context *context);
+/** The running model that does not take heights as Gaussian; model_count: none. */
+size_t section_heights_model(const struct section_context *context);
 /** Was any surface's fitted power law carried on below its sampling limit? */
 bool section_extended(const struct section_context *context);
 /** "elastic" or `plastic` for a model of the thesis where its family is understood; any other goes by its label. */
@@ -57,9 +63,18 @@ bool section_computes(const struct section_context *context, enum quantity quant
 const struct contact_point *section_middle(const struct section_context *context, size_t model);
 /** Adds the middle load as a pressure: "15.0 MPa". */
 void section_middle_pressure(struct text *out, const struct section_context *context);
-/** Smallest and largest value over the models of the baseline surface at the middle load; count 0: none has it. The
- * extremes' `_at` are models. */
-struct comparison_extremes section_models(const struct section_context *context, enum quantity quantity);
+/** Is a model inside its range of validity on a surface at P/(A_n E') = load? */
+bool section_is_valid(const struct surface_summary *summary, size_t model, double load);
+/** Smallest and largest value over the models of the baseline surface at the middle load, of the `valid` ones there or
+ * of all; count 0: none has it. The extremes' `_at` are models. */
+struct comparison_extremes section_models(const struct section_context *context, enum quantity quantity, bool valid);
+
+/** Mean pressure of the real contact P/A in units of S_y, NaN where S_y is not known. */
+double section_contact_pressure(const struct section_context *context, const struct contact_point *point);
+/** Is S_y known, so that there is such a number? */
+bool section_knows_yield(const struct section_context *context);
+/** P/A in units of S_y that no metal's contact bears: hardness is about 2.84 S_y (Tabor 1951). */
+extern const double section_hardest;
 
 /** Range of a number over all usable surfaces in one model; false when no surface has a finite one. */
 bool section_range(double *least, double *most, const struct section_context *context, size_t model,
@@ -70,10 +85,18 @@ void section_each_surface(struct text *out, const struct section_context *contex
                           void (*row)(struct text *out, const struct section_context *context, size_t index));
 /** A number of the scene, as it stands there, between two texts. */
 void section_given(struct text *out, const char *before, double value, const char *after);
+/** "0.24 (0.21…0.27)": a number and its 95 % interval; "–" where nothing is known of it, the number alone where it has
+ * no interval. */
+void section_interval(struct text *out, const struct estimate *estimate, double scale, int digits);
+/** "×÷ 1.2", or "± 0.3" of a number that is not logarithmic. */
+void section_factor(struct text *out, const struct estimate *estimate, double half_width);
 /** One more cell of a row. */
 void section_cell(struct text *out, double value, int digits);
 /** The same for a load. */
 void section_load_cell(struct text *out, double load);
+/** The same for a load from which something holds on a curve: "from the first load on" where that is all that is known.
+ */
+void section_threshold_cell(struct text *out, const struct curve_summary *curve, double load);
 /** The same for a value with its standard error. */
 void section_error_cell(struct text *out, double value, double error);
 

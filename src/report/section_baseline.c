@@ -26,8 +26,9 @@ static void baseline_table(struct text *out, const struct section_context *conte
 {
     const struct results *results = context->results;
     struct text rule = {0};
-    text_add(out, "| P/(Aₙ E′) | pressure (MPa) | model | A/Aₙ");
-    text_add(&rule, "|---:|---:|---|---:|");
+    bool yields = section_knows_yield(context);
+    text_add(out, "| P/(Aₙ E′) | pressure (MPa) | model | A/Aₙ%s", yields ? " | P/A (S_y)" : "");
+    text_add(&rule, "|---:|---:|---|---:|%s", yields ? "---:|" : "");
     for (int q = 0; q < QUANTITY_COUNT; q++)
         if (has_column(context, q)) {
             add_head(out, &quantity_rows[q]);
@@ -51,6 +52,8 @@ static void baseline_table(struct text *out, const struct section_context *conte
                 section_cell(out, load * results->plan->pair.effective_modulus_Pa * 1e-6, 3);
                 text_add(out, " | %s", model_rows[m]->label);
                 section_cell(out, p->area_ratio, 3);
+                if (yields)
+                    section_cell(out, section_contact_pressure(context, p), 3);
                 for (int q = 0; q < QUANTITY_COUNT; q++)
                     if (has_column(context, q))
                         section_cell(out, quantity_shown(p, (enum quantity)q, sigma_m), 3);
@@ -80,7 +83,7 @@ static void model_table(struct text *out, const struct section_context *context)
         if (separation)
             section_load_cell(out, model->closed_load);
         if (electrical)
-            section_load_cell(out, model->elbow_load);
+            section_threshold_cell(out, model, model->elbow_load);
         if (scale_dependent) {
             text_add(out, " | ");
             number_format_range(out, 100 * model->sd_least, 100 * model->sd_most, 2);
@@ -132,14 +135,37 @@ static double area_slope(const struct curve_summary *model)
     return model->area_slope;
 }
 
-static double elbow_share(const struct curve_summary *model)
-{
-    return model->elbow_load / model->full_load;
-}
-
 static double scale_dependence(const struct curve_summary *model)
 {
     return model->sd_most;
+}
+
+/** Where a plastic model lets the contact bear more than any metal does: " P/A … is beyond 3 S_y from … to …". */
+static void hard_text(struct text *out, const struct section_context *context, size_t m)
+{
+    const struct model_curve *curve = &context->baseline->curves[m];
+    double most = 0, from = NAN, to = NAN;
+    for (size_t i = 0; i < curve->count; i++) {
+        double pressure = section_contact_pressure(context, &curve->points[i]);
+        if (!(curve->points[i].area_ratio < 1) || !(pressure > section_hardest))
+            continue;
+        most = fmax(most, pressure);
+        from = fmin(from, curve->points[i].load); /* of a number and NaN, the number */
+        to = fmax(to, curve->points[i].load);
+    }
+    if (isnan(from))
+        return;
+    text_add(out, " In %s the mean pressure P/A of the partial contact exceeds 3 S_y, more than any metal's hardness, ",
+             model_rows[m]->label);
+    if (from < to) {
+        text_add(out, "between P/(Aₙ E′) = ");
+        number_format_power(out, from, 3);
+        text_add(out, " and ");
+    } else {
+        text_add(out, "at P/(Aₙ E′) = ");
+    }
+    number_format_power(out, to, 3);
+    number_format_between(out, " (up to ", most, 2, " S_y).");
 }
 
 static void area_text(struct text *out, const struct section_context *context)
@@ -168,6 +194,9 @@ static void area_text(struct text *out, const struct section_context *context)
         first = false;
     }
     text_add(out, "%s", first ? "" : ".");
+    for (size_t m = 0; m < model_count; m++)
+        if (model_rows[m]->plastic)
+            hard_text(out, context, m);
 }
 
 static void separation_text(struct text *out, const struct section_context *context)
@@ -201,14 +230,14 @@ static void electrical_text(struct text *out, const struct section_context *cont
 {
     double least, most;
     size_t unused;
-    if (model_range(context, elbow_share, &least, &most, &unused)) {
+    if (model_range(context, curve_summary_elbow_share, &least, &most, &unused)) {
         text_add(out, "The elbow, from which ECR falls faster than P⁻², lies at ");
         number_format_range(out, 100 * least, 100 * most, 2);
         text_add(out, " %% of the load to full contact. ");
     }
     bool first = true;
     for (size_t m = 0; m < model_count; m++) {
-        const struct comparison_gap *gap = &context->comparison->models[m].gap;
+        const struct comparison_gap *gap = &context->comparison->models[m].gaps[context->results->baseline];
         if (isnan(gap->ecr))
             continue;
         number_format_between(out, first ? "Multiscale and statistical curves lie " : "; ", gap->ecr, 2, "");
@@ -240,7 +269,7 @@ static void thermal_text(struct text *out, const struct section_context *context
 static void caption(struct text *out, const struct section_context *context, const struct figure *figure)
 {
     enum quantity y = figure->row->y;
-    struct comparison_extremes models = section_models(context, y);
+    struct comparison_extremes models = section_models(context, y, false);
     if (y == QUANTITY_SEPARATION && section_computes(context, QUANTITY_ADJUSTED))
         text_add(out, " Bold with squares: adjusted by (4.54); thin: the statistical models' own separation.");
     if (y == QUANTITY_TCR && section_computes(context, QUANTITY_TCR_SCALE_DEPENDENT))

@@ -46,21 +46,22 @@ static void extension_text(struct text *out, const struct section_context *conte
 {
     if (!section_extended(context)) {
         text_add(out,
-                 "No scale below the sampling limit can take any area from the measured surfaces at that load: γ ≥ 1, "
-                 "and the nominal pressure alone exceeds p* there.");
+                 "No scale below the sampling limit can take any area from the measured surfaces at that load: their "
+                 "spectra fall with γ ≥ 1 there, and the nominal pressure alone exceeds p*.");
         return;
     }
-    text_add(out,
-             "The measured surfaces at that load: the area of their fitted laws down to the sampling limit (twice the "
-             "spacing), and by how much it would fall if the law went on ");
+    text_add(
+        out,
+        "The measured surfaces at that load: the area of their spectra, and by how much it would fall if each went "
+        "on below its shortest wavelength along its own slope there (over its last half decade) ");
     section_given(out, "to ", convergence_atom_m * 1e9, " nm.");
 }
 
 static void surface_extension(struct text *out, const struct section_context *context, size_t index)
 {
     const struct surface_summary *s = section_surface(context, index);
-    section_error_cell(out, s->power_law.gamma, s->power_law.gamma_error);
-    section_cell(out, 2 * s->spacing_m * 1e6, 3);
+    section_cell(out, s->tail.gamma, 3);
+    section_cell(out, s->length_m / (double)s->harmonics * 1e6, 3);
     for (size_t m = 0; m < model_count; m++) {
         const struct convergence_extension *extension = &s->models[m].extension;
         if (!sweeps(context, m))
@@ -74,7 +75,7 @@ static void surface_extension(struct text *out, const struct section_context *co
 static void extension_table(struct text *out, const struct section_context *context)
 {
     struct text rule = {0};
-    text_add(out, "| surface | γ | sampling limit (µm)");
+    text_add(out, "| surface | γ at the short end | shortest wavelength (µm)");
     text_add(&rule, "|---|---:|---:|");
     for (size_t m = 0; m < model_count; m++)
         if (sweeps(context, m)) {

@@ -14,16 +14,44 @@ static bool is_needed(const struct plan *plan, const char *key)
     return needed;
 }
 
+/** Is the counterface a body of its own? Two of the same name and numbers from the same source are one metal. */
+static bool has_other_body(const struct scene *scene)
+{
+    if (scene->counterface_kind != MATERIAL_COUNTERFACE_ELASTIC)
+        return false;
+    bool same = strcmp(scene->material.name, scene->counterface.name) == 0 &&
+                strcmp(scene->material.source, scene->counterface.source) == 0;
+    for (size_t i = 0; i < material_property_count && same; i++) {
+        double a = material_value(&scene->material, &material_properties[i]);
+        double b = material_value(&scene->counterface, &material_properties[i]);
+        same = a == b || (isnan(a) && isnan(b));
+    }
+    return !same;
+}
+
+/** A body's name, with its side where both have the same. */
+static void body_name(struct text *out, const struct scene *scene, bool counterface)
+{
+    text_add_markdown(out, counterface ? scene->counterface.name : scene->material.name);
+    if (has_other_body(scene) && strcmp(scene->material.name, scene->counterface.name) == 0)
+        text_add(out, counterface ? " (counterface)" : " (surface)");
+}
+
+static void source_of(struct text *out, const struct material *material)
+{
+    text_add_markdown(out, material->source[0] ? material->source : "given in the scene");
+}
+
 static void table_6_1(struct text *out, const struct section_context *context)
 {
     const struct scene *scene = context->results->scene;
     bool elastic = scene->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC;
-    bool two = elastic && strcmp(scene->material.name, scene->counterface.name) != 0;
+    bool two = has_other_body(scene);
     text_add(out, "| property | symbol | ");
-    text_add_markdown(out, scene->material.name);
+    body_name(out, scene, false);
     if (two) {
         text_add(out, " | ");
-        text_add_markdown(out, scene->counterface.name);
+        body_name(out, scene, true);
     }
     text_add(out, "%s | unit |\n|---|---|---:|%s---|\n", elastic && !two ? ", both bodies" : "", two ? "---:|" : "");
     for (size_t i = 0; i < material_property_count; i++) {
@@ -61,7 +89,17 @@ static void material_text(struct text *out, const struct section_context *contex
         number_format_between(out, " to ", results->loads[results->load_count - 1] * pair->effective_modulus_Pa * 1e-6,
                               3, "");
     text_add(out, " MPa of nominal pressure. Properties: ");
-    text_add_markdown(out, results->scene->material.source[0] ? results->scene->material.source : "given in the scene");
+    if (has_other_body(results->scene)) {
+        body_name(out, results->scene, false);
+        text_add(out, ": ");
+    }
+    source_of(out, &results->scene->material);
+    if (has_other_body(results->scene)) {
+        text_add(out, "; ");
+        body_name(out, results->scene, true);
+        text_add(out, ": ");
+        source_of(out, &results->scene->counterface);
+    }
     text_add(out, ".");
 }
 

@@ -11,7 +11,8 @@ static void write(struct text *out, const struct section_context *context)
     const struct measured *measured = context->results->measured;
     text_add(out, "## Measured contact resistance\n\nDistance of each model from the measurements on ");
     section_named(out, "surface ", context->results, context->results->baseline);
-    text_add(out, ": root mean square and mean of log₁₀(model/measured). Measured loads were given in ");
+    text_add(out, ": root mean square and mean of log₁₀(model/measured), each model evaluated at the measured loads "
+                  "themselves. Measured loads were given in ");
     text_add_markdown(out, measured->load_unit);
     text_add(out, ", resistances in ");
     text_add_markdown(out, measured->resistance_unit);
@@ -21,7 +22,7 @@ static void write(struct text *out, const struct section_context *context)
     for (size_t m = 0; m < model_count; m++) {
         if (!context->baseline->curves[m].exists)
             continue;
-        struct measured_distance distance = measured_compare(measured, &context->baseline->curves[m]);
+        struct measured_distance distance = measured_compare(measured, context->results->answers, m);
         text_add(out, "| %s | %zu of %zu | ", model_rows[m]->label, distance.points, measured->count);
         number_format_range(out, distance.load[0], distance.load[1], 2);
         text_add(out, " | ");

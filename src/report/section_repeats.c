@@ -1,70 +1,97 @@
-/* How far repeated scans of one surface lie apart. */
+/* How sure the numbers are: by the scatter of repeated scans, or by records simulated from a single one. */
 #include "report/section.h"
 
 #include <math.h>
 
-static void plus_minus(struct text *out, const struct repeats_number *number, double scale, int digits)
+/** "0.240 (0.21…0.27)": a number with its 95 % interval, as a cell. */
+static void interval_cell(struct text *out, const struct estimate *estimate, double scale)
 {
     text_add(out, " | ");
-    number_format(out, number->count >= 2 ? scale * number->mean : NAN, digits);
-    if (number->count >= 2) {
-        text_add(out, " ± ");
-        number_format(out, scale * repeats_deviation(number), 2);
-    }
-}
-
-/** A logarithmic number as its geometric mean, times or divided by a factor. */
-static void times_divided(struct text *out, const struct repeats_number *number)
-{
-    text_add(out, " | ");
-    number_format(out, number->count >= 2 ? exp(number->mean) : NAN, 3);
-    if (number->count >= 2) {
-        text_add(out, " ×÷ ");
-        number_format(out, exp(repeats_deviation(number)), 3);
-    }
+    section_interval(out, estimate, scale, 3);
 }
 
 static bool called_for(const struct section_context *context)
 {
-    return results_repeated(context->results);
+    return results_intervals(context->results);
+}
+
+static bool has_several(const struct section_context *context)
+{
+    for (size_t k = 0; k < context->results->usable_count; k++)
+        if (section_smoothest(context, k)->repeats.count > 0)
+            return true;
+    return false;
+}
+
+/** What a surface's interval comes from. */
+static void origin(struct text *out, const struct surface_summary *summary, const struct estimate *middle,
+                   bool simulated)
+{
+    const struct repeats *repeats = &summary->repeats;
+    text_add(out, " | ");
+    if (repeats->count == 0) {
+        text_add(out, summary->single_points > 0 && simulated ? "1 scan, %d simulated records" : "1 scan",
+                 SINGLE_SCAN_RECORDS);
+        if (middle->heterogeneous)
+            text_add(out, "; **not the same along the scan**");
+    } else if (repeats->scans == 1) {
+        double effective = middle->count > 0 ? middle->effective : repeats->rq_m.effective;
+        text_add(out, "%zu rows of a map", repeats->count);
+        if (isfinite(effective)) {
+            number_format_between(out, ", worth ", effective, 2, " independent ones");
+            if (effective < ESTIMATE_LEAST_EFFECTIVE)
+                text_add(out, "; **the map is too small for its longest waves**");
+        }
+    } else {
+        text_add(out, "%zu scans", repeats->scans);
+        if (repeats->cut > 0)
+            text_add(out, ", cut to %zu pieces of the shortest one's length", repeats->cut);
+    }
+}
+
+static void surface_row(struct text *out, const struct section_context *context, size_t index)
+{
+    const struct surface_summary *summary = section_surface(context, index);
+    size_t leading = context->comparison->leading;
+    const struct estimate *middle = &summary->models[leading].middle[context->comparison->ranking.criterion];
+    origin(out, summary, middle, plan_runs(context->results->plan, EFFECT_UNCERTAINTY));
+    if (has_several(context)) {
+        interval_cell(out, &summary->repeats.rq_m, 1e6);
+        interval_cell(out, &summary->repeats.gamma, 1);
+        interval_cell(out, &summary->models[leading].full_load_estimate, 1);
+    }
+    text_add(out, " | ");
+    section_factor(out, middle, middle->half_width);
+    text_add(out, " | ");
+    section_factor(out, middle, middle->next_half_width);
 }
 
 static void write(struct text *out, const struct section_context *context)
 {
-    const struct plan *plan = context->results->plan;
-    text_add(out, "## How far repeated scans lie apart\n\n"
-                  "Every scan (or row of a map) was also run alone: mean ± one standard deviation of the single scans, "
-                  "for α and loads as geometric mean ×÷ factor; γ also as the middle 95 %% of bootstrap resamples of "
-                  "the scans. The charts' bands are one standard deviation to either side.\n\n");
-    text_add(out, "| surface | scans | run alone | Rq (µm) | γ | γ, 95 %% of resamples | α");
-    for (size_t m = 0; m < model_count; m++)
-        if (plan_runs_model(plan, m))
-            text_add(out, " | full contact, %s", model_rows[m]->label);
-    text_add(out, " |\n|---|---:|---:|---:|---:|---:|---:");
-    for (size_t m = 0; m < model_count; m++)
-        if (plan_runs_model(plan, m))
-            text_add(out, "|---:");
-    text_add(out, "|\n");
-    for (size_t i = 0; i < context->results->store->count; i++) {
-        const struct surface_summary *summary = &context->results->store->summaries[i];
-        const struct repeats *spread = &summary->repeats;
-        if (!summary->usable || spread->count == 0)
-            continue;
-        text_add(out, "| ");
-        section_surface_name(out, context->results, i);
-        text_add(out, " | %zu | %zu", summary->scans, spread->count);
-        plus_minus(out, &spread->rq_m, 1e6, 3);
-        plus_minus(out, &spread->gamma, 1, 3);
-        text_add(out, " | ");
-        number_format(out, spread->gamma_interval[0], 3);
-        text_add(out, "…");
-        number_format(out, spread->gamma_interval[1], 3);
-        times_divided(out, &spread->log_alpha);
-        for (size_t m = 0; m < model_count; m++)
-            if (plan_runs_model(plan, m))
-                times_divided(out, &summary->models[m].repeated_log_full_load);
-        text_add(out, " |\n");
-    }
+    const struct comparison *study = context->comparison;
+    const char *symbol = quantity_rows[study->ranking.criterion].short_symbol;
+    bool several = has_several(context);
+    text_add(out, "## How sure the numbers are\n\n");
+    if (several)
+        text_add(out,
+                 "Every scan goes through the models alone; a surface's curve is the geometric mean of theirs "
+                 "(separations: arithmetic), and the interval in which the mean of many scans lies, 95 times of 100, "
+                 "is Student's on the logarithms. Scans longer than the shortest are cut to pieces of its length, rows "
+                 "of a map follow each other and count as the independent ones they are worth. The averaged spectrum "
+                 "is there for drawing and fitting alone. ");
+    if (plan_runs(context->results->plan, EFFECT_UNCERTAINTY))
+        text_add(out,
+                 "Of a surface with one scan, %d Gaussian records of the same spectrum and length went through the "
+                 "same steps; what they scatter is what the place of the scan alone makes: 95 %% within 2.3 standard "
+                 "deviations. Where the quarters of the scan differ more than those of any record, it is not the same "
+                 "along its length, and the interval follows the quarters. Periodic marks make the interval too wide. ",
+                 SINGLE_SCAN_RECORDS);
+    text_add(out, "The charts' bands are these intervals.\n\n| surface | from");
+    if (several)
+        text_add(out, " | Rq (µm) | γ of each | full contact at P/(Aₙ E′)");
+    text_add(out, " | %s, 95 %% of the mean | of another scan |\n|---|---%s|---:|---:|\n", symbol,
+             several ? "|---:|---:|---:" : "");
+    section_each_surface(out, context, surface_row);
 }
 
 const struct section section_repeats = {"repeats", called_for, write};

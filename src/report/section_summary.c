@@ -74,83 +74,140 @@ static void at_middle(struct text *out, const struct section_context *context)
     text_add(out, ".\n");
 }
 
-/** What surfaces are ranked by: the resistance asked for, else the area. */
-static enum quantity criterion(const struct section_context *context)
+/** " (×0.71, 95 % 0.60…0.84, p = 0.003, 3 and 3 scans)": of the better place i over the worse j. */
+static void pair_text(struct text *out, const struct section_context *context, size_t i, size_t j)
 {
-    return section_computes(context, QUANTITY_ECR)   ? QUANTITY_ECR
-           : section_computes(context, QUANTITY_TCR) ? QUANTITY_TCR
-                                                     : QUANTITY_AREA;
-}
-
-static size_t best_of(const struct comparison_extremes *extremes, enum quantity quantity)
-{
-    return quantity == QUANTITY_AREA ? extremes->most_at : extremes->least_at;
-}
-
-/** The surface next to the best in the leading model. */
-static size_t second_of(const struct section_context *context, size_t best, enum quantity quantity)
-{
-    const struct comparison *study = context->comparison;
-    double second = NAN;
-    size_t at = best;
-    for (size_t i = 0; i < context->results->store->count; i++) {
-        double value = comparison_value(&study->middle[i], quantity, study->leading,
-                                        section_surface(context, i)->asperities.sigma_m);
-        if (i == best || isnan(study->middle[i].load) || isnan(value))
-            continue;
-        if (isnan(second) || (quantity == QUANTITY_AREA ? value > second : value < second)) {
-            second = value;
-            at = i;
-        }
+    const struct comparison_ranking *ranking = &context->comparison->ranking;
+    const struct comparison_pair *pair = comparison_pair_of(ranking, i, j);
+    size_t leading = context->comparison->leading;
+    number_format_between(out, " (×", pair->ratio, 3, "");
+    if (pair->test == COMPARISON_NOT_TESTED) {
+        text_add(out, ", not tested)");
+        return;
     }
-    return at;
+    number_format_between(out, ", 95 % ", pair->low, 3, "…");
+    number_format(out, pair->high, 3);
+    if (pair->test == COMPARISON_WELCH)
+        text_add(out, pair->p < 1e-4 ? ", p < 0.0001" : ", p = %.2g", pair->p);
+    size_t counts[2];
+    for (int k = 0; k < 2; k++)
+        counts[k] =
+            section_surface(context, ranking->surface[k ? j : i])->models[leading].middle[ranking->criterion].count;
+    if (counts[0] == 1 && counts[1] == 1)
+        text_add(out, ", one scan each)");
+    else
+        text_add(out, ", %zu and %zu %s)", counts[0], counts[1],
+                 section_surface(context, ranking->surface[i])->repeats.scans == 1 ? "scans or blocks of rows"
+                                                                                   : "scans");
 }
 
-/** "surface 4, the worst, has 7.5 times its ECR". */
-static void versus(struct text *out, const struct section_context *context, double best, size_t other, const char *rank,
-                   enum quantity quantity)
+/** "surface 2": at place i. */
+static void place(struct text *out, const char *before, const struct section_context *context, size_t i)
 {
-    double value = comparison_value(&context->comparison->middle[other], quantity, context->comparison->leading, 1);
-    text_add(out, " ");
-    section_named(out, "surface ", context->results, other);
-    number_format_between(out, rank, value / best, 3, "");
-    text_add(out, " times its %s", quantity_rows[quantity].short_symbol);
+    text_add(out, "%s", before);
+    section_named(out, "surface ", context->results, context->comparison->ranking.surface[i]);
 }
 
+/** The best one, told apart from all others. */
 static void best_surface(struct text *out, const struct section_context *context)
 {
     const struct comparison *study = context->comparison;
-    enum quantity quantity = criterion(context);
-    const struct comparison_extremes *extremes = &study->models[study->leading].extremes[quantity];
-    size_t best = best_of(extremes, quantity), agreeing = 0, asked = 0;
-    double value = quantity == QUANTITY_AREA ? extremes->most : extremes->least;
-    size_t worst = quantity == QUANTITY_AREA ? extremes->least_at : extremes->most_at;
-    if (extremes->count < 2 || worst == best || !(value > 0))
-        return;
+    const struct comparison_ranking *ranking = &study->ranking;
+    enum quantity quantity = ranking->criterion;
+    const char *more = quantity == QUANTITY_AREA ? "larger" : "lower";
+    size_t best = ranking->surface[0], agreeing = 0, asked = 0;
     text_add(out, "- **");
     section_named(out, "Surface ", context->results, best);
-    text_add(out, " has the %s %s** there:", quantity == QUANTITY_AREA ? "largest" : "lowest",
-             quantity_rows[quantity].short_symbol);
-    size_t second = second_of(context, best, quantity);
-    if (second != worst) {
-        versus(out, context, value, second, ", the next, has ", quantity);
-        text_add(out, ",");
+    text_add(out, " has the %s %s** there: %s than ", quantity == QUANTITY_AREA ? "largest" : "lowest",
+             quantity_rows[quantity].short_symbol, more);
+    place(out, "", context, 1);
+    text_add(out, ranking->count > 2 ? ", the next" : "");
+    pair_text(out, context, 0, 1);
+    if (ranking->count > 2) {
+        place(out, ", and than ", context, ranking->count - 1);
+        text_add(out, ", the worst");
+        pair_text(out, context, 0, ranking->count - 1);
     }
-    versus(out, context, value, worst, second != worst ? ", the worst, " : " has ", quantity);
-    for (size_t m = 0; m < model_count; m++)
-        if (study->models[m].extremes[quantity].count > 1) {
+    for (size_t m = 0; m < model_count; m++) {
+        const struct comparison_extremes *extremes = &study->models[m].extremes[quantity];
+        if (extremes->count > 1) {
             asked++;
-            agreeing += best_of(&study->models[m].extremes[quantity], quantity) == best;
+            agreeing += (quantity == QUANTITY_AREA ? extremes->most_at : extremes->least_at) == best;
         }
+    }
     if (asked > 1)
-        text_add(out, ". It is best in %zu of %zu models", agreeing, asked);
+        text_add(out, ". It comes first in %zu of %zu models", agreeing, asked);
     text_add(out, ".\n");
+}
+
+/** The first are not told apart: no best one is named. */
+static void no_best_surface(struct text *out, const struct section_context *context)
+{
+    enum { MOST = 4 };
+    const struct comparison_ranking *ranking = &context->comparison->ranking;
+    size_t like = 0, heterogeneous = 0, told = 0;
+    for (size_t j = 1; j < ranking->count; j++) {
+        const struct comparison_pair *pair = comparison_pair_of(ranking, 0, j);
+        told += comparison_told_apart(pair);
+        heterogeneous += pair->test != COMPARISON_NOT_TESTED && pair->verdict == RANKING_NO_VERDICT;
+    }
+    text_add(out, "- **No surface stands out by its %s** there: ", quantity_rows[ranking->criterion].short_symbol);
+    place(out, "", context, 0);
+    text_add(out, " is not told apart from ");
+    for (size_t j = 1; j < ranking->count; j++) {
+        if (comparison_told_apart(comparison_pair_of(ranking, 0, j)))
+            continue;
+        if (like++ < MOST) {
+            place(out, like > 1 ? ", nor from " : "", context, j);
+            pair_text(out, context, 0, j);
+        }
+    }
+    if (like > MOST)
+        text_add(out, ", nor from %zu more", like - MOST);
+    if (told > 0)
+        text_add(out, "; from the other%s it is", told == 1 ? "" : "s");
+    if (heterogeneous > 0)
+        text_add(out, ". Single scans that are not the same along their length get no verdict");
+    text_add(out, ".\n");
+}
+
+/** What surfaces differ by, and whether more scans would say the same. */
+static void ranking_text(struct text *out, const struct section_context *context)
+{
+    const struct comparison *study = context->comparison;
+    const struct comparison_ranking *ranking = &study->ranking;
+    const struct comparison_extremes *extremes = &study->models[study->leading].extremes[ranking->criterion];
+    const char *symbol = quantity_rows[ranking->criterion].short_symbol;
+    if (extremes->count < 2)
+        return;
+    if (ranking->count == 0) {
+        text_add(out, "- **The surfaces are not ranked**: there are more than %d.\n", COMPARISON_RANKED_MOST);
+        return;
+    }
+    if (ranking->tested == 0) {
+        text_add(out, "- **The surfaces are not ranked by %s**: ", symbol);
+        text_add(out,
+                 context->results->counterface
+                     ? "how far the rough counterface's scans scatter is not known"
+                     : "there is one scan of a surface, and the effect `uncertainty`, which tells how far a scan at "
+                       "another place would be off, did not run");
+        number_format_between(out, "; as scanned, the largest value is ", extremes->most / extremes->least, 3,
+                              " times the smallest.\n");
+        return;
+    }
+    bool best = true;
+    for (size_t j = 1; j < ranking->count; j++)
+        best = best && comparison_told_apart(comparison_pair_of(ranking, 0, j));
+    if (best)
+        best_surface(out, context);
+    else
+        no_best_surface(out, context);
 }
 
 static void one_spread(struct text *out, const struct section_context *context, enum quantity quantity,
                        const char *before, double scale, const char *unit)
 {
-    struct comparison_extremes models = section_models(context, quantity);
+    struct comparison_extremes models = section_models(context, quantity, true);
     if (models.count < 2)
         return;
     number_format_between(out, before, models.least * scale, 3, " (");
@@ -159,18 +216,45 @@ static void one_spread(struct text *out, const struct section_context *context, 
     text_add(out, "%s (%s)", unit, model_rows[models.most_at]->label);
 }
 
+/** "; without GW and JG, which are outside their validity there". */
+static void left_out(struct text *out, const struct section_context *context)
+{
+    size_t count = 0, named = 0;
+    double load = context->comparison->middle_load;
+    for (int pass = 0; pass < 2; pass++)
+        for (size_t m = 0; m < model_count; m++) {
+            if (!section_middle(context, m) || section_is_valid(&context->baseline->summary, m, load))
+                continue;
+            if (pass == 0) {
+                count++;
+                continue;
+            }
+            text_add(out, "%s%s",
+                     named == 0           ? "; without "
+                     : named + 1 == count ? " and "
+                                          : ", ",
+                     model_rows[m]->label);
+            named++;
+        }
+    if (count > 0)
+        text_add(out, ", outside %s range of validity there", count == 1 ? "its" : "their");
+}
+
 static void model_spread(struct text *out, const struct section_context *context)
 {
-    enum quantity quantity = criterion(context);
-    if (section_models(context, QUANTITY_AREA).count < 2)
+    enum quantity quantity = context->comparison->ranking.criterion;
+    if (section_models(context, QUANTITY_AREA, false).count < 2)
         return;
     text_add(out, "- **Between the models**, for ");
     section_named(out, "surface ", context->results, context->results->baseline);
+    if (section_models(context, QUANTITY_AREA, true).count < 2)
+        text_add(out, ": fewer than two are valid at that load");
     one_spread(out, context, QUANTITY_AREA, " at that load, the area is ", 100, " %");
     if (quantity == QUANTITY_ECR)
         one_spread(out, context, quantity, ", ECR·Aₙ ", 1, " Ω·m²");
     if (quantity == QUANTITY_TCR)
         one_spread(out, context, quantity, ", TCR·Aₙ ", 1, " K·m²/W");
+    left_out(out, context);
     text_add(out, ".\n");
 }
 
@@ -186,15 +270,15 @@ static void agreement(struct text *out, const struct section_context *context)
     const struct measured *measured = context->results->measured;
     if (!measured)
         return;
-    const struct model_curve *curves = context->baseline->curves;
-    struct measured_ranking rank = measured_rank(measured, curves);
+    const struct measured_answers *answers = context->results->answers;
+    struct measured_ranking rank = measured_rank(measured, answers);
     text_add(out, "- **Measured %s** (%zu point%s): ", measured->thermal ? "TCR" : "ECR", measured->count,
              measured->count == 1 ? "" : "s");
     if (rank.nearest == model_count) {
         text_add(out, "no measured load lies within those of the models; widen `load` in the scene.\n");
         return;
     }
-    struct measured_distance near = measured_compare(measured, &curves[rank.nearest]);
+    struct measured_distance near = measured_compare(measured, answers, rank.nearest);
     text_add(out, "on ");
     section_named(out, "surface ", context->results, context->results->baseline);
     text_add(out, ", %s is nearest, off ", model_rows[rank.nearest]->label);
@@ -202,7 +286,7 @@ static void agreement(struct text *out, const struct section_context *context)
     text_add(out, " (root mean square over %zu of %zu points) and ", near.points, measured->count);
     number_format_between(out, "", pow(10, near.bias_decades), 3, " times the measured on average");
     if (rank.farthest != rank.nearest) {
-        struct measured_distance far = measured_compare(measured, &curves[rank.farthest]);
+        struct measured_distance far = measured_compare(measured, answers, rank.farthest);
         text_add(out, "; %s is farthest, off ", model_rows[rank.farthest]->label);
         factor_off(out, &far);
     }
@@ -224,29 +308,53 @@ static void limit(struct text *out, const struct section_context *context, size_
     text_add(out, "%s", then);
 }
 
+/** A plastic model whose contact bears more than any metal does. */
+static void hard(struct text *list, const struct section_context *context, size_t m)
+{
+    const struct results *results = context->results;
+    size_t count = 0;
+    double most = 0;
+    char what[120], then[60];
+    for (size_t k = 0; k < results->usable_count; k++) {
+        const struct contact_point *point = &context->comparison->models[m].middle[results->by_roughness[k]];
+        double pressure = section_contact_pressure(context, point);
+        if (!(point->area_ratio < 1) || !(pressure > section_hardest))
+            continue;
+        count++;
+        most = fmax(most, pressure);
+    }
+    snprintf(what, sizeof what, "in %s the real contact bears more than 3 S_y, beyond any hardness,",
+             model_rows[m]->label);
+    snprintf(then, sizeof then, " (up to %.2g S_y)", most);
+    limit(list, context, count, what, then);
+}
+
 static void limits(struct text *out, const struct section_context *context)
 {
     const struct results *results = context->results;
     double load = context->comparison->middle_load, fall = 0;
-    size_t leaks = 0, knees = 0, diverging = 0;
+    size_t leaks = 0, knees = 0, diverging = 0, lawless = 0;
     struct text list = {0};
     for (size_t m = 0; m < model_count; m++) {
         size_t invalid = 0;
         char what[120];
         for (size_t k = 0; k < results->usable_count; k++) {
             const struct curve_summary *model = &section_smoothest(context, k)->models[m];
-            invalid += model->exists && (model->invalid_area_load <= load || model->invalid_fit_load <= load);
+            invalid += model->exists && !section_is_valid(section_smoothest(context, k), m, load);
             if (model->extension.area_measured > 0)
                 fall = fmax(fall, 1 - model->extension.area_extended / model->extension.area_measured);
         }
         snprintf(what, sizeof what, "%s is outside its range of validity at that load", model_rows[m]->label);
         limit(&list, context, invalid, what, "");
+        if (model_rows[m]->plastic)
+            hard(&list, context, m);
     }
     for (size_t k = 0; k < results->usable_count; k++) {
         const struct surface_summary *s = section_smoothest(context, k);
         leaks += s->jump_share > 0.5;
         knees += isfinite(s->power_law.knee_m);
-        diverging += s->power_law.gamma + s->power_law.gamma_error < 1;
+        lawless += !power_law_holds(&s->power_law);
+        diverging += surface_diverges(s);
     }
     if (plan_stacks_scales(results->plan))
         limit(&list, context, diverging, "γ is below 1", ", so the elastic area depends on the sampling");
@@ -256,6 +364,7 @@ static void limits(struct text *out, const struct section_context *context)
                               " % more of the area");
     }
     limit(&list, context, leaks, "a jump between the ends of the record draws γ towards 1", "");
+    limit(&list, context, lawless, "no power law of a decade was found in the spectrum", "");
     limit(&list, context, knees, "two slopes fit the spectrum better than one law", "");
     if (list.length > 0)
         text_add(out, "- **Limits**: %s.\n", text_string(&list));
@@ -267,7 +376,7 @@ static void summary(struct text *out, const struct section_context *context)
     size_t refused = context->results->store->count - context->results->usable_count;
     surfaces(out, context);
     at_middle(out, context);
-    best_surface(out, context);
+    ranking_text(out, context);
     model_spread(out, context);
     agreement(out, context);
     limits(out, context);
@@ -282,17 +391,39 @@ static bool has_column(const struct section_context *context, int q)
     return shown && section_computes(context, (enum quantity)q);
 }
 
+/** The letters of the groups that a surface is in. */
+static void letters_cell(struct text *out, const struct comparison_ranking *ranking, size_t index)
+{
+    char letters[RANKING_LETTERS + 1] = "–";
+    for (size_t i = 0; i < ranking->count; i++)
+        if (ranking->surface[i] == index)
+            ranking_groups_letters(letters, &ranking->groups, i);
+    text_add(out, " | %s", letters);
+}
+
 static void surface_key(struct text *out, const struct section_context *context, size_t index)
 {
     const struct surface_summary *s = section_surface(context, index);
     const struct contact_point *point = &context->comparison->middle[index];
     size_t leading = context->comparison->leading;
+    section_gaussian_mark(out, context, index, leading);
     section_cell(out, s->roughness.rq_m * 1e6, 3);
     for (int q = 0; q < QUANTITY_COUNT; q++)
         if (has_column(context, q)) {
             double value = comparison_value(point, (enum quantity)q, leading, s->asperities.sigma_m);
-            section_cell(out, isnan(point->load) ? NAN : q == QUANTITY_AREA ? 100 * value : value, 3);
+            const struct estimate *estimate = &s->models[leading].middle[q];
+            double scale = q == QUANTITY_AREA ? 100 : quantity_rows[q].over_sigma ? 1 / s->asperities.sigma_m : 1;
+            if (estimate->count == 0) {
+                section_cell(out, isnan(point->load) ? NAN : q == QUANTITY_AREA ? 100 * value : value, 3);
+            } else {
+                text_add(out, " | ");
+                section_interval(out, estimate, scale, 3);
+            }
+            if (q == QUANTITY_AREA && section_knows_yield(context))
+                section_cell(out, section_contact_pressure(context, point), 3);
         }
+    if (context->comparison->ranking.tested > 0)
+        letters_cell(out, &context->comparison->ranking, index);
     section_load_cell(out, s->models[leading].exists ? s->models[leading].full_load : NAN);
 }
 
@@ -307,10 +438,81 @@ static void key_table(struct text *out, const struct section_context *context)
             const char *unit = q == QUANTITY_AREA ? "%" : row->over_sigma ? "" : row->unit;
             text_add(out, unit[0] ? " | %s (%s)" : " | %s", row->symbol, unit);
             text_add(&rule, "---:|");
+            if (q == QUANTITY_AREA && section_knows_yield(context)) {
+                text_add(out, " | P/A (S_y)");
+                text_add(&rule, "---:|");
+            }
         }
+    const struct comparison_ranking *ranking = &context->comparison->ranking;
+    if (ranking->tested > 0) {
+        text_add(out, " | alike");
+        text_add(&rule, "---|");
+    }
     text_add(out, " | full contact at P/(Aₙ E′) |\n%s---:|\n", text_string(&rule));
     text_free(&rule);
     section_each_surface(out, context, surface_key);
+    if (results_intervals(context->results))
+        text_add(out, "\nIn brackets: the 95 %% interval of the surface's mean.");
+    if (ranking->tested > 0)
+        text_add(
+            out,
+            " Surfaces that share a letter are not told apart by their %s: Welch's test of the scans, with Holm's "
+            "adjustment over all pairs, or, of one scan, whether the difference exceeds what the place of the scan "
+            "alone makes.",
+            quantity_rows[ranking->criterion].short_symbol);
+    text_add(out, results_intervals(context->results) ? "\n" : "");
+}
+
+/** A surface whose heights are not Gaussian in the model that knows them, at the middle load. */
+static void surface_heights(struct text *out, const struct section_context *context, size_t index)
+{
+    const struct surface_summary *s = section_surface(context, index);
+    const struct comparison_model *model = &context->comparison->models[section_heights_model(context)];
+    const struct contact_point *point = &model->middle[index];
+    section_cell(out, roughness_skewness(&s->roughness), 3);
+    section_cell(out, roughness_kurtosis(&s->roughness), 3);
+    section_cell(out, 100 * point->area_ratio, 3);
+    if (section_knows_yield(context))
+        section_cell(out, section_contact_pressure(context, point), 3);
+    for (int q = QUANTITY_SEPARATION; q <= QUANTITY_TCR; q++)
+        if (has_column(context, q))
+            section_cell(out, quantity_shown(point, (enum quantity)q, s->asperities.sigma_m), 3);
+}
+
+static void heights_table(struct text *out, const struct section_context *context)
+{
+    size_t m = section_heights_model(context), rows = 0;
+    struct text rule = {0};
+    if (section_not_gaussian(context) == 0)
+        return;
+    text_add(out,
+             "\n‡ Heights are not Gaussian (Rsk beyond ±0.5, or Rku outside 2.5…4): models that know only the spectrum "
+             "are off there, by factors of 2 to 30 in area and up to 40 in resistance.");
+    if (m == model_count) {
+        text_add(out, " Let the model `contacting-slopes` run.\n");
+        return;
+    }
+    text_add(out,
+             " **At the same pressure**, %s (elastic; beyond A/Aₙ = 0.15 area alone, and only a direct numerical "
+             "solution would say more):\n\n| surface | Rsk | Rku | A/Aₙ (%%)%s",
+             model_rows[m]->label, section_knows_yield(context) ? " | P/A (S_y)" : "");
+    text_add(&rule, "|---|---:|---:|---:|%s", section_knows_yield(context) ? "---:|" : "");
+    for (int q = QUANTITY_SEPARATION; q <= QUANTITY_TCR; q++)
+        if (has_column(context, q)) {
+            const struct quantity_row *row = &quantity_rows[q];
+            text_add(out, row->over_sigma ? " | %s" : " | %s (%s)", row->symbol, row->unit);
+            text_add(&rule, "---:|");
+        }
+    text_add(out, " |\n%s\n", text_string(&rule));
+    text_free(&rule);
+    for (size_t i = 0; i < context->results->store->count && rows < SECTION_ROWS; i++)
+        if (section_surface(context, i)->usable && !roughness_is_gaussian(&section_surface(context, i)->roughness)) {
+            text_add(out, "| ");
+            section_surface_name(out, context->results, i);
+            surface_heights(out, context, i);
+            text_add(out, " |\n");
+            rows++;
+        }
 }
 
 static void write(struct text *out, const struct section_context *context)
@@ -323,6 +525,7 @@ static void write(struct text *out, const struct section_context *context)
     section_middle_pressure(out, context);
     text_add(out, "**, %s:\n\n", model_rows[context->comparison->leading]->label);
     key_table(out, context);
+    heights_table(out, context);
 }
 
 const struct section section_summary = {"summary", NULL, write};

@@ -3,41 +3,153 @@
 
 #include <math.h>
 
+static bool by_thesis(const struct section_context *context)
+{
+    return context->results->scene->fit == POWER_LAW_THESIS;
+}
+
+/** " from 8 µm to 2000 µm" of the scene. */
+static void given_band(struct text *out, const struct scene *scene)
+{
+    text_add(out, " for wavelengths ");
+    if (scene->fit_band_m[0] > 0)
+        section_given(out, "from ", scene->fit_band_m[0] * 1e6, " µm");
+    if (isfinite(scene->fit_band_m[1]))
+        section_given(out, scene->fit_band_m[0] > 0 ? " to " : "up to ", scene->fit_band_m[1] * 1e6, " µm");
+}
+
+/** "2 of 3 periodic: no window; 1: Hann": what the scans of all surfaces got; which scan is in the table. */
+static void window_text(struct text *out, const struct section_context *context)
+{
+    size_t scans = 0, periodic = 0, windowed = 0;
+    for (size_t k = 0; k < context->results->usable_count; k++) {
+        const struct surface_summary *s = section_smoothest(context, k);
+        scans += s->scans;
+        periodic += s->periodic;
+        windowed += s->windowed;
+    }
+    text_add(out, "%zu of %zu scan%s close%s on %s (by step and slopes across the ends, before levelling). ", periodic,
+             scans, scans == 1 ? "" : "s", periodic == 1 ? "s" : "", periodic == 1 ? "itself" : "themselves");
+    text_add(out, "Spectrum of the models: ");
+    if (windowed < scans)
+        text_add(out, "no window for %zu", scans - windowed);
+    if (windowed > 0)
+        text_add(out, "%sHann × √(8/3) for %zu", windowed < scans ? ", " : "", windowed);
+}
+
 static void surfaces_text(struct text *out, const struct section_context *context)
 {
     const struct scene *scene = context->results->scene;
-    text_add(out,
-             "Each profile was levelled (%s) and transformed %s%s. The power law is the least-squares line of log Δ on "
-             "log λ",
-             level_names[scene->level],
-             scene->window == SPECTRUM_WINDOW_HANN ? "under a Hann window" : "without a window",
+    text_add(out, "Each profile was levelled (%s%s). ", level_names[scene->level],
+             scene->level_given ? "" : "; mean of one that closes on itself");
+    window_text(out, context);
+    text_add(out, "%s. ",
              plan_stacks_scales(context->results->plan) ? "; every harmonic is a scale of the multiscale models" : "");
-    if (scene->fit_band_m[0] > 0 || isfinite(scene->fit_band_m[1])) {
-        text_add(out, " for wavelengths ");
-        if (scene->fit_band_m[0] > 0)
-            section_given(out, "from ", scene->fit_band_m[0] * 1e6, " µm");
-        if (isfinite(scene->fit_band_m[1]))
-            section_given(out, scene->fit_band_m[0] > 0 ? " to " : "up to ", scene->fit_band_m[1] * 1e6, " µm");
-    }
+    if (by_thesis(context))
+        text_add(out, "The power law is the least-squares line of log Δ on log λ through all harmonics");
+    else
+        text_add(out, "The power law is fitted to another spectrum: prewhitened sine multitaper, powers averaged over "
+                      "scans, mean logarithms in ten bins a decade, weighted by their scatter, ");
+    if (!by_thesis(context) && !scene->fit_band_given)
+        text_add(out, "in the widest band that is straight");
+    if (scene->fit_band_m[0] > 0 || isfinite(scene->fit_band_m[1]))
+        if (by_thesis(context) || scene->fit_band_given)
+            given_band(out, scene);
     text_add(out, ".");
     if (plan_uses_asperities(context->results->plan))
         text_add(out, " Moments are %s.",
                  scene->moments == ROUGHNESS_MOMENTS_SPECTRAL
                      ? "those of the spectrum"
-                     : "finite differences (slope: central, curvature: 3-point)");
+                     : "finite differences (slope: central, curvature: 3-point), which need no window");
 }
 
-static void surface_6_2(struct text *out, const struct section_context *context, size_t index)
+static void roughness_cells(struct text *out, const struct surface_summary *s)
 {
-    const struct surface_summary *s = section_surface(context, index);
     section_cell(out, s->roughness.rq_m * 1e6, 3);
     section_cell(out, s->roughness.ra_m * 1e6, 3);
     section_cell(out, s->length_m * 1e3, 3);
     section_cell(out, s->spacing_m * 1e6, 3);
     text_add(out, " | %zu", s->points);
+}
+
+static void surface_6_2_thesis(struct text *out, const struct section_context *context, size_t index)
+{
+    const struct surface_summary *s = section_surface(context, index);
+    roughness_cells(out, s);
     section_error_cell(out, s->power_law.alpha, s->power_law.alpha_error);
     section_error_cell(out, s->power_law.gamma, s->power_law.gamma_error);
-    section_cell(out, s->power_law.rms_decades, 3);
+    section_cell(out, s->power_law.misfit_decades, 3);
+    section_cell(out, power_law_gaussian_scatter(s->independent), 3);
+}
+
+static void surface_6_2(struct text *out, const struct section_context *context, size_t index)
+{
+    const struct surface_summary *s = section_surface(context, index);
+    const struct power_law *law = &s->power_law;
+    roughness_cells(out, s);
+    if (law->found == POWER_LAW_BAND_NONE) {
+        text_add(out, " | %s | – | – | – | – | –", power_law_band_class_names[law->found]);
+        return;
+    }
+    section_error_cell(out, law->gamma, law->gamma_error);
+    text_add(out, "%s", law->found == POWER_LAW_BAND_NARROW ? " (narrow)" : "");
+    text_add(out, " | ");
+    number_format(out, law->band_m[0] * 1e6, 3);
+    number_format_between(out, "…", law->band_m[1] * 1e6, 3, "");
+    section_cell(out, law->amplitude_m * 1e6, 3);
+    number_format_between(out, " ×÷ ", pow(10, law->amplitude_error_decades), 3, "");
+    number_format_between(out, " at ", law->wavelength_m * 1e6, 3, "");
+    section_cell(out, law->psd_m3, 3);
+    section_cell(out, law->misfit_decades, 2);
+    section_cell(out, law->alpha, 3);
+}
+
+static void table_6_2(struct text *out, const struct section_context *context)
+{
+    if (by_thesis(context)) {
+        text_add(out,
+                 "**Table 6.2.** Roughness and power law Δ = α·λᵞ of each surface (λ in metres, so α is in m¹⁻ᵞ; ± one "
+                 "standard error of the line).\n\n"
+                 "| surface | Rq (µm) | Ra (µm) | length (mm) | spacing (µm) | points | α (SI) | γ | RMS of fit "
+                 "(decades) | Gaussian scatter (decades) |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
+        section_each_surface(out, context, surface_6_2_thesis);
+        text_add(out, "\nGaussian scatter: how far harmonics of a Gaussian random surface lie from its law by "
+                      "themselves, by how many independent scans were averaged. The mean of logarithms lies below the "
+                      "rms amplitude: α × ");
+        number_format(out, pow(10, -log_bin_bias(1)), 4);
+        text_add(out, " is the rms amplitude's for one scan, × ");
+        number_format(out, pow(10, -log_bin_bias(10)), 4);
+        text_add(out, " for ten. The ± take harmonics as independent and the law as exact.\n\n");
+        return;
+    }
+    text_add(out, "**Table 6.2.** Roughness and power law Δ = α·λᵞ of each surface: γ ± one standard error, the band, "
+                  "the rms amplitude at its middle ×÷ the factor of one standard error, C = Δ²L/2 there, which unlike "
+                  "α does not depend on the scan's length, and the lack of fit beyond the scatter of a Gaussian random "
+                  "surface. α (λ in metres) follows from them.\n\n"
+                  "| surface | Rq (µm) | Ra (µm) | length (mm) | spacing (µm) | points | γ | band (µm) | Δ (µm) at λ "
+                  "(µm) | C (m³) | misfit (decades) | α (SI) |\n"
+                  "|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
+    section_each_surface(out, context, surface_6_2);
+    text_add(out, "\n");
+}
+
+/** Window of each surface's scans, and what its spectrum shows beside the law: only where they differ or something was
+ * seen. */
+static void surface_spectrum(struct text *out, const struct section_context *context, size_t index)
+{
+    const struct surface_summary *s = section_surface(context, index);
+    text_add(out, " | %zu | %zu", s->scans, s->periodic);
+    text_add(out, " | %s", s->windowed == 0 ? "none" : s->windowed == s->scans ? "Hann" : "none or Hann");
+    text_add(out, " | %s", power_law_band_class_names[s->power_law.found]);
+    section_cell(out, s->independent, 3);
+}
+
+static void spectrum_table(struct text *out, const struct section_context *context)
+{
+    text_add(out, "| surface | scans | periodic | window | power law | independent scans |\n"
+                  "|---|---:|---:|---|---|---:|\n");
+    section_each_surface(out, context, surface_spectrum);
+    text_add(out, "\n");
 }
 
 static void surface_asperities(struct text *out, const struct section_context *context, size_t index)
@@ -61,23 +173,22 @@ static void profiles_caption(struct text *out, const struct section_context *con
 
 static void spectra_caption(struct text *out, const struct section_context *context, const struct figure *figure)
 {
-    (void)context;
     (void)figure;
     text_add(out, " Solid: the law over the wavelengths it was fitted to; dashed: carried on beyond them.");
+    if (!by_thesis(context))
+        text_add(out,
+                 " Bars: bins of the multitaper spectrum, ± one standard error, dark where the law is fitted, with "
+                 "a ring where they are lines; upright dashes: knees; below: the bins over the law, in decades. "
+                 "The cloud is the spectrum that the models use.");
 }
 
 static void write(struct text *out, const struct section_context *context)
 {
     text_add(out, "## The surfaces\n\n");
     surfaces_text(out, context);
-    text_add(out, "\n\n**Table 6.2.** Roughness and power law Δ = α·λᵞ of each surface (λ in metres, so α is in m¹⁻ᵞ; "
-                  "± one standard error).\n\n"
-                  "| surface | Rq (µm) | Ra (µm) | length (mm) | spacing (µm) | points | α (SI) | γ | RMS of fit "
-                  "(decades) |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|\n");
-    section_each_surface(out, context, surface_6_2);
-    text_add(out, "\nA Gaussian random surface by itself scatters by ");
-    number_format(out, power_law_gaussian_scatter_decades, 3);
-    text_add(out, " decades about its law.\n\n");
+    text_add(out, "\n\n");
+    table_6_2(out, context);
+    spectrum_table(out, context);
     section_figures(out, context, "profiles", profiles_caption);
     section_figures(out, context, "power law", spectra_caption);
     if (!plan_uses_asperities(context->results->plan))

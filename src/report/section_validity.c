@@ -54,17 +54,18 @@ static void surface_validity(struct text *out, const struct section_context *con
     section_cell(out, isfinite(s->jump_share) ? 100 * s->jump_share : NAN, 2);
     for (size_t m = 0; m < model_count; m++)
         if (runs(context, m) && model_rows[m]->largest_area > 0)
-            section_load_cell(out, s->models[m].exists ? s->models[m].invalid_area_load : NAN);
+            section_threshold_cell(out, &s->models[m], s->models[m].exists ? s->models[m].invalid_area_load : NAN);
     for (size_t m = 0; m < model_count; m++)
         if (runs(context, m) && model_rows[m]->fitted_to) {
-            section_load_cell(out, s->models[m].exists ? s->models[m].invalid_fit_load : NAN);
+            section_threshold_cell(out, &s->models[m], s->models[m].exists ? s->models[m].invalid_fit_load : NAN);
             share_cell(out, &s->models[m], s->models[m].most_beyond_fit);
             share_cell(out, &s->models[m], s->models[m].most_radius_clamped);
         }
     for (size_t m = 0; m < model_count; m++)
         if (runs(context, m) && yields_by_scale(m))
-            text_add(out, " | %zu of %zu | %llu", s->models[m].yielding_scales, s->harmonics,
-                     (unsigned long long)s->models[m].clamped);
+            text_add(out, " | %zu of %zu | at %llu of %llu", s->models[m].yielding_scales, s->harmonics,
+                     (unsigned long long)s->models[m].clamped,
+                     (unsigned long long)(s->harmonics * context->results->load_count));
 }
 
 static void validity_table(struct text *out, const struct section_context *context)
@@ -85,7 +86,7 @@ static void validity_table(struct text *out, const struct section_context *conte
         }
     for (size_t m = 0; m < model_count; m++)
         if (runs(context, m) && yields_by_scale(m)) {
-            text_add(out, " | scales that can yield | areas limited");
+            text_add(out, " | scales that can yield | areas limited (scales × loads)");
             text_add(&rule, "---:|---:|");
         }
     text_add(out, " |\n%s\n", text_string(&rule));

@@ -108,11 +108,20 @@ static bool has_beta(const struct plan *plan, size_t m)
     return plan_runs_model(plan, m) && (model_rows[m]->quantities & plan->wanted & QUANTITY_BIT(QUANTITY_ADJUSTED));
 }
 
+/** Has the model a column of loads? A line has room for the thesis's; others have theirs where none of those runs. */
+static bool has_load(const struct plan *plan, size_t m)
+{
+    bool thesis = false;
+    for (size_t other = 0; other < model_count; other++)
+        thesis = thesis || (plan_runs_model(plan, other) && model_rows[other]->thesis_place > 0);
+    return plan_runs_model(plan, m) && (model_rows[m]->thesis_place > 0 || !thesis);
+}
+
 static size_t column_count(const struct plan *plan)
 {
     size_t columns = FIRST_COLUMNS;
     for (size_t m = 0; m < model_count; m++)
-        columns += (size_t)has_beta(plan, m) + (size_t)plan_runs_model(plan, m);
+        columns += (size_t)has_beta(plan, m) + (size_t)has_load(plan, m);
     return columns;
 }
 
@@ -126,7 +135,7 @@ static void put_heads(const struct terminal_table *table, const struct plan *pla
         if (has_beta(plan, m))
             snprintf(cell_at(table, 0, column++)->text, sizeof table->cells->text, "β %s", model_rows[m]->short_label);
     for (size_t m = 0; m < model_count; m++)
-        if (plan_runs_model(plan, m))
+        if (has_load(plan, m))
             snprintf(cell_at(table, 0, column++)->text, sizeof table->cells->text, "%s", model_rows[m]->short_label);
 }
 
@@ -135,13 +144,14 @@ static void put_surface(const struct terminal_table *table, size_t row, const st
 {
     size_t column = FIRST_COLUMNS;
     put_number(cell_at(table, row, 1), s->roughness.rq_m * 1e6);
-    put_uncertain(cell_at(table, row, 2), s->power_law.alpha, s->power_law.alpha_error);
-    put_uncertain(cell_at(table, row, 3), s->power_law.gamma, s->power_law.gamma_error);
+    bool law = power_law_holds(&s->power_law);
+    put_uncertain(cell_at(table, row, 2), law ? s->power_law.alpha : NAN, s->power_law.alpha_error);
+    put_uncertain(cell_at(table, row, 3), law ? s->power_law.gamma : NAN, s->power_law.gamma_error);
     for (size_t m = 0; m < model_count; m++)
         if (has_beta(plan, m))
             put_beta(cell_at(table, row, column++), &s->models[m]);
     for (size_t m = 0; m < model_count; m++)
-        if (plan_runs_model(plan, m))
+        if (has_load(plan, m))
             put_load(cell_at(table, row, column++), s->models[m].exists ? s->models[m].full_load : NAN);
 }
 

@@ -24,42 +24,77 @@ bool comparison_converges(const struct results *results, enum convergence_sweep 
     return scales < 2 || area[scales - 1] >= 0.999 * area[scales / 2 - 1];
 }
 
-static void compare_neighbours(struct comparison *out, const struct surface_record *smooth,
-                               const struct surface_record *rough)
+/** One more case of "x < y", at which a number is off by the tolerance at most; `scale` is what a difference is small
+ * against, besides the two. NaN is no case. */
+static void count_case(struct comparison_tally *tally, double x, double y, double tolerance, double scale)
 {
-    for (size_t m = 0; m < model_count; m++) {
-        const struct model_curve *a = &smooth->curves[m], *b = &rough->curves[m];
-        struct comparison_rank *rank = &out->models[m].rank;
-        size_t count = a->exists && b->exists ? common_points(a, b) : 0;
-        for (size_t i = 0; i < count; i++) {
-            const struct contact_point *p = &a->points[i], *q = &b->points[i];
-            if (p->area_ratio == 1 && q->area_ratio == 1)
-                continue; /* both full: nothing to rank */
-            rank->pairs++;
-            for (int k = 0; k < QUANTITY_COUNT; k++) {
-                double x = comparison_value(p, (enum quantity)k, m, smooth->summary.asperities.sigma_m);
-                double y = comparison_value(q, (enum quantity)k, m, rough->summary.asperities.sigma_m);
-                rank->ranked[k] += k == QUANTITY_AREA ? x >= y : x <= y;
-            }
-        }
+    if (isnan(x) || isnan(y))
+        return;
+    bool tie = fabs(x - y) <= tolerance * fmax(fmax(fabs(x), fabs(y)), scale);
+    tally->ties += tie;
+    tally->agreeing += !tie && x < y;
+    tally->opposed += !tie && x > y;
+}
+
+/** The same for two points, quantity by quantity: has `p` the larger area, the smaller of the others? */
+static void count_points(struct comparison_tally tallies[QUANTITY_COUNT], const struct contact_point *p,
+                         double p_sigma_m, const struct contact_point *q, double q_sigma_m, size_t m, double tolerance)
+{
+    if (p->area_ratio == 1 && q->area_ratio == 1)
+        return; /* both full: nothing to compare */
+    for (int k = QUANTITY_AREA; k < QUANTITY_COUNT; k++) {
+        double x = comparison_value(p, (enum quantity)k, m, p_sigma_m);
+        double y = comparison_value(q, (enum quantity)k, m, q_sigma_m);
+        double scale = quantity_rows[k].over_sigma ? 1 : 0;
+        count_case(&tallies[k], k == QUANTITY_AREA ? y : x, k == QUANTITY_AREA ? x : y, tolerance, scale);
     }
 }
 
+/** ECR, or TCR where that alone was computed: they are proportional. NaN where contact is full. */
+static double resistance(const struct contact_point *point)
+{
+    double value = isnan(point->ecr_ohm_m2) ? point->tcr_K_m2_per_W : point->ecr_ohm_m2;
+    return value > 0 ? value : NAN;
+}
+
+static void compare_neighbours(struct comparison *out, const struct surface_record *smooth,
+                               const struct surface_record *rough, size_t pair, double tolerance)
+{
+    for (size_t m = 0; m < model_count; m++) {
+        const struct model_curve *a = &smooth->curves[m], *b = &rough->curves[m];
+        size_t count = a->exists && b->exists ? common_points(a, b) : 0, used = 0;
+        double sum = 0;
+        for (size_t i = 0; i < count; i++) {
+            const struct contact_point *p = &a->points[i], *q = &b->points[i];
+            count_points(out->models[m].rank, p, smooth->summary.asperities.sigma_m, q,
+                         rough->summary.asperities.sigma_m, m, tolerance);
+            double step = log10(resistance(q) / resistance(p));
+            if (isfinite(step)) {
+                sum += step;
+                used++;
+            }
+        }
+        out->models[m].steps[pair] = used > 0 ? sum / (double)used : NAN;
+    }
+}
+
+/** Plastic model `m` against its elastic partner. */
 static void compare_laws(struct comparison_plastic *out, const struct model_curve *elastic,
-                         const struct model_curve *plastic)
+                         const struct model_curve *plastic, size_t m, double sigma_m, double tolerance)
 {
     if (!elastic->exists || !plastic->exists)
         return;
     size_t count = common_points(elastic, plastic);
     for (size_t i = 0; i < count; i++) {
-        double ratio = plastic->points[i].area_ratio / elastic->points[i].area_ratio;
-        out->least = out->points > 0 ? fmin(out->least, ratio) : ratio;
+        const struct contact_point *p = &plastic->points[i], *q = &elastic->points[i];
+        double ratio = p->area_ratio / q->area_ratio;
+        count_points(out->changes, p, sigma_m, q, sigma_m, m, tolerance);
+        if (p->area_ratio == 1 && q->area_ratio == 1)
+            continue;
+        out->least = out->most > 0 ? fmin(out->least, ratio) : ratio;
         out->most = fmax(out->most, ratio);
-        out->above += ratio >= 1 - 1e-12;
-        out->points++;
     }
-    out->surfaces++;
-    out->sooner += plastic->full_load < elastic->full_load;
+    count_case(&out->sooner, plastic->full_load, elastic->full_load, tolerance, 0);
 }
 
 static void check_proportion(struct comparison *out, const struct surface_record *record, const struct plan *plan)
@@ -75,21 +110,78 @@ static void check_proportion(struct comparison *out, const struct surface_record
         }
 }
 
-/** Mean distance of a multiscale and a statistical curve, in decades. */
-static struct comparison_gap gap_between(const struct model_curve *a, const struct model_curve *b)
+/** Mean distances of a multiscale and a statistical curve. */
+static struct comparison_gap gap_between(const struct model_curve *multiscale, const struct model_curve *statistical,
+                                         double sigma_m)
 {
-    size_t count = a->exists && b->exists ? common_points(a, b) : 0, used = 0;
-    struct comparison_gap gap = {0, 0};
+    size_t count = multiscale->exists && statistical->exists ? common_points(multiscale, statistical) : 0;
+    size_t conducting = 0;
+    struct comparison_gap gap = {0, 0, 0, 0};
     for (size_t i = 0; i < count; i++) {
-        const struct contact_point *p = &a->points[i], *q = &b->points[i];
+        const struct contact_point *p = &multiscale->points[i], *q = &statistical->points[i];
+        gap.plain += fabs(p->separation_m - q->separation_m) / sigma_m;
+        gap.adjusted += fabs(p->separation_m - q->adjusted_m) / sigma_m;
         if (!(p->ecr_ohm_m2 > 0) || !(q->ecr_ohm_m2 > 0))
             continue;
         gap.area += fabs(log10(p->area_ratio / q->area_ratio));
         gap.ecr += fabs(log10(p->ecr_ohm_m2 / q->ecr_ohm_m2));
-        used++;
+        conducting++;
     }
-    return used > 0 ? (struct comparison_gap){gap.area / (double)used, gap.ecr / (double)used}
-                    : (struct comparison_gap){NAN, NAN};
+    double loads = count > 0 ? (double)count : NAN, conducting_loads = conducting > 0 ? (double)conducting : NAN;
+    return (struct comparison_gap){gap.area / conducting_loads, gap.ecr / conducting_loads, gap.plain / loads,
+                                   gap.adjusted / loads};
+}
+
+static void widen(struct comparison_extent *extent, double value)
+{
+    if (!isfinite(value))
+        return;
+    extent->least = extent->count > 0 ? fmin(extent->least, value) : value;
+    extent->most = fmax(extent->most, value);
+    extent->count++;
+}
+
+/** Takes the surface's values at every load of the list at which its contact is partial. */
+static void note_extents(struct comparison *out, const struct results *results, const struct surface_record *record)
+{
+    for (size_t m = 0; m < model_count; m++)
+        for (size_t i = 0; i < record->curves[m].count && i < results->load_count; i++) {
+            const struct contact_point *point = &record->curves[m].points[i];
+            if (point->load != results->loads[i] || !(point->area_ratio < 1))
+                continue;
+            widen(&out->models[m].extents[i][COMPARISON_AREAS], point->area_ratio);
+            widen(&out->models[m].extents[i][COMPARISON_RESISTANCES], resistance(point));
+        }
+}
+
+/** most/least at load `i`, NaN where not every surface has a value. */
+static double spread_at(const struct results *results, const struct comparison_model *model, size_t i,
+                        enum comparison_spread of)
+{
+    const struct comparison_extent *extent = &model->extents[i][of];
+    return extent->count > 1 && extent->count == results->usable_count ? extent->most / extent->least : NAN;
+}
+
+double comparison_mean_spread(const struct results *results, const struct comparison_model *a,
+                              const struct comparison_model *b, enum comparison_spread of)
+{
+    double sum = 0;
+    size_t used = 0;
+    for (size_t i = 0; i < results->load_count; i++)
+        if (isfinite(spread_at(results, a, i, of)) && isfinite(spread_at(results, b, i, of))) {
+            sum += log10(spread_at(results, a, i, of));
+            used++;
+        }
+    return used > 0 ? sum / (double)used : NAN;
+}
+
+double comparison_largest_spread(const struct results *results, const struct comparison_model *model,
+                                 enum comparison_spread of)
+{
+    double largest = NAN;
+    for (size_t i = 0; i < results->load_count; i++)
+        largest = fmax(largest, spread_at(results, model, i, of)); /* of a number and NaN, the number */
+    return largest;
 }
 
 /** Takes the surface's values at the middle load. */
@@ -100,8 +192,7 @@ static void note_middle(struct comparison *out, const struct surface_record *rec
             const struct contact_point *point = &record->curves[m].points[i];
             if (point->load != out->middle_load)
                 continue;
-            if (m == out->leading)
-                out->middle[index] = *point;
+            out->models[m].middle[index] = *point;
             for (int q = 0; q < QUANTITY_COUNT; q++) {
                 struct comparison_extremes *extremes = &out->models[m].extremes[q];
                 double value = comparison_value(point, (enum quantity)q, m, record->summary.asperities.sigma_m);
@@ -121,49 +212,186 @@ static void note_middle(struct comparison *out, const struct surface_record *rec
         }
 }
 
-static size_t leading_model(const struct plan *plan)
-{
-    size_t leading = 0;
-    int most = -1;
-    for (size_t m = 0; m < model_count; m++)
-        if (plan_runs_model(plan, m) && model_rows[m]->precedence > most) {
-            most = model_rows[m]->precedence;
-            leading = m;
-        }
-    return leading;
-}
-
-/** What one surface adds; `previous` is the next smoother one, NULL for the first. */
+/** What the k-th smoothest surface adds; `previous` is the next smoother one, NULL for the first. */
 static void take_in(struct comparison *out, const struct results *results, const struct surface_record *record,
-                    size_t index, const struct surface_record *previous)
+                    size_t k, const struct surface_record *previous)
 {
     const struct model_curve *curves = record->curves;
+    double tolerance = results->scene->tolerance, sigma_m = record->summary.asperities.sigma_m;
+    size_t index = results->by_roughness[k];
     if (previous)
-        compare_neighbours(out, previous, record);
+        compare_neighbours(out, previous, record, k - 1, tolerance);
     for (size_t m = 0; m < model_count; m++) {
         size_t elastic = model_index(model_rows[m]->elastic), counterpart = model_index(model_rows[m]->counterpart);
         if (elastic < model_count)
-            compare_laws(&out->models[m].plastic, &curves[elastic], &curves[m]);
-        if (counterpart < model_count && index == results->baseline)
-            out->models[m].gap = gap_between(&curves[counterpart], &curves[m]);
+            compare_laws(&out->models[m].plastic, &curves[elastic], &curves[m], m, sigma_m, tolerance);
+        if (counterpart < model_count)
+            out->models[m].gaps[index] = gap_between(&curves[counterpart], &curves[m], sigma_m);
     }
     check_proportion(out, record, results->plan);
     note_middle(out, record, index);
+    note_extents(out, results, record);
+}
+
+/** The arrays of all models, with nothing in them yet; those of the first model own them. */
+static enum status_code allocate(struct comparison *out, const struct results *results, struct status *status)
+{
+    static const struct contact_point nowhere = {NAN, NAN, NAN, NAN, NAN, NAN, NAN, 0, 0};
+    size_t surfaces = results->store->count, loads = results->load_count;
+    struct comparison_model *first = out->models = calloc(model_count, sizeof *out->models);
+    if (!first)
+        return status_memory(status);
+    first->middle = malloc(model_count * surfaces * sizeof *first->middle);
+    first->gaps = malloc(model_count * surfaces * sizeof *first->gaps);
+    first->steps = malloc(model_count * surfaces * sizeof *first->steps);
+    first->extents = calloc(model_count * loads, sizeof *first->extents);
+    if (!first->middle || !first->gaps || !first->steps || !first->extents)
+        return status_memory(status);
+    for (size_t i = 0; i < model_count * surfaces; i++) {
+        first->middle[i] = nowhere;
+        first->gaps[i] = (struct comparison_gap){NAN, NAN, NAN, NAN};
+        first->steps[i] = NAN;
+    }
+    for (size_t m = 1; m < model_count; m++) {
+        out->models[m].middle = first->middle + m * surfaces;
+        out->models[m].gaps = first->gaps + m * surfaces;
+        out->models[m].steps = first->steps + m * surfaces;
+        out->models[m].extents = first->extents + m * loads;
+    }
+    return STATUS_OK;
+}
+
+static const struct estimate *middle_estimate(const struct results *results, size_t leading, enum quantity quantity,
+                                              size_t surface)
+{
+    return &results->store->summaries[surface].models[leading].middle[quantity];
+}
+
+/** Both surfaces' estimates in place i before j, the better first. */
+static struct comparison_pair compare_pair(const struct estimate *a, double value_a, const struct estimate *b,
+                                           double value_b)
+{
+    struct comparison_pair out = {.ratio = value_a / value_b, .low = NAN, .high = NAN, .p = NAN};
+    if (a->count == 0 || b->count == 0 || isnan(a->half_width) || isnan(b->half_width))
+        return out;
+    if (a->count > 1 && b->count > 1) {
+        const struct interval first = {.mean = a->mean, .s = a->s, .degrees = a->degrees},
+                              second = {.mean = b->mean, .s = b->s, .degrees = b->degrees};
+        struct ranking welch = ranking_welch(&first, &second, estimate_level);
+        out = (struct comparison_pair){
+            .test = COMPARISON_WELCH, .ratio = welch.ratio, .low = welch.low, .high = welch.high, .p = welch.p};
+        return out;
+    }
+    /* of one scan 2.3 s; of several, Student's: two intervals of 95 %, as those of one scan each are */
+    double half_width = a->count == 1 && b->count == 1 ? single_scan_half_width(hypot(a->s, b->s))
+                                                       : hypot(a->half_width, b->half_width);
+    double difference = a->mean - b->mean;
+    out.test = COMPARISON_PLACE;
+    out.low = exp(difference - half_width);
+    out.high = exp(difference + half_width);
+    out.verdict = a->heterogeneous || b->heterogeneous ? RANKING_NO_VERDICT
+                  : !(fabs(difference) > half_width)   ? RANKING_NOT_TOLD_APART
+                  : difference < 0                     ? RANKING_FIRST_LOWER
+                                                       : RANKING_FIRST_HIGHER;
+    return out;
+}
+
+/** Welch's p, adjusted over all pairs that have one, and what follows from them. */
+static enum status_code adjust(struct comparison_ranking *ranking, size_t pairs, struct status *status)
+{
+    size_t count = 0;
+    double *p = malloc((pairs + 1) * sizeof *p);
+    if (!p)
+        return status_memory(status);
+    for (size_t k = 0; k < pairs; k++)
+        if (ranking->pairs[k].test == COMPARISON_WELCH)
+            p[count++] = ranking->pairs[k].p;
+    enum status_code rc = count > 0 ? ranking_holm(p, p, count, status) : STATUS_OK;
+    count = 0;
+    for (size_t k = 0; k < pairs && rc == STATUS_OK; k++) {
+        struct comparison_pair *pair = &ranking->pairs[k];
+        if (pair->test != COMPARISON_WELCH)
+            continue;
+        pair->p = p[count++];
+        pair->verdict = ranking_verdict(log(pair->ratio), pair->p, estimate_level);
+    }
+    free(p);
+    return rc;
+}
+
+static enum status_code group(struct comparison_ranking *ranking, size_t pairs, struct status *status)
+{
+    bool *apart = malloc((pairs + 1) * sizeof *apart);
+    if (!apart)
+        return status_memory(status);
+    for (size_t k = 0; k < pairs; k++)
+        apart[k] = comparison_told_apart(&ranking->pairs[k]);
+    enum status_code rc = ranking_groups_make(&ranking->groups, apart, ranking->count, status);
+    free(apart);
+    return rc;
+}
+
+bool comparison_told_apart(const struct comparison_pair *pair)
+{
+    return pair->test != COMPARISON_NOT_TESTED &&
+           (pair->verdict == RANKING_FIRST_LOWER || pair->verdict == RANKING_FIRST_HIGHER);
+}
+
+const struct comparison_pair *comparison_pair_of(const struct comparison_ranking *ranking, size_t i, size_t j)
+{
+    return &ranking->pairs[ranking_pair(i, j, ranking->count)];
+}
+
+/** Ranks the surfaces that have an answer in the leading model at the middle load. */
+static enum status_code rank(struct comparison *out, const struct results *results, struct status *status)
+{
+    struct comparison_ranking *ranking = &out->ranking;
+    unsigned computed = plan_quantities(results->plan);
+    enum quantity by = computed & QUANTITY_BIT(QUANTITY_ECR)   ? QUANTITY_ECR
+                       : computed & QUANTITY_BIT(QUANTITY_TCR) ? QUANTITY_TCR
+                                                               : QUANTITY_AREA;
+    ranking->criterion = by;
+    size_t surfaces = out->models[out->leading].extremes[by].count;
+    if (surfaces == 0 || surfaces > COMPARISON_RANKED_MOST)
+        return STATUS_OK;
+    size_t pairs = surfaces * (surfaces - 1) / 2;
+    ranking->surface = malloc(surfaces * sizeof *ranking->surface);
+    ranking->pairs = calloc(pairs + 1, sizeof *ranking->pairs);
+    if (!ranking->surface || !ranking->pairs)
+        return status_memory(status);
+    for (size_t i = 0; i < results->store->count; i++) {
+        double value = quantity_value(&out->middle[i], by);
+        if (isnan(value))
+            continue;
+        size_t at = ranking->count++;
+        while (at > 0 && (by == QUANTITY_AREA ? value > quantity_value(&out->middle[ranking->surface[at - 1]], by)
+                                              : value < quantity_value(&out->middle[ranking->surface[at - 1]], by))) {
+            ranking->surface[at] = ranking->surface[at - 1];
+            at--;
+        }
+        ranking->surface[at] = i;
+    }
+    for (size_t i = 0; i < ranking->count; i++)
+        for (size_t j = i + 1; j < ranking->count; j++) {
+            size_t a = ranking->surface[i], b = ranking->surface[j];
+            struct comparison_pair *pair = &ranking->pairs[ranking_pair(i, j, ranking->count)];
+            *pair = compare_pair(middle_estimate(results, out->leading, by, a), quantity_value(&out->middle[a], by),
+                                 middle_estimate(results, out->leading, by, b), quantity_value(&out->middle[b], by));
+            ranking->tested += pair->test != COMPARISON_NOT_TESTED;
+        }
+    if (adjust(ranking, pairs, status) != STATUS_OK)
+        return status->code;
+    return group(ranking, pairs, status);
 }
 
 enum status_code comparison_make(struct comparison *out, const struct results *results, struct status *status)
 {
     *out = (struct comparison){.proportional_error = NAN,
                                .middle_load = results->loads[results->load_count / 2],
-                               .leading = leading_model(results->plan),
-                               .models = calloc(model_count, sizeof *out->models),
-                               .middle = malloc(results->store->count * sizeof *out->middle)};
-    if (!out->middle || !out->models)
-        return status_memory(status);
-    for (size_t m = 0; m < model_count; m++)
-        out->models[m].gap = (struct comparison_gap){NAN, NAN};
-    for (size_t i = 0; i < results->store->count; i++)
-        out->middle[i] = (struct contact_point){.load = NAN};
+                               .leading = plan_leading_model(results->plan)};
+    if (allocate(out, results, status) != STATUS_OK)
+        return status->code;
+    out->middle = out->models[out->leading].middle;
     struct surface_record previous = {0};
     for (size_t k = 0; k < results->usable_count; k++) {
         struct surface_record record;
@@ -172,17 +400,25 @@ enum status_code comparison_make(struct comparison *out, const struct results *r
             surface_record_free(&previous, false);
             return status->code;
         }
-        take_in(out, results, &record, index, k > 0 ? &previous : NULL);
+        take_in(out, results, &record, k, k > 0 ? &previous : NULL);
         surface_record_free(&previous, false);
         previous = record;
     }
     surface_record_free(&previous, false);
-    return STATUS_OK;
+    return rank(out, results, status);
 }
 
 void comparison_free(struct comparison *comparison)
 {
-    free(comparison->middle);
+    if (comparison->models) { /* of all models together */
+        free(comparison->models[0].middle);
+        free(comparison->models[0].gaps);
+        free(comparison->models[0].steps);
+        free(comparison->models[0].extents);
+    }
     free(comparison->models);
+    free(comparison->ranking.surface);
+    free(comparison->ranking.pairs);
+    ranking_groups_free(&comparison->ranking.groups);
     *comparison = (struct comparison){0};
 }

@@ -4,19 +4,19 @@
 #define RESULTS_COMPARISON_H
 
 #include "results/results.h"
+#include "statistics/ranking.h"
 
-/** Neighbours in roughness compared load by load in one model. */
-struct comparison_rank {
-    size_t pairs;                  /* comparisons made */
-    size_t ranked[QUANTITY_COUNT]; /* in which the smoother surface has the larger area, the smaller shown
-                                      separation/sigma, the smaller resistance */
+/** How the cases of a question came out. Values that differ by no more than the run's tolerance are ties: they speak
+ * neither for nor against. */
+struct comparison_tally {
+    size_t agreeing, opposed, ties;
 };
 
-/** A plastic model against its elastic partner, load by load. */
+/** A plastic model against its elastic partner, load by load where not both are in full contact. */
 struct comparison_plastic {
-    size_t points, above;    /* compared; plastic area not below the elastic one */
-    double least, most;      /* ratio of the areas */
-    size_t surfaces, sooner; /* compared; plastic full contact at the lower load */
+    struct comparison_tally changes[QUANTITY_COUNT]; /* plastic area the larger; gap as shown, resistance the smaller */
+    double least, most;                              /* ratio of the areas; both 0: not compared */
+    struct comparison_tally sooner;                  /* plastic full contact at the lower load; one case a surface */
 };
 
 /** Smallest and largest value of a quantity over the surfaces, and which surfaces these are. */
@@ -26,36 +26,90 @@ struct comparison_extremes {
     size_t count; /* surfaces that have the value; 0: none, and the rest says nothing */
 };
 
-/** Multiscale against statistical model of one material law, on the baseline surface: mean |log10 ratio| over their
- * common loads; NaN: not both computed. */
+/** Multiscale against statistical model of one material law on one surface, over their common loads; NaN: not both
+ * computed. */
 struct comparison_gap {
-    double area, ecr;
+    double area, ecr;       /* mean |log10 ratio| */
+    double plain, adjusted; /* mean distance of delta, and of delta_ADJ (4.54), from the multiscale H; in sigma */
 };
 
-/** What one model adds to the comparison. */
+/** Least and largest value over the surfaces at one load of the list, of those in partial contact there. */
+struct comparison_extent {
+    double least, most;
+    size_t count; /* surfaces that have one */
+};
+
+/** What the surfaces have in common at a load. */
+enum comparison_spread { COMPARISON_AREAS, COMPARISON_RESISTANCES, COMPARISON_SPREADS };
+
+/** What one model adds to the comparison. The arrays are owned. */
 struct comparison_model {
-    struct comparison_rank rank;
-    struct comparison_plastic plastic;                   /* against its elastic partner; points 0: not compared */
-    struct comparison_gap gap;                           /* against its counterpart */
-    struct comparison_extremes extremes[QUANTITY_COUNT]; /* at the middle load */
+    struct comparison_tally rank[QUANTITY_COUNT]; /* neighbours in roughness, load by load: the smoother one has the
+                                                     larger area, the smaller shown separation/sigma and resistance */
+    struct comparison_plastic plastic;            /* against its elastic partner */
+    struct comparison_gap *gaps;                  /* against its counterpart, one a surface of the scene */
+    struct comparison_extremes extremes[QUANTITY_COUNT];     /* at the middle load */
+    struct contact_point *middle;                            /* at the middle load, one a surface of the scene; all NaN
+                                                                where it has no point */
+    struct comparison_extent (*extents)[COMPARISON_SPREADS]; /* one a load of the list */
+    double *steps; /* mean log10 of the resistance of the (k+1)-th smoothest surface over the k-th's, over their common
+                      loads of partial contact; one a pair of neighbours; NaN: none */
+};
+
+/** How two surfaces were held against each other. */
+enum comparison_test {
+    COMPARISON_NOT_TESTED, /* nothing is known of how far another scan of one of them would be off */
+    COMPARISON_WELCH,      /* several scans each */
+    COMPARISON_PLACE       /* one scan, or both: does the difference exceed what the place of the scan alone makes? */
+};
+struct comparison_pair {
+    enum comparison_test test;
+    enum ranking_verdict verdict;
+    double ratio, low, high; /* of the better one's answer to the other's, and its 95 % interval */
+    double p;                /* Welch: after Holm's adjustment over all such pairs */
+};
+
+enum { COMPARISON_RANKED_MOST = 100 /* surfaces; more are not ranked */ };
+
+/** Which surface is better in the leading model at the middle load, by ln of the criterion. */
+struct comparison_ranking {
+    enum quantity criterion; /* ECR, else TCR, else area */
+    size_t count;            /* surfaces that have an answer; 0 where there are more than COMPARISON_RANKED_MOST */
+    size_t *surface;         /* their indices, the best first; owned, as are: */
+    struct comparison_pair *pairs; /* [ranking_pair(i, j, count)], i and j places in `surface` */
+    struct ranking_groups groups;  /* of places: those that share one are not told apart */
+    size_t tested;                 /* pairs */
 };
 
 struct comparison {
+    struct comparison_ranking ranking;
     struct comparison_model *models; /* model_count of them; owned */
     double proportional_error;       /* largest |TCR/ECR / (1/(rho k)) - 1|; NaN: not both computed */
     double middle_load;              /* P/(A_n E') at which surfaces and models are compared */
     size_t leading;                  /* the model the summary speaks of: the running one of the greatest precedence */
-    struct contact_point *middle;    /* the leading model at the middle load, one a surface of the scene; load is
-                                        NaN where it has no point; owned */
+    struct contact_point *middle;    /* the leading model at the middle load: models[leading].middle */
 };
 
 /** End it with comparison_free() whatever comes back. Errors: STATUS_IO, STATUS_MEMORY. */
 MUST_CHECK enum status_code comparison_make(struct comparison *out, const struct results *results,
                                             struct status *status);
-void comparison_free(struct comparison *study);
+void comparison_free(struct comparison *comparison);
+
+/** Places i < j of a ranking. */
+const struct comparison_pair *comparison_pair_of(const struct comparison_ranking *ranking, size_t i, size_t j);
+/** Was a difference between the two found that more scans would show again? */
+bool comparison_told_apart(const struct comparison_pair *pair);
 
 /** Value of a quantity of a model's point, as tables and charts show it. */
 double comparison_value(const struct contact_point *point, enum quantity quantity, size_t model, double sigma_m);
+
+/** Mean log10(most/least) over the surfaces, over the loads at which all of them are in partial contact in model `a`
+ * and in model `b`; NaN where there is no such load. */
+double comparison_mean_spread(const struct results *results, const struct comparison_model *a,
+                              const struct comparison_model *b, enum comparison_spread of);
+/** The largest of most/least over the loads at which all surfaces are in partial contact; NaN where there is none. */
+double comparison_largest_spread(const struct results *results, const struct comparison_model *model,
+                                 enum comparison_spread of);
 
 /** Has a sweep's curve converged: does the last halving of the wavelength change the area by less than 0.1 %? */
 bool comparison_converges(const struct results *results, enum convergence_sweep sweep, size_t model, size_t value);

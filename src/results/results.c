@@ -45,10 +45,13 @@ size_t results_sweep_scales(size_t *index, size_t most, size_t scales)
     return count;
 }
 
-bool results_repeated(const struct results *results)
+bool results_intervals(const struct results *results)
 {
-    for (size_t i = 0; i < results->store->count; i++)
-        if (results->store->summaries[i].usable && results->store->summaries[i].repeats.count > 0)
+    for (size_t i = 0; i < results->store->count; i++) {
+        const struct surface_summary *summary = &results->store->summaries[i];
+        if (summary->usable && (summary->repeats.count > 0 ||
+                                (summary->single_points > 0 && plan_runs(results->plan, EFFECT_UNCERTAINTY))))
             return true;
+    }
     return false;
 }

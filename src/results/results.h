@@ -15,9 +15,11 @@ struct results {
     size_t load_count;
     struct surface_store *store;
     struct work predicted, done;
-    const struct surface_record *counterface; /* described; NULL: smooth */
-    const struct measured *measured;          /* NULL: none */
-    const struct benchmark *benchmark;        /* what accuracy costs; NULL: left out */
+    const struct surface_record *counterface;     /* described; NULL: smooth */
+    const struct measured *measured;              /* NULL: none */
+    const struct measured_answers *answers;       /* the models' on the baseline surface; NULL: nothing measured */
+    const struct benchmark *benchmark;            /* what accuracy costs; NULL: left out */
+    const struct sensitivity_curves *sensitivity; /* of the baseline surface */
     const double *convergence; /* the sweeps' area ratios, see results_sweep(); NULL when the effect is off */
     size_t *shown;             /* indices of the surfaces the charts show: all usable ones up to 8, else spread by Rq */
     size_t shown_count;
@@ -35,7 +37,7 @@ size_t results_sweep_size(const struct results *results);
  */
 size_t results_sweep_scales(size_t *index, size_t most, size_t scales);
 
-/** Has any surface several scans (or a map's rows), so that there is a spread to show? */
-bool results_repeated(const struct results *results);
+/** Is any surface's number known with an interval, by several scans, a map's rows or simulated records? */
+bool results_intervals(const struct results *results);
 
 #endif

@@ -15,6 +15,11 @@ enum status_code surface_store_open(struct surface_store *out, const char *direc
         return status_memory(status);
     if (!directory)
         return STATUS_OK;
+    if (!*directory) {
+        out->file = tmpfile();
+        return out->file ? STATUS_OK
+                         : status_fail(status, STATUS_IO, "cannot make a temporary file: %s", strerror(errno));
+    }
     struct text path = {0};
     text_add(&path, "%s/store-XXXXXX", directory);
     int descriptor = path.failed ? -1 : mkstemp(path.data);
@@ -49,6 +54,7 @@ static bool put_arrays(FILE *file, const struct surface_record *record)
 {
     bool ok = put_array(file, record, sizeof *record, 1);
     ok = ok && put_array(file, record->spectrum.amplitude_m, sizeof(double), record->spectrum.count);
+    ok = ok && put_array(file, record->tapered.amplitude_m, sizeof(double), record->tapered.count);
     ok = ok && put_array(file, record->curves, sizeof *record->curves, record->curves ? model_count : 0);
     ok = ok && put_array(file, record->bands, sizeof *record->bands, record->bands ? model_count : 0);
     for (size_t m = 0; record->curves && m < model_count; m++) {
@@ -56,10 +62,17 @@ static bool put_arrays(FILE *file, const struct surface_record *record)
         ok = ok &&
              put_array(file, record->bands[m], sizeof(struct repeats_band), record->bands[m] ? record->band_count : 0);
     }
-    for (size_t p = 0; p < record->repeat_count; p++) {
-        const struct spectrum *part = &record->repeats[p].spectrum;
-        ok = ok && put_array(file, part->amplitude_m, sizeof(double), part->count);
+    for (int v = 0; v < SENSITIVITY_VARIANTS; v++) {
+        const struct spectrum *changed = &record->sensitivity.variants[v].spectrum;
+        ok = ok && put_array(file, changed->amplitude_m, sizeof(double), changed->count);
     }
+    ok = ok && put_array(file, record->points, sizeof *record->points, record->summary.heights);
+    const struct repeat_set *set = &record->repeats;
+    ok = ok && put_array(file, record->height_m, sizeof(double), record->height_m ? record->summary.single_points : 0);
+    ok = ok && put_array(file, set->scans, sizeof *set->scans, set->scan_count);
+    ok = ok && put_array(file, set->parts, sizeof *set->parts, set->count);
+    for (size_t p = 0; p < set->count; p++)
+        ok = ok && put_array(file, set->parts[p].spectrum.amplitude_m, sizeof(double), set->parts[p].spectrum.count);
     return ok;
 }
 
@@ -92,6 +105,20 @@ static void *get_array(FILE *file, size_t size, size_t count, bool *ok)
     return NULL;
 }
 
+/** The scans run alone; set->count and set->scan_count are already there. */
+static void get_repeats(struct repeat_set *set, FILE *file, bool *ok)
+{
+    size_t count = set->count;
+    set->scans = get_array(file, sizeof *set->scans, set->scan_count, ok);
+    set->parts = get_array(file, sizeof *set->parts, count, ok);
+    set->capacity = set->parts ? count : 0;
+    for (set->count = 0; set->count < count && set->parts; set->count++) {
+        struct repeat *part = &set->parts[set->count];
+        part->spectrum.amplitude_m = get_array(file, sizeof(double), part->spectrum.count, ok);
+        part->height_m = NULL;
+    }
+}
+
 enum status_code surface_store_get(struct surface_record *out, struct surface_store *store, size_t index,
                                    struct status *status)
 {
@@ -101,6 +128,7 @@ enum status_code surface_store_get(struct surface_record *out, struct surface_st
         memset(out, 0, sizeof *out);
     out->summary = store->summaries[index];
     out->spectrum.amplitude_m = get_array(store->file, sizeof(double), out->spectrum.count, &ok);
+    out->tapered.amplitude_m = get_array(store->file, sizeof(double), out->tapered.count, &ok);
     out->curves = get_array(store->file, sizeof *out->curves, out->curves ? model_count : 0, &ok);
     out->bands = get_array(store->file, sizeof *out->bands, out->bands ? model_count : 0, &ok);
     for (size_t m = 0; out->curves && m < model_count; m++) {
@@ -108,9 +136,13 @@ enum status_code surface_store_get(struct surface_record *out, struct surface_st
         if (out->bands && out->bands[m])
             out->bands[m] = get_array(store->file, sizeof(struct repeats_band), out->band_count, &ok);
     }
-    for (size_t p = 0; p < out->repeat_count; p++)
-        out->repeats[p].spectrum.amplitude_m =
-            get_array(store->file, sizeof(double), out->repeats[p].spectrum.count, &ok);
+    for (int v = 0; v < SENSITIVITY_VARIANTS; v++) {
+        struct spectrum *changed = &out->sensitivity.variants[v].spectrum;
+        changed->amplitude_m = get_array(store->file, sizeof(double), changed->count, &ok);
+    }
+    out->points = get_array(store->file, sizeof *out->points, out->summary.heights, &ok);
+    out->height_m = get_array(store->file, sizeof(double), out->height_m ? out->summary.single_points : 0, &ok);
+    get_repeats(&out->repeats, store->file, &ok);
     pthread_mutex_unlock(&store->lock);
     if (ok)
         return STATUS_OK;

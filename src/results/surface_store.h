@@ -15,9 +15,8 @@ struct surface_store {
     pthread_mutex_t lock;
 };
 
-/** `directory` is where the temporary file goes (it is unlinked at once); NULL: only summaries are kept. Owned:
- * surface_store_close().
- * Errors: STATUS_IO, STATUS_MEMORY. */
+/** `directory` is where the temporary file goes (it is unlinked at once), "" the system's place for such; NULL: only
+ * summaries are kept. Owned: surface_store_close(). Errors: STATUS_IO, STATUS_MEMORY. */
 MUST_CHECK enum status_code surface_store_open(struct surface_store *out, const char *directory, size_t count,
                                                struct status *status);
 void surface_store_close(struct surface_store *store);

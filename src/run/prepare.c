@@ -6,6 +6,8 @@
 #include <string.h>
 #include <unistd.h>
 
+enum { SHOWN_MOST = 8 };
+
 /** Reads the rough counterface, if the scene has one. It must be readable: no result would mean anything without it. */
 static enum status_code read_counterface(struct prepared *out, const struct scene *scene, struct status *status)
 {
@@ -23,6 +25,63 @@ static enum status_code read_counterface(struct prepared *out, const struct scen
     return STATUS_OK;
 }
 
+static int compare_roughness(const void *a, const void *b, void *context)
+{
+    const struct surface_summary *summaries = context;
+    size_t i = *(const size_t *)a, j = *(const size_t *)b;
+    double x = summaries[i].roughness.rq_m, y = summaries[j].roughness.rq_m;
+    return x < y ? -1 : x > y ? 1 : i < j ? -1 : 1;
+}
+
+/** Ranks the usable surfaces and chooses which the charts show and which is the baseline. */
+static enum status_code rank_surfaces(struct results *results, struct status *status)
+{
+    const struct surface_store *store = results->store;
+    const char *baseline = results->scene->baseline;
+    size_t usable = 0, *order = malloc((store->count + SHOWN_MOST) * sizeof *order);
+    if (!order)
+        return status_memory(status);
+    for (size_t i = 0; i < store->count; i++)
+        if (store->summaries[i].usable)
+            order[usable++] = i;
+    results->by_roughness = order;
+    results->usable_count = usable;
+    if (usable == 0)
+        return STATUS_OK;
+    results->shown = order + store->count;
+    results->shown_count = usable < SHOWN_MOST ? usable : SHOWN_MOST;
+    memcpy(results->shown, order, results->shown_count * sizeof *order);
+    qsort_r(order, usable, sizeof *order, compare_roughness, store->summaries);
+    for (size_t k = 0; usable > SHOWN_MOST && k < SHOWN_MOST; k++) /* from smoothest to roughest, evenly */
+        results->shown[k] = order[k * (usable - 1) / (SHOWN_MOST - 1)];
+    results->baseline = order[usable > 1 ? 1 : 0];
+    if (baseline)
+        for (size_t i = 0; i < usable; i++)
+            if (strcmp(store->summaries[order[i]].scene->name, baseline) == 0)
+                results->baseline = order[i];
+    return STATUS_OK;
+}
+
+/** Adds what the models take at the measured loads, on the baseline surface. */
+static enum status_code predict_answers(struct results *results, struct status *status)
+{
+    struct surface_record record = {0};
+    if (results->usable_count == 0)
+        return STATUS_OK;
+    enum status_code rc = surface_store_get(&record, results->store, results->baseline, status);
+    struct model_task task = surface_task(&record, results->scene, results->plan, results->loads, results->load_count);
+    for (size_t m = 0; m < model_count && rc == STATUS_OK; m++) {
+        struct model_work more;
+        if (!plan_runs_model(results->plan, m))
+            continue;
+        rc = measured_work(&more, results->measured, m, &task, &record.repeats, status);
+        if (rc == STATUS_OK)
+            work_add(&results->predicted, m, &more);
+    }
+    surface_record_free(&record, false);
+    return rc;
+}
+
 enum status_code prepare(struct prepared *out, const struct scene *scene, const struct run_options *options,
                          const char *directory, struct status *status)
 {
@@ -38,17 +97,22 @@ enum status_code prepare(struct prepared *out, const struct scene *scene, const 
                            scene->directory);
     if (read_counterface(out, scene, status) != STATUS_OK)
         return status->code;
-    if (surface_store_open(&out->store, directory, scene->surface_count, status) != STATUS_OK ||
+    /* measured loads are answered on every scan of the baseline, so a plan too has to keep the scans */
+    const char *place = directory ? directory : scene->measured.file ? "" : NULL;
+    if (surface_store_open(&out->store, place, scene->surface_count, status) != STATUS_OK ||
         workers_run(&out->results, workers_describe, options, status) != STATUS_OK)
         return status->code;
-    effect_bounds_plan(&out->plan, scene, out->store.summaries, out->store.count);
-    if (scene->measured.file) {
-        if (measured_read(&out->measured, scene, &out->plan, status) != STATUS_OK)
-            return status->code;
-        out->results.measured = &out->measured;
-    }
+    effect_bounds_heights(&out->plan, scene, out->store.summaries, out->store.count);
+    effect_bounds_plan(&out->plan, scene, out->store.summaries, out->store.count, load_count);
+    if (rank_surfaces(&out->results, status) != STATUS_OK)
+        return status->code;
     out->results.predicted = work_predict(out->store.summaries, out->store.count, scene, &out->plan, load_count);
-    return STATUS_OK;
+    if (!scene->measured.file)
+        return STATUS_OK;
+    if (measured_read(&out->measured, scene, &out->plan, status) != STATUS_OK)
+        return status->code;
+    out->results.measured = &out->measured;
+    return predict_answers(&out->results, status);
 }
 
 void prepared_free(struct prepared *prepared)
@@ -59,6 +123,7 @@ void prepared_free(struct prepared *prepared)
         surface_record_free(prepared->counterface, true);
     free(prepared->counterface);
     free(prepared->loads);
+    free(prepared->results.by_roughness);
     *prepared = (struct prepared){0};
 }
 

@@ -13,8 +13,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SHOWN_MOST = 8 };
-
 /** A run in progress: what each stage leaves for the next. */
 struct run {
     const struct scene *scene;
@@ -23,52 +21,12 @@ struct run {
     struct prepared prepared;
     struct results *results; /* of `prepared` */
     struct benchmark benchmark;
+    struct sensitivity_curves sensitivity;
+    struct measured_answers answers;
     struct figure_list figures;
     double *sweeps;
     uint64_t sweep_scales;
 };
-
-static const struct surface_summary *summary_of(const struct run *run, size_t index)
-{
-    return &run->prepared.store.summaries[index];
-}
-
-static int compare_roughness(const void *a, const void *b, void *context)
-{
-    const struct surface_summary *summaries = context;
-    size_t i = *(const size_t *)a, j = *(const size_t *)b;
-    double x = summaries[i].roughness.rq_m, y = summaries[j].roughness.rq_m;
-    return x < y ? -1 : x > y ? 1 : i < j ? -1 : 1;
-}
-
-/** Ranks the usable surfaces and chooses which the charts show and which is the baseline. */
-static enum status_code rank_surfaces(struct run *run, struct status *status)
-{
-    struct results *results = run->results;
-    const struct surface_store *store = &run->prepared.store;
-    size_t usable = 0, *order = malloc((store->count + SHOWN_MOST) * sizeof *order);
-    if (!order)
-        return status_memory(status);
-    for (size_t i = 0; i < store->count; i++)
-        if (summary_of(run, i)->usable)
-            order[usable++] = i;
-    results->by_roughness = order;
-    results->usable_count = usable;
-    if (usable == 0)
-        return status_fail(status, STATUS_SCAN, "no readable scan in '%s'", run->scene->directory);
-    results->shown = order + store->count;
-    results->shown_count = usable < SHOWN_MOST ? usable : SHOWN_MOST;
-    memcpy(results->shown, order, results->shown_count * sizeof *order);
-    qsort_r(order, usable, sizeof *order, compare_roughness, store->summaries);
-    for (size_t k = 0; usable > SHOWN_MOST && k < SHOWN_MOST; k++) /* from smoothest to roughest, evenly */
-        results->shown[k] = order[k * (usable - 1) / (SHOWN_MOST - 1)];
-    results->baseline = order[usable > 1 ? 1 : 0];
-    if (run->scene->baseline)
-        for (size_t i = 0; i < usable; i++)
-            if (strcmp(summary_of(run, order[i])->scene->name, run->scene->baseline) == 0)
-                results->baseline = order[i];
-    return STATUS_OK;
-}
 
 /** The convergence study: every sweep by every model that stacks scales. */
 static enum status_code run_sweeps(struct run *run, struct status *status)
@@ -108,6 +66,35 @@ static void add_times(struct run_times *times, const struct surface_store *store
     }
 }
 
+/** The baseline against the shortest wavelength included (not where its scans were not looked at for that), and at the
+ * loads that were measured. */
+static enum status_code run_baseline(struct run *run, struct status *status)
+{
+    struct results *results = run->results;
+    struct surface_record baseline = {0};
+    if (surface_store_get(&baseline, results->store, results->baseline, status) != STATUS_OK)
+        return status->code;
+    struct model_task task =
+        surface_task(&baseline, results->scene, results->plan, results->loads, results->load_count);
+    struct model_task one = surface_middle_task(&task);
+    double unsure_m = fmax(sensitivity_cutoff(baseline.summary.spacing_m, results->scene->lambda_s_m),
+                           results->scene->tip_radius_m); /* a tip rounds off what is shorter than its radius */
+    uint64_t models = 0;
+    for (size_t m = 0; m < model_count; m++)
+        models |= plan_runs_model(results->plan, m) ? MODEL_BIT(m) : 0;
+    enum status_code rc = STATUS_OK;
+    if (baseline.sensitivity.scans > 0) {
+        rc = sensitivity_curves_make(&run->sensitivity, &one, models, unsure_m, status);
+        results->sensitivity = &run->sensitivity;
+    }
+    if (rc == STATUS_OK && results->measured) {
+        rc = measured_answer(&run->answers, results->measured, models, &task, &baseline.repeats, status);
+        results->answers = &run->answers;
+    }
+    surface_record_free(&baseline, false);
+    return rc;
+}
+
 /** What accuracy costs, on the baseline surface. */
 static enum status_code measure_cost(struct run *run, struct status *status)
 {
@@ -138,14 +125,16 @@ static enum status_code evaluate(struct run *run, struct run_outcome *out, struc
     run->results = &prepared->results;
     out->refused = prepare_messages(&out->messages, &prepared->store);
     out->surfaces = prepared->store.count - out->refused;
-    if (rc == STATUS_OK)
-        rc = rank_surfaces(run, status);
+    if (rc == STATUS_OK && run->results->usable_count == 0)
+        rc = status_fail(status, STATUS_SCAN, "no readable scan in '%s'", run->scene->directory);
     if (rc == STATUS_OK)
         rc = workers_run(run->results, workers_model, run->options, status);
     if (rc == STATUS_OK) { /* once more: the models may have something to say */
         text_free(&out->messages);
         prepare_messages(&out->messages, &prepared->store);
     }
+    if (rc == STATUS_OK)
+        rc = run_baseline(run, status);
     double last = clock_seconds();
     if (rc == STATUS_OK && plan_runs(&prepared->plan, EFFECT_CONVERGENCE))
         rc = run_sweeps(run, status);
@@ -158,6 +147,8 @@ static enum status_code evaluate(struct run *run, struct run_outcome *out, struc
         return rc;
     struct work *done = &run->results->done;
     *done = work_done(prepared->store.summaries, prepared->store.count, run->sweep_scales);
+    for (size_t m = 0; run->results->answers && m < model_count; m++)
+        work_add(done, m, &run->answers.work[m]);
     out->work_agrees = memcmp(done, &run->results->predicted, sizeof *done) == 0;
     prepare_table(&out->work, prepared, done);
     out->evaluations = work_total(done, &prepared->plan, &out->predicted_seconds);
@@ -233,11 +224,12 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
     }
     if (rc == STATUS_OK && asprintf(&out->path, "%s/report.html", run.output.target) < 0)
         rc = status_memory(status);
-    free(run.prepared.results.by_roughness);
     prepared_free(&run.prepared);
     output_abandon(&run.output);
     free(run.sweeps);
     benchmark_free(&run.benchmark);
+    sensitivity_curves_free(&run.sensitivity);
+    measured_answers_free(&run.answers);
     figure_list_free(&run.figures);
     out->times.total = clock_seconds() - started;
     return rc;

@@ -73,6 +73,8 @@ enum status_code workers_model(struct surface_record *record, const struct resul
     results->store->summaries[index] = record->summary; /* its texts may have been made anew */
     if (rc != STATUS_OK)
         return rc;
+    if (!results->measured || index != results->baseline) /* else no later stage asks for them */
+        surface_drop_scans(record);
     return surface_store_put(results->store, index, record, status);
 }
 

@@ -8,6 +8,7 @@
 #include "material/material.h"
 #include "profile/level.h"
 #include "scan/scan.h"
+#include "spectrum/power_law.h"
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -55,7 +56,8 @@ struct scene {
     char *directory; /* DIR as given */
     char *path;      /* of scene.yaml, NULL when there is none */
     char *title;
-    uint64_t models; /* MODEL_BITs asked for */
+    uint64_t models;   /* MODEL_BITs asked for */
+    bool models_named; /* by the scene, so that they run whatever the surfaces are */
     bool effects_auto;
     unsigned effects; /* EFFECT_BITs asked for, and those they build on, when !effects_auto */
     struct material material;
@@ -63,13 +65,17 @@ struct scene {
     struct material counterface;
     double nominal_area_m2; /* NaN: resistances stay per area */
     struct scene_load load;
-    double tolerance; /* relative */
+    double hardness_Pa; /* of the softer body; NaN: 2.84 times its yield strength */
+    double tolerance;   /* relative */
     enum level level;
+    bool level_given;    /* else of a periodic record the mean is taken out */
     double max_missing;  /* share of a profile's points that may be missing */
     double lambda_s_m;   /* cut-off of the Gaussian low-pass; 0: none */
     double lambda_c_m;   /* cut-off of the Gaussian high-pass; 0: none */
     double tip_radius_m; /* of the stylus; 0: not known */
     enum spectrum_window window;
+    enum power_law_method fit;
+    bool fit_band_given;  /* else the band is found (auto) */
     double fit_band_m[2]; /* shortest, longest wavelength; 0, INFINITY: all. Where not given: what the filters leave */
     enum roughness_moments moments;
     enum sinusoid_fit_id closure;

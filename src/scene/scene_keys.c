@@ -2,6 +2,7 @@
 #include "scene/scene_surfaces.h"
 #include "scene/scene_words.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -73,6 +74,7 @@ static bool read_models(struct scene_source *source, const struct scene_key *key
         return false;
     uint64_t *models = key->field;
     *models = 0;
+    source->scene->models_named = true;
     for (size_t i = 0; i < count; i++)
         *models |= lines[i] ? model_find(names[i]) : 0;
     return *models || scene_source_fail(source, scene_source_line(value),
@@ -249,10 +251,12 @@ bool scene_keys_read(struct scene_source *source, const yaml_node_t *root)
         {"direction", SCENE_CHOICE(scene->direction, scan_direction_names)},
         {"measured", read_measured, .field = &scene->measured},
         {"nominal_area_m2", SCENE_NUMBER(scene->nominal_area_m2, 1e-18, 1e6), .word = "none"},
+        {"hardness", SCENE_NUMBER(scene->hardness_Pa, 1e3, 1e12)},
         {"load", read_load, .field = &scene->load},
         {"tolerance", SCENE_NUMBER(scene->tolerance, SCENE_KEYS_TOLERANCE_LEAST, SCENE_KEYS_TOLERANCE_MOST)},
         {"level", SCENE_CHOICE(scene->level, level_names)},
         {"window", SCENE_CHOICE(scene->window, spectrum_window_names)},
+        {"fit", SCENE_CHOICE(scene->fit, power_law_method_names)},
         {"fit_band_m", read_fit_band, scene->fit_band_m, 1e-12, 1e3, .word = "all"},
         {"moments", SCENE_CHOICE(scene->moments, roughness_moments_names)},
         {"closure", SCENE_CHOICE(scene->closure, closure_names)},
@@ -270,7 +274,10 @@ bool scene_keys_read(struct scene_source *source, const yaml_node_t *root)
         return scene_source_fail(source, scene_source_line_of(keys, "lambda_c_m"),
                                  "'lambda_c_m' is %g, not above 'lambda_s_m', %g; nothing would be left between them",
                                  scene->lambda_c_m, scene->lambda_s_m);
-    if (scene_source_line_of(keys, "fit_band_m") == 0) { /* what the filters leave */
+    scene->level_given = scene_source_line_of(keys, "level") > 0;
+    bool band = scene_source_line_of(keys, "fit_band_m") > 0;
+    scene->fit_band_given = band && (scene->fit_band_m[0] > 0 || isfinite(scene->fit_band_m[1]));
+    if (!band) { /* what the filters leave */
         scene->fit_band_m[0] = scene->lambda_s_m;
         if (scene->lambda_c_m > 0)
             scene->fit_band_m[1] = scene->lambda_c_m;

@@ -151,8 +151,11 @@ static enum status_code add_spectrum(struct areal *out, const struct scan *scan,
     struct status refused = {0};
     enum status_code code = profile_make(&profile, scan, y, &profile_defaults, &refused);
     if (code == STATUS_OK)
-        code = spectrum_compute(&spectrum, profile.height_m, profile.points, profile.spacing_m, SPECTRUM_WINDOW_NONE,
-                                &refused);
+        code = spectrum_compute(&spectrum, profile.height_m, profile.points, profile.spacing_m,
+                                spectrum_window_for(SPECTRUM_WINDOW_AUTO, profile.periodic), &refused);
+    if (code == STATUS_OK)
+        code = power_law_scans_add(&out->scans, profile.height_m, profile.points, profile.spacing_m, profile.digit_m,
+                                   &refused);
     if (code == STATUS_OK && out->spectrum_rows == 0) {
         out->spectrum = spectrum;
         spectrum = (struct spectrum){0};
@@ -184,15 +187,36 @@ enum status_code areal_compute(struct areal *out, const struct scan *scan, struc
             code = add_spectrum(out, scan, y, status);
     }
     free(rows.x_m);
+    if (code == STATUS_OK)
+        code = power_law_scans_end_file(&out->scans, out->spectrum_rows, true, status);
     if (code == STATUS_OK && (rows.m2.count == 0 || rows.m4.count == 0))
         return status_fail(status, STATUS_SCAN, "no row of the map has three heights side by side");
-    out->rows =
-        (struct roughness){sqrt(rows.m0.value), rows.ra.value, rows.pv_m, rows.m0.value, rows.m2.value, rows.m4.value};
+    out->rows = (struct roughness){.rq_m = sqrt(rows.m0.value),
+                                   .ra_m = rows.ra.value,
+                                   .pv_m = rows.pv_m,
+                                   .m0_m2 = rows.m0.value,
+                                   .m2 = rows.m2.value,
+                                   .m4_per_m2 = rows.m4.value,
+                                   .cube_m3 = NAN,
+                                   .fourth_m4 = NAN};
     return code;
 }
 
 void areal_free(struct areal *areal)
 {
     spectrum_free(&areal->spectrum);
+    power_law_scans_free(&areal->scans);
     *areal = (struct areal){0};
+}
+
+enum status_code areal_flatten(double *height_m, const struct scan *scan, struct status *status)
+{
+    struct plane plane;
+    if (fit_plane(&plane, scan, status) != STATUS_OK)
+        return status->code;
+    for (size_t i = 0; i < scan->nx * scan->ny; i++) {
+        double x = (double)(i % scan->nx) - plane.x, y = (double)(i / scan->nx) - plane.y;
+        height_m[i] = scan->z_m[i] - plane.z - plane.p * x - plane.q * y;
+    }
+    return STATUS_OK;
 }

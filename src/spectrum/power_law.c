@@ -1,8 +1,32 @@
 #include "spectrum/power_law.h"
 
+#include <gsl/gsl_sf_psi.h>
 #include <math.h>
 
-const double power_law_gaussian_scatter_decades = 0.27850215700262515; /* pi/(sqrt(24) ln 10) */
+const char *const power_law_method_names[POWER_LAW_METHOD_COUNT] = {"auto", "thesis"};
+
+double power_law_gaussian_scatter(double scans)
+{
+    return sqrt(gsl_sf_psi_n(1, scans)) / (2 * M_LN10);
+}
+
+static struct power_law no_law(const double band_m[2])
+{
+    return (struct power_law){.found = POWER_LAW_BAND_NONE,
+                              .alpha = NAN,
+                              .alpha_error = NAN,
+                              .gamma = NAN,
+                              .gamma_error = NAN,
+                              .amplitude_m = NAN,
+                              .amplitude_error_decades = NAN,
+                              .wavelength_m = NAN,
+                              .psd_m3 = NAN,
+                              .misfit_decades = NAN,
+                              .band_m = {band_m[0], band_m[1]},
+                              .knee_m = NAN,
+                              .gamma_below = NAN,
+                              .gamma_above = NAN};
+}
 
 /** Running sums of a straight-line fit y = intercept + slope x, about a fixed origin to keep digits. */
 struct sums {
@@ -93,7 +117,7 @@ static void find_knee(struct power_law *law, const struct spectrum *spectrum, co
 
 struct power_law power_law_fit(const struct spectrum *spectrum, const double band_m[2])
 {
-    struct power_law law = {NAN, NAN, NAN, NAN, NAN, {band_m[0], band_m[1]}, 0, NAN, NAN, NAN};
+    struct power_law law = no_law(band_m);
     struct sums sums = {0};
     size_t first = 0, last = 0;
     for (size_t i = 0; i < spectrum->count; i++)
@@ -122,9 +146,37 @@ struct power_law power_law_fit(const struct spectrum *spectrum, const double ban
     law.gamma_error = sqrt(variance / line.x_spread);
     law.alpha = alpha;
     law.alpha_error = alpha_error;
-    law.rms_decades = sqrt(line.residual / sums.n);
+    law.misfit_decades = sqrt(line.residual / sums.n);
+    law.found = POWER_LAW_BAND_LAW;
+    law.wavelength_m = sqrt(law.band_m[0]) * sqrt(law.band_m[1]);
+    law.amplitude_m = power_law_amplitude(&law, law.wavelength_m);
+    lever = log10(law.wavelength_m) - log_length - line.x_mean;
+    law.amplitude_error_decades = sqrt(variance * (1 / sums.n + lever * lever / line.x_spread));
+    law.psd_m3 = law.amplitude_m * law.amplitude_m * spectrum->length_m / 2;
     find_knee(&law, spectrum, &sums, line.residual);
     return law;
+}
+
+struct power_law power_law_of_band(const struct power_law_band *band)
+{
+    struct power_law law = no_law(band->fit.band_m);
+    if (band->law == POWER_LAW_BAND_NONE || !isnormal(band->alpha)) /* a steep law through a record of 1e-20 m */
+        return law;
+    law.found = band->law;
+    law.alpha = band->alpha;
+    law.gamma = band->fit.gamma;
+    law.gamma_error = band->fit.gamma_s;
+    law.amplitude_m = band->amplitude_m;
+    law.amplitude_error_decades = band->fit.log10_amplitude_s;
+    law.wavelength_m = band->fit.wavelength_m;
+    law.psd_m3 = band->psd_m3;
+    law.misfit_decades = band->fit.misfit_decades;
+    return law;
+}
+
+bool power_law_holds(const struct power_law *law)
+{
+    return law->found == POWER_LAW_BAND_LAW && isfinite(law->gamma);
 }
 
 double power_law_amplitude(const struct power_law *law, double wavelength_m)

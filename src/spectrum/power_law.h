@@ -2,20 +2,35 @@
 #ifndef SPECTRUM_POWER_LAW_H
 #define SPECTRUM_POWER_LAW_H
 
+#include "spectrum/power_law_band.h"
 #include "spectrum/spectrum.h"
 
-/** Scatter of log10 amplitude that a Gaussian random surface has by itself: pi/sqrt(24)/ln 10 decades. */
-extern const double power_law_gaussian_scatter_decades;
+/** How the law is fitted. */
+enum power_law_method {
+    POWER_LAW_AUTO,   /* in the band found in the multitaper spectrum: power_law_band.h, power_law_of_band() */
+    POWER_LAW_THESIS, /* least squares over all harmonics of the periodogram: power_law_fit() */
+    POWER_LAW_METHOD_COUNT
+};
+extern const char *const power_law_method_names[POWER_LAW_METHOD_COUNT]; /* as a scene spells them */
 
-/** Least squares of log10 Delta on log10 lambda, lambda in metres. A fit that cannot be made has gamma = NaN. */
+/** Standard deviation of log10 amplitude of the periodogram of a Gaussian random surface, averaged as powers over
+ * `scans` M >= 1: sqrt(psi'(M))/(2 ln 10) decades; pi/sqrt(24)/ln 10 = 0.278 for one. */
+double power_law_gaussian_scatter(double scans);
+
+/** The law by either method, lambda in metres. One that cannot be fitted or is not found has gamma = NaN. */
 struct power_law {
-    double alpha;       /* m^(1-gamma) */
-    double alpha_error; /* standard error, m^(1-gamma) */
+    enum power_law_band_class found; /* of the thesis's method: LAW where there is a fit */
+    double alpha;                    /* m^(1-gamma) */
+    double alpha_error;              /* standard error, m^(1-gamma); NaN where alpha is only derived (auto) */
     double gamma;
-    double gamma_error;              /* standard error */
-    double rms_decades;              /* RMS residual of log10 Delta */
+    double gamma_error;             /* standard error */
+    double amplitude_m;             /* of the law at wavelength_m, the band's middle; auto: rms amplitude */
+    double amplitude_error_decades; /* standard error of its log10 */
+    double wavelength_m;
+    double psd_m3;                   /* amplitude² L/2: does not depend on the length of the scan */
+    double misfit_decades;           /* auto: lack of fit beyond a Gaussian surface's scatter; thesis: RMS residual */
     double band_m[2];                /* shortest and longest wavelength used */
-    size_t harmonics;                /* how many were used */
+    size_t harmonics;                /* thesis: how many were used */
     double knee_m;                   /* wavelength at which two slopes fit clearly better than one; NaN: one will do */
     double gamma_below, gamma_above; /* slopes on the short and the long side of the knee */
 };
@@ -23,6 +38,12 @@ struct power_law {
 /** Fits (4.53) to the harmonics whose wavelength lies in band_m = {shortest, longest}; amplitudes of zero are left out.
  * Fewer than 3 harmonics in the band, or an alpha beyond the range of double: every number NaN. */
 struct power_law power_law_fit(const struct spectrum *spectrum, const double band_m[2]);
+
+/** The law of a band that was found; of none: every number NaN. */
+struct power_law power_law_of_band(const struct power_law_band *band);
+
+/** May it be carried on, ranked, and put at the head of a report? Not one of under a decade. */
+bool power_law_holds(const struct power_law *law);
 
 /** Amplitude of the law at a wavelength [m] (4.53). */
 double power_law_amplitude(const struct power_law *law, double wavelength_m);

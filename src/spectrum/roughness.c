@@ -13,15 +13,23 @@ static const double most_nayak = 1e24; /* slopes beyond are what rounding leaves
 /** What needs no positions. */
 static struct roughness heights_alone(const double *height_m, size_t points)
 {
-    double square = 0, absolute = 0, lowest = height_m[0], highest = height_m[0], count = (double)points;
+    double square = 0, cube = 0, fourth = 0, absolute = 0, lowest = height_m[0], highest = height_m[0],
+           count = (double)points;
     for (size_t i = 0; i < points; i++) {
-        square += height_m[i] * height_m[i];
+        double z2 = height_m[i] * height_m[i];
+        square += z2;
+        cube += z2 * height_m[i];
+        fourth += z2 * z2;
         absolute += fabs(height_m[i]);
         lowest = fmin(lowest, height_m[i]);
         highest = fmax(highest, height_m[i]);
     }
-    return (struct roughness){
-        .rq_m = sqrt(square / count), .ra_m = absolute / count, .pv_m = highest - lowest, .m0_m2 = square / count};
+    return (struct roughness){.rq_m = sqrt(square / count),
+                              .ra_m = absolute / count,
+                              .pv_m = highest - lowest,
+                              .m0_m2 = square / count,
+                              .cube_m3 = cube / count,
+                              .fourth_m4 = fourth / count};
 }
 
 struct roughness roughness_of_heights(const double *height_m, size_t points, double spacing_m)
@@ -69,17 +77,39 @@ void roughness_average(struct roughness *mean, const struct roughness *other, si
     mean->m0_m2 += weight * (other->m0_m2 - mean->m0_m2);
     mean->m2 += weight * (other->m2 - mean->m2);
     mean->m4_per_m2 += weight * (other->m4_per_m2 - mean->m4_per_m2);
+    mean->cube_m3 += weight * (other->cube_m3 - mean->cube_m3);
+    mean->fourth_m4 += weight * (other->fourth_m4 - mean->fourth_m4);
     mean->rq_m = sqrt(mean->m0_m2);
     mean->pv_m = fmax(mean->pv_m, other->pv_m);
 }
 
 void roughness_add(struct roughness *sum, const struct roughness *other)
 {
+    sum->cube_m3 += other->cube_m3; /* cumulants of independent heights add */
+    sum->fourth_m4 += other->fourth_m4 + 6 * sum->m0_m2 * other->m0_m2;
     sum->m0_m2 += other->m0_m2;
     sum->m2 += other->m2;
     sum->m4_per_m2 += other->m4_per_m2;
     sum->rq_m = sqrt(sum->m0_m2);
     sum->ra_m = sum->pv_m = NAN; /* of the two together neither is known */
+}
+
+double roughness_skewness(const struct roughness *roughness)
+{
+    return roughness->cube_m3 / (roughness->m0_m2 * sqrt(roughness->m0_m2));
+}
+
+double roughness_kurtosis(const struct roughness *roughness)
+{
+    return roughness->fourth_m4 / roughness->m0_m2 / roughness->m0_m2;
+}
+
+bool roughness_is_gaussian(const struct roughness *roughness)
+{
+    static const double most_skewness = 0.5, least_kurtosis = 2.5, most_kurtosis = 4;
+    double kurtosis = roughness_kurtosis(roughness);
+    return fabs(roughness_skewness(roughness)) < most_skewness && kurtosis >= least_kurtosis &&
+           kurtosis <= most_kurtosis;
 }
 
 double roughness_nayak(const struct roughness *roughness)

@@ -16,6 +16,8 @@ struct roughness {
     double m0_m2;     /* mean square height */
     double m2;        /* mean square slope */
     double m4_per_m2; /* mean square curvature */
+    double cube_m3;   /* mean cubed height */
+    double fourth_m4; /* mean fourth power of the height */
 };
 
 /** Heights (`points` >= 3, levelled, spacing h): m2 by central differences, m4 by the 3-point second difference, over
@@ -28,6 +30,12 @@ struct roughness roughness_of_points(const double *x_m, const double *height_m, 
 
 /** m0, m2, m4 of the spectrum instead; the other fields are left as they are in `roughness`. */
 void roughness_from_spectrum(struct roughness *roughness, const struct spectrum *spectrum);
+
+/** Rsk and Rku, the third and fourth power's mean over that of Rq (ISO 21920-2): 0 and 3 for Gaussian heights. */
+double roughness_skewness(const struct roughness *roughness);
+double roughness_kurtosis(const struct roughness *roughness);
+/** May models that know only the spectrum be trusted: |Rsk| < 0.5 and 2.5 <= Rku <= 4? */
+bool roughness_is_gaussian(const struct roughness *roughness);
 
 /** Mean over scans: m0, m2, m4, Ra averaged, Rq from m0, PV the largest. `so_far` is how many `mean` holds. */
 void roughness_average(struct roughness *mean, const struct roughness *other, size_t so_far);

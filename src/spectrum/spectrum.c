@@ -1,11 +1,20 @@
 #include "spectrum/spectrum.h"
 
 #include "base/fft.h"
+#include "profile/record_window.h"
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-const char *const spectrum_window_names[SPECTRUM_WINDOW_COUNT] = {"none", "hann"};
+const char *const spectrum_window_names[SPECTRUM_WINDOW_COUNT] = {"auto", "none", "hann"};
+
+enum spectrum_window spectrum_window_for(enum spectrum_window asked, bool periodic)
+{
+    if (asked != SPECTRUM_WINDOW_AUTO)
+        return asked;
+    return periodic ? SPECTRUM_WINDOW_NONE : SPECTRUM_WINDOW_HANN;
+}
 
 static double mean_of(const double *values, size_t count)
 {
@@ -15,35 +24,20 @@ static double mean_of(const double *values, size_t count)
     return sum / (double)count;
 }
 
-static double mean_square_about(const double *values, size_t count, double mean)
-{
-    double sum = 0;
-    for (size_t i = 0; i < count; i++)
-        sum += (values[i] - mean) * (values[i] - mean);
-    return sum / (double)count;
-}
-
-/** Copies the heights without their mean; with a Hann window, scaled so that their mean square stays. */
+/** Copies the heights without their mean, under the window. */
 static void take_window(double *record, const double *height_m, size_t points, enum spectrum_window window)
 {
     double mean = mean_of(height_m, points);
     for (size_t i = 0; i < points; i++)
         record[i] = height_m[i] - mean;
-    if (window == SPECTRUM_WINDOW_NONE)
-        return;
-    double before = mean_square_about(height_m, points, mean);
-    for (size_t i = 0; i < points; i++)
-        record[i] *= 0.5 * (1 - cos(2 * M_PI * ((double)i + 0.5) / (double)points));
-    mean = mean_of(record, points);
-    double after = mean_square_about(record, points, mean);
-    double scale = after > 0 ? sqrt(before / after) : 1;
-    for (size_t i = 0; i < points; i++)
-        record[i] = (record[i] - mean) * scale;
+    if (window == SPECTRUM_WINDOW_HANN)
+        record_window_hann(record, points);
 }
 
 enum status_code spectrum_compute(struct spectrum *out, const double *height_m, size_t points, double spacing_m,
                                   enum spectrum_window window, struct status *status)
 {
+    assert(window != SPECTRUM_WINDOW_AUTO);
     size_t count = points / 2;
     *out = (struct spectrum){.count = count, .length_m = (double)points * spacing_m, .has_nyquist = points % 2 == 0};
     double *record = fftw_alloc_real(points);

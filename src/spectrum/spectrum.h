@@ -7,8 +7,16 @@
 #include <stddef.h>
 
 /** What a record is multiplied by before its transform. */
-enum spectrum_window { SPECTRUM_WINDOW_NONE, SPECTRUM_WINDOW_HANN, SPECTRUM_WINDOW_COUNT };
+enum spectrum_window {
+    SPECTRUM_WINDOW_AUTO, /* none for a record that closes on itself, else Hann: spectrum_window_for() */
+    SPECTRUM_WINDOW_NONE,
+    SPECTRUM_WINDOW_HANN,
+    SPECTRUM_WINDOW_COUNT
+};
 extern const char *const spectrum_window_names[SPECTRUM_WINDOW_COUNT]; /* as a scene spells them */
+
+/** What a scene's window is for one record: auto becomes none or Hann. */
+enum spectrum_window spectrum_window_for(enum spectrum_window asked, bool periodic);
 
 /** Amplitudes of the harmonics n = 1 ... count of a record of length L = N h. Owned: spectrum_free(). */
 struct spectrum {
@@ -19,7 +27,8 @@ struct spectrum {
 };
 
 /** Delta_n = 2|Z_n|/N, n = 1 ... ceil(N/2)-1, and |Z_{N/2}|/N at the Nyquist bin of an even N, of `points` >= 3 heights
- * at `spacing_m`. The mean is taken out first. The Hann window is scaled to keep the mean square.
+ * at `spacing_m`. The mean is taken out first. The Hann window
+ * has the factor sqrt(8/3), which keeps the mean square of many records but not of each: record_window.h. Not for AUTO.
  * Errors: STATUS_MEMORY. */
 MUST_CHECK enum status_code spectrum_compute(struct spectrum *out, const double *height_m, size_t points,
                                              double spacing_m, enum spectrum_window window, struct status *status);

@@ -40,6 +40,7 @@ static int make(void **state)
                            .material = *material_find("tin"),
                            .counterface_kind = MATERIAL_COUNTERFACE_RIGID,
                            .counterface = material_unknown("rigid"),
+                           .hardness_Pa = NAN,
                            .tolerance = 1e-7,
                            .closure = SINUSOID_FIT_THESIS};
     plan_make(&plan, &scene);

@@ -33,7 +33,7 @@ static void make(double slope)
 
 static struct curve_summary summary_of(void)
 {
-    struct curve_summary summary = {.seconds = 3, .bounds.yield = 7, .repeated_beta.count = 2};
+    struct curve_summary summary = {.seconds = 3, .bounds.yield = 7, .sensitivity.area = {0.8}};
     curve_summary_make(&summary, &curve, &plain, 1e-7);
     return summary;
 }
@@ -80,6 +80,13 @@ static void test_the_elbow(void **state)
     assert_true(isnan(summary_of().elbow_load));
 }
 
+static void assert_validity(const struct model_row *row, size_t first, size_t end)
+{
+    struct curve_validity valid = curve_summary_validity(&curve, row);
+    assert_int_equal(valid.first, first);
+    assert_int_equal(valid.end, end);
+}
+
 static void test_where_it_is_not_valid(void **state)
 {
     (void)state;
@@ -95,15 +102,39 @@ static void test_where_it_is_not_valid(void **state)
     assert_near(s.invalid_fit_load, points[12].load, 1e-12);
     assert_near(s.most_beyond_fit, 0.4, 1e-12);
     assert_near(s.most_radius_clamped, 0.3, 1e-12);
-    assert_int_equal(curve_summary_first_invalid(&curve, &plain), 12);
+    assert_validity(&plain, 0, 12);
     for (int i = 0; i < LOADS; i++)
         points[i].beyond_fit = 0;
-    assert_int_equal(curve_summary_first_invalid(&curve, &plain), 15);
+    assert_validity(&plain, 0, 15);
     struct model_row any = plain;
     any.largest_area = 0; /* valid at any area */
-    assert_int_equal(curve_summary_first_invalid(&curve, &any), LOADS);
+    assert_validity(&any, 0, LOADS);
     curve_summary_make(&s, &curve, &any, 1e-7);
     assert_true(isnan(s.invalid_area_load) && isnan(s.invalid_fit_load));
+}
+
+/* Loads too light for the law's fitted range are outside too, and are not where the curve leaves it. */
+static void test_light_loads_that_are_not_valid(void **state)
+{
+    (void)state;
+    make(1);
+    for (int i = 0; i < LOADS; i++)
+        points[i].area_ratio = 0.01;
+    for (int i = 0; i < 5; i++)
+        points[i].beyond_fit = 0.5;
+    struct curve_summary s = summary_of();
+    assert_validity(&plain, 5, LOADS);
+    assert_true(isnan(s.invalid_fit_load));
+    assert_near(s.most_beyond_fit, 0.5, 1e-12);
+    points[30].beyond_fit = 0.2;
+    s = summary_of();
+    assert_validity(&plain, 5, 30);
+    assert_near(s.invalid_fit_load, points[30].load, 1e-12);
+    for (int i = 0; i < LOADS; i++)
+        points[i].beyond_fit = 0.2;
+    s = summary_of();
+    assert_validity(&plain, 0, 0); /* nowhere */
+    assert_near(s.invalid_fit_load, points[0].load, 1e-12);
 }
 
 static void test_the_rest(void **state)
@@ -123,7 +154,7 @@ static void test_the_rest(void **state)
     assert_int_equal(s.clamped, 6);
     assert_near(s.seconds, 3, 1e-12); /* what was known before stays */
     assert_near(s.bounds.yield, 7, 1e-12);
-    assert_int_equal(s.repeated_beta.count, 2);
+    assert_near(s.sensitivity.area[0], 0.8, 1e-12);
     struct model_row stacked = plain;
     stacked.quantities &= ~QUANTITY_BIT(QUANTITY_ADJUSTED);
     curve_summary_make(&s, &curve, &stacked, 1e-7);
@@ -136,6 +167,7 @@ int main(void)
         cmocka_unit_test(test_the_slope_of_the_area),
         cmocka_unit_test(test_the_elbow),
         cmocka_unit_test(test_where_it_is_not_valid),
+        cmocka_unit_test(test_light_loads_that_are_not_valid),
         cmocka_unit_test(test_the_rest),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

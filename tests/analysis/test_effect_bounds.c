@@ -77,7 +77,15 @@ static struct scene scene;
 static struct plan plan;
 static struct surface_record record;
 static double amplitudes_m[3]; /* of the mean and of two scans */
+static struct repeat parts[2];
+static struct repeats_scan scans[2];
 static const double loads[] = {1e-4};
+
+/* The spectrum's short end along alpha lambda^gamma. */
+static struct convergence_tail tail(double alpha, double gamma)
+{
+    return (struct convergence_tail){.wavelength_m = 1e-4, .amplitude_m = alpha * pow(1e-4, gamma), .gamma = gamma};
+}
 
 static int make(void **state)
 {
@@ -94,7 +102,7 @@ static int make(void **state)
     record.summary.models = calloc(model_count, sizeof *record.summary.models);
     assert_non_null(record.summary.models);
     record.spectrum = (struct spectrum){&amplitudes_m[0], 1, 1e-3, false};
-    record.summary.power_law = (struct power_law){.alpha = 1e-4, .gamma = NAN};
+    record.summary.tail = tail(1e-4, NAN);
     return 0;
 }
 
@@ -119,9 +127,11 @@ static const struct curve_bounds *bounds_of(size_t m)
 
 static void add_repeats(void)
 {
-    record.repeat_count = 2;
-    for (int r = 0; r < 2; r++)
-        record.repeats[r].spectrum = (struct spectrum){&amplitudes_m[r + 1], 1, 1e-3, false};
+    for (size_t p = 0; p < 2; p++) {
+        parts[p] = (struct repeat){.spectrum = {&amplitudes_m[p + 1], 1, 1e-3, false}, .scan = p};
+        scans[p] = (struct repeats_scan){.weight = 1};
+    }
+    record.repeats = (struct repeat_set){.parts = parts, .count = 2, .scans = scans, .scan_count = 2};
 }
 
 /* ---------------------------------------------------------------- bounds */
@@ -135,14 +145,14 @@ static void test_yield_of_the_surface_its_scans_and_its_extension(void **state)
     amplitudes_m[2] = 3e-6;
     assert_near(bounds_of(STACK)->yield, 3e-6, 1e-12);
     scene.convergence.load = 1e-9; /* not converged */
-    /* the law at its longest wavelength: 0.1 (1e-3)^1.5; at an atom's only where it is the steeper end */
-    record.summary.power_law = (struct power_law){.alpha = 0.1, .gamma = 1.5};
+    /* the tail at the shortest wavelength: 0.1 (1e-3)^1.5; at an atom's only where it is the steeper end */
+    record.summary.tail = tail(0.1, 1.5);
     assert_near(bounds_of(STACK)->yield, 0.1 * pow(1e-3, 1.5), 1e-9);
     assert_near(bounds_of(SPHERES)->yield, 0, 0);
     plan_switch_off(&plan, EFFECT_CONVERGENCE);
     assert_near(bounds_of(STACK)->yield, 3e-6, 1e-12);
     plan.running |= EFFECT_BIT(EFFECT_CONVERGENCE);
-    record.summary.power_law = (struct power_law){.alpha = 1, .gamma = -0.1};
+    record.summary.tail = tail(1, -0.1);
     assert_near(bounds_of(STACK)->yield, pow(3e-10, -0.1), 1e-9);
     plan.models |= MODEL_BIT(UNBOUNDED);
     assert_true(isinf(bounds_of(UNBOUNDED)->yield));
@@ -152,16 +162,16 @@ static void test_yield_of_the_surface_its_scans_and_its_extension(void **state)
 static void test_converged(void **state)
 {
     (void)state;
-    double limit_m = 2e-6;
+    double limit_m = 1e-3;
     for (int side = -1; side <= 1; side += 2) {
         double slope = 1e-3 / (sqrt(2) * M_PI) * (1 + 1e-6 * side); /* Delta f */
-        record.summary.power_law = (struct power_law){.alpha = slope / pow(limit_m, 0.5), .gamma = 1.5};
+        record.summary.tail = tail(slope / pow(limit_m, 0.5), 1.5);
         bounds_of(STACK);
         assert_int_equal(record.summary.bound.converged, side < 0);
-        record.summary.power_law = (struct power_law){.alpha = 0.5 * slope, .gamma = 1};
+        record.summary.tail = tail(0.5 * slope, 1);
         bounds_of(STACK);
         assert_true(record.summary.bound.converged);
-        record.summary.power_law = (struct power_law){.alpha = 0.5 * slope * pow(limit_m, 0.001), .gamma = 0.999};
+        record.summary.tail = tail(0.5 * slope * pow(limit_m, 0.001), 0.999);
         bounds_of(STACK);
         assert_false(record.summary.bound.converged);
     }
@@ -187,15 +197,35 @@ static void test_scale_dependence(void **state)
     assert_near(bounds_of(ELASTIC)->scale_dependence, 0, 0);
 }
 
-static void test_work_of_scans_alone(void **state)
+/* Of scans run alone: of each, until one exceeds the tolerance; their mean spectrum has no curve. */
+static void test_scale_dependence_of_scans_alone(void **state)
 {
     (void)state;
     add_repeats();
-    assert_int_equal(bounds_of(ELASTIC)->repeats_work[0].scales, 2);
-    assert_int_equal(bounds_of(ELASTIC)->repeats_work[0].gaps, 0);
-    assert_int_equal(bounds_of(ELASTIC)->repeats_work[1].gaps, 10);
+    assert_near(bounds_of(ELASTIC)->scale_dependence, 1e-6, 1e-12);
+    assert_int_equal(record.summary.bound.visits, 1);
+    amplitudes_m[2] = 3e-6;
+    scene.tolerance = 2e-6; /* the first is within it */
+    assert_near(bounds_of(ELASTIC)->scale_dependence, 6e-6, 1e-12);
+    assert_int_equal(record.summary.bound.visits, 2);
+    scene.tolerance = 1e-5;
+    plan_switch_off(&plan, EFFECT_PLASTICITY);
+    assert_near(bounds_of(ELASTIC)->scale_dependence, 6e-6, 1e-12); /* the larger one's, whatever their order */
+    amplitudes_m[1] = 4e-6;
+    assert_near(bounds_of(ELASTIC)->scale_dependence, 8e-6, 1e-12);
+}
+
+static void test_work_of_scans_alone(void **state)
+{
+    (void)state;
+    assert_int_equal(bounds_of(ELASTIC)->work[0].scales, 1);
+    assert_int_equal(bounds_of(ELASTIC)->work[1].gaps, 5);
+    add_repeats();
+    assert_int_equal(bounds_of(ELASTIC)->work[0].scales, 2);
+    assert_int_equal(bounds_of(ELASTIC)->work[0].gaps, 0);
+    assert_int_equal(bounds_of(ELASTIC)->work[1].gaps, 10);
     scene.effects_auto = false; /* counted all the same, and nothing is bounded */
-    assert_int_equal(bounds_of(STACK)->repeats_work[1].gaps, 10);
+    assert_int_equal(bounds_of(STACK)->work[1].gaps, 10);
     assert_near(bounds_of(STACK)->yield, 0, 0);
 }
 
@@ -207,12 +237,13 @@ static void decide(double yield, double raise)
     record.summary.models[STACK].bounds.yield = yield;
     record.summary.models[SPHERES].bounds.yield = 0.5e-8;
     record.summary.models[ELASTIC].bounds.scale_dependence = raise;
-    effect_bounds_plan(&plan, &scene, &record.summary, 1);
+    effect_bounds_plan(&plan, &scene, &record.summary, 1, 1);
 }
 
 static void test_decisions(void **state)
 {
     (void)state;
+    record.summary.tail = tail(1, 0.9);
     decide(1.01e-8, 1.01e-8);
     assert_true(plan_runs(&plan, EFFECT_PLASTICITY) && plan_runs(&plan, EFFECT_SCALE_DEPENDENT));
     assert_string_equal(plan.effects[EFFECT_PLASTICITY].reason, "yields 1.01e-08");
@@ -223,6 +254,17 @@ static void test_decisions(void **state)
     assert_false(plan_runs(&plan, EFFECT_PLASTICITY) || plan_runs(&plan, EFFECT_SCALE_DEPENDENT));
     assert_string_equal(plan.effects[EFFECT_PLASTICITY].reason, "rests 9.9e-09, and rests 5e-09");
     assert_false(plan.wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT));
+}
+
+/* Too few harmonics tell nothing of the waves below the sampling limit. */
+static void test_no_tail_to_carry_on(void **state)
+{
+    (void)state;
+    record.summary.tail = tail(1, NAN);
+    assert_near(bounds_of(STACK)->yield, 1e-6, 1e-12);
+    decide(0, 0);
+    assert_string_equal(plan.effects[EFFECT_CONVERGENCE].reason,
+                        "sweeps only: 1 of 1 surfaces have too few harmonics to carry on below their sampling limit");
 }
 
 /* A refused surface has no say; nor has a bound in a scene that lists its effects. */
@@ -256,8 +298,10 @@ int main(void)
         bounds_test(test_yield_of_the_surface_its_scans_and_its_extension),
         bounds_test(test_converged),
         bounds_test(test_scale_dependence),
+        bounds_test(test_scale_dependence_of_scans_alone),
         bounds_test(test_work_of_scans_alone),
         bounds_test(test_decisions),
+        bounds_test(test_no_tail_to_carry_on),
         bounds_test(test_who_has_no_say),
         bounds_test(test_models_without_a_bound),
     };

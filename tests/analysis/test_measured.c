@@ -272,64 +272,131 @@ static void only_an_effect_that_runs_is_compared(void **state)
     measured_free(&measured);
 }
 
-/** Measurements that are the curve times a factor: the distance is its logarithm; what the curve does not cover is not
- * compared. */
+/** Answers of all models, none yet. */
+static struct measured_answers no_answers(const struct measured *measured)
+{
+    struct measured_answers answers = {.resistance = malloc(model_count * measured->count * sizeof(double))};
+    assert_non_null(answers.resistance);
+    for (size_t i = 0; i < model_count * measured->count; i++)
+        answers.resistance[i] = NAN;
+    return answers;
+}
+
+/** Measurements that are a model's answers times a factor: the distance is its logarithm; what it does not answer is
+ * not compared. */
 static void distance_is_in_decades(void **state)
 {
     (void)state;
-    struct contact_point points[9];
-    struct model_curve curve = {.exists = true, .points = points, .count = 9};
-    for (int i = 0; i < 9; i++)
-        points[i] = (struct contact_point){.load = 1e-6 * pow(10, 0.5 * i), .ecr_ohm_m2 = 1e-8 * pow(10, -0.45 * i)};
-    double loads[] = {1, 3e-5, 4e-4, 1e-7, 2e-6, 5e-5}, resistances[6], errors[6]; /* in the order of a measurement */
+    double loads[] = {1, 3e-5, 4e-4, 1e-7, 2e-6, 5e-5}, resistances[6]; /* in the order of a measurement */
+    struct measured measured = {.count = 6, .load = loads, .resistance = resistances};
+    struct measured_answers answers = no_answers(&measured);
     for (int i = 0; i < 6; i++) {
-        resistances[i] = 4 * 1e-8 * pow(loads[i] / 1e-6, -0.9); /* the curve is a power law, so is its interpolation */
-        errors[i] = NAN;
+        resistances[i] = 4 * 1e-8 * pow(loads[i] / 1e-6, -0.9);
+        if (loads[i] > 1e-6 && loads[i] < 1e-2)
+            answers.resistance[6 + i] = resistances[i] / 4;
     }
-    struct measured measured = {.count = 6, .load = loads, .resistance = resistances, .error = errors};
-    struct measured_distance distance = measured_compare(&measured, &curve);
+    struct measured_distance distance = measured_compare(&measured, &answers, 1);
     assert_int_equal(distance.points, 4);
     assert_near(distance.rms_decades, log10(4), 1e-12);
     assert_near(distance.bias_decades, -log10(4), 1e-12);
     assert_near(distance.load[0], 2e-6, 0);
     assert_near(distance.load[1], 4e-4, 0);
-    measured.count = 1;
-    assert_true(isnan(measured_compare(&measured, &curve).rms_decades));
-    assert_true(isnan(measured_compare(&measured, &curve).load[0]));
+    assert_true(isnan(measured_compare(&measured, &answers, 0).rms_decades));
+    assert_true(isnan(measured_compare(&measured, &answers, 0).load[0]));
+    measured_answers_free(&answers);
 }
 
-/** The nearest of the models that cover enough of the points: not the one that happens to meet a single one. */
+/** The nearest of the models that answer enough of the points: not the one that happens to meet a single one. */
 static void models_are_ranked(void **state)
 {
     (void)state;
-    enum { MODELS = 4 }; /* that have a curve: the first in the table */
-    struct contact_point points[MODELS][2];
-    struct model_curve *curves = calloc(model_count, sizeof *curves);
+    enum { MODELS = 4, POINTS = 5 }; /* that have a curve: the first in the table */
     static const double above[MODELS] = {3, 0.5, 7, 1};
-    assert_non_null(curves);
     assert_true(model_count >= MODELS);
-    for (int m = 0; m < MODELS; m++) {
-        curves[m] = (struct model_curve){.exists = true, .points = points[m], .count = 2};
-        points[m][0] = (struct contact_point){.load = 1e-6, .ecr_ohm_m2 = 1e-8 * above[m]};
-        points[m][1] = (struct contact_point){.load = 1e-2, .ecr_ohm_m2 = 1e-12 * above[m]};
-    }
-    points[3][1] = (struct contact_point){.load = 1e-5, .ecr_ohm_m2 = 1e-9};
-    double loads[] = {1e-3, 1e-4, 2e-6, 5e-3, 1e-2}, resistances[5], errors[5];
-    for (int i = 0; i < 5; i++)
+    double loads[POINTS] = {1e-3, 1e-4, 2e-6, 5e-3, 1e-2}, resistances[POINTS];
+    struct measured measured = {.count = POINTS, .load = loads, .resistance = resistances};
+    struct measured_answers answers = no_answers(&measured);
+    for (int i = 0; i < POINTS; i++) {
         resistances[i] = 1e-14 / loads[i];
-    struct measured measured = {.count = 5, .load = loads, .resistance = resistances, .error = errors};
-    struct measured_ranking rank = measured_rank(&measured, curves);
+        for (int m = 0; m < MODELS; m++)
+            if (m < 3 || i == 2) /* the fourth meets one point alone */
+                answers.resistance[m * POINTS + i] = resistances[i] * above[m];
+    }
+    struct measured_ranking rank = measured_rank(&measured, &answers);
     assert_int_equal(rank.nearest, 1);
     assert_int_equal(rank.farthest, 2);
-    curves[1].exists = false;
-    assert_int_equal(measured_rank(&measured, curves).nearest, 0);
-    points[3][1] = (struct contact_point){.load = 2e-3, .ecr_ohm_m2 = 5e-12}; /* three of five, and those are met */
-    assert_int_equal(measured_rank(&measured, curves).nearest, 3);
-    loads[0] = loads[1] = loads[2] = loads[3] = loads[4] = 1;
-    rank = measured_rank(&measured, curves);
+    for (int i = 0; i < POINTS; i++)
+        answers.resistance[POINTS + i] = NAN;
+    assert_int_equal(measured_rank(&measured, &answers).nearest, 0);
+    for (int i = 0; i < 3; i++) /* three of five, and those are met */
+        answers.resistance[3 * POINTS + i] = resistances[i];
+    assert_int_equal(measured_rank(&measured, &answers).nearest, 3);
+    measured_answers_free(&answers);
+    answers = no_answers(&measured);
+    rank = measured_rank(&measured, &answers);
     assert_int_equal(rank.nearest, model_count);
     assert_int_equal(rank.farthest, model_count);
-    free(curves);
+    measured_answers_free(&answers);
+}
+
+/** Each model at the measured loads itself, between two loads of the run as far apart as its ends: what one alone says
+ * there, once a load; nothing beyond, and not a resistance of 0. */
+static void models_answer_at_the_measured_loads(void **state)
+{
+    (void)state;
+    enum { HARMONICS = 40, POINTS = 6 };
+    static const double ends[] = {1e-6, 1e-1};
+    static const struct repeat_set one_scan;
+    double amplitudes_m[HARMONICS], loads[POINTS] = {1e-3, 1e-5, 1e-3, 1e-7, 5e-2, 2e-4}, resistances[POINTS];
+    struct spectrum spectrum = {.amplitude_m = amplitudes_m, .count = HARMONICS, .length_m = 1e-4};
+    for (int n = 1; n <= HARMONICS; n++)
+        amplitudes_m[n - 1] = 1e-7 * pow(n, -1.5);
+    struct asperities asperities = {.density_per_m2 = 1e10, .radius_m = 2e-6, .sigma_s_m = 1e-7, .sigma_m = 1e-7};
+    struct material_pair pair = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
+    struct model_task task = {.spectrum = &spectrum,
+                              .asperities = &asperities,
+                              .pair = &pair,
+                              .loads = ends,
+                              .load_count = 2,
+                              .wanted = quantity_wanted((1u << EFFECT_COUNT) - 1),
+                              .tolerance = 1e-6,
+                              .hardness_Pa = 40e6};
+    uint64_t models = model_find("multiscale") | model_find("statistical");
+    for (int thermal = 0; thermal < 2; thermal++) {
+        struct measured measured = {.count = POINTS, .load = loads, .resistance = resistances, .thermal = thermal};
+        struct measured_answers answers;
+        struct status status = {0};
+        assert_int_equal(measured_answer(&answers, &measured, models, &task, &one_scan, &status), STATUS_OK);
+        for (size_t m = 0; m < model_count; m++) {
+            struct model_work work;
+            assert_int_equal(measured_work(&work, &measured, m, &task, &one_scan, &status), STATUS_OK);
+            if (models & MODEL_BIT(m))
+                assert_memory_equal(&work, &answers.work[m], sizeof work);
+            if (m == model_named("gw"))
+                assert_int_equal(work.separations, 4); /* each load once */
+            for (int i = 0; i < POINTS; i++) {
+                double answer = answers.resistance[m * POINTS + (size_t)i];
+                struct contact_point points[2];
+                struct model_curve curve = {.points = points};
+                struct model_task alone = task;
+                alone.loads = &loads[i];
+                alone.load_count = 1;
+                if (!(models & MODEL_BIT(m)) || loads[i] < ends[0]) {
+                    assert_true(isnan(answer));
+                    continue;
+                }
+                assert_int_equal(model_run(&curve, model_rows[m], &alone, &status), STATUS_OK);
+                double expected = thermal ? points[0].tcr_K_m2_per_W : points[0].ecr_ohm_m2;
+                if (points[0].load == loads[i] && expected > 0)
+                    assert_near(answer, expected, 1e-9);
+                else
+                    assert_true(isnan(answer));
+            }
+            if ((models & MODEL_BIT(m)) && !model_rows[m]->plastic)
+                assert_true(answers.resistance[m * POINTS + 1] > 0);
+        }
+        measured_answers_free(&answers);
+    }
 }
 
 static int set_up(void **state)
@@ -356,6 +423,7 @@ int main(void)
         cmocka_unit_test(only_an_effect_that_runs_is_compared),
         cmocka_unit_test(distance_is_in_decades),
         cmocka_unit_test(models_are_ranked),
+        cmocka_unit_test(models_answer_at_the_measured_loads),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

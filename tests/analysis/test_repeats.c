@@ -1,107 +1,281 @@
+/* What is known of a number from its value of every scan, piece or row. Student's quantiles from tables. */
 #include "analysis/repeats.h"
+#include "contact/multiscale.h"
 #include "support.h"
 
-enum { SCALES = 60, LOADS = 21 };
+enum { MOST = 64, LOADS = 5 };
 
-static struct repeat part_of(double alpha, double gamma)
+/* Parts of the scans given, one value a part. */
+static struct repeat_set set_of(struct repeat *parts, const size_t *scan, size_t count, struct repeats_scan *scans,
+                                size_t scan_count)
 {
-    struct repeat part = {.spectrum = {malloc(SCALES * sizeof(double)), SCALES, 3e-4, false}};
-    assert_non_null(part.spectrum.amplitude_m);
-    for (size_t i = 0; i < SCALES; i++)
-        part.spectrum.amplitude_m[i] = alpha * pow(3e-4 / (double)(i + 1), gamma);
-    roughness_from_spectrum(&part.roughness, &part.spectrum);
-    part.roughness.rq_m = sqrt(part.roughness.m0_m2);
-    return part;
+    for (size_t p = 0; p < count; p++)
+        parts[p] = (struct repeat){.scan = scan[p]};
+    return (struct repeat_set){.parts = parts, .count = count, .scans = scans, .scan_count = scan_count};
 }
 
-static void mean_and_deviation(void **state)
+/** Three scans: geometric mean, and t(2) = 4.302653 standard errors; another scan, sqrt(1 + 1/3) deviations. */
+static void three_scans(void **state)
 {
     (void)state;
-    struct repeats_number number = {0};
-    assert_true(isnan(repeats_deviation(&number)));
-    static const double values[] = {1e9 + 2, 1e9 + 4, 1e9 + 4, 1e9 + 4, 1e9 + 5, 1e9 + 5, 1e9 + 7, 1e9 + 9};
-    for (int i = 0; i < 8; i++)
-        repeats_add(&number, values[i]);
-    assert_near(number.mean, 1e9 + 5, 1e-15);
-    assert_near(repeats_deviation(&number), sqrt(32.0 / 7), 1e-8); /* 1e-16 of the 1e9 offset */
-}
-
-/** Exact laws: the spread of gamma is that of the laws; the bootstrap stays within them and repeats. */
-static void laws_of_parts(void **state)
-{
-    (void)state;
-    static const double band[2] = {0, INFINITY}, gammas[] = {1.4, 1.5, 1.6, 1.5};
+    static const size_t scan[] = {0, 1, 2};
+    static const double value[] = {1, 4, 16};
+    struct repeat parts[3];
+    struct repeats_scan scans[3] = {{.weight = 1}, {.weight = 1}, {.weight = 1}};
+    struct repeat_set set = set_of(parts, scan, 3, scans, 3);
     struct status status = {0};
-    struct repeat parts[4];
-    struct repeats first, again;
-    for (int p = 0; p < 4; p++)
-        parts[p] = part_of(0.085, gammas[p]);
-    assert_int_equal(repeats_laws(&first, parts, 4, band, &status), STATUS_OK);
-    assert_near(first.gamma.mean, 1.5, 1e-9);
-    assert_near(repeats_deviation(&first.gamma), sqrt(0.02 / 3), 1e-6);
-    assert_true(first.gamma_interval[0] >= 1.4 - 1e-9 && first.gamma_interval[1] <= 1.6 + 1e-9);
-    assert_true(first.gamma_interval[1] - first.gamma_interval[0] > 0.05);
-    assert_int_equal(repeats_laws(&again, parts, 4, band, &status), STATUS_OK);
-    assert_memory_equal(&first, &again, sizeof first);
-    assert_int_equal(repeats_laws(&again, parts, 2, band, &status), STATUS_OK);
-    assert_int_equal(again.count, 2);
-    assert_true(isnan(again.gamma_interval[0])); /* two scans cannot be resampled */
-    assert_int_equal(repeats_laws(&again, parts, 1, band, &status), STATUS_OK);
-    assert_int_equal(again.count, 0);
-    for (int p = 0; p < 4; p++)
-        spectrum_free(&parts[p].spectrum);
+    struct estimate estimate;
+    assert_int_equal(repeats_estimate(&estimate, value, &set, true, &status), STATUS_OK);
+    double sd = log(4), t = 4.302652729911275;
+    assert_near(estimate_value(&estimate), 4, 1e-14);
+    assert_near(estimate_end(&estimate, 1), 4 * exp(t * sd / sqrt(3)), 1e-9);
+    assert_near(estimate_end(&estimate, 0), 4 / exp(t * sd / sqrt(3)), 1e-9);
+    assert_near(estimate_next_end(&estimate, 1), 4 * exp(t * sd * sqrt(1 + 1 / 3.0)), 1e-9);
+    assert_int_equal(repeats_estimate(&estimate, value, &set, false, &status), STATUS_OK);
+    assert_near(estimate_value(&estimate), 7, 1e-14);
+    set.no_intervals = true;
+    assert_int_equal(repeats_estimate(&estimate, value, &set, true, &status), STATUS_OK);
+    assert_near(estimate_value(&estimate), 4, 1e-14);
+    assert_true(isnan(estimate_end(&estimate, 0)) && isnan(estimate_next_end(&estimate, 1)));
 }
 
-/** The band's limits are exp(mean -+ deviation) of the logarithms of the two curves run by hand. */
-static void band_of_two(void **state)
+/** Pieces of a scan count together, as much as they are many: ln 2 and the mean of ln 8, ln 32, weights 1 and 2. */
+static void pieces(void **state)
 {
     (void)state;
+    static const size_t scan[] = {0, 1, 1};
+    static const double value[] = {2, 8, 32};
+    struct repeat parts[3];
+    struct repeats_scan scans[2] = {{.weight = 1}, {.weight = 2}};
+    struct repeat_set set = set_of(parts, scan, 3, scans, 2);
     struct status status = {0};
-    struct material_pair pair = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
-    struct repeat parts[2] = {part_of(0.085, 1.5), part_of(0.06, 1.45)};
-    double loads[LOADS];
-    for (int i = 0; i < LOADS; i++)
-        loads[i] = 1e-7 * pow(10, 3.0 * i / (LOADS - 1));
-    struct model_task task = {
-        .pair = &pair, .loads = loads, .load_count = LOADS, .wanted = QUANTITY_BIT(QUANTITY_ECR), .tolerance = 1e-8};
-    for (size_t m = 0; m < model_count; m++) {
-        struct contact_point points[2][LOADS + 1] = {0};
-        for (int p = 0; p < 2; p++) {
-            struct asperities asperities;
-            struct model_curve curve = {.points = points[p]};
-            assert_int_equal(roughness_asperities(&asperities, &parts[p].roughness, &status), STATUS_OK);
-            task.spectrum = &parts[p].spectrum;
-            task.asperities = &asperities;
-            assert_int_equal(model_rows[m]->run(&curve, model_rows[m], &task, &status), STATUS_OK);
-        }
-        struct repeats_number beta = {0}, log_full_load = {0};
-        struct repeats_band band[LOADS] = {0};
-        struct model_work work = {0};
-        assert_int_equal(repeats_model(&beta, &log_full_load, band, parts, 2, model_rows[m], &task, &work, &status),
-                         STATUS_OK);
-        assert_true(work.scales + work.separations > 0);
-        struct model_work predicted = repeats_work(parts, 2, model_rows[m], &task);
-        assert_memory_equal(&work, &predicted, sizeof work);
-        assert_int_equal(log_full_load.count, 2);
-        assert_int_equal(beta.count, model_rows[m]->quantities & QUANTITY_BIT(QUANTITY_ADJUSTED) ? 2 : 0);
-        for (int i = 0; i < LOADS; i++) {
-            double a = log(points[0][i].ecr_ohm_m2), b = log(points[1][i].ecr_ohm_m2);
-            double half = fabs(a - b) / sqrt(2);
-            assert_near(band[i].limits[QUANTITY_ECR][0], exp((a + b) / 2 - half), 1e-9);
-            assert_near(band[i].limits[QUANTITY_ECR][1], exp((a + b) / 2 + half), 1e-9);
-            assert_true(isnan(band[i].limits[QUANTITY_TCR][0]) && isnan(band[i].limits[QUANTITY_SEPARATION][0]));
-        }
+    struct estimate estimate;
+    assert_int_equal(repeats_estimate(&estimate, value, &set, true, &status), STATUS_OK);
+    assert_int_equal(estimate.count, 2);
+    assert_near(estimate.mean, (log(2) + 2 * log(16)) / 3, 1e-13);
+    assert_near(estimate.effective, 3, 1e-15);
+    assert_near(estimate.degrees, 1, 1e-15);
+}
+
+/** Rows of a map: 16 blocks of 4; blocks that alternate are independent, blocks that rise are worth the least. */
+static void rows(void **state)
+{
+    (void)state;
+    size_t scan[MOST] = {0};
+    double value[MOST];
+    struct repeat parts[MOST];
+    struct repeats_scan scans[1] = {{.weight = 1}};
+    struct repeat_set set = set_of(parts, scan, MOST, scans, 1);
+    struct status status = {0};
+    struct estimate estimate;
+    for (int i = 0; i < MOST; i++)
+        value[i] = i / 4 % 2 ? 3 : 1;
+    assert_int_equal(repeats_estimate(&estimate, value, &set, false, &status), STATUS_OK);
+    assert_int_equal(estimate.count, ESTIMATE_BLOCKS);
+    assert_near(estimate.mean, 2, 1e-14);
+    assert_near(estimate.effective, 16, 1e-14);
+    assert_true(isnan(estimate_next_end(&estimate, 0)));
+    for (int i = 0; i < MOST; i++)
+        value[i] = i;
+    assert_int_equal(repeats_estimate(&estimate, value, &set, false, &status), STATUS_OK);
+    assert_near(estimate.effective, 2, 1e-14);
+    assert_near(estimate.mean, 31.5, 1e-14);
+}
+
+/** A value that is missing, or not positive where logarithms count, leaves nothing known; equal ones spread by nothing.
+ */
+static void nothing_known(void **state)
+{
+    (void)state;
+    static const size_t scan[] = {0, 1};
+    static const double missing[] = {1, NAN}, closed[] = {1, 0}, same[] = {0.3, 0.3};
+    struct repeat parts[2];
+    struct repeats_scan scans[2] = {{.weight = 1}, {.weight = 1}};
+    struct repeat_set set = set_of(parts, scan, 2, scans, 2);
+    struct status status = {0};
+    struct estimate estimate;
+    assert_int_equal(repeats_estimate(&estimate, missing, &set, false, &status), STATUS_OK);
+    assert_int_equal(estimate.count, 0);
+    assert_true(isnan(estimate_value(&estimate)));
+    assert_int_equal(repeats_estimate(&estimate, closed, &set, true, &status), STATUS_OK);
+    assert_int_equal(estimate.count, 0);
+    assert_int_equal(repeats_estimate(&estimate, same, &set, true, &status), STATUS_OK);
+    assert_int_equal(estimate.count, 2);
+    assert_near(estimate_end(&estimate, 0), estimate_end(&estimate, 1), 1e-15);
+}
+
+/** The curve of a surface is the mean of its scans' own, not that of their mean spectrum: a scan in two pieces counts
+ * twice, area and resistances by their logarithms, separations as they are. */
+static void the_mean_of_curves(void **state)
+{
+    (void)state;
+    static const size_t scan[] = {0, 1, 1};
+    static const double loads[LOADS] = {1e-6, 1e-5, 1e-4, 1e-3, 7e-2};
+    double amplitude_m[3][3] = {{1e-6, 2e-7, 5e-8}, {2e-6, 3e-7, 2e-8}, {1.5e-6, 1e-7, 8e-8}};
+    const struct model_row *model = &model_multiscale_elastic;
+    const struct material_pair pair = {.effective_modulus_Pa = 1e11, .yield_strength_Pa = 1e9};
+    struct repeat parts[3];
+    struct repeats_scan scans[2] = {{.weight = 1}, {.weight = 2}};
+    struct repeat_set set = set_of(parts, scan, 3, scans, 2);
+    for (int p = 0; p < 3; p++)
+        parts[p].spectrum = (struct spectrum){amplitude_m[p], 3, 1e-4, false};
+    struct model_task task = {.spectrum = &parts[0].spectrum,
+                              .pair = &pair,
+                              .loads = loads,
+                              .load_count = LOADS,
+                              .wanted = QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_SEPARATION),
+                              .tolerance = 1e-8,
+                              .sinusoid_fit = SINUSOID_FIT_THESIS};
+    struct status status = {0};
+    struct contact_point points[LOADS + 1], own_points[3][LOADS + 1];
+    struct model_curve curve = {.points = points}, own[3];
+    struct repeats_result result = {.band = repeats_band_make(loads, LOADS)};
+    struct model_work predicted = repeats_work(&set, model, &task);
+    assert_non_null(result.band);
+    assert_true(repeats_several(&set, model));
+    assert_int_equal(repeats_model(&curve, &result, &set, model, &task, &status), STATUS_OK);
+    assert_int_equal(model_evaluations(&curve.work), model_evaluations(&predicted));
+    size_t reached = LOADS;
+    double full = 0;
+    for (int p = 0; p < 3; p++) {
+        struct asperities none;
+        struct model_task alone = repeats_task(&none, &parts[p], &task);
+        own[p] = (struct model_curve){.points = own_points[p]};
+        assert_int_equal(model_run(&own[p], model, &alone, &status), STATUS_OK);
+        size_t all = 0;
+        while (all < own[p].count && all < LOADS && own_points[p][all].load == loads[all])
+            all++;
+        reached = all < reached ? all : reached;
+        full += log(own[p].full_load) / 3;
     }
-    spectrum_free(&parts[0].spectrum);
-    spectrum_free(&parts[1].spectrum);
+    assert_int_equal(reached, LOADS);
+    assert_int_equal(curve.count, LOADS);
+    assert_near(curve.full_load, exp(full), 1e-12);
+    assert_near(estimate_value(&result.full_load), curve.full_load, 1e-12);
+    for (size_t i = 0; i < reached; i++) {
+        double area[2] = {log(own_points[0][i].area_ratio),
+                          (log(own_points[1][i].area_ratio) + log(own_points[2][i].area_ratio)) / 2};
+        double mean = (area[0] + 2 * area[1]) / 3, gap = 0;
+        double sd = sqrt(pow(area[0] - mean, 2) + 2 * pow(area[1] - mean, 2)), t = 12.706204736174707; /* t(1) */
+        for (int p = 0; p < 3; p++)
+            gap += own_points[p][i].separation_m / 3;
+        assert_near(curve.points[i].load, loads[i], 0);
+        assert_near(curve.points[i].area_ratio, exp(mean), 1e-12);
+        assert_near(curve.points[i].separation_m, gap, 1e-12);
+        assert_near(result.band[i].load, loads[i], 0);
+        assert_near(log(result.band[i].mean[QUANTITY_AREA][1]), mean + t * sd / sqrt(3), 1e-9);
+        assert_near(log(result.band[i].mean[QUANTITY_AREA][0]), mean - t * sd / sqrt(3), 1e-9);
+        assert_near(log(result.band[i].next[QUANTITY_AREA][1]), mean + t * sd * sqrt(1 + 1 / 3.0), 1e-9);
+        assert_true(isnan(result.band[i].mean[QUANTITY_LOAD][0]));
+    }
+    assert_near(estimate_value(&result.middle[QUANTITY_AREA]), curve.points[LOADS / 2].area_ratio, 1e-12);
+    assert_int_equal(result.left_out, 0);
+    free(result.band);
+}
+
+/** The same part again and again has its own curve, and intervals of no width. */
+static void the_mean_of_one_curve(void **state)
+{
+    (void)state;
+    static const size_t scan[] = {0, 1, 2};
+    static const double loads[LOADS] = {1e-6, 1e-5, 1e-4, 1e-3, 1e-2};
+    double amplitude_m[2] = {1e-6, 2e-7};
+    const struct model_row *model = &model_multiscale_elastic;
+    const struct material_pair pair = {.effective_modulus_Pa = 1e11, .yield_strength_Pa = 1e9};
+    struct repeat parts[3];
+    struct repeats_scan scans[3] = {{.weight = 1}, {.weight = 1}, {.weight = 1}};
+    struct repeat_set set = set_of(parts, scan, 3, scans, 3);
+    for (int p = 0; p < 3; p++)
+        parts[p].spectrum = (struct spectrum){amplitude_m, 2, 1e-4, false};
+    struct model_task task = {.spectrum = &parts[0].spectrum,
+                              .pair = &pair,
+                              .loads = loads,
+                              .load_count = LOADS,
+                              .wanted = QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_SEPARATION),
+                              .tolerance = 1e-8,
+                              .sinusoid_fit = SINUSOID_FIT_THESIS};
+    struct status status = {0};
+    struct contact_point points[LOADS + 1], own_points[LOADS + 1];
+    struct model_curve curve = {.points = points}, own = {.points = own_points};
+    struct repeats_result result = {.band = repeats_band_make(loads, LOADS)};
+    assert_non_null(result.band);
+    assert_int_equal(repeats_model(&curve, &result, &set, model, &task, &status), STATUS_OK);
+    assert_int_equal(model_run(&own, model, &task, &status), STATUS_OK);
+    assert_int_equal(curve.count, own.count);
+    assert_near(curve.full_load, own.full_load, 1e-14);
+    for (size_t i = 0; i < own.count; i++) {
+        assert_near(points[i].load, own_points[i].load, 1e-14);
+        assert_near(points[i].area_ratio, own_points[i].area_ratio, 1e-13);
+        assert_near(points[i].separation_m, own_points[i].separation_m, 1e-13);
+    }
+    for (int side = 0; side < 2; side++)
+        assert_near(result.band[0].mean[QUANTITY_AREA][side], own_points[0].area_ratio, 1e-13);
+    free(result.band);
+}
+
+/** Loads that one part does not reach are left out: it is in full contact; the last point is then the full contact of
+ * all. */
+static void the_end_of_curves(void **state)
+{
+    (void)state;
+    enum { FINE = 60 };
+    static const size_t scan[] = {0, 1};
+    const struct model_row *model = model_rows[model_named("gw")];
+    const struct material_pair pair = {.effective_modulus_Pa = 1e11, .yield_strength_Pa = 1e9};
+    struct repeat parts[2];
+    struct repeats_scan scans[2] = {{.weight = 1}, {.weight = 1}};
+    struct repeat_set set = set_of(parts, scan, 2, scans, 2);
+    double loads[FINE], amplitude_m = 1e-6;
+    for (int i = 0; i < FINE; i++)
+        loads[i] = pow(10, -5 + i / 10.0);
+    for (int p = 0; p < 2; p++) { /* slopes of 0.01 and 0.02 */
+        double m0_m2 = 1e-12 * (p + 1) * (p + 1);
+        parts[p].spectrum = (struct spectrum){&amplitude_m, 1, 1e-4, false};
+        parts[p].roughness =
+            (struct roughness){.rq_m = sqrt(m0_m2), .m0_m2 = m0_m2, .m2 = 1e8 * m0_m2, .m4_per_m2 = 1e17 * m0_m2};
+    }
+    struct model_task task = {.spectrum = &parts[0].spectrum,
+                              .pair = &pair,
+                              .loads = loads,
+                              .load_count = FINE,
+                              .wanted = QUANTITY_BIT(QUANTITY_AREA),
+                              .tolerance = 1e-8,
+                              .hardness_Pa = NAN};
+    struct status status = {0};
+    struct contact_point points[FINE + 1], own_points[2][FINE + 1];
+    struct model_curve curve = {.points = points}, own[2];
+    struct repeats_result result = {.band = repeats_band_make(loads, FINE)};
+    assert_non_null(result.band);
+    assert_int_equal(repeats_model(&curve, &result, &set, model, &task, &status), STATUS_OK);
+    for (int p = 0; p < 2; p++) {
+        struct asperities asperities;
+        struct model_task alone = repeats_task(&asperities, &parts[p], &task);
+        own[p] = (struct model_curve){.points = own_points[p]};
+        assert_int_equal(model_run(&own[p], model, &alone, &status), STATUS_OK);
+        assert_true(own[p].exists && own[p].count < FINE);
+    }
+    assert_true(own[0].count < own[1].count);
+    assert_int_equal(curve.count, own[0].count);
+    assert_near(curve.full_load, sqrt(own[0].full_load * own[1].full_load), 1e-12);
+    assert_near(points[curve.count - 1].load, curve.full_load, 0);
+    for (size_t i = 0; i + 1 < curve.count; i++) {
+        assert_near(points[i].load, loads[i], 0);
+        assert_near(points[i].area_ratio, sqrt(own_points[0][i].area_ratio * own_points[1][i].area_ratio), 1e-12);
+    }
+    assert_true(isnan(result.band[curve.count].mean[QUANTITY_AREA][0]));
+    free(result.band);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(mean_and_deviation),
-        cmocka_unit_test(laws_of_parts),
-        cmocka_unit_test(band_of_two),
+        cmocka_unit_test(three_scans),
+        cmocka_unit_test(pieces),
+        cmocka_unit_test(rows),
+        cmocka_unit_test(nothing_known),
+        cmocka_unit_test(the_mean_of_curves),
+        cmocka_unit_test(the_mean_of_one_curve),
+        cmocka_unit_test(the_end_of_curves),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -85,7 +85,7 @@ static const struct absurd cases[] = {
     {"denser than atoms", "1e-6", "2e-30", "m", rough, POINTS, BOTH(NULL)},
     {"sparse", "1e-6", "1e160", "m", rough, POINTS, BOTH("a spacing of 1e+160" LIMITS "x right?")},
     {"long", "1e-6", "1e28", "m", rough, POINTS, BOTH("a length of 2e+30" LIMITS "x right?")},
-    {"offset", "1e-12", "1e-6", "m", offset, POINTS, BOTH("the scan is flat: no roughness is left after level: line")},
+    {"offset", "1e-12", "1e-6", "m", offset, POINTS, BOTH("the scan is flat: no roughness is left after level: mean")},
     {"flat", "1e-6", "1e-6", "m", flat, POINTS, BOTH("the scan is flat: every height is 1e-06 m")},
     {"ramp", "1e-6", "1e-6", "m", ramp, POINTS, BOTH("the scan is flat: no roughness is left after level: line")},
     {"three", "1e-6", "1e-6", "m", rough, 3, BOTH(NULL)},
@@ -333,7 +333,7 @@ static void test_inspect(void **state)
         json_error_t error;
         json_t *all = json_loads(json.out, 0, &error), *first = json_array_get(all, 0);
         assert_int_equal(json_array_size(all), 2);
-        assert_true(json_is_real(json_object_get(json_array_get(all, 1), "gamma")));
+        assert_true(json_is_real(json_object_get(json_array_get(all, 1), "rq_m")));
         const char *message = json_string_value(json_object_get(first, "error"));
         assert_true((message != NULL) == (absurd->inspect_refusal != NULL));
         if (message) {
@@ -347,9 +347,9 @@ static void test_inspect(void **state)
         process_free(&json);
     }
     write_case(place, "bad.csv", &cases[15]);
-    struct process three = expect_exit(place, 0, "inspect", "bad.csv");
+    struct process three = expect_exit(place, 0, "inspect", "--level=line", "bad.csv");
     expect_part(three.out, "Nayak - (");
-    expect_part(three.out, "power law   - (it takes 3 harmonics)");
+    expect_part(three.out, "power law   - (no power law found)");
     expect_part(three.out, "Pdq - ");
     process_free(&three);
     three = expect_exit(place, 0, "inspect", "--json", "bad.csv");

@@ -218,7 +218,7 @@ static void test_synth(void **state)
     assert_string_equal(process.out, written);
     process_free(&process);
     free(written);
-    process = expect_exit(place, 0, "inspect", "--json", "a.csv");
+    process = expect_exit(place, 0, "inspect", "--json", "--fit=thesis", "a.csv");
     json_t *json = json_loads(process.out, 0, NULL), *found = json_array_get(json, 0);
     assert_int_equal(json_integer_value(json_object_get(found, "points")), 1000);
     assert_near(json_number_value(json_object_get(found, "spacing_m")), 0.5e-6, 1e-9);

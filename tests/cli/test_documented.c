@@ -24,7 +24,7 @@ static void expect_described(const char *document, const char *before, const cha
 /** `name` as the document has it: `<model>` for a model's name, nothing for the ends of a band. */
 static void generic(char out[NAME], const char *name)
 {
-    static const char *const ends[] = {"_low", "_high"};
+    static const char *const ends[] = {"_mean_low_95", "_mean_high_95", "_next_scan_low_95", "_next_scan_high_95"};
     snprintf(out, NAME, "%s", name);
     size_t length = strlen(out);
     for (size_t m = 0; m < model_count; m++) {
@@ -35,7 +35,7 @@ static void generic(char out[NAME], const char *name)
             return;
         }
     }
-    for (size_t e = 0; e < 2; e++)
+    for (size_t e = 0; e < sizeof ends / sizeof *ends; e++)
         if (length > strlen(ends[e]) && strcmp(out + length - strlen(ends[e]), ends[e]) == 0)
             out[length - strlen(ends[e])] = '\0';
 }
@@ -126,7 +126,7 @@ static void report_is_described(void **state)
 {
     const char *place = *state;
     static const char *const tables[] = {"surfaces.csv", "spectrum.csv", "contact.csv", "convergence.csv",
-                                         "cost.csv",     "spread.csv",   "bands.csv"};
+                                         "cost.csv",     "spread.csv",   "bands.csv",   "sensitivity.csv"};
     char *document = read_document();
     workspace_scan(place, "in/a.csv", 300, 1);
     workspace_scan(place, "in/b.csv", 300, 2);
@@ -153,7 +153,15 @@ static void report_is_described(void **state)
     assert_true(check_keys(document, results) > 200);
     json_decref(results);
     free(text);
-    assert_int_equal(check_sections(document, place), 13); /* all but the title's */
+    size_t sections = check_sections(document, place);
+    workspace_write(place, "in/scene.yaml", "surfaces: [{name: two, file: c.csv}]\n"); /* a smooth counterface */
+    process = expect_exit(place, 0, "report", "in", "-o", "out");
+    process_free(&process);
+    char *report = workspace_read(place, "out/report.md");
+    assert_non_null(strstr(report, "\n## What the answers hang on: cut-off and scan length\n"));
+    free(report);
+    check_sections(document, place);
+    assert_int_equal(sections + 1, 15); /* all but the title's */
     free(document);
 }
 

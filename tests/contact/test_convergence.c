@@ -29,29 +29,64 @@ static void gamma_decides(void **state)
     assert_int_equal(evaluations, 2 * 9 * 4096);
 }
 
-/** The shortcut for gamma < 1 against visiting every scale; the early stop for gamma >= 1 likewise. */
+/** Amplitudes of a law, but for one long harmonic that is off it by `factor`. */
+static struct spectrum spectrum_of_law(size_t count, double length_m, double alpha, double gamma, double factor)
+{
+    struct spectrum spectrum = {.count = count, .length_m = length_m, .amplitude_m = malloc(count * sizeof(double))};
+    assert_non_null(spectrum.amplitude_m);
+    for (size_t i = 0; i < count; i++)
+        spectrum.amplitude_m[i] = alpha * pow(length_m / (double)(i + 1), gamma) * (i == 1 ? factor : 1);
+    return spectrum;
+}
+
+/** The tail is the law at the short end, whatever the long harmonics are. */
+static void the_tail_is_the_short_end(void **state)
+{
+    (void)state;
+    for (double gamma = -0.5; gamma < 70; gamma = gamma * 3 + 2) { /* to the flank of a filter: alpha overflows */
+        struct spectrum spectrum = spectrum_of_law(500, 1e-3, exp(10.4 * gamma) * 1e-9, gamma, 100);
+        struct convergence_tail tail = convergence_tail(&spectrum);
+        assert_near(tail.gamma, gamma, 1e-9);
+        assert_near(convergence_tail_amplitude(&tail, 2e-6), spectrum.amplitude_m[499], 1e-9);
+        assert_true(tail.wavelength_m > 2e-6 && tail.wavelength_m < 2e-6 * sqrt(10));
+        for (int n = 1; n < 158; n++) /* below 500/sqrt(10) another law: it does not matter */
+            spectrum.amplitude_m[n - 1] = 1e-9 * pow(n, -0.3);
+        assert_near(convergence_tail(&spectrum).gamma, gamma, 1e-9);
+        spectrum_free(&spectrum);
+    }
+    struct spectrum short_one = spectrum_of_law(3, 1e-5, 0.1, 1.5, 1); /* harmonics 1, 2, 3: two in the half decade */
+    assert_near(convergence_tail(&short_one).gamma, 1.5, 1e-9);
+    short_one.amplitude_m[1] = 0;
+    assert_true(isnan(convergence_tail(&short_one).gamma));
+    spectrum_free(&short_one);
+}
+
+/** The shortcut for gamma < 1 against visiting every scale; the early stop for gamma >= 1 likewise. The measured part
+ * is the surface's own: one harmonic far off its law. */
 static void extension_matches_every_scale(void **state)
 {
     (void)state;
     struct material_pair pair = tin();
     const struct sinusoid_fit *closure = &sinusoid_fits[SINUSOID_FIT_THESIS];
     for (int plastic = 0; plastic < 2; plastic++)
-        for (double gamma = 0.6; gamma < 1.7; gamma += 0.2) {
-            struct power_law law = {.alpha = 0.085 * pow(3e-6, 1.5 - gamma), .gamma = gamma};
-            double length = 3e-5, shortest = 1e-6, area = 1, measured = 1, load = 1e-4;
+        for (double gamma = 0.65; gamma < 1.7; gamma += 0.2) {
+            double length = 3e-5, area = 1, measured = 1, load = 1e-4, alpha = 0.085 * pow(3e-6, 1.5 - gamma);
+            struct spectrum spectrum = spectrum_of_law(30, length, alpha, gamma, 5);
+            struct convergence_tail tail = convergence_tail(&spectrum);
             for (double n = 1; length / n >= convergence_atom_m; n++) {
-                double amplitude = power_law_amplitude(&law, length / n);
+                double amplitude = n <= 30 ? spectrum.amplitude_m[(size_t)n - 1] : alpha * pow(length / n, gamma);
                 struct sinusoid_scale scale = sinusoid_scale(amplitude, n / length, &pair, plastic);
                 struct sinusoid_cell cell;
                 sinusoid_press(&cell, &scale, closure, load * pair.effective_modulus_Pa / area, false);
                 area *= cell.area_ratio;
-                if (length / n >= shortest * (1 - 1e-9))
+                if (n <= 30)
                     measured = area;
             }
-            struct convergence_extension found = convergence_extend(&law, length, shortest, &pair, plastic, load);
+            struct convergence_extension found = convergence_extend(&spectrum, &tail, &pair, plastic, load);
             assert_near(found.area_measured, measured, 1e-12);
             assert_near(found.area_extended, area, 3e-3);
             assert_true(isfinite(found.settled_m) == (gamma >= 1));
+            spectrum_free(&spectrum);
         }
 }
 
@@ -59,6 +94,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(gamma_decides),
+        cmocka_unit_test(the_tail_is_the_short_end),
         cmocka_unit_test(extension_matches_every_scale),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -5,8 +5,8 @@
 static void test_spellings(void **state)
 {
     (void)state;
-    static const char *const names[EFFECT_COUNT] = {"plasticity", "separation",      "electrical",
-                                                    "thermal",    "scale-dependent", "convergence"};
+    static const char *const names[EFFECT_COUNT] = {"plasticity",      "separation",  "electrical", "thermal",
+                                                    "scale-dependent", "convergence", "uncertainty"};
     for (int i = 0; i < EFFECT_COUNT; i++) {
         assert_string_equal(effect_rows[i].name, names[i]);
         assert_true(strlen(effect_rows[i].adds) > 0);
@@ -16,7 +16,7 @@ static void test_spellings(void **state)
 static void test_what_they_need(void **state)
 {
     (void)state;
-    static const size_t counts[EFFECT_COUNT] = {1, 0, 1, 1, 4, 0};
+    static const size_t counts[EFFECT_COUNT] = {1, 0, 1, 1, 4, 0, 0};
     for (int i = 0; i < EFFECT_COUNT; i++) {
         size_t count = 0;
         for (const char *const *key = effect_rows[i].properties; *key; key++, count++) {

@@ -1,6 +1,5 @@
-/* What every model goes through: a curve that is not finite does not exist. */
-#include "contact/model.h"
-#include "support.h"
+/* What every model goes through: a curve that is not finite does not exist, and work is what was predicted. */
+#include "model_support.h"
 
 enum {
     LOADS = 5,
@@ -43,8 +42,73 @@ static void test_numbers_beyond_double(void **state)
     assert_true(!curve.exists && curve.overflows && curve.count == 0);
 }
 
+/** A number of a fixed sequence, 0...1. */
+static double next_share(uint64_t *seed)
+{
+    *seed = *seed * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
+    return (double)(*seed >> 11) / 9007199254740992.0;
+}
+
+static size_t next_below(uint64_t *seed, size_t count)
+{
+    return (size_t)(next_share(seed) * (double)count);
+}
+
+enum { HARMONICS_MOST = 60, HEIGHTS_MOST = 90, TASKS = 300 };
+
+/** Spectra of any law, constant ones, single waves, none; with and without asperities and heights; any loads and
+ * quantities: model_support_run() holds what was done against what was predicted, to the last evaluation. */
+static void test_work_is_as_predicted(void **state)
+{
+    (void)state;
+    uint64_t seed = 20;
+    struct material_pair pair = model_support_tin();
+    size_t existing[64] = {0};
+    for (int t = 0; t < TASKS; t++) {
+        double load[MODEL_LOADS], gamma = 2 * next_share(&seed), size = pow(10, 4 * next_share(&seed) - 3);
+        size_t count = 1 + next_below(&seed, HARMONICS_MOST), loads = 1 + next_below(&seed, MODEL_LOADS);
+        struct spectrum spectrum = model_support_law(3e-4, size, gamma, count);
+        if (t % 7 == 0)
+            for (size_t i = 0; i < count; i++)
+                spectrum.amplitude_m[i] = t % 14 == 0 && i != count / 2 ? 0 : 1e-7; /* one wave, or all alike */
+        if (t % 29 == 0)
+            memset(spectrum.amplitude_m, 0, count * sizeof(double));
+        spectrum.has_nyquist = t % 3 == 0;
+        struct roughness roughness = {0};
+        struct asperities asperities;
+        struct status none = {0};
+        roughness_from_spectrum(&roughness, &spectrum);
+        bool rough = roughness_asperities(&asperities, &roughness, &none) == STATUS_OK && t % 5 != 0;
+        struct slope_point heights[HEIGHTS_MOST];
+        size_t points = next_below(&seed, HEIGHTS_MOST + 1);
+        for (size_t i = 0; i < points; i++)
+            heights[i] = (struct slope_point){1e-6 * next_share(&seed), 1e-2 * next_share(&seed)};
+        model_support_loads(load, loads, pow(10, -8 + 4 * next_share(&seed)), pow(10, -3 + 4 * next_share(&seed)));
+        struct model_task task = {.spectrum = &spectrum,
+                                  .asperities = rough ? &asperities : NULL,
+                                  .pair = &pair,
+                                  .loads = load,
+                                  .load_count = loads,
+                                  .wanted = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) |
+                                            (MODEL_EVERYTHING & (unsigned)next_below(&seed, 1u << QUANTITY_COUNT)),
+                                  .tolerance = t % 2 ? 1e-4 : 1e-8,
+                                  .sinusoid_fit = t % 4 == 0 ? SINUSOID_FIT_NUMERIC : SINUSOID_FIT_THESIS,
+                                  .hardness_Pa = pow(10, 6 + 3 * next_share(&seed)),
+                                  .points = points > 0 ? heights : NULL,
+                                  .point_count = points};
+        for (size_t m = 0; m < model_count; m++) {
+            struct contact_point out[MODEL_LOADS + 1];
+            existing[m] += model_support_run(out, model_rows[m]->name, &task).exists;
+        }
+        spectrum_free(&spectrum);
+    }
+    for (size_t m = 0; m < model_count; m++)
+        assert_true(existing[m] > TASKS / 3);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_numbers_beyond_double)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_numbers_beyond_double),
+                                       cmocka_unit_test(test_work_is_as_predicted)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

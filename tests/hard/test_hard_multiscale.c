@@ -258,9 +258,13 @@ static void convergence_study(void **state)
                 convergence_areas(areas, &law, &pair, plastic, &evaluations);
                 for (size_t i = 0; i < SCALES; i++)
                     assert_true(areas[i] > 0 && areas[i] <= (i > 0 ? areas[i - 1] : 1));
-                struct power_law fit = {.alpha = law.alpha, .gamma = law.gamma};
+                double amplitudes_m[10];
+                struct spectrum spectrum = {.amplitude_m = amplitudes_m, .count = 10, .length_m = 1e-6};
+                for (int n = 1; n <= 10; n++)
+                    amplitudes_m[n - 1] = law.alpha * pow(1e-6 / n, law.gamma);
+                struct convergence_tail tail = convergence_tail(&spectrum);
                 for (double load = 1e-30; load < 1e7; load *= 1e12) {
-                    struct convergence_extension out = convergence_extend(&fit, 1e-6, 1e-7, &pair, plastic, load);
+                    struct convergence_extension out = convergence_extend(&spectrum, &tail, &pair, plastic, load);
                     assert_true(out.area_extended > 0 && out.area_extended <= out.area_measured);
                     assert_true(out.area_measured <= 1 && out.scales > 0);
                 }

@@ -86,8 +86,12 @@ static void test_the_json_agrees_with_the_tables(void **state)
             json_object_get(json_object_get(json_surface(root, table_text(&contact, row, "surface")), "models"), model);
         for (size_t c = 0; c < sizeof columns / sizeof *columns; c++) {
             const json_t *value = json_array_get(json_object_get(curve, columns[c]), index);
-            assert_true(json_is_number(value));
-            assert_near(json_number_value(value), table_number(&contact, row, columns[c]), 0);
+            if (*table_text(&contact, row, columns[c])) {
+                assert_true(json_is_number(value));
+                assert_near(json_number_value(value), table_number(&contact, row, columns[c]), 0);
+            } else {
+                assert_true(!value || json_is_null(value)); /* a quantity that the model has not, or not there */
+            }
         }
     }
     for (size_t row = 0; row < surfaces.rows; row++)
@@ -134,7 +138,9 @@ static void test_effects_that_do_not_run_leave_nothing(void **state)
 {
     json_t *root = read_json(*state, "out-electrical/results.json");
     const json_t *models = json_object_get(json_surface(root, "smooth"), "models");
-    assert_int_equal(json_object_size(models), 2);
+    for (size_t m = 0; m < model_count; m++)
+        assert_false(model_rows[m]->plastic && json_object_get(models, model_rows[m]->name));
+    assert_true(json_object_size(models) >= 3); /* both of the thesis's, two-band */
     const json_t *curve = json_object_get(models, "multiscale-elastic");
     assert_non_null(json_object_get(curve, "ecr_ohm_m2"));
     assert_null(json_object_get(curve, "separation_m"));

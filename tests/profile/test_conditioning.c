@@ -177,6 +177,28 @@ static void test_digitising(void **state)
     assert_near(sanity_digitising(f->z, POINTS), 0, 0);
 }
 
+/* The tilt is off: a steep one makes all differences of neighbours alike, which is no digitiser; one that the
+ * instrument took out leaves them off the multiples of its step, which are there all the same. */
+static void test_digitising_under_a_tilt(void **state)
+{
+    struct fixture *f = *state;
+    static const double tilts_m[] = {0, 7.7e-9, -4.3e-7, 5e-6}; /* a point */
+    for (size_t t = 0; t < sizeof tilts_m / sizeof *tilts_m; t++) {
+        make_smooth(f->z);
+        for (size_t i = 0; i < POINTS; i++)
+            f->z[i] = f->z[i] * 1.001 + tilts_m[t] * (double)i;
+        assert_near(sanity_digitising(f->z, POINTS), 0, 0);
+        make_smooth(f->z);
+        for (size_t i = 0; i < POINTS; i++) /* tilted, then digitised */
+            f->z[i] = 12.9e-9 * round((f->z[i] + tilts_m[t] * (double)i) / 12.9e-9);
+        assert_near(sanity_digitising(f->z, POINTS), 12.9e-9, 1e-6);
+        make_smooth(f->z);
+        for (size_t i = 0; i < POINTS; i++) /* digitised, then a tilt taken out */
+            f->z[i] = 12.9e-9 * round(f->z[i] / 12.9e-9) - tilts_m[t] * (double)i;
+        assert_near(sanity_digitising(f->z, POINTS), 12.9e-9, 1e-6);
+    }
+}
+
 /* White noise of 10 nm under the waves: m4 falls nearly 16 times with every other point; a filter ends the warning. */
 static void test_noise(void **state)
 {
@@ -245,6 +267,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(test_a_good_profile_needs_no_note, setup, teardown),
         cmocka_unit_test_setup_teardown(test_units_that_cannot_be, setup, teardown),
         cmocka_unit_test_setup_teardown(test_digitising, setup, teardown),
+        cmocka_unit_test_setup_teardown(test_digitising_under_a_tilt, setup, teardown),
         cmocka_unit_test_setup_teardown(test_noise, setup, teardown),
         cmocka_unit_test_setup_teardown(test_tip_radius, setup, teardown),
         cmocka_unit_test_setup_teardown(test_ends_and_few_points, setup, teardown),

@@ -2,6 +2,8 @@
 #include "report/section.h"
 #include "run/pipeline.h"
 
+#include <dirent.h>
+
 #define ALL_EFFECTS "effects: [plasticity, separation, electrical, thermal, scale-dependent, convergence]\n"
 #define LOADS       "material: tin\nload: {from: 1e-6, to: 1, points: 9}\nconvergence: {scales: 20}\n"
 
@@ -68,16 +70,130 @@ static void assert_tidy(const struct directory *place, const struct text *report
     }
 }
 
+/* Every chart that was drawn stands in the report, once. */
+static void assert_every_figure_once(const struct directory *place, const struct text *report)
+{
+    size_t charts = 0;
+    DIR *figures = opendir(directory_path(place, "out/figures"));
+    assert_non_null(figures);
+    for (const struct dirent *entry; (entry = readdir(figures));) {
+        char link[400];
+        const char *dot = strrchr(entry->d_name, '.');
+        if (!dot || strcmp(dot, ".svg") != 0)
+            continue;
+        snprintf(link, sizeof link, "](figures/%s)", entry->d_name);
+        const char *first = strstr(text_string(report), link);
+        if (!first || strstr(first + 1, link))
+            fail_msg("%s stands %s in the report", entry->d_name, first ? "twice" : "not");
+        charts++;
+    }
+    closedir(figures);
+    assert_in_range(charts, 30 + 11, 30 + 12); /* heights that are not Gaussian have one more */
+}
+
+/* The value of the baseline in a model at a load in contact.csv; NaN: no row, or an empty cell. */
+static double contact_value(const struct table *contact, const char *surface, size_t model, double load,
+                            const char *column)
+{
+    for (size_t row = 0; row < contact->rows; row++)
+        if (strcmp(table_text(contact, row, "surface"), surface) == 0 &&
+            strcmp(table_text(contact, row, "model"), model_rows[model]->name) == 0 &&
+            fabs(table_number(contact, row, "load_over_AnEp") / load - 1) < 1e-9 && *table_text(contact, row, column))
+            return table_number(contact, row, column);
+    return NAN;
+}
+
+/* Which column the table compares: statistical separations are the adjusted ones. */
+static double ratio_value(const struct table *contact, size_t model, double load, int quantity)
+{
+    static const char *const columns[] = {"area_ratio", "separation_over_sigma", "ecr_ohm_m2"};
+    bool adjusted = quantity == 1 && model_rows[model]->asperity_model;
+    return contact_value(contact, "b", model, load, adjusted ? "adjusted_separation_over_sigma" : columns[quantity]);
+}
+
+static size_t model_labelled(const char *label, size_t length)
+{
+    for (size_t m = 0; m < model_count; m++)
+        if (strlen(model_rows[m]->label) == length && strncmp(model_rows[m]->label, label, length) == 0)
+            return m;
+    fail_msg("no model '%.*s'", (int)length, label);
+    return model_count;
+}
+
+/* A number as reports print it: "3.16·10⁻⁴", "−0.21", "12"; NaN for "–". */
+static double printed_number(const char *text)
+{
+    static const char *const digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    bool negative = strncmp(text, "−", strlen("−")) == 0, down = false;
+    char *at;
+    double number = strtod(negative ? text + strlen("−") : text, &at);
+    int exponent = 0;
+    if (strncmp(text, "–", strlen("–")) == 0)
+        return NAN;
+    if (strncmp(at, "·10", strlen("·10")) == 0) {
+        at += strlen("·10");
+        down = strncmp(at, "⁻", strlen("⁻")) == 0;
+        at += down ? strlen("⁻") : 0;
+        for (int d = 0; d < 10; d++)
+            if (strncmp(at, digits[d], strlen(digits[d])) == 0) {
+                exponent = 10 * exponent + d;
+                at += strlen(digits[d]);
+                d = -1;
+            }
+    }
+    return (negative ? -1 : 1) * number * pow(10, down ? -exponent : exponent);
+}
+
+/* The ratios of the section on two bands are those of contact.csv, at the quarters of the list of loads. */
+static void assert_ratios(const struct directory *place, const struct text *report)
+{
+    struct table contact = table_read_path(directory_path(place, "out/data/contact.csv"));
+    const char *section = strstr(text_string(report), "\n## Two bands\n");
+    assert_non_null(section);
+    const char *line = strstr(section, "\n| P/(Aₙ E′) | model | over | area | separation | ECR |\n|");
+    size_t rows = 0, numbers = 0;
+    assert_non_null(line);
+    line = strchr(strchr(line + 1, '\n') + 1, '\n') + 1; /* behind the rule */
+    for (; *line == '|'; line = strchr(line, '\n') + 1, rows++) {
+        const char *cell[6], *at = line + 2;
+        size_t length[6];
+        for (int c = 0; c < 6; c++) {
+            cell[c] = at;
+            length[c] = (size_t)(strstr(at, " |") - at);
+            at += length[c] + 3;
+        }
+        /* of nine loads from 1e-6 to 1 the third, fifth and seventh */
+        double load = pow(10, round(log10(printed_number(cell[0])) / 0.75) * 0.75);
+        assert_near(printed_number(cell[0]), load, 0.005);
+        size_t model = model_labelled(cell[1], length[1]), by = model_labelled(cell[2], length[2]);
+        assert_int_equal(by, model_named(model_rows[model]->plastic ? "two-band-plastic" : "two-band-elastic"));
+        for (int q = 0; q < 3; q++) {
+            double ratio = ratio_value(&contact, model, load, q) / ratio_value(&contact, by, load, q);
+            double shown = printed_number(cell[3 + q]);
+            assert_true(isfinite(ratio) == isfinite(shown));
+            if (isfinite(shown) && fabs(ratio) > 1e-12) {
+                assert_near(shown, ratio, 0.0051);
+                numbers++;
+            }
+        }
+    }
+    assert_true(rows >= 3 * 4 && numbers > 15);
+    table_free(&contact);
+}
+
 static void test_everything(void **state)
 {
     struct text report = report_of(*state, LOADS ALL_EFFECTS);
+    assert_every_figure_once(*state, &report);
+    assert_ratios(*state, &report);
     assert_headings(&report, "# in\n## The surfaces\n## Material and load\n"
                              "## Does the area converge as smaller scales are included?\n"
                              "## Surface b in every model\n### Real contact area\n### Separation\n"
-                             "### Electrical contact resistance\n### Thermal contact resistance\n"
+                             "### Electrical contact resistance\n### Thermal contact resistance\n## Two bands\n"
                              "## All surfaces, model by model\n### Area against load\n### Separation against load\n"
                              "### Separation against area\n### ECR against load\n### TCR against load\n"
                              "## The findings of chapter 6, checked on these surfaces\n"
+                             "## What the answers hang on: cut-off and scan length\n"
                              "## Where the models may be trusted\n## What was computed\n## Models and sources\n");
     assert_tidy(*state, &report);
     text_free(&report);
@@ -92,6 +208,7 @@ static void test_what_did_not_run_is_not_spoken_of(void **state)
                              "### Real contact area\n### Electrical contact resistance\n"
                              "## All surfaces, model by model\n### Area against load\n### ECR against load\n"
                              "## The findings of chapter 6, checked on these surfaces\n"
+                             "## What the answers hang on: cut-off and scan length\n"
                              "## Where the models may be trusted\n## What was computed\n## Models and sources\n");
     assert_tidy(*state, &report);
     *strstr(report.data, "## What was computed") = '\0'; /* which says what was skipped and why */
@@ -122,14 +239,16 @@ static void test_repeats_and_measurements(void **state)
 {
     directory_write(*state, "ecr.txt", "1e-5, 1e-9\n1e-4, 1e-10\n");
     struct text report =
-        report_of(*state, LOADS "effects: [electrical]\nsurfaces: [{name: both, file: [a.csv, b.csv]}]\n"
+        report_of(*state, LOADS "effects: [electrical]\nmodels: [multiscale, statistical]\n"
+                                "surfaces: [{name: both, file: [a.csv, b.csv]}]\n"
                                 "measured: {file: ../ecr.txt, quantity: ecr, load_unit: dimensionless, "
                                 "resistance_unit: ohm m2}\n");
     assert_headings(&report, "# in\n## The surfaces\n## Material and load\n## Surface both in every model\n"
                              "### Real contact area\n### Electrical contact resistance\n"
                              "## All surfaces, model by model\n### Area against load\n### ECR against load\n"
                              "## The findings of chapter 6, checked on these surfaces\n"
-                             "## How far repeated scans lie apart\n## Measured contact resistance\n"
+                             "## What the answers hang on: cut-off and scan length\n"
+                             "## How sure the numbers are\n## Measured contact resistance\n"
                              "## Where the models may be trusted\n## What was computed\n## Models and sources\n");
     assert_tidy(*state, &report);
     text_free(&report);

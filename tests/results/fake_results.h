@@ -28,6 +28,9 @@ struct fake {
     struct results results;
     double sweeps[MODELS_MOST * CONVERGENCE_SWEEP_COUNT * CONVERGENCE_VALUES_MOST * SCALES];
     struct comparison_model models[MODELS_MOST];
+    struct comparison_gap gaps[MODELS_MOST][SURFACES];
+    double steps[MODELS_MOST][SURFACES];
+    struct comparison_extent extents[MODELS_MOST][LOADS][COMPARISON_SPREADS];
     struct comparison comparison;
 };
 
@@ -52,18 +55,39 @@ static inline void fake_sweep(struct fake *fake, enum convergence_sweep sweep, c
 
 static inline void make_fake(struct fake *fake)
 {
+    static const struct comparison_gap none = {NAN, NAN, NAN, NAN};
     static char names[SURFACES][8] = {"one", "two", "three"};
     *fake = (struct fake){.scene = {.convergence = {.load = 1e-3, .scales = SCALES}},
                           .plan = {.running = (1u << EFFECT_COUNT) - 1}};
     fake->plan.wanted = quantity_wanted(fake->plan.running);
     fake->comparison.models = fake->models;
+    for (size_t m = 0; m < MODELS_MOST; m++)
+        for (size_t k = 0; k < SURFACES; k++) {
+            fake->gaps[m][k] = none;
+            fake->steps[m][k] = NAN;
+        }
     for (int i = 0; i < FAKE_MODELS; i++) {
         fake->plan.models |= MODEL_BIT(model_named(fake_models[i]));
         struct comparison_model *model = fake_compared(fake, fake_models[i]);
         bool plastic = model_rows[model_named(fake_models[i])]->plastic;
-        model->rank.pairs = 100;
         for (int q = 0; q < QUANTITY_COUNT; q++)
-            model->rank.ranked[q] = q == QUANTITY_SEPARATION ? 40 : 100;
+            model->rank[q] =
+                q == QUANTITY_SEPARATION ? (struct comparison_tally){40, 60, 0} : (struct comparison_tally){100, 0, 0};
+        bool statistical = i >= 2;
+        for (size_t k = 0; k < SURFACES; k++)
+            if (statistical)
+                fake->gaps[model_named(fake_models[i])][k] =
+                    (struct comparison_gap){.area = 0.5, .ecr = 0.2, .plain = 1, .adjusted = 0.3};
+        for (size_t k = 0; k + 1 < SURFACES; k++)
+            fake->steps[model_named(fake_models[i])][k] = 0.2 + 0.1 * (double)k;
+        for (int load = 0; load < 2; load++)
+            for (int of = 0; of < COMPARISON_SPREADS; of++)
+                fake->extents[model_named(fake_models[i])][load][of] =
+                    (struct comparison_extent){1,
+                                               statistical ? plastic ? 4 : 5
+                                               : plastic   ? 2
+                                                           : 3,
+                                               SURFACES};
         model->extremes[QUANTITY_AREA] =
             (struct comparison_extremes){.least = 0.1, .most = plastic ? 0.2 : 0.3, .count = SURFACES};
     }
@@ -73,24 +97,31 @@ static inline void make_fake(struct fake *fake)
         struct surface_summary *summary = &fake->summaries[k];
         summary->scene = &fake->names[k];
         summary->usable = true;
+        summary->power_law.found = POWER_LAW_BAND_LAW;
         summary->power_law.gamma = 1.6 - 0.2 * (double)k;
+        summary->power_law.alpha = k == 1 ? 0.2 : 0.1;
         summary->power_law.knee_m = NAN;
         summary->models = fake->curves[k];
         for (int i = 0; i < FAKE_MODELS; i++)
             *fake_curve(fake, k, fake_models[i]) = (struct curve_summary){.exists = true,
+                                                                          .extended = true,
                                                                           .full_load = 0.1,
                                                                           .elbow_load = 0.05,
-                                                                          .beta = 6,
+                                                                          .beta = k == 1 ? 7 : 6,
                                                                           .area_slope = 0.95,
                                                                           .gap_at_full = 0,
                                                                           .sd_least = 0.001,
                                                                           .sd_most = 0.01};
     }
-    for (size_t m = 0; m < model_count; m++)
-        fake->models[m].gap = (struct comparison_gap){NAN, NAN};
-    fake_compared(fake, "multiscale-plastic")->plastic = fake_compared(fake, "jg")->plastic =
-        (struct comparison_plastic){100, 100, 1.1, 2, 3, 3};
-    fake_compared(fake, "gw")->gap = fake_compared(fake, "jg")->gap = (struct comparison_gap){.area = 0.5, .ecr = 0.2};
+    for (size_t m = 0; m < model_count; m++) {
+        fake->models[m].gaps = fake->gaps[m];
+        fake->models[m].steps = fake->steps[m];
+        fake->models[m].extents = fake->extents[m];
+    }
+    struct comparison_plastic plastic = {.least = 1.1, .most = 2, .sooner = {3, 0, 0}};
+    for (int q = QUANTITY_AREA; q < QUANTITY_COUNT; q++)
+        plastic.changes[q] = (struct comparison_tally){100, 0, 0};
+    fake_compared(fake, "multiscale-plastic")->plastic = fake_compared(fake, "jg")->plastic = plastic;
     fake->comparison.proportional_error = 1e-15;
     fake->comparison.middle_load = 1e-3;
     fake->store = (struct surface_store){.summaries = fake->summaries, .count = SURFACES};
@@ -132,12 +163,13 @@ static inline void fake_put_curves(struct fake *fake, struct surface_store *stor
         assert_non_null(curve->points);
         for (int i = 0; i < LOADS; i++) {
             double area = fmin(1, areas[m] * pow(10, i - 3)), ecr = area < 1 ? 1e-9 / area : 0;
-            curve->points[i] = (struct contact_point){.load = pow(10, i - 5),
-                                                      .area_ratio = area,
-                                                      .ecr_ohm_m2 = ecr,
-                                                      .separation_m = 1e-6 / area,
-                                                      .adjusted_m = 1e-6 / area,
-                                                      .tcr_K_m2_per_W = 2e5 * ecr};
+            curve->points[i] =
+                (struct contact_point){.load = pow(10, i - 5),
+                                       .area_ratio = area,
+                                       .ecr_ohm_m2 = ecr,
+                                       .separation_m = 1e-6 / area,
+                                       .adjusted_m = model_rows[model]->asperity_model ? 2e-6 / area : NAN,
+                                       .tcr_K_m2_per_W = 2e5 * ecr};
         }
     }
     assert_int_equal(surface_store_put(store, index, record, &status), STATUS_OK);
@@ -147,12 +179,13 @@ static inline void fake_put_curves(struct fake *fake, struct surface_store *stor
 
 /* The comparison of curves made to order: areas in the ratios given, the resistance in inverse proportion. To be ended
  * with comparison_free(). */
-static inline void make_comparison(struct fake *fake, const double areas[SURFACES][FAKE_MODELS])
+static inline void comparison_of(struct fake *fake, const double areas[SURFACES][FAKE_MODELS], double tolerance)
 {
     struct directory place = directory_make();
     struct status status = {0};
     static const double loads[LOADS] = {1e-5, 1e-4, 1e-3, 1e-2, 1e-1, 1};
     make_fake(fake);
+    fake->scene.tolerance = tolerance;
     fake->results.loads = loads;
     fake->results.load_count = LOADS;
     fake->plan.pair.resistivity_ohm_m = 1e-7;
@@ -166,6 +199,11 @@ static inline void make_comparison(struct fake *fake, const double areas[SURFACE
     surface_store_close(&fake->store);
     directory_remove(&place);
     fake->store = (struct surface_store){.summaries = fake->summaries, .count = SURFACES};
+}
+
+static inline void make_comparison(struct fake *fake, const double areas[SURFACES][FAKE_MODELS])
+{
+    comparison_of(fake, areas, 0);
 }
 
 #endif

@@ -9,9 +9,12 @@ static void test_ordered_surfaces(void **state)
     make_comparison(&fake, areas);
     for (int m = 0; m < FAKE_MODELS; m++) {
         const struct comparison_model *model = fake_compared(&fake, fake_models[m]);
-        assert_true(model->rank.pairs >= 8);
-        for (int q = QUANTITY_AREA; q <= QUANTITY_TCR; q++) /* a larger area goes with a smaller gap here */
-            assert_int_equal(model->rank.ranked[q], model->rank.pairs);
+        for (int q = QUANTITY_AREA; q <= QUANTITY_TCR; q++) { /* a larger area goes with a smaller gap here */
+            if (q == QUANTITY_ADJUSTED && !model_rows[model_named(fake_models[m])]->asperity_model)
+                continue;
+            assert_true(model->rank[q].agreeing >= 8);
+            assert_int_equal(model->rank[q].opposed + model->rank[q].ties, 0);
+        }
         const struct comparison_extremes *extremes = &model->extremes[QUANTITY_AREA];
         assert_near(extremes->most / extremes->least, areas[0][m] / areas[2][m], 1e-12);
         assert_true(extremes->most_at == 0 && extremes->least_at == 2 && extremes->count == SURFACES);
@@ -19,14 +22,27 @@ static void test_ordered_surfaces(void **state)
     }
     assert_near(fake.comparison.middle_load, 1e-2, 0);
     assert_near(fake_compared(&fake, "multiscale-plastic")->plastic.most, 4, 1e-12);
-    assert_near(fake_compared(&fake, "multiscale-plastic")->plastic.least, 1, 1e-12); /* both full */
-    assert_int_equal(fake_compared(&fake, "multiscale-plastic")->plastic.above,
-                     fake_compared(&fake, "multiscale-plastic")->plastic.points);
-    assert_int_equal(fake_compared(&fake, "jg")->plastic.sooner, SURFACES);
+    assert_near(fake_compared(&fake, "multiscale-plastic")->plastic.least, 2, 1e-12); /* the load at which both are full
+                                                                                          says nothing */
+    for (int q = QUANTITY_AREA; q <= QUANTITY_ECR; q++) {
+        const struct comparison_tally *changes = &fake_compared(&fake, "multiscale-plastic")->plastic.changes[q];
+        if (q == QUANTITY_ADJUSTED)
+            continue;
+        assert_true(changes->agreeing >= 12 && changes->opposed == 0 && changes->ties == 0);
+    }
+    assert_int_equal(fake_compared(&fake, "jg")->plastic.sooner.agreeing, SURFACES);
     assert_within(fake.comparison.proportional_error, 0, 1e-14);
-    for (int m = 2; m < FAKE_MODELS; m++) { /* baseline, multiscale against statistical: 0.02/0.005, 0.06/0.015 */
-        assert_near(fake_compared(&fake, fake_models[m])->gap.area, log10(4), 1e-9);
-        assert_near(fake_compared(&fake, fake_models[m])->gap.ecr, log10(4), 1e-9);
+    for (int m = 2; m < FAKE_MODELS; m++)
+        for (size_t k = 0; k < SURFACES; k++) { /* multiscale against statistical: 0.02/0.005, 0.06/0.015, … */
+            const struct comparison_gap *gap = &fake_compared(&fake, fake_models[m])->gaps[k];
+            assert_near(gap->area, log10(areas[k][m - 2] / areas[k][m]), 1e-9);
+            assert_near(gap->ecr, log10(areas[k][m - 2] / areas[k][m]), 1e-9);
+            assert_true(gap->adjusted > gap->plain); /* 2/A here, against 1/A */
+        }
+    for (int m = 0; m < FAKE_MODELS; m++) { /* R goes with 1/A */
+        const double *steps = fake_compared(&fake, fake_models[m])->steps;
+        assert_near(steps[0], log10(areas[0][m] / areas[1][m]), 1e-9);
+        assert_near(steps[1], log10(areas[1][m] / areas[2][m]), 1e-9);
     }
     assert_int_equal(fake.comparison.leading, model_named("multiscale-plastic"));
     assert_near(fake.comparison.middle[1].area_ratio, 0.06, 1e-12); /* ten to the (3 - 3) times */
@@ -41,12 +57,13 @@ static void test_turned_surfaces(void **state)
     struct fake fake;
     make_comparison(&fake, areas);
     for (int m = 0; m < FAKE_MODELS; m++) {
-        const struct comparison_rank *rank = &fake_compared(&fake, fake_models[m])->rank;
-        assert_true(rank->pairs > 0);
-        assert_int_equal(rank->ranked[QUANTITY_AREA] + rank->ranked[QUANTITY_ECR], 0);
+        const struct comparison_tally *rank = fake_compared(&fake, fake_models[m])->rank;
+        assert_true(rank[QUANTITY_AREA].opposed > 0 && rank[QUANTITY_ECR].opposed > 0);
+        assert_int_equal(rank[QUANTITY_AREA].agreeing + rank[QUANTITY_ECR].agreeing, 0);
     }
-    assert_true(fake_compared(&fake, "multiscale-plastic")->plastic.above <
-                fake_compared(&fake, "multiscale-plastic")->plastic.points / 2);
+    const struct comparison_tally *changes =
+        &fake_compared(&fake, "multiscale-plastic")->plastic.changes[QUANTITY_AREA];
+    assert_true(changes->agreeing == 0 && changes->opposed > 0);
     comparison_free(&fake.comparison);
 }
 
@@ -62,11 +79,68 @@ static void test_equal_areas_have_a_spread_of_one(void **state)
     comparison_free(&fake.comparison);
 }
 
+/* Equal curves, or ones that differ by less than the tolerance, speak for neither side. */
+static void test_ties_are_counted_apart(void **state)
+{
+    (void)state;
+    static const double areas[SURFACES][FAKE_MODELS] = {
+        {0.02, 0.02, 0.02, 0.02 * (1 + 1e-9)}, {0.02 * (1 + 1e-9), 0.02, 0.02, 0.02}, {0.02, 0.02, 0.02, 0.02}};
+    struct fake fake;
+    make_fake(&fake);
+    comparison_of(&fake, areas, 1e-6);
+    for (int m = 0; m < FAKE_MODELS; m++)
+        for (int q = QUANTITY_AREA; q <= QUANTITY_TCR; q++) {
+            const struct comparison_tally *rank = &fake_compared(&fake, fake_models[m])->rank[q];
+            assert_int_equal(rank->agreeing + rank->opposed, 0);
+            assert_true(rank->ties > 0 || q == QUANTITY_ADJUSTED);
+        }
+    const struct comparison_plastic *plastic = &fake_compared(&fake, "multiscale-plastic")->plastic;
+    assert_int_equal(plastic->changes[QUANTITY_AREA].agreeing + plastic->changes[QUANTITY_AREA].opposed, 0);
+    assert_true(plastic->changes[QUANTITY_AREA].ties > 0);
+    comparison_free(&fake.comparison);
+    comparison_of(&fake, areas, 1e-12);
+    assert_true(fake_compared(&fake, "multiscale-elastic")->rank[QUANTITY_AREA].opposed > 0);
+    comparison_free(&fake.comparison);
+}
+
+/* The spread counts loads at which every surface is in partial contact: the fourth load is full on the first. */
+static void test_spreads(void **state)
+{
+    (void)state;
+    static const double areas[SURFACES][FAKE_MODELS] = {
+        {0.1, 0.4, 0.02, 0.02}, {0.2, 0.5, 0.04, 0.04}, {0.4, 0.8, 0.02, 0.02}};
+    static const double full[SURFACES][FAKE_MODELS] = {
+        {1e5, 1e5, 1e5, 1e5}, {1e5, 1e5, 1e5, 1e5}, {1e5, 1e5, 1e5, 1e5}};
+    struct fake fake;
+    make_comparison(&fake, areas);
+    const struct comparison_model *elastic = fake_compared(&fake, "multiscale-elastic"),
+                                  *plastic = fake_compared(&fake, "multiscale-plastic");
+    for (int of = 0; of < COMPARISON_SPREADS; of++) {
+        assert_near(comparison_mean_spread(&fake.results, elastic, plastic, (enum comparison_spread)of), log10(4),
+                    1e-9);
+        assert_near(comparison_mean_spread(&fake.results, plastic, elastic, (enum comparison_spread)of), log10(2),
+                    1e-9);
+        assert_near(comparison_largest_spread(&fake.results, elastic, (enum comparison_spread)of), 4, 1e-9);
+    }
+    comparison_free(&fake.comparison);
+    make_comparison(&fake, full);
+    assert_true(isnan(comparison_largest_spread(&fake.results, &fake.comparison.models[0], COMPARISON_AREAS)));
+    for (int m = 0; m < FAKE_MODELS; m++) { /* nothing compared at full contact */
+        const struct comparison_model *model = fake_compared(&fake, fake_models[m]);
+        assert_int_equal(model->rank[QUANTITY_AREA].agreeing + model->rank[QUANTITY_AREA].ties, 0);
+        assert_int_equal(model->plastic.changes[QUANTITY_AREA].ties, 0);
+        assert_true(isnan(model->steps[0]));
+    }
+    comparison_free(&fake.comparison);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_ordered_surfaces),
         cmocka_unit_test(test_turned_surfaces),
+        cmocka_unit_test(test_ties_are_counted_apart),
+        cmocka_unit_test(test_spreads),
         cmocka_unit_test(test_equal_areas_have_a_spread_of_one),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -40,23 +40,32 @@ static void test_power_laws(void **state)
 
     /* elastic: full from 1e-3 (alpha), 2e-3 (beta), 5e-3 (gamma), so that both of a pair are full at 1e-2 alone, and
      * alpha and beta at 3.16e-3 too */
-    assert_int_equal(of("multiscale-elastic")->rank.pairs, 2 * 9 - 2 - 1);
-    for (int q = 1; q < QUANTITY_COUNT; q++)
-        assert_int_equal(of("multiscale-elastic")->rank.ranked[q], q == QUANTITY_ADJUSTED ? 0 : 15);
-    assert_int_equal(of("gw")->rank.ranked[QUANTITY_SEPARATION], of("gw")->rank.pairs);
+    for (int q = 1; q < QUANTITY_COUNT; q++) {
+        const struct comparison_tally *rank = &of("multiscale-elastic")->rank[q];
+        assert_int_equal(rank->agreeing, q == QUANTITY_ADJUSTED ? 0 : 2 * 9 - 2 - 1);
+        assert_int_equal(rank->opposed + rank->ties, 0);
+    }
 
     const struct comparison_plastic *plastic = &of("multiscale-plastic")->plastic;
-    assert_int_equal(plastic->points, 27);
-    assert_int_equal(plastic->above, 27);
+    size_t partial = plastic->changes[QUANTITY_AREA].agreeing;
+    assert_int_equal(partial, 27 - 3 - 2 - 1); /* less those at which both are full: it says nothing of them */
+    assert_int_equal(plastic->changes[QUANTITY_AREA].opposed + plastic->changes[QUANTITY_AREA].ties, 0);
+    assert_int_equal(plastic->changes[QUANTITY_SEPARATION].agreeing, partial);
+    assert_int_equal(plastic->changes[QUANTITY_ECR].agreeing, partial);
     assert_near(plastic->most, 2, 1e-12);
-    assert_near(plastic->least, 1, 1e-12); /* where both are full */
-    assert_int_equal(plastic->surfaces, 3);
-    assert_int_equal(plastic->sooner, 3);
-    assert_int_equal(of("multiscale-elastic")->plastic.points, 0);
+    assert_true(plastic->least > 1);
+    assert_int_equal(plastic->sooner.agreeing, 3);
+    assert_int_equal(of("multiscale-elastic")->plastic.changes[QUANTITY_AREA].agreeing, 0);
 
-    assert_near(of("gw")->gap.area, log10(2), 1e-12);
-    assert_near(of("jg")->gap.ecr, log10(2.5), 1e-12);
-    assert_true(isnan(of("multiscale-elastic")->gap.area));
+    for (size_t i = 0; i < MADE_UP_USABLE; i++) {
+        assert_near(of("gw")->gaps[i].area, log10(2), 1e-12);
+        assert_near(of("jg")->gaps[i].ecr, log10(2.5), 1e-12);
+        assert_true(isnan(of("multiscale-elastic")->gaps[i].area));
+    }
+    assert_true(isnan(of("gw")->gaps[3].area)); /* refused */
+    /* neighbours: 3 times the resistance from alpha to beta, 2.5 times from beta to gamma */
+    assert_near(of("gw")->steps[0], log10(3), 1e-12);
+    assert_near(of("gw")->steps[1], log10(2.5), 1e-12);
 
     const struct comparison_extremes *ecr = &of("jg")->extremes[QUANTITY_ECR];
     assert_int_equal(ecr->count, 3);
@@ -88,15 +97,16 @@ static void test_neighbours_out_of_order(void **state)
 {
     (void)state;
     made_up_make(&made, turn_one);
-    const struct comparison_rank *rank = &of("gw")->rank;
-    assert_int_equal(rank->ranked[QUANTITY_AREA], rank->pairs - 1);
-    assert_int_equal(rank->ranked[QUANTITY_SEPARATION], rank->pairs - 1);
-    assert_int_equal(rank->ranked[QUANTITY_ECR], rank->pairs - 1);
-    assert_int_equal(rank->ranked[QUANTITY_TCR], rank->pairs - 1);
-    assert_int_equal(of("jg")->rank.ranked[QUANTITY_AREA], of("jg")->rank.pairs);
+    const struct comparison_tally *rank = of("gw")->rank;
+    assert_int_equal(rank[QUANTITY_AREA].opposed, 1);
+    assert_int_equal(rank[QUANTITY_SEPARATION].opposed, 1);
+    assert_int_equal(rank[QUANTITY_ECR].opposed, 1);
+    assert_int_equal(rank[QUANTITY_TCR].opposed, 1);
+    assert_int_equal(of("jg")->rank[QUANTITY_AREA].opposed, 0);
+    assert_true(of("jg")->rank[QUANTITY_AREA].agreeing > 10);
 }
 
-/* Equal numbers are in order; a plastic area short of the elastic one by no more than rounding is not below it. */
+/* Equal numbers are ties, which speak for neither side, and so are those within the tolerance (1e-8). */
 static void make_equal(struct surface_record *record, size_t index)
 {
     (void)index;
@@ -105,7 +115,7 @@ static void make_equal(struct surface_record *record, size_t index)
         elastic->area_ratio = 0.01 * (double)(i + 1);
         elastic->ecr_ohm_m2 = 1e-10;
         elastic->adjusted_m = 0.5 * record->summary.roughness.rq_m;
-        plastic->area_ratio = elastic->area_ratio * (i == 0 ? 1 - 1e-13 : i == 1 ? 1 - 1e-11 : 1.5);
+        plastic->area_ratio = elastic->area_ratio * (i == 0 ? 1 - 1e-9 : i == 1 ? 1 - 1e-7 : 1.5);
     }
     record->curves[made_up_model("jg")].full_load = record->curves[made_up_model("gw")].full_load;
 }
@@ -114,17 +124,20 @@ static void test_equal_neighbours_and_laws(void **state)
 {
     (void)state;
     made_up_make(&made, make_equal);
-    const struct comparison_rank *rank = &of("gw")->rank;
-    assert_int_equal(rank->pairs, 18);
-    assert_int_equal(rank->ranked[QUANTITY_AREA], 18);
-    assert_int_equal(rank->ranked[QUANTITY_SEPARATION], 18);
-    assert_int_equal(rank->ranked[QUANTITY_ECR], 18);
+    const struct comparison_tally *rank = of("gw")->rank;
+    static const enum quantity alike[] = {QUANTITY_AREA, QUANTITY_SEPARATION, QUANTITY_ECR};
+    for (int k = 0; k < 3; k++) {
+        assert_int_equal(rank[alike[k]].ties, 18);
+        assert_int_equal(rank[alike[k]].agreeing + rank[alike[k]].opposed, 0);
+    }
     const struct comparison_plastic *plastic = &of("jg")->plastic;
-    assert_int_equal(plastic->points, 27);
-    assert_int_equal(plastic->above, 24);
+    assert_int_equal(plastic->changes[QUANTITY_AREA].agreeing, 21);
+    assert_int_equal(plastic->changes[QUANTITY_AREA].ties, 3);
+    assert_int_equal(plastic->changes[QUANTITY_AREA].opposed, 3);
     assert_near(plastic->most, 1.5, 1e-12);
-    assert_near(plastic->least, 1 - 1e-11, 1e-15);
-    assert_int_equal(plastic->sooner, 0); /* at the same load is not sooner */
+    assert_near(plastic->least, 1 - 1e-7, 1e-15);
+    assert_int_equal(plastic->sooner.ties, 3); /* at the same load is not sooner */
+    assert_int_equal(plastic->sooner.agreeing, 0);
 }
 
 /* Curves that end early, with a load of their own, are compared up to their last common load; ones that do not exist
@@ -143,13 +156,13 @@ static void test_short_curves(void **state)
 {
     (void)state;
     made_up_make(&made, cut_short);
-    assert_int_equal(of("jg")->rank.pairs, 2 * 4); /* two that end alike have even that point in common */
-    assert_int_equal(of("jg")->plastic.points, 2 * 3);
-    assert_int_equal(of("jg")->plastic.surfaces, 2);
-    assert_int_equal(of("gw")->rank.pairs, 9 - 1); /* both full at the last */
+    assert_int_equal(of("jg")->rank[QUANTITY_AREA].agreeing, 2 * 4); /* ending alike, they have even that in common */
+    assert_int_equal(of("jg")->plastic.changes[QUANTITY_AREA].agreeing, 2 * 3);
+    assert_int_equal(of("jg")->plastic.sooner.agreeing, 2);
+    assert_int_equal(of("gw")->rank[QUANTITY_AREA].agreeing, 9 - 1); /* both full at the last */
     assert_int_equal(of("gw")->extremes[QUANTITY_AREA].count, 2);
     assert_int_equal(of("jg")->extremes[QUANTITY_AREA].count, 0); /* it ends below the middle load */
-    assert_near(of("jg")->gap.area, log10(2.5), 1e-12);
+    assert_near(of("jg")->gaps[0].area, log10(2.5), 1e-12);
 }
 
 /* Resistances that are not in proportion, by one point. */

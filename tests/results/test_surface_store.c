@@ -3,6 +3,64 @@
 
 enum { SURFACES = 7 };
 
+/* `count` numbers from `first` on. */
+static double *numbers(size_t count, size_t first)
+{
+    double *all = calloc(count, sizeof *all);
+    assert_non_null(all);
+    for (size_t i = 0; i < count; i++)
+        all[i] = (double)(first + i);
+    return all;
+}
+
+/* A scan whole and one in k pieces, to be run alone; a single surface has none. */
+static void add_parts(struct repeat_set *set, size_t k)
+{
+    if (k == 0)
+        return;
+    *set = (struct repeat_set){.parts = calloc(k + 1, sizeof *set->parts),
+                               .count = k + 1,
+                               .capacity = k + 1,
+                               .scans = calloc(2, sizeof *set->scans),
+                               .scan_count = 2,
+                               .no_intervals = k % 2};
+    assert_true(set->parts && set->scans);
+    set->scans[0] = (struct repeats_scan){.weight = 1, .point_count = 3};
+    set->scans[1] = (struct repeats_scan){.weight = (double)k, .first_point = 3, .point_count = k};
+    for (size_t p = 0; p <= k; p++)
+        set->parts[p] = (struct repeat){.spectrum = {numbers(k + p, p), k + p, 1e-3, false},
+                                        .roughness.rq_m = (double)p,
+                                        .scan = p > 0,
+                                        .points = 2 * (k + p)};
+}
+
+static void assert_same_spectrum(const struct spectrum *a, const struct spectrum *b)
+{
+    assert_int_equal(a->count, b->count);
+    assert_int_equal(a->has_nyquist, b->has_nyquist);
+    assert_near(a->length_m, b->length_m, 0);
+    if (b->count > 0)
+        assert_memory_equal(a->amplitude_m, b->amplitude_m, b->count * sizeof(double));
+}
+
+static void assert_same_parts(const struct repeat_set *a, const struct repeat_set *b)
+{
+    assert_int_equal(a->count, b->count);
+    assert_int_equal(a->scan_count, b->scan_count);
+    assert_int_equal(a->no_intervals, b->no_intervals);
+    if (b->count == 0)
+        return;
+    assert_memory_equal(a->scans, b->scans, b->scan_count * sizeof *b->scans);
+    for (size_t p = 0; p < b->count; p++) {
+        const struct repeat *got = &a->parts[p], *expected = &b->parts[p];
+        assert_same_spectrum(&got->spectrum, &expected->spectrum);
+        assert_int_equal(got->scan, expected->scan);
+        assert_int_equal(got->points, expected->points);
+        assert_near(got->roughness.rq_m, expected->roughness.rq_m, 0);
+        assert_null(got->height_m);
+    }
+}
+
 /* A record whose every number follows from `k`, with arrays of lengths of its own. */
 static struct surface_record *make(size_t k)
 {
@@ -31,8 +89,20 @@ static struct surface_record *make(size_t k)
                 (struct contact_point){.load = (double)i, .area_ratio = (double)(100 * k + m), .tcr_K_m2_per_W = NAN};
         record->bands[m] = (k + m) % 4 == 0 ? calloc(record->band_count, sizeof **record->bands) : NULL;
         for (size_t i = 0; record->bands[m] && i < record->band_count; i++)
-            record->bands[m][i] = (struct repeats_band){.load = (double)(k + m + i), .limits = {{NAN, (double)i}}};
+            record->bands[m][i] = (struct repeats_band){
+                .load = (double)(k + m + i), .mean = {{NAN, (double)i}}, .next = {{(double)k, NAN}}};
     }
+    record->tapered = (struct spectrum){numbers(k + 3, k), k + 3, 1e-3, false};
+    record->summary.heights = 2 * k;
+    record->points = calloc(2 * k + 1, sizeof *record->points);
+    assert_non_null(record->points);
+    for (size_t i = 0; i < record->summary.heights; i++)
+        record->points[i] = (struct slope_point){.height_m = (double)(k * i)};
+    record->summary.single_points = 5;
+    record->height_m = k % 2 ? numbers(5, k) : NULL;
+    add_parts(&record->repeats, k);
+    for (int v = 0; v < SENSITIVITY_VARIANTS; v++)
+        record->sensitivity.variants[v].spectrum = (struct spectrum){numbers(k + 1, 7 * k), k + 1, 1e-3, false};
     record->preview_points = 2;
     record->preview_z_m[1] = (double)k;
     return record;
@@ -45,11 +115,17 @@ static void assert_same(const struct surface_record *got, size_t k)
     assert_int_equal(got->summary.points, expected->summary.points);
     assert_near(got->summary.power_law.gamma, expected->summary.power_law.gamma, 0);
     assert_string_equal(got->summary.notes, expected->summary.notes);
-    assert_int_equal(got->spectrum.count, expected->spectrum.count);
-    assert_int_equal(got->spectrum.has_nyquist, expected->spectrum.has_nyquist);
-    assert_near(got->spectrum.length_m, expected->spectrum.length_m, 0);
-    assert_memory_equal(got->spectrum.amplitude_m, expected->spectrum.amplitude_m,
-                        got->spectrum.count * sizeof(double));
+    assert_same_spectrum(&got->spectrum, &expected->spectrum);
+    assert_same_spectrum(&got->tapered, &expected->tapered);
+    assert_same_parts(&got->repeats, &expected->repeats);
+    for (int v = 0; v < SENSITIVITY_VARIANTS; v++)
+        assert_same_spectrum(&got->sensitivity.variants[v].spectrum, &expected->sensitivity.variants[v].spectrum);
+    assert_int_equal(got->points != NULL, k > 0);
+    if (got->points)
+        assert_memory_equal(got->points, expected->points, 2 * k * sizeof *got->points);
+    assert_int_equal(got->height_m != NULL, k % 2);
+    if (got->height_m)
+        assert_memory_equal(got->height_m, expected->height_m, 5 * sizeof *got->height_m);
     for (size_t m = 0; m < model_count; m++) {
         const struct model_curve *a = &got->curves[m], *b = &expected->curves[m];
         assert_true(a->exists == b->exists && a->count == b->count && a->full_load == b->full_load);

@@ -163,12 +163,14 @@ static void law_below_the_sampling_limit_counts(void **state)
     struct scene scene;
     struct prepared prepared;
     prepare_scene(&prepared, &scene, text, NULL);
-    const struct surface_summary *s = &prepared.store.summaries[0];
+    struct surface_record record = {0};
+    struct status status = {0};
     double area[2];
+    assert_int_equal(surface_describe(&record, &scene, &scene.surfaces[0], NULL, &status), STATUS_OK);
     for (int plastic = 0; plastic < 2; plastic++)
-        area[plastic] =
-            convergence_extend(&s->power_law, s->length_m, 2 * s->spacing_m, &prepared.plan.pair, plastic, 1e-2)
-                .area_extended;
+        area[plastic] = convergence_extend(&record.spectrum, &record.summary.tail, &prepared.plan.pair, plastic, 1e-2)
+                            .area_extended;
+    surface_record_free(&record, true);
     assert_true(area[1] > 1.01 * area[0]);
     prepared_free(&prepared);
     scene_free(&scene);

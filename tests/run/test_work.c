@@ -44,7 +44,7 @@ static struct work work_of(const char *scene_text, struct plan *plan)
 }
 
 #define SURFACES "surfaces: [{name: a, file: a.csv}, {name: b, file: b.csv}]\n"
-#define FILES    SURFACES "load: {from: 1e-6, to: 0.1, points: 31}\n"
+#define FILES    SURFACES "fit: thesis\nload: {from: 1e-6, to: 0.1, points: 31}\n"
 #define ALL      "plasticity, separation, electrical, thermal, scale-dependent, convergence"
 
 /** The two material laws, elastic and plastic, of one kind of work. */
@@ -78,8 +78,14 @@ static void each_effect_removes_its_own_work(void **state)
 
     less = work_of(FILES "effects: [plasticity, electrical, thermal, scale-dependent, convergence]\n", NULL);
     assert_int_equal(gaps(&less), 0);
+    assert_int_equal(all.elastic.separations - less.elastic.separations, 2 * 31); /* two-band elastic: Barber's */
+    less.elastic.separations = all.elastic.separations;
     less.elastic.gaps = all.elastic.gaps;
     less.plastic.gaps = all.plastic.gaps;
+    assert_int_equal(all.elastic.searches - less.elastic.searches, 2); /* GW's beta nearest to the stack, twice */
+    assert_int_equal(all.plastic.searches - less.plastic.searches, 2);
+    less.elastic.searches = all.elastic.searches;
+    less.plastic.searches = all.plastic.searches;
     assert_same(&less, &all);
 
     less = work_of(FILES "effects: [separation, electrical, thermal, scale-dependent, convergence]\n", NULL);
@@ -107,6 +113,9 @@ static void each_effect_removes_its_own_work(void **state)
 
     struct work thermal = work_of(FILES "effects: [plasticity, separation, thermal, convergence]\n", NULL);
     struct work electrical = work_of(FILES "effects: [plasticity, separation, electrical, convergence]\n", NULL);
+    assert_true(constrictions(&thermal) > 0 && constrictions(&thermal) < constrictions(&electrical));
+    thermal.elastic.constrictions = electrical.elastic.constrictions; /* sensitivity speaks of ECR alone */
+    thermal.plastic.constrictions = electrical.plastic.constrictions;
     assert_same(&thermal, &electrical); /* the two share their sums over contact spots */
     less = work_of(FILES "effects: [plasticity, separation, convergence]\n", NULL);
     assert_int_equal(constrictions(&less), 0);
@@ -115,16 +124,29 @@ static void each_effect_removes_its_own_work(void **state)
     assert_same(&less, &electrical);
 }
 
-/** What both families take is what each takes alone: visits of scales here, solved loads and laws there. */
+/** What all families take is what each takes alone: visits of scales in stacks, solved loads and laws in others. */
 static void families_remove_their_own_work(void **state)
 {
     (void)state;
-    struct work all = work_of(FILES "effects: [plasticity]\n", NULL);
+    struct work all = work_of(FILES "effects: [plasticity]\n"
+                                    "models: [multiscale, statistical, two-band, persson, contacting-slopes]\n",
+                              NULL);
     struct work multiscale = work_of(FILES "effects: [plasticity]\nmodels: [multiscale]\n", NULL);
     struct work statistical = work_of(FILES "effects: [plasticity]\nmodels: [statistical]\n", NULL);
     struct work sum = multiscale;
     model_work_add(&sum.elastic, &statistical.elastic);
     model_work_add(&sum.plastic, &statistical.plastic);
+    static const char *const others[] = {"two-band", "persson", "contacting-slopes"};
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
+        char scene[200];
+        snprintf(scene, sizeof scene, FILES "effects: [plasticity]\nmodels: [%s]\n", others[i]);
+        struct work other = work_of(scene, NULL);
+        assert_true(model_evaluations(&other.elastic) > 0);
+        assert_int_equal(other.elastic.nodes + other.plastic.nodes, 0);
+        assert_true(other.plastic.scales == (i == 0 ? other.elastic.scales : 0));
+        model_work_add(&sum.elastic, &other.elastic);
+        model_work_add(&sum.plastic, &other.plastic);
+    }
     assert_same(&sum, &all);
     const struct model_work *laws[2][2] = {{&multiscale.elastic, &statistical.elastic},
                                            {&multiscale.plastic, &statistical.plastic}};

@@ -7,8 +7,11 @@
 
 static void check_defaults(const struct scene *scene)
 {
-    assert_int_equal(scene->models,
-                     NAMED("multiscale-elastic") | NAMED("multiscale-plastic") | NAMED("gw") | NAMED("jg"));
+    assert_int_equal(scene->models, NAMED("multiscale-elastic") | NAMED("multiscale-plastic") | NAMED("gw") |
+                                        NAMED("jg") | NAMED("two-band-elastic") | NAMED("two-band-plastic") |
+                                        NAMED("contacting-slopes"));
+    assert_false(scene->models_named);
+    assert_true(isnan(scene->hardness_Pa)); /* 2.84 S_y */
     assert_true(scene->effects_auto);
     assert_string_equal(scene->material.name, "tin");
     assert_int_equal(scene->counterface_kind, MATERIAL_COUNTERFACE_RIGID);
@@ -20,7 +23,9 @@ static void check_defaults(const struct scene *scene)
     assert_false(scene->load.in_pascal);
     assert_near(scene->tolerance, 1e-6, 0);
     assert_int_equal(scene->level, LEVEL_LINE);
-    assert_int_equal(scene->window, SPECTRUM_WINDOW_NONE);
+    assert_int_equal(scene->window, SPECTRUM_WINDOW_AUTO);
+    assert_int_equal(scene->fit, POWER_LAW_AUTO);
+    assert_false(scene->level_given || scene->fit_band_given);
     assert_true(scene->fit_band_m[0] == 0 && isinf(scene->fit_band_m[1]));
     assert_int_equal(scene->moments, ROUGHNESS_MOMENTS_DIFFERENCE);
     assert_int_equal(scene->closure, SINUSOID_FIT_THESIS);

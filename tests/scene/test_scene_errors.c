@@ -61,13 +61,13 @@ static void test_keys(void **state)
         {"Level: line\n", 1, "unknown key 'Level'; did you mean 'level'?"},
         {"foo: 1\n", 1,
          "unknown key 'foo'; allowed: title, models, effects, material, counterface, direction, measured, "
-         "nominal_area_m2, load, tolerance, "
-         "level, window, fit_band_m, moments, closure, max_missing, "
+         "nominal_area_m2, hardness, load, tolerance, "
+         "level, window, fit, fit_band_m, moments, closure, max_missing, "
          "lambda_s_m, lambda_c_m, tip_radius_m, baseline, convergence, surfaces"},
         {"stylus: 2e-6\n", 1,
          "unknown key 'stylus'; allowed: title, models, effects, material, counterface, direction, measured, "
-         "nominal_area_m2, load, "
-         "tolerance, level, window, fit_band_m, moments, closure, max_missing, "
+         "nominal_area_m2, hardness, load, "
+         "tolerance, level, window, fit, fit_band_m, moments, closure, max_missing, "
          "lambda_s_m, lambda_c_m, tip_radius_m, baseline, convergence, surfaces"},
         {"level: line\ntitle: a\nlevel: mean\n", 3, "'level' is given twice, first in line 1; remove one"},
         {"title: a\ntolerance:\nlevel: line\n", 2, "'tolerance' has no value; give one or remove the line"},
@@ -129,15 +129,18 @@ static void test_choices(void **state)
     (void)state;
     static const struct wrong rows[] = {
         {"level: lines\n", 1, "unknown level 'lines'; did you mean 'line'?"},
-        {"window: hamming\n", 1, "unknown window 'hamming'; allowed: none, hann"},
+        {"window: hamming\n", 1, "unknown window 'hamming'; allowed: auto, none, hann"},
+        {"fit: all\n", 1, "unknown fit 'all'; allowed: auto, thesis"},
         {"moments: [spectral]\n", 1, "'moments' is a list; give one word"},
         {"closure: bem\n", 1, "unknown closure 'bem'; allowed: thesis, numeric"},
         {"models: [multiscale,\n  greenwood]\n", 2,
-         "unknown model 'greenwood'; allowed: multiscale, statistical, multiscale-elastic, multiscale-plastic, gw, jg"},
+         "unknown model 'greenwood'; allowed: multiscale, statistical, two-band, persson, contacting-slopes, "
+         "multiscale-elastic, multiscale-plastic, gw, jg, two-band-elastic, two-band-plastic"},
         {"models: []\n", 1, "'models' names none; remove the line for the default ones"},
         {"effects:\n  - thermal\n  - electric\n", 3, "unknown effect 'electric'; did you mean 'electrical'?"},
         {"effects: [auto]\n", 1,
-         "unknown effect 'auto'; allowed: plasticity, separation, electrical, thermal, scale-dependent, convergence"},
+         "unknown effect 'auto'; allowed: plasticity, separation, electrical, thermal, scale-dependent, convergence, "
+         "uncertainty"},
         {"effects: {thermal: yes}\n", 1, "'effects' is a mapping; give a list of names"},
         {"measured: {file: a.csv,\n load_unit: furlong}\n", 2,
          "'load_unit' is 'furlong'; understood: dimensionless; N, mN, cN, kN, gf, kgf, lbf; Pa, kPa, MPa, GPa, N/mm2, "

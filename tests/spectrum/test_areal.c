@@ -32,6 +32,9 @@ static struct scan make_map(double *z, bool with_gaps)
     return scan;
 }
 
+/* The plane makes rows that do not close on themselves: under a Hann window a line keeps 2/3 of its power. */
+static const double windowed = 0.81649658092772603;
+
 static struct areal compute(const struct scan *scan)
 {
     struct areal areal;
@@ -53,7 +56,7 @@ static void test_waves_on_a_plane(void **state)
     assert_near(areal.rows.m2, amplitude_m * amplitude_m / 2 * slope * slope, 1e-2);
     assert_near(areal.rows.m4_per_m2, amplitude_m * amplitude_m / 2 * curvature * curvature, 1e-2);
     assert_int_equal(areal.spectrum_rows, NY);
-    assert_near(areal.spectrum.amplitude_m[9], amplitude_m, 1e-9);
+    assert_near(areal.spectrum.amplitude_m[9], windowed * amplitude_m, 1e-9);
     assert_within(areal.spectrum.amplitude_m[20], 0, 1e-15);
     areal_free(&areal);
 }
@@ -69,7 +72,7 @@ static void test_missing_points_are_left_out(void **state)
     assert_near(areal.rows.m2, amplitude_m * amplitude_m / 2 * slope * slope, 0.03);
     assert_near(areal.rows.m4_per_m2, amplitude_m * amplitude_m / 2 * curvature * curvature, 0.03);
     assert_int_equal(areal.spectrum_rows, NY);
-    assert_near(areal.spectrum.amplitude_m[9], amplitude_m, 0.05);
+    assert_near(areal.spectrum.amplitude_m[9], windowed * amplitude_m, 0.05);
     areal_free(&areal);
 }
 
@@ -84,7 +87,7 @@ static void test_rows_that_are_none(void **state)
     }
     struct areal areal = compute(&scan);
     assert_int_equal(areal.spectrum_rows, NY - 2);
-    assert_near(areal.spectrum.amplitude_m[9], amplitude_m, 1e-9);
+    assert_near(areal.spectrum.amplitude_m[9], windowed * amplitude_m, 1e-9);
     assert_near(areal.rows.m0_m2, amplitude_m * amplitude_m / 2 * (NY - 2) / (NY - 1), 1e-6);
     areal_free(&areal);
 }

@@ -57,7 +57,7 @@ static void test_an_exact_law_comes_back(void **state)
         struct power_law law = power_law_fit(spectrum, all_m);
         assert_near(law.alpha, laws[l].alpha, 1e-10);
         assert_within(law.gamma, laws[l].gamma, 1e-10);
-        assert_within(law.rms_decades, 0, 1e-6); /* the root of a sum that rounds at 1e-14 */
+        assert_within(law.misfit_decades, 0, 1e-6); /* the root of a sum that rounds at 1e-14 */
         assert_within(law.gamma_error, 0, 1e-6);
         assert_within(law.alpha_error, 0, 1e-5 * law.alpha);
         assert_int_equal(law.harmonics, laws[l].count);
@@ -93,7 +93,7 @@ static void assert_textbook_line(const struct power_law *law, const struct spect
     assert_near(law->alpha, (double)expl(intercept), 1e-9);
     assert_near(law->gamma_error, (double)sqrtl(variance / xx), 1e-9);
     assert_near(law->alpha_error, (double)(expl(intercept) * sqrtl(variance * (1 / n + x_mean * x_mean / xx))), 1e-9);
-    assert_near(law->rms_decades, (double)(sqrtl(squares / n) / logl(10)), 1e-9);
+    assert_near(law->misfit_decades, (double)(sqrtl(squares / n) / logl(10)), 1e-9);
     assert_int_equal(law->harmonics, last - first + 1);
 }
 
@@ -164,7 +164,7 @@ static void assert_no_fit(const struct spectrum *spectrum, const double band_m[2
     struct power_law law = power_law_fit(spectrum, band_m);
     assert_int_equal(law.harmonics, harmonics);
     assert_true(isnan(law.alpha) && isnan(law.alpha_error) && isnan(law.gamma) && isnan(law.gamma_error));
-    assert_true(isnan(law.rms_decades) && isnan(law.knee_m) && isnan(power_law_amplitude(&law, 1e-5)));
+    assert_true(isnan(law.misfit_decades) && isnan(law.knee_m) && isnan(power_law_amplitude(&law, 1e-5)));
 }
 
 static void test_fewer_than_three_harmonics_give_no_fit(void **state)
@@ -183,7 +183,7 @@ static void test_a_knee_is_found(void **state)
     const double knee_m = 2e-5;
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
     for (int k = 0; k < 40; k++) {
-        double decades = k % 2 ? 0.03 : power_law_gaussian_scatter_decades, factor = k % 2 ? 1.2 : 3;
+        double decades = k % 2 ? 0.03 : power_law_gaussian_scatter(1), factor = k % 2 ? 1.2 : 3;
         struct spectrum *spectrum = sample_law(*state, 600, 6e-4, 0.05, 1.5);
         for (size_t i = 0; i < 600; i++)
             if (wavelength_m(spectrum, i) < knee_m)
@@ -223,12 +223,12 @@ static void test_no_knee_in_one_law_with_gaussian_scatter(void **state)
 /* The scatter that the report names beside the fitted one, by simulation. */
 static void test_scatter_of_a_gaussian_surface(void **state)
 {
-    assert_near(power_law_gaussian_scatter_decades, M_PI / sqrt(24) / log(10), 1e-15);
+    assert_near(power_law_gaussian_scatter(1), M_PI / sqrt(24) / log(10), 1e-15);
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
     struct spectrum *spectrum = sample_law(*state, 20000, 3e-4, 0.085, 1.5);
     for (size_t i = 0; i < spectrum->count; i++)
         spectrum->amplitude_m[i] *= pow(10, rayleigh_decades(random));
-    assert_near(power_law_fit(spectrum, all_m).rms_decades, power_law_gaussian_scatter_decades, 0.02);
+    assert_near(power_law_fit(spectrum, all_m).misfit_decades, power_law_gaussian_scatter(1), 0.02);
     gsl_rng_free(random);
 }
 
@@ -240,7 +240,7 @@ static void test_an_alpha_beyond_double_is_no_fit(void **state)
     spectrum->length_m = 1e-25;
     struct power_law law = power_law_fit(spectrum, all_m);
     assert_int_equal(law.harmonics, 40);
-    assert_true(isnan(law.alpha) && isnan(law.alpha_error) && isnan(law.gamma) && isnan(law.rms_decades));
+    assert_true(isnan(law.alpha) && isnan(law.alpha_error) && isnan(law.gamma) && isnan(law.misfit_decades));
     spectrum = sample_law(*state, 40, 1, 1e-6, -20);
     spectrum->length_m = 1e-25; /* 1e-506 */
     law = power_law_fit(spectrum, all_m);

@@ -1,0 +1,140 @@
+#include "analysis/estimate.h"
+
+#include "statistics/interval.h"
+#include <math.h>
+#include <stdlib.h>
+
+const double estimate_level = 0.95;
+const struct estimate estimate_none = {
+    .mean = NAN, .sd = NAN, .s = NAN, .degrees = NAN, .half_width = NAN, .next_half_width = NAN, .effective = NAN};
+
+/** The value, or its logarithm; NaN where there is none. */
+static double scaled(double value, bool logarithmic)
+{
+    if (!logarithmic)
+        return isfinite(value) ? value : NAN;
+    return value > 0 && isfinite(value) ? log(value) : NAN;
+}
+
+static struct estimate from_interval(const struct interval *interval, bool logarithmic)
+{
+    double half_width = interval->t * interval->s;
+    return (struct estimate){
+        .count = interval->count,
+        .mean = interval->mean,
+        .sd = interval->sd,
+        .s = interval->s,
+        .degrees = interval->degrees,
+        .half_width = half_width,
+        .next_half_width = interval_next_half_width(interval, 1),
+        .effective = interval->effective,
+        .logarithmic = logarithmic,
+    };
+}
+
+/** One value, of which nothing more is known. */
+static struct estimate alone(double value, bool logarithmic)
+{
+    struct estimate out = estimate_none;
+    out.count = 1;
+    out.mean = value;
+    out.logarithmic = logarithmic;
+    return out;
+}
+
+/** A finite copy of the values to work on; *known is false, and it NULL, where one has none. */
+static enum status_code scale_all(double **out, bool *known, const double *value, size_t count, bool logarithmic,
+                                  struct status *status)
+{
+    *out = NULL;
+    *known = count > 0;
+    for (size_t i = 0; i < count; i++)
+        *known = *known && !isnan(scaled(value[i], logarithmic));
+    if (!*known)
+        return STATUS_OK;
+    *out = malloc(count * sizeof **out);
+    if (!*out)
+        return status_memory(status);
+    for (size_t i = 0; i < count; i++)
+        (*out)[i] = scaled(value[i], logarithmic);
+    return STATUS_OK;
+}
+
+enum status_code estimate_scans(struct estimate *out, const double *value, const double *weight, size_t count,
+                                bool logarithmic, struct status *status)
+{
+    double *own;
+    bool known;
+    *out = estimate_none;
+    out->logarithmic = logarithmic;
+    if (scale_all(&own, &known, value, count, logarithmic, status) != STATUS_OK || !known)
+        return status->code;
+    struct interval interval;
+    enum status_code rc = STATUS_OK;
+    if (count == 1)
+        *out = alone(own[0], logarithmic);
+    else if ((rc = interval_scans(&interval, own, weight, count, estimate_level, status)) == STATUS_OK)
+        *out = from_interval(&interval, logarithmic);
+    free(own);
+    return rc;
+}
+
+enum status_code estimate_rows(struct estimate *out, const double *value, size_t count, bool logarithmic,
+                               struct status *status)
+{
+    double *own, mean[ESTIMATE_BLOCKS] = {0};
+    bool known;
+    *out = estimate_none;
+    out->logarithmic = logarithmic;
+    if (scale_all(&own, &known, value, count, logarithmic, status) != STATUS_OK || !known)
+        return status->code;
+    size_t blocks = count < ESTIMATE_BLOCKS ? count : ESTIMATE_BLOCKS;
+    for (size_t b = 0; b < blocks; b++) {
+        size_t first = b * count / blocks, end = (b + 1) * count / blocks;
+        for (size_t i = first; i < end; i++)
+            mean[b] += (own[i] - own[first]) / (double)(end - first);
+        mean[b] += own[first]; /* equal rows have this very mean */
+    }
+    struct interval interval;
+    enum status_code rc = STATUS_OK;
+    if (count == 1)
+        *out = alone(own[0], logarithmic);
+    else if ((rc = interval_rows(&interval, mean, blocks, estimate_level, status)) == STATUS_OK)
+        *out = from_interval(&interval, logarithmic);
+    out->next_half_width = NAN; /* another row is no other scan */
+    free(own);
+    return rc;
+}
+
+struct estimate estimate_single(double value, const struct single_scan *single, bool logarithmic)
+{
+    struct estimate out = alone(scaled(value, logarithmic), logarithmic);
+    if (isnan(out.mean))
+        return estimate_none;
+    out.sd = out.s = single->s;
+    out.degrees = 0;
+    out.half_width = single->half_width;
+    out.heterogeneous = single->heterogeneous;
+    return out;
+}
+
+double estimate_value(const struct estimate *estimate)
+{
+    return estimate->logarithmic ? exp(estimate->mean) : estimate->mean;
+}
+
+static double end(const struct estimate *estimate, double half_width, int side)
+{
+    double value = estimate->mean + (side ? half_width : -half_width);
+    return estimate->logarithmic ? exp(value) : value;
+}
+
+double estimate_end(const struct estimate *estimate, int side)
+{
+    return end(estimate, estimate->half_width, side);
+}
+
+double estimate_next_end(const struct estimate *estimate, int side)
+{
+    return end(estimate, estimate->next_half_width, side);
+}

@@ -1,0 +1,52 @@
+/* A number of a surface and how far it may be from what more scans would give: by the scans' own scatter, by blocks of
+ * a map's rows, or, of one scan, by simulated records. */
+#ifndef ANALYSIS_ESTIMATE_H
+#define ANALYSIS_ESTIMATE_H
+
+#include "statistics/single_scan.h"
+
+/** Coverage of every interval of the report. */
+extern const double estimate_level;
+
+/** Of ln value where `logarithmic` (all positive answers), else of the value itself (separations). */
+struct estimate {
+    size_t count; /* scans, or blocks of a map's rows; 1: one scan; 0: not known, and the rest is NaN */
+    double mean;
+    double sd, s,
+        degrees;       /* of a single scan; standard error of the mean; 0 degrees of freedom: by simulated records */
+    double half_width; /* of the 95 % interval of the surface's mean; NaN: not known */
+    double next_half_width; /* of that in which another scan lies; NaN: not known */
+    double effective;       /* independent rows that the blocks are worth; else the scans' weights */
+    bool logarithmic;
+    bool heterogeneous; /* one scan that is not the same along its length */
+};
+
+/** Not known. */
+extern const struct estimate estimate_none;
+
+/** Of `count` scans in any order, of the weights given (NULL: 1 each); values as they are, not their logarithms. A
+ * value that is not finite (or not positive, of a logarithmic one): not known; one value: its mean alone. Error:
+ * STATUS_MEMORY. */
+MUST_CHECK enum status_code estimate_scans(struct estimate *out, const double *value, const double *weight,
+                                           size_t count, bool logarithmic, struct status *status);
+
+enum {
+    ESTIMATE_BLOCKS = 16,
+    ESTIMATE_LEAST_EFFECTIVE = 4 /* fewer independent rows: the map is too small for its longest waves */
+};
+/** Of a map's rows in their order: of the means over ESTIMATE_BLOCKS blocks of them (of the rows where there are
+ * fewer). As estimate_scans(). */
+MUST_CHECK enum status_code estimate_rows(struct estimate *out, const double *value, size_t count, bool logarithmic,
+                                          struct status *status);
+
+/** Of one scan that answers `value`. */
+struct estimate estimate_single(double value, const struct single_scan *single, bool logarithmic);
+
+/** The number itself: exp(mean) where logarithmic. */
+double estimate_value(const struct estimate *estimate);
+/** Ends of the interval of the mean, low (0) and high (1); NaN where not known. */
+double estimate_end(const struct estimate *estimate, int side);
+/** The same of another scan. */
+double estimate_next_end(const struct estimate *estimate, int side);
+
+#endif

@@ -1,0 +1,274 @@
+#include "analysis/landmarks.h"
+
+#include "contact/statistical.h"
+#include <assert.h>
+#include <gsl/gsl_integration.h>
+#include <math.h>
+#include <stdlib.h>
+
+const double landmarks_slope_step = M_LN10 / 24;
+
+enum { SEARCHES = 3, TRIALS = 4, LOADS_MOST = SEARCHES * TRIALS * 2, PASSES_MOST = 60, BETA_LOADS_MOST = 48 };
+
+struct search;
+/** What changes sign, from <= 0 below the landmark to > 0 above it; INFINITY is above. */
+typedef double excess_function(const struct search *search, const struct contact_point *before,
+                               const struct contact_point *after);
+
+/** A landmark that lies between two logarithms of loads. */
+struct search {
+    excess_function *excess;
+    const struct model_row *row;
+    double half_step; /* of ln P: it looks at the loads that much before and after; 0: at the load */
+    double low, high, excess_low, excess_high; /* NaN: not known yet */
+    double trials[TRIALS];
+    size_t trial_count;
+    bool evenly; /* the last pass did not narrow much */
+    bool found;  /* something is above; else the landmark may lie beyond */
+};
+
+static double area_excess(const struct search *search, const struct contact_point *before,
+                          const struct contact_point *after)
+{
+    (void)after;
+    return before ? log(before->area_ratio / search->row->largest_area) : INFINITY;
+}
+
+static double fit_excess(const struct search *search, const struct contact_point *before,
+                         const struct contact_point *after)
+{
+    (void)search;
+    (void)after;
+    return before ? before->beyond_fit - curve_summary_beyond_fit_share : INFINITY;
+}
+
+static double slope_excess(const struct search *search, const struct contact_point *before,
+                           const struct contact_point *after)
+{
+    if (!before || !(before->ecr_ohm_m2 > 0) || !after || !(after->ecr_ohm_m2 > 0))
+        return INFINITY; /* complete */
+    return log(before->ecr_ohm_m2 / after->ecr_ohm_m2) - curve_summary_elbow_slope * 2 * search->half_step;
+}
+
+enum status_code landmarks_run_model(struct model_curve *out, const double *loads, size_t count, void *context,
+                                     struct status *status)
+{
+    const struct landmarks_model *model = context;
+    struct model_task task = model->task;
+    task.loads = loads;
+    task.load_count = count;
+    task.wanted &= model->quantities;
+    if (!repeats_several(model->repeats, model->row))
+        return model_run(out, model->row, &task, status);
+    struct repeats_result result = {.band = repeats_band_make(loads, count)};
+    if (!result.band)
+        return status_memory(status);
+    enum status_code rc = repeats_model(out, &result, model->repeats, model->row, &task, status);
+    free(result.band);
+    return rc;
+}
+
+static void add_trial(struct search *search, double x)
+{
+    size_t i = search->trial_count;
+    if (!(x > search->low && x < search->high))
+        return;
+    while (i > 0 && search->trials[i - 1] > x)
+        i--;
+    if (i > 0 && search->trials[i - 1] == x)
+        return;
+    for (size_t k = search->trial_count++; k > i; k--)
+        search->trials[k] = search->trials[k - 1];
+    search->trials[i] = x;
+}
+
+/** Loads to try next: close about where a straight line crosses 0, and the middle; or evenly. The ends first, where
+ * they are not known. */
+static void choose_trials(struct search *search, double tolerance)
+{
+    double width = search->high - search->low, share = search->excess_low / (search->excess_low - search->excess_high);
+    search->trial_count = 0;
+    if (isnan(search->excess_low)) {
+        for (int i = 0; i < TRIALS; i++)
+            search->trials[search->trial_count++] = search->low + width * i / (TRIALS - 1);
+    } else if (search->evenly || !isfinite(share)) {
+        for (int i = 1; i < TRIALS; i++)
+            add_trial(search, search->low + width * i / TRIALS);
+    } else {
+        double line = search->low + share * width, close = fmax(width * width / 4, tolerance / 4);
+        add_trial(search, line - close);
+        add_trial(search, line + close);
+        add_trial(search, search->low + width / 2);
+    }
+}
+
+/** The point of a load that was asked for; NULL: beyond full contact, which closes the curve. */
+static const struct contact_point *point_at(const struct model_curve *curve, double load)
+{
+    for (size_t i = 0; i < curve->count; i++)
+        if (curve->points[i].load == load)
+            return &curve->points[i];
+    return NULL;
+}
+
+/** Narrows the search to the first sign change between its trials. */
+static void narrow(struct search *search, const struct model_curve *curve)
+{
+    double width = search->high - search->low;
+    for (size_t i = 0; i < search->trial_count; i++) {
+        double x = search->trials[i];
+        double excess = search->excess(search, point_at(curve, exp(x - search->half_step)),
+                                       point_at(curve, exp(x + search->half_step)));
+        if (excess > 0) {
+            search->high = x;
+            search->excess_high = excess;
+            search->found = true;
+            break;
+        }
+        search->low = x;
+        search->excess_low = excess;
+    }
+    search->evenly = search->high - search->low > width / 4;
+}
+
+static int compare_loads(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/** All searches, a pass at a time, until each is within the tolerance. */
+static enum status_code solve(struct search *searches, size_t count, const struct landmarks_curve *searched,
+                              struct status *status)
+{
+    struct contact_point points[LOADS_MOST + 1];
+    for (int pass = 0; pass < PASSES_MOST; pass++) {
+        double loads[LOADS_MOST];
+        size_t load_count = 0, different = 0;
+        for (size_t s = 0; s < count; s++) {
+            struct search *search = &searches[s];
+            search->trial_count = 0;
+            bool missing = !search->found && !isnan(search->excess_low);
+            if (missing || search->high - search->low <= searched->tolerance)
+                continue;
+            choose_trials(search, searched->tolerance);
+            for (size_t i = 0; i < search->trial_count; i++) {
+                loads[load_count++] = exp(search->trials[i] - search->half_step);
+                if (search->half_step > 0)
+                    loads[load_count++] = exp(search->trials[i] + search->half_step);
+            }
+        }
+        if (load_count == 0)
+            return STATUS_OK;
+        assert(load_count <= LOADS_MOST);
+        qsort(loads, load_count, sizeof *loads, compare_loads);
+        for (size_t i = 0; i < load_count; i++)
+            if (different == 0 || loads[i] != loads[different - 1])
+                loads[different++] = loads[i];
+        struct model_curve curve = {.points = points};
+        if (searched->evaluate(&curve, loads, different, searched->context, status) != STATUS_OK)
+            return status->code;
+        for (size_t s = 0; s < count; s++)
+            if (searches[s].trial_count > 0)
+                narrow(&searches[s], &curve);
+    }
+    return STATUS_OK;
+}
+
+/** Index of the point with this load; curve->count when there is none. */
+static size_t index_of(const struct model_curve *curve, double load)
+{
+    size_t i = 0;
+    while (i < curve->count && curve->points[i].load != load)
+        i++;
+    return i;
+}
+
+enum status_code landmarks_solve(struct curve_summary *summary, const struct model_curve *curve,
+                                 const struct model_row *row, const struct landmarks_curve *searched,
+                                 struct status *status)
+{
+    struct search searches[SEARCHES];
+    double *results[SEARCHES];
+    size_t count = 0;
+    const struct {
+        double *load;
+        excess_function *excess;
+        double half_step;
+    } sought[SEARCHES] = {{&summary->invalid_area_load, area_excess, 0},
+                          {&summary->invalid_fit_load, fit_excess, 0},
+                          {&summary->elbow_load, slope_excess, landmarks_slope_step / 2}};
+    for (int k = 0; k < SEARCHES; k++) {
+        bool slope = sought[k].half_step > 0;
+        size_t i = index_of(curve, *sought[k].load); /* the slope's: the load before it is too steep */
+        if (slope && isnan(*sought[k].load) && curve->count > 1 && curve->points[curve->count - 1].ecr_ohm_m2 > 0)
+            i = curve->count - 2; /* it may have become so since the last two loads */
+        if (!(slope ? i + 1 < curve->count : i > 0 && i < curve->count))
+            continue;
+        if (sought[k].excess == fit_excess && !row->fitted_to)
+            continue; /* a mark on single points, which no load between them shares */
+        const struct contact_point *high = &curve->points[slope ? i + 1 : i], *low = &curve->points[i > 0 ? i - 1 : 0];
+        struct search search = {.excess = sought[k].excess,
+                                .row = row,
+                                .half_step = sought[k].half_step,
+                                .low = log(low->load),
+                                .high = log(high->load),
+                                .excess_low = NAN,
+                                .excess_high = NAN,
+                                .found = !slope};
+        if (!slope) {
+            search.excess_low = search.excess(&search, low, NULL);
+            search.excess_high = search.excess(&search, high, NULL);
+        }
+        results[count] = sought[k].load;
+        searches[count++] = search;
+    }
+    if (solve(searches, count, searched, status) != STATUS_OK)
+        return status->code;
+    for (size_t s = 0; s < count; s++)
+        if (searches[s].found)
+            *results[s] = fmax(exp(searches[s].high), curve->points[0].load);
+    return STATUS_OK;
+}
+
+/** The mean at `count` of Gauss and Legendre's loads. */
+static enum status_code mean_beta(double *beta, const struct landmarks_curve *adjusted,
+                                  const struct landmarks_curve *multiscale, const double ends[2], size_t count,
+                                  double sigma_m, struct status *status)
+{
+    struct contact_point low[BETA_LOADS_MOST + 1], high[BETA_LOADS_MOST + 1];
+    struct model_curve a = {.points = low}, b = {.points = high};
+    double loads[BETA_LOADS_MOST], weights[BETA_LOADS_MOST];
+    gsl_integration_glfixed_table *table = gsl_integration_glfixed_table_alloc(count);
+    if (!table)
+        return status_memory(status);
+    for (size_t i = 0; i < count; i++) {
+        gsl_integration_glfixed_point(0, 1, i, &loads[i], &weights[i], table);
+        loads[i] = ends[0] * pow(ends[1] / ends[0], loads[i]);
+    }
+    gsl_integration_glfixed_table_free(table);
+    if (adjusted->evaluate(&a, loads, count, adjusted->context, status) != STATUS_OK ||
+        multiscale->evaluate(&b, loads, count, multiscale->context, status) != STATUS_OK)
+        return status->code;
+    *beta = a.count == count && b.count == count ? 0 : NAN;
+    for (size_t i = 0; i < count && isfinite(*beta); i++)
+        *beta += weights[i] * statistical_beta_multiscale(&low[i].separation_m, &high[i].separation_m, 1, sigma_m);
+    return STATUS_OK;
+}
+
+enum status_code landmarks_nearest_beta(double *beta, const struct landmarks_curve *adjusted,
+                                        const struct landmarks_curve *multiscale, double from, double to,
+                                        double sigma_m, struct status *status)
+{
+    const double ends[2] = {from, to};
+    double before = NAN;
+    *beta = NAN;
+    for (size_t count = BETA_LOADS_MOST / 4; to > from && count <= BETA_LOADS_MOST; count *= 2) {
+        if (mean_beta(beta, adjusted, multiscale, ends, count, sigma_m, status) != STATUS_OK)
+            return status->code;
+        if (fabs(*beta - before) <= adjusted->tolerance * fmax(1, fabs(*beta)))
+            break;
+        before = *beta;
+    }
+    return STATUS_OK;
+}

@@ -1,0 +1,195 @@
+#include "analysis/sensitivity.h"
+
+#include "analysis/piece.h"
+#include "profile/filter.h"
+#include "profile/record_window.h"
+#include "spectrum/grid.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char *const sensitivity_change_names[SENSITIVITY_CHANGES] = {"cut-off x2", "scan /2"};
+
+enum { LEAST_POINTS = 16 };
+
+double sensitivity_cutoff(double spacing_m, double lambda_s_m)
+{
+    return lambda_s_m > 0 ? lambda_s_m : 2 * spacing_m;
+}
+
+static enum status_code add_variant(struct sensitivity_scan *out, size_t so_far, const double *height_m, size_t points,
+                                    double spacing_m, const struct piece_how *how, struct status *status)
+{
+    struct spectrum spectrum;
+    struct roughness roughness;
+    enum status_code rc = piece_describe(&spectrum, &roughness, height_m, points, spacing_m, how, status);
+    if (rc == STATUS_OK && so_far == 0) {
+        out->roughness = roughness;
+        out->spectrum = spectrum;
+        return rc;
+    }
+    if (rc == STATUS_OK) {
+        roughness_average(&out->roughness, &roughness, so_far);
+        rc = grid_average(&out->spectrum, &spectrum, so_far, status);
+    }
+    spectrum_free(&spectrum);
+    return rc;
+}
+
+enum status_code sensitivity_add(struct sensitivity *out, const struct profile *profile,
+                                 const struct profile_options *how, enum spectrum_window window,
+                                 enum roughness_moments moments, struct status *status)
+{
+    size_t points = profile->points, half = points / 2;
+    const struct piece_how piece = {how->level, how->periodic_mean, profile->periodic, window, moments};
+    double cutoff_m = 2 * sensitivity_cutoff(profile->spacing_m, how->lambda_s_m);
+    if (points < LEAST_POINTS)
+        return STATUS_OK;
+    double *smooth_m = malloc(points * sizeof *smooth_m);
+    if (!smooth_m)
+        return status_memory(status);
+    memcpy(smooth_m, profile->height_m, points * sizeof *smooth_m);
+    enum status_code rc = filter_gaussian(smooth_m, points, profile->spacing_m, cutoff_m, status);
+    const struct {
+        const double *height_m;
+        size_t points;
+    } pieces[SENSITIVITY_VARIANTS] = {
+        [SENSITIVITY_CUTOFF] = {smooth_m, points},
+        [SENSITIVITY_FIRST_HALF] = {profile->height_m, half},
+        [SENSITIVITY_SECOND_HALF] = {profile->height_m + (points - half), half},
+    };
+    for (int v = 0; v < SENSITIVITY_VARIANTS && rc == STATUS_OK; v++)
+        rc = add_variant(&out->variants[v], out->scans, pieces[v].height_m, pieces[v].points, profile->spacing_m,
+                         &piece, status);
+    if (rc == STATUS_OK)
+        out->scans++;
+    free(smooth_m);
+    return rc;
+}
+
+void sensitivity_free(struct sensitivity *sensitivity)
+{
+    for (int v = 0; v < SENSITIVITY_VARIANTS; v++)
+        spectrum_free(&sensitivity->variants[v].spectrum);
+    *sensitivity = (struct sensitivity){0};
+}
+
+/** What is asked of the variants. */
+static const unsigned variant_wanted =
+    QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_ECR);
+
+/** The task on a variant; models that use heights have none of it. */
+static struct model_task variant_task(struct asperities *asperities, const struct sensitivity_scan *variant,
+                                      const struct model_task *task)
+{
+    struct model_task own = *task;
+    struct status none = {0};
+    own.spectrum = &variant->spectrum;
+    own.asperities = roughness_asperities(asperities, &variant->roughness, &none) == STATUS_OK ? asperities : NULL;
+    own.points = NULL;
+    own.point_count = 0;
+    own.wanted &= variant_wanted;
+    return own;
+}
+
+/** One load through a model; NaN throughout where it has no answer there. */
+static enum status_code solve_one(struct contact_point *out, const struct model_row *model,
+                                  const struct model_task *task, struct model_work *work, struct status *status)
+{
+    struct contact_point points[2] = {{0}};
+    struct model_curve curve = {.points = points};
+    *out = (struct contact_point){NAN, NAN, NAN, NAN, NAN, NAN, NAN, 0, 0};
+    if (model_run(&curve, model, task, status) != STATUS_OK)
+        return status->code;
+    if (curve.exists && curve.count > 0 && points[0].load == task->loads[0])
+        *out = points[0];
+    model_work_add(work, &curve.work);
+    return STATUS_OK;
+}
+
+enum status_code sensitivity_run(struct sensitivity_factors *out, const struct sensitivity *sensitivity,
+                                 const struct model_row *model, const struct model_task *task,
+                                 const struct contact_point *as_is, struct model_work *work, struct status *status)
+{
+    struct contact_point points[SENSITIVITY_VARIANTS], itself;
+    *out = (struct sensitivity_factors){{NAN, NAN}, {NAN, NAN}};
+    if (sensitivity->scans == 0 || model->uses_heights)
+        return STATUS_OK;
+    for (int v = 0; v < SENSITIVITY_VARIANTS; v++) {
+        struct asperities asperities;
+        struct model_task own = variant_task(&asperities, &sensitivity->variants[v], task);
+        if (solve_one(&points[v], model, &own, work, status) != STATUS_OK)
+            return status->code;
+    }
+    if (!as_is) {
+        as_is = &itself;
+        struct model_task own = *task;
+        own.wanted &= variant_wanted;
+        if (solve_one(&itself, model, &own, work, status) != STATUS_OK)
+            return status->code;
+    }
+    const struct contact_point *first = &points[SENSITIVITY_FIRST_HALF], *second = &points[SENSITIVITY_SECOND_HALF];
+    out->area[SENSITIVITY_CUTOFF_DOUBLED] = points[SENSITIVITY_CUTOFF].area_ratio / as_is->area_ratio;
+    out->area[SENSITIVITY_SCAN_HALVED] = sqrt(first->area_ratio * second->area_ratio) / as_is->area_ratio;
+    if (as_is->ecr_ohm_m2 > 0) {
+        out->ecr[SENSITIVITY_CUTOFF_DOUBLED] = points[SENSITIVITY_CUTOFF].ecr_ohm_m2 / as_is->ecr_ohm_m2;
+        out->ecr[SENSITIVITY_SCAN_HALVED] = sqrt(first->ecr_ohm_m2) * sqrt(second->ecr_ohm_m2) / as_is->ecr_ohm_m2;
+    }
+    return STATUS_OK;
+}
+
+struct model_work sensitivity_work(const struct sensitivity *sensitivity, const struct model_row *model,
+                                   const struct model_task *task, bool as_is_known)
+{
+    struct model_work sum = {0}, work;
+    struct model_task own = *task;
+    struct asperities asperities;
+    if (sensitivity->scans == 0 || model->uses_heights)
+        return sum;
+    own.wanted &= variant_wanted;
+    if (!as_is_known) {
+        work = model->work(model, &own);
+        model_work_add(&sum, &work);
+    }
+    for (int v = 0; v < SENSITIVITY_VARIANTS; v++) {
+        own = variant_task(&asperities, &sensitivity->variants[v], task);
+        work = model->work(model, &own);
+        model_work_add(&sum, &work);
+    }
+    return sum;
+}
+
+enum status_code sensitivity_curves_make(struct sensitivity_curves *out, const struct model_task *task, uint64_t models,
+                                         double unsure_m, struct status *status)
+{
+    const struct spectrum *all = task->spectrum;
+    *out = (struct sensitivity_curves){.points = malloc(model_count * SENSITIVITY_WAVELENGTHS * sizeof *out->points),
+                                       .unsure_m = unsure_m};
+    if (!out->points)
+        return status_memory(status);
+    enum status_code rc = STATUS_OK;
+    for (size_t w = 0; w < SENSITIVITY_WAVELENGTHS && rc == STATUS_OK; w++) {
+        double share = (double)w / (SENSITIVITY_WAVELENGTHS - 1);
+        struct sensitivity_scan cut = {.spectrum = *all};
+        cut.spectrum.count = (size_t)fmax(1, round(pow((double)all->count, share)));
+        cut.spectrum.has_nyquist = all->has_nyquist && cut.spectrum.count == all->count;
+        roughness_from_spectrum(&cut.roughness, &cut.spectrum);
+        out->wavelength_m[w] = all->length_m / (double)cut.spectrum.count;
+        for (size_t m = 0; m < model_count && rc == STATUS_OK; m++) {
+            struct contact_point *point = &out->points[m * SENSITIVITY_WAVELENGTHS + w];
+            struct asperities asperities;
+            struct model_task own = variant_task(&asperities, &cut, task);
+            struct model_work work = {0};
+            *point = (struct contact_point){NAN, NAN, NAN, NAN, NAN, NAN, NAN, 0, 0};
+            if ((models & MODEL_BIT(m)) && !model_rows[m]->uses_heights)
+                rc = solve_one(point, model_rows[m], &own, &work, status);
+        }
+    }
+    return rc;
+}
+
+void sensitivity_curves_free(struct sensitivity_curves *curves)
+{
+    free(curves->points);
+    *curves = (struct sensitivity_curves){0};
+}

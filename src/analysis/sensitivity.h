@@ -1,0 +1,68 @@
+/* What the answers hang on: how area and resistance change when the shortest wavelength, or the length of the scan, is
+ * another. */
+#ifndef ANALYSIS_SENSITIVITY_H
+#define ANALYSIS_SENSITIVITY_H
+
+#include "contact/model.h"
+#include "profile/profile.h"
+
+/** A changed scan: its heights low-passed at twice the cut-off, or one half of them. */
+enum sensitivity_variant { SENSITIVITY_CUTOFF, SENSITIVITY_FIRST_HALF, SENSITIVITY_SECOND_HALF, SENSITIVITY_VARIANTS };
+
+/** What is told of it. */
+enum sensitivity_change { SENSITIVITY_CUTOFF_DOUBLED, SENSITIVITY_SCAN_HALVED, SENSITIVITY_CHANGES };
+extern const char *const sensitivity_change_names[SENSITIVITY_CHANGES]; /* as in sensitivity.csv: "cut-off x2" ... */
+
+/** Spectra and moments of the variants of a surface, averaged over its scans like the surface's own. Owned:
+ * sensitivity_free(). */
+struct sensitivity {
+    size_t scans; /* 0: too short to be halved (fewer than 16 points), or not looked at */
+    struct sensitivity_scan {
+        struct spectrum spectrum;
+        struct roughness roughness;
+    } variants[SENSITIVITY_VARIANTS];
+};
+
+/** Answer changed / answer as it is, at the middle load; NaN where either is empty. The other way (cut-off halved, scan
+ * doubled) is predicted by the inverses. */
+struct sensitivity_factors {
+    double area[SENSITIVITY_CHANGES], ecr[SENSITIVITY_CHANGES];
+};
+
+/** The cut-off of a scan: lambda_s where one is stated, else twice the spacing. */
+double sensitivity_cutoff(double spacing_m, double lambda_s_m);
+
+/** Adds a profile's variants: low-passed (ISO 16610-21) at twice sensitivity_cutoff(), and its halves; each levelled
+ * again. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code sensitivity_add(struct sensitivity *out, const struct profile *profile,
+                                            const struct profile_options *how, enum spectrum_window window,
+                                            enum roughness_moments moments, struct status *status);
+void sensitivity_free(struct sensitivity *sensitivity);
+
+/** Runs a model on the variants at the one load of `task`, whose surface is as it is, and compares with `as_is` (NULL:
+ * what the model answers for `task` itself, which it then runs too); of the halves the geometric mean counts. Adds what
+ * it took to *work. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code sensitivity_run(struct sensitivity_factors *out, const struct sensitivity *sensitivity,
+                                            const struct model_row *model, const struct model_task *task,
+                                            const struct contact_point *as_is, struct model_work *work,
+                                            struct status *status);
+/** What sensitivity_run() will take. */
+struct model_work sensitivity_work(const struct sensitivity *sensitivity, const struct model_row *model,
+                                   const struct model_task *task, bool as_is_known);
+
+enum { SENSITIVITY_WAVELENGTHS = 25 };
+
+/** Area and resistance of every running model against the shortest wavelength included, of one surface. */
+struct sensitivity_curves {
+    double wavelength_m[SENSITIVITY_WAVELENGTHS]; /* log spaced, from the scan's length down to the shortest harmonic */
+    struct contact_point *points; /* [model * SENSITIVITY_WAVELENGTHS + wavelength], NaN: no value; owned */
+    double unsure_m;              /* below: beyond tip, sampling or lambda_s */
+};
+
+/** Cuts `task`'s spectrum off at each wavelength; moments are then those of the spectrum. models: MODEL_BITs. Error:
+ * STATUS_MEMORY. */
+MUST_CHECK enum status_code sensitivity_curves_make(struct sensitivity_curves *out, const struct model_task *task,
+                                                    uint64_t models, double unsure_m, struct status *status);
+void sensitivity_curves_free(struct sensitivity_curves *curves);
+
+#endif

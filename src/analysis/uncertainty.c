@@ -1,0 +1,304 @@
+#include "analysis/uncertainty.h"
+
+#include "spectrum/multitaper.h"
+#include "spectrum/simulated_record.h"
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    RECORDS = SINGLE_SCAN_RECORDS,
+    QUARTERS = SINGLE_SCAN_QUARTERS,
+    LEAST_POINTS = 64, /* of a scan that is quartered */
+    FIRST_SEED = 1
+};
+
+const double uncertainty_most_seconds = 1, uncertainty_height_seconds = 0.25e-6;
+
+bool uncertainty_holds(const struct plan *plan, size_t model)
+{
+    return plan_runs_model(plan, model) && !model_rows[model]->uses_heights &&
+           (plan->all_uncertain || model == plan_leading_model(plan));
+}
+
+/** All answers, as logarithms where the quantity is logarithmic. */
+struct answers {
+    double record[QUANTITY_COUNT][UNCERTAINTY_LOADS][RECORDS];
+    double record_quarter[QUANTITY_COUNT][RECORDS * QUARTERS];
+    double quarter[QUANTITY_COUNT][QUARTERS];
+};
+
+/** One set of loads that records are taken through the models at. */
+struct loads {
+    double load[UNCERTAINTY_LOADS];
+    size_t count;
+};
+
+/** First, middle and last of the task's loads, each once, and the middle one alone. */
+static struct loads record_loads(const struct model_task *task)
+{
+    size_t last = task->load_count - 1, at[UNCERTAINTY_LOADS] = {0, task->load_count / 2, last};
+    struct loads out = {.count = 0};
+    for (int i = 0; i < UNCERTAINTY_LOADS; i++)
+        if (i == 0 || at[i] != at[i - 1]) {
+            out.load[out.count] = task->loads ? task->loads[at[i]] : NAN;
+            out.count++;
+        }
+    return out;
+}
+
+static struct loads middle_load(const struct model_task *task)
+{
+    return (struct loads){{task->loads ? task->loads[task->load_count / 2] : NAN}, 1};
+}
+
+static struct model_task record_task(const struct model_task *task, const struct spectrum *spectrum,
+                                     const struct asperities *asperities, const struct loads *loads)
+{
+    struct model_task own = *task;
+    own.spectrum = spectrum;
+    own.asperities = asperities;
+    own.loads = loads->load;
+    own.load_count = loads->count;
+    own.points = NULL;
+    own.point_count = 0;
+    own.wanted &= ~QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT);
+    return own;
+}
+
+/** What a record of `points` takes at these loads. */
+static void add_work(struct uncertainty_work *work, size_t points, const struct plan *plan,
+                     const struct model_task *task, const struct loads *loads)
+{
+    struct spectrum outline = {.count = points / 2}; /* a task's work needs no amplitudes */
+    struct model_task own = record_task(task, &outline, task->asperities, loads);
+    work->heights += points;
+    for (size_t m = 0; m < model_count; m++)
+        if (uncertainty_holds(plan, m)) {
+            struct model_work more = model_rows[m]->work(model_rows[m], &own);
+            model_work_add(&work->models, &more);
+        }
+}
+
+struct uncertainty_work uncertainty_predict(size_t points, const struct plan *plan, const struct model_task *task)
+{
+    struct uncertainty_work work = {0};
+    struct loads all = record_loads(task), middle = middle_load(task);
+    bool quartered = points >= LEAST_POINTS;
+    for (int b = 0; b < RECORDS; b++)
+        add_work(&work, points, plan, task, &all);
+    for (int k = 0; k < (RECORDS + 1) * QUARTERS && quartered; k++)
+        add_work(&work, points / QUARTERS, plan, task, &middle);
+    return work;
+}
+
+static double answer(const struct contact_point *point, enum quantity quantity, const struct model_row *model)
+{
+    double value = quantity_value(point, model_shown(model, quantity));
+    return !quantity_rows[quantity].logarithmic ? value : value > 0 ? log(value) : NAN;
+}
+
+/** Takes heights through everything. put: where the answer of model m, quantity and load goes. */
+struct pass {
+    struct answers *answers; /* model_count */
+    const struct uncertainty_scan *scan;
+    const struct plan *plan;
+    struct uncertainty_work *work;
+};
+
+static double *place(struct answers *answers, enum quantity quantity, size_t load, size_t record, size_t quarter)
+{
+    if (quarter == QUARTERS)
+        return &answers->record[quantity][load][record];
+    return record == RECORDS ? &answers->quarter[quantity][quarter]
+                             : &answers->record_quarter[quantity][record * QUARTERS + quarter];
+}
+
+/** record RECORDS: the scan's own; quarter QUARTERS: the whole of it. */
+static enum status_code take(struct pass *pass, const double *height_m, size_t points, size_t record, size_t quarter,
+                             struct status *status)
+{
+    const struct uncertainty_scan *scan = pass->scan;
+    struct spectrum spectrum;
+    struct roughness roughness;
+    struct asperities asperities;
+    struct status none = {0};
+    struct loads loads = quarter == QUARTERS ? record_loads(scan->task) : middle_load(scan->task);
+    if (piece_describe(&spectrum, &roughness, height_m, points, scan->spacing_m, &scan->how, status) != STATUS_OK) {
+        spectrum_free(&spectrum);
+        return status->code;
+    }
+    bool has_asperities = roughness_asperities(&asperities, &roughness, &none) == STATUS_OK;
+    struct model_task task = record_task(scan->task, &spectrum, has_asperities ? &asperities : NULL, &loads);
+    enum status_code rc = STATUS_OK;
+    add_work(pass->work, points, pass->plan, scan->task, &loads);
+    for (size_t m = 0; m < model_count && rc == STATUS_OK; m++) {
+        struct contact_point room[UNCERTAINTY_LOADS + 1];
+        struct model_curve curve = {.points = room};
+        if (!uncertainty_holds(pass->plan, m))
+            continue;
+        rc = model_run(&curve, model_rows[m], &task, status);
+        for (size_t i = 0; i < loads.count; i++)
+            for (int q = 0; q < QUANTITY_COUNT; q++)
+                *place(&pass->answers[m], (enum quantity)q, i, record, quarter) =
+                    rc == STATUS_OK && curve.exists && i < curve.count && room[i].load == loads.load[i]
+                        ? answer(&room[i], (enum quantity)q, model_rows[m])
+                        : NAN;
+    }
+    spectrum_free(&spectrum);
+    return rc;
+}
+
+static enum status_code take_quarters(struct pass *pass, const double *height_m, size_t record, struct status *status)
+{
+    size_t points = pass->scan->points, quarter = points / QUARTERS;
+    for (size_t k = 0; k < QUARTERS && points >= LEAST_POINTS; k++)
+        if (take(pass, height_m + k * (points - quarter) / (QUARTERS - 1), quarter, record, k, status) != STATUS_OK)
+            return status->code;
+    return STATUS_OK;
+}
+
+static bool all_finite(const double *value, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        if (!isfinite(value[i]))
+            return false;
+    return true;
+}
+
+/** What the answers say of one model. */
+static struct uncertainty conclude(const struct answers *answers, const struct uncertainty_scan *scan)
+{
+    struct loads loads = record_loads(scan->task);
+    struct uncertainty out = {.loads = loads.count};
+    size_t middle = loads.count > 2 ? 1 : loads.count - 1;
+    bool quartered = scan->points >= LEAST_POINTS;
+    for (size_t i = 0; i < loads.count; i++)
+        out.ln_load[i] = log(loads.load[i]);
+    for (int q = 0; q < QUANTITY_COUNT; q++) {
+        out.middle[q] = (struct single_scan){.s = NAN, .half_width = NAN};
+        for (size_t i = 0; i < loads.count; i++) {
+            struct single_scan single;
+            struct status none = {0};
+            bool quarters = quartered && i == middle && all_finite(answers->quarter[q], QUARTERS) &&
+                            all_finite(answers->record_quarter[q], (size_t)RECORDS * QUARTERS);
+            out.s[q][i] = NAN;
+            if (!repeats_band_holds((enum quantity)q) ||
+                single_scan_uncertainty(&single, answers->record[q][i], RECORDS, quarters ? answers->quarter[q] : NULL,
+                                        answers->record_quarter[q], &none) != STATUS_OK)
+                continue; /* a record has no answer there: neither has the interval */
+            out.s[q][i] = single.s;
+            if (i == middle)
+                out.middle[q] = single;
+        }
+    }
+    return out;
+}
+
+static enum status_code simulate(struct pass *pass, const struct simulated_record *spectrum, double *height_m,
+                                 struct status *status)
+{
+    for (size_t b = 0; b < RECORDS; b++)
+        if (simulated_record_draw(height_m, spectrum, FIRST_SEED + b, status) != STATUS_OK ||
+            take(pass, height_m, pass->scan->points, b, QUARTERS, status) != STATUS_OK ||
+            take_quarters(pass, height_m, b, status) != STATUS_OK)
+            return status->code;
+    return take_quarters(pass, pass->scan->height_m, RECORDS, status);
+}
+
+/** The spectrum to draw from; *possible: whether there is one. */
+static enum status_code prepare(struct simulated_record *out, bool *possible, const double *height_m, size_t points,
+                                struct status *status)
+{
+    struct status none = {0};
+    *possible = false;
+    if (points < SIMULATED_RECORD_LEAST_POINTS)
+        return STATUS_OK;
+    double *square_m2 = malloc(points * sizeof *square_m2);
+    if (!square_m2)
+        return status_memory(status);
+    enum status_code rc = multitaper_square(square_m2, height_m, points, &none);
+    if (rc == STATUS_OK)
+        rc = simulated_record_prepare(out, square_m2, points, &none);
+    free(square_m2);
+    *possible = rc == STATUS_OK;
+    return rc == STATUS_MEMORY ? status_memory(status) : STATUS_OK;
+}
+
+enum status_code uncertainty_possible(bool *out, const double *height_m, size_t points, struct status *status)
+{
+    struct simulated_record spectrum = {0};
+    enum status_code rc = prepare(&spectrum, out, height_m, points, status);
+    simulated_record_free(&spectrum);
+    return rc;
+}
+
+bool uncertainty_affordable(size_t points)
+{
+    return (double)points * 2 * RECORDS * uncertainty_height_seconds < uncertainty_most_seconds;
+}
+
+enum status_code uncertainty_run(struct uncertainty *out, const struct uncertainty_scan *scan, const struct plan *plan,
+                                 struct uncertainty_work *work, struct status *status)
+{
+    struct simulated_record spectrum = {0};
+    struct pass pass = {calloc(model_count, sizeof *pass.answers), scan, plan, work};
+    double *height_m = malloc(scan->points * sizeof *height_m);
+    bool possible = false;
+    enum status_code rc = pass.answers && height_m ? STATUS_OK : status_memory(status);
+    if (rc == STATUS_OK)
+        rc = prepare(&spectrum, &possible, scan->height_m, scan->points, status);
+    assert(rc != STATUS_OK || possible);
+    if (rc == STATUS_OK)
+        rc = simulate(&pass, &spectrum, height_m, status);
+    for (size_t m = 0; m < model_count && rc == STATUS_OK; m++)
+        out[m] = conclude(&pass.answers[m], scan);
+    simulated_record_free(&spectrum);
+    free(height_m);
+    free(pass.answers);
+    return rc;
+}
+
+struct estimate uncertainty_estimate(const struct uncertainty *uncertainty, enum quantity quantity, double value)
+{
+    const struct single_scan *single = &uncertainty->middle[quantity];
+    return isnan(single->s) ? estimate_none : estimate_single(value, single, quantity_rows[quantity].logarithmic);
+}
+
+/** Half-width at a load; where the scan is not the same along its length, at least the one its quarters give. */
+static double half_width_at(const struct uncertainty *uncertainty, enum quantity quantity, double ln_load)
+{
+    const struct single_scan *middle = &uncertainty->middle[quantity];
+    double ln_known[UNCERTAINTY_LOADS], s[UNCERTAINTY_LOADS];
+    size_t count = 0;
+    for (size_t i = 0; i < uncertainty->loads; i++)
+        if (!isnan(uncertainty->s[quantity][i])) {
+            ln_known[count] = uncertainty->ln_load[i];
+            s[count++] = uncertainty->s[quantity][i];
+        }
+    if (count == 0 || !(middle->s > 0))
+        return NAN;
+    double half_width = single_scan_half_width(single_scan_s_at(ln_load, ln_known, s, count));
+    return middle->heterogeneous ? fmax(half_width, middle->half_width) : half_width;
+}
+
+void uncertainty_band(struct repeats_band *band, const struct uncertainty *uncertainty, const struct model_curve *curve,
+                      const struct model_row *model)
+{
+    for (int q = 0; q < QUANTITY_COUNT; q++)
+        for (size_t i = 0; i < curve->count; i++) {
+            const struct contact_point *point = &curve->points[i];
+            bool logarithmic = quantity_rows[q].logarithmic;
+            double value = answer(point, (enum quantity)q, model);
+            double half_width = repeats_band_holds((enum quantity)q)
+                                    ? half_width_at(uncertainty, (enum quantity)q, log(point->load))
+                                    : NAN;
+            if (point->load != band[i].load)
+                continue; /* a statistical curve closes at a load of its own */
+            for (int side = 0; side < 2; side++) {
+                double end = value + (side ? half_width : -half_width);
+                band[i].mean[q][side] = logarithmic ? exp(end) : end;
+            }
+        }
+}

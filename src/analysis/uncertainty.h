@@ -1,0 +1,63 @@
+/* One scan of a surface: what scans of the same length at other places would answer, by records simulated from its
+ * spectrum that go through levelling, spectrum and models as the scan did. */
+#ifndef ANALYSIS_UNCERTAINTY_H
+#define ANALYSIS_UNCERTAINTY_H
+
+#include "analysis/piece.h"
+#include "analysis/plan.h"
+#include "analysis/repeats.h"
+
+enum { UNCERTAINTY_LOADS = 3 /* first, middle and last: in between the deviation goes straight in ln load */ };
+
+/** What a surface's simulated records take. */
+struct uncertainty_work {
+    uint64_t heights;         /* of records and of the quarters that are looked at, through levelling and spectrum */
+    struct model_work models; /* asked of the models on them, at the asperities of the scan itself */
+};
+
+/** A scan to be simulated. */
+struct uncertainty_scan {
+    const double *height_m; /* levelled */
+    size_t points;
+    double spacing_m;
+    struct piece_how how;
+    const struct model_task *task; /* of the scan itself */
+};
+
+/** Deviations of one model's answers, all of ln answer, of a separation itself: of the quantities of a repeats_band, as
+ * the model shows them. NaN: a record has no answer there. */
+struct uncertainty {
+    double ln_load[UNCERTAINTY_LOADS], s[QUANTITY_COUNT][UNCERTAINTY_LOADS];
+    size_t loads;
+    struct single_scan middle[QUANTITY_COUNT]; /* s NaN: not known */
+};
+
+/** Does it say anything of a model: unasked of the one that the summary speaks of, listed of all; not of those that use
+ * heights, which are not Gaussian where they are called for. */
+bool uncertainty_holds(const struct plan *plan, size_t model);
+
+/** SINGLE_SCAN_RECORDS simulated records through the running models at UNCERTAINTY_LOADS of the task's loads, and from
+ * 64 points on their quarters, and the scan's own, at the middle load. out: model_count. The same scan, which must be
+ * uncertainty_possible(), gives the same records. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code uncertainty_run(struct uncertainty *out, const struct uncertainty_scan *scan,
+                                            const struct plan *plan, struct uncertainty_work *work,
+                                            struct status *status);
+/** Can records be simulated of this scan: is it long enough, with power in its spectrum? Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code uncertainty_possible(bool *out, const double *height_m, size_t points,
+                                                 struct status *status);
+/** Would one scan of `points` alone leave `effects: auto` any of its second? */
+bool uncertainty_affordable(size_t points);
+/** Seconds, by a count, that `effects: auto` spends at most. */
+extern const double uncertainty_most_seconds;
+/** Likely seconds of a height on one core: drawn, levelled, transformed. */
+extern const double uncertainty_height_seconds;
+
+/** What that will take of a scan of `points`. */
+struct uncertainty_work uncertainty_predict(size_t points, const struct plan *plan, const struct model_task *task);
+
+/** What follows for the answer at the middle load, and in a band: half-widths at every load of a curve. */
+struct estimate uncertainty_estimate(const struct uncertainty *uncertainty, enum quantity quantity, double value);
+void uncertainty_band(struct repeats_band *band, const struct uncertainty *uncertainty, const struct model_curve *curve,
+                      const struct model_row *model);
+
+#endif

@@ -1,0 +1,12 @@
+/* The order of many numbers. */
+#ifndef BASE_RANK_H
+#define BASE_RANK_H
+
+#include "base/status.h"
+#include <stddef.h>
+
+/** order[k] = index of the k-th highest of `count` finite values, equal ones by index. By radix, in linear time. Error:
+ * STATUS_MEMORY. */
+MUST_CHECK enum status_code rank_descending(size_t *order, const double *value, size_t count, struct status *status);
+
+#endif

@@ -1,0 +1,125 @@
+/* Which results survive another cut-off and another scan length. */
+#include "report/section.h"
+
+#include <math.h>
+#include <stdio.h>
+
+static const double survives = 1.1; /* factor within which an answer counts as unchanged */
+
+static bool is_stable(double factor)
+{
+    return factor <= survives && factor >= 1 / survives;
+}
+
+static bool has(const struct section_context *context, size_t m)
+{
+    return plan_runs_model(context->results->plan, m) && !model_rows[m]->uses_heights;
+}
+
+/** "area within 10 % on 3 of 4 surfaces" for one change; nothing where no surface has a value. */
+static void count_stable(struct text *out, const struct section_context *context, size_t m, int change, bool ecr)
+{
+    size_t stable = 0, all = 0;
+    for (size_t k = 0; k < context->results->usable_count; k++) {
+        const struct curve_summary *model = &section_smoothest(context, k)->models[m];
+        double factor = !model->exists ? NAN : ecr ? model->sensitivity.ecr[change] : model->sensitivity.area[change];
+        all += isfinite(factor);
+        stable += is_stable(factor);
+    }
+    if (all > 0)
+        text_add(out, "%s%s on %zu of %zu", ecr ? " and " : "", ecr ? "ECR" : "area", stable, all);
+}
+
+static void sentence(struct text *out, const struct section_context *context)
+{
+    static const char *const changes[SENSITIVITY_CHANGES] = {"Doubling the cut-off", "Halving the scan"};
+    bool electrical = section_computes(context, QUANTITY_ECR);
+    for (int c = 0; c < SENSITIVITY_CHANGES; c++) {
+        size_t leading = context->comparison->leading;
+        text_add(out, "%s leaves within 10 %%, in the %s model: ", changes[c], model_rows[leading]->label);
+        count_stable(out, context, leading, c, false);
+        if (electrical)
+            count_stable(out, context, leading, c, true);
+        text_add(out, " surfaces. ");
+    }
+    text_add(out, "The other way about (cut-off halved, scan doubled) the inverse factors are to be expected.");
+}
+
+static void surface_rows(struct text *out, const struct section_context *context, size_t index)
+{
+    const struct surface_summary *s = section_surface(context, index);
+    bool electrical = section_computes(context, QUANTITY_ECR);
+    for (size_t m = 0; m < model_count; m++) {
+        const struct sensitivity_factors *factors = &s->models[m].sensitivity;
+        if (!has(context, m) || !s->models[m].exists)
+            continue;
+        text_add(out, "| ");
+        section_surface_name(out, context->results, index);
+        text_add(out, " | %s", model_rows[m]->label);
+        for (int c = 0; c < SENSITIVITY_CHANGES; c++) {
+            section_cell(out, isfinite(factors->area[c]) ? factors->area[c] : NAN, 3);
+            if (electrical)
+                section_cell(out, isfinite(factors->ecr[c]) ? factors->ecr[c] : NAN, 3);
+        }
+        text_add(out, " |\n");
+    }
+}
+
+static void table(struct text *out, const struct section_context *context)
+{
+    bool electrical = section_computes(context, QUANTITY_ECR);
+    size_t rows = 0;
+    text_add(out, electrical
+                      ? "| surface | model | area, cut-off × 2 | ECR, cut-off × 2 | area, scan ÷ 2 | ECR, scan ÷ 2 "
+                        "|\n|---|---|---:|---:|---:|---:|\n"
+                      : "| surface | model | area, cut-off × 2 | area, scan ÷ 2 |\n|---|---|---:|---:|\n");
+    for (size_t i = 0; i < context->results->store->count && rows < SECTION_ROWS; i++)
+        if (section_surface(context, i)->usable) {
+            surface_rows(out, context, i);
+            rows++;
+        }
+    if (rows < context->results->usable_count)
+        text_add(out, "| … %zu more in data/ |\n", context->results->usable_count - rows);
+}
+
+static void caption(struct text *out, const struct section_context *context, const struct figure *figure)
+{
+    const struct sensitivity_curves *curves = context->results->sensitivity;
+    const struct scene *scene = context->results->scene;
+    (void)figure;
+    text_add(out, " At P/(Aₙ E′) = ");
+    number_format_power(out, context->comparison->middle_load, 3);
+    if (curves->unsure_m > curves->wavelength_m[SENSITIVITY_WAVELENGTHS - 1] * (1 + 1e-9)) {
+        text_add(out, "; shaded: below ");
+        number_format(out, curves->unsure_m * 1e6, 3);
+        text_add(out, " µm, %s",
+                 curves->unsure_m == scene->tip_radius_m ? "the tip's radius"
+                 : scene->lambda_s_m > 0                 ? "the cut-off λs"
+                                                         : "twice the spacing");
+    }
+    text_add(out, ".");
+}
+
+static bool called_for(const struct section_context *context)
+{
+    for (size_t k = 0; k < context->results->usable_count; k++)
+        for (size_t m = 0; m < model_count; m++)
+            if (has(context, m) && isfinite(section_smoothest(context, k)->models[m].sensitivity.area[0]))
+                return true;
+    return false;
+}
+
+static void write(struct text *out, const struct section_context *context)
+{
+    text_add(out, "## What the answers hang on: cut-off and scan length\n\n");
+    sentence(out, context);
+    text_add(out, " Factors on the answer at ");
+    section_middle_pressure(out, context);
+    text_add(out, " when the heights are low-passed at twice the cut-off, and for halves of the scan (their geometric "
+                  "mean):\n\n");
+    table(out, context);
+    text_add(out, "\n");
+    section_figures(out, context, "sensitivity", caption);
+}
+
+const struct section section_sensitivity = {"sensitivity", called_for, write};

@@ -1,0 +1,91 @@
+#include "spectrum/multitaper.h"
+
+#include "base/fft.h"
+#include <assert.h>
+#include <math.h>
+#include <stdbool.h>
+
+size_t multitaper_count(size_t points)
+{
+    return (points + 1) / 2 - 1;
+}
+
+/** Differences less their mean at t = 1 ... N-1 of 2N values, else 0. */
+static void whiten(double *out, const double *height_m, size_t points)
+{
+    double tilt = (height_m[points - 1] - height_m[0]) / (double)(points - 1);
+    out[0] = 0;
+    for (size_t t = 1; t < points; t++)
+        out[t] = height_m[t] - height_m[t - 1] - tilt;
+    for (size_t t = points; t < 2 * points; t++)
+        out[t] = 0;
+}
+
+/** Y[m] of a real record's transform of 2N values, of which Y[0] ... Y[N] are held; any m, as Y has the period 2N. */
+static void transform_at(double out[2], const fftw_complex *transform, size_t points, long m)
+{
+    long period = 2 * (long)points;
+    m = (m % period + period) % period;
+    bool conjugate = m > (long)points;
+    m = conjugate ? period - m : m;
+    out[0] = transform[m][0];
+    out[1] = conjugate ? -transform[m][1] : transform[m][1];
+}
+
+/** S_n = sum_k |Y[2n-k] - Y[2n+k]|²/(2N)/K */
+static double tapers_mean(const fftw_complex *transform, size_t points, size_t n)
+{
+    double sum = 0, below[2], above[2];
+    for (long k = 1; k <= MULTITAPER_TAPERS; k++) {
+        transform_at(below, transform, points, 2 * (long)n - k);
+        transform_at(above, transform, points, 2 * (long)n + k);
+        double real = below[0] - above[0], imaginary = below[1] - above[1];
+        sum += real * real + imaginary * imaginary;
+    }
+    return sum / MULTITAPER_TAPERS / (2 * (double)points);
+}
+
+enum status_code multitaper_square(double *square_m2, const double *height_m, size_t points, struct status *status)
+{
+    assert(points >= MULTITAPER_LEAST_POINTS);
+    for (size_t i = 0; i < points; i++)
+        if (!isfinite(height_m[i]))
+            return status_fail(status, STATUS_SCAN, "height %zu of %zu is not a finite number", i + 1, points);
+    double *record = fftw_alloc_real(2 * points);
+    fftw_complex *transform = fftw_alloc_complex(points + 1);
+    if (!record || !transform) {
+        fftw_free(record);
+        fftw_free(transform);
+        return status_memory(status);
+    }
+    whiten(record, height_m, points);
+    fft_forward(transform, record, 2 * points);
+    bool finite = true;
+    for (size_t n = 1; n <= multitaper_count(points); n++) {
+        double whitening = 2 * sin(M_PI * (double)n / (double)points);
+        square_m2[n - 1] = 4 * tapers_mean(transform, points, n) / ((double)points * whitening * whitening);
+        finite = finite && isfinite(square_m2[n - 1]);
+    }
+    fftw_free(record);
+    fftw_free(transform);
+    if (!finite)
+        return status_fail(status, STATUS_SCAN, "the heights are too large for a spectrum; check their unit");
+    return STATUS_OK;
+}
+
+double multitaper_correlation(size_t apart)
+{
+    /* the closed form above for K = 5, of which test_multitaper makes them again; the next is 9e-5 */
+    static const double correlation[MULTITAPER_CORRELATED + 1] = {
+        1,
+        0.8238599422357856,
+        0.6339629486143197,
+        0.445835255958981,
+        0.2606704473199282,
+        0.08226464857234903,
+        0.0024329340569576997,
+        0.000586700376090461,
+        0.0002039188844811861,
+    };
+    return apart <= MULTITAPER_CORRELATED ? correlation[apart] : 0;
+}

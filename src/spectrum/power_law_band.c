@@ -1,0 +1,478 @@
+#include "spectrum/power_law_band.h"
+
+#include "spectrum/multitaper.h"
+#include <assert.h>
+#include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char *const power_law_band_class_names[] = {"no power law found", "narrow", "law"};
+
+static const double one_law_decades = 0.05; /* what is called one power law: long scans do not split on less */
+static const double piece_penalty = 4;      /* ln J each */
+static const double least_gamma = 0.5, most_gamma = 2.2; /* below: plateau or noise; above: a filter's flank */
+static const double least_width_decades = 0.5, law_width_decades = 1, most_misfit_decades = 0.1;
+static const double line_decades = 0.2, line_errors = 4;
+static const double knee_gamma_s = 0.04, knee_amplitude_s_decades = 0.02;
+enum { PIECE_BINS = 3, CANDIDATE_BINS = 4, KNEE_BINS = 2, LINE_RUN = 3 };
+
+/** Bins that take part, by their numbers, from long to short waves. */
+struct selection {
+    const struct log_bin *all;
+    size_t count;
+    size_t index[LOG_BIN_MOST];
+};
+
+static const struct log_bin *bin_at(const struct selection *selection, size_t i)
+{
+    return &selection->all[selection->index[i]];
+}
+
+static struct selection part_of(const struct selection *selection, size_t first, size_t count)
+{
+    struct selection part = {.all = selection->all, .count = count};
+    memcpy(part.index, selection->index + first, count * sizeof *part.index);
+    return part;
+}
+
+/** log10 of last over first harmonic of bins first ... last. */
+static double width_decades(const struct selection *selection, size_t first, size_t last)
+{
+    return log10((double)bin_at(selection, last)->last / (double)bin_at(selection, first)->first);
+}
+
+/** Weighted straight line y = y_mean + slope (x - x_mean), w = 1/(v + misfit²). */
+struct line {
+    double slope, x_mean, y_mean;
+    double weight, x_spread;     /* sum w, sum w (x - x_mean)² */
+    double residual, derivative; /* sum w r²; its negative derivative by misfit² at a fixed line: sum w² r² */
+};
+
+static struct line line_through(const struct selection *selection, size_t first, size_t last, double misfit_square)
+{
+    struct line line = {0};
+    double x = 0, y = 0, xy = 0;
+    for (size_t i = first; i <= last; i++) {
+        const struct log_bin *bin = bin_at(selection, i);
+        double w = 1 / (bin->variance + misfit_square);
+        line.weight += w;
+        x += w * bin->x;
+        y += w * bin->y;
+    }
+    line.x_mean = x / line.weight;
+    line.y_mean = y / line.weight;
+    for (size_t i = first; i <= last; i++) {
+        const struct log_bin *bin = bin_at(selection, i);
+        double w = 1 / (bin->variance + misfit_square), dx = bin->x - line.x_mean;
+        line.x_spread += w * dx * dx;
+        xy += w * dx * (bin->y - line.y_mean);
+    }
+    line.slope = xy / line.x_spread;
+    for (size_t i = first; i <= last; i++) {
+        const struct log_bin *bin = bin_at(selection, i);
+        double w = 1 / (bin->variance + misfit_square);
+        double r = bin->y - line.y_mean - line.slope * (bin->x - line.x_mean);
+        line.residual += w * r * r;
+        line.derivative += w * w * r * r;
+    }
+    return line;
+}
+
+/** tau² >= 0 at which sum w r² = n - 2. The sum is convex and falls with tau²: Newton's steps from 0 rise to it. */
+static double misfit_square_of(const struct selection *selection)
+{
+    enum { STEPS = 100 };
+    double square = 0;
+    for (int i = 0; i < STEPS; i++) {
+        struct line line = line_through(selection, 0, selection->count - 1, square);
+        double excess = line.residual - (double)(selection->count - 2);
+        if (excess <= 0)
+            break;
+        double step = excess / line.derivative;
+        square += step;
+        if (step <= 1e-15 * square)
+            break;
+    }
+    return square;
+}
+
+/** f'(Sigma + tau² I) f */
+static double variance_of(const double *factor, const struct selection *selection, double scans, double misfit_square)
+{
+    double sum = 0;
+    for (size_t i = 0; i < selection->count; i++) {
+        sum += factor[i] * factor[i] * (bin_at(selection, i)->variance + misfit_square);
+        for (size_t j = 0; j < i; j++)
+            sum += 2 * factor[i] * factor[j] * log_bin_covariance(bin_at(selection, i), bin_at(selection, j), scans);
+    }
+    return sum;
+}
+
+static struct power_law_band_fit fit_of(const struct selection *selection, double length_m, double scans)
+{
+    double misfit_square = misfit_square_of(selection);
+    struct line line = line_through(selection, 0, selection->count - 1, misfit_square);
+    size_t last = bin_at(selection, selection->count - 1)->last, first = bin_at(selection, 0)->first;
+    double shortest = log10(length_m / (double)last), longest = log10(length_m / (double)first);
+    double middle = (shortest + longest) / 2;
+    double slope_factor[LOG_BIN_MOST], amplitude_factor[LOG_BIN_MOST];
+    for (size_t i = 0; i < selection->count; i++) {
+        const struct log_bin *bin = bin_at(selection, i);
+        double w = 1 / (bin->variance + misfit_square);
+        slope_factor[i] = w * (bin->x - line.x_mean) / line.x_spread;
+        amplitude_factor[i] = w / line.weight + slope_factor[i] * (middle - line.x_mean);
+    }
+    return (struct power_law_band_fit){
+        .gamma = line.slope,
+        .gamma_s = sqrt(variance_of(slope_factor, selection, scans, misfit_square)),
+        .log10_amplitude = line.y_mean + line.slope * (middle - line.x_mean),
+        .log10_amplitude_s = sqrt(variance_of(amplitude_factor, selection, scans, misfit_square)),
+        .wavelength_m = pow(10, middle),
+        .misfit_decades = sqrt(misfit_square),
+        .band_m = {length_m / (double)last, length_m / (double)first},
+        .first_harmonic = first,
+        .last_harmonic = last,
+        .bins = selection->count,
+    };
+}
+
+static double log10_law(const struct power_law_band_fit *fit, double log10_wavelength)
+{
+    return fit->log10_amplitude + fit->gamma * (log10_wavelength - log10(fit->wavelength_m));
+}
+
+static double median(double *value, size_t count)
+{
+    for (size_t i = 1; i < count; i++)
+        for (size_t j = i; j > 0 && value[j] < value[j - 1]; j--) {
+            double swap = value[j];
+            value[j] = value[j - 1];
+            value[j - 1] = swap;
+        }
+    return count % 2 ? value[count / 2] : (value[count / 2 - 1] + value[count / 2]) / 2;
+}
+
+/** Does bin j stand out of its neighbours' middle? */
+static bool stands_out(const struct power_law_band *band, size_t j)
+{
+    double between[3];
+    size_t count = 0;
+    for (size_t m = 2; m <= 4; m++)
+        if (j >= m && j + m < band->bins && isfinite(band->bin[j - m].y) && isfinite(band->bin[j + m].y))
+            between[count++] = (band->bin[j - m].y + band->bin[j + m].y) / 2;
+    if (count < 2 || !isfinite(band->bin[j].y))
+        return false;
+    double threshold = fmax(line_decades, line_errors * sqrt(band->bin[j].variance));
+    return band->bin[j].y - median(between, count) > threshold;
+}
+
+/** A longer run of bins that stand out is a knee, no line. */
+static void mark_lines(struct power_law_band *band)
+{
+    bool out[LOG_BIN_MOST];
+    for (size_t j = 0; j < band->bins; j++)
+        out[j] = stands_out(band, j);
+    for (size_t j = 0, end; j<band->bins; j = end> j ? end : j + 1) {
+        for (end = j; end < band->bins && out[end]; end++)
+            ;
+        for (size_t i = j; i < end && end - j <= LINE_RUN; i++)
+            band->use[i] = POWER_LAW_BAND_LINE;
+    }
+}
+
+/** Fills the bins and says which of them may take part. */
+static enum status_code gather(struct power_law_band *band, struct selection *selection,
+                               const struct power_law_band_spectrum *spectrum, const size_t split[2],
+                               struct status *status)
+{
+    assert(spectrum->scans >= 1 && spectrum->length_m > 0);
+    *band = (struct power_law_band){.fit = {.gamma = NAN,
+                                            .gamma_s = NAN,
+                                            .log10_amplitude = NAN,
+                                            .log10_amplitude_s = NAN,
+                                            .wavelength_m = NAN,
+                                            .misfit_decades = NAN,
+                                            .band_m = {NAN, NAN}},
+                                    .amplitude_m = NAN,
+                                    .psd_m3 = NAN,
+                                    .alpha = NAN,
+                                    .log10_alpha_s = NAN,
+                                    .slope_share = NAN};
+    for (size_t i = 0; i < spectrum->count; i++)
+        if (!(spectrum->square_m2[i] >= 0) || !isfinite(spectrum->square_m2[i]))
+            return status_fail(status, STATUS_SCAN,
+                               "the squared amplitude of harmonic %zu is %g; it must be finite and "
+                               "not negative",
+                               i + 1, spectrum->square_m2[i]);
+    band->bins =
+        log_bin_fill(band->bin, spectrum->square_m2, spectrum->count, spectrum->length_m, spectrum->scans, split);
+    for (size_t j = 0; j < band->bins; j++) {
+        band->use[j] = isfinite(band->bin[j].y) ? POWER_LAW_BAND_OUTSIDE : POWER_LAW_BAND_EMPTY;
+        band->residual_decades[j] = NAN;
+    }
+    mark_lines(band);
+    *selection = (struct selection){.all = band->bin};
+    for (size_t j = 0; j < band->bins; j++) {
+        if (spectrum->shortest_m > 0 && band->bin[j].x < log10(spectrum->shortest_m) &&
+            band->use[j] == POWER_LAW_BAND_OUTSIDE)
+            band->use[j] = POWER_LAW_BAND_SHORT;
+        if (band->use[j] == POWER_LAW_BAND_OUTSIDE)
+            selection->index[selection->count++] = j;
+    }
+    return STATUS_OK;
+}
+
+/** sum (2 pi f)² Delta²/2 in the band over that of all harmonics. */
+static double slope_share(const struct power_law_band_spectrum *spectrum, const struct power_law_band_fit *fit)
+{
+    double inside = 0, all = 0;
+    for (size_t n = 1; n <= spectrum->count; n++) {
+        double part = (double)n * (double)n * spectrum->square_m2[n - 1];
+        all += part;
+        inside += n >= fit->first_harmonic && n <= fit->last_harmonic ? part : 0;
+    }
+    return inside / all;
+}
+
+/** Takes over the fit through `used`, with all that follows from it. */
+static void conclude(struct power_law_band *band, const struct power_law_band_fit *fit, const struct selection *used,
+                     const struct power_law_band_spectrum *spectrum)
+{
+    band->fit = *fit;
+    band->law = log10((double)fit->last_harmonic / (double)fit->first_harmonic) >= law_width_decades
+                    ? POWER_LAW_BAND_LAW
+                    : POWER_LAW_BAND_NARROW;
+    double log10_wavelength = log10(fit->wavelength_m);
+    band->amplitude_m = pow(10, fit->log10_amplitude);
+    band->psd_m3 = band->amplitude_m * band->amplitude_m * spectrum->length_m / 2;
+    band->alpha = pow(10, fit->log10_amplitude - fit->gamma * log10_wavelength);
+    band->log10_alpha_s = hypot(fit->log10_amplitude_s, fit->gamma_s * log10_wavelength);
+    band->slope_share = slope_share(spectrum, fit);
+    for (size_t i = 0; i < used->count; i++)
+        band->use[used->index[i]] = POWER_LAW_BAND_USED;
+    for (size_t j = 0; j < band->bins; j++)
+        if (isfinite(band->bin[j].y))
+            band->residual_decades[j] = band->bin[j].y - log10_law(fit, band->bin[j].x);
+}
+
+/** Straight pieces of a selection: piece k has bins first[k] ... first[k+1]-1. */
+struct pieces {
+    size_t count;
+    size_t first[POWER_LAW_BAND_PIECES + 1];
+};
+
+/** Tables of the dynamic programme: cost of one piece from bin i to j; least cost of k + 1 pieces up to bin j, and
+ * where the last of these begins. */
+struct programme {
+    double piece[LOG_BIN_MOST][LOG_BIN_MOST];
+    double least[POWER_LAW_BAND_PIECES][LOG_BIN_MOST];
+    size_t begin[POWER_LAW_BAND_PIECES][LOG_BIN_MOST];
+};
+
+static void programme_fill(struct programme *programme, const struct selection *selection)
+{
+    size_t bins = selection->count;
+    for (size_t i = 0; i < bins; i++)
+        for (size_t j = i; j < bins; j++)
+            programme->piece[i][j] = j - i + 1 < PIECE_BINS
+                                         ? INFINITY
+                                         : line_through(selection, i, j, one_law_decades * one_law_decades).residual;
+    for (size_t j = 0; j < bins; j++)
+        programme->least[0][j] = programme->piece[0][j];
+    for (size_t k = 1; k < POWER_LAW_BAND_PIECES; k++)
+        for (size_t j = 0; j < bins; j++) {
+            programme->least[k][j] = INFINITY;
+            for (size_t i = 1; i <= j; i++) {
+                double cost = programme->least[k - 1][i - 1] + programme->piece[i][j];
+                if (cost < programme->least[k][j]) {
+                    programme->least[k][j] = cost;
+                    programme->begin[k][j] = i;
+                }
+            }
+        }
+}
+
+static enum status_code divide(struct pieces *pieces, const struct selection *selection, struct status *status)
+{
+    struct programme *programme = calloc(1, sizeof *programme);
+    if (!programme)
+        return status_memory(status);
+    programme_fill(programme, selection);
+    size_t last = selection->count - 1, best = 0;
+    double penalty = piece_penalty * log((double)selection->count);
+    for (size_t k = 1; k < POWER_LAW_BAND_PIECES; k++)
+        if (programme->least[k][last] + (double)k * penalty < programme->least[best][last] + (double)best * penalty)
+            best = k;
+    pieces->count = best + 1;
+    pieces->first[best + 1] = selection->count;
+    for (size_t k = best, end = last; k > 0; k--) {
+        pieces->first[k] = programme->begin[k][end];
+        end = pieces->first[k] - 1;
+    }
+    pieces->first[0] = 0;
+    free(programme);
+    return STATUS_OK;
+}
+
+/** A piece without the bins beside its knees. */
+struct candidate {
+    size_t piece, first, last;
+    bool knee[2]; /* at the long, at the short end */
+    double width_decades, gamma;
+};
+
+/** Shortens piece k at its knees by 2, 1 or no bins, the most that leaves enough. */
+static bool candidate_of(struct candidate *out, const struct selection *selection, const struct pieces *pieces,
+                         size_t k)
+{
+    *out = (struct candidate){.piece = k, .knee = {k > 0, k + 1 < pieces->count}};
+    for (size_t trim = KNEE_BINS + 1; trim-- > 0;) {
+        size_t first = pieces->first[k] + (out->knee[0] ? trim : 0), end = pieces->first[k + 1];
+        end -= out->knee[1] ? trim : 0;
+        if (end < first + CANDIDATE_BINS)
+            continue;
+        out->first = first;
+        out->last = end - 1;
+        out->width_decades = width_decades(selection, out->first, out->last);
+        if (out->width_decades >= least_width_decades) {
+            double misfit_square = one_law_decades * one_law_decades;
+            out->gamma = line_through(selection, out->first, out->last, misfit_square).slope;
+            return out->gamma >= least_gamma && out->gamma <= most_gamma;
+        }
+    }
+    return false;
+}
+
+/** Adds in quadrature what the fit changes when 2 bins more are left out beside each knee. */
+static void add_knee_errors(struct power_law_band_fit *fit, const struct selection *selection,
+                            const struct candidate *candidate, const struct power_law_band_spectrum *spectrum)
+{
+    struct power_law_band_fit whole = *fit;
+    size_t bins = candidate->last - candidate->first + 1;
+    for (size_t side = 0; side < 2; side++) {
+        if (!candidate->knee[side] || bins < CANDIDATE_BINS + KNEE_BINS)
+            continue;
+        struct selection part = part_of(selection, candidate->first + (side == 0 ? KNEE_BINS : 0), bins - KNEE_BINS);
+        struct power_law_band_fit shorter = fit_of(&part, spectrum->length_m, spectrum->scans);
+        double amplitude_change = log10_law(&shorter, log10(whole.wavelength_m)) - whole.log10_amplitude;
+        fit->gamma_s = hypot(fit->gamma_s, shorter.gamma - whole.gamma);
+        fit->log10_amplitude_s = hypot(fit->log10_amplitude_s, amplitude_change);
+    }
+    if (candidate->knee[0] || candidate->knee[1]) {
+        fit->gamma_s = hypot(fit->gamma_s, knee_gamma_s);
+        fit->log10_amplitude_s = hypot(fit->log10_amplitude_s, knee_amplitude_s_decades);
+    }
+}
+
+/** Widest first, then the one of longer waves. */
+static int wider_first(const void *a, const void *b)
+{
+    const struct candidate *first = a, *second = b;
+    int order = (first->width_decades < second->width_decades) - (first->width_decades > second->width_decades);
+    return order ? order : (first->first > second->first) - (first->first < second->first);
+}
+
+static void describe_pieces(struct power_law_band *band, const struct selection *selection, const struct pieces *pieces,
+                            double length_m)
+{
+    band->pieces = pieces->count;
+    for (size_t k = 0; k < pieces->count; k++) {
+        size_t first = pieces->first[k], last = pieces->first[k + 1] - 1;
+        struct power_law_band_piece *piece = &band->piece[k];
+        piece->gamma = line_through(selection, first, last, one_law_decades * one_law_decades).slope;
+        piece->candidate_gamma = NAN;
+        piece->band_m[0] = length_m / (double)bin_at(selection, last)->last;
+        piece->band_m[1] = length_m / (double)bin_at(selection, first)->first;
+        if (k > 0)
+            band->knee_m[k - 1] = pow(10, (bin_at(selection, first - 1)->x + bin_at(selection, first)->x) / 2);
+    }
+}
+
+enum status_code power_law_band_find(struct power_law_band *out, const struct power_law_band_spectrum *spectrum,
+                                     struct status *status)
+{
+    struct selection selection;
+    struct pieces pieces = {0};
+    if (gather(out, &selection, spectrum, NULL, status) != STATUS_OK)
+        return status->code;
+    if (selection.count < (size_t)2 * PIECE_BINS)
+        return STATUS_OK;
+    if (divide(&pieces, &selection, status) != STATUS_OK)
+        return status->code;
+    describe_pieces(out, &selection, &pieces, spectrum->length_m);
+    struct candidate candidate[POWER_LAW_BAND_PIECES] = {0};
+    size_t candidates = 0;
+    for (size_t k = 0; k < pieces.count; k++)
+        if (candidate_of(&candidate[candidates], &selection, &pieces, k)) {
+            out->piece[k].candidate_gamma = candidate[candidates].gamma;
+            candidates++;
+        }
+    qsort(candidate, candidates, sizeof *candidate, wider_first);
+    for (size_t c = 0; c < candidates; c++) {
+        struct selection used = part_of(&selection, candidate[c].first, candidate[c].last - candidate[c].first + 1);
+        struct power_law_band_fit fit = fit_of(&used, spectrum->length_m, spectrum->scans);
+        if (fit.misfit_decades > most_misfit_decades)
+            continue;
+        add_knee_errors(&fit, &selection, &candidate[c], spectrum);
+        conclude(out, &fit, &used, spectrum);
+        out->chosen = candidate[c].piece;
+        break;
+    }
+    return STATUS_OK;
+}
+
+enum status_code power_law_band_fit_in(struct power_law_band *out, const struct power_law_band_spectrum *spectrum,
+                                       const double band_m[2], struct status *status)
+{
+    assert(band_m[0] >= 0 && band_m[1] > band_m[0]);
+    const double rounding = 1e-9; /* a band that ends on a harmonic has it */
+    double most = (double)spectrum->count;
+    double first = ceil(fmin(spectrum->length_m / band_m[1] * (1 - rounding), most + 1));
+    double last = floor(fmin(spectrum->length_m / band_m[0] * (1 + rounding), most));
+    size_t split[2] = {first > 1 ? (size_t)first : 1, (size_t)last};
+    struct selection selection;
+    if (gather(out, &selection, spectrum, split, status) != STATUS_OK)
+        return status->code;
+    struct selection used = {.all = selection.all};
+    for (size_t i = 0; i < selection.count; i++)
+        if (bin_at(&selection, i)->first >= split[0] && bin_at(&selection, i)->last <= split[1])
+            used.index[used.count++] = selection.index[i];
+    if (used.count < CANDIDATE_BINS)
+        return STATUS_OK;
+    struct power_law_band_fit fit = fit_of(&used, spectrum->length_m, spectrum->scans);
+    conclude(out, &fit, &used, spectrum);
+    return STATUS_OK;
+}
+
+size_t power_law_band_lines(double wavelength_m[LOG_BIN_MOST], const struct power_law_band *band)
+{
+    size_t count = 0;
+    for (size_t j = 0; j < band->bins; j++) {
+        size_t highest = j;
+        if (band->use[j] != POWER_LAW_BAND_LINE)
+            continue;
+        for (; j + 1 < band->bins && band->use[j + 1] == POWER_LAW_BAND_LINE; j++)
+            highest = band->bin[j + 1].y > band->bin[highest].y ? j + 1 : highest;
+        wavelength_m[count++] = pow(10, band->bin[highest].x);
+    }
+    return count;
+}
+
+double power_law_band_amplitude(const struct power_law_band *band, double wavelength_m)
+{
+    return pow(10, log10_law(&band->fit, log10(wavelength_m)));
+}
+
+double power_law_band_digitising_limit(const struct power_law_band_spectrum *spectrum, double step_m)
+{
+    double sum = 0, limit = step_m * step_m / 6;
+    if (!(step_m > 0))
+        return 0;
+    for (size_t n = spectrum->count; n > 0; n--) {
+        sum += spectrum->square_m2[n - 1] / 2;
+        if (sum >= limit)
+            return spectrum->length_m / (double)n;
+    }
+    return spectrum->length_m;
+}

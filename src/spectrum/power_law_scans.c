@@ -1,0 +1,162 @@
+#include "spectrum/power_law_scans.h"
+
+#include "spectrum/grid.h"
+#include "spectrum/multitaper.h"
+#include "statistics/interval.h"
+#include <math.h>
+#include <stdlib.h>
+
+enum { BLOCKS = 16 };
+
+/** The multitaper spectrum as amplitudes. */
+static enum status_code taper(struct spectrum *out, const double *height_m, size_t points, double spacing_m,
+                              struct status *status)
+{
+    size_t count = multitaper_count(points);
+    *out = (struct spectrum){.amplitude_m = malloc(count * sizeof *out->amplitude_m),
+                             .count = count,
+                             .length_m = (double)points * spacing_m};
+    if (!out->amplitude_m)
+        return status_memory(status);
+    if (multitaper_square(out->amplitude_m, height_m, points, status) != STATUS_OK)
+        return status->code;
+    for (size_t i = 0; i < count; i++)
+        out->amplitude_m[i] = sqrt(out->amplitude_m[i]);
+    return STATUS_OK;
+}
+
+enum status_code power_law_scans_add(struct power_law_scans *scans, const double *height_m, size_t points,
+                                     double spacing_m, double step_m, struct status *status)
+{
+    if (scans->scan_count == scans->capacity) {
+        size_t larger = scans->capacity ? 2 * scans->capacity : 4;
+        struct spectrum *grown = realloc(scans->scan, larger * sizeof *grown);
+        if (!grown)
+            return status_memory(status);
+        scans->scan = grown;
+        size_t *file = realloc(scans->file, larger * sizeof *file);
+        if (!file)
+            return status_memory(status);
+        scans->file = file;
+        scans->capacity = larger;
+    }
+    struct spectrum own;
+    enum status_code rc = taper(&own, height_m, points, spacing_m, status);
+    if (rc == STATUS_OK)
+        rc = scans->scan_count == 0 ? spectrum_copy(&scans->mean, &own, status)
+                                    : grid_average(&scans->mean, &own, scans->scan_count, status);
+    if (rc != STATUS_OK) {
+        spectrum_free(&own);
+        return rc;
+    }
+    scans->file[scans->scan_count] = scans->files;
+    scans->scan[scans->scan_count++] = own;
+    scans->step_m = fmax(scans->step_m, step_m);
+    return STATUS_OK;
+}
+
+/** Squares of the amplitudes, malloc'ed. */
+static double *squares_of(const struct spectrum *spectrum)
+{
+    double *square_m2 = malloc((spectrum->count + 1) * sizeof *square_m2);
+    for (size_t i = 0; square_m2 && i < spectrum->count; i++)
+        square_m2[i] = spectrum->amplitude_m[i] * spectrum->amplitude_m[i];
+    return square_m2;
+}
+
+/** Mean over the bins of log10 amplitude; bins without power are left out. */
+static enum status_code level_of(double *out, const struct spectrum *spectrum, struct status *status)
+{
+    struct log_bin bin[LOG_BIN_MOST];
+    double *square_m2 = squares_of(spectrum), sum = 0;
+    size_t used = 0;
+    if (!square_m2)
+        return status_memory(status);
+    size_t bins = log_bin_fill(bin, square_m2, spectrum->count, spectrum->length_m, 1, NULL);
+    for (size_t j = 0; j < bins; j++)
+        if (isfinite(bin[j].y)) {
+            sum += bin[j].y;
+            used++;
+        }
+    free(square_m2);
+    *out = used > 0 ? sum / (double)used : 0;
+    return STATUS_OK;
+}
+
+/** How many independent rows these neighbouring ones are worth. */
+static enum status_code rows_worth(double *out, const struct spectrum *row, size_t count, struct status *status)
+{
+    size_t blocks = count < BLOCKS ? count : BLOCKS;
+    double mean[BLOCKS] = {0};
+    for (size_t b = 0; b < blocks; b++) {
+        size_t first = b * count / blocks, end = (b + 1) * count / blocks;
+        for (size_t i = first; i < end; i++) {
+            double level = 0;
+            if (level_of(&level, &row[i], status) != STATUS_OK)
+                return status->code;
+            mean[b] += level / (double)(end - first);
+        }
+    }
+    struct interval interval;
+    struct status constant = {0};
+    enum status_code rc = interval_rows(&interval, mean, blocks, 0.95, &constant);
+    if (rc == STATUS_MEMORY)
+        return status_memory(status);
+    *out = rc == STATUS_OK && interval.sd > 0 ? interval.effective : 1;
+    return STATUS_OK;
+}
+
+enum status_code power_law_scans_end_file(struct power_law_scans *scans, size_t used, bool rows, struct status *status)
+{
+    size_t count = scans->scan_count - scans->closed;
+    double worth = (double)used;
+    if (rows && count > 1 && rows_worth(&worth, scans->scan + scans->closed, count, status) != STATUS_OK)
+        return status->code;
+    scans->independent += worth;
+    scans->closed = scans->scan_count;
+    scans->files++;
+    return STATUS_OK;
+}
+
+/** The law of one spectrum that is the mean of `independent` scans. */
+static enum status_code fit(struct power_law_band *out, const struct spectrum *spectrum, double independent,
+                            double step_m, const struct power_law_scans_def *def, const double *band_m,
+                            struct status *status)
+{
+    double *square_m2 = squares_of(spectrum);
+    if (!square_m2)
+        return status_memory(status);
+    struct power_law_band_spectrum powers = {
+        .square_m2 = square_m2, .count = spectrum->count, .length_m = spectrum->length_m, .scans = independent};
+    powers.shortest_m = fmax(2 * def->lambda_s_m, power_law_band_digitising_limit(&powers, step_m));
+    enum status_code rc =
+        band_m ? power_law_band_fit_in(out, &powers, band_m, status) : power_law_band_find(out, &powers, status);
+    free(square_m2);
+    return rc;
+}
+
+enum status_code power_law_scans_fit(struct power_law_band *out, const struct power_law_scans *scans,
+                                     const struct power_law_scans_def *def, struct status *status)
+{
+    *out = (struct power_law_band){.law = POWER_LAW_BAND_NONE};
+    if (scans->scan_count == 0)
+        return STATUS_OK;
+    return fit(out, &scans->mean, fmax(1, scans->independent), scans->step_m, def, def->band_m, status);
+}
+
+enum status_code power_law_scans_fit_alone(struct power_law_band *out, const struct power_law_scans *scans, size_t i,
+                                           const struct power_law_scans_def *def, const struct power_law_band *mean,
+                                           struct status *status)
+{
+    return fit(out, &scans->scan[i], 1, scans->step_m, def, mean->fit.band_m, status);
+}
+
+void power_law_scans_free(struct power_law_scans *scans)
+{
+    for (size_t i = 0; i < scans->scan_count; i++)
+        spectrum_free(&scans->scan[i]);
+    free(scans->scan);
+    free(scans->file);
+    spectrum_free(&scans->mean);
+    *scans = (struct power_law_scans){0};
+}

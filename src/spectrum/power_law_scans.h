@@ -1,0 +1,48 @@
+/* From the scans of a surface to the spectrum its power law is fitted to: powers averaged over scans, and over how many
+ * independent ones. */
+#ifndef SPECTRUM_POWER_LAW_SCANS_H
+#define SPECTRUM_POWER_LAW_SCANS_H
+
+#include "spectrum/power_law.h"
+
+/** Starts as {0}. Owned: power_law_scans_free(). */
+struct power_law_scans {
+    struct spectrum mean;  /* rms amplitudes, as grid_average() joins those of the scans */
+    struct spectrum *scan; /* each one's own, scan_count of them */
+    size_t *file;          /* and which file it is of, from 0 */
+    size_t scan_count, capacity;
+    size_t closed, files; /* scans of files that are complete, and those files */
+    double independent;   /* M: scans of profiles, and what the rows of maps are worth */
+    double step_m;        /* largest digitising step; 0: none seen */
+};
+
+/** Adds a scan, or a row of a map: its multitaper spectrum. heights levelled by a line, a mean or not at all give the
+ * same. step_m: of its digitiser, 0: none seen. Errors: of multitaper_square(). */
+MUST_CHECK enum status_code power_law_scans_add(struct power_law_scans *scans, const double *height_m, size_t points,
+                                                double spacing_m, double step_m, struct status *status);
+
+/** Ends a file of `used` scans or rows. Those of a map were added, in their order, and are worth fewer: interval_rows()
+ * of 16 means of neighbouring rows, each row's value the mean over its bins (log_bin.h) of the logarithm of its power,
+ * so that every decade of wavelength weighs the same. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code power_law_scans_end_file(struct power_law_scans *scans, size_t used, bool rows,
+                                                     struct status *status);
+
+/** How a surface's law is looked for. */
+struct power_law_scans_def {
+    double lambda_s_m;    /* cut-off of the low-pass that was applied: no wave below twice that is used; 0: none */
+    const double *band_m; /* shortest and longest wavelength of the fit; NULL: found */
+};
+
+/** The law of the mean spectrum: power_law_band_find(), or power_law_band_fit_in() where the band is given. Class NONE
+ * without a scan. Errors: theirs. */
+MUST_CHECK enum status_code power_law_scans_fit(struct power_law_band *out, const struct power_law_scans *scans,
+                                                const struct power_law_scans_def *def, struct status *status);
+
+/** The law of scan i alone in the band of `mean`, a law that was found. Errors: of power_law_band_fit_in(). */
+MUST_CHECK enum status_code power_law_scans_fit_alone(struct power_law_band *out, const struct power_law_scans *scans,
+                                                      size_t i, const struct power_law_scans_def *def,
+                                                      const struct power_law_band *mean, struct status *status);
+
+void power_law_scans_free(struct power_law_scans *scans);
+
+#endif

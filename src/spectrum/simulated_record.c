@@ -1,0 +1,119 @@
+#include "spectrum/simulated_record.h"
+
+#include "base/fft.h"
+#include "spectrum/log_bin.h"
+#include "spectrum/multitaper.h"
+#include <assert.h>
+#include <gsl/gsl_randist.h>
+#include <gsl/gsl_rng.h>
+#include <math.h>
+#include <stdlib.h>
+
+static const double least_slope = 0, most_slope = 2;
+enum { SLOPE_BINS = 6 };
+
+/** log10 amplitude = middle + slope (log10 wavelength - x), wavelengths in units of L. */
+struct continuation {
+    double x, middle, slope;
+};
+
+static enum status_code continue_line(struct continuation *out, const double *square_m2, size_t count,
+                                      struct status *status)
+{
+    struct log_bin bin[LOG_BIN_MOST];
+    size_t bins = log_bin_fill(bin, square_m2, count, 1, 1, NULL), used = 0;
+    double x = 0, y = 0, xx = 0, xy = 0;
+    for (size_t j = 0; j < bins && j < SLOPE_BINS; j++)
+        if (isfinite(bin[j].y)) {
+            bin[used++] = bin[j];
+            x += bin[j].x;
+            y += bin[j].y;
+        }
+    if (used < 2)
+        return status_fail(status, STATUS_SCAN,
+                           "the record has too few harmonics of any power to simulate others of it");
+    x /= (double)used;
+    y /= (double)used;
+    for (size_t j = 0; j < used; j++) {
+        xx += (bin[j].x - x) * (bin[j].x - x);
+        xy += (bin[j].x - x) * (bin[j].y - y);
+    }
+    *out = (struct continuation){x, y, fmin(fmax(xy / xx, least_slope), most_slope)};
+    return STATUS_OK;
+}
+
+/** Squared amplitude at frequency n/L, n any number up to N/2: in a record of length L. */
+static double square_at(double n, const double *square_m2, size_t count, const struct continuation *below)
+{
+    if (n < MULTITAPER_FIRST)
+        return pow(10, 2 * (below->middle + below->slope * (-log10(n) - below->x)));
+    if (n >= (double)count)
+        return square_m2[count - 1];
+    size_t before = (size_t)n;
+    double low = square_m2[before - 1], high = square_m2[before];
+    double share = n - (double)before;
+    if (share == 0 || !(low > 0 && high > 0))
+        return (1 - share) * low + share * high;
+    return low * pow(high / low, log(n / (double)before) / log1p(1 / (double)before));
+}
+
+enum status_code simulated_record_prepare(struct simulated_record *out, const double *square_m2, size_t points,
+                                          struct status *status)
+{
+    assert(points >= SIMULATED_RECORD_LEAST_POINTS);
+    size_t count = multitaper_count(points), waves = points * SIMULATED_RECORD_LONGER / 2;
+    struct continuation below;
+    *out = (struct simulated_record){.points = points};
+    for (size_t i = 0; i < count; i++)
+        if (!(square_m2[i] >= 0) || !isfinite(square_m2[i]))
+            return status_fail(status, STATUS_SCAN,
+                               "the squared amplitude of harmonic %zu is %g; it must be finite and "
+                               "not negative",
+                               i + 1, square_m2[i]);
+    if (continue_line(&below, square_m2, count, status) != STATUS_OK)
+        return status->code;
+    out->deviation_m = calloc(waves + 1, sizeof *out->deviation_m);
+    if (!out->deviation_m)
+        return status_memory(status);
+    for (size_t k = 1; k <= waves; k++) {
+        double square = square_at((double)k / SIMULATED_RECORD_LONGER, square_m2, count, &below);
+        /* a square is the sum of the cosine's and the sine's; density is square L/2, so squares go as 1/L */
+        out->deviation_m[k] = sqrt(square / (2 * SIMULATED_RECORD_LONGER));
+    }
+    return STATUS_OK;
+}
+
+enum status_code simulated_record_draw(double *height_m, const struct simulated_record *spectrum, unsigned long seed,
+                                       struct status *status)
+{
+    size_t longer = spectrum->points * SIMULATED_RECORD_LONGER, waves = longer / 2;
+    double *record = fftw_alloc_real(longer);
+    fftw_complex *wave = fftw_alloc_complex(waves + 1);
+    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
+    if (!record || !wave || !random) {
+        fftw_free(record);
+        fftw_free(wave);
+        gsl_rng_free(random);
+        return status_memory(status);
+    }
+    gsl_rng_set(random, seed);
+    wave[0][0] = wave[0][1] = 0;
+    for (size_t k = 1; k <= waves; k++)
+        for (int part = 0; part < 2; part++)
+            wave[k][part] = gsl_ran_gaussian_ziggurat(random, spectrum->deviation_m[k]) / 2;
+    wave[waves][0] *= M_SQRT2; /* the Nyquist wave has half a band, no sine and no mirror image */
+    wave[waves][1] = 0;
+    fft_backward(record, wave, longer);
+    for (size_t i = 0; i < spectrum->points; i++)
+        height_m[i] = record[i];
+    fftw_free(record);
+    fftw_free(wave);
+    gsl_rng_free(random);
+    return STATUS_OK;
+}
+
+void simulated_record_free(struct simulated_record *spectrum)
+{
+    free(spectrum->deviation_m);
+    *spectrum = (struct simulated_record){0};
+}

@@ -1,0 +1,133 @@
+#include "statistics/interval.h"
+
+#include <assert.h>
+#include <gsl/gsl_cdf.h>
+#include <math.h>
+#include <stdlib.h>
+
+static const double most_correlation = 0.8, least_effective = 2;
+
+double interval_quantile(double level, double degrees)
+{
+    assert(level > 0 && level < 1 && degrees > 0);
+    return gsl_cdf_tdist_Qinv((1 - level) / 2, degrees);
+}
+
+static enum status_code check(const double *value, const double *weight, size_t count, struct status *status)
+{
+    if (count < 2)
+        return status_fail(status, STATUS_SCAN, "an interval needs at least 2 values; there is %zu", count);
+    for (size_t i = 0; i < count; i++) {
+        if (!isfinite(value[i]))
+            return status_fail(status, STATUS_SCAN, "value %zu of %zu is not a finite number", i + 1, count);
+        if (weight && !(weight[i] > 0 && isfinite(weight[i])))
+            return status_fail(status, STATUS_SCAN, "weight %zu of %zu is %g; it must be finite and positive", i + 1,
+                               count, weight[i]);
+    }
+    return STATUS_OK;
+}
+
+/** Fills what follows from mean, sd, s and degrees. */
+static void close_interval(struct interval *out)
+{
+    out->t = interval_quantile(out->level, out->degrees);
+    out->low = out->mean - out->t * out->s;
+    out->high = out->mean + out->t * out->s;
+}
+
+struct weighted {
+    double value, weight;
+};
+
+static int ascending(const void *a, const void *b)
+{
+    const struct weighted *first = a, *second = b;
+    int order = (first->value > second->value) - (first->value < second->value);
+    return order ? order : (first->weight > second->weight) - (first->weight < second->weight);
+}
+
+enum status_code interval_scans(struct interval *out, const double *value, const double *weight, size_t count,
+                                double level, struct status *status)
+{
+    if (check(value, weight, count, status) != STATUS_OK)
+        return status->code;
+    struct weighted *sorted = malloc(count * sizeof *sorted);
+    if (!sorted)
+        return status_memory(status);
+    for (size_t i = 0; i < count; i++)
+        sorted[i] = (struct weighted){value[i], weight ? weight[i] : 1};
+    qsort(sorted, count, sizeof *sorted, ascending);
+    double total = 0, mean = 0, squares = 0, origin = sorted[0].value; /* equal values have this very mean */
+    for (size_t i = 0; i < count; i++)
+        total += sorted[i].weight;
+    for (size_t i = 0; i < count; i++)
+        mean += sorted[i].weight * (sorted[i].value - origin);
+    mean = origin + mean / total;
+    for (size_t i = 0; i < count; i++)
+        squares += sorted[i].weight * (sorted[i].value - mean) * (sorted[i].value - mean);
+    free(sorted);
+    *out = (struct interval){.count = count, .mean = mean, .level = level, .effective = total};
+    out->degrees = (double)(count - 1);
+    out->sd = sqrt(squares / out->degrees);
+    out->s = out->sd / sqrt(total);
+    close_interval(out);
+    return STATUS_OK;
+}
+
+enum status_code interval_rows(struct interval *out, const double *value, size_t count, double level,
+                               struct status *status)
+{
+    if (check(value, NULL, count, status) != STATUS_OK)
+        return status->code;
+    double rows = (double)count, mean = 0, squares = 0, products = 0;
+    for (size_t i = 0; i < count; i++)
+        mean += value[i] - value[0];
+    mean = value[0] + mean / rows;
+    for (size_t i = 0; i < count; i++) {
+        squares += (value[i] - mean) * (value[i] - mean);
+        products += i > 0 ? (value[i] - mean) * (value[i - 1] - mean) : 0;
+    }
+    double correlation = squares > 0 ? products / squares + 1 / rows : 0;
+    correlation = fmin(fmax(correlation, 0), most_correlation);
+    double effective = fmax(least_effective, rows * (1 - correlation) / (1 + correlation));
+    *out = (struct interval){
+        .count = count, .mean = mean, .level = level, .correlation = correlation, .effective = effective};
+    out->degrees = effective - 1;
+    out->sd = sqrt(squares / (rows - 1) * (1 - 1 / rows) / (1 - 1 / effective));
+    out->s = out->sd / sqrt(effective);
+    close_interval(out);
+    return STATUS_OK;
+}
+
+double interval_next_half_width(const struct interval *interval, double weight)
+{
+    assert(weight > 0);
+    return interval->t * hypot(interval->sd / sqrt(weight), interval->s);
+}
+
+size_t interval_pieces(size_t points, size_t shortest)
+{
+    assert(shortest > 0 && points >= shortest);
+    return points / shortest;
+}
+
+size_t interval_piece_first(size_t points, size_t shortest, size_t piece)
+{
+    size_t pieces = interval_pieces(points, shortest), room = points - shortest;
+    assert(piece < pieces);
+    return pieces > 1 ? (piece * room + (pieces - 1) / 2) / (pieces - 1) : 0;
+}
+
+static int shorter_first(const void *a, const void *b)
+{
+    const double *first = a, *second = b;
+    return (*first > *second) - (*first < *second);
+}
+
+bool interval_shortest_is_odd(double *length, size_t count)
+{
+    assert(count > 0);
+    qsort(length, count, sizeof *length, shorter_first);
+    double median = (length[(count - 1) / 2] + length[count / 2]) / 2;
+    return length[0] < median / 2;
+}

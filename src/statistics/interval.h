@@ -1,0 +1,54 @@
+/* How far a mean may be from what more scans would give: Student's intervals for scans, for scans cut to pieces and for
+ * rows that follow each other on one map. Values are logarithms of positive answers (area, resistance), or the answers
+ * themselves where they may be zero or negative (separation). */
+#ifndef STATISTICS_INTERVAL_H
+#define STATISTICS_INTERVAL_H
+
+#include "base/status.h"
+#include <stdbool.h>
+#include <stddef.h>
+
+struct interval {
+    size_t count; /* values it came from */
+    double mean;
+    double sd;          /* of values of weight 1 */
+    double s;           /* standard error of the mean */
+    double degrees;     /* of freedom */
+    double level, t;    /* asked coverage, say 0.95; Student's quantile at (1 + level)/2 */
+    double low, high;   /* mean -+ t s */
+    double correlation; /* r of neighbours; 0 for scans */
+    double effective;   /* how many independent values they are worth; the sum of the weights for scans */
+};
+
+/** One value a scan, in any order (values are summed in ascending order: the result does not depend on theirs).
+ *  mean = sum w y/sum w, sd² = sum w (y - mean)²/(M-1), s = sd/sqrt(sum w), M-1 degrees of freedom.
+ * A scan of w pieces weighs w: its value is the mean over them; weight NULL: 1 each. Student 1908,
+ * doi:10.1093/biomet/6.1.1. 0 < level < 1. Errors: STATUS_SCAN for fewer than 2 values, one that is not finite or a
+ * weight that is not finite and positive; STATUS_MEMORY. */
+MUST_CHECK enum status_code interval_scans(struct interval *out, const double *value, const double *weight,
+                                           size_t count, double level, struct status *status);
+
+/** B rows of a map, or means of blocks of rows, in their order: each is like the one before (first-order
+ * autoregression).
+ *  r = sum d_i d_{i+1}/sum d² + 1/B, within 0 ... 0.8 (Kendall 1954, doi:10.1093/biomet/41.3-4.403, for the 1/B);
+ *  n = max(2, B (1-r)/(1+r)) (Bayley & Hammersley 1946, doi:10.2307/2983560);
+ *  sd = SD sqrt((1 - 1/B)/(1 - 1/n)), s = sd/sqrt(n), n-1 degrees of freedom.
+ * Below 4 effective rows the map is too small for its longest waves. Errors as interval_scans(). */
+MUST_CHECK enum status_code interval_rows(struct interval *out, const double *value, size_t count, double level,
+                                          struct status *status);
+
+/** Half-width of the interval, about the mean, in which one more scan of this weight lies: t sqrt(sd²/w + s²). */
+double interval_next_half_width(const struct interval *interval, double weight);
+
+/** (1 + level)/2 quantile of Student's t. degrees > 0, not always whole. */
+double interval_quantile(double level, double degrees);
+
+/** Pieces that a scan is cut to beside a shortest one: floor(points/shortest), spread evenly from end to end. */
+size_t interval_pieces(size_t points, size_t shortest);
+/** First point of piece 0 ... pieces-1, of `shortest` points. */
+size_t interval_piece_first(size_t points, size_t shortest, size_t piece);
+/** Is the shortest of the scans less than half as long as the median one, so that it cuts all others up? length[] is
+ * sorted. */
+bool interval_shortest_is_odd(double *length, size_t count);
+
+#endif

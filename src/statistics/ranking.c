@@ -1,0 +1,188 @@
+#include "statistics/ranking.h"
+
+#include <assert.h>
+#include <float.h>
+#include <gsl/gsl_cdf.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double single_errors = 2.3;
+
+struct ranking ranking_welch(const struct interval *a, const struct interval *b, double level)
+{
+    struct ranking out = {.difference = a->mean - b->mean, .s = hypot(a->s, b->s)};
+    if (out.s > 0) {
+        double share = (a->s / out.s) * (a->s / out.s), rest = (b->s / out.s) * (b->s / out.s);
+        out.degrees = 1 / (share * share / a->degrees + rest * rest / b->degrees);
+        out.t = out.difference / out.s;
+        out.p = 2 * gsl_cdf_tdist_Q(fabs(out.t), out.degrees);
+    } else {
+        out.degrees = a->degrees + b->degrees;
+        out.t = out.difference == 0 ? 0 : copysign(DBL_MAX, out.difference);
+        out.p = out.difference == 0 ? 1 : 0;
+    }
+    double half_width = interval_quantile(level, out.degrees) * out.s;
+    out.ratio = exp(out.difference);
+    out.low = exp(out.difference - half_width);
+    out.high = exp(out.difference + half_width);
+    return out;
+}
+
+enum ranking_verdict ranking_verdict(double difference, double p, double level)
+{
+    if (p > 1 - level || difference == 0)
+        return RANKING_NOT_TOLD_APART;
+    return difference < 0 ? RANKING_FIRST_LOWER : RANKING_FIRST_HIGHER;
+}
+
+enum ranking_verdict ranking_single(double ln_first, const struct single_scan *first, double ln_second,
+                                    const struct single_scan *second)
+{
+    double difference = ln_first - ln_second;
+    if (first->heterogeneous || second->heterogeneous)
+        return RANKING_NO_VERDICT;
+    if (!(fabs(difference) > single_errors * hypot(first->s, second->s)))
+        return RANKING_NOT_TOLD_APART;
+    return difference < 0 ? RANKING_FIRST_LOWER : RANKING_FIRST_HIGHER;
+}
+
+struct ranked {
+    double p;
+    size_t index;
+};
+
+static int smaller_first(const void *a, const void *b)
+{
+    const struct ranked *first = a, *second = b;
+    int order = (first->p > second->p) - (first->p < second->p);
+    return order ? order : (first->index > second->index) - (first->index < second->index);
+}
+
+enum status_code ranking_holm(double *adjusted, const double *p, size_t count, struct status *status)
+{
+    for (size_t i = 0; i < count; i++)
+        if (!(p[i] >= 0 && p[i] <= 1))
+            return status_fail(status, STATUS_SCAN, "p value %zu of %zu is %g; it must be 0 to 1", i + 1, count, p[i]);
+    struct ranked *order = calloc(count + 1, sizeof *order);
+    if (!order)
+        return status_memory(status);
+    for (size_t i = 0; i < count; i++)
+        order[i] = (struct ranked){p[i], i};
+    qsort(order, count, sizeof *order, smaller_first);
+    double largest = 0;
+    for (size_t r = 0; r < count; r++) {
+        largest = fmax(largest, fmin(1, (double)(count - r) * order[r].p));
+        adjusted[order[r].index] = largest;
+    }
+    free(order);
+    return STATUS_OK;
+}
+
+size_t ranking_pair(size_t i, size_t j, size_t count)
+{
+    assert(i < j && j < count);
+    return i * (2 * count - i - 1) / 2 + (j - i - 1);
+}
+
+static bool alike(const bool *apart, size_t i, size_t j, size_t count)
+{
+    return i == j || !apart[i < j ? ranking_pair(i, j, count) : ranking_pair(j, i, count)];
+}
+
+/** Do groups other than `except` hold both i and j (i = j: the one)? */
+static bool covered(const struct ranking_groups *groups, size_t i, size_t j, size_t except)
+{
+    for (size_t g = 0; g < groups->groups; g++) {
+        const bool *member = groups->member + g * groups->surfaces;
+        if (g != except && member[i] && member[j])
+            return true;
+    }
+    return false;
+}
+
+/** Adds the group of i and j and of all that are like each in it, taken in order. */
+static void add_group(struct ranking_groups *groups, const bool *apart, size_t i, size_t j)
+{
+    bool *member = groups->member + groups->groups++ * groups->surfaces;
+    member[i] = member[j] = true;
+    for (size_t k = 0; k < groups->surfaces; k++) {
+        bool fits = true;
+        for (size_t m = 0; m < groups->surfaces; m++)
+            fits = fits && (!member[m] || alike(apart, k, m, groups->surfaces));
+        member[k] = fits;
+    }
+}
+
+static bool needed(const struct ranking_groups *groups, size_t group)
+{
+    const bool *member = groups->member + group * groups->surfaces;
+    for (size_t i = 0; i < groups->surfaces; i++)
+        for (size_t j = i; j < groups->surfaces; j++)
+            if (member[i] && member[j] && !covered(groups, i, j, group))
+                return true;
+    return false;
+}
+
+static void remove_group(struct ranking_groups *groups, size_t group)
+{
+    size_t row = groups->surfaces;
+    memmove(groups->member + group * row, groups->member + (group + 1) * row, (groups->groups - group - 1) * row);
+    groups->groups--;
+}
+
+/** Does group a come before b? The one with the first surface that only one of them has. */
+static bool comes_before(const bool *a, const bool *b, size_t surfaces)
+{
+    return memcmp(a, b, surfaces * sizeof *a) > 0;
+}
+
+static void sort_groups(struct ranking_groups *groups)
+{
+    size_t row = groups->surfaces;
+    for (size_t g = 1; g < groups->groups; g++)
+        for (size_t h = g; h > 0 && comes_before(groups->member + h * row, groups->member + (h - 1) * row, row); h--)
+            for (size_t i = 0; i < row; i++) {
+                bool swap = groups->member[h * row + i];
+                groups->member[h * row + i] = groups->member[(h - 1) * row + i];
+                groups->member[(h - 1) * row + i] = swap;
+            }
+}
+
+enum status_code ranking_groups_make(struct ranking_groups *out, const bool *apart, size_t surfaces,
+                                     struct status *status)
+{
+    /* one group a pair at most, or one a surface */
+    size_t room = surfaces * (surfaces + 1) / 2 + 1;
+    *out = (struct ranking_groups){.surfaces = surfaces, .member = calloc(room * (surfaces + 1), sizeof(bool))};
+    if (!out->member)
+        return status_memory(status);
+    for (size_t i = 0; i < surfaces; i++)
+        for (size_t j = i + 1; j < surfaces; j++)
+            if (alike(apart, i, j, surfaces) && !covered(out, i, j, out->groups))
+                add_group(out, apart, i, j);
+    for (size_t i = 0; i < surfaces; i++)
+        if (!covered(out, i, i, out->groups))
+            add_group(out, apart, i, i);
+    for (size_t g = out->groups; g-- > 0;)
+        if (!needed(out, g))
+            remove_group(out, g);
+    sort_groups(out);
+    return STATUS_OK;
+}
+
+void ranking_groups_free(struct ranking_groups *groups)
+{
+    free(groups->member);
+    *groups = (struct ranking_groups){0};
+}
+
+void ranking_groups_letters(char *out, const struct ranking_groups *groups, size_t surface)
+{
+    static const char letter[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
+    size_t length = 0;
+    for (size_t g = 0; g < groups->groups; g++)
+        if (groups->member[g * groups->surfaces + surface] && length < RANKING_LETTERS)
+            out[length++] = g < RANKING_LETTERS ? letter[g] : '*';
+    out[length] = '\0';
+}

@@ -1,0 +1,33 @@
+#include "model_support.h"
+
+struct model_curve model_support_run(struct contact_point *points, const char *model, const struct model_task *task)
+{
+    const struct model_row *row = model_rows[model_named(model)];
+    struct model_curve curve = {.points = points};
+    struct model_work predicted = row->work(row, task);
+    struct status status = {0};
+    assert_int_equal(model_run(&curve, row, task, &status), STATUS_OK);
+    assert_memory_equal(&curve.work, &predicted, sizeof predicted);
+    assert_true(curve.count <= task->load_count + 1);
+    return curve;
+}
+
+void model_support_loads(double *load, size_t count, double from, double to)
+{
+    for (size_t i = 0; i < count; i++)
+        load[i] = count > 1 ? from * pow(to / from, (double)i / (double)(count - 1)) : from;
+}
+
+struct spectrum model_support_law(double length_m, double alpha, double gamma, size_t count)
+{
+    struct spectrum spectrum = {malloc(count * sizeof(double)), count, length_m, false};
+    assert_non_null(spectrum.amplitude_m);
+    for (size_t i = 0; i < count; i++)
+        spectrum.amplitude_m[i] = alpha * pow(length_m / (double)(i + 1), gamma);
+    return spectrum;
+}
+
+struct material_pair model_support_tin(void)
+{
+    return material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
+}

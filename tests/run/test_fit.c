@@ -1,0 +1,322 @@
+/* The power law, window and levelling that a run gives to periodic records and to records cut out of longer ones. */
+#include "base/text.h"
+#include "run/pipeline.h"
+
+#include <gsl/gsl_randist.h>
+#include <gsl/gsl_rng.h>
+#include <jansson.h>
+
+enum { POINTS = 2048 };
+static const double gamma_made = 1.4, alpha_made = 0.05;
+
+/* A law without scatter of its own: Delta_n = alpha lambda^gamma at random phases, `longer` times as many points as are
+ * written from the middle of it, so that only 1 closes on itself; tilted. */
+static void write_law(const struct directory *place, const char *name, size_t points, size_t longer, double tilt,
+                      unsigned long seed)
+{
+    size_t all = points * longer;
+    struct synth_def def = synth_def_default();
+    struct status status = {0};
+    def.points = all;
+    def.length_m = 5e-7 * (double)all;
+    def.alpha = alpha_made;
+    def.gamma = gamma_made;
+    def.scatter_decades = 0;
+    def.seed = seed;
+    double *height_m = malloc(all * sizeof *height_m);
+    assert_non_null(height_m);
+    assert_int_equal(synth_profile(height_m, &def, &status), STATUS_OK);
+    double *part_m = height_m + (longer > 1 ? all / 3 : 0);
+    for (size_t i = 0; i < points; i++)
+        part_m[i] += tilt * 5e-7 * (double)i;
+    pipeline_scan(place, name, part_m, points);
+    free(height_m);
+}
+
+static json_t *read_surface(const struct directory *place, const char *out, const char *name, json_t **root)
+{
+    char path[200];
+    json_error_t error;
+    snprintf(path, sizeof path, "%s/results.json", out);
+    *root = json_load_file(directory_path(place, path), 0, &error);
+    assert_non_null(*root);
+    size_t i;
+    json_t *surface;
+    json_array_foreach(json_object_get(*root, "surfaces"), i, surface)
+    {
+        if (strcmp(json_string_value(json_object_get(surface, "surface")), name) == 0)
+            return surface;
+    }
+    fail_msg("no surface '%s'", name);
+    return NULL;
+}
+
+static double number(const json_t *surface, const char *key)
+{
+    json_t *value = json_object_get(surface, key);
+    return json_is_number(value) ? json_number_value(value) : NAN;
+}
+
+static const char *law_class(const json_t *surface)
+{
+    return json_string_value(json_object_get(json_object_get(surface, "fit"), "class"));
+}
+
+static int place_setup(void **state)
+{
+    static struct directory place;
+    place = directory_make();
+    *state = &place;
+    return 0;
+}
+
+static int place_teardown(void **state)
+{
+    directory_remove(*state);
+    return 0;
+}
+
+/* Both a periodic record and one cut out of a longer surface, tilted, give back what they were made with, within the
+ * errors stated; the line through every harmonic of the unwindowed cut record does not. */
+static void test_the_law_made_is_found(void **state)
+{
+    const struct directory *place = *state;
+    mkdir(directory_path(place, "law"), 0777);
+    mkdir(directory_path(place, "thesis"), 0777);
+    write_law(place, "law/periodic.csv", POINTS, 1, 0, 3);
+    write_law(place, "law/cut.csv", POINTS, 8, 0.01, 4);
+    write_law(place, "thesis/cut.csv", POINTS, 8, 0.01, 4);
+    directory_write(place, "law/scene.yaml", "effects: [electrical]\n");
+    directory_write(place, "thesis/scene.yaml", "effects: [electrical]\nfit: thesis\nwindow: none\nlevel: line\n");
+    assert_int_equal(pipeline_run(place, "law", "law-out", 1), 0);
+    assert_int_equal(pipeline_run(place, "thesis", "thesis-out", 1), 0);
+    static const char *const names[] = {"periodic", "cut"};
+    for (size_t s = 0; s < 2; s++) {
+        json_t *root, *surface = read_surface(place, "law-out", names[s], &root);
+        assert_string_equal(law_class(surface), "law");
+        double gamma = number(surface, "gamma"), error = number(surface, "gamma_stderr");
+        assert_true(error > 0.005 && error < 0.06);
+        assert_within(gamma, gamma_made, 3 * error);
+        double wavelength_m = number(surface, "fit_wavelength_m"), amplitude_m = number(surface, "fit_amplitude_m");
+        /* cut to 1/8 of the length, harmonics are 8 times fewer and carry the power of 8 */
+        double made_m = alpha_made * pow(wavelength_m, gamma_made) * (s == 1 ? sqrt(8) : 1);
+        assert_within(log10(amplitude_m / made_m), 0, 3 * number(surface, "fit_amplitude_stderr_decades"));
+        assert_near(number(surface, "alpha_SI"), amplitude_m / pow(wavelength_m, gamma), 1e-9);
+        assert_near(number(surface, "fit_psd_m3"), amplitude_m * amplitude_m * number(surface, "scan_length_m") / 2,
+                    1e-12);
+        assert_near(wavelength_m, sqrt(number(surface, "fit_low_m") * number(surface, "fit_high_m")), 1e-9);
+        assert_int_equal(number(surface, "scans_periodic"), s == 0);
+        assert_int_equal(number(surface, "scans_windowed"), s == 1);
+        json_decref(root);
+    }
+    json_t *root, *surface = read_surface(place, "thesis-out", "cut", &root);
+    assert_int_equal(number(surface, "scans_windowed"), 0);
+    assert_true(number(surface, "gamma") < gamma_made - 0.1);
+    assert_string_equal(json_string_value(json_object_get(json_object_get(surface, "fit"), "method")), "thesis");
+    json_decref(root);
+}
+
+/* A periodic record loses its mean alone, so that its amplitudes stay those it was made with; asked for by name, a line
+ * is taken out. */
+static void test_levelling_of_a_periodic_record(void **state)
+{
+    const struct directory *place = *state;
+    double height_m[POINTS];
+    for (size_t i = 0; i < POINTS; i++) /* a sine: its line has a slope */
+        height_m[i] = 1e-6 * sin(2 * M_PI * (double)i / POINTS) + 3e-6;
+    mkdir(directory_path(place, "mean"), 0777);
+    mkdir(directory_path(place, "line"), 0777);
+    pipeline_scan(place, "mean/a.csv", height_m, POINTS);
+    pipeline_scan(place, "line/a.csv", height_m, POINTS);
+    directory_write(place, "line/scene.yaml", "level: line\n");
+    assert_int_equal(pipeline_run(place, "mean", "mean-out", 1), 0);
+    assert_int_equal(pipeline_run(place, "line", "line-out", 1), 0);
+    json_t *root, *surface = read_surface(place, "mean-out", "a", &root);
+    assert_near(number(surface, "rq_m"), 1e-6 / sqrt(2), 1e-9);
+    assert_near(number(surface, "end_jump_m"), 1e-6 * sin(2 * M_PI / POINTS), 1e-3);
+    json_decref(root);
+    surface = read_surface(place, "line-out", "a", &root);
+    assert_near(number(surface, "rq_m"), 1e-6 * sqrt(0.5 - 6 / (M_PI * M_PI * 2)), 1e-2); /* 1/2 - 12 (1/2pi)² */
+    json_decref(root);
+}
+
+static void expect_in(const struct directory *place, const char *file, const char *part)
+{
+    struct text text = {0};
+    struct status status = {0};
+    assert_int_equal(text_read_file(&text, directory_path(place, file), &status), STATUS_OK);
+    if (!strstr(text_string(&text), part))
+        fail_msg("'%s' is not in %s", part, file);
+    text_free(&text);
+}
+
+/* The report says what each scan got. */
+static void test_the_report_names_windows(void **state)
+{
+    const struct directory *place = *state;
+    mkdir(directory_path(place, "three"), 0777);
+    write_law(place, "three/a-1.csv", 512, 1, 0, 1);
+    write_law(place, "three/a-2.csv", 512, 1, 0, 2);
+    write_law(place, "three/a-3.csv", 512, 8, 0.02, 3);
+    directory_write(place, "three/scene.yaml", "surfaces: [{name: a, file: [a-1.csv, a-2.csv, a-3.csv]}]\n");
+    assert_int_equal(pipeline_run(place, "three", "three-out", 1), 0);
+    expect_in(place, "three-out/report.md", "2 of 3 scans close on themselves");
+    expect_in(place, "three-out/report.md", "no window for 2, Hann × √(8/3) for 1");
+    expect_in(place, "three-out/report.md", "| a | 3 | 2 | none or Hann | law | 3.00 |");
+    json_t *root, *surface = read_surface(place, "three-out", "a", &root);
+    double error = number(surface, "gamma_stderr");
+    assert_within(number(surface, "gamma"), gamma_made, 3 * error);
+    assert_true(error < 0.04); /* one alone: 0.044 */
+    json_decref(root);
+}
+
+/* A constant window: the windowed spectrum's power is the mean of many records', not forced to be this one's. */
+static void test_a_window_by_name(void **state)
+{
+    const struct directory *place = *state;
+    mkdir(directory_path(place, "hann"), 0777);
+    double height_m[POINTS];
+    for (size_t i = 0; i < POINTS; i++)
+        height_m[i] = 1e-6 * cos(2 * M_PI * 32 * (double)i / POINTS);
+    pipeline_scan(place, "hann/a.csv", height_m, POINTS);
+    directory_write(place, "hann/scene.yaml", "window: hann\n");
+    assert_int_equal(pipeline_run(place, "hann", "hann-out", 1), 0);
+    struct table table = table_read_path(directory_path(place, "hann-out/data/spectrum.csv"));
+    assert_near(table_number(&table, 31, "amplitude_m"), 1e-6 * sqrt(2.0 / 3), 1e-5);
+    assert_near(table_number(&table, 30, "amplitude_m"), 1e-6 * sqrt(1.0 / 6), 1e-5);
+    table_free(&table);
+}
+
+/* What is no law is none, and neither stops a run nor goes into the convergence study. */
+static void test_no_law(void **state)
+{
+    const struct directory *place = *state;
+    mkdir(directory_path(place, "none"), 0777);
+    double height_m[POINTS];
+    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
+    for (size_t i = 0; i < POINTS; i++)
+        height_m[i] = 1e-7 * gsl_ran_gaussian(random, 1);
+    pipeline_scan(place, "none/white.csv", height_m, POINTS);
+    gsl_rng_free(random);
+    for (size_t i = 0; i < POINTS; i++)
+        height_m[i] = i == 700 ? 1e-6 : 0;
+    pipeline_scan(place, "none/constant.csv", height_m, POINTS); /* a spike: every harmonic alike */
+    for (size_t i = 0; i < POINTS; i++)
+        height_m[i] = 1e-6 * cos(2 * M_PI * 20 * (double)i / POINTS);
+    pipeline_scan(place, "none/one-harmonic.csv", height_m, POINTS);
+    pipeline_scan(place, "none/eight-points.csv", (const double[]){0, 1e-7, 3e-7, 2e-7, 5e-7, 1e-7, 0, 2e-7}, 8);
+    for (size_t i = 0; i < POINTS; i++) { /* a comb */
+        height_m[i] = 0;
+        for (int n = 8; n < POINTS / 2; n *= 2)
+            height_m[i] += 1e-6 / n * cos(2 * M_PI * n * (double)i / POINTS + n);
+    }
+    pipeline_scan(place, "none/all-lines.csv", height_m, POINTS);
+    directory_write(place, "none/scene.yaml", "effects: [electrical, convergence]\nconvergence: {scales: 64}\n");
+    assert_int_equal(pipeline_run(place, "none", "none-out", 1), 0);
+    static const char *const names[] = {"white", "constant", "one-harmonic", "eight-points", "all-lines"};
+    for (size_t s = 0; s < sizeof names / sizeof *names; s++) {
+        json_t *root, *surface = read_surface(place, "none-out", names[s], &root);
+        if (strcmp(law_class(surface), "no power law found") != 0)
+            fail_msg("%s: '%s', gamma %g", names[s], law_class(surface), number(surface, "gamma"));
+        assert_true(isnan(number(surface, "gamma")) && isnan(number(surface, "fit_low_m")));
+        json_decref(root);
+    }
+    expect_in(place, "none-out/report.md", "no power law found");
+    expect_in(place, "none-out/report.md", "no power law of a decade was found in the spectrum on all 5 surfaces");
+    struct table table = table_read_path(directory_path(place, "none-out/data/spectrum.csv"));
+    assert_string_equal(table_text(&table, 0, "fit_m"), "");
+    table_free(&table);
+}
+
+/* A band of under a decade is printed and marked, and carried on nowhere. */
+static void test_a_narrow_law(void **state)
+{
+    const struct directory *place = *state;
+    mkdir(directory_path(place, "narrow"), 0777);
+    write_law(place, "narrow/a.csv", POINTS, 1, 0, 5);
+    write_law(place, "narrow/b.csv", POINTS, 1, 0, 5);
+    directory_write(place, "narrow/scene.yaml",
+                    "effects: [electrical, convergence]\nconvergence: {scales: 64}\nfit_band_m: [5e-6, 4e-5]\n");
+    assert_int_equal(pipeline_run(place, "narrow", "narrow-out", 1), 0);
+    json_t *root, *surface = read_surface(place, "narrow-out", "a", &root);
+    assert_string_equal(law_class(surface), "narrow");
+    assert_true(number(surface, "fit_low_m") >= 5e-6 && number(surface, "fit_high_m") <= 4e-5);
+    assert_within(number(surface, "gamma"), gamma_made, 3 * number(surface, "gamma_stderr"));
+    json_decref(root);
+    expect_in(place, "narrow-out/report.md", " (narrow) | ");
+    struct text text = {0};
+    struct status status = {0};
+    assert_int_equal(text_read_file(&text, directory_path(place, "narrow-out/report.md"), &status), STATUS_OK);
+    assert_null(strstr(text_string(&text), "sampling limit (µm) | A/Aₙ elastic | further fall"));
+    text_free(&text);
+}
+
+/* Rows of a map: copies of one row say nothing more than it does; the errors must not shrink with their number. */
+static void test_rows_of_a_map(void **state)
+{
+    const struct directory *place = *state;
+    enum { ROWS = 40, ROW = 256 };
+    mkdir(directory_path(place, "map"), 0777);
+    struct synth_def def = synth_def_default();
+    struct status status = {0};
+    def.points = ROW;
+    def.length_m = 5e-7 * ROW;
+    double height_m[ROW], independent[2], error[2];
+    for (int same = 0; same < 2; same++) {
+        struct text xyz = {0};
+        text_add(&xyz, "x [um],y [um],z [um]\n");
+        for (unsigned long y = 0; y < ROWS; y++) {
+            def.seed = same ? 1 : y + 1;
+            assert_int_equal(synth_profile(height_m, &def, &status), STATUS_OK);
+            for (size_t x = 0; x < ROW; x++)
+                text_add(&xyz, "%g,%g,%.9f\n", 0.5 * (double)x, 0.5 * (double)y, height_m[x] * 1e6);
+        }
+        directory_write(place, "map/a.csv", text_string(&xyz));
+        text_free(&xyz);
+        assert_int_equal(pipeline_run(place, "map", "map-out", 1), 0);
+        json_t *root, *surface = read_surface(place, "map-out", "a", &root);
+        assert_int_equal(number(surface, "scans"), ROWS);
+        independent[same] = number(surface, "scans_independent");
+        error[same] = number(surface, "gamma_stderr");
+        json_decref(root);
+    }
+    assert_true(independent[0] > 8 && independent[0] <= 16);
+    assert_near(independent[1], 1, 0);
+    assert_true(error[1] > 1.5 * error[0]);
+}
+
+/* Against a rough counterface the law is that of both together. */
+static void test_the_counterface_is_in_the_law(void **state)
+{
+    const struct directory *place = *state;
+    double height_m[POINTS];
+    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
+    for (size_t i = 0; i < POINTS; i++)
+        height_m[i] = 1e-11 * gsl_ran_gaussian(random, 1);
+    gsl_rng_free(random);
+    mkdir(directory_path(place, "pair"), 0777);
+    pipeline_scan(place, "pair/smooth.csv", height_m, POINTS);
+    write_law(place, "pair/rough.csv", POINTS, 1, 0, 3);
+    directory_write(place, "pair/scene.yaml",
+                    "counterface: {surface: rough.csv}\nsurfaces: [{name: smooth, file: smooth.csv}]\n");
+    assert_int_equal(pipeline_run(place, "pair", "pair-out", 1), 0);
+    json_t *root, *surface = read_surface(place, "pair-out", "smooth", &root);
+    assert_string_equal(law_class(surface), "law");
+    assert_within(number(surface, "gamma"), gamma_made, 3 * number(surface, "gamma_stderr"));
+    json_decref(root);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_the_law_made_is_found),
+        cmocka_unit_test(test_levelling_of_a_periodic_record),
+        cmocka_unit_test(test_the_report_names_windows),
+        cmocka_unit_test(test_a_window_by_name),
+        cmocka_unit_test(test_no_law),
+        cmocka_unit_test(test_a_narrow_law),
+        cmocka_unit_test(test_rows_of_a_map),
+        cmocka_unit_test(test_the_counterface_is_in_the_law),
+    };
+    return cmocka_run_group_tests(tests, place_setup, place_teardown);
+}

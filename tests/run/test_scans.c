@@ -1,0 +1,335 @@
+/* Several scans of a surface, one alone, and surfaces held against each other, through the whole program. */
+#include "run/pipeline.h"
+
+enum { POINTS = 256, SCANS = 5 };
+
+/* One scene in place/IN with these lines before its surfaces. */
+static void scene(const struct directory *place, const char *in, const char *more, const char *surfaces)
+{
+    char path[256];
+    struct text text = {0};
+    text_add(&text, "material: tin\nload: {from: 1e-6, to: 1e-3, points: 7}\n%ssurfaces: [%s]\n", more, surfaces);
+    snprintf(path, sizeof path, "%s/scene.yaml", in);
+    directory_write(place, path, text_string(&text));
+    text_free(&text);
+}
+
+static const char listed[] = "effects: [plasticity, separation, electrical]\n";
+
+/* A random surface: like pipeline_rough(), with a seed that can be made level. */
+static void rough(const struct directory *place, const char *name, size_t points, double size, unsigned long seed)
+{
+    struct synth_def def = synth_def_default();
+    struct status status = {0};
+    double *height_m = malloc(points * sizeof *height_m);
+    assert_non_null(height_m);
+    def.points = points;
+    def.length_m = 5e-7 * (double)points;
+    def.alpha *= size;
+    for (def.seed = 100 * seed; synth_profile(height_m, &def, &status) != STATUS_OK; def.seed++)
+        status = (struct status){0};
+    pipeline_scan(place, name, height_m, points);
+    free(height_m);
+}
+
+static struct table read_data(const struct directory *place, const char *name)
+{
+    return table_read_path(directory_path(place, name));
+}
+
+/* Row of a surface and model at load number `load`; fails the test when there is none. */
+static size_t row_of(const struct table *table, const char *surface, const char *model, double load)
+{
+    for (size_t r = 0; r < table->rows; r++)
+        if (strcmp(table_text(table, r, "surface"), surface) == 0 &&
+            strcmp(table_text(table, r, "model"), model) == 0 &&
+            fabs(table_number(table, r, "load_over_AnEp") / load - 1) < 1e-9)
+            return r;
+    fail_msg("no row of %s, %s at %g", surface, model, load);
+    return 0;
+}
+
+static void expect_same_file(const struct directory *place, const char *a, const char *b)
+{
+    struct text first = directory_read(place, a), second = directory_read(place, b);
+    assert_string_equal(text_string(&first), text_string(&second));
+    text_free(&first);
+    text_free(&second);
+}
+
+static bool report_says(const struct directory *place, const char *report, const char *words)
+{
+    struct text text = directory_read(place, report);
+    bool says = strstr(text_string(&text), words) != NULL;
+    text_free(&text);
+    return says;
+}
+
+/** The surface's curve is the geometric mean of those of its scans, each reported by itself; of separations the
+ * arithmetic one. The scans' order in the scene does not matter. */
+static void the_mean_of_five_reports(void **state)
+{
+    static const char *const columns[] = {"area_ratio", "ecr_ohm_m2", "separation_m"};
+    const struct directory *place = *state;
+    struct table alone[SCANS];
+    char name[64], surface[64];
+    mkdir(directory_path(place, "in"), 0777);
+    for (int s = 0; s < SCANS; s++) {
+        snprintf(name, sizeof name, "in/%d.csv", s);
+        rough(place, name, POINTS, 1, (unsigned long)s + 1);
+        snprintf(surface, sizeof surface, "{name: m, file: %d.csv}", s);
+        scene(place, "in", listed, surface);
+        snprintf(name, sizeof name, "alone-%d", s);
+        assert_int_equal(pipeline_run(place, "in", name, 1), 0);
+        snprintf(name, sizeof name, "alone-%d/data/contact.csv", s);
+        alone[s] = read_data(place, name);
+    }
+    scene(place, "in", listed, "{name: m, file: [0.csv, 1.csv, 2.csv, 3.csv, 4.csv]}");
+    assert_int_equal(pipeline_run(place, "in", "all", 1), 0);
+    struct table all = read_data(place, "all/data/contact.csv");
+    size_t compared = 0;
+    for (size_t r = 0; r < all.rows; r++)
+        for (size_t c = 0; c < 3; c++) {
+            double sum = 0, load = table_number(&all, r, "load_over_AnEp");
+            const char *model = table_text(&all, r, "model");
+            if (table_text(&all, r, columns[c])[0] == '\0' || table_number(&all, r, "area_ratio") == 1)
+                continue;
+            for (int s = 0; s < SCANS; s++) {
+                double value = table_number(&alone[s], row_of(&alone[s], "m", model, load), columns[c]);
+                sum += c < 2 ? log(value) : value;
+            }
+            double mean = c < 2 ? exp(sum / SCANS) : sum / SCANS;
+            assert_near(table_number(&all, r, columns[c]), mean, 1e-12);
+            compared++;
+        }
+    assert_true(compared > 50);
+    for (int s = 0; s < SCANS; s++)
+        table_free(&alone[s]);
+    table_free(&all);
+    scene(place, "in", listed, "{name: m, file: [3.csv, 0.csv, 4.csv, 2.csv, 1.csv]}");
+    assert_int_equal(pipeline_run(place, "in", "turned", 1), 0);
+    expect_same_file(place, "all/data/contact.csv", "turned/data/contact.csv");
+    expect_same_file(place, "all/data/bands.csv", "turned/data/bands.csv");
+    expect_same_file(place, "all/data/spread.csv", "turned/data/spread.csv");
+    expect_same_file(place, "all/data/spectrum.csv", "turned/data/spectrum.csv");
+}
+
+/** The interval of the mean is Student's over ln answer: t = 12.7062 for two scans, whose s is |a - b|/2. The mean lies
+ * in it, and it in that of another scan. */
+static void the_interval_of_two(void **state)
+{
+    const struct directory *place = *state;
+    double ln[2];
+    mkdir(directory_path(place, "in"), 0777);
+    rough(place, "in/0.csv", POINTS, 1, 1);
+    rough(place, "in/1.csv", POINTS, 1, 2);
+    for (int s = 0; s < 2; s++) {
+        scene(place, "in", listed, s ? "{name: m, file: 1.csv}" : "{name: m, file: 0.csv}");
+        assert_int_equal(pipeline_run(place, "in", s ? "one" : "zero", 1), 0);
+        struct table table = read_data(place, s ? "one/data/contact.csv" : "zero/data/contact.csv");
+        ln[s] = log(table_number(&table, row_of(&table, "m", "gw", 1e-5), "ecr_ohm_m2"));
+        table_free(&table);
+    }
+    scene(place, "in", listed, "{name: m, file: [0.csv, 1.csv]}");
+    assert_int_equal(pipeline_run(place, "in", "both", 1), 0);
+    struct table bands = read_data(place, "both/data/bands.csv");
+    size_t row = row_of(&bands, "m", "gw", 1e-5);
+    double mean = (ln[0] + ln[1]) / 2, half = 12.706204736432095 * fabs(ln[0] - ln[1]) / 2;
+    assert_near(table_number(&bands, row, "ecr_ohm_m2_mean_low_95"), exp(mean - half), 1e-9);
+    assert_near(table_number(&bands, row, "ecr_ohm_m2_mean_high_95"), exp(mean + half), 1e-9);
+    assert_near(table_number(&bands, row, "ecr_ohm_m2_next_scan_high_95"), exp(mean + half * sqrt(3)), 1e-9);
+    table_free(&bands);
+}
+
+/** A scan of twice the length is cut in two: it then says what its halves, reported as scans of one surface, say. */
+static void unlike_lengths(void **state)
+{
+    const struct directory *place = *state;
+    double *height_m = malloc(2 * POINTS * sizeof *height_m);
+    struct synth_def def = synth_def_default();
+    struct status status = {0};
+    assert_non_null(height_m);
+    def.points = 2 * POINTS;
+    def.length_m = 5e-7 * (double)def.points;
+    def.seed = 4;
+    assert_int_equal(synth_profile(height_m, &def, &status), STATUS_OK);
+    mkdir(directory_path(place, "in"), 0777);
+    pipeline_scan(place, "in/long.csv", height_m, 2 * POINTS);
+    pipeline_scan(place, "in/left.csv", height_m, POINTS);
+    pipeline_scan(place, "in/right.csv", height_m + POINTS, POINTS);
+    free(height_m);
+    rough(place, "in/short.csv", POINTS, 1, 2);
+    scene(place, "in", listed,
+          "{name: cut, file: [long.csv, short.csv]}, {name: halves, file: [left.csv, right.csv]}, "
+          "{name: short, file: short.csv}");
+    assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
+    struct table contact = read_data(place, "out/data/contact.csv"), spread = read_data(place, "out/data/spread.csv");
+    double ln[3];
+    static const char *const names[] = {"cut", "halves", "short"};
+    for (int s = 0; s < 3; s++)
+        ln[s] = log(table_number(&contact, row_of(&contact, names[s], "multiscale-elastic", 1e-5), "ecr_ohm_m2"));
+    assert_within(ln[0], (2 * ln[1] + ln[2]) / 3, 1e-6); /* the long one weighs two; heights are written to 1e-15 m */
+    assert_near(table_number(&spread, 0, "effective"), 3, 1e-12);
+    assert_near(table_number(&spread, 0, "scans"), 2, 1e-12);
+    assert_true(report_says(place, "out/report.md", "cut to 3 pieces"));
+    table_free(&contact);
+    table_free(&spread);
+}
+
+/** Scans that are all the same count as one: the numbers, and the interval, of that one. */
+static void identical_scans(void **state)
+{
+    const struct directory *place = *state;
+    mkdir(directory_path(place, "in"), 0777);
+    for (int s = 0; s < 3; s++)
+        rough(place, s == 0 ? "in/0.csv" : s == 1 ? "in/1.csv" : "in/2.csv", POINTS, 1, 1);
+    static const char all[] = "effects: [plasticity, separation, electrical, uncertainty]\n";
+    scene(place, "in", all, "{name: m, file: [0.csv, 1.csv, 2.csv]}");
+    assert_int_equal(pipeline_run(place, "in", "three", 1), 0);
+    scene(place, "in", all, "{name: m, file: 0.csv}");
+    assert_int_equal(pipeline_run(place, "in", "one", 1), 0);
+    struct table three = read_data(place, "three/data/bands.csv"), one = read_data(place, "one/data/bands.csv");
+    size_t a = row_of(&three, "m", "gw", 1e-5), b = row_of(&one, "m", "gw", 1e-5);
+    double low = table_number(&one, b, "ecr_ohm_m2_mean_low_95"),
+           high = table_number(&one, b, "ecr_ohm_m2_mean_high_95");
+    assert_true(low > 0 && low < 0.99 * high);
+    assert_near(table_number(&three, a, "ecr_ohm_m2_mean_low_95"), low, 1e-9);
+    assert_near(table_number(&three, a, "ecr_ohm_m2_mean_high_95"), high, 1e-9);
+    assert_string_equal(table_text(&one, b, "ecr_ohm_m2_next_scan_low_95"), "");
+    assert_true(report_says(place, "three/report.md", "the same to the last digit"));
+    table_free(&three);
+    table_free(&one);
+}
+
+/** What is off is not computed: no band, no section, no letters, and nobody is called best. */
+static void one_scan_each(void **state)
+{
+    const struct directory *place = *state;
+    mkdir(directory_path(place, "in"), 0777);
+    rough(place, "in/a.csv", POINTS, 1, 1);
+    rough(place, "in/b.csv", POINTS, 3, 2);
+    scene(place, "in", listed, "{name: a, file: a.csv}, {name: b, file: b.csv}");
+    assert_int_equal(pipeline_run(place, "in", "off", 1), 0);
+    assert_false(directory_has(place, "off/data/bands.csv"));
+    assert_true(report_says(place, "off/report.md", "The surfaces are not ranked by ECR"));
+    assert_false(report_says(place, "off/report.md", "has the lowest ECR"));
+    assert_false(report_says(place, "off/report.md", "How sure the numbers are"));
+    scene(place, "in", "effects: [plasticity, separation, electrical, uncertainty]\n",
+          "{name: a, file: a.csv}, {name: b, file: b.csv}");
+    assert_int_equal(pipeline_run(place, "in", "on", 1), 0);
+    assert_true(report_says(place, "on/report.md", "How sure the numbers are"));
+    assert_true(report_says(place, "on/report.md", "one scan each"));
+}
+
+/** Two surfaces of the same kind are not told apart; one a hundred times as rough is, by Welch's test with the count of
+ * scans. */
+static void ranked_in_words(void **state)
+{
+    const struct directory *place = *state;
+    char name[64];
+    mkdir(directory_path(place, "in"), 0777);
+    for (int s = 0; s < 9; s++) {
+        snprintf(name, sizeof name, "in/%c%d.csv", "abc"[s / 3], s % 3);
+        rough(place, name, POINTS, s < 6 ? 1 : 100, (unsigned long)s + 1);
+    }
+    static const char more[] = "effects: [separation, electrical]\nmodels: [gw]\n";
+    scene(place, "in", more,
+          "{name: a, file: [a0.csv, a1.csv, a2.csv]}, {name: b, file: [b0.csv, b1.csv, b2.csv]}, "
+          "{name: c, file: [c0.csv, c1.csv, c2.csv]}");
+    assert_int_equal(pipeline_run(place, "in", "three", 1), 0);
+    assert_true(report_says(place, "three/report.md", "No surface stands out by its ECR"));
+    assert_true(report_says(place, "three/report.md", "is not told apart from"));
+    assert_true(report_says(place, "three/report.md", "3 and 3 scans)"));
+    assert_false(report_says(place, "three/report.md", "has the lowest ECR"));
+    scene(place, "in", more, "{name: a, file: [a0.csv, a1.csv, a2.csv]}, {name: c, file: [c0.csv, c1.csv, c2.csv]}");
+    assert_int_equal(pipeline_run(place, "in", "two", 1), 0);
+    assert_true(report_says(place, "two/report.md", "Surface a has the lowest ECR** there: lower than surface c (×"));
+    assert_true(report_says(place, "two/report.md", "| a | "));
+}
+
+/* The first p value that a report prints. */
+static double first_p(const struct directory *place, const char *report)
+{
+    struct text text = directory_read(place, report);
+    const char *at = strstr(text_string(&text), ", p = ");
+    if (!at)
+        fail_msg("%s prints no p", report);
+    double p = strtod(at + strlen(", p = "), NULL);
+    text_free(&text);
+    return p;
+}
+
+/** Holm's adjustment: the same two surfaces, best and next, beside a third far from both have a larger p. */
+static void more_pairs_ask_for_more(void **state)
+{
+    const struct directory *place = *state;
+    char name[64];
+    mkdir(directory_path(place, "in"), 0777);
+    for (int s = 0; s < 6; s++) {
+        snprintf(name, sizeof name, "in/%c%d.csv", "abc"[s / 2], s % 2);
+        rough(place, name, POINTS, s < 2 ? 1 : s < 4 ? 20 : 300, (unsigned long)s + 1);
+    }
+    static const char more[] = "effects: [separation, electrical]\nmodels: [gw]\n";
+    scene(place, "in", more, "{name: a, file: [a0.csv, a1.csv]}, {name: b, file: [b0.csv, b1.csv]}");
+    assert_int_equal(pipeline_run(place, "in", "two", 1), 0);
+    scene(place, "in", more,
+          "{name: a, file: [a0.csv, a1.csv]}, {name: b, file: [b0.csv, b1.csv]}, {name: c, file: [c0.csv, c1.csv]}");
+    assert_int_equal(pipeline_run(place, "in", "three", 1), 0);
+    double two = first_p(place, "two/report.md"), three = first_p(place, "three/report.md");
+    assert_true(two < 0.2 && three >= 1.4 * two); /* printed to two digits */
+}
+
+/** A map of more rows than are run: 8 of each of 16 blocks, which it says; rows that are all alike have no spread. */
+static void a_map_by_blocks(void **state)
+{
+    enum { NX = 64, NY = 300 };
+    const struct directory *place = *state;
+    struct text grid = {0};
+    text_add(&grid, "DSAA\n%d %d\n0 %.9g\n0 %.9g\n-1 1\n", NX, NY, 5e-7 * (NX - 1), 5e-7 * (NY - 1));
+    for (int row = 0; row < NY; row++) {
+        for (int i = 0; i < NX; i++) /* rougher from the first row to the last: blocks follow each other */
+            text_add(&grid, "%.9g ", (1 + row / 300.0) * (1e-7 * sin(0.7 * i) + 4e-8 * sin(2.1 * i * (i % 5))));
+        text_add(&grid, "\n");
+    }
+    mkdir(directory_path(place, "in"), 0777);
+    directory_write(place, "in/map.grd", text_string(&grid));
+    text_free(&grid);
+    scene(place, "in", "effects: [separation, electrical]\n", "{name: m, file: map.grd, x_unit: m, z_unit: m}");
+    assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
+    struct table spread = read_data(place, "out/data/spread.csv");
+    assert_near(table_number(&spread, 0, "scans"), 16, 1e-12);    /* blocks */
+    assert_near(table_number(&spread, 0, "effective"), 2, 1e-12); /* a trend: as few as can be */
+    assert_true(report_says(place, "out/report.md", "128 rows of a map"));
+    assert_true(report_says(place, "out/report.md", "too small for its longest waves"));
+    table_free(&spread);
+}
+
+static int make(void **state)
+{
+    struct directory *place = malloc(sizeof *place);
+    *place = directory_make();
+    *state = place;
+    return 0;
+}
+
+static int clean(void **state)
+{
+    directory_remove(*state);
+    free(*state);
+    return 0;
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(the_mean_of_five_reports, make, clean),
+        cmocka_unit_test_setup_teardown(the_interval_of_two, make, clean),
+        cmocka_unit_test_setup_teardown(unlike_lengths, make, clean),
+        cmocka_unit_test_setup_teardown(identical_scans, make, clean),
+        cmocka_unit_test_setup_teardown(one_scan_each, make, clean),
+        cmocka_unit_test_setup_teardown(ranked_in_words, make, clean),
+        cmocka_unit_test_setup_teardown(more_pairs_ask_for_more, make, clean),
+        cmocka_unit_test_setup_teardown(a_map_by_blocks, make, clean),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

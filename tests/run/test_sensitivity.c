@@ -1,0 +1,251 @@
+/* Sensitivity to cut-off and scan length: the factors are those of reports on changed scans, made apart. */
+#include "profile/filter.h"
+#include "profile/level.h"
+#include "run/pipeline.h"
+
+enum { POINTS = 400, LOADS = 9 };
+static const double spacing_m = 5e-7;
+
+/** A scan in all digits. */
+static void write_scan(const struct directory *place, const char *name, const double *height_m, size_t points)
+{
+    struct text csv = {0};
+    text_add(&csv, "x [m],z [m]\n");
+    for (size_t i = 0; i < points; i++)
+        text_add(&csv, "%.17g,%.17g\n", spacing_m * (double)i, height_m[i]);
+    directory_write(place, name, text_string(&csv));
+    text_free(&csv);
+}
+
+static void write_scene(const struct directory *place, const char *in, const char *more)
+{
+    char path[64], text[400];
+    snprintf(path, sizeof path, "%s/scene.yaml", in);
+    snprintf(
+        text, sizeof text,
+        "models: [multiscale, statistical, two-band, persson, contacting-slopes]\n"
+        "effects: [plasticity, electrical]\nlevel: line\nwindow: none\nload: {from: 1e-6, to: 1e-3, points: %d}\n%s",
+        LOADS, more);
+    directory_write(place, path, text);
+}
+
+static int place_setup(void **state)
+{
+    static struct directory place;
+    static const char *const folders[] = {"in", "smooth", "first", "second", "wave"};
+    place = directory_make();
+    for (size_t i = 0; i < sizeof folders / sizeof *folders; i++)
+        mkdir(directory_path(&place, folders[i]), 0777);
+    *state = &place;
+    return 0;
+}
+
+static int place_teardown(void **state)
+{
+    directory_remove(*state);
+    return 0;
+}
+
+static void level(double *height_m, size_t points)
+{
+    struct levelling levelling;
+    struct status status = {0};
+    assert_int_equal(level_remove(&levelling, height_m, NULL, points, spacing_m, LEVEL_LINE, &status), STATUS_OK);
+}
+
+/** Value at the middle load of a model in a report of one surface; NaN: no row or an empty cell. */
+static double at_middle(const struct directory *place, const char *out, const char *model, const char *column)
+{
+    char name[64];
+    snprintf(name, sizeof name, "%s/data/contact.csv", out);
+    struct table table = table_read_path(directory_path(place, name));
+    double value = NAN;
+    size_t index = 0;
+    for (size_t row = 0; row < table.rows; row++) {
+        if (strcmp(table_text(&table, row, "model"), model) != 0)
+            continue;
+        if (index++ == LOADS / 2 && *table_text(&table, row, column))
+            value = table_number(&table, row, column);
+    }
+    table_free(&table);
+    return value;
+}
+
+static void assert_factor(const struct table *table, size_t row, const char *column, double expected)
+{
+    const char *cell = table_text(table, row, column);
+    assert_int_equal(*cell == '\0', isnan(expected) != 0);
+    if (*cell)
+        assert_near(table_number(table, row, column), expected, 1e-9);
+}
+
+/** Every model and both changes against reports of the low-passed scan and of its halves. */
+static void factors_are_those_of_separate_reports(void **state)
+{
+    const struct directory *place = *state;
+    struct synth_def def = synth_def_default();
+    struct status status = {0};
+    double z[POINTS], smooth[POINTS];
+    def.points = POINTS;
+    def.length_m = spacing_m * POINTS;
+    def.gamma = 1.2;
+    def.alpha = 1e-2;
+    def.seed = 3;
+    assert_int_equal(synth_profile(z, &def, &status), STATUS_OK);
+    for (size_t i = 0; i < POINTS; i++)
+        z[i] += 1e-3 * spacing_m * (double)i; /* tilted */
+    write_scan(place, "in/a.csv", z, POINTS);
+    level(z, POINTS);
+    memcpy(smooth, z, sizeof z);
+    assert_int_equal(filter_gaussian(smooth, POINTS, spacing_m, 4 * spacing_m, &status), STATUS_OK);
+    write_scan(place, "smooth/a.csv", smooth, POINTS);
+    write_scan(place, "first/a.csv", z, POINTS / 2);
+    write_scan(place, "second/a.csv", z + POINTS / 2, POINTS / 2);
+    static const char *const folders[] = {"in", "smooth", "first", "second"};
+    char out[4][32];
+    for (int f = 0; f < 4; f++) {
+        snprintf(out[f], sizeof out[f], "out-%s", folders[f]);
+        write_scene(place, folders[f], "");
+        assert_int_equal(pipeline_run(place, folders[f], out[f], 1), 0);
+    }
+    struct table table = table_read_path(directory_path(place, "out-in/data/sensitivity.csv"));
+    assert_int_equal(table.columns, 5);
+    size_t compared = 0;
+    for (size_t row = 0; row < table.rows; row++) {
+        const char *model = table_text(&table, row, "model"), *change = table_text(&table, row, "change");
+        static const char *const columns[2][2] = {{"area_factor", "area_ratio"}, {"ecr_factor", "ecr_ohm_m2"}};
+        for (int c = 0; c < 2; c++) {
+            double value[4];
+            for (int f = 0; f < 4; f++)
+                value[f] = at_middle(place, out[f], model, columns[c][1]);
+            bool cutoff = strcmp(change, "cut-off x2") == 0;
+            assert_true(cutoff || strcmp(change, "scan /2") == 0);
+            assert_factor(&table, row, columns[c][0],
+                          cutoff ? value[1] / value[0] : sqrt(value[2] * value[3]) / value[0]);
+            compared += isnan(value[0]) ? 0 : 1;
+        }
+        assert_string_not_equal(model, "contacting-slopes");
+    }
+    assert_int_equal(table.rows, 2 * (model_count - 1));
+    assert_true(compared > 20);
+    table_free(&table);
+}
+
+/** Waves far longer than the cut-off: doubling it changes nothing. Two equal halves: nor does halving, where the answer
+ * does not depend on length (Persson's area). */
+static void smooth_waves_do_not_change(void **state)
+{
+    const struct directory *place = *state;
+    double z[POINTS];
+    for (size_t i = 0; i < POINTS; i++) /* full periods in each half, even about its middle: level as they are */
+        z[i] = 1e-7 * cos(2 * M_PI * 4 * ((double)i + 0.5) / POINTS) +
+               2e-8 * cos(2 * M_PI * 10 * ((double)i + 0.5) / POINTS);
+    write_scan(place, "wave/a.csv", z, POINTS);
+    write_scene(place, "wave", "");
+    assert_int_equal(pipeline_run(place, "wave", "out-wave", 1), 0);
+    struct table table = table_read_path(directory_path(place, "out-wave/data/sensitivity.csv"));
+    size_t seen = 0;
+    for (size_t row = 0; row < table.rows; row++) {
+        const char *model = table_text(&table, row, "model");
+        bool cutoff = strcmp(table_text(&table, row, "change"), "cut-off x2") == 0;
+        bool persson = strcmp(model, "persson") == 0, two_band = strncmp(model, "two-band", 8) == 0;
+        if (!*table_text(&table, row, "area_factor"))
+            continue;
+        if (cutoff || persson || two_band) {
+            assert_near(table_number(&table, row, "area_factor"), 1, 0.01);
+            seen++;
+        }
+    }
+    assert_true(seen > 6);
+    table_free(&table);
+}
+
+/** Fewer than 16 points are not halved: cells without a number, and no section. */
+static void a_short_scan_says_nothing(void **state)
+{
+    const struct directory *place = *state;
+    double z[15];
+    for (size_t i = 0; i < 15; i++)
+        z[i] = 1e-7 * sin(2.4 * (double)i) + 3e-8 * cos(5.1 * (double)i);
+    write_scan(place, "wave/a.csv", z, 15);
+    assert_int_equal(pipeline_run(place, "wave", "out-wave", 1), 0);
+    struct table table = table_read_path(directory_path(place, "out-wave/data/sensitivity.csv"));
+    assert_true(table.rows > 0);
+    for (size_t row = 0; row < table.rows; row++)
+        assert_string_equal(table_text(&table, row, "area_factor"), "");
+    table_free(&table);
+    struct text report = directory_read(place, "out-wave/report.md");
+    assert_null(strstr(report.data, "What the answers hang on"));
+    assert_false(directory_has(place, "out-wave/figures/sensitivity-area.svg"));
+    text_free(&report);
+}
+
+/** The chart's areas and resistances at its shortest wavelength are those of the whole spectrum for models that know
+ * nothing else (statistical ones by the moments of the spectrum); it ends at twice the spacing, and shades what a
+ * stated cut-off or the tip leaves unsure. */
+static void the_chart_ends_at_the_whole_spectrum(void **state)
+{
+    const struct directory *place = *state;
+    static const struct {
+        const char *scene, *words, *argument;
+    } cases[] = {
+        {"moments: spectral\n", NULL, NULL},
+        {"moments: spectral\nlambda_s_m: 4e-6\n", "; shaded: below 4.00 µm, the cut-off λs.", "'4.000000e-06'"},
+        {"moments: spectral\ntip_radius_m: 5e-6\n", "; shaded: below 5.00 µm, the tip's radius.", "'5.000000e-06'"},
+    };
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        write_scene(place, "in", cases[k].scene);
+        assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
+        static const char *const charts[2][2] = {{"area", "area_ratio"}, {"ecr", "ecr_ohm_m2"}};
+        for (int c = 0; c < 2; c++) {
+            char name[64], *rest;
+            snprintf(name, sizeof name, "out/figures/sensitivity-%s.csv", charts[c][0]);
+            struct text data = directory_read(place, name);
+            const char *model = NULL;
+            double x = NAN, y = NAN;
+            size_t blocks = 0;
+            for (char *line = strtok_r(data.data, "\n", &rest);; line = strtok_r(NULL, "\n", &rest)) {
+                if (!line || *line == '"') {
+                    if (model) { /* the end of its block */
+                        assert_near(x, 2 * spacing_m, 0.01);
+                        assert_near(y, at_middle(place, "out", model, charts[c][1]), 1e-9);
+                    }
+                    if (!line)
+                        break;
+                    model = NULL;
+                    for (size_t m = 0; m < model_count; m++)
+                        if (strlen(line) == strlen(model_rows[m]->label) + 2 &&
+                            strncmp(line + 1, model_rows[m]->label, strlen(line) - 2) == 0)
+                            model = model_rows[m]->name;
+                    assert_non_null(model);
+                    blocks++;
+                    continue;
+                }
+                assert_int_equal(sscanf(line, "%lf,%lf", &x, &y), 2);
+            }
+            assert_in_range(blocks, 5, model_count - 1);
+            text_free(&data);
+            snprintf(name, sizeof name, "out/figures/sensitivity-%s.gp", charts[c][0]);
+            struct text script = directory_read(place, name);
+            assert_true(!cases[k].argument || strstr(script.data, cases[k].argument));
+            text_free(&script);
+        }
+        struct text report = directory_read(place, "out/report.md");
+        if (cases[k].words)
+            assert_non_null(strstr(report.data, cases[k].words));
+        else
+            assert_null(strstr(report.data, "shaded"));
+        text_free(&report);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(factors_are_those_of_separate_reports),
+        cmocka_unit_test(smooth_waves_do_not_change),
+        cmocka_unit_test(a_short_scan_says_nothing),
+        cmocka_unit_test(the_chart_ends_at_the_whole_spectrum),
+    };
+    return cmocka_run_group_tests(tests, place_setup, place_teardown);
+}

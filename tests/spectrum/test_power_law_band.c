@@ -1,0 +1,562 @@
+#include "spectrum/multitaper.h"
+#include "spectrum/power_law_band.h"
+#include "support.h"
+
+#include <gsl/gsl_randist.h>
+#include <gsl/gsl_rng.h>
+
+enum { MOST = 20000 };
+
+struct sample {
+    double square_m2[MOST];
+    struct power_law_band_spectrum spectrum;
+    struct power_law_band band, other;
+};
+
+static int sample_setup(void **state)
+{
+    *state = calloc(1, sizeof(struct sample));
+    return *state ? 0 : -1;
+}
+
+static int sample_teardown(void **state)
+{
+    free(*state);
+    return 0;
+}
+
+static void sample_read(struct sample *sample, const char *name)
+{
+    char path[200];
+    snprintf(path, sizeof path, "statistics/%s.csv", name);
+    struct table table = table_read(path);
+    for (size_t i = 0; i < table.rows; i++)
+        sample->square_m2[i] = table_number(&table, i, "square_m2");
+    sample->spectrum =
+        (struct power_law_band_spectrum){sample->square_m2, table.rows, 1e-3, 1, 0}; /* length_m is set by the caller */
+    table_free(&table);
+}
+
+static void sample_law(struct sample *sample, size_t count, double length_m, double alpha, double gamma)
+{
+    for (size_t n = 1; n <= count; n++)
+        sample->square_m2[n - 1] = pow(alpha * pow(length_m / (double)n, gamma), 2);
+    sample->spectrum = (struct power_law_band_spectrum){sample->square_m2, count, length_m, 1, 0};
+}
+
+/* Multiplies each square by a mean of `of` exponential variables of mean 1. */
+static void scatter(struct sample *sample, gsl_rng *random, double of)
+{
+    for (size_t i = 0; i < sample->spectrum.count; i++)
+        sample->square_m2[i] *= gsl_ran_gamma(random, of, 1 / of);
+}
+
+static const struct power_law_band *find(struct sample *sample)
+{
+    struct status status = {0};
+    assert_int_equal(power_law_band_find(&sample->band, &sample->spectrum, &status), STATUS_OK);
+    return &sample->band;
+}
+
+/* Compares with numbers separated by spaces; "-" is none of them. */
+static void assert_list(const char *list, const double *value, size_t count, double rtol)
+{
+    size_t found = 0;
+    for (char *end; *list && *list != '-'; list = end + (*end == ' '), found++) {
+        double expected = strtod(list, &end);
+        assert_true(found < count);
+        assert_near(value[found], expected, rtol);
+    }
+    if (*list == '-' && list[1] != '\0') { /* a negative number comes first */
+        for (char *end; *list; list = end + (*end == ' '), found++) {
+            double expected = strtod(list, &end);
+            assert_true(found < count);
+            assert_near(value[found], expected, rtol);
+        }
+    }
+    assert_int_equal(found, count);
+}
+
+static size_t lines_of(const struct power_law_band *band, double *line_m)
+{
+    size_t lines = 0;
+    for (size_t j = 0; j < band->bins; j++)
+        if (band->use[j] == POWER_LAW_BAND_LINE)
+            line_m[lines++] = pow(10, band->bin[j].x);
+    return lines;
+}
+
+static void test_reference_values(void **state)
+{
+    struct sample *sample = *state;
+    struct table table = table_read("statistics/power_law_band.csv");
+    for (size_t r = 0; r < table.rows; r++) {
+        sample_read(sample, table_text(&table, r, "spectrum"));
+        sample->spectrum.length_m = table_number(&table, r, "length_m");
+        sample->spectrum.scans = table_number(&table, r, "scans");
+        sample->spectrum.shortest_m = table_number(&table, r, "shortest_m");
+        for (size_t n = 58; n <= 62 && n < sample->spectrum.count; n++)
+            sample->square_m2[n - 1] += table_number(&table, r, "added_m2");
+        const struct power_law_band *band = find(sample);
+        assert_near(band->fit.gamma, table_number(&table, r, "gamma"), 1e-12);
+        assert_near(band->fit.gamma_s, table_number(&table, r, "gamma_s"), 1e-12);
+        assert_near(band->fit.log10_amplitude, table_number(&table, r, "log10_amplitude"), 1e-12);
+        assert_near(band->fit.log10_amplitude_s, table_number(&table, r, "log10_amplitude_s"), 1e-12);
+        assert_near(log10(band->fit.wavelength_m), table_number(&table, r, "log10_wavelength"), 1e-12);
+        assert_within(band->fit.misfit_decades, table_number(&table, r, "misfit"), 1e-12);
+        assert_int_equal(band->fit.bins, table_number(&table, r, "bins"));
+        assert_near(band->fit.band_m[0], table_number(&table, r, "shortest_band_m"), 1e-12);
+        assert_near(band->fit.band_m[1], table_number(&table, r, "longest_band_m"), 1e-12);
+        assert_string_equal(power_law_band_class_names[band->law], table_text(&table, r, "class"));
+
+        double gamma[POWER_LAW_BAND_PIECES], other[POWER_LAW_BAND_PIECES], line_m[LOG_BIN_MOST];
+        size_t others = 0;
+        for (size_t k = 0; k < band->pieces; k++) {
+            gamma[k] = band->piece[k].gamma;
+            if (k != band->chosen && !isnan(band->piece[k].candidate_gamma))
+                other[others++] = band->piece[k].candidate_gamma;
+        }
+        assert_list(table_text(&table, r, "gammas"), gamma, band->pieces, 1e-9);
+        assert_list(table_text(&table, r, "knees_m"), band->knee_m, band->pieces - 1, 1e-12);
+        assert_list(table_text(&table, r, "others"), other, others, 1e-9);
+        assert_list(table_text(&table, r, "lines_m"), line_m, lines_of(band, line_m), 1e-12);
+    }
+    table_free(&table);
+}
+
+static void test_bias_and_variance_of_log_amplitudes(void **state)
+{
+    struct sample *sample = *state;
+    struct table table = table_read("statistics/bias.csv");
+    for (size_t r = 0; r < table.rows; r++) {
+        double squares = table_number(&table, r, "squares");
+        assert_near(log_bin_bias(squares), table_number(&table, r, "bias"), 1e-12);
+        /* harmonic 7 is a bin by itself */
+        sample_law(sample, 7, 1, 1, 1);
+        struct log_bin bin[LOG_BIN_MOST];
+        double scans = squares / MULTITAPER_TAPERS;
+        if (scans >= 1) {
+            assert_int_equal(log_bin_fill(bin, sample->square_m2, 7, 1, scans, NULL), 2);
+            assert_near(bin[1].variance, table_number(&table, r, "variance"), 1e-12);
+            assert_near(bin[1].y, log10(1 / 7.0) - table_number(&table, r, "bias"), 1e-12);
+        }
+    }
+    table_free(&table);
+}
+
+/* The sum of the definition, pair by pair. */
+static void test_covariance_is_the_double_sum(void **state)
+{
+    (void)state;
+    const struct log_bin bins[] = {{.first = 5, .last = 6},   {.first = 7, .last = 7},   {.first = 8, .last = 12},
+                                   {.first = 13, .last = 40}, {.first = 41, .last = 90}, {.first = 99, .last = 100}};
+    for (size_t i = 0; i < 6; i++)
+        for (size_t j = 0; j < 6; j++) {
+            double sum = 0, pairs = 0;
+            for (size_t a = bins[i].first; a <= bins[i].last; a++)
+                for (size_t b = bins[j].first; b <= bins[j].last; b++, pairs++)
+                    sum += multitaper_correlation(a > b ? a - b : b - a);
+            assert_within(log_bin_covariance(&bins[i], &bins[j], 2), 0.0049589002603539480 * sum / pairs, 1e-15);
+        }
+}
+
+static void test_bins_hold_every_harmonic_once(void **state)
+{
+    struct sample *sample = *state;
+    struct log_bin bin[LOG_BIN_MOST];
+    sample_law(sample, MOST, 1, 1, 1);
+    const size_t split[2] = {10, 301};
+    for (int s = 0; s < 2; s++)
+        for (size_t count = 0; count <= MOST; count = count < 50 ? count + 1 : 3 * count) {
+            size_t bins = log_bin_fill(bin, sample->square_m2, count, 1, 1, s ? split : NULL), next = 5;
+            for (size_t j = 0; j < bins; j++) {
+                assert_int_equal(bin[j].first, next);
+                assert_true(bin[j].last >= bin[j].first);
+                assert_int_equal(floor(10 * log10((double)bin[j].first / 5) + 1e-9),
+                                 floor(10 * log10((double)bin[j].last / 5) + 1e-9));
+                assert_true(
+                    !s || ((bin[j].first >= 10) == (bin[j].last >= 10) && (bin[j].first > 301) == (bin[j].last > 301)));
+                next = bin[j].last + 1;
+            }
+            assert_int_equal(next, count < 5 ? 5 : count + 1);
+            assert_true(s || bins < 2 ||
+                        floor(10 * log10((double)bin[1].first / 5) + 1e-9) !=
+                            floor(10 * log10((double)bin[0].first / 5) + 1e-9));
+        }
+}
+
+static void test_an_exact_law_comes_back(void **state)
+{
+    struct sample *sample = *state;
+    for (double gamma = 0.5; gamma < 2.3; gamma += 0.25) {
+        gamma = gamma == 0.5 ? 0.55 : gamma;
+        sample_law(sample, 2000, 4e-3, 3e-3, gamma);
+        const struct power_law_band *band = find(sample);
+        double bias = pow(10, -log_bin_bias(MULTITAPER_TAPERS)); /* an exact law has no scatter to correct for */
+        assert_int_equal(band->law, POWER_LAW_BAND_LAW);
+        assert_int_equal(band->pieces, 1);
+        assert_within(band->fit.gamma, gamma, 1e-10);
+        assert_near(band->alpha, 3e-3 * bias, 1e-9);
+        assert_near(power_law_band_amplitude(band, 7e-6), 3e-3 * bias * pow(7e-6, gamma), 1e-9);
+        assert_near(band->psd_m3, pow(3e-3 * bias * pow(band->fit.wavelength_m, gamma), 2) * 2e-3, 1e-9);
+        assert_near(band->amplitude_m, pow(10, band->fit.log10_amplitude), 1e-12);
+        assert_near(band->log10_alpha_s,
+                    hypot(band->fit.log10_amplitude_s, band->fit.gamma_s * log10(band->fit.wavelength_m)), 1e-12);
+        assert_within(band->fit.misfit_decades, 0, 0);
+        assert_near(band->fit.band_m[0], 4e-3 / 2000, 1e-12);
+        assert_near(band->fit.band_m[1], 4e-3 / 5, 1e-12);
+        for (size_t j = 0; j < band->bins; j++) {
+            assert_int_equal(band->use[j], POWER_LAW_BAND_USED);
+            assert_within(band->residual_decades[j], 0, 1e-10);
+        }
+    }
+}
+
+/* gamma 1.4 between a plateau longer than harmonic 30 and noise shorter than harmonic 1500. */
+static void knees(struct sample *sample)
+{
+    sample_law(sample, 8000, 1e-2, 1e-3, 1.4);
+    for (size_t n = 1; n <= 8000; n++) {
+        double level = pow(1e-3 * pow(1e-2 / 30, 1.4), 2), noise = pow(1e-3 * pow(1e-2 / 1500, 1.4), 2);
+        sample->square_m2[n - 1] = n < 30 ? level : n > 1500 ? noise : sample->square_m2[n - 1];
+    }
+}
+
+static void test_knees_bound_the_band(void **state)
+{
+    struct sample *sample = *state;
+    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
+    for (int k = 0; k < 20; k++) {
+        knees(sample);
+        scatter(sample, random, 5);
+        const struct power_law_band *band = find(sample);
+        assert_int_equal(band->law, POWER_LAW_BAND_LAW);
+        assert_within(band->fit.gamma, 1.4, 4 * band->fit.gamma_s);
+        assert_true(band->fit.gamma_s >= 0.04); /* a knee's share */
+        assert_true(band->fit.log10_amplitude_s >= 0.02);
+        assert_int_equal(band->pieces, 3);
+        assert_int_equal(band->chosen, 1);
+        assert_within(log2(band->knee_m[0] / (1e-2 / 30)), 0, 1);
+        assert_within(log2(band->knee_m[1] / (1e-2 / 1500)), 0, 1);
+        assert_true(band->fit.band_m[1] < band->knee_m[0] && band->fit.band_m[0] > band->knee_m[1]);
+        double inside = 0, all = 0;
+        for (size_t n = 1; n <= 8000; n++) {
+            double wavelength_m = 1e-2 / (double)n, part = sample->square_m2[n - 1] / pow(wavelength_m, 2);
+            all += part;
+            if (wavelength_m > band->fit.band_m[0] * 0.999999 && wavelength_m < band->fit.band_m[1] * 1.000001)
+                inside += part;
+        }
+        assert_near(band->slope_share, inside / all, 1e-9);
+    }
+    gsl_rng_free(random);
+}
+
+/* Lengths in other units, heights in other units: the exponent and the errors stay, bands and amplitudes follow. */
+static void test_units_do_not_matter(void **state)
+{
+    struct sample *sample = *state;
+    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
+    knees(sample);
+    scatter(sample, random, 5);
+    gsl_rng_free(random);
+    sample->other = *find(sample);
+    sample->spectrum.length_m *= 1e6;
+    for (size_t i = 0; i < sample->spectrum.count; i++)
+        sample->square_m2[i] *= 1e-18;
+    const struct power_law_band *band = find(sample), *before = &sample->other;
+    assert_int_equal(band->law, before->law);
+    assert_int_equal(band->fit.bins, before->fit.bins);
+    assert_near(band->fit.gamma, before->fit.gamma, 1e-11);
+    assert_near(band->fit.gamma_s, before->fit.gamma_s, 1e-11);
+    assert_near(band->fit.log10_amplitude_s, before->fit.log10_amplitude_s, 1e-11);
+    assert_near(band->amplitude_m, 1e-9 * before->amplitude_m, 1e-11);
+    assert_near(band->fit.wavelength_m, 1e6 * before->fit.wavelength_m, 1e-11);
+    assert_near(band->slope_share, before->slope_share, 1e-11);
+    for (size_t k = 0; k + 1 < band->pieces; k++)
+        assert_near(band->knee_m[k], 1e6 * before->knee_m[k], 1e-11);
+}
+
+static void assert_none(const struct power_law_band *band)
+{
+    assert_int_equal(band->law, POWER_LAW_BAND_NONE);
+    assert_true(isnan(band->fit.gamma) && isnan(band->alpha) && isnan(band->amplitude_m) && isnan(band->slope_share));
+    assert_true(isnan(band->fit.gamma_s) && isnan(band->psd_m3) && isnan(power_law_band_amplitude(band, 1e-5)));
+    for (size_t j = 0; j < band->bins; j++)
+        assert_true(band->use[j] != POWER_LAW_BAND_USED && isnan(band->residual_decades[j]));
+}
+
+static void test_white_noise_is_no_law(void **state)
+{
+    struct sample *sample = *state;
+    sample_read(sample, "spectrum_white");
+    assert_none(find(sample));
+    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
+    for (int k = 0; k < 50; k++) {
+        sample_law(sample, 1000, 1e-3, 1e-8, 0);
+        scatter(sample, random, 5);
+        assert_none(find(sample));
+    }
+    gsl_rng_free(random);
+}
+
+static void test_slopes_of_no_surface_are_no_law(void **state)
+{
+    struct sample *sample = *state;
+    sample_law(sample, 1000, 1e-3, 1, 2.21);
+    assert_none(find(sample));
+    sample_law(sample, 1000, 1e-3, 1, 0.49);
+    assert_none(find(sample));
+    sample_law(sample, 1000, 1e-3, 1, 2.19);
+    assert_int_equal(find(sample)->law, POWER_LAW_BAND_LAW);
+    sample_law(sample, 1000, 1e-3, 1, 0.51);
+    assert_int_equal(find(sample)->law, POWER_LAW_BAND_LAW);
+}
+
+static void test_width_makes_the_class(void **state)
+{
+    struct sample *sample = *state;
+    sample_law(sample, 49, 1e-3, 1, 1.3);
+    assert_int_equal(find(sample)->law, POWER_LAW_BAND_NARROW);
+    sample_law(sample, 50, 1e-3, 1, 1.3);
+    assert_int_equal(find(sample)->law, POWER_LAW_BAND_LAW);
+    sample_law(sample, 15, 1e-3, 1, 1.3); /* 0.48 decades */
+    assert_none(find(sample));
+    sample_law(sample, 16, 1e-3, 1, 1.3);
+    assert_int_equal(find(sample)->law, POWER_LAW_BAND_NARROW);
+}
+
+static void test_lines_are_left_out(void **state)
+{
+    struct sample *sample = *state;
+    sample_law(sample, 2000, 1e-2, 1e-3, 1.5);
+    for (size_t n = 95; n <= 103; n++)
+        sample->square_m2[n - 1] *= 1e4;
+    const struct power_law_band *band = find(sample);
+    double line_m[LOG_BIN_MOST];
+    assert_int_equal(lines_of(band, line_m), 2); /* a bin ends with 99 */
+    assert_near(line_m[0], 1e-4, 0.2);
+    assert_near(line_m[1], 1e-4, 0.2);
+    assert_within(band->fit.gamma, 1.5, 1e-9);
+    for (size_t j = 0; j < band->bins; j++)
+        assert_true(band->use[j] != POWER_LAW_BAND_LINE || band->residual_decades[j] > 0.2);
+}
+
+/* A hump over 3 bins is a line, over 4 a knee. */
+static void test_a_long_run_of_bins_is_no_line(void **state)
+{
+    struct sample *sample = *state;
+    double line_m[LOG_BIN_MOST];
+    for (size_t last = 199; last <= 251; last += 52) {
+        sample_law(sample, 2000, 1e-2, 1e-3, 1.5);
+        for (size_t n = 100; n <= last; n++)
+            sample->square_m2[n - 1] *= 1e4;
+        assert_int_equal(lines_of(find(sample), line_m), last == 199 ? 3 : 0);
+    }
+}
+
+static void test_every_second_bin_a_line(void **state)
+{
+    struct sample *sample = *state;
+    sample_law(sample, 2000, 1e-2, 1e-3, 1.5);
+    struct log_bin bin[LOG_BIN_MOST];
+    size_t bins = log_bin_fill(bin, sample->square_m2, 2000, 1e-2, 1, NULL);
+    for (size_t j = 0; j < bins; j++)
+        for (size_t n = bin[j].first; n <= bin[j].last; n++)
+            sample->square_m2[n - 1] *= j % 3 ? 1e6 : 1;
+    const struct power_law_band *band = find(sample);
+    assert_true(band->bins == bins);
+    assert_true(band->law == POWER_LAW_BAND_NONE || isfinite(band->fit.gamma_s));
+}
+
+/* Heights of one harmonic: all the rest is leakage and rounding. */
+static void test_one_harmonic(void **state)
+{
+    struct sample *sample = *state;
+    double height_m[1000];
+    for (size_t i = 0; i < 1000; i++)
+        height_m[i] = 1e-6 * sin(2 * M_PI * (double)(20 * i) / 1000);
+    struct status status = {0};
+    assert_int_equal(multitaper_square(sample->square_m2, height_m, 1000, &status), STATUS_OK);
+    sample->spectrum = (struct power_law_band_spectrum){sample->square_m2, multitaper_count(1000), 1e-3, 1, 0};
+    const struct power_law_band *band = find(sample);
+    assert_true(band->law == POWER_LAW_BAND_NONE || isfinite(band->fit.gamma_s));
+}
+
+static void test_few_and_empty_harmonics(void **state)
+{
+    struct sample *sample = *state;
+    for (size_t count = 0; count < 12; count++) {
+        sample_law(sample, count, 1e-3, 1, 1.3);
+        assert_none(find(sample)); /* 3 harmonics: 8 points */
+    }
+    memset(sample->square_m2, 0, sizeof sample->square_m2);
+    sample->spectrum.count = 1000; /* constant heights */
+    assert_none(find(sample));
+    for (size_t j = 0; j < sample->band.bins; j++)
+        assert_int_equal(sample->band.use[j], POWER_LAW_BAND_EMPTY);
+    sample_law(sample, 1000, 1e-3, 1, 1.3);
+    sample->square_m2[99] = 0;
+    const struct power_law_band *band = find(sample);
+    assert_within(band->fit.gamma, 1.3, 1e-10);
+    size_t empty = 0;
+    for (size_t j = 0; j < band->bins; j++)
+        empty += band->use[j] == POWER_LAW_BAND_EMPTY;
+    assert_int_equal(empty, 1);
+}
+
+static void test_squares_that_are_no_numbers_are_refused(void **state)
+{
+    struct sample *sample = *state;
+    const double bad[] = {NAN, INFINITY, -1};
+    for (size_t b = 0; b < 3; b++) {
+        struct status status = {0};
+        sample_law(sample, 100, 1e-3, 1, 1.3);
+        sample->square_m2[41] = bad[b];
+        assert_int_equal(power_law_band_find(&sample->band, &sample->spectrum, &status), STATUS_SCAN);
+        assert_non_null(strstr(status.message, "harmonic 42"));
+    }
+}
+
+/* Two and a half averaged scans: with their errors b(M) is right and s falls as the root of psi'(K M). */
+static void test_averaged_scans(void **state)
+{
+    struct sample *sample = *state;
+    sample_law(sample, 1000, 1e-3, 1, 1.3);
+    double s[3], amplitude[3];
+    const double scans[3] = {1, 2.5, 10};
+    for (int i = 0; i < 3; i++) {
+        sample->spectrum.scans = scans[i];
+        const struct power_law_band *band = find(sample);
+        s[i] = band->fit.gamma_s;
+        amplitude[i] = band->fit.log10_amplitude + log_bin_bias(5 * scans[i]);
+    }
+    assert_near(s[0] / s[2], sqrt(0.22132295573711533 / 0.020201333226697125), 1e-9); /* psi'(5), psi'(50) */
+    assert_true(s[1] < s[0] && s[1] > s[2]);
+    assert_near(amplitude[0], amplitude[1], 1e-12);
+    assert_near(amplitude[0], amplitude[2], 1e-12);
+}
+
+/* A fit in the band that was found is the same fit, less the share of knees. */
+static void test_a_given_band(void **state)
+{
+    struct sample *sample = *state;
+    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
+    struct status status = {0};
+    sample_law(sample, 3000, 1e-3, 1, 1.3);
+    scatter(sample, random, 5);
+    sample->other = *find(sample);
+    const struct power_law_band *found = &sample->other, *band = &sample->band;
+    assert_int_equal(power_law_band_fit_in(&sample->band, &sample->spectrum, found->fit.band_m, &status), STATUS_OK);
+    assert_near(band->fit.gamma, found->fit.gamma, 1e-13);
+    assert_near(band->fit.gamma_s, found->fit.gamma_s, 1e-13);
+    assert_near(band->alpha, found->alpha, 1e-12);
+    assert_int_equal(band->law, found->law);
+
+    /* bins are divided at its ends, rubbish outside does not matter */
+    sample_law(sample, 3000, 1e-3, 1, 1.3);
+    for (size_t n = 1; n <= 3000; n++)
+        if (n < 17 || n > 911)
+            sample->square_m2[n - 1] = 1;
+    const double given_m[2] = {1e-3 / 911, 1e-3 / 17};
+    assert_int_equal(power_law_band_fit_in(&sample->band, &sample->spectrum, given_m, &status), STATUS_OK);
+    assert_int_equal(band->fit.first_harmonic, 17);
+    assert_int_equal(band->fit.last_harmonic, 911);
+    assert_within(band->fit.gamma, 1.3, 1e-10);
+    assert_int_equal(band->pieces, 0);
+    const double tiny_m[2] = {1e-3 / 911, 1e-3 / 900}, beyond_m[2] = {1, 2}, all_m[2] = {0, INFINITY};
+    assert_int_equal(power_law_band_fit_in(&sample->band, &sample->spectrum, tiny_m, &status), STATUS_OK);
+    assert_none(band);
+    assert_int_equal(power_law_band_fit_in(&sample->band, &sample->spectrum, beyond_m, &status), STATUS_OK);
+    assert_none(band);
+    assert_int_equal(power_law_band_fit_in(&sample->band, &sample->spectrum, all_m, &status), STATUS_OK);
+    assert_int_equal(band->fit.first_harmonic, 5);
+    assert_int_equal(band->fit.last_harmonic, 3000);
+    gsl_rng_free(random);
+}
+
+static void test_digitising_limit(void **state)
+{
+    struct sample *sample = *state;
+    for (size_t n = 0; n < 100; n++)
+        sample->square_m2[n] = 2;
+    sample->spectrum = (struct power_law_band_spectrum){sample->square_m2, 100, 1, 1, 0};
+    assert_within(power_law_band_digitising_limit(&sample->spectrum, 0), 0, 0);
+    assert_near(power_law_band_digitising_limit(&sample->spectrum, sqrt(6 * 29.9)), 1.0 / 71, 1e-12);
+    assert_near(power_law_band_digitising_limit(&sample->spectrum, sqrt(6 * 30.1)), 1.0 / 70, 1e-12);
+    assert_near(power_law_band_digitising_limit(&sample->spectrum, sqrt(6 * 101)), 1, 1e-12);
+}
+
+/* Waves of 0.15 decades on the law are more than is called one law. */
+static void test_too_wavy_is_no_law(void **state)
+{
+    struct sample *sample = *state;
+    sample_law(sample, 1000, 1e-3, 1, 1.3);
+    for (size_t n = 1; n <= 1000; n++)
+        sample->square_m2[n - 1] *= pow(10, 0.3 * sin(2 * M_PI * log10((double)n)));
+    const struct power_law_band *band = find(sample);
+    assert_true(band->law == POWER_LAW_BAND_NONE || band->fit.misfit_decades <= 0.1);
+    assert_true(band->pieces > 1);
+}
+
+/* Bins that alternate about the law: no line, as every second is alike, and no pieces to follow them. */
+static void test_lack_of_fit_has_a_limit(void **state)
+{
+    struct sample *sample = *state;
+    struct log_bin bin[LOG_BIN_MOST];
+    for (double decades = 0.08; decades < 0.13; decades += 0.04) {
+        sample_law(sample, 2000, 1e-3, 1, 1.3);
+        size_t bins = log_bin_fill(bin, sample->square_m2, 2000, 1e-3, 1, NULL);
+        for (size_t j = 0; j < bins; j++)
+            for (size_t n = bin[j].first; n <= bin[j].last; n++)
+                sample->square_m2[n - 1] *= pow(10, j % 2 ? 2 * decades : -2 * decades);
+        const struct power_law_band *band = find(sample);
+        assert_int_equal(band->pieces, 1);
+        assert_int_equal(band->law, decades < 0.1 ? POWER_LAW_BAND_LAW : POWER_LAW_BAND_NONE);
+        assert_true(decades > 0.1 || band->fit.misfit_decades > 0.05);
+    }
+}
+
+/* Between two plateaus, 5 bins: 0.498 decades of a law are none, 6 bins are. */
+static void test_a_short_piece_is_no_candidate(void **state)
+{
+    struct sample *sample = *state;
+    for (size_t last = 315; last <= 397; last += 82) {
+        sample_law(sample, 4000, 1e-3, 1, 1.2);
+        for (size_t n = 1; n <= 4000; n++)
+            sample->square_m2[n - 1] = sample->square_m2[(n < 100 ? 100 : n > last ? last : n) - 1];
+        const struct power_law_band *band = find(sample);
+        assert_int_equal(band->pieces, 3);
+        assert_within(band->piece[1].gamma, 1.2, 1e-9);
+        assert_int_equal(band->law, last == 315 ? POWER_LAW_BAND_NONE : POWER_LAW_BAND_NARROW);
+        assert_true(isnan(band->piece[1].candidate_gamma) == (last == 315));
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_reference_values),
+        cmocka_unit_test(test_bias_and_variance_of_log_amplitudes),
+        cmocka_unit_test(test_covariance_is_the_double_sum),
+        cmocka_unit_test(test_bins_hold_every_harmonic_once),
+        cmocka_unit_test(test_an_exact_law_comes_back),
+        cmocka_unit_test(test_knees_bound_the_band),
+        cmocka_unit_test(test_units_do_not_matter),
+        cmocka_unit_test(test_white_noise_is_no_law),
+        cmocka_unit_test(test_slopes_of_no_surface_are_no_law),
+        cmocka_unit_test(test_width_makes_the_class),
+        cmocka_unit_test(test_lines_are_left_out),
+        cmocka_unit_test(test_a_long_run_of_bins_is_no_line),
+        cmocka_unit_test(test_every_second_bin_a_line),
+        cmocka_unit_test(test_one_harmonic),
+        cmocka_unit_test(test_few_and_empty_harmonics),
+        cmocka_unit_test(test_squares_that_are_no_numbers_are_refused),
+        cmocka_unit_test(test_averaged_scans),
+        cmocka_unit_test(test_a_given_band),
+        cmocka_unit_test(test_digitising_limit),
+        cmocka_unit_test(test_too_wavy_is_no_law),
+        cmocka_unit_test(test_lack_of_fit_has_a_limit),
+        cmocka_unit_test(test_a_short_piece_is_no_candidate),
+    };
+    return cmocka_run_group_tests(tests, sample_setup, sample_teardown);
+}

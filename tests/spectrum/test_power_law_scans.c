@@ -1,0 +1,163 @@
+#include "spectrum/multitaper.h"
+#include "spectrum/power_law_scans.h"
+#include "support.h"
+
+#include <gsl/gsl_randist.h>
+#include <gsl/gsl_rng.h>
+
+enum { POINTS = 1024 };
+static const double spacing_m = 1e-6;
+
+/* Gaussian heights whose squared amplitudes have the mean (1e-9 (POINTS/n)^gamma)². */
+static void draw(double *height_m, double gamma, gsl_rng *random)
+{
+    memset(height_m, 0, POINTS * sizeof *height_m);
+    for (size_t n = 1; n < POINTS / 2; n++) {
+        double size = 1e-9 * pow((double)POINTS / (double)n, gamma) / sqrt(2);
+        double cosine = gsl_ran_gaussian(random, size), sine = gsl_ran_gaussian(random, size);
+        for (size_t t = 0; t < POINTS; t++) {
+            double angle = 2 * M_PI * (double)(n * t % POINTS) / POINTS;
+            height_m[t] += cosine * cos(angle) + sine * sin(angle);
+        }
+    }
+}
+
+static void add(struct power_law_scans *scans, const double *height_m, double step_m)
+{
+    struct status status = {0};
+    assert_int_equal(power_law_scans_add(scans, height_m, POINTS, spacing_m, step_m, &status), STATUS_OK);
+    assert_int_equal(power_law_scans_end_file(scans, 1, false, &status), STATUS_OK);
+}
+
+static struct power_law_band fit(const struct power_law_scans *scans, double lambda_s_m, const double *band_m)
+{
+    struct power_law_band band;
+    struct status status = {0};
+    const struct power_law_scans_def def = {lambda_s_m, band_m};
+    assert_int_equal(power_law_scans_fit(&band, scans, &def, &status), STATUS_OK);
+    return band;
+}
+
+static size_t bins_used(const struct power_law_band *band, enum power_law_band_use use, double *longest_m)
+{
+    size_t count = 0;
+    for (size_t j = 0; j < band->bins; j++)
+        if (band->use[j] == use) {
+            *longest_m = count == 0 ? pow(10, band->bin[j].x) : *longest_m;
+            count++;
+        }
+    return count;
+}
+
+static void test_powers_are_averaged(void **state)
+{
+    (void)state;
+    double first_m[POINTS], second_m[POINTS], square_m2[2][POINTS];
+    struct power_law_scans scans = {0};
+    struct status status = {0};
+    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
+    draw(first_m, 1.3, random);
+    draw(second_m, 1.3, random);
+    gsl_rng_free(random);
+    add(&scans, first_m, 0);
+    struct power_law_band one = fit(&scans, 0, NULL);
+    add(&scans, second_m, 0);
+    struct power_law_band two = fit(&scans, 0, NULL);
+    assert_int_equal(multitaper_square(square_m2[0], first_m, POINTS, &status), STATUS_OK);
+    assert_int_equal(multitaper_square(square_m2[1], second_m, POINTS, &status), STATUS_OK);
+    assert_int_equal(scans.mean.count, multitaper_count(POINTS));
+    for (size_t i = 0; i < scans.mean.count; i++)
+        assert_near(scans.mean.amplitude_m[i] * scans.mean.amplitude_m[i], (square_m2[0][i] + square_m2[1][i]) / 2,
+                    1e-12);
+    assert_near(scans.independent, 2, 0);
+    assert_near(two.bin[12].variance, one.bin[12].variance * 0.475, 0.03); /* psi'(10)/psi'(5) */
+    assert_within(two.fit.gamma, 1.3, 3 * two.fit.gamma_s);
+
+    const struct power_law_scans_def def = {0, NULL};
+    struct power_law_band alone; /* in the band of the mean, with the error of one */
+    assert_int_equal(power_law_scans_fit_alone(&alone, &scans, 1, &def, &two, &status), STATUS_OK);
+    assert_near(alone.fit.band_m[0], two.fit.band_m[0], 1e-9);
+    assert_near(alone.fit.band_m[1], two.fit.band_m[1], 1e-9);
+    assert_true(alone.fit.gamma != two.fit.gamma && alone.fit.gamma_s > two.fit.gamma_s);
+    power_law_scans_free(&scans);
+}
+
+/* Waves below twice lambda_s, and those a digitiser's step hides, have no part. */
+static void test_the_shortest_wave(void **state)
+{
+    (void)state;
+    double height_m[POINTS], longest_m = 0;
+    const double step_m = 1e-7;
+    struct power_law_scans scans = {0}, stepped = {0};
+    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
+    draw(height_m, 1.3, random);
+    gsl_rng_free(random);
+    add(&scans, height_m, 0);
+    struct power_law_band band = fit(&scans, 0, NULL);
+    assert_int_equal(bins_used(&band, POWER_LAW_BAND_SHORT, &longest_m), 0);
+    band = fit(&scans, 10e-6, NULL);
+    assert_true(bins_used(&band, POWER_LAW_BAND_SHORT, &longest_m) >= 8);
+    assert_true(longest_m < 20e-6 && longest_m > 20e-6 / pow(10, 0.1));
+    assert_true(band.fit.band_m[0] >= 15e-6 && band.fit.band_m[0] < 25e-6);
+
+    add(&stepped, height_m, step_m);
+    band = fit(&stepped, 0, NULL);
+    double below = 0; /* power of the harmonics whose bins are left out, against step²/6 */
+    assert_true(bins_used(&band, POWER_LAW_BAND_SHORT, &longest_m) >= 4);
+    for (size_t n = stepped.mean.count; n > 0 && stepped.mean.length_m / (double)n < longest_m; n--)
+        below += stepped.mean.amplitude_m[n - 1] * stepped.mean.amplitude_m[n - 1] / 2;
+    assert_true(below < 1.3 * step_m * step_m / 6 && below > 0.5 * step_m * step_m / 6);
+    power_law_scans_free(&scans);
+    power_law_scans_free(&stepped);
+}
+
+static void test_a_given_band(void **state)
+{
+    (void)state;
+    double height_m[POINTS];
+    const double band_m[2] = {10e-6, 150e-6};
+    struct power_law_scans scans = {0};
+    struct power_law_band none = fit(&scans, 0, NULL);
+    assert_int_equal(none.law, POWER_LAW_BAND_NONE);
+    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
+    draw(height_m, 1.1, random);
+    gsl_rng_free(random);
+    add(&scans, height_m, 0);
+    struct power_law_band band = fit(&scans, 0, band_m);
+    assert_int_equal(band.law, POWER_LAW_BAND_LAW);
+    assert_true(band.fit.band_m[0] >= 10e-6 && band.fit.band_m[0] < 10.1e-6);
+    assert_true(band.fit.band_m[1] <= 150e-6 && band.fit.band_m[1] > 125e-6);
+    struct power_law law = power_law_of_band(&band);
+    assert_true(power_law_holds(&law) && isnan(law.alpha_error));
+    assert_near(power_law_amplitude(&law, law.wavelength_m), law.amplitude_m, 1e-12);
+    assert_near(law.amplitude_m, power_law_band_amplitude(&band, law.wavelength_m), 1e-12);
+    power_law_scans_free(&scans);
+}
+
+static void test_lines_are_runs_of_bins(void **state)
+{
+    (void)state;
+    double height_m[POINTS], line_m[LOG_BIN_MOST];
+    struct power_law_scans scans = {0};
+    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
+    draw(height_m, 1.1, random);
+    gsl_rng_free(random);
+    for (size_t t = 0; t < POINTS; t++) /* harmonic 64 */
+        height_m[t] += 1e-6 * cos(2 * M_PI * (double)t / 16);
+    add(&scans, height_m, 0);
+    struct power_law_band band = fit(&scans, 0, NULL);
+    assert_int_equal(power_law_band_lines(line_m, &band), 1);
+    assert_within(log10(line_m[0] / 16e-6), 0, 0.1); /* a bin is a tenth of a decade wide */
+    power_law_scans_free(&scans);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_powers_are_averaged),
+        cmocka_unit_test(test_the_shortest_wave),
+        cmocka_unit_test(test_a_given_band),
+        cmocka_unit_test(test_lines_are_runs_of_bins),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,165 @@
+#include "spectrum/log_bin.h"
+#include "spectrum/multitaper.h"
+#include "spectrum/simulated_record.h"
+#include "support.h"
+
+enum { POINTS = 512 };
+
+static void law(double *square_m2, size_t points, double gamma)
+{
+    for (size_t n = 1; n <= multitaper_count(points); n++)
+        square_m2[n - 1] = pow(1e-7 * pow((double)n, -gamma), 2);
+}
+
+static struct simulated_record prepare(const double *square_m2, size_t points)
+{
+    struct simulated_record spectrum;
+    struct status status = {0};
+    assert_int_equal(simulated_record_prepare(&spectrum, square_m2, points, &status), STATUS_OK);
+    return spectrum;
+}
+
+static void draw(double *height_m, const struct simulated_record *spectrum, unsigned long seed)
+{
+    struct status status = {0};
+    assert_int_equal(simulated_record_draw(height_m, spectrum, seed, &status), STATUS_OK);
+}
+
+/* Every frequency of an exact law has the law's density: at k/(4L), a quarter of the square. Below n = 5 only the mean
+ * of logarithms is corrected, for a scatter that an exact law has not. */
+static void test_density_of_an_exact_law(void **state)
+{
+    (void)state;
+    for (size_t points = 16; points <= POINTS; points += 31)
+        for (double gamma = 0; gamma <= 2; gamma += 0.4) {
+            double square_m2[POINTS];
+            law(square_m2, points, gamma);
+            struct simulated_record spectrum = prepare(square_m2, points);
+            assert_int_equal(spectrum.points, points);
+            double most = (double)multitaper_count(points), bias = pow(10, -2 * log_bin_bias(MULTITAPER_TAPERS));
+            for (size_t k = 1; k <= 2 * points; k++) {
+                double n = (double)k / 4, expected = pow(1e-7 * pow(fmin(n, most), -gamma), 2) / 4;
+                assert_near(2 * pow(spectrum.deviation_m[k], 2), n < 5 ? expected * bias : expected, 1e-9);
+            }
+            simulated_record_free(&spectrum);
+        }
+}
+
+static void test_the_slope_below_is_limited(void **state)
+{
+    (void)state;
+    double square_m2[POINTS];
+    const double gamma[] = {-1, 3}, expected[] = {0, 2};
+    for (size_t g = 0; g < 2; g++) {
+        law(square_m2, POINTS, gamma[g]);
+        struct simulated_record spectrum = prepare(square_m2, POINTS);
+        assert_near(spectrum.deviation_m[1] / spectrum.deviation_m[16], pow(16, expected[g]), 1e-9);
+        simulated_record_free(&spectrum);
+    }
+}
+
+static void test_a_gap_in_the_spectrum_is_bridged(void **state)
+{
+    (void)state;
+    double square_m2[POINTS];
+    law(square_m2, POINTS, 1);
+    square_m2[99] = 0;
+    struct simulated_record spectrum = prepare(square_m2, POINTS);
+    assert_within(spectrum.deviation_m[400], 0, 0);
+    assert_near(2 * pow(spectrum.deviation_m[398], 2), square_m2[98] / 8, 1e-12);
+    simulated_record_free(&spectrum);
+}
+
+/* Mean square heights and slopes of many records are those of the density. */
+static void test_mean_squares(void **state)
+{
+    (void)state;
+    enum { RECORDS = 400 };
+    double square_m2[POINTS], height_m[POINTS], mean_square = 0, slope = 0, expected = 0, expected_slope = 0;
+    law(square_m2, POINTS, 1.2);
+    struct simulated_record spectrum = prepare(square_m2, POINTS);
+    for (size_t k = 1; k <= 2 * POINTS; k++) {
+        double power = pow(spectrum.deviation_m[k], 2) * (k == 2 * POINTS ? 0.5 : 1);
+        expected += power;
+        expected_slope += power * pow(2 * sin(M_PI * (double)k / (4 * POINTS)), 2);
+    }
+    for (unsigned long r = 0; r < RECORDS; r++) {
+        draw(height_m, &spectrum, r);
+        for (size_t t = 0; t < POINTS; t++)
+            mean_square += height_m[t] * height_m[t] / (RECORDS * POINTS);
+        for (size_t t = 1; t < POINTS; t++)
+            slope += pow(height_m[t] - height_m[t - 1], 2) / (RECORDS * (POINTS - 1));
+    }
+    simulated_record_free(&spectrum);
+    assert_near(mean_square, expected, 0.25); /* few independent long waves: 5 times 1 % per root of 400 records */
+    assert_near(slope, expected_slope, 0.02);
+}
+
+/* The multitaper spectrum of simulated records is that they were drawn from. */
+static void test_the_spectrum_comes_back(void **state)
+{
+    (void)state;
+    enum { RECORDS = 400 };
+    double square_m2[POINTS], height_m[POINTS], again[POINTS], mean[POINTS] = {0};
+    law(square_m2, POINTS, 1.2);
+    struct simulated_record spectrum = prepare(square_m2, POINTS);
+    struct status status = {0};
+    for (unsigned long r = 0; r < RECORDS; r++) {
+        draw(height_m, &spectrum, r);
+        assert_int_equal(multitaper_square(again, height_m, POINTS, &status), STATUS_OK);
+        for (size_t n = 10; n <= multitaper_count(POINTS); n++)
+            mean[n] += again[n - 1] / square_m2[n - 1] / RECORDS;
+    }
+    for (size_t n = 10; n <= multitaper_count(POINTS); n++)
+        assert_within(mean[n], 1, 0.13); /* 5 sqrt(0.2/400), and a bias of 1 % */
+    simulated_record_free(&spectrum);
+}
+
+static void test_a_seed_makes_a_record(void **state)
+{
+    (void)state;
+    double square_m2[POINTS], first[POINTS], second[POINTS], other[POINTS];
+    law(square_m2, POINTS, 1.2);
+    struct simulated_record spectrum = prepare(square_m2, POINTS);
+    draw(first, &spectrum, 5);
+    draw(other, &spectrum, 6);
+    draw(second, &spectrum, 5);
+    simulated_record_free(&spectrum);
+    assert_memory_equal(first, second, sizeof first);
+    double same = 0, squares = 0;
+    for (size_t t = 0; t < POINTS; t++) {
+        same += first[t] * other[t];
+        squares += first[t] * first[t];
+    }
+    assert_true(fabs(same) < 0.9 * squares && same != squares);
+}
+
+static void test_what_cannot_be_simulated(void **state)
+{
+    (void)state;
+    double square_m2[POINTS];
+    struct simulated_record spectrum;
+    memset(square_m2, 0, sizeof square_m2); /* constant heights */
+    struct status status = {0};
+    assert_int_equal(simulated_record_prepare(&spectrum, square_m2, POINTS, &status), STATUS_SCAN);
+    assert_non_null(strstr(status.message, "too few harmonics"));
+    const double bad[] = {NAN, INFINITY, -1};
+    for (size_t b = 0; b < 3; b++) {
+        law(square_m2, POINTS, 1);
+        square_m2[2] = bad[b];
+        status = (struct status){0};
+        assert_int_equal(simulated_record_prepare(&spectrum, square_m2, POINTS, &status), STATUS_SCAN);
+        assert_non_null(strstr(status.message, "harmonic 3"));
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_density_of_an_exact_law),          cmocka_unit_test(test_the_slope_below_is_limited),
+        cmocka_unit_test(test_a_gap_in_the_spectrum_is_bridged), cmocka_unit_test(test_mean_squares),
+        cmocka_unit_test(test_the_spectrum_comes_back),          cmocka_unit_test(test_a_seed_makes_a_record),
+        cmocka_unit_test(test_what_cannot_be_simulated),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

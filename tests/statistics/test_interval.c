@@ -1,0 +1,236 @@
+#include "statistics/interval.h"
+#include "support.h"
+
+/* Numbers separated by spaces. */
+static size_t read_list(double *value, const char *list)
+{
+    size_t count = 0;
+    for (char *end; *list; list = end + (*end == ' '))
+        value[count++] = strtod(list, &end);
+    return count;
+}
+
+static struct interval scans(const double *value, const double *weight, size_t count, double level)
+{
+    struct interval out;
+    struct status status = {0};
+    assert_int_equal(interval_scans(&out, value, weight, count, level, &status), STATUS_OK);
+    return out;
+}
+
+static struct interval rows(const double *value, size_t count, double level)
+{
+    struct interval out;
+    struct status status = {0};
+    assert_int_equal(interval_rows(&out, value, count, level, &status), STATUS_OK);
+    return out;
+}
+
+static void test_reference_values(void **state)
+{
+    (void)state;
+    struct table table = table_read("statistics/interval.csv");
+    for (size_t r = 0; r < table.rows; r++) {
+        double value[32], weight[32];
+        size_t count = read_list(value, table_text(&table, r, "values"));
+        bool weighted = table_text(&table, r, "weights")[0] != '-';
+        bool ordered = strncmp(table_text(&table, r, "case"), "rows", 4) == 0;
+        if (weighted)
+            assert_int_equal(read_list(weight, table_text(&table, r, "weights")), count);
+        struct interval out = ordered ? rows(value, count, 0.95) : scans(value, weighted ? weight : NULL, count, 0.95);
+        assert_near(out.mean, table_number(&table, r, "mean"), 1e-12);
+        assert_near(out.s, table_number(&table, r, "s"), 1e-12);
+        assert_near(out.t, table_number(&table, r, "t"), 1e-12);
+        assert_near(out.low, table_number(&table, r, "low"), 1e-12);
+        assert_near(out.high, table_number(&table, r, "high"), 1e-12);
+        assert_near(out.degrees, table_number(&table, r, "degrees"), 1e-12);
+        if (ordered) {
+            assert_near(out.correlation, table_number(&table, r, "r"), 1e-12);
+            assert_near(out.effective, table_number(&table, r, "effective"), 1e-12);
+        } else {
+            assert_near(out.sd, table_number(&table, r, "sd"), 1e-12);
+            double half = interval_next_half_width(&out, 1);
+            assert_near(out.mean - half, table_number(&table, r, "next_low"), 1e-12);
+            assert_near(out.mean + half, table_number(&table, r, "next_high"), 1e-12);
+        }
+    }
+    table_free(&table);
+}
+
+/* Closed forms at 1, 2 and 4 degrees of freedom, and the normal limit. */
+static void test_quantiles(void **state)
+{
+    (void)state;
+    const double levels[] = {0.5, 0.68, 0.95, 0.99, 0.999};
+    for (size_t l = 0; l < 5; l++) {
+        double p = (1 + levels[l]) / 2, q = 1 - p;
+        assert_near(interval_quantile(levels[l], 1), tan(M_PI * levels[l] / 2), 1e-11);
+        assert_near(interval_quantile(levels[l], 2), levels[l] * sqrt(1 / (2 * p * q)), 1e-11);
+        double a = 4 * p * q, c = cos(acos(sqrt(a)) / 3) / sqrt(a);
+        assert_near(interval_quantile(levels[l], 4), 2 * sqrt(c - 1), 1e-10);
+    }
+    assert_near(interval_quantile(0.95, 1e7), 1.959964, 1e-6);
+}
+
+static void rotate(double *value, size_t count)
+{
+    double first = value[0];
+    memmove(value, value + 1, (count - 1) * sizeof *value);
+    value[count - 1] = first;
+}
+
+/* To the last bit, also among scans of the same value and different weights. */
+static void test_file_order_does_not_matter(void **state)
+{
+    (void)state;
+    double values[2][4] = {{-20.1, 3.3e-7, 5.5, 1e5}, {0, 0, 0, 1}},
+           weights[2][4] = {{1, 2, 3, 1}, {0.1, 0.2, 0.3, 0.05}};
+    for (size_t k = 0; k < 2; k++) {
+        struct interval first = scans(values[k], weights[k], 4, 0.95);
+        for (int turn = 0; turn < 4; turn++) {
+            rotate(values[k], 4);
+            rotate(weights[k], 4);
+            struct interval out = scans(values[k], weights[k], 4, 0.95);
+            assert_memory_equal(&out.mean, &first.mean, sizeof out.mean);
+            assert_memory_equal(&out.s, &first.s, sizeof out.s);
+        }
+    }
+}
+
+static void test_two_scans(void **state)
+{
+    (void)state;
+    const double value[2] = {3, 5};
+    struct interval out = scans(value, NULL, 2, 0.95);
+    assert_near(out.mean, 4, 1e-15);
+    assert_near(out.sd, sqrt(2), 1e-15);
+    assert_near(out.s, 1, 1e-15);
+    assert_near(out.high - 4, tan(M_PI * 0.475), 1e-11); /* Cauchy */
+    assert_near(interval_next_half_width(&out, 1), tan(M_PI * 0.475) * sqrt(3), 1e-11);
+}
+
+/* A scan of weight 2 is no two scans (its pieces are not counted as degrees of freedom), equal weights are none. */
+static void test_weights(void **state)
+{
+    (void)state;
+    const double value[4] = {1, 2, 4, 8}, equal[4] = {3, 3, 3, 3};
+    struct interval plain = scans(value, NULL, 4, 0.95), weighted = scans(value, equal, 4, 0.95);
+    assert_near(weighted.mean, plain.mean, 1e-14);
+    assert_near(weighted.s, plain.s, 1e-14);
+    assert_near(weighted.sd, plain.sd * sqrt(3), 1e-14); /* of a value of weight 1 */
+    assert_near(interval_next_half_width(&weighted, 3), interval_next_half_width(&plain, 1), 1e-14);
+}
+
+static void test_identical_values_have_no_spread(void **state)
+{
+    (void)state;
+    double value[9];
+    for (size_t i = 0; i < 9; i++)
+        value[i] = 0.1;
+    struct interval out = scans(value, NULL, 9, 0.95), row = rows(value, 9, 0.95);
+    assert_true(out.mean == 0.1 && out.sd == 0 && out.s == 0 && out.low == 0.1 && out.high == 0.1);
+    assert_true(row.mean == 0.1 && row.s == 0 && row.correlation == 0 && row.high == 0.1);
+    assert_true(interval_next_half_width(&out, 1) == 0);
+}
+
+/* Neighbours that alternate are no better than independent rows; a ramp is hardly two. */
+static void test_correlation_has_limits(void **state)
+{
+    (void)state;
+    double zigzag[16], ramp[16];
+    for (size_t i = 0; i < 16; i++) {
+        zigzag[i] = i % 2 ? 1 : -1;
+        ramp[i] = (double)i;
+    }
+    struct interval out = rows(zigzag, 16, 0.95);
+    assert_true(out.correlation == 0 && out.effective == 16);
+    assert_near(out.s, scans(zigzag, NULL, 16, 0.95).s, 1e-14);
+    out = rows(ramp, 16, 0.95);
+    assert_true(out.correlation == 0.8 && out.effective == 2 && out.degrees == 1);
+    const double two[2] = {1, 2};
+    out = rows(two, 2, 0.95);
+    assert_true(out.effective == 2 && isfinite(out.s));
+}
+
+static void test_units_do_not_matter(void **state)
+{
+    (void)state;
+    const double value[6] = {1, 3, 2, 5, 4, 4};
+    double scaled[6];
+    for (size_t i = 0; i < 6; i++)
+        scaled[i] = 7 + 1e-6 * value[i];
+    struct interval before = rows(value, 6, 0.68), after = rows(scaled, 6, 0.68);
+    assert_near(after.mean - 7, 1e-6 * before.mean, 1e-8);
+    assert_near(after.s, 1e-6 * before.s, 1e-8);
+    assert_near(after.effective, before.effective, 1e-8);
+}
+
+static void assert_refused(const double *value, const double *weight, size_t count, const char *why)
+{
+    struct interval out;
+    struct status status = {0};
+    assert_int_equal(interval_scans(&out, value, weight, count, 0.95, &status), STATUS_SCAN);
+    assert_non_null(strstr(status.message, why));
+    if (weight)
+        return;
+    status = (struct status){0};
+    assert_int_equal(interval_rows(&out, value, count, 0.95, &status), STATUS_SCAN);
+    assert_non_null(strstr(status.message, why));
+}
+
+static void test_refusals(void **state)
+{
+    (void)state;
+    const double one[1] = {1}, bad[3] = {1, NAN, 2}, endless[3] = {1, 2, INFINITY}, good[3] = {1, 2, 3};
+    const double none[3] = {1, 0, 1}, no_number[3] = {1, NAN, 1};
+    assert_refused(one, NULL, 1, "at least 2 values; there is 1");
+    assert_refused(bad, NULL, 3, "value 2 of 3");
+    assert_refused(endless, NULL, 3, "value 3 of 3");
+    assert_refused(good, none, 3, "weight 2 of 3");
+    assert_refused(good, no_number, 3, "weight 2 of 3");
+}
+
+static void test_pieces_reach_from_end_to_end(void **state)
+{
+    (void)state;
+    for (size_t shortest = 1; shortest < 40; shortest++)
+        for (size_t points = shortest; points < 300; points++) {
+            size_t pieces = interval_pieces(points, shortest);
+            assert_true(pieces * shortest <= points && (pieces + 1) * shortest > points);
+            assert_int_equal(interval_piece_first(points, shortest, 0), 0);
+            if (pieces > 1)
+                assert_int_equal(interval_piece_first(points, shortest, pieces - 1), points - shortest);
+            for (size_t p = 1; p < pieces; p++) {
+                size_t step = interval_piece_first(points, shortest, p) - interval_piece_first(points, shortest, p - 1);
+                assert_true(step >= shortest && step <= (points - shortest) / (pieces - 1) + 1);
+            }
+        }
+}
+
+static void test_an_odd_short_scan(void **state)
+{
+    (void)state;
+    double alike[3] = {3, 2, 4}, odd[4] = {4, 4, 1.9, 4}, half[3] = {2, 4, 5}, one[1] = {1};
+    assert_false(interval_shortest_is_odd(alike, 3));
+    assert_true(interval_shortest_is_odd(odd, 4));
+    assert_false(interval_shortest_is_odd(half, 3));
+    assert_false(interval_shortest_is_odd(one, 1));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_reference_values),
+        cmocka_unit_test(test_quantiles),
+        cmocka_unit_test(test_file_order_does_not_matter),
+        cmocka_unit_test(test_two_scans),
+        cmocka_unit_test(test_weights),
+        cmocka_unit_test(test_identical_values_have_no_spread),
+        cmocka_unit_test(test_correlation_has_limits),
+        cmocka_unit_test(test_units_do_not_matter),
+        cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_pieces_reach_from_end_to_end),
+        cmocka_unit_test(test_an_odd_short_scan),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
