@@ -46,9 +46,10 @@ enum status_code repeats_estimate_grouped(struct estimate *out, const double *va
     if (of->count > 1 && of->scan[0] == of->scan[of->count - 1] && repeats_are_rows(of->set)) {
         rc = estimate_rows(out, value, of->count, logarithmic, status);
     } else {
-        double *mean = malloc(2 * of->count * sizeof *mean), *weight = mean + of->count;
+        double *mean = malloc(2 * of->count * sizeof *mean);
         if (!mean)
             return status_memory(status);
+        double *weight = mean + of->count;
         size_t scans = scan_means(mean, weight, value, of, logarithmic);
         rc = estimate_scans(out, mean, weight, scans, logarithmic, status);
         free(mean);
@@ -80,9 +81,10 @@ enum status_code repeats_laws(struct repeats *out, const struct repeat_set *set,
     out->scans = set->scan_count;
     if (set->count == 0)
         return STATUS_OK;
-    double *rq_m = malloc(3 * set->count * sizeof *rq_m), *gamma = rq_m + set->count, *psd_m3 = gamma + set->count;
+    double *rq_m = malloc(3 * set->count * sizeof *rq_m);
     if (!rq_m)
         return status_memory(status);
+    double *gamma = rq_m + set->count, *psd_m3 = gamma + set->count;
     double middle_m = law ? sqrt(law->band_m[0]) * sqrt(law->band_m[1]) : NAN;
     for (size_t p = 0; p < set->count; p++) {
         const struct repeat *part = &set->parts[p];

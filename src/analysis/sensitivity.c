@@ -141,16 +141,19 @@ enum status_code sensitivity_run(struct sensitivity_factors *out, const struct s
 struct model_work sensitivity_work(const struct sensitivity *sensitivity, const struct model_row *model,
                                    const struct model_task *task, bool as_is_known)
 {
-    struct model_work sum = {0};
-    if (sensitivity->scans > 0 && !model->uses_heights && !as_is_known) {
-        struct model_task own = *task;
-        own.wanted &= variant_wanted;
-        sum = model->work(model, &own);
+    struct model_work sum = {0}, work;
+    struct model_task own = *task;
+    struct asperities asperities;
+    if (sensitivity->scans == 0 || model->uses_heights)
+        return sum;
+    own.wanted &= variant_wanted;
+    if (!as_is_known) {
+        work = model->work(model, &own);
+        model_work_add(&sum, &work);
     }
-    for (int v = 0; v < SENSITIVITY_VARIANTS && sensitivity->scans > 0 && !model->uses_heights; v++) {
-        struct asperities asperities;
-        struct model_task own = variant_task(&asperities, &sensitivity->variants[v], task);
-        struct model_work work = model->work(model, &own);
+    for (int v = 0; v < SENSITIVITY_VARIANTS; v++) {
+        own = variant_task(&asperities, &sensitivity->variants[v], task);
+        work = model->work(model, &own);
         model_work_add(&sum, &work);
     }
     return sum;

@@ -89,9 +89,10 @@ static enum status_code fit_alone(struct surface_record *record, const struct po
     const struct repeats_grouping of = {&record->repeats, scans->file, scans->scan_count};
     if (repeats->count == 0)
         return STATUS_OK;
-    double *gamma = malloc(2 * of.count * sizeof *gamma), *psd_m3 = gamma + of.count;
+    double *gamma = malloc(2 * of.count * sizeof *gamma);
     if (!gamma)
         return status_memory(status);
+    double *psd_m3 = gamma + of.count;
     enum status_code rc = STATUS_OK;
     for (size_t i = 0; i < of.count && rc == STATUS_OK; i++) {
         struct power_law_band alone;
