@@ -1,8 +1,8 @@
-# What accuracy costs: largest relative error against time, one line a method, the chosen setting ringed.
+# What accuracy costs: relative error against time, one line a method, the chosen setting ringed.
 #   call 'cost.gp' DATA OUTPUT TITLE STYLES
 # STYLES: one word a block of DATA: c1..c9 methods, choice the chosen settings.
 data = ARG1; output = ARG2; title_text = ARG3; style_words = ARG4
-x_label = 'time (s)'; y_label = 'largest relative error'
+x_label = 'time (s)'; y_label = 'relative error'
 load 'style.gp'
 log_x = 1; log_y = 1
 load 'blocks.gp'
