@@ -208,8 +208,8 @@ static enum status_code simulate(struct pass *pass, const struct simulated_recor
 }
 
 /** The spectrum to draw from; *possible: whether there is one. */
-static enum status_code prepare(struct simulated_record *out, bool *possible, const double *height_m, size_t points,
-                                struct status *status)
+static enum status_code prepare_simulation(struct simulated_record *out, bool *possible, const double *height_m,
+                                           size_t points, struct status *status)
 {
     struct status none = {0};
     *possible = false;
@@ -229,7 +229,7 @@ static enum status_code prepare(struct simulated_record *out, bool *possible, co
 enum status_code uncertainty_possible(bool *out, const double *height_m, size_t points, struct status *status)
 {
     struct simulated_record spectrum = {0};
-    enum status_code rc = prepare(&spectrum, out, height_m, points, status);
+    enum status_code rc = prepare_simulation(&spectrum, out, height_m, points, status);
     simulated_record_free(&spectrum);
     return rc;
 }
@@ -248,7 +248,7 @@ enum status_code uncertainty_run(struct uncertainty *out, const struct uncertain
     bool possible = false;
     enum status_code rc = pass.answers && height_m ? STATUS_OK : status_memory(status);
     if (rc == STATUS_OK)
-        rc = prepare(&spectrum, &possible, scan->height_m, scan->points, status);
+        rc = prepare_simulation(&spectrum, &possible, scan->height_m, scan->points, status);
     assert(rc != STATUS_OK || possible);
     if (rc == STATUS_OK)
         rc = simulate(&pass, &spectrum, height_m, status);

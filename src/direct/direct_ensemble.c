@@ -10,7 +10,7 @@ enum { THREADS_MOST = 64 };
 
 /** What the threads share; `lock` guards next. Tasks are taken in order, so whichever thread fails, the first task that
  * failed is the same. */
-struct pool {
+struct seed_pool {
     const struct direct_ensemble_def *def;
     struct direct_ensemble *ensemble;
     struct direct_point *fine; /* loads; NULL: none */
@@ -56,7 +56,7 @@ static enum status_code solve_surface(struct direct_point *out, double *rms_m, c
     return rc;
 }
 
-static bool take(struct pool *pool, size_t *task)
+static bool take_seed(struct seed_pool *pool, size_t *task)
 {
     pthread_mutex_lock(&pool->lock);
     bool more = !pool->failed && pool->next < pool->end;
@@ -68,8 +68,8 @@ static bool take(struct pool *pool, size_t *task)
 
 static void *work(void *context)
 {
-    struct pool *pool = context;
-    for (size_t task; take(pool, &task);) {
+    struct seed_pool *pool = context;
+    for (size_t task; take_seed(pool, &task);) {
         double rms_m;
         struct status *problem = &pool->problem[task];
         size_t loads = pool->ensemble->loads;
@@ -87,7 +87,7 @@ static void *work(void *context)
 }
 
 /** The tasks up to `end`, in threads. */
-static enum status_code run_tasks(struct pool *pool, size_t end, struct status *status)
+static enum status_code solve_seeds(struct seed_pool *pool, size_t end, struct status *status)
 {
     pthread_t threads[THREADS_MOST];
     long processors = sysconf(_SC_NPROCESSORS_ONLN);
@@ -227,7 +227,7 @@ static void summarise(struct direct_ensemble *ensemble, const struct direct_poin
     }
 }
 
-static enum status_code run(struct pool *pool, struct status *status)
+static enum status_code run(struct seed_pool *pool, struct status *status)
 {
     struct direct_ensemble *ensemble = pool->ensemble;
     const struct direct_ensemble_def *def = pool->def;
@@ -235,7 +235,7 @@ static enum status_code run(struct pool *pool, struct status *status)
     pool->next = pool->fine ? 0 : 1;
     do {
         size_t seeds = ensemble->seeds + batch < def->seeds ? ensemble->seeds + batch : def->seeds;
-        if (run_tasks(pool, 1 + seeds, status) != STATUS_OK)
+        if (solve_seeds(pool, 1 + seeds, status) != STATUS_OK)
             return status->code;
         ensemble->seeds = seeds;
     } while (ensemble->seeds < def->seeds && !is_enough(ensemble, def));
@@ -255,7 +255,7 @@ enum status_code direct_ensemble_run(struct direct_ensemble *out, const struct d
     *out = (struct direct_ensemble){.loads = def->ladder.loads, .rms_m = NAN};
     out->point = calloc(out->loads, sizeof *out->point);
     out->seed_point = calloc(def->seeds * out->loads, sizeof *out->seed_point);
-    struct pool pool = {.def = def, .ensemble = out, .lock = PTHREAD_MUTEX_INITIALIZER};
+    struct seed_pool pool = {.def = def, .ensemble = out, .lock = PTHREAD_MUTEX_INITIALIZER};
     pool.fine = has_fine ? calloc(out->loads, sizeof *pool.fine) : NULL;
     pool.problem = calloc(1 + def->seeds, sizeof *pool.problem);
     if (!out->point || !out->seed_point || (has_fine && !pool.fine) || !pool.problem)
