@@ -24,7 +24,8 @@ enum { KEY_X_UNIT = 0x100, KEY_Z_UNIT, KEY_NO_COST };
 static const struct argp_option scene_options[] = {
     {"material", 'm', "NAME", 0, "a built-in material (default: the scene's, else tin)", 1},
     {"effects", 'e', "LIST", 0,
-     "auto, or some of plasticity,separation,electrical,thermal,scale-dependent,convergence,direct "
+     "auto, or some of plasticity,separation,electrical,thermal,scale-dependent,convergence,uncertainty,"
+     "direct "
      "(default: the scene's, else auto)",
      1},
     {"tolerance", 't', "REL", 0, "relative tolerance of every number, 1e-14 to 0.1 (default: the scene's, else 1e-6)",

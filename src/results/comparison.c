@@ -289,10 +289,7 @@ static struct comparison_pair compare_pair(const struct estimate *a, double valu
     out.test = COMPARISON_PLACE;
     out.low = exp(difference - half_width);
     out.high = exp(difference + half_width);
-    out.verdict = a->heterogeneous || b->heterogeneous ? RANKING_NO_VERDICT
-                  : !(fabs(difference) > half_width)   ? RANKING_NOT_TOLD_APART
-                  : difference < 0                     ? RANKING_FIRST_LOWER
-                                                       : RANKING_FIRST_HIGHER;
+    out.verdict = ranking_place(difference, half_width, a->heterogeneous || b->heterogeneous);
     return out;
 }
 

@@ -7,8 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double single_errors = 2.3;
-
 struct ranking ranking_welch(const struct interval *a, const struct interval *b, double level)
 {
     struct ranking out = {.difference = a->mean - b->mean, .s = hypot(a->s, b->s)};
@@ -36,13 +34,11 @@ enum ranking_verdict ranking_verdict(double difference, double p, double level)
     return difference < 0 ? RANKING_FIRST_LOWER : RANKING_FIRST_HIGHER;
 }
 
-enum ranking_verdict ranking_single(double ln_first, const struct single_scan *first, double ln_second,
-                                    const struct single_scan *second)
+enum ranking_verdict ranking_place(double difference, double half_width, bool heterogeneous)
 {
-    double difference = ln_first - ln_second;
-    if (first->heterogeneous || second->heterogeneous)
+    if (heterogeneous)
         return RANKING_NO_VERDICT;
-    if (!(fabs(difference) > single_errors * hypot(first->s, second->s)))
+    if (!(fabs(difference) > half_width))
         return RANKING_NOT_TOLD_APART;
     return difference < 0 ? RANKING_FIRST_LOWER : RANKING_FIRST_HIGHER;
 }

@@ -10,7 +10,7 @@
 #include <jansson.h>
 #include <stdio.h>
 
-static const char *const commands[] = {"report", "plan", "inspect", "synth", "models", "materials"};
+static const char *const commands[] = {"report", "direct", "plan", "inspect", "synth", "models", "materials"};
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
 static void test_help(void **state)
@@ -30,7 +30,7 @@ static void test_help(void **state)
         snprintf(usage, sizeof usage, "Usage: roughcontact %s", commands[c]);
         struct process process = expect_exit(place, 0, commands[c], "--help");
         expect_part(process.out, usage);
-        if (c < 4) /* the tables have no options */
+        if (c < 5) /* the tables have no options */
             expect_part(process.out, "(default");
         assert_string_equal(process.err, "");
         process_free(&process);
@@ -40,6 +40,14 @@ static void test_help(void **state)
     snprintf(version, sizeof version, "roughcontact %s\n", version_string());
     assert_string_equal(process.out, version);
     process_free(&process);
+    struct process help = expect_exit(place, 0, "report", "--help");
+    const char *effects = strstr(help.out, "--effects=LIST"), *end = effects ? strstr(effects, "-m, ") : NULL;
+    assert_non_null(end);
+    char *list = strndup(effects, (size_t)(end - effects));
+    for (int e = 0; e < EFFECT_COUNT; e++)
+        expect_part(list, effect_rows[e].name);
+    free(list);
+    process_free(&help);
 }
 
 static void test_usage(void **state)

@@ -1,4 +1,5 @@
 #include "statistics/ranking.h"
+#include "statistics/single_scan.h"
 #include "support.h"
 
 #include <float.h>
@@ -67,13 +68,13 @@ static void test_welch_without_spread(void **state)
 static void test_single_scans(void **state)
 {
     (void)state;
-    struct single_scan first = {.s = 0.3}, second = {.s = 0.4};
-    assert_int_equal(ranking_single(1, &first, 1 + 2.3 * 0.499, &second), RANKING_NOT_TOLD_APART);
-    assert_int_equal(ranking_single(1, &first, 1 + 2.3 * 0.501, &second), RANKING_FIRST_LOWER);
-    assert_int_equal(ranking_single(1, &first, 1 - 2.3 * 0.501, &second), RANKING_FIRST_HIGHER);
-    second.heterogeneous = true;
-    assert_int_equal(ranking_single(1, &first, 9, &second), RANKING_NO_VERDICT);
-    assert_int_equal(ranking_single(1, &second, 9, &first), RANKING_NO_VERDICT);
+    double half_width = single_scan_half_width(hypot(0.3, 0.4));
+    assert_int_equal(ranking_place(-2.3 * 0.499, half_width, false), RANKING_NOT_TOLD_APART);
+    assert_int_equal(ranking_place(-2.3 * 0.501, half_width, false), RANKING_FIRST_LOWER);
+    assert_int_equal(ranking_place(2.3 * 0.499, half_width, false), RANKING_NOT_TOLD_APART);
+    assert_int_equal(ranking_place(2.3 * 0.501, half_width, false), RANKING_FIRST_HIGHER);
+    assert_int_equal(ranking_place(-8, half_width, true), RANKING_NO_VERDICT);
+    assert_int_equal(ranking_place(8, half_width, true), RANKING_NO_VERDICT);
 }
 
 static void test_holm(void **state)
