@@ -159,7 +159,7 @@ static void fit_mean(struct solver *solver)
             low = shift;
         else
             high = shift;
-        double change = (wanted - sum) / slope;
+        double change = slope > 0 ? (wanted - sum) / slope : INFINITY; /* else halve the bracket */
         if (fabs(sum - wanted) <= 5e-13 * wanted || high - low <= 1e-15 * hardness)
             break;
         shift = shift + change > low && shift + change < high ? shift + change : (low + high) / 2;

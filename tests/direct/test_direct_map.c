@@ -2,50 +2,6 @@
 
 #include "direct/direct_constriction.h"
 #include "direct/direct_map.h"
-#include "scan/scan.h"
-#include <stdio.h>
-#include <unistd.h>
-
-/** Measured maps are not part of the project; where they lie beside it, their direct solutions within 5 %. */
-static void measured_maps(void **state)
-{
-    (void)state;
-    struct table table = table_read("golden/direct/real_maps.csv");
-    size_t found_maps = 0;
-    for (size_t row = 0; row < table.rows; row++) {
-        char path[4096];
-        const char *name = table_text(&table, row, "map");
-        snprintf(path, sizeof path, "%s/../shared/scans/%s", PROJECT_SOURCE, name);
-        if (access(path, R_OK) != 0)
-            continue;
-        if (table_number(&table, row, "points_a_side") > 200 && !getenv("ROUGHCONTACT_SLOW_TESTS"))
-            continue;
-        struct scan scan;
-        struct scan_options options = {0};
-        struct status status = {0};
-        struct direct_map map;
-        struct direct_contact contact;
-        if (scan_read(&scan, path, &options, &status) != STATUS_OK)
-            fail_msg("%s", status.message);
-        if (direct_map_make(&map, scan.z_m, scan.nx, scan.ny, scan.dx_m, scan.dy_m, 400, 6, &status) != STATUS_OK)
-            fail_msg("%s", status.message);
-        assert_near((double)map.n, 2 * table_number(&table, row, "points_a_side"), 0);
-        assert_int_equal(direct_contact_make(&contact, map.height_m, map.n, map.n, map.spacing_m, &status), STATUS_OK);
-        struct direct_contact_load load = load_of(table_number(&table, row, "load_over_Ep"), INFINITY, 1e-6);
-        struct direct_quantities found = solved(&contact, &load);
-        double length = constriction_of(&contact, 1e-6);
-        assert_near(found.area_ratio, table_number(&table, row, "area_ratio"), 0.05);
-        assert_near(found.gap_m, table_number(&table, row, "gap_m"), 0.05);
-        assert_near(length, table_number(&table, row, "constriction_length_m"), 0.05);
-        found_maps++;
-        direct_contact_free(&contact);
-        direct_map_free(&map);
-        scan_free(&scan);
-    }
-    table_free(&table);
-    if (found_maps == 0)
-        skip();
-}
 
 /** A plane and an offset go, the mirror image joins without a step, the filter halves a wave of its cut-off, holes are
  * filled from beside them. */
@@ -103,7 +59,6 @@ static void refused_maps(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(measured_maps),
         cmocka_unit_test(conditioning),
         cmocka_unit_test(refused_maps),
     };

@@ -1,0 +1,344 @@
+/* The direct solution at its limits: one point and all in contact, a load at the hardness, a spike, exponents at both
+ * ends, a coarse grid; and where it has no answer, none. */
+#include "direct/direct_constriction.h"
+#include "direct/direct_ensemble.h"
+#include "hard_support.h"
+
+/** Heights of a square surface, cell length 1, of a law cut off at `waves` waves. To be freed. */
+static double *surface_of(double gamma, double waves, size_t n, uint64_t seed)
+{
+    struct direct_law law = {1e-3, gamma, 1 / waves, 1};
+    struct direct_spectrum spectrum;
+    struct status status = {0};
+    double *height = malloc(n * n * sizeof *height);
+    assert_non_null(height);
+    if (direct_spectrum_of_law(&spectrum, &law, &status) != STATUS_OK ||
+        direct_surface_realise(height, n, direct_spectrum_variance, &spectrum, seed, &status) != STATUS_OK)
+        fail_msg("%s", status.message);
+    direct_spectrum_free(&spectrum);
+    return height;
+}
+
+static struct direct_contact contact_of(const double *height, size_t n)
+{
+    struct direct_contact contact;
+    struct status status = {0};
+    if (direct_contact_make(&contact, height, n, n, 1 / (double)n, &status) != STATUS_OK)
+        fail_msg("%s", status.message);
+    return contact;
+}
+
+/** One load by the ladder, to 1e-9; every number of it is one. */
+static struct direct_point solved(struct direct_contact *contact, double load, double hardness)
+{
+    struct direct_ladder_def ladder = {&load, 1, hardness, 1e-9, true, NULL};
+    struct direct_point point;
+    struct status status = {0};
+    if (direct_ladder_run(&point, contact, &ladder, &status) != STATUS_OK)
+        fail_msg("%g: %s", load, status.message);
+    const struct direct_quantities *q = &point.quantities;
+    assert_true(point.exists && q->contact_points > 0 && point.patches > 0);
+    assert_true(q->area_ratio >= 0 && q->area_ratio <= 1 && q->area_raw > 0 && q->area_raw <= 1);
+    assert_true(isfinite(q->gap_m) && q->gap_m >= 0 && isfinite(q->plane_gap_m) && q->plane_gap_m <= q->gap_m);
+    assert_true(isfinite(point.constriction_m) && point.constriction_m >= 0);
+    return point;
+}
+
+static double highest(const double *height, size_t n)
+{
+    double mean = 0, most = -INFINITY;
+    for (size_t k = 0; k < n * n; k++) {
+        mean += height[k] / (double)(n * n);
+        most = fmax(most, height[k]);
+    }
+    return most - mean;
+}
+
+/** Sum of 1/|q| over the modes of an n x n grid: a point's own potential under a mean current of 1. */
+static double own_potential(size_t n)
+{
+    double sum = 0;
+    for (size_t j = 0; j < n; j++)
+        for (size_t i = 0; i < n; i++)
+            if (i + j > 0)
+                sum += 1 / (2 * M_PI * hypot((double)(i <= n / 2 ? i : n - i), (double)(j <= n / 2 ? j : n - j)));
+    return sum;
+}
+
+/** The highest point alone: l = sum 1/|q|, and the planes are its height less 2 p̄ l apart. */
+static void one_contact_point(void **state)
+{
+    (void)state;
+    static const double loads[] = {1e-100, 1e-30, 1e-12, 1e-9};
+    for (size_t n = 16; n <= 64; n *= 2) {
+        double *height = surface_of(1.3, 5, n, 1), top = highest(height, n), own = own_potential(n);
+        struct direct_contact contact = contact_of(height, n);
+        for (size_t i = 0; i < sizeof loads / sizeof *loads; i++) {
+            struct direct_point point = solved(&contact, loads[i], INFINITY);
+            assert_int_equal(point.quantities.contact_points, 1);
+            assert_int_equal(point.quantities.perimeter_faces, 4);
+            assert_int_equal(point.largest_patch, 1);
+            assert_near(point.constriction_m, own, 1e-11);
+            assert_near(point.quantities.gap_m, top - 2 * loads[i] * own, 1e-11);
+        }
+        direct_contact_free(&contact);
+        free(height);
+    }
+}
+
+/** p = p̄ + |q|h/2 everywhere from p̄ = -min |q|h/2 on: no gap and no resistance there, both just below. */
+static void complete_contact_from_both_sides(void **state)
+{
+    (void)state;
+    enum { N = 64 };
+    double *height = surface_of(1.3, 10, N, 1), least = 0;
+    struct direct_contact contact = contact_of(height, N);
+    struct direct_kernel *kernel = &contact.kernel;
+    memcpy(kernel->field, contact.height_m, N * kernel->stride * sizeof(double));
+    direct_kernel_stiffen(kernel);
+    for (size_t j = 0; j < N; j++)
+        for (size_t i = 0; i < N; i++)
+            least = fmin(least, kernel->field[j * kernel->stride + i] / 2);
+    for (int side = 0; side < 2; side++) {
+        struct direct_point point = solved(&contact, -least * (side ? 1 + 1e-6 : 1 - 1e-3), INFINITY);
+        if (side == 0) {
+            assert_true(point.quantities.contact_points < (size_t)N * N && point.quantities.area_ratio < 1);
+            assert_true(point.quantities.gap_m > 0 && point.constriction_m > 0);
+        } else {
+            assert_int_equal(point.quantities.contact_points, N * N);
+            assert_true(point.quantities.area_ratio == 1 && point.quantities.gap_m == 0 && point.constriction_m == 0);
+            for (size_t k = 0; k < (size_t)N * kernel->stride; k++)
+                if (k % kernel->stride < N)
+                    assert_true(contact.pressure[k] > 0);
+        }
+    }
+    direct_contact_free(&contact);
+    free(height);
+}
+
+/** Up to the hardness: at least p̄/H in contact; from it on no number, but a sentence. */
+static void load_at_the_hardness(void **state)
+{
+    (void)state;
+    enum { N = 32 };
+    static const double hardness = 0.01, shares[] = {0.5, 0.9, 0.999, 1, 1 + 1e-15, 2, 1e10};
+    double *height = surface_of(1.3, 5, N, 1);
+    struct direct_contact contact = contact_of(height, N);
+    for (size_t i = 0; i < sizeof shares / sizeof *shares; i++) {
+        double load = shares[i] * hardness;
+        struct direct_ladder_def ladder = {&load, 1, hardness, 1e-9, true, NULL};
+        struct direct_contact_load one = {load, hardness, 1e-9, 0, true, NULL};
+        struct direct_contact_effort effort = {0};
+        struct direct_point point;
+        struct status status = {0};
+        if (shares[i] < 1) {
+            assert_true(solved(&contact, load, hardness).quantities.area_ratio >= shares[i]);
+            continue;
+        }
+        assert_int_equal(direct_ladder_run(&point, &contact, &ladder, &status), STATUS_OK);
+        assert_false(point.exists);
+        assert_true(isnan(point.constriction_m));
+        assert_int_equal(point.quantities.contact_points, 0);
+        assert_int_equal(direct_contact_solve(&contact, &one, &effort, &status), STATUS_MODEL);
+        assert_non_null(strstr(status.message, "complete contact"));
+    }
+    direct_contact_free(&contact);
+    free(height);
+}
+
+/** Nothing, a plane, rounding only, roughness whose squares vanish, a hole, an infinite height. */
+static void no_surface(void **state)
+{
+    (void)state;
+    enum { N = 16 };
+    static const struct {
+        double offset, rough, one;
+        const char *says;
+    } cases[] = {{0, 0, 0, "flat"},           {1e-6, 0, 1e-6, "flat"},         {1, 1e-16, 1, "flat"},
+                 {0, 1e-200, 0, "flat"},      {0, 1e-6, NAN, "not finite"},    {0, 1e-6, INFINITY, "not finite"},
+                 {0, 0, -INFINITY, "finite"}, {1e-6, 1e-9, NAN, "not finite"}, {0, 5e-324, 0, "flat"}};
+    for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
+        double height[N * N];
+        struct direct_contact contact;
+        struct status status = {0};
+        for (size_t k = 0; k < (size_t)N * N; k++)
+            height[k] = cases[c].offset + cases[c].rough * (double)(k % 7);
+        height[200] = cases[c].one;
+        assert_int_equal(direct_contact_make(&contact, height, N, N, 1.0 / N, &status), STATUS_MODEL);
+        if (!strstr(status.message, cases[c].says))
+            fail_msg("case %zu: %s", c, status.message);
+        assert_null(contact.height_m);
+    }
+}
+
+/** Exponents at both ends: the area is about 2 p̄ over the root mean square gradient, the gap's slope is -2 l. */
+static void exponents_at_both_ends(void **state)
+{
+    (void)state;
+    enum { N = 128 };
+    static const double gammas[] = {0.5, 1, 2};
+    for (size_t e = 0; e < 3; e++) {
+        double *height = surface_of(gammas[e], 20, N, 3), gradient = 0, last = 0;
+        struct direct_contact contact = contact_of(height, N);
+        struct direct_law law = {1e-3, gammas[e], 1 / 20.0, 1};
+        for (size_t m = 1; m <= direct_law_harmonics(&law); m++) /* 2 m2 of the rows */
+            gradient += pow(2 * M_PI * (double)m * direct_law_amplitude(&law, m), 2);
+        gradient = sqrt(gradient);
+        for (double p = 0.01; p < 0.2; p *= 2.5) { /* over the gradient */
+            struct direct_point point = solved(&contact, p * gradient, INFINITY);
+            struct direct_point low = solved(&contact, p * gradient * (1 - 1e-3), INFINITY),
+                                high = solved(&contact, p * gradient * (1 + 1e-3), INFINITY);
+            double slope = (high.quantities.gap_m - low.quantities.gap_m) / (2e-3 * p * gradient);
+            assert_true(point.quantities.contact_points >= 100);
+            /* at the last the longest wave is nearly all: one Hertzian patch has more area at low load */
+            assert_within(point.quantities.area_ratio / p, 2.1, gammas[e] < 2 ? 0.5 : 1.2);
+            assert_near(point.constriction_m, -slope / 2, 5e-3);
+            assert_true(point.quantities.area_ratio > last);
+            last = point.quantities.area_ratio;
+        }
+        direct_contact_free(&contact);
+        free(height);
+    }
+}
+
+/** A spike a thousand times the roughness carries everything until it is pressed in; under a hardness it flows. */
+static void spike_on_a_rough_surface(void **state)
+{
+    (void)state;
+    enum { N = 64, AT = 17 * N + 40 };
+    double *height = surface_of(1.3, 10, N, 1), own = own_potential(N);
+    struct direct_contact plain = contact_of(height, N);
+    double rms = plain.rms_m, tall = 1000 * rms;
+    direct_contact_free(&plain);
+    height[AT] = tall;
+    struct direct_contact contact = contact_of(height, N);
+    double alone = 0.5 * tall / (2 * own); /* presses it in by half */
+    struct direct_point point = solved(&contact, alone, INFINITY);
+    assert_int_equal(point.quantities.contact_points, 1);
+    assert_near(point.constriction_m, own, 1e-9);
+    assert_near(point.quantities.gap_m, 0.5 * tall * (1 - 1.0 / N / N), 3e-3);
+    assert_true(solved(&contact, 4 * alone, INFINITY).quantities.contact_points > 1);
+    double light = alone / 1000, hardness = light * N * N / 10.5; /* the spike and ten points more have to carry it */
+    point = solved(&contact, light, hardness);
+    assert_true(point.quantities.contact_points >= 11 && point.quantities.capped_points >= 1);
+    assert_true(point.quantities.area_ratio >= light / hardness);
+    assert_true(point.quantities.plane_gap_m < point.quantities.gap_m);
+    direct_contact_free(&contact);
+    free(height);
+}
+
+static struct direct_ensemble_def ensemble_of(const struct direct_spectrum *spectrum, size_t n, const double *loads,
+                                              size_t count)
+{
+    return (struct direct_ensemble_def){.ladder = {loads, count, INFINITY, 1e-6, true, NULL},
+                                        .length_m = 1,
+                                        .n = n,
+                                        .variance = direct_spectrum_variance,
+                                        .context = spectrum,
+                                        .first_seed = 1,
+                                        .seeds = 3,
+                                        .threads = 1};
+}
+
+/** 16 x 16 points, from one in contact to all: fewer than 100 in any surface is no number, and none is NaN beyond. */
+static void coarse_grid(void **state)
+{
+    (void)state;
+    struct direct_law law = {1e-3, 1.3, 1 / 2.6, 1};
+    struct direct_spectrum spectrum;
+    struct direct_ensemble found;
+    struct status status = {0};
+    double loads[31];
+    size_t given = 0, few = 0;
+    for (size_t i = 0; i < 31; i++)
+        loads[i] = 1e-9 * pow(10, (double)i / 3);
+    assert_int_equal(direct_spectrum_of_law(&spectrum, &law, &status), STATUS_OK);
+    struct direct_ensemble_def def = ensemble_of(&spectrum, 16, loads, 31);
+    def.fine_times = 2;
+    if (direct_ensemble_run(&found, &def, &status) != STATUS_OK)
+        fail_msg("%s", status.message);
+    for (size_t i = 0; i < 31; i++) {
+        const struct direct_ensemble_point *point = &found.point[i];
+        const struct direct_mean *means[] = {&point->area_ratio, &point->gap_m, &point->plane_gap_m,
+                                             &point->constriction_m, &point->patches_per_m2};
+        size_t least = SIZE_MAX;
+        for (size_t k = 0; k < found.seeds; k++) {
+            size_t points = found.seed_point[k * 31 + i].quantities.contact_points;
+            least = points < least ? points : least;
+        }
+        assert_int_equal(point->least_points, least);
+        assert_int_equal(point->state, least < 100 ? DIRECT_ENSEMBLE_FEW_POINTS : DIRECT_ENSEMBLE_GIVEN);
+        for (size_t m = 0; m < 5; m++) {
+            assert_true((least < 100) == isnan(means[m]->value));
+            assert_true((least < 100) == isnan(means[m]->standard_error));
+        }
+        given += least >= 100;
+        few += least < 100;
+    }
+    assert_true(given > 3 && few > 10);
+    assert_true(found.point[30].area_ratio.value == 1 && found.point[30].constriction_m.value == 0);
+    direct_ensemble_free(&found);
+    direct_spectrum_free(&spectrum);
+}
+
+/** What does not converge is an error of the ladder and of the ensemble, as is a load that is no number. */
+static void no_answer(void **state)
+{
+    (void)state;
+    enum { N = 32 };
+    static const double load = 1e-3;
+    struct direct_law law = {1e-3, 1.3, 1 / 5.0, 1};
+    struct direct_spectrum spectrum;
+    struct direct_ensemble found;
+    struct status status = {0};
+    double *height = surface_of(1.3, 5, N, 1);
+    struct direct_contact contact = contact_of(height, N);
+    struct direct_ladder_def ladder = {&load, 1, INFINITY, 1e-300, true, NULL};
+    struct direct_point point;
+    int traps = fedisableexcept(FE_ALL_EXCEPT); /* 0/0 ends iterations on rounding alone */
+    assert_int_equal(direct_ladder_run(&point, &contact, &ladder, &status), STATUS_MODEL);
+    assert_non_null(strstr(status.message, "not converge"));
+    assert_int_equal(direct_spectrum_of_law(&spectrum, &law, &(struct status){0}), STATUS_OK);
+    struct direct_ensemble_def def = ensemble_of(&spectrum, N, &load, 1);
+    def.ladder.tolerance = 1e-300;
+    status = (struct status){0};
+    assert_int_equal(direct_ensemble_run(&found, &def, &status), STATUS_MODEL);
+    assert_non_null(strstr(status.message, "not converge"));
+    assert_true(!found.point && !found.seed_point);
+
+    (void)solved(&contact, load, INFINITY);
+    struct direct_contact_effort effort = {0};
+    double length;
+    status = (struct status){0};
+    assert_int_equal(direct_constriction_of_contact(&length, &contact, 1e-300, NULL, &effort, &status), STATUS_MODEL);
+    assert_non_null(strstr(status.message, "not converge"));
+
+    static const double wrong[] = {-1, 0, NAN, INFINITY, -INFINITY};
+    for (size_t w = 0; w < sizeof wrong / sizeof *wrong; w++) {
+        struct direct_contact_load one = {wrong[w], INFINITY, 1e-6, 0, false, NULL};
+        status = (struct status){0};
+        if (direct_contact_solve(&contact, &one, &effort, &status) != STATUS_MODEL)
+            fail_msg("load %g", wrong[w]);
+    }
+    feclearexcept(FE_ALL_EXCEPT);
+    feenableexcept(traps);
+    direct_contact_free(&contact);
+    direct_spectrum_free(&spectrum);
+    free(height);
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(one_contact_point),
+        cmocka_unit_test(complete_contact_from_both_sides),
+        cmocka_unit_test(load_at_the_hardness),
+        cmocka_unit_test(no_surface),
+        cmocka_unit_test(exponents_at_both_ends),
+        cmocka_unit_test(spike_on_a_rough_surface),
+        cmocka_unit_test(coarse_grid),
+        cmocka_unit_test(no_answer),
+    };
+    hard_start(argc, argv);
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
