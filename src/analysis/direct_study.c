@@ -300,13 +300,27 @@ static enum status_code first_surface(double *height_m, const struct maker *make
     return direct_surface_realise(height_m, n, def.variance, def.context, def.first_seed, status);
 }
 
-/** Where the first surface touches at the picture's load. */
+/** The picture's load: of those that give numbers, the one next to the load planned. Returns whether there is one. */
+static bool choose_picture(struct direct_study *study)
+{
+    const struct direct_study_curve *curve = &study->curves[study->leading];
+    double wanted = study->plan.load[study->plan.picture], nearest = INFINITY;
+    for (size_t i = 0; i < curve->loads; i++)
+        if (curve->points[i].state == DIRECT_ENSEMBLE_GIVEN && fabs(log(study->plan.load[i] / wanted)) < nearest) {
+            nearest = fabs(log(study->plan.load[i] / wanted));
+            study->plan.picture = i;
+        }
+    return isfinite(nearest);
+}
+
+/** Where the first surface touches at the picture's load; nothing where the grid resolves none. */
 static enum status_code draw(struct maker *maker, const double *height_m, struct status *status)
 {
     struct direct_study *study = maker->study;
     const struct direct_plan *plan = &study->plan;
     struct direct_contact contact = {0};
     struct direct_point point;
+    bool resolved = choose_picture(study);
     struct direct_ladder_def ladder = {&plan->load[plan->picture], 1, INFINITY, contact_tolerance, plan->resistance,
                                        maker->task->stop};
     size_t n = plan->grid;
@@ -319,6 +333,10 @@ static enum status_code draw(struct maker *maker, const double *height_m, struct
         study->solutions++;
         for (size_t k = 0; k < n * n; k++)
             study->contact[k] = contact.pressure[k / n * contact.kernel.stride + k % n] > 0;
+    }
+    if (!resolved) {
+        free(study->contact);
+        study->contact = NULL;
     }
     direct_contact_free(&contact);
     return status->code;

@@ -37,8 +37,9 @@ static bool is_called_for(const struct figure_row *row, const struct results *re
         return (plan_quantities(plan) & needed) == needed && (!row->beyond_thesis || plan_beyond_thesis(plan));
     case FIGURE_DIRECT:
     case FIGURE_DIRECT_RATIO:
-    case FIGURE_PATCHES:
         return figure_direct(results) && (plan->wanted & needed) == needed;
+    case FIGURE_PATCHES:
+        return figure_direct(results) && figure_direct(results)->contact && (plan->wanted & needed) == needed;
     case FIGURE_SENSITIVITY:
         return results->sensitivity && (plan_quantities(plan) & QUANTITY_BIT(row->y));
     case FIGURE_PROBABILITY:

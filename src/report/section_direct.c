@@ -226,6 +226,8 @@ static void caption(struct text *out, const struct section_context *context, con
     if (figure->row->kind == FIGURE_PATCHES) {
         text_add(out, " the first surface touches in %zu patch%s; ", study->patches, study->patches == 1 ? "" : "es");
         number_format_between(out, "the picture is ", study->plan.length_m * 1e6, 3, " µm wide.");
+    } else if (!isfinite(value)) {
+        text_add(out, " fewer than %d points of this grid touch: no number.", DIRECT_ENSEMBLE_POINTS);
     } else if (figure->row->kind == FIGURE_DIRECT) {
         const struct quantity_row *row = &quantity_rows[quantity];
         text_add(out, " the direct solution has ");

@@ -2,6 +2,7 @@
 
 #include "base/hash.h"
 #include "profile/synth.h"
+#include <ctype.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <fts.h>
@@ -9,6 +10,7 @@
 #include <poll.h>
 #include <spawn.h>
 #include <stdio.h>
+#include <strings.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -295,4 +297,50 @@ char *workspace_digest(const char *place, const char *path)
 size_t workspace_count(const char *place, const char *prefix)
 {
     return walk(place, ".", NULL, prefix);
+}
+
+void process_expect_numbers(const char *text, const char *where)
+{
+    static const char *const words[] = {"nan", "inf", "infinity"};
+    for (const char *at = text; *at;) {
+        size_t length = 0;
+        while (isalnum((unsigned char)at[length]) || at[length] == '_')
+            length++;
+        for (size_t w = 0; w < sizeof words / sizeof *words; w++)
+            if (strlen(words[w]) == length && strncasecmp(at, words[w], length) == 0) {
+                const char *from = at - text > 60 ? at - 60 : text;
+                fail_msg("%s: %.100s", where, from);
+            }
+        at += length ? length : 1;
+    }
+}
+
+static size_t files_seen;
+
+static int expect_numbers_in(const char *path, const struct stat *info, int type, struct FTW *level)
+{
+    (void)info;
+    if (type != FTW_F)
+        return 0;
+    char *template_path;
+    assert_true(asprintf(&template_path, "%s/templates/%s", PROJECT_SOURCE, path + level->base) > 0);
+    bool code = access(template_path, F_OK) == 0; /* gnuplot's NaN, as in the templates */
+    free(template_path);
+    if (code)
+        return 0;
+    char *content = workspace_read("/", path);
+    process_expect_numbers(content, path);
+    free(content);
+    files_seen++;
+    return 0;
+}
+
+size_t workspace_expect_numbers(const char *place, const char *path)
+{
+    char *whole;
+    assert_true(asprintf(&whole, "%s/%s", place, path) > 0);
+    files_seen = 0;
+    assert_int_equal(nftw(whole, expect_numbers_in, 16, FTW_PHYS), 0);
+    free(whole);
+    return files_seen;
 }

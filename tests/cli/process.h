@@ -51,6 +51,11 @@ void process_expect_failure(struct process process, int status, size_t lines, co
 #define expect_no_part(text, part) process_expect_part((text), (part), false, __FILE__, __LINE__)
 void process_expect_part(const char *text, const char *part, bool there, const char *file, int line);
 
+/** Fails the test when `text`, read from `where`, holds nan or inf as a word of its own, with a sign or without. */
+void process_expect_numbers(const char *text, const char *where);
+/** The same of every file below `path`, but gnuplot's templates. Returns their number. */
+size_t workspace_expect_numbers(const char *place, const char *path);
+
 /** Files below the workspace. Parents are made; read returns a text to free, and fails the test when there is none. */
 void workspace_write(const char *place, const char *path, const char *content);
 void workspace_folder(const char *place, const char *path);

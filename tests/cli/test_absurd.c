@@ -2,12 +2,8 @@
  * number that is not one. */
 #include "cli/process.h"
 
-#include <ctype.h>
-#include <ftw.h>
 #include <jansson.h>
 #include <stdio.h>
-#include <strings.h>
-#include <unistd.h>
 
 enum { POINTS = 200, NX = 20, NY = 10 };
 
@@ -129,43 +125,6 @@ static void write_case(const char *place, const char *path, const struct absurd 
     free(content);
 }
 
-/** Fails when `text` holds nan or inf as a word of its own, with a sign or without. */
-static void expect_numbers(const char *text, const char *where)
-{
-    static const char *const words[] = {"nan", "inf", "infinity"};
-    for (const char *at = text; *at;) {
-        size_t length = 0;
-        while (isalnum((unsigned char)at[length]) || at[length] == '_')
-            length++;
-        for (size_t w = 0; w < sizeof words / sizeof *words; w++)
-            if (strlen(words[w]) == length && strncasecmp(at, words[w], length) == 0) {
-                const char *from = at - text > 60 ? at - 60 : text;
-                fail_msg("%s: %.100s", where, from);
-            }
-        at += length ? length : 1;
-    }
-}
-
-static size_t files_seen;
-
-static int expect_numbers_in(const char *path, const struct stat *info, int type, struct FTW *level)
-{
-    (void)info;
-    if (type != FTW_F)
-        return 0;
-    char *template_path;
-    assert_true(asprintf(&template_path, "%s/templates/%s", PROJECT_SOURCE, path + level->base) > 0);
-    bool code = access(template_path, F_OK) == 0; /* gnuplot's NaN, as in the templates */
-    free(template_path);
-    if (code)
-        return 0;
-    char *content = workspace_read("/", path);
-    expect_numbers(content, path);
-    free(content);
-    files_seen++;
-    return 0;
-}
-
 /** Reports `folder`, with a good scan beside what is in it, and reads all that is written. Free stderr. */
 static char *report(const char *place, const char *folder, const char *scene, size_t refused, bool cost)
 {
@@ -177,16 +136,12 @@ static char *report(const char *place, const char *folder, const char *scene, si
     snprintf(out, sizeof out, "out-%s", folder);
     struct process process =
         expect_exit(place, refused > 0 ? 1 : 0, "report", folder, "-o", out, cost ? "--verbose" : "--no-cost");
-    expect_numbers(process.out, "stdout");
-    expect_numbers(process.err, "stderr");
-    char *messages = process.err, *whole;
+    process_expect_numbers(process.out, "stdout");
+    process_expect_numbers(process.err, "stderr");
+    char *messages = process.err;
     process.err = NULL;
     process_free(&process);
-    assert_true(asprintf(&whole, "%s/%s", place, out) > 0);
-    files_seen = 0;
-    assert_int_equal(nftw(whole, expect_numbers_in, 16, FTW_PHYS), 0);
-    assert_true(files_seen > 20);
-    free(whole);
+    assert_true(workspace_expect_numbers(place, out) > 20);
     snprintf(path, sizeof path, "%s/data/contact.csv", out);
     char *contact = workspace_read(place, path);
     expect_part(contact, "\ngood,jg,");
@@ -326,9 +281,9 @@ static void test_inspect(void **state)
         int status = absurd->inspect_refusal ? 1 : 0;
         struct process text = expect_exit(place, status, "inspect", "bad.csv", "good.csv", "--chart");
         struct process json = expect_exit(place, status, "inspect", "--json", "bad.csv", "good.csv");
-        expect_numbers(text.out, "stdout");
-        expect_numbers(text.err, "stderr");
-        expect_numbers(json.out, "stdout of --json");
+        process_expect_numbers(text.out, "stdout");
+        process_expect_numbers(text.err, "stderr");
+        process_expect_numbers(json.out, "stdout of --json");
         expect_part(text.out, "good.csv\n  format ");
         json_error_t error;
         json_t *all = json_loads(json.out, 0, &error), *first = json_array_get(all, 0);
