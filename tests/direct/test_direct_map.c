@@ -1,6 +1,6 @@
 #include "direct_support.h"
 
-#include "direct/direct_constriction.h"
+#include "direct/direct_ladder.h"
 #include "direct/direct_map.h"
 
 /** A plane and an offset go, the mirror image joins without a step, the filter halves a wave of its cut-off, holes are
@@ -56,11 +56,74 @@ static void refused_maps(void **state)
     assert_non_null(strstr(status.message, "129"));
 }
 
+/** v(r) flat up to *context waves in the cell, falling with Hurst exponent 0.8 up to 16. */
+static double rolled_off(double r, const void *context)
+{
+    return r > 16 ? 0 : pow(fmax(r, *(const double *)context), -3.6);
+}
+
+enum { MIRROR_LOADS = 3 };
+static const double mirror_loads[MIRROR_LOADS] = {0.03, 0.1, 0.3}; /* over the root mean square gradient */
+
+static void solve_mirrored(struct direct_point out[MIRROR_LOADS], const double *height, size_t n, double gradient)
+{
+    double load[MIRROR_LOADS];
+    struct direct_contact contact;
+    struct status status = {0};
+    struct direct_ladder_def ladder = {load, MIRROR_LOADS, INFINITY, 1e-6, true, NULL};
+    for (int i = 0; i < MIRROR_LOADS; i++)
+        load[i] = mirror_loads[i] * gradient;
+    if (direct_contact_make(&contact, height, n, n, 1, &status) != STATUS_OK ||
+        direct_ladder_run(out, &contact, &ladder, &status) != STATUS_OK)
+        fail_msg("%s", status.message);
+    direct_contact_free(&contact);
+}
+
+/** What plane and mirror cost: a periodic surface against what is made of it as if it were a map. Means over seeds of
+ * area, gap and constriction over those of the periodic one: the longest waves are what is lost, so a map as long as
+ * its longest wave loses gap, one of four of them little. */
+static void mirrored_periodic_surface(void **state)
+{
+    (void)state;
+    enum { N = 128, SEEDS = 4 };
+    static const struct {
+        double waves, area, gap, constriction; /* most by which a mean differs from 1 */
+    } cases[] = {{1, 0.06, 0.25, 0.30}, {4, 0.02, 0.035, 0.04}};
+    double *height = malloc(N * N * sizeof *height), change[2] = {0};
+    for (size_t c = 0; c < 2; c++) {
+        double mean[MIRROR_LOADS][3] = {{0}};
+        for (uint64_t seed = 1; seed <= SEEDS; seed++) {
+            struct direct_point periodic[MIRROR_LOADS], mirrored[MIRROR_LOADS];
+            struct direct_map map;
+            struct status status = {0};
+            assert_int_equal(direct_surface_realise(height, N, rolled_off, &cases[c].waves, seed, &status), STATUS_OK);
+            assert_int_equal(direct_map_make(&map, height, N, N, 1, 1, N, 0, &status), STATUS_OK);
+            solve_mirrored(periodic, height, N, map.gradient);
+            solve_mirrored(mirrored, map.height_m, map.n, map.gradient);
+            for (size_t i = 0; i < MIRROR_LOADS; i++) {
+                mean[i][0] += mirrored[i].quantities.area_ratio / periodic[i].quantities.area_ratio / SEEDS;
+                mean[i][1] += mirrored[i].quantities.gap_m / periodic[i].quantities.gap_m / SEEDS;
+                mean[i][2] += mirrored[i].constriction_m / periodic[i].constriction_m / SEEDS;
+            }
+            direct_map_free(&map);
+        }
+        for (size_t i = 0; i < MIRROR_LOADS; i++) {
+            assert_within(mean[i][0], 1, cases[c].area);
+            assert_within(mean[i][1], 1, cases[c].gap);
+            assert_within(mean[i][2], 1, cases[c].constriction);
+            change[c] += fabs(log(mean[i][1])) / MIRROR_LOADS;
+        }
+    }
+    assert_true(change[0] > 3 * change[1] && change[1] > 0.005);
+    free(height);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(conditioning),
         cmocka_unit_test(refused_maps),
+        cmocka_unit_test(mirrored_periodic_surface),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
