@@ -12,7 +12,7 @@ static bool has(const struct section_context *context, int q)
 
 static const char *const quantity_words[DIRECT_STUDY_QUANTITIES] = {"area", "gap", "ECR"};
 
-static void resolution(struct text *out, const struct direct_study *study)
+static void resolution(struct text *out, const struct direct_study *study, const struct power_law *fitted)
 {
     const struct direct_plan *plan = &study->plan;
     if (plan->side > 0) {
@@ -31,7 +31,12 @@ static void resolution(struct text *out, const struct direct_study *study)
     number_format_between(out, " (SI) down to λs = ", plan->lambda_s_m * 1e6, 3, " µm");
     if (plan->coarse)
         text_add(out, ", which is what this grid resolves and not all that the scan holds");
-    number_format_between(out, " (their mean square curvature is then ", study->m4_over_scan, 2, " times the scan's).");
+    number_format_between(out, " (their mean square curvature is then ", study->m4_over_scan, 2, " times the scan's");
+    if (isfinite(fitted->gamma) && isfinite(fitted->alpha)) {
+        number_format_between(out, "; the law fitted to the scan has γ = ", fitted->gamma, 4, "");
+        number_format_between(out, ", α = ", fitted->alpha, 3, "");
+    }
+    text_add(out, ").");
     number_format_between(out,
                           " Below λs there is nothing: the solution is true at this resolution. A row is levelled, "
                           "a surface is not, so its Sq is ",
@@ -62,7 +67,7 @@ static void introduction(struct text *out, const struct section_context *context
 {
     section_named(out, "Surface ", context->results, study->surface);
     text_add(out, ", solved by boundary elements without the models' assumptions:");
-    resolution(out, study);
+    resolution(out, study, &context->results->store->summaries[study->surface].power_law);
     heights(out, study);
     text_add(out,
              " The models are given the spectrum of the same surface%s rows, so a ratio is the model's error and "

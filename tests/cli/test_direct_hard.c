@@ -274,12 +274,42 @@ static void test_strange_surfaces(void **state)
     }
 }
 
+/* A map below its resolution, as a profile: no number, no picture. */
+static void test_map_below_resolution(void **state)
+{
+    const char *place = *state;
+    enum { N = 32 };
+    char text[N * N * 20];
+    size_t used = (size_t)snprintf(text, sizeof text, "DSAA\n%d %d\n0 31e-6\n0 31e-6\n-1e-6 1e-6\n", N, N);
+    for (int k = 0; k < N * N; k++)
+        used += (size_t)snprintf(text + used, sizeof text - used, "%.9e\n",
+                                 4e-7 * sin(0.7 * (k % N) + 0.002 * k) * cos(0.9 * (k / N)) + 1e-7 * sin(0.1 * k * k));
+    workspace_write(place, "d/m.grd", text);
+    workspace_write(place, "d/scene.yaml",
+                    SCENE "surfaces: [{name: m, file: m.grd, x_unit: m, z_unit: m}]\ndirect: {loads: [1e-9, 0.05]}\n");
+    struct process run = expect_exit(place, 0, "report", "d", "-o", "out", "--no-cost");
+    process_free(&run);
+    assert_true(workspace_expect_numbers(place, "out") > 20);
+    struct table t = data(place, "data/direct.csv");
+    size_t with = 0;
+    for (size_t i = 0; i < t.rows; i++) {
+        bool resolved = table_number(&t, i, "load_over_AnEp") > 1e-2;
+        assert_string_equal(table_text(&t, i, "source"), "map");
+        for (size_t k = 0; k < NUMBERS; k++)
+            if (!strstr(numbers[k], "stderr"))
+                assert_true((*table_text(&t, i, numbers[k]) != '\0') == resolved);
+        with += resolved;
+    }
+    assert_true(with >= 1 && with < t.rows);
+    table_free(&t);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         workspace_test(test_below_resolution),      workspace_test(test_partly_below_resolution),
         workspace_test(test_loads_at_the_hardness), workspace_test(test_complete_contact),
-        workspace_test(test_strange_surfaces),
+        workspace_test(test_strange_surfaces),      workspace_test(test_map_below_resolution),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
