@@ -3,8 +3,13 @@
 #include "direct/direct_ladder.h"
 #include "direct/direct_map.h"
 
-/** A plane and an offset go, the mirror image joins without a step, the filter halves a wave of its cut-off, holes are
- * filled from beside them. */
+static double even_wave(size_t i)
+{
+    return cos(2 * M_PI * ((double)i + 0.5) / 16);
+}
+
+/** A plane and an offset go, the mirror image joins without a step, the filter halves a wave of its cut-off in each
+ * direction, holes are filled from beside them. */
 static void conditioning(void **state)
 {
     (void)state;
@@ -19,16 +24,16 @@ static void conditioning(void **state)
     for (size_t k = 0; k < map.n * map.n; k++)
         assert_within(map.height_m[k], 0, 1e-12);
     direct_map_free(&map);
-    /* cos(2 pi (i + 1/2)/16) is even about both ends of the square: mirrored it stays one wave */
+    /* cos(2 pi (i + 1/2)/16) is even about both ends of the square: mirrored it stays one wave, along and across */
     for (int filtered = 0; filtered < 2; filtered++) {
+        double amplitude = filtered ? 0.25 : 1;
         for (size_t k = 0; k < NX * NY; k++)
-            height[k] = cos(2 * M_PI * ((double)(k % NX) + 0.5) / 16);
+            height[k] = even_wave(k % NX) * even_wave(k / NX);
         assert_int_equal(direct_map_make(&map, height, NX, NY, 2, 2, N, filtered ? 16 : 0, &status), STATUS_OK);
         for (size_t k = 0; k < map.n * map.n; k++)
-            assert_within(map.height_m[k], (filtered ? 0.5 : 1) * cos(2 * M_PI * ((double)(k % map.n) + 0.5) / 16),
-                          1e-12);
-        assert_near(map.rms_m, (filtered ? 0.5 : 1) * sqrt(0.5), 1e-12);
-        assert_near(map.gradient, map.rms_m * sin(2 * M_PI / 16) / 2, 1e-12);
+            assert_within(map.height_m[k], amplitude * even_wave(k % map.n) * even_wave(k / map.n), 1e-12);
+        assert_near(map.rms_m, amplitude / 2, 1e-12);
+        assert_near(map.gradient, map.rms_m * sqrt(2) * sin(2 * M_PI / 16) / 2, 1e-12);
         direct_map_free(&map);
     }
     for (size_t k = 0; k < NX * NY; k++)

@@ -293,7 +293,7 @@ static void no_answer(void **state)
     struct status status = {0};
     double *height = surface_of(1.3, 5, N, 1);
     struct direct_contact contact = contact_of(height, N);
-    struct direct_ladder_def ladder = {&load, 1, INFINITY, 1e-300, true, NULL};
+    struct direct_ladder_def ladder = {&load, 1, INFINITY, 1e-300, false, NULL};
     struct direct_point point;
     int traps = fedisableexcept(FE_ALL_EXCEPT); /* 0/0 ends iterations on rounding alone */
     assert_int_equal(direct_ladder_run(&point, &contact, &ladder, &status), STATUS_MODEL);
@@ -301,6 +301,7 @@ static void no_answer(void **state)
     assert_int_equal(direct_spectrum_of_law(&spectrum, &law, &(struct status){0}), STATUS_OK);
     struct direct_ensemble_def def = ensemble_of(&spectrum, N, &load, 1);
     def.ladder.tolerance = 1e-300;
+    def.ladder.resistance = false;
     status = (struct status){0};
     assert_int_equal(direct_ensemble_run(&found, &def, &status), STATUS_MODEL);
     assert_non_null(strstr(status.message, "not converge"));
