@@ -301,12 +301,18 @@ static void test_resolution(void **state)
     char *page = workspace_read(place, "out/report.md");
     expect_part(page, ", four spacings of the scan (twice its Nyquist wavelength), as neither the scene nor a band");
     expect_part(page, "Below λs there is nothing: the direct solution is true at this resolution");
+    json_t *all = results(place);
+    double gamma = json_number_value(json_object_get(json_array_get(json_object_get(all, "direct"), 0), "gamma"));
+    assert_true(gamma < 1.5);
+    expect_part(page, ", and no further: with γ < 1.5 slopes grow as λs falls, and the area goes to 0 with it");
+    json_decref(all);
     expect_part(page, "Where it is missing a single surface was solved");
     free(page);
     write_scene(place, EFFECTS "direct: {grid: 128, seeds: 2, loads: [2e-3, 1e-2]}\nlambda_s_m: 6e-6\n");
     report(place, "out", "2");
     page = workspace_read(place, "out/report.md");
     expect_no_part(page, "four spacings of the scan");
+    expect_no_part(page, "slopes grow as λs falls");
     expect_no_part(page, "a single surface was solved");
     free(page);
 }
