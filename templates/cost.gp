@@ -1,6 +1,7 @@
 # What accuracy costs: relative error against time, one line a method, the chosen setting ringed.
 #   call 'cost.gp' DATA OUTPUT TITLE STYLES
-# STYLES: one word a block of DATA: c1..c9 methods, choice the chosen settings.
+# STYLES: one word a block of DATA: c1..c9 methods, two letters a model (models.gp), dirl the direct solution, choice the
+# chosen settings.
 data = ARG1; output = ARG2; title_text = ARG3; style_words = ARG4
 x_label = 'time (s)'; y_label = 'relative error'
 load 'style.gp'

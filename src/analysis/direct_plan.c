@@ -73,22 +73,13 @@ static void choose_loads(struct direct_plan *plan, const struct direct_plan_task
             break;
 }
 
-/** Making a surface with given heights: 60 rounds of two transforms and a sort. */
-static double synthesis_seconds(size_t grid)
+/** Adds the ladders of an ensemble to the counts. */
+static void add_ensemble(struct direct_plan *plan, const struct direct_predict_def *def)
 {
-    static const double point_seconds = 4.3e-9; /* a round, a point and a doubling of the points */
-    double points = (double)grid * (double)grid;
-    return 60 * point_seconds * points * log2(points);
-}
-
-/** Adds an ensemble to the counts. */
-static void add_ensemble(struct direct_plan *plan, size_t loads, size_t seeds, size_t fine_times, bool capped)
-{
-    struct direct_predict_def def = {plan->grid, fine_times, loads, seeds, 1, capped, plan->resistance};
-    if (loads == 0 || seeds == 0)
+    if (def->loads == 0 || def->seeds == 0)
         return;
-    struct direct_prediction prediction = direct_predict(&def);
-    plan->solutions += loads * (seeds + (fine_times > 1));
+    struct direct_prediction prediction = direct_predict(def);
+    plan->solutions += def->loads * (def->seeds + (def->fine_times > 1));
     plan->convolutions += prediction.convolutions + prediction.fine_convolutions;
     plan->seconds += prediction.seconds;
     plan->bytes = fmax(plan->bytes, prediction.bytes);
@@ -96,33 +87,54 @@ static void add_ensemble(struct direct_plan *plan, size_t loads, size_t seeds, s
 
 static void count_work(struct direct_plan *plan)
 {
+    struct direct_predict_def leading = {.n = plan->grid,
+                                         .fine_times = plan->fine_times,
+                                         .loads = plan->loads,
+                                         .seeds = plan->seeds,
+                                         .threads = 1,
+                                         .resistance = plan->resistance,
+                                         .heights = plan->heights && !plan->gaussian,
+                                         .map = plan->side > 0},
+                              capped = leading, other = leading, picture = leading;
+    capped.fine_times = plan->capped_fine_times;
+    capped.loads = plan->capped_loads;
+    capped.seeds = plan->fewer;
+    capped.capped = true;
+    other.fine_times = 0;
+    other.seeds = plan->heights ? plan->fewer : 0;
+    other.heights = plan->gaussian;
+    picture.fine_times = 0;
+    picture.loads = plan->loads > 0;
+    picture.seeds = 1;
     plan->solutions = 0;
     plan->convolutions = plan->seconds = plan->bytes = 0;
-    add_ensemble(plan, plan->loads, plan->seeds, plan->fine_times, false);
-    add_ensemble(plan, plan->capped_loads, plan->fewer, 0, true);
-    if (plan->side == 0) {
-        add_ensemble(plan, plan->loads, plan->heights ? plan->fewer : 0, 0, false);
-        size_t leading = plan->seeds + (plan->fine_times > 1) + (plan->capped_loads > 0 ? plan->fewer : 0) + 1;
-        plan->seconds += synthesis_seconds(plan->grid) * (double)(!plan->heights   ? 0
-                                                                  : plan->gaussian ? plan->fewer
-                                                                                   : leading);
+    add_ensemble(plan, &leading);
+    add_ensemble(plan, &capped);
+    add_ensemble(plan, &other);
+    add_ensemble(plan, &picture);
+    if (plan->side > 0) { /* the map's every second point tells its error */
+        leading.n = capped.n = plan->grid / 2;
+        add_ensemble(plan, &leading);
+        add_ensemble(plan, &capped);
     }
-    add_ensemble(plan, plan->loads > 0, 1, 0, false); /* the picture */
 }
 
 /** One way to do it; `seeds` of a profile. */
-static void try(struct direct_plan *plan, const struct direct_plan_task *task, size_t size, size_t seeds, bool fine)
+static void try(struct direct_plan *plan, const struct direct_plan_task *task, size_t size, size_t seeds, bool fine,
+                bool capped_fine)
 {
     bool map = task->side > 0;
     plan->side = map ? size : 0;
     plan->grid = map ? 2 * size : size;
     plan->seeds = map ? 1 : seeds;
-    plan->fewer = map || seeds < 4 ? 1 : seeds < 6 ? 2 : (seeds + 2) / 3;
-    plan->fine_times = fine && 2 * plan->grid <= FINE_MOST ? 2 : 0;
+    plan->fewer = map || seeds < 2 ? 1 : seeds < 6 ? 2 : (seeds + 2) / 3; /* one has no scatter to tell */
+    plan->fine_times = fine && !map && 2 * plan->grid <= FINE_MOST ? 2 : 0;
+    plan->capped_fine_times = capped_fine ? plan->fine_times : 0;
     plan->length_m = map ? 2 * task->length_m * (double)size / (double)task->side : task->length_m;
     double resolved_m = direct_plan_points_a_wave * plan->length_m / (double)plan->grid;
     plan->coarse = !map && resolved_m > task->lambda_s_m * (1 + 1e-9);
     plan->lambda_s_m = plan->coarse || map ? resolved_m : task->lambda_s_m;
+    plan->of_spacing = task->of_spacing && !plan->coarse && !map;
     plan->heights = task->heights && !map;
     plan->gaussian = task->gaussian && !map;
     plan->resistance = task->resistance;
@@ -160,8 +172,9 @@ static void choose(struct direct_plan *plan, const struct direct_plan_task *task
 {
     static const struct {
         size_t seeds;
-        bool fine;
-    } ways[] = {{SEEDS, true}, {8, true}, {SEEDS, false}, {8, false}, {6, false}, {4, false}, {3, false}, {2, false}};
+        bool fine, capped_fine;
+    } ways[] = {{SEEDS, true, true}, {SEEDS, true, false}, {8, true, true},   {8, true, false},  {SEEDS, false, false},
+                {8, false, false},   {6, false, false},    {4, false, false}, {3, false, false}, {2, false, false}};
     enum { WAYS = sizeof ways / sizeof *ways };
     const struct scene_direct *direct = task->direct;
     bool map = task->side > 0, free_size = map || direct->grid == 0;
@@ -171,9 +184,9 @@ static void choose(struct direct_plan *plan, const struct direct_plan_task *task
     for (bool last = false; !last; size /= 2) {
         last = !(direct->budget_s > 0) || !free_size || size / 2 < least;
         for (size_t w = 0; w < (map ? 1 : WAYS); w++) {
-            if (!map && direct->seeds > 0 && w > 0 && ways[w].fine == ways[w - 1].fine)
+            if (!map && direct->seeds > 0 && ways[w].seeds != SEEDS)
                 continue; /* the surfaces are given; the fine grid is not */
-            try(plan, task, size, direct->seeds > 0 ? direct->seeds : ways[w].seeds, ways[w].fine && !map);
+            try(plan, task, size, direct->seeds > 0 ? direct->seeds : ways[w].seeds, ways[w].fine, ways[w].capped_fine);
             if (!(direct->budget_s > 0) || plan->seconds <= direct->budget_s) {
                 plan->over_budget = false;
                 last = true;

@@ -15,6 +15,7 @@ struct direct_plan_task {
     size_t side;                     /* points along the square that a map offers; 0: a profile */
     double length_m;                 /* of a profile; of a map its spacing times `side` */
     double lambda_s_m;               /* shortest wavelength that the scan stands for */
+    bool of_spacing;                 /* that is four spacings of it, as nothing says where its roughness ends */
     double slope;                    /* root mean square slope of the scan: sets the range of loads */
     const struct spectrum *spectrum; /* where the grid leaves short waves out, its slope instead; NULL: not known yet */
     double hardness;                 /* H/E'; INFINITY: elastic alone */
@@ -34,9 +35,11 @@ struct direct_plan {
     bool gaussian;     /* models are held against surfaces with Gaussian heights, not with the scan's */
     double chance[2];  /* share of such scans of a Gaussian surface with Rsk, Rku as far out; NaN: not asked */
     size_t fine_times; /* the first surface also on a grid so much finer; 0: not */
-    double length_m;   /* L of the cell */
-    double lambda_s_m; /* cut-off of the law: the scan's, or what the grid resolves */
-    bool coarse;       /* the latter */
+    size_t capped_fine_times; /* with a hardness too */
+    double length_m;          /* L of the cell */
+    double lambda_s_m;        /* cut-off of the law: the scan's, or what the grid resolves */
+    bool coarse;              /* the latter */
+    bool of_spacing;          /* lambda_s is four spacings of the scan: nothing says where its roughness ends */
     struct direct_law law;
     double hardness; /* H/E' */
     bool resistance;

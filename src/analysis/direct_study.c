@@ -50,6 +50,7 @@ static struct direct_plan_task plan_task(const struct surface_summary *surface, 
                            : scene->fit_band_m[0] > 0 ? fmax(scene->fit_band_m[0], resolved_m)
                                                       : resolved_m,
                            surface->length_m / 2),
+        .of_spacing = !(scene->lambda_s_m > 0 || scene->fit_band_m[0] > resolved_m),
         .slope = sqrt(surface->roughness.m2),
         .hardness = capped ? hardness_Pa / plan->pair.effective_modulus_Pa : INFINITY,
         .resistance = plan->running & (EFFECT_BIT(EFFECT_ELECTRICAL) | EFFECT_BIT(EFFECT_THERMAL)),
@@ -200,7 +201,9 @@ static struct direct_ensemble_def ensemble_def(const struct maker *maker, enum d
                    contact_tolerance, plan->resistance, maker->task->stop},
         .length_m = plan->length_m,
         .n = plan->grid,
-        .fine_times = kind == leading ? plan->fine_times : 0,
+        .fine_times = kind == leading ? plan->fine_times
+                      : capped        ? plan->capped_fine_times
+                                      : 0,
         .variance = direct_spectrum_variance,
         .context = &maker->spectrum,
         .given_m = heights ? surface->direct_m : NULL,
@@ -211,9 +214,29 @@ static struct direct_ensemble_def ensemble_def(const struct maker *maker, enum d
     };
 }
 
-static struct direct_mean single(double value)
+/** The ladder of the map on every point of its, or every `every`-th along both sides. */
+static enum status_code solve_grid(struct direct_point *out, const struct direct_map *map, size_t every,
+                                   const struct direct_ladder_def *ladder, struct status *status)
 {
-    return (struct direct_mean){value, NAN, 1};
+    struct direct_contact contact = {0};
+    size_t n = map->n / every;
+    double *height_m = malloc(n * n * sizeof *height_m);
+    if (!height_m)
+        return status_memory(status);
+    for (size_t k = 0; k < n * n; k++)
+        height_m[k] = map->height_m[k / n * every * map->n + k % n * every];
+    enum status_code rc = direct_contact_make(&contact, height_m, n, n, map->spacing_m * (double)every, status);
+    free(height_m);
+    if (rc == STATUS_OK)
+        rc = direct_ladder_run(out, &contact, ladder, status);
+    direct_contact_free(&contact);
+    return rc;
+}
+
+/** One surface has no scatter: its error is what doubling the spacing changes. */
+static struct direct_mean single(bool given, double value, double of_every_second)
+{
+    return given ? (struct direct_mean){value, fabs(value - of_every_second), 1} : (struct direct_mean){NAN, NAN, 1};
 }
 
 /** The ladder of a map, in the form of an ensemble of one. */
@@ -221,30 +244,29 @@ static enum status_code solve_map(struct direct_ensemble_point *out, const struc
                                   const struct direct_ladder_def *ladder, struct status *status)
 {
     const struct direct_map *map = &maker->map;
-    struct direct_contact contact = {0};
-    struct direct_point *points = calloc(ladder->loads, sizeof *points);
+    struct direct_point *points = calloc(2 * ladder->loads, sizeof *points);
     double cell_m2 = pow(map->spacing_m * (double)map->n, 2);
     if (!points)
         return status_memory(status);
-    enum status_code rc = direct_contact_make(&contact, map->height_m, map->n, map->n, map->spacing_m, status);
+    enum status_code rc = solve_grid(points, map, 1, ladder, status);
     if (rc == STATUS_OK)
-        rc = direct_ladder_run(points, &contact, ladder, status);
+        rc = solve_grid(points + ladder->loads, map, 2, ladder, status);
     for (size_t i = 0; i < ladder->loads && rc == STATUS_OK; i++) {
-        const struct direct_quantities *q = &points[i].quantities;
+        const struct direct_point *second = &points[ladder->loads + i];
+        const struct direct_quantities *q = &points[i].quantities, *r = &second->quantities;
         bool given = points[i].exists && q->contact_points >= DIRECT_ENSEMBLE_POINTS;
         out[i] = (struct direct_ensemble_point){
             given               ? DIRECT_ENSEMBLE_GIVEN
             : !points[i].exists ? DIRECT_ENSEMBLE_COMPLETE
                                 : DIRECT_ENSEMBLE_FEW_POINTS,
             q->contact_points,
-            single(given ? q->area_ratio : NAN),
-            single(given ? q->gap_m : NAN),
-            single(given ? q->plane_gap_m : NAN),
-            single(given ? points[i].constriction_m : NAN),
-            single(given ? (double)points[i].patches / cell_m2 : NAN),
+            single(given, q->area_ratio, r->area_ratio),
+            single(given, q->gap_m, r->gap_m),
+            single(given, q->plane_gap_m, r->plane_gap_m),
+            single(given, points[i].constriction_m, second->constriction_m),
+            single(given, (double)points[i].patches / cell_m2, (double)second->patches / cell_m2),
         };
     }
-    direct_contact_free(&contact);
     free(points);
     return rc;
 }
@@ -281,7 +303,7 @@ static enum status_code solve(struct maker *maker, enum direct_study_kind kind, 
         direct_ensemble_free(&ensemble);
     }
     curve->seconds = clock_seconds() - started;
-    study->solutions += def.ladder.loads * (def.seeds + (def.fine_times > 1));
+    study->solutions += def.ladder.loads * (def.seeds + (def.fine_times > 1 || study->plan.side > 0));
     return STATUS_OK;
 }
 

@@ -83,7 +83,8 @@ void direct_study_free(struct direct_study *study);
 /** Whose heights they are: "map", "scan" or "gaussian". */
 const char *direct_study_heights(const struct direct_study *study, enum direct_study_kind kind);
 /** A quantity at load `i` by one kind of direct solution, SI, NaN where there is none: the mean gap, ECR A_n =
- * (rho1 + rho2) l, TCR A_n = (1/k1 + 1/k2) l. *error (NULL: not wanted): standard error over the surfaces. */
+ * (rho1 + rho2) l, TCR A_n = (1/k1 + 1/k2) l. *error (NULL: not wanted): standard error over the surfaces, NaN from
+ * one; of a map the difference that every second point of it alone would make. */
 double direct_study_value(const struct direct_study *study, const struct material_pair *pair,
                           enum direct_study_kind kind, enum quantity quantity, size_t i, double *error);
 /** The share by which the fine grid differs from the coarse one there, which the value has been corrected by; 0: none.

@@ -158,7 +158,8 @@ static enum status_code write_script(const struct figure_file *out, const struct
          direct = row->kind == FIGURE_DIRECT || row->kind == FIGURE_DIRECT_RATIO,
          curves = sweep || direct || row->kind == FIGURE_MODELS || row->kind == FIGURE_SURFACES;
     text_add(&script, "# draws figure %s from %s.csv: gnuplot %s.gp\n", number, number, number);
-    if (direct || row->kind == FIGURE_MODELS || row->kind == FIGURE_SENSITIVITY)
+    if (direct || row->kind == FIGURE_MODELS || row->kind == FIGURE_SENSITIVITY ||
+        (row->kind == FIGURE_BENCHMARK && row->chart >= BENCHMARK_DIRECT_AREA))
         text_add(&script, "load 'models.gp'\n");
     text_add(&script, "call '%s' '%s.csv' ('%s' . (exists('dumb_size') ? '.txt' : '%s')) '%s'", templates[row->kind],
              number, number, figure_extension(row), out->figure->title);

@@ -432,7 +432,10 @@ static void put_cost(struct figure_file *out, const struct benchmark *cost)
         if (!before || strcmp(before->study, row->study) != 0 || strcmp(before->method, row->method) != 0) {
             char legend[80], style[24];
             bool integral = row->chart == BENCHMARK_INTEGRALS, direct = row->chart >= BENCHMARK_DIRECT_AREA;
-            snprintf(style, sizeof style, "c%zu", methods++ % 9 + 1);
+            if (direct) /* as everywhere else in the report */
+                snprintf(style, sizeof style, "%s", row->model ? row->model->style : "dirl");
+            else
+                snprintf(style, sizeof style, "c%zu", methods++ % 9 + 1);
             snprintf(legend, sizeof legend, "%s, %s", integral ? row->model->label : row->method,
                      integral ? row->method : row->study);
             begin_block(out, style, direct ? row->method : legend);

@@ -33,7 +33,7 @@ struct direct_ensemble_def {
 /** A mean over seeds, corrected for the grid. */
 struct direct_mean {
     double value;          /* NaN: none */
-    double standard_error; /* of the mean; NaN from one seed */
+    double standard_error; /* of the mean; NaN from one seed, or its error by another measure */
     double fine_ratio; /* by which the grid has been corrected (plane gap: the difference), 1 (0) without a fine one */
 };
 

@@ -10,6 +10,8 @@ struct direct_predict_def {
     size_t n, fine_times, loads, seeds, threads; /* fine_times 0 or 1: no finer grid; threads >= 1 */
     bool capped;                                 /* with a hardness */
     bool resistance;                             /* constriction too */
+    bool heights;                                /* the surfaces are given heights */
+    bool map;                                    /* it is a measured map */
 };
 
 struct direct_prediction {
@@ -20,8 +22,10 @@ struct direct_prediction {
 };
 
 /** From counts and times measured on a power law with lambda_s = 6 dx over loads from 1e-5 to 1e-2 E' (2026, one core
- * of an Intel Xeon with AVX), interpolated between grids. Counts hold to a factor 1.5 on other surfaces, times as far
- * as the processor is alike. */
+ * of an Intel Xeon with AVX), interpolated between grids. Counts hold to a factor 1.5 on other surfaces and 2 on maps,
+ * but not where deep pits leave a plateau (under a hardness 5 times as many there); times as far as the processor is
+ * alike.
+ */
 struct direct_prediction direct_predict(const struct direct_predict_def *def);
 
 #endif

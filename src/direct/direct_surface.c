@@ -1,5 +1,6 @@
 #include "direct/direct_surface.h"
 
+#include "base/rank.h"
 #include <assert.h>
 #include <fftw3.h>
 #include <math.h>
@@ -263,37 +264,6 @@ enum status_code direct_surface_refine(double *fine_m, size_t times, const doubl
     return status->code;
 }
 
-/** A height to be ranked: bits in the order of the numbers, and where it is. */
-struct ranked {
-    uint64_t key;
-    uint32_t place;
-};
-
-static uint64_t key_of(double value)
-{
-    uint64_t bits;
-    memcpy(&bits, &value, sizeof bits);
-    return bits >> 63 ? ~bits : bits | (uint64_t)1 << 63;
-}
-
-/** Ascending by key, equal keys in the order they came in (radix sort, 11 bits a pass). The result is in `items`. */
-static void rank(struct ranked *items, struct ranked *other, size_t count)
-{
-    enum { BITS = 11, PASSES = 6, BINS = 1 << BITS };
-    for (int pass = 0; pass < PASSES; pass++) { /* an even number of passes ends where it began */
-        size_t start[BINS + 1] = {0};
-        for (size_t k = 0; k < count; k++)
-            start[(items[k].key >> (pass * BITS) & (BINS - 1)) + 1]++;
-        for (size_t bin = 0; bin < BINS; bin++)
-            start[bin + 1] += start[bin];
-        for (size_t k = 0; k < count; k++)
-            other[start[items[k].key >> (pass * BITS) & (BINS - 1)]++] = items[k];
-        struct ranked *swap = items;
-        items = other;
-        other = swap;
-    }
-}
-
 static int ascending(const void *a, const void *b)
 {
     double x = *(const double *)a, y = *(const double *)b;
@@ -351,20 +321,21 @@ static void impose_amplitudes(struct modes *modes)
     fftw_execute(modes->backward);
 }
 
-/** The rounds proper; items: 2 n² of them. */
-static void adjust(struct modes *modes, const double *heights, struct ranked *items, uint64_t seed)
+/** The rounds proper; values: n² of room, order: 2 n². */
+static void adjust(struct modes *modes, const double *heights, double *values, uint64_t *order, uint64_t seed)
 {
     enum { ROUNDS = 60 };
     size_t n = modes->n, count = n * n;
     for (size_t k = 0; k < count; k++)
-        items[k] = (struct ranked){mix(mix(seed) ^ k), (uint32_t)k};
+        values[k] = ldexp((double)(mix(mix(seed) ^ k) >> 11), -53);
     for (int round = 0; round <= ROUNDS; round++) {
-        rank(items, items + count, count);
+        rank_ascending(order, values, count);
         for (size_t k = 0; k < count; k++)
-            modes->field[items[k].place / n * modes->stride + items[k].place % n] = heights[k];
+            values[order[k]] = heights[k];
+        for (size_t j = 0; j < n; j++)
+            memcpy(modes->field + j * modes->stride, values + j * n, n * sizeof *values);
         impose_amplitudes(modes);
-        for (size_t k = 0; k < count; k++)
-            items[k] = (struct ranked){key_of(modes->field[k / n * modes->stride + k % n]), (uint32_t)k};
+        store(values, modes);
     }
 }
 
@@ -380,14 +351,14 @@ enum status_code direct_surface_with_heights(double *height_m, size_t n, direct_
         for (size_t j = 0; j < n; j++)
             for (size_t i = 0; i < n / 2; i++)
                 mean_square += (i > 0 ? 2 : 1) * pow(amplitude_at(&modes, i, j), 2);
-        struct ranked *items = malloc(2 * n * n * sizeof *items);
-        if (!items)
+        double *heights = malloc(n * n * sizeof *heights);
+        uint64_t *order = malloc(2 * n * n * sizeof *order);
+        if (!heights || !order)
             (void)status_memory(status);
-        else if (quantiles(height_m, n * n, given_m, given_count, mean_square, status) == STATUS_OK) {
-            adjust(&modes, height_m, items, seed);
-            store(height_m, &modes);
-        }
-        free(items);
+        else if (quantiles(heights, n * n, given_m, given_count, mean_square, status) == STATUS_OK)
+            adjust(&modes, heights, height_m, order, seed);
+        free(heights);
+        free(order);
     }
     modes_free(&modes);
     return status->code;

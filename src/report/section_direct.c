@@ -12,13 +12,18 @@ static bool has(const struct section_context *context, int q)
 
 static const char *const quantity_words[DIRECT_STUDY_QUANTITIES] = {"area", "gap", "ECR"};
 
+/* Below this gamma the slope of Delta = alpha lambda^gamma has no limit as its shortest wave gets shorter. */
+static const double law_without_end = 1.5;
+
 static void resolution(struct text *out, const struct direct_study *study, const struct power_law *fitted)
 {
     const struct direct_plan *plan = &study->plan;
     if (plan->side > 0) {
         text_add(out,
                  " the map itself: the first square of %zu points a side, its plane off, low-passed at 6 spacings and "
-                 "mirrored to %zu × %zu points, which makes it periodic.",
+                 "mirrored to %zu × %zu points, which makes it periodic. Below that there is nothing: the direct "
+                 "solution is true at this resolution. Its error is the difference that every second point alone would "
+                 "make.",
                  plan->side, plan->grid, plan->grid);
         return;
     }
@@ -31,16 +36,18 @@ static void resolution(struct text *out, const struct direct_study *study, const
     number_format_between(out, " (SI) down to λs = ", plan->lambda_s_m * 1e6, 3, " µm");
     if (plan->coarse)
         text_add(out, ", which is what this grid resolves and not all that the scan holds");
+    else if (plan->of_spacing)
+        text_add(out, ", four spacings of the scan (twice its Nyquist wavelength), as neither the scene nor a band of "
+                      "the fit says where the roughness ends");
     number_format_between(out, " (their mean square curvature is then ", study->m4_over_scan, 2, " times the scan's");
     if (isfinite(fitted->gamma) && isfinite(fitted->alpha)) {
         number_format_between(out, "; the law fitted to the scan has γ = ", fitted->gamma, 4, "");
         number_format_between(out, ", α = ", fitted->alpha, 3, "");
     }
-    text_add(out, ").");
-    number_format_between(out,
-                          " Below λs there is nothing: the solution is true at this resolution. A row is levelled, "
-                          "a surface is not, so its Sq is ",
-                          study->rms_m * 1e6, 3, "");
+    text_add(out, "). Below λs there is nothing: the direct solution is true at this resolution");
+    if (plan->law.gamma < law_without_end && (plan->of_spacing || plan->coarse))
+        text_add(out, ", and no further: with γ < 1.5 slopes grow as λs falls, and the area goes to 0 with it");
+    number_format_between(out, ". A row is levelled, a surface is not, so its Sq is ", study->rms_m * 1e6, 3, "");
     number_format_between(out, " µm where its rows' Rq is ", sqrt(study->moments.m0_m2) * 1e6, 3, " µm.");
 }
 
@@ -82,6 +89,13 @@ static void introduction(struct text *out, const struct section_context *context
                               "so there area tests the hardness alone.");
     }
     text_add(out, "\n\n");
+}
+
+/** What the error of a direct solution is. */
+static const char *error_words(const struct direct_study *study)
+{
+    return study->plan.side > 0 ? "the difference that every second point of the map alone would make"
+                                : "one standard error over the surfaces";
 }
 
 /** The three loads of the table. */
@@ -168,7 +182,14 @@ static void table(struct text *out, const struct section_context *context, const
     text_add(out,
              "\nModels as ratios to the direct solution; the last but one column for the scan's own spectrum "
              "instead of the surface's rows. Conductance: −½(ρ₁+ρ₂)E′ dḡ/dp̄ of an elastic model's own gap over its "
-             "own ECR, 1 in a consistent model (Barber). ± is one standard error over the surfaces.\n\n");
+             "own ECR, 1 in a consistent model (Barber). ± is %s.",
+             error_words(study));
+    for (int kind = 0; kind < DIRECT_STUDY_KINDS; kind++)
+        if (study->plan.side == 0 && study->curves[kind].points && study->curves[kind].seeds == 1) {
+            text_add(out, " Where it is missing a single surface was solved, which has no scatter to tell.");
+            break;
+        }
+    text_add(out, "\n\n");
 }
 
 /** "area within 25 % (0.97 to 1.05)". */
@@ -237,7 +258,7 @@ static void caption(struct text *out, const struct section_context *context, con
         const struct quantity_row *row = &quantity_rows[quantity];
         text_add(out, " the direct solution has ");
         number_format(out, row->over_sigma ? value / sqrt(study->moments.m0_m2) : value, 3);
-        text_add(out, "%s%s; error bars: one standard error.", row->unit[0] ? " " : "", row->unit);
+        text_add(out, "%s%s; error bars: %s.", row->unit[0] ? " " : "", row->unit, error_words(study));
     } else {
         size_t nearest = direct_study_nearest(study, &context->results->plan->pair, quantity);
         if (nearest < model_count)

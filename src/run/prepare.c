@@ -80,8 +80,12 @@ static void describe_direct(char *out, size_t size, const struct direct_plan *pl
     else
         used += snprintf(out + used, size - (size_t)used, "%zu surface%s%s, ", plan->seeds, plan->seeds == 1 ? "" : "s",
                          plan->fine_times > 1 ? " and a finer grid" : "");
-    snprintf(out + used, size - (size_t)used, "%zu load%s: about %.2g convolutions, %.2g s of one core", plan->loads,
-             plan->loads == 1 ? "" : "s", plan->convolutions, plan->seconds);
+    used += snprintf(out + used, size - (size_t)used, "%zu load%s: about %.2g convolutions, %.2g s of one core",
+                     plan->loads, plan->loads == 1 ? "" : "s", plan->convolutions, plan->seconds);
+    if (plan->of_spacing) /* else the scene says what the surface is */
+        snprintf(out + used, size - (size_t)used,
+                 ", down to waves of four spacings, for want of a lambda_s: true at this resolution%s",
+                 plan->law.gamma > 0 && plan->law.gamma < 1.5 ? ", its area falling with lambda_s" : "");
 }
 
 /** The direct solution's part of the plan: its work, and what it says of itself, or would cost. */
@@ -92,7 +96,7 @@ static void plan_direct(struct plan *plan, struct results *results)
     const struct direct_plan *first = NULL;
     struct work *work = &results->predicted;
     size_t surfaces = 0;
-    char cost[200];
+    char cost[320];
     if (results->usable_count == 0)
         return;
     for (size_t i = 0; i < store->count && effect->runs; i++) {

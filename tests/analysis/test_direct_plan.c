@@ -96,10 +96,10 @@ static void loads_are_the_scenes(void **state)
     assert_near(plan.load[plan.picture], loads[LOADS / 2], 0);
     size_t capped = plan.capped_loads;
     assert_true(capped > 0);
-    assert_int_equal(plan.solutions, 13 * 2 + 13 + 13 * 1 + capped * 1 + 1);
+    assert_int_equal(plan.solutions, 13 * 2 + 13 + 13 * 2 + capped * (2 + 1) + 1);
     direct_plan_elastic(&plan);
     assert_int_equal(plan.capped_loads, 0);
-    assert_int_equal(plan.solutions, 13 * 2 + 13 + 13 * 1 + 1); /* surfaces, finer grid, other heights, picture */
+    assert_int_equal(plan.solutions, 13 * 2 + 13 + 13 * 2 + 1); /* surfaces, finer grid, other heights, picture */
     task = a_task(&(struct scene_direct){.seeds = 2, .loads = 2, .values = (double[]){1e-4, 3e-4}});
     direct_plan_make(&plan, &task);
     assert_int_equal(plan.loads, 2);
@@ -127,6 +127,68 @@ static void a_budget_buys_in_order(void **state)
     assert_int_equal(plan.fine_times, 2);
 }
 
+/* With a hardness too the first surface is solved on the finer grid, where the budget buys it; a hardness costs
+ * accuracy before the elastic solution does. Other heights and a hardness have two surfaces or more to tell their
+ * scatter, unless the scene asks for one. */
+static void a_hardness_has_a_finer_grid(void **state)
+{
+    (void)state;
+    struct direct_plan plan, elastic;
+    bool between = false;
+    for (double budget = 0.1; budget < 200; budget *= 1.02) {
+        struct direct_plan_task task = a_task(&(struct scene_direct){.budget_s = budget});
+        task.hardness = 8e-4;
+        direct_plan_make(&plan, &task);
+        assert_true(plan.capped_fine_times <= plan.fine_times);
+        assert_true(plan.fewer >= 2);
+        between = between || plan.capped_fine_times < plan.fine_times;
+    }
+    assert_true(between);
+    assert_int_equal(plan.capped_fine_times, 2);
+    elastic = plan;
+    elastic.capped_fine_times = 0;
+    size_t capped = plan.capped_loads, solutions = plan.solutions;
+    double seconds = plan.seconds;
+    direct_plan_elastic(&elastic);
+    assert_int_equal(solutions - elastic.solutions, capped * (plan.fewer + 1));
+    assert_true(seconds > 1.05 * elastic.seconds);
+    struct direct_plan_task task = a_task(&(struct scene_direct){.seeds = 1});
+    direct_plan_make(&plan, &task);
+    assert_int_equal(plan.fewer, 1);
+}
+
+/* Making surfaces with a scan's heights costs time of its own, most where they lead. */
+static void heights_are_priced(void **state)
+{
+    (void)state;
+    struct direct_plan none, beside, leading;
+    struct direct_plan_task task = a_task(&(struct scene_direct){.seeds = 12});
+    direct_plan_make(&beside, &task);
+    task.gaussian = false;
+    direct_plan_make(&leading, &task);
+    task.heights = false;
+    direct_plan_make(&none, &task);
+    assert_true(leading.convolutions == beside.convolutions);
+    assert_near(leading.seconds - beside.seconds, (12 + 1 + 1 - 4) * 0.14, 1e-9); /* finer grid, picture */
+    assert_true(none.seconds < beside.seconds);
+}
+
+/* Where nothing says how short the waves are, four spacings of the scan stand for it, unless the grid has to. */
+static void four_spacings_are_said(void **state)
+{
+    (void)state;
+    struct direct_plan plan;
+    struct direct_plan_task task = a_task(&(struct scene_direct){.seeds = 1});
+    direct_plan_make(&plan, &task);
+    assert_false(plan.of_spacing);
+    task.of_spacing = true;
+    direct_plan_make(&plan, &task);
+    assert_true(plan.of_spacing);
+    task.direct = &(struct scene_direct){.seeds = 1, .grid = 64};
+    direct_plan_make(&plan, &task);
+    assert_true(plan.coarse && !plan.of_spacing);
+}
+
 static void a_map_is_one_surface(void **state)
 {
     (void)state;
@@ -140,7 +202,7 @@ static void a_map_is_one_surface(void **state)
     assert_int_equal(plan.fine_times, 0);
     assert_false(plan.heights);
     assert_near(plan.length_m, 2 * 3e-4 * 100 / 101, 1e-12);
-    assert_int_equal(plan.solutions, plan.loads + 1);
+    assert_int_equal(plan.solutions, 2 * plan.loads + 1); /* every second point, and the picture */
 }
 
 static void no_load_is_said(void **state)
@@ -164,6 +226,9 @@ int main(void)
         cmocka_unit_test(the_law_has_the_scans_moments),
         cmocka_unit_test(loads_are_the_scenes),
         cmocka_unit_test(a_budget_buys_in_order),
+        cmocka_unit_test(a_hardness_has_a_finer_grid),
+        cmocka_unit_test(heights_are_priced),
+        cmocka_unit_test(four_spacings_are_said),
         cmocka_unit_test(a_map_is_one_surface),
         cmocka_unit_test(no_load_is_said),
     };

@@ -2,6 +2,7 @@
 
 #include "direct/direct_constriction.h"
 #include "direct/direct_ensemble.h"
+#include "direct/direct_map.h"
 #include "direct/direct_predict.h"
 
 static const double loads[] = {1e-3, 5e-3, 0.02, 0.08, 0.3, 0.6};
@@ -122,6 +123,10 @@ static void ladder_with_a_hardness(void **state)
         assert_true((found.point[i].state == DIRECT_ENSEMBLE_COMPLETE) == (loads[i] >= 0.3));
         if (found.point[i].state == DIRECT_ENSEMBLE_GIVEN)
             assert_true(found.point[i].area_ratio.value > loads[i] / 0.3 - 0.05);
+        if (found.point[i].state == DIRECT_ENSEMBLE_GIVEN) { /* the finer grid corrects these too */
+            assert_true(found.point[i].gap_m.fine_ratio != 1);
+            assert_within(found.point[i].gap_m.fine_ratio, 1, 0.05);
+        }
         assert_true(found.seed_point[i].exists == (loads[i] < 0.3));
     }
     assert_true(isnan(found.point[LOADS - 1].gap_m.value));
@@ -180,7 +185,8 @@ static void predictions(void **state)
                                           .first_seed = 1,
                                           .seeds = 2};
         struct direct_ensemble found = ensemble_of(&def);
-        struct direct_predict_def asked = {128, 0, 13, 2, 2, capped, true};
+        struct direct_predict_def asked = {
+            .n = 128, .loads = 13, .seeds = 2, .threads = 2, .capped = capped, .resistance = true};
         struct direct_prediction predicted = direct_predict(&asked);
         assert_true(predicted.convolutions < 1.5 * (double)found.convolutions);
         assert_true(predicted.convolutions > (double)found.convolutions / 1.5);
@@ -188,7 +194,13 @@ static void predictions(void **state)
         direct_ensemble_free(&found);
     }
     direct_spectrum_free(&spectrum);
-    struct direct_predict_def one = {256, 1, 13, 12, 1, false, true}, two = one, fine = one;
+    struct direct_predict_def one = {.n = 256,
+                                     .fine_times = 1,
+                                     .loads = 13,
+                                     .seeds = 12,
+                                     .threads = 1,
+                                     .resistance = true},
+                              two = one, fine = one;
     two.threads = 2;
     fine.fine_times = 4;
     assert_near(direct_predict(&two).seconds, direct_predict(&one).seconds / 2, 1e-12);
@@ -196,6 +208,52 @@ static void predictions(void **state)
     assert_near(direct_predict(&fine).bytes, 16 * direct_predict(&one).bytes, 1e-12);
     assert_true(direct_predict(&fine).seconds > 1.5 * direct_predict(&one).seconds);
     assert_near(direct_predict(&one).convolutions, 12 * 13 * (53 + 16), 1e-12);
+    fine.heights = one.heights = true; /* each of the surfaces is made, the finer one's too, on the coarse grid */
+    double made = direct_predict(&one).seconds - direct_predict(&two).seconds * 2;
+    assert_near(made, 12 * 0.14, 1e-9);
+    double without =
+        direct_predict(&(struct direct_predict_def){
+                           .n = 256, .fine_times = 4, .loads = 13, .seeds = 12, .threads = 1, .resistance = true})
+            .seconds;
+    assert_near(direct_predict(&fine).seconds - without, 13 * 0.14, 1e-9);
+}
+
+/** The counts hold on a square that is no power of two and mirrored, up to full contact. */
+static void predictions_of_a_map(void **state)
+{
+    (void)state;
+    enum { SIDE = 75 };
+    double *height = recipe_surface(128), *square = malloc(SIDE * SIDE * sizeof *square), load[13];
+    struct status status = {0};
+    struct direct_map map;
+    for (size_t k = 0; k < SIDE * SIDE; k++)
+        square[k] = height[k / SIDE * 128 + k % SIDE];
+    assert_int_equal(direct_map_make(&map, square, SIDE, SIDE, 1.0 / 128, 1.0 / 128, SIDE, 6, &status), STATUS_OK);
+    for (int capped = 0; capped < 2; capped++) {
+        struct direct_contact contact;
+        struct direct_point point[13];
+        size_t convolutions = 0;
+        for (int i = 0; i < 13; i++) /* a hardness of 0.1 g; from few points to the hardness, or to full contact */
+            load[i] = map.gradient * (capped ? 0.08 : 0.8) * pow(10, (i - 12) / 4.0);
+        struct direct_ladder_def ladder = {load, 13, capped ? 0.1 * map.gradient : INFINITY, 1e-6, true, NULL};
+        assert_int_equal(direct_contact_make(&contact, map.height_m, map.n, map.n, map.spacing_m, &status), STATUS_OK);
+        assert_int_equal(direct_ladder_run(point, &contact, &ladder, &status), STATUS_OK);
+        for (int i = 0; i < 13; i++)
+            convolutions += point[i].convolutions;
+        struct direct_predict_def asked = {
+            .n = map.n, .loads = 13, .seeds = 1, .threads = 1, .capped = capped, .resistance = true, .map = true};
+        struct direct_prediction predicted = direct_predict(&asked);
+        print_message("capped %d: %zu convolutions, %.0f predicted\n", capped, convolutions, predicted.convolutions);
+        assert_true(predicted.convolutions < 2 * (double)convolutions);
+        assert_true(predicted.convolutions > (double)convolutions / 2);
+        direct_contact_free(&contact);
+        struct direct_predict_def made = asked;
+        made.map = false;
+        assert_true(predicted.seconds > 1.3 * direct_predict(&made).seconds);
+    }
+    direct_map_free(&map);
+    free(square);
+    free(height);
 }
 
 int main(void)
@@ -206,6 +264,7 @@ int main(void)
         cmocka_unit_test(ladder_with_a_hardness),
         cmocka_unit_test(ends_early),
         cmocka_unit_test(predictions),
+        cmocka_unit_test(predictions_of_a_map),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
