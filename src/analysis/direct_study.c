@@ -208,6 +208,7 @@ static struct direct_ensemble_def ensemble_def(const struct maker *maker, enum d
         .first_seed = 1,
         .seeds = kind == leading ? plan->seeds : plan->fewer,
         .threads = maker->task->threads,
+        .crew = maker->task->crew,
     };
 }
 
@@ -221,14 +222,12 @@ static enum status_code solve_map(struct direct_ensemble_point *out, const struc
                                   const struct direct_ladder_def *ladder, struct status *status)
 {
     const struct direct_map *map = &maker->map;
-    struct direct_contact contact = {0};
     struct direct_point *points = calloc(ladder->loads, sizeof *points);
     double cell_m2 = pow(map->spacing_m * (double)map->n, 2);
     if (!points)
         return status_memory(status);
-    enum status_code rc = direct_contact_make(&contact, map->height_m, map->n, map->n, map->spacing_m, status);
-    if (rc == STATUS_OK)
-        rc = direct_ladder_run(points, &contact, ladder, status);
+    enum status_code rc = direct_ladder_of_heights(points, NULL, map->height_m, map->n, map->spacing_m, ladder,
+                                                   maker->task->crew, status);
     for (size_t i = 0; i < ladder->loads && rc == STATUS_OK; i++) {
         const struct direct_quantities *q = &points[i].quantities;
         bool given = points[i].exists && q->contact_points >= DIRECT_ENSEMBLE_POINTS;
@@ -244,7 +243,6 @@ static enum status_code solve_map(struct direct_ensemble_point *out, const struc
             single(given ? (double)points[i].patches / cell_m2 : NAN),
         };
     }
-    direct_contact_free(&contact);
     free(points);
     return rc;
 }
@@ -305,7 +303,6 @@ static enum status_code draw(struct maker *maker, const double *height_m, struct
 {
     struct direct_study *study = maker->study;
     const struct direct_plan *plan = &study->plan;
-    struct direct_contact contact = {0};
     struct direct_point point;
     struct direct_ladder_def ladder = {&plan->load[plan->picture], 1, INFINITY, contact_tolerance, plan->resistance,
                                        maker->task->stop};
@@ -313,14 +310,11 @@ static enum status_code draw(struct maker *maker, const double *height_m, struct
     study->contact = malloc(n * n);
     if (!study->contact)
         return status_memory(status);
-    if (direct_contact_make(&contact, height_m, n, n, plan->length_m / (double)n, status) == STATUS_OK &&
-        direct_ladder_run(&point, &contact, &ladder, status) == STATUS_OK) {
+    if (direct_ladder_of_heights(&point, study->contact, height_m, n, plan->length_m / (double)n, &ladder,
+                                 maker->task->crew, status) == STATUS_OK) {
         study->patches = point.patches;
         study->solutions++;
-        for (size_t k = 0; k < n * n; k++)
-            study->contact[k] = contact.pressure[k / n * contact.kernel.stride + k % n] > 0;
     }
-    direct_contact_free(&contact);
     return status->code;
 }
 
