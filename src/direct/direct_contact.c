@@ -72,6 +72,10 @@ enum status_code direct_contact_take_heights(struct direct_contact *contact, str
                 (void)status_fail(status, STATUS_MODEL, "height %zu of the surface is missing or not finite; fill it",
                                   (kernel->first_row + j) * kernel->nx + i);
         }
+    if (direct_team_agree(kernel->team, status) != STATUS_OK) {
+        direct_contact_free(contact);
+        return status->code;
+    }
     mean = direct_team_sum(kernel->team, mean);
     direct_team_most(kernel->team, &highest, 1);
     for (size_t j = 0; j < kernel->rows; j++)
@@ -81,11 +85,11 @@ enum status_code direct_contact_take_heights(struct direct_contact *contact, str
             square += height * height;
         }
     contact->rms_m = sqrt(direct_team_sum(kernel->team, square) / points);
-    if (!(contact->rms_m > 1e-14 * highest) || !isfinite(contact->rms_m))
-        (void)status_fail(status, STATUS_MODEL, "the surface is flat: it has no roughness to solve the contact of");
-    if (direct_team_agree(kernel->team, status) != STATUS_OK)
+    if (!(contact->rms_m > 1e-14 * highest) || !isfinite(contact->rms_m)) {
         direct_contact_free(contact);
-    return status->code;
+        return status_fail(status, STATUS_MODEL, "the surface is flat: it has no roughness to solve the contact of");
+    }
+    return STATUS_OK;
 }
 
 void direct_contact_free(struct direct_contact *contact)
