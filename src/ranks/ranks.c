@@ -251,7 +251,7 @@ static void ask_to_stop(int signal_number)
 static void make_everyone(void)
 {
     struct status status = {0};
-    if (ranks_team_make(&everyone, &world, &status) != STATUS_OK)
+    if (!everyone.scratch && ranks_team_make(&everyone, &world, &status) != STATUS_OK)
         MPI_Abort(world, EXIT_FAILURE); /* not even some bytes: nobody could say so */
 }
 
@@ -287,8 +287,7 @@ void ranks_end(void)
 {
     struct order order = {.kind = ORDER_END};
     MPI_Request request;
-    if (!everyone.scratch)
-        make_everyone(); /* the others have, and wait */
+    make_everyone(); /* the others have, and wait */
     MPI_Ibcast(&order, sizeof order, MPI_BYTE, 0, world, &request);
     MPI_Wait(&request, MPI_STATUS_IGNORE);
     ranks_team_free(&everyone);
