@@ -1,9 +1,9 @@
 #include "direct/direct_shared.h"
 
-#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 /** The rank that holds row (or column) k of n. */
 static size_t holder(const struct direct_team *team, size_t n, size_t k)
@@ -97,24 +97,33 @@ static void spread_modes(struct direct_kernel *fine, const struct direct_kernel 
     }
 }
 
-/** The surface with given heights, made on the first rank on n points a side, into the kernel's rows: `out`. */
+/** Heights distributed as given, made on the first rank: 60 bytes a point, while the rest of the grid is there. */
+static enum status_code make_at_once(double **out, const struct direct_ensemble_def *def, uint64_t seed,
+                                     struct status *status)
+{
+    size_t n = def->n;
+    double needed = 60 * (double)n * (double)n;
+    double there = (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE); /* malloc() promises more */
+    *out = needed < there ? malloc(n * n * sizeof **out) : NULL;
+    if (*out && direct_surface_with_heights(*out, n, def->variance, def->context, def->given_m, def->given_count, seed,
+                                            status) == STATUS_OK)
+        return STATUS_OK;
+    if (*out && status->code != STATUS_MEMORY)
+        return status->code;
+    *status = (struct status){0};
+    return status_fail(status, STATUS_MEMORY,
+                       "heights distributed like the scan's are made in one process, which needs %.2g GB for %zu x %zu "
+                       "points; take a node with more memory or a smaller grid",
+                       needed / 1e9, n, n);
+}
+
+/** The same into the kernel's rows: `out`. */
 static enum status_code make_heights(double *out, struct direct_kernel *kernel, const struct direct_ensemble_def *def,
                                      uint64_t seed, struct status *status)
 {
-    size_t n = def->n;
     double *height_m = NULL;
-    if (kernel->team->rank == 0 && !(height_m = malloc(n * n * sizeof *height_m)))
-        (void)status_memory(status);
-    if (height_m && direct_surface_with_heights(height_m, n, def->variance, def->context, def->given_m,
-                                                def->given_count, seed, status) != STATUS_OK)
-        assert(kernel->team->rank == 0);
-    if (status->code == STATUS_MEMORY) {
-        *status = (struct status){0};
-        (void)status_fail(status, STATUS_MEMORY,
-                          "heights distributed like the scan's are made in one process, and %zu x %zu points need "
-                          "about %.2g GB there; give it more memory, or take a smaller grid",
-                          n, n, 60e-9 * (double)n * (double)n);
-    }
+    if (kernel->team->rank == 0)
+        (void)make_at_once(&height_m, def, seed, status);
     if (direct_team_agree(kernel->team, status) == STATUS_OK)
         deal_rows(out, kernel, height_m);
     free(height_m);

@@ -105,7 +105,7 @@ static void ensembles(void **state)
     def.threads = 2;
     compare(def);
     def.given_m = NULL;
-    def.enough = 1e-6; /* in batches */
+    def.enough = 1e-6;     /* in batches */
     def.seeds = SEEDS + 1; /* 4 and 1 */
     compare(def);
     direct_spectrum_free(&spectrum);
