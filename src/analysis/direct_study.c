@@ -211,25 +211,24 @@ static struct direct_ensemble_def ensemble_def(const struct maker *maker, enum d
         .first_seed = 1,
         .seeds = kind == leading ? plan->seeds : plan->fewer,
         .threads = maker->task->threads,
+        .crew = maker->task->crew,
     };
 }
 
 /** The ladder of the map on every point of its, or every `every`-th along both sides. */
 static enum status_code solve_grid(struct direct_point *out, const struct direct_map *map, size_t every,
-                                   const struct direct_ladder_def *ladder, struct status *status)
+                                   const struct direct_ladder_def *ladder, const struct direct_crew *crew,
+                                   struct status *status)
 {
-    struct direct_contact contact = {0};
     size_t n = map->n / every;
     double *height_m = malloc(n * n * sizeof *height_m);
     if (!height_m)
         return status_memory(status);
     for (size_t k = 0; k < n * n; k++)
         height_m[k] = map->height_m[k / n * every * map->n + k % n * every];
-    enum status_code rc = direct_contact_make(&contact, height_m, n, n, map->spacing_m * (double)every, status);
+    enum status_code rc =
+        direct_ladder_of_heights(out, NULL, height_m, n, map->spacing_m * (double)every, ladder, crew, status);
     free(height_m);
-    if (rc == STATUS_OK)
-        rc = direct_ladder_run(out, &contact, ladder, status);
-    direct_contact_free(&contact);
     return rc;
 }
 
@@ -245,12 +244,13 @@ static enum status_code solve_map(struct direct_ensemble_point *out, const struc
 {
     const struct direct_map *map = &maker->map;
     struct direct_point *points = calloc(2 * ladder->loads, sizeof *points);
+    const struct direct_crew *crew = maker->task->crew;
     double cell_m2 = pow(map->spacing_m * (double)map->n, 2);
     if (!points)
         return status_memory(status);
-    enum status_code rc = solve_grid(points, map, 1, ladder, status);
+    enum status_code rc = solve_grid(points, map, 1, ladder, crew, status);
     if (rc == STATUS_OK)
-        rc = solve_grid(points + ladder->loads, map, 2, ladder, status);
+        rc = solve_grid(points + ladder->loads, map, 2, ladder, crew, status);
     for (size_t i = 0; i < ladder->loads && rc == STATUS_OK; i++) {
         const struct direct_point *second = &points[ladder->loads + i];
         const struct direct_quantities *q = &points[i].quantities, *r = &second->quantities;
@@ -340,7 +340,6 @@ static enum status_code draw(struct maker *maker, const double *height_m, struct
 {
     struct direct_study *study = maker->study;
     const struct direct_plan *plan = &study->plan;
-    struct direct_contact contact = {0};
     struct direct_point point;
     bool resolved = choose_picture(study);
     struct direct_ladder_def ladder = {&plan->load[plan->picture], 1, INFINITY, contact_tolerance, plan->resistance,
@@ -349,18 +348,15 @@ static enum status_code draw(struct maker *maker, const double *height_m, struct
     study->contact = malloc(n * n);
     if (!study->contact)
         return status_memory(status);
-    if (direct_contact_make(&contact, height_m, n, n, plan->length_m / (double)n, status) == STATUS_OK &&
-        direct_ladder_run(&point, &contact, &ladder, status) == STATUS_OK) {
+    if (direct_ladder_of_heights(&point, study->contact, height_m, n, plan->length_m / (double)n, &ladder,
+                                 maker->task->crew, status) == STATUS_OK) {
         study->patches = point.patches;
         study->solutions++;
-        for (size_t k = 0; k < n * n; k++)
-            study->contact[k] = contact.pressure[k / n * contact.kernel.stride + k % n] > 0;
     }
     if (!resolved) {
         free(study->contact);
         study->contact = NULL;
     }
-    direct_contact_free(&contact);
     return status->code;
 }
 

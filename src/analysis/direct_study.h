@@ -69,7 +69,8 @@ struct direct_study_task {
     size_t index;
     const struct scene *scene;
     const struct plan *plan;
-    unsigned threads; /* 0: one a processor; the result does not depend on it */
+    unsigned threads;               /* 0: one a processor; the result does not depend on it */
+    const struct direct_crew *crew; /* who solves the contacts; NULL: this process */
     const volatile sig_atomic_t *stop;
     bool efforts; /* also at less expense, to tell what accuracy costs */
 };

@@ -121,6 +121,13 @@ static error_t parse_report(int key, char *value, struct argp_state *state)
     }
 }
 
+static const struct direct_crew *others; /* of the program over several processes; argp leads past main() */
+
+void command_use_crew(const struct direct_crew *crew)
+{
+    others = crew;
+}
+
 static volatile sig_atomic_t stop; /* a signal handler can reach nothing but a global */
 
 static void ask_to_stop(int signal_number)
@@ -188,6 +195,7 @@ static int report(struct arguments *arguments, struct scene *scene, struct statu
     }
     arguments->run.templates = text_string(&templates);
     arguments->run.terminal_size = arguments->show ? size : NULL;
+    arguments->run.crew = others;
     arguments->run.stop = &stop;
     arguments->run.progress = isatty(STDERR_FILENO) ? progress : NULL;
     catch_signals();

@@ -4,6 +4,7 @@
 
 #include "base/status.h"
 #include "base/text.h"
+#include "direct/direct_crew.h"
 
 /** Exit statuses of every command (documented in the README). */
 enum command_exit {
@@ -21,6 +22,9 @@ struct command_row {
     int (*run)(int argc, char **argv); /* argv[0] is "roughcontact NAME" */
 };
 
+/** All of the program but main(): picks the command and returns the exit status. */
+int command_main(int argc, char **argv);
+
 int command_report(int argc, char **argv);
 int command_direct(int argc, char **argv);
 int command_plan(int argc, char **argv);
@@ -28,6 +32,9 @@ int command_inspect(int argc, char **argv);
 int command_synth(int argc, char **argv);
 int command_models(int argc, char **argv);
 int command_materials(int argc, char **argv);
+
+/** From now on other processes solve the contacts of `report` and `direct`; NULL: none. */
+void command_use_crew(const struct direct_crew *crew);
 
 /** Prints "roughcontact: `what``message`" as one line on stderr; what a terminal might act upon comes out as '?'. */
 void command_complain(const char *what, const char *message);

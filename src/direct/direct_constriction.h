@@ -13,10 +13,10 @@
 
 #include "direct/direct_contact.h"
 
-/** Constriction length of a given set of `count` > 0 points (places in the kernel's field), by preconditioned conjugate
- * gradients until the potential on the set is constant to `tolerance` of itself; l = <j, u>/<j> is then good to its
- * square. 0 where every point is in contact. `scratch`: three arrays of `count` each. Adds to *effort. Errors:
- * STATUS_MODEL: no convergence; STATUS_INTERRUPTED when *stop (NULL: never) becomes non-zero. */
+/** Constriction length of a given set of `count` points (places in the kernel's field; one at least on all ranks), by
+ * preconditioned conjugate gradients until the potential on the set is constant to `tolerance` of itself; l = <j,
+ * u>/<j> is then good to its square. 0 where every point is in contact. `scratch`: three arrays of `count` each. Adds
+ * to *effort. Errors: STATUS_MODEL: no convergence; STATUS_INTERRUPTED when *stop (NULL: never) becomes non-zero. */
 MUST_CHECK enum status_code direct_constriction_of_set(double *length_m, struct direct_kernel *kernel,
                                                        const uint32_t *set, size_t count, double *const scratch[3],
                                                        double tolerance, const volatile sig_atomic_t *stop,

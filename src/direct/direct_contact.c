@@ -23,46 +23,70 @@ struct solver {
     struct direct_contact_effort *effort;
     double hardness;
     bool preconditioned;
-    bool joined; /* some point has come into the set: directions so far are no longer conjugate */
-    double last; /* <g, z> of the iteration before */
+    bool joined;  /* some point has come into the set: directions so far are no longer conjugate */
+    bool stopped; /* the load's stop, as all ranks see it */
+    double last;  /* <g, z> of the iteration before */
     size_t since_refresh;
 };
 
 enum status_code direct_contact_make(struct direct_contact *out, const double *height_m, size_t nx, size_t ny,
                                      double spacing_m, struct status *status)
 {
-    *out = (struct direct_contact){0};
-    if (direct_kernel_make(&out->kernel, nx, ny, spacing_m, status) != STATUS_OK)
+    if (direct_contact_begin(out, NULL, nx, ny, spacing_m, status) != STATUS_OK)
         return status->code;
-    size_t stride = out->kernel.stride, places = ny * stride;
+    for (size_t j = 0; j < ny; j++)
+        memcpy(out->height_m + j * out->kernel.stride, height_m + j * nx, nx * sizeof *height_m);
+    return direct_contact_take_heights(out, status);
+}
+
+enum status_code direct_contact_begin(struct direct_contact *out, const struct direct_team *team, size_t nx, size_t ny,
+                                      double spacing_m, struct status *status)
+{
+    *out = (struct direct_contact){0};
+    if (direct_kernel_make_shared(&out->kernel, team, nx, ny, spacing_m, status) != STATUS_OK)
+        return status->code;
+    size_t places = out->kernel.rows * out->kernel.stride + 1; /* a rank may have no rows */
     out->height_m = calloc(places, sizeof(double));
     out->pressure = calloc(places, sizeof(double));
     out->gap_m = calloc(places, sizeof(double));
     out->direction = calloc(places, sizeof(double));
     out->set = malloc(places * sizeof(uint32_t));
     out->member = calloc(places, 1);
-    if (!out->height_m || !out->pressure || !out->gap_m || !out->direction || !out->set || !out->member) {
+    if (!out->height_m || !out->pressure || !out->gap_m || !out->direction || !out->set || !out->member)
+        (void)status_memory(status);
+    if (direct_team_agree(team, status) != STATUS_OK)
         direct_contact_free(out);
-        return status_memory(status);
-    }
-    double mean = 0, square = 0, highest = 0;
-    for (size_t k = 0; k < nx * ny; k++) {
-        mean += height_m[k] / (double)(nx * ny);
-        highest = fmax(highest, fabs(height_m[k]));
-        if (!isfinite(height_m[k])) {
-            direct_contact_free(out);
-            return status_fail(status, STATUS_MODEL, "height %zu of the surface is missing or not finite; fill it", k);
+    return status->code;
+}
+
+enum status_code direct_contact_take_heights(struct direct_contact *contact, struct status *status)
+{
+    const struct direct_kernel *kernel = &contact->kernel;
+    double mean = 0, square = 0, highest = 0, points = (double)kernel->points;
+    for (size_t j = 0; j < kernel->rows; j++)
+        for (size_t i = 0; i < kernel->nx; i++) {
+            double height = contact->height_m[j * kernel->stride + i];
+            mean += height / points;
+            highest = fmax(highest, fabs(height));
+            if (!isfinite(height))
+                (void)status_fail(status, STATUS_MODEL, "height %zu of the surface is missing or not finite; fill it",
+                                  (kernel->first_row + j) * kernel->nx + i);
         }
+    if (direct_team_agree(kernel->team, status) != STATUS_OK) {
+        direct_contact_free(contact);
+        return status->code;
     }
-    for (size_t j = 0; j < ny; j++)
-        for (size_t i = 0; i < nx; i++) {
-            double height = height_m[j * nx + i] - mean; /* an offset would only cost digits */
-            out->height_m[j * stride + i] = height;
+    mean = direct_team_sum(kernel->team, mean);
+    direct_team_most(kernel->team, &highest, 1);
+    for (size_t j = 0; j < kernel->rows; j++)
+        for (size_t i = 0; i < kernel->nx; i++) {
+            double height = contact->height_m[j * kernel->stride + i] - mean; /* an offset would only cost digits */
+            contact->height_m[j * kernel->stride + i] = height;
             square += height * height;
         }
-    out->rms_m = sqrt(square / (double)(nx * ny));
-    if (!(out->rms_m > 1e-14 * highest) || !isfinite(out->rms_m)) {
-        direct_contact_free(out);
+    contact->rms_m = sqrt(direct_team_sum(kernel->team, square) / points);
+    if (!(contact->rms_m > 1e-14 * highest) || !isfinite(contact->rms_m)) {
+        direct_contact_free(contact);
         return status_fail(status, STATUS_MODEL, "the surface is flat: it has no roughness to solve the contact of");
     }
     return STATUS_OK;
@@ -92,7 +116,7 @@ static double sum_on(const struct direct_contact *contact, const double *a)
             part[l] += a[set[k + l]];
     for (; k < n; k++)
         part[0] += a[set[k]];
-    return (part[0] + part[1]) + (part[2] + part[3]);
+    return direct_team_sum(contact->kernel.team, (part[0] + part[1]) + (part[2] + part[3]));
 }
 
 /** <a - a0, b> over the set. */
@@ -106,7 +130,7 @@ static double dot_on(const struct direct_contact *contact, const double *a, doub
             part[l] += (a[set[k + l]] - a0) * b[set[k + l]];
     for (; k < n; k++)
         part[0] += (a[set[k]] - a0) * b[set[k]];
-    return (part[0] + part[1]) + (part[2] + part[3]);
+    return direct_team_sum(contact->kernel.team, (part[0] + part[1]) + (part[2] + part[3]));
 }
 
 /** g = K p - h, lambda still to be taken off. */
@@ -114,7 +138,7 @@ static void compute_gap(struct solver *solver)
 {
     struct direct_contact *contact = solver->contact;
     struct direct_kernel *kernel = &contact->kernel;
-    size_t places = kernel->ny * kernel->stride;
+    size_t places = kernel->rows * kernel->stride;
     memcpy(kernel->field, contact->pressure, places * sizeof(double));
     direct_kernel_comply(kernel);
     for (size_t k = 0; k < places; k++)
@@ -128,38 +152,41 @@ static void fit_mean(struct solver *solver)
 {
     struct direct_contact *contact = solver->contact;
     struct direct_kernel *kernel = &contact->kernel;
-    double *pressure = contact->pressure, hardness = solver->hardness, most = 0, least = 0;
-    double wanted = solver->load->mean_pressure * (double)kernel->points;
+    double *pressure = contact->pressure, hardness = solver->hardness, bounds[2] = {0};
+    double wanted = solver->load->mean_pressure * (double)kernel->points, count;
     bool all = false;
     do {
         contact->set_count = 0;
-        for (size_t j = 0; j < kernel->ny; j++)
+        for (size_t j = 0; j < kernel->rows; j++)
             for (size_t k = j * kernel->stride; k < j * kernel->stride + kernel->nx; k++) {
                 contact->set[contact->set_count] = (uint32_t)k;
                 contact->set_count += all || pressure[k] != 0;
             }
         all = !all;
-    } while ((double)contact->set_count * hardness <= wanted && all);
+        count = direct_team_sum(kernel->team, (double)contact->set_count);
+    } while (count * hardness <= wanted && all);
     for (size_t k = 0; k < contact->set_count; k++) {
-        most = fmax(most, pressure[contact->set[k]]);
-        least = fmin(least, pressure[contact->set[k]]);
+        bounds[0] = fmax(bounds[0], pressure[contact->set[k]]);
+        bounds[1] = fmax(bounds[1], -pressure[contact->set[k]]);
     }
-    double low = -most, high = hardness - least, shift = 0;
+    direct_team_most(kernel->team, bounds, 2);
+    double low = -bounds[0], high = hardness + bounds[1], shift = 0;
     for (int step = 0; step < 100; step++) {
-        double sum = 0, slope = 0, full = 0;
+        double parts[3] = {0};
         for (size_t k = 0; k < contact->set_count; k++) {
             double p = pressure[contact->set[k]] + shift;
             bool free = p > 0 && p < hardness;
-            sum += free ? p : 0;
-            slope += free;
-            full += p >= hardness;
+            parts[0] += free ? p : 0;
+            parts[1] += free;
+            parts[2] += p >= hardness;
         }
-        sum += full * hardness;
+        direct_team_add(kernel->team, parts, 3);
+        double sum = parts[0] + parts[2] * hardness;
         if (sum < wanted)
             low = shift;
         else
             high = shift;
-        double change = slope > 0 ? (wanted - sum) / slope : INFINITY; /* else halve the bracket */
+        double change = parts[1] > 0 ? (wanted - sum) / parts[1] : INFINITY; /* else halve the bracket */
         if (fabs(sum - wanted) <= 5e-13 * wanted || high - low <= 1e-15 * hardness)
             break;
         shift = shift + change > low && shift + change < high ? shift + change : (low + high) / 2;
@@ -187,28 +214,31 @@ static double level(const struct solver *solver)
 {
     const struct direct_contact *contact = solver->contact;
     const struct direct_kernel *kernel = &contact->kernel;
-    double sum = 0, count = 0, highest = -INFINITY, lowest = INFINITY;
+    double parts[2] = {0}, ends[2] = {-INFINITY, -INFINITY}; /* highest, less the lowest */
     for (size_t k = 0; k < contact->set_count; k++) {
         double p = contact->pressure[contact->set[k]];
         bool free = p > 0 && p < solver->hardness;
-        sum += free ? contact->gap_m[contact->set[k]] : 0;
-        count += free;
+        parts[0] += free ? contact->gap_m[contact->set[k]] : 0;
+        parts[1] += free;
     }
-    if (count > 0)
-        return sum / count;
-    for (size_t j = 0; j < kernel->ny; j++)
+    direct_team_add(kernel->team, parts, 2);
+    if (parts[1] > 0)
+        return parts[0] / parts[1];
+    for (size_t j = 0; j < kernel->rows; j++)
         for (size_t k = j * kernel->stride; k < j * kernel->stride + kernel->nx; k++) {
             if (contact->pressure[k] > 0)
-                highest = fmax(highest, contact->gap_m[k]);
+                ends[0] = fmax(ends[0], contact->gap_m[k]);
             else
-                lowest = fmin(lowest, contact->gap_m[k]);
+                ends[1] = fmax(ends[1], -contact->gap_m[k]);
         }
-    return (highest + lowest) / 2;
+    direct_team_most(kernel->team, ends, 2);
+    return (ends[0] - ends[1]) / 2;
 }
 
 /** Takes lambda off the gap and lays the set anew: {0 < p < H}, and where a condition is violated, {p = 0, g < 0} and
  * {p = H, g > 0}. Under a hardness these wait until they are the worst (proportioning: Dostál, SIAM J. Optim. 7 (1997)
- * 871); else points change sides in every iteration and no direction lives. Returns max |g| over all of them. */
+ * 871); else points change sides in every iteration and no direction lives. Returns max |g| over all of them. What the
+ * ranks of a team decide by is the same on all. */
 static double lay_set(struct solver *solver)
 {
     struct direct_contact *contact = solver->contact;
@@ -216,9 +246,10 @@ static double lay_set(struct solver *solver)
     double lambda = level(solver), hardness = solver->hardness, worst_free = 0, worst_other = 0;
     uint32_t *set = contact->set;
     size_t count = 0, kept = 0;
+    bool joined = false;
     if (!isfinite(lambda))
         return NAN; /* comparisons below would pass over it */
-    for (size_t j = 0; j < kernel->ny; j++)
+    for (size_t j = 0; j < kernel->rows; j++)
         for (size_t k = j * kernel->stride; k < j * kernel->stride + kernel->nx; k++) {
             double p = contact->pressure[k], g = contact->gap_m[k] - lambda;
             contact->gap_m[k] = g;
@@ -232,6 +263,11 @@ static double lay_set(struct solver *solver)
         else
             worst_other = g > worst_other ? g : worst_other;
     }
+    double most[3] = {worst_free, worst_other, solver->load->stop && *solver->load->stop};
+    direct_team_most(kernel->team, most, 3);
+    worst_free = most[0];
+    worst_other = most[1];
+    solver->stopped = most[2] > 0;
     if (isfinite(hardness) && worst_other < worst_free) {
         for (size_t k = 0; k < count; k++) {
             double p = contact->pressure[set[k]];
@@ -241,11 +277,15 @@ static double lay_set(struct solver *solver)
         count = kept;
     }
     for (size_t k = 0; k < count; k++)
-        solver->joined |= !contact->member[set[k]];
-    memset(contact->member, 0, kernel->ny * kernel->stride);
+        joined |= !contact->member[set[k]];
+    memset(contact->member, 0, kernel->rows * kernel->stride);
     for (size_t k = 0; k < count; k++)
         contact->member[set[k]] = 1;
     contact->set_count = count;
+    double totals[2] = {(double)count, joined};
+    direct_team_add(kernel->team, totals, 2);
+    contact->set_total = totals[0];
+    solver->joined |= totals[1] > 0;
     return fmax(worst_free, worst_other);
 }
 
@@ -256,10 +296,10 @@ static double turn(struct solver *solver, double gap_mean)
     struct direct_contact *contact = solver->contact;
     struct direct_kernel *kernel = &contact->kernel;
     const uint32_t *set = contact->set;
-    double *z = contact->gap_m, z_mean = gap_mean, *t = contact->direction, n = (double)contact->set_count;
+    double *z = contact->gap_m, z_mean = gap_mean, *t = contact->direction, n = contact->set_total;
     if (solver->preconditioned) {
         z = kernel->field;
-        memset(z, 0, kernel->ny * kernel->stride * sizeof(double));
+        memset(z, 0, kernel->rows * kernel->stride * sizeof(double));
         for (size_t k = 0; k < contact->set_count; k++)
             z[set[k]] = contact->gap_m[set[k]] - gap_mean;
         direct_kernel_stiffen(kernel);
@@ -284,8 +324,8 @@ static void step(struct solver *solver)
     struct direct_kernel *kernel = &contact->kernel;
     const uint32_t *set = contact->set;
     double *pressure = contact->pressure, *t = contact->direction, *field = kernel->field;
-    double slope = turn(solver, sum_on(contact, contact->gap_m) / (double)contact->set_count);
-    size_t places = kernel->ny * kernel->stride;
+    double slope = turn(solver, sum_on(contact, contact->gap_m) / contact->set_total);
+    size_t places = kernel->rows * kernel->stride;
     memset(field, 0, places * sizeof(double));
     for (size_t k = 0; k < contact->set_count; k++)
         field[set[k]] = t[set[k]];
@@ -297,6 +337,7 @@ static void step(struct solver *solver)
         inside &= (p >= 0) & (p <= solver->hardness);
         pressure[set[k]] = p;
     }
+    inside = !direct_team_any(kernel->team, !inside);
     if (!inside) {
         if (isinf(solver->hardness))
             scale_mean(solver);
@@ -322,7 +363,7 @@ static enum status_code iterate(struct solver *solver, double tolerance, struct 
         solver->effort->violation = violation;
         if (violation < tolerance)
             return STATUS_OK;
-        if (solver->load->stop && *solver->load->stop)
+        if (solver->stopped)
             return status_fail(status, STATUS_INTERRUPTED, "stopped");
         waited++;
         if (violation < best / 2) {
@@ -353,7 +394,7 @@ static void start(struct solver *solver, bool warm)
     const struct direct_kernel *kernel = &contact->kernel;
     double mean = solver->load->mean_pressure, sum = 0;
     contact->set_count = 0;
-    for (size_t j = 0; j < kernel->ny; j++)
+    for (size_t j = 0; j < kernel->rows; j++)
         for (size_t k = j * kernel->stride; k < j * kernel->stride + kernel->nx; k++) {
             contact->set[contact->set_count++] = (uint32_t)k;
             if (!warm)
@@ -367,10 +408,10 @@ static void start(struct solver *solver, bool warm)
 
 static bool exceeds(const struct direct_contact *contact, double hardness)
 {
-    for (size_t k = 0; k < contact->set_count; k++)
-        if (contact->pressure[contact->set[k]] > hardness)
-            return true;
-    return false;
+    bool found = false;
+    for (size_t k = 0; k < contact->set_count && !found; k++)
+        found = contact->pressure[contact->set[k]] > hardness;
+    return direct_team_any(contact->kernel.team, found);
 }
 
 static enum status_code solve(struct solver *solver, struct status *status)
@@ -402,10 +443,10 @@ static double share_in_contact(const struct direct_contact *contact)
 {
     const struct direct_kernel *kernel = &contact->kernel;
     size_t count = 0;
-    for (size_t j = 0; j < kernel->ny; j++)
+    for (size_t j = 0; j < kernel->rows; j++)
         for (size_t k = j * kernel->stride; k < j * kernel->stride + kernel->nx; k++)
             count += contact->pressure[k] > 0;
-    return (double)count / (double)kernel->points;
+    return direct_team_sum(kernel->team, (double)count) / (double)kernel->points;
 }
 
 enum status_code direct_contact_solve(struct direct_contact *contact, const struct direct_contact_load *load,

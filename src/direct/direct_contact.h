@@ -18,17 +18,18 @@
 #include <stdint.h>
 
 /** A surface and the state of its contact. Fields have the kernel's rows and stride: the point (i along x, j along y)
- * is at j stride + i. About 50 bytes a point, and 8 more for each in contact while its constriction is solved. Owned:
- * direct_contact_free(). */
+ * is at j stride + i, j from the kernel's first_row. About 50 bytes a point (shared by a team 58), and 8 more for each
+ * in contact while its constriction is solved. Owned: direct_contact_free(). */
 struct direct_contact {
     struct direct_kernel kernel;
     double *height_m;
-    double *pressure;  /* p/E' */
-    double *gap_m;     /* g; overlap that has flowed is negative */
-    double *direction; /* the solver's */
-    uint32_t *set;     /* the solver's points at work: their places in a field, ascending */
-    uint8_t *member;   /* whether a point is in it */
-    size_t set_count;
+    double *pressure;     /* p/E' */
+    double *gap_m;        /* g; overlap that has flowed is negative */
+    double *direction;    /* the solver's */
+    uint32_t *set;        /* the solver's points at work: their places in a field, ascending */
+    uint8_t *member;      /* whether a point is in it */
+    size_t set_count;     /* here */
+    double set_total;     /* on all ranks, while the solver works */
     double contact_share; /* of the points, in the last solution */
     double rms_m;         /* root mean square of the height about its mean */
     bool solved;          /* pressure and gap_m hold a solution, to start the next from */
@@ -55,6 +56,12 @@ struct direct_contact_effort {
  * finite, or a flat surface. */
 MUST_CHECK enum status_code direct_contact_make(struct direct_contact *out, const double *height_m, size_t nx,
                                                 size_t ny, double spacing_m, struct status *status);
+/** The same of a grid that a team shares (direct_kernel.h), in two steps: begin, put the heights of the rows here into
+ * height_m, and have them taken. All of what follows is then collective, and its errors those of all ranks. */
+MUST_CHECK enum status_code direct_contact_begin(struct direct_contact *out, const struct direct_team *team, size_t nx,
+                                                 size_t ny, double spacing_m, struct status *status);
+/** The contact is freed on an error. */
+MUST_CHECK enum status_code direct_contact_take_heights(struct direct_contact *contact, struct status *status);
 void direct_contact_free(struct direct_contact *contact);
 
 /** Solves for one load; adds the effort to *effort. Method: Polonsky and Keer, Wear 231 (1999) 206, with points that

@@ -86,9 +86,29 @@ static void *work(void *context)
     return NULL;
 }
 
+/** The tasks up to `end`, by the crew. */
+static enum status_code ask_crew(struct seed_pool *pool, size_t end, struct status *status)
+{
+    const struct direct_crew *crew = pool->def->crew;
+    struct direct_ensemble *ensemble = pool->ensemble;
+    double rms_m;
+    if (pool->next == 0 && crew->fine(crew, pool->fine, pool->def, status) != STATUS_OK)
+        return status->code;
+    size_t first = pool->next > 0 ? pool->next - 1 : 0;
+    if (crew->surfaces(crew, ensemble->seed_point + first * ensemble->loads, &rms_m, pool->def, first, end - 1 - first,
+                       status) != STATUS_OK)
+        return status->code;
+    if (first == 0)
+        ensemble->rms_m = rms_m;
+    pool->next = end;
+    return STATUS_OK;
+}
+
 /** The tasks up to `end`, in threads. */
 static enum status_code solve_seeds(struct seed_pool *pool, size_t end, struct status *status)
 {
+    if (pool->def->crew)
+        return ask_crew(pool, end, status);
     pthread_t threads[THREADS_MOST];
     long processors = sysconf(_SC_NPROCESSORS_ONLN);
     size_t wanted = pool->def->threads ? pool->def->threads : processors > 0 ? (size_t)processors : 1, started = 0;

@@ -28,6 +28,7 @@ struct direct_ensemble_def {
     size_t seeds;        /* at most */
     double enough;  /* standard error of the mean log constriction (without resistance: gap) at which to stop; 0: all */
     size_t threads; /* 0: one a processor. The result does not depend on it */
+    const struct direct_crew *crew; /* who solves; NULL: this process */
 };
 
 /** A mean over seeds, corrected for the grid. */

@@ -1,7 +1,8 @@
 #include "direct/direct_kernel.h"
 
+#include <assert.h>
 #include <math.h>
-#include <stdbool.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -23,9 +24,9 @@ static void fill_tables(struct direct_kernel *kernel)
     size_t rows = kernel->ny / 2 + 1;
     double fx = 2 * M_PI / ((double)kernel->nx * kernel->spacing_m), n = (double)kernel->points;
     double fy = 2 * M_PI / ((double)kernel->ny * kernel->spacing_m);
-    for (size_t i = 0; i <= kernel->nx / 2; i++)
+    for (size_t i = 0; i < kernel->own_columns; i++)
         for (size_t j = 0; j < rows; j++) {
-            double q = hypot(fx * (double)i, fy * (double)j);
+            double q = hypot(fx * (double)(kernel->first_column + i), fy * (double)j);
             kernel->compliance[i * rows + j] = q > 0 ? 1 / (q * n) : 0;
             kernel->stiffness[i * rows + j] = q / n;
         }
@@ -40,35 +41,72 @@ static void make_plans(struct direct_kernel *kernel)
     kernel->column_backward = fftw_plan_dft_1d(ny, kernel->transformed, kernel->columns, FFTW_BACKWARD, FFTW_ESTIMATE);
 }
 
+static enum status_code make(struct direct_kernel *out, struct status *status)
+{
+    size_t nx = out->nx, ny = out->ny, share = out->rows * out->stride, most = SIZE_MAX;
+    size_t length = BLOCK * (ny + GAP), quarter = out->own_columns * (ny / 2 + 1);
+    if (out->team) {
+        length = out->own_columns * ny;
+        length = share / 2 > length ? share / 2 : length;
+        share = 2 * length;
+        most = UINT32_MAX;
+    }
+    if (share <= most) {
+        out->field = fftw_alloc_real(share + 1);
+        out->row = fftw_alloc_complex(nx / 2 + 1);
+        out->columns = fftw_alloc_complex(length + 1);
+        out->transformed = fftw_alloc_complex(ny);
+        out->compliance = malloc((quarter + 1) * sizeof(double));
+        out->stiffness = malloc((quarter + 1) * sizeof(double));
+    }
+    bool has = out->field && out->row && out->columns && out->transformed && out->compliance && out->stiffness;
+    if (has)
+        make_plans(out);
+    if (!out->row_forward || !out->row_backward || !out->column_forward || !out->column_backward)
+        (void)(share > most ? status_fail(status, STATUS_USAGE,
+                                          "a grid of %zu x %zu points is too large for %zu ranks; take more", nx, ny,
+                                          out->team->size)
+                            : status_memory(status));
+    if (direct_team_agree(out->team, status) == STATUS_OK && out->team) {
+        out->transposition =
+            out->team->transposition_make(out->team, ny, nx / 2 + 1, out->field, (double *)out->columns);
+        if (!out->transposition)
+            (void)status_memory(status);
+        (void)direct_team_agree(out->team, status);
+    }
+    if (status->code != STATUS_OK)
+        direct_kernel_free(out);
+    else
+        fill_tables(out);
+    return status->code;
+}
+
 enum status_code direct_kernel_make(struct direct_kernel *out, size_t nx, size_t ny, double spacing_m,
                                     struct status *status)
 {
-    *out = (struct direct_kernel){.nx = nx, .ny = ny, .points = nx * ny, .stride = 2 * (nx / 2 + 1)};
+    return direct_kernel_make_shared(out, NULL, nx, ny, spacing_m, status);
+}
+
+enum status_code direct_kernel_make_shared(struct direct_kernel *out, const struct direct_team *team, size_t nx,
+                                           size_t ny, double spacing_m, struct status *status)
+{
+    int most = team ? DIRECT_KERNEL_MOST_SHARED : DIRECT_KERNEL_MOST;
+    *out = (struct direct_kernel){.team = team, .nx = nx, .ny = ny, .points = nx * ny, .stride = 2 * (nx / 2 + 1)};
     out->spacing_m = spacing_m;
-    if (nx < 2 || ny < 2 || nx > DIRECT_KERNEL_MOST || ny > DIRECT_KERNEL_MOST)
+    out->rows = direct_team_slab(ny, team ? team->size : 1, team ? team->rank : 0, &out->first_row);
+    out->own_columns = direct_team_slab(nx / 2 + 1, team ? team->size : 1, team ? team->rank : 0, &out->first_column);
+    if (nx < 2 || ny < 2 || nx > (size_t)most || ny > (size_t)most)
         return status_fail(status, STATUS_USAGE, "a grid of %zu x %zu points cannot be solved; take 2 to %d a side", nx,
-                           ny, DIRECT_KERNEL_MOST);
+                           ny, most);
     if (!(spacing_m > 0) || !isfinite(spacing_m))
         return status_fail(status, STATUS_USAGE, "a spacing of %g m cannot be; give a positive length", spacing_m);
-    size_t quarter = (nx / 2 + 1) * (ny / 2 + 1);
-    out->field = fftw_alloc_real(ny * out->stride);
-    out->row = fftw_alloc_complex(nx / 2 + 1);
-    out->columns = fftw_alloc_complex(BLOCK * (ny + GAP));
-    out->transformed = fftw_alloc_complex(ny);
-    out->compliance = malloc(quarter * sizeof(double));
-    out->stiffness = malloc(quarter * sizeof(double));
-    if (out->field && out->row && out->columns && out->transformed && out->compliance && out->stiffness)
-        make_plans(out);
-    if (!out->row_forward || !out->row_backward || !out->column_forward || !out->column_backward) {
-        direct_kernel_free(out);
-        return status_memory(status);
-    }
-    fill_tables(out);
-    return STATUS_OK;
+    return make(out, status);
 }
 
 void direct_kernel_free(struct direct_kernel *kernel)
 {
+    if (kernel->transposition)
+        kernel->team->transposition_free(kernel->transposition);
     fftw_destroy_plan(kernel->row_forward);
     fftw_destroy_plan(kernel->row_backward);
     fftw_destroy_plan(kernel->column_forward);
@@ -94,7 +132,7 @@ static bool is_zero(const double *values, size_t count)
  * transform. */
 static void transform_rows(struct direct_kernel *kernel)
 {
-    for (size_t j = 0; j < kernel->ny; j++) {
+    for (size_t j = 0; j < kernel->rows; j++) {
         double *row = kernel->field + j * kernel->stride;
         if (is_zero(row, kernel->nx)) {
             memset(row, 0, kernel->stride * sizeof *row);
@@ -107,7 +145,7 @@ static void transform_rows(struct direct_kernel *kernel)
 
 static void transform_rows_back(struct direct_kernel *kernel)
 {
-    for (size_t j = 0; j < kernel->ny; j++) {
+    for (size_t j = 0; j < kernel->rows; j++) {
         double *row = kernel->field + j * kernel->stride;
         memcpy(kernel->row, row, kernel->stride * sizeof *row);
         fftw_execute_dft_c2r(kernel->row_backward, kernel->row, row);
@@ -128,10 +166,10 @@ static void filter_column(struct direct_kernel *kernel, fftw_complex *column, co
     fftw_execute_dft(kernel->column_backward, transformed, column);
 }
 
-static void convolve(struct direct_kernel *kernel, const double *table)
+/** The columns of a grid that is all here, some at a time. */
+static void filter_columns(struct direct_kernel *kernel, const double *table)
 {
     size_t count = kernel->nx / 2 + 1, length = kernel->ny + GAP, rows = kernel->ny / 2 + 1;
-    transform_rows(kernel);
     for (size_t first = 0; first < count; first += BLOCK) {
         size_t width = count - first < BLOCK ? count - first : BLOCK;
         fftw_complex *columns = kernel->columns;
@@ -148,6 +186,19 @@ static void convolve(struct direct_kernel *kernel, const double *table)
                 memcpy(to + 2 * i, columns[i * length + j], sizeof *columns);
         }
     }
+}
+
+static void convolve(struct direct_kernel *kernel, const double *table)
+{
+    transform_rows(kernel);
+    if (kernel->team) {
+        kernel->team->transpose(kernel->transposition, false);
+        for (size_t i = 0; i < kernel->own_columns; i++)
+            filter_column(kernel, kernel->columns + i * kernel->ny, table + i * (kernel->ny / 2 + 1));
+        kernel->team->transpose(kernel->transposition, true);
+    } else {
+        filter_columns(kernel, table);
+    }
     transform_rows_back(kernel);
     kernel->convolutions++;
 }
@@ -160,4 +211,44 @@ void direct_kernel_comply(struct direct_kernel *kernel)
 void direct_kernel_stiffen(struct direct_kernel *kernel)
 {
     convolve(kernel, kernel->stiffness);
+}
+
+void direct_kernel_transform(struct direct_kernel *kernel)
+{
+    assert(kernel->team);
+    transform_rows(kernel);
+    kernel->team->transpose(kernel->transposition, false);
+    for (size_t i = 0; i < kernel->own_columns; i++) {
+        fftw_complex *column = kernel->columns + i * kernel->ny;
+        fftw_execute_dft(kernel->column_forward, column, kernel->transformed);
+        memcpy(column, kernel->transformed, kernel->ny * sizeof *column);
+    }
+}
+
+void direct_kernel_transform_back(struct direct_kernel *kernel)
+{
+    assert(kernel->team);
+    for (size_t i = 0; i < kernel->own_columns; i++) {
+        fftw_complex *column = kernel->columns + i * kernel->ny;
+        memcpy(kernel->transformed, column, kernel->ny * sizeof *column);
+        fftw_execute_dft(kernel->column_backward, kernel->transformed, column);
+    }
+    kernel->team->transpose(kernel->transposition, true);
+    transform_rows_back(kernel);
+}
+
+const double *direct_kernel_row_above(const struct direct_kernel *kernel, const double *field)
+{
+    const struct direct_team *team = kernel->team;
+    if (!team)
+        return field;
+    size_t first, holders = 0; /* the last ranks may have no rows */
+    while (holders < team->size && direct_team_slab(kernel->ny, team->size, holders, &first) > 0)
+        holders++;
+    if (team->rank >= holders)
+        return field;
+    double *row = (double *)kernel->row;
+    team->exchange(team, (team->rank + holders - 1) % holders, field, (team->rank + 1) % holders, row,
+                   kernel->nx * sizeof *row);
+    return row;
 }

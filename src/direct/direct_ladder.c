@@ -35,3 +35,19 @@ enum status_code direct_ladder_run(struct direct_point *out, struct direct_conta
     }
     return STATUS_OK;
 }
+
+enum status_code direct_ladder_of_heights(struct direct_point *out, uint8_t *touching, const double *height_m, size_t n,
+                                          double spacing_m, const struct direct_ladder_def *def,
+                                          const struct direct_crew *crew, struct status *status)
+{
+    struct direct_contact contact = {0};
+    if (crew)
+        return crew->heights(crew, out, touching, height_m, n, spacing_m, def, status);
+    if (direct_contact_make(&contact, height_m, n, n, spacing_m, status) != STATUS_OK)
+        return status->code;
+    enum status_code rc = direct_ladder_run(out, &contact, def, status);
+    for (size_t k = 0; touching && rc == STATUS_OK && k < n * n; k++)
+        touching[k] = contact.pressure[k / n * contact.kernel.stride + k % n] > 0;
+    direct_contact_free(&contact);
+    return rc;
+}

@@ -2,6 +2,7 @@
 #ifndef DIRECT_LADDER_H
 #define DIRECT_LADDER_H
 
+#include "direct/direct_crew.h"
 #include "direct/direct_quantities.h"
 
 struct direct_ladder_def {
@@ -25,5 +26,12 @@ struct direct_point {
 /** Solves every load of the ladder: `loads` points. Errors: those of the solutions. */
 MUST_CHECK enum status_code direct_ladder_run(struct direct_point *out, struct direct_contact *contact,
                                               const struct direct_ladder_def *def, struct status *status);
+
+/** The same of n x n given heights, by a crew (NULL: here). `touching` (NULL: not wanted): n x n, 1 where the bodies
+ * touch under the last load. Errors: those of the surface and the solutions. */
+MUST_CHECK enum status_code direct_ladder_of_heights(struct direct_point *out, uint8_t *touching,
+                                                     const double *height_m, size_t n, double spacing_m,
+                                                     const struct direct_ladder_def *def,
+                                                     const struct direct_crew *crew, struct status *status);
 
 #endif

@@ -150,6 +150,14 @@ static double phase(uint64_t seed, long i, long j)
     return 2 * M_PI * ldexp((double)(mix(mix(seed) ^ index) >> 11), -53);
 }
 
+void direct_surface_mode(double mode[2], double amplitude, uint64_t seed, long i, long j)
+{
+    bool upper = j > 0 || (j == 0 && i > 0); /* else it is the conjugate of (-i, -j) */
+    double angle = upper ? phase(seed, i, j) : -phase(seed, -i, -j);
+    mode[0] = amplitude * cos(angle);
+    mode[1] = amplitude * sin(angle);
+}
+
 /** Heights of n x n points and their transform, in one place. */
 struct modes {
     size_t n, stride;
@@ -228,11 +236,8 @@ enum status_code direct_surface_realise(double *height_m, size_t n, direct_varia
     if (modes_amplitudes(&modes, variance, context, status) == STATUS_OK) {
         for (size_t j = 0; j < n; j++)
             for (size_t i = 0; i < n / 2; i++) {
-                long y = j < n / 2 ? (long)j : (long)j - (long)n, x = (long)i;
-                bool upper = y > 0 || (y == 0 && x > 0); /* else it is the conjugate of (-i, -j) */
-                double angle = upper ? phase(seed, x, y) : -phase(seed, -x, -y);
-                mode_at(&modes, i, j)[0] = amplitude_at(&modes, i, j) * cos(angle);
-                mode_at(&modes, i, j)[1] = amplitude_at(&modes, i, j) * sin(angle);
+                long y = j < n / 2 ? (long)j : (long)j - (long)n;
+                direct_surface_mode(mode_at(&modes, i, j), amplitude_at(&modes, i, j), seed, (long)i, y);
             }
         fftw_execute(modes.backward);
         store(height_m, &modes);

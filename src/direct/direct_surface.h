@@ -63,6 +63,9 @@ double direct_spectrum_variance(double r, const void *spectrum);
 MUST_CHECK enum status_code direct_surface_realise(double *height_m, size_t n, direct_variance *variance,
                                                    const void *context, uint64_t seed, struct status *status);
 
+/** The complex mode (i, j), |i|, |j| < 32768, of that surface; its amplitude is sqrt(v). */
+void direct_surface_mode(double mode[2], double amplitude, uint64_t seed, long i, long j);
+
 /** Fills n x n heights, n even, that have the spectrum and, as nearly as that allows, the distribution of the `given`
  * heights (their quantiles, shifted and scaled to the spectrum's mean square): the iterated amplitude-adjusted Fourier
  * transform (Schreiber and Schmitz, Phys. Rev. Lett. 77 (1996) 635), 60 rounds from a shuffle hashed from the seed,

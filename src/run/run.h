@@ -3,6 +3,7 @@
 #define RUN_RUN_H
 
 #include "base/text.h"
+#include "direct/direct_crew.h"
 #include "scene/scene.h"
 #include <signal.h>
 #include <stdbool.h>
@@ -14,6 +15,7 @@ struct run_options {
     const char *terminal_size;         /* "columns,rows" to draw the main charts as text, NULL: not */
     bool no_cost;                      /* leave out what accuracy costs */
     unsigned jobs;                     /* threads; 0: one a processor */
+    const struct direct_crew *crew;    /* other processes for the direct solution; NULL: none */
     const volatile sig_atomic_t *stop; /* becomes non-zero when the run is to end early; NULL: never */
     void (*progress)(size_t done, size_t total,
                      const char *name); /* NULL: none; called from several threads, one at a time */

@@ -353,7 +353,7 @@ static void test_key(void **state)
         const char *key, *message;
     } wrong[] = {
         {"{grid: 63}", "'grid' is 63; give an even number"},
-        {"{grid: 8}", "'grid' is 8; allowed is 16 to 8192"},
+        {"{grid: 8}", "'grid' is 8; allowed is 16 to 16384"},
         {"{loads: [1e-3, 1e-4]}", "'loads' do not rise"},
         {"{budget: 3 MPa}", "'budget'"},
         {"{hardness: -4 MPa}", "'hardness'"},

@@ -1,0 +1,23 @@
+/* The direct solution over MPI's ranks. The first rank runs the program; the others wait for what it has to solve. */
+#ifndef RANKS_H
+#define RANKS_H
+
+#include "direct/direct_crew.h"
+#include <stdbool.h>
+
+struct ranks_options {
+    size_t ranks_per_grid; /* that share one surface of an ensemble; 0: as many as there are ranks for a surface */
+};
+
+/** Starts MPI. Before anything else in main(). */
+void ranks_begin(int *argc, char ***argv);
+bool ranks_is_first(void);
+/** Of the first rank: the others as a crew; NULL: there are none. */
+const struct direct_crew *ranks_crew(const struct ranks_options *options);
+/** Of the others: solves what the first rank asks for until that calls ranks_end(). SIGINT, SIGTERM and SIGHUP end what
+ * is being solved. */
+void ranks_serve(void);
+/** Of the first rank: lets the others go, and ends MPI on all. May be registered with atexit(). */
+void ranks_end(void);
+
+#endif
