@@ -39,23 +39,30 @@ static void resolution(struct text *out, const struct direct_study *study)
     number_format_between(out, " µm where its rows' Rq is ", sqrt(study->moments.m0_m2) * 1e6, 3, " µm.");
 }
 
-static void heights(struct text *out, const struct direct_study *study)
+/** Whose heights the surfaces have: by the report's one criterion. */
+static void heights(struct text *out, const struct section_context *context, const struct direct_study *study)
 {
-    const struct direct_plan *plan = &study->plan;
-    if (!plan->heights)
+    const struct height_law *law = &section_surface(context, study->surface)->height_law;
+    if (!study->plan.heights)
         return;
-    if (plan->gaussian && isfinite(plan->chance[0])) {
-        number_format_between(out, " Of scans as long as this one, of Gaussian surfaces with this spectrum, ",
-                              100 * plan->chance[0], 2, " % have an Rsk");
-        number_format_between(out, " and ", 100 * plan->chance[1], 2,
-                              " % an Rku as far out: it cannot tell its heights from Gaussian ones, so the models are "
-                              "held against Gaussian surfaces. Surfaces that are given the scan's heights stand "
-                              "beside them; few long waves make those uncertain.");
-    } else {
-        text_add(out, " The scan's heights are not Gaussian beyond the scatter of its few long waves, so the surfaces "
-                      "are given its distribution of heights; Gaussian ones with the same spectrum stand beside them, "
-                      "which shows what skewness does.");
+    if (law->verdict == HEIGHTS_NOT_GAUSSIAN) {
+        text_add(out,
+                 " The scan's heights are not Gaussian%s, so the surfaces are given its distribution of heights; "
+                 "Gaussian ones with the same spectrum stand beside them, which shows what skewness does.",
+                 isfinite(law->chance[0]) ? " beyond the scatter of its few long waves" : "");
+        return;
     }
+    if (law->verdict == HEIGHTS_CANNOT_TELL) {
+        number_format_between(out, " Of scans as long as this one, of Gaussian surfaces with this spectrum, ",
+                              100 * law->chance[0], 2, " % have an Rsk");
+        number_format_between(out, " and ", 100 * law->chance[1], 2,
+                              " % an Rku as far out: it cannot tell its heights from Gaussian ones");
+    } else {
+        text_add(out, " The scan's Rsk and Rku are those of Gaussian heights");
+    }
+    text_add(out,
+             ", so the models are held against Gaussian surfaces. Surfaces that are given the scan's heights stand "
+             "beside them; few long waves make those uncertain.");
 }
 
 static void introduction(struct text *out, const struct section_context *context, const struct direct_study *study)
@@ -63,7 +70,7 @@ static void introduction(struct text *out, const struct section_context *context
     section_named(out, "Surface ", context->results, study->surface);
     text_add(out, ", solved by boundary elements without the models' assumptions:");
     resolution(out, study);
-    heights(out, study);
+    heights(out, context, study);
     text_add(out,
              " The models are given the spectrum of the same surface%s rows, so a ratio is the model's error and "
              "not the scan's.",
@@ -119,7 +126,7 @@ static void model_row(struct text *out, const struct section_context *context, c
     number_format_power(out, study->plan.load[i], 3);
     text_add(out, " | %s over it", model_rows[m]->label);
     if (study->leading == DIRECT_STUDY_HEIGHTS) /* Gaussian surfaces are what such a model takes them for */
-        section_gaussian_mark(out, context, study->surface, m);
+        section_mark(out, context, study->surface, m);
     for (int q = 0; q < DIRECT_STUDY_QUANTITIES; q++)
         if (has(context, q))
             section_cell(out, direct_study_ratio(study, pair, m, direct_study_quantities[q], i), 3);
@@ -163,7 +170,10 @@ static void table(struct text *out, const struct section_context *context, const
     text_add(out,
              "\nModels as ratios to the direct solution; the last but one column for the scan's own spectrum "
              "instead of the surface's rows. Conductance: −½(ρ₁+ρ₂)E′ dḡ/dp̄ of an elastic model's own gap over its "
-             "own ECR, 1 in a consistent model (Barber). ± is one standard error over the surfaces.\n\n");
+             "own ECR, 1 in a consistent model (Barber). ± is one standard error over the surfaces.\n");
+    if (study->leading == DIRECT_STUDY_HEIGHTS)
+        section_mark_legend(out, context, study->surface);
+    text_add(out, "\n");
 }
 
 /** "area within 25 % (0.97 to 1.05)". */
