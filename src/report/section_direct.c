@@ -92,6 +92,13 @@ static size_t table_load(const struct direct_study *study, int k)
     return (size_t)k * (study->plan.loads - 1) / 2;
 }
 
+/** Only where the surfaces solved have the scan's heights: Gaussian ones are what such a model takes them for. */
+static void mark(struct text *out, const struct section_context *context, const struct direct_study *study, size_t m)
+{
+    if (study->leading == DIRECT_STUDY_HEIGHTS)
+        section_mark(out, context, study->surface, m);
+}
+
 static void direct_row(struct text *out, const struct section_context *context, const struct direct_study *study,
                        enum direct_study_kind kind, size_t i, const char *name)
 {
@@ -124,9 +131,9 @@ static void model_row(struct text *out, const struct section_context *context, c
         return;
     text_add(out, "| ");
     number_format_power(out, study->plan.load[i], 3);
-    text_add(out, " | %s over it", model_rows[m]->label);
-    if (study->leading == DIRECT_STUDY_HEIGHTS) /* Gaussian surfaces are what such a model takes them for */
-        section_mark(out, context, study->surface, m);
+    text_add(out, " | %s", model_rows[m]->label);
+    mark(out, context, study, m);
+    text_add(out, " over it");
     for (int q = 0; q < DIRECT_STUDY_QUANTITIES; q++)
         if (has(context, q))
             section_cell(out, direct_study_ratio(study, pair, m, direct_study_quantities[q], i), 3);
@@ -197,8 +204,10 @@ static void sentences(struct text *out, const struct section_context *context, c
             struct direct_study_distance distance = direct_study_distance(study, pair, m, direct_study_quantities[q]);
             if (!study->models[m].exists || !has(context, q) || distance.loads == 0)
                 continue;
-            if (first)
+            if (first) {
                 text_add(out, "- **%s**", model_rows[m]->label);
+                mark(out, context, study, m);
+            }
             text_add(out, first ? ": " : "; ");
             add_distance(out, &distance, q);
             if (q == 0 || distance.loads < study->curves[direct_study_kind_of(study, m)].loads)

@@ -444,8 +444,8 @@ static void heights(struct text *out, const struct section_context *context)
         text_add(out, " (%s)", height_verdicts[HEIGHTS_CANNOT_TELL].mark);
     }
     text_add(out, unsure > 0 ? ", where scans of so few long waves cannot tell. " : ". ");
-    text_add(out, "Where they are not, models that know only the spectrum are off by factors of 2 to 30 in area and up "
-                  "to 40 in resistance.");
+    text_add(out, "%s that know only the spectrum are off by factors of 2 to 30 in area and up to 40 in resistance%s.",
+             unsure > 0 ? "Where they are not, models" : "Models", unsure > 0 ? "" : " there");
     if (context->results->counterface) {
         text_add(out, "\n");
         return;

@@ -75,7 +75,7 @@ static void only_what_is_beyond_counts(void **state)
     struct status status = {0};
     size_t telling = 0;
     (void)state;
-    for (size_t n = 1; n <= 60; n++) /* a narrow band: Rsk next to 0, Rku anywhere above 1.5 */
+    for (int n = 1; n <= 60; n++) /* a narrow band: Rsk next to 0, Rku anywhere above 1.5 */
         amplitude_m[n - 1] = n == 8 || n == 9 ? 1e-6 : 1e-9;
     for (size_t i = 0; i < sizeof kurtosis / sizeof *kurtosis; i++) {
         struct roughness roughness = with(0.49, kurtosis[i]);
@@ -95,7 +95,7 @@ static void the_limits_alone(void **state)
     assert_int_equal(short_one.verdict, HEIGHTS_NOT_GAUSSIAN);
     assert_true(isnan(short_one.chance[0]) && isnan(short_one.chance[1]));
     assert_int_equal(find(0.4, 3, 6, 0, 1).verdict, HEIGHTS_GAUSSIAN);
-    assert_false(isnan(find(0.6, 3, 7, 0, 1).chance[0]));
+    assert_true(isfinite(find(0.6, 3, 7, 0, 1).chance[0]));
     double nothing_m[60] = {0};
     struct spectrum flat = {nothing_m, 60, 1e-3, false};
     struct roughness roughness = with(0.6, 3);
