@@ -317,6 +317,26 @@ static void test_marks(void **state)
     expect_part(section, "so the models are held against Gaussian surfaces.");
     expect_no_part(section, "‡");
     free(page);
+    char profile[16000]; /* of few long waves, which cannot tell */
+    used = (size_t)snprintf(profile, sizeof profile, "x [um],z [um]\n");
+    for (int i = 0; i < 400; i++) {
+        double z = 0;
+        seed = 5;
+        for (int n = 1; n < 100; n++) {
+            seed = seed * UINT32_C(1664525) + UINT32_C(1013904223);
+            z += 0.1 * pow(n, -1.5) * cos(2 * M_PI * (n * i / 400.0 + seed / 4294967296.0));
+        }
+        used += (size_t)snprintf(profile + used, sizeof profile - used, "%g,%.6f\n", 0.5 * i, z);
+    }
+    workspace_write(place, "d/a.csv", profile);
+    report(place, "out", "2");
+    page = workspace_read(place, "out/report.md");
+    section = strstr(page, "\n## Against a direct solution");
+    assert_non_null(section);
+    expect_part(page, "- **Heights are perhaps not Gaussian**");
+    expect_part(section, "it cannot tell its heights from Gaussian ones, so the models are held against Gaussian "
+                         "surfaces.");
+    free(page);
 }
 
 static void test_impossible(void **state)

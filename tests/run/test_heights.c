@@ -232,6 +232,29 @@ static void marks_in_every_table(void **state)
     text_free(&report);
 }
 
+/** The sections that are called for by effects alone: intervals, and what lies below the sampling limit. */
+static void marks_where_effects_call_for_tables(void **state)
+{
+    const struct directory *place = *state;
+    static const char *const sections[] = {"\n## How sure the numbers are", "\n## Does the area converge"};
+    size_t rows[2];
+    directory_write(place, "in/scene.yaml",
+                    "level: none\neffects: [uncertainty, convergence]\n"
+                    "load: {from: 1e-6, to: 1e-2, points: 9}\n");
+    assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
+    struct text report = report_of(place, "out");
+    for (size_t i = 0; i < sizeof sections / sizeof *sections; i++) {
+        char *section = section_of(&report, sections[i]);
+        count_rows(rows, section, "| plateau", "| plateau\u00a0‡ |");
+        assert_true(rows[0] == 1 && rows[1] == 1);
+        count_rows(rows, section, "| even", "‡");
+        assert_true(rows[0] == 1 && rows[1] == 0);
+        check_legends(section, legend);
+        free(section);
+    }
+    text_free(&report);
+}
+
 /** Captions of charts with such curves name the surface; others do not. */
 static void marks_in_captions(void **state)
 {
@@ -468,6 +491,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(unasked_only_where_heights_are_not_gaussian),
         cmocka_unit_test(marks_in_every_table),
+        cmocka_unit_test(marks_where_effects_call_for_tables),
         cmocka_unit_test(marks_in_captions),
         cmocka_unit_test(the_first_lines),
         cmocka_unit_test(the_weaker_mark),
