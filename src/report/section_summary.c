@@ -415,9 +415,9 @@ static void direct_advice(struct text *out, const struct section_context *contex
         text_add(out, " What the direct solution says of %s is below.",
                  possible + impossible == 0 ? solved == 1 ? "it" : "them" : "the baseline");
     if (possible > 0) {
-        text_add(out,
-                 " At more contact than A/Aₙ = 0.15 a direct solution should be run (`roughcontact direct`), which "
-                 "takes about ");
+        text_add(out, " At more contact than A/Aₙ = 0.15 a direct solution should be run%s (`%s`), which takes about ",
+                 solved > 0 ? " of the others too" : "",
+                 solved > 0 ? "direct: {surfaces: all}" : "roughcontact direct");
         number_format_range(out, least, most, 2);
         text_add(out, " s of one core%s.", possible > 1 ? " a surface" : "");
     } else if (impossible > 0) {
