@@ -334,6 +334,8 @@ static void test_marks(void **state)
     section = strstr(page, "\n## Against a direct solution");
     assert_non_null(section);
     expect_part(page, "- **Heights are perhaps not Gaussian**");
+    expect_part(section, " | direct, the scan's heights | "); /* beside Gaussian ones, which lead */
+    expect_no_part(section, " | direct, Gaussian heights | ");
     expect_part(section, "it cannot tell its heights from Gaussian ones, so the models are held against Gaussian "
                          "surfaces.");
     free(page);
