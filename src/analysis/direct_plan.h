@@ -33,7 +33,6 @@ struct direct_plan {
     size_t fewer;      /* surfaces with the other heights (the scan's, or Gaussian), and with a hardness */
     bool heights;      /* there are others */
     bool gaussian;     /* models are held against surfaces with Gaussian heights, not with the scan's */
-    double chance[2];  /* share of such scans of a Gaussian surface with Rsk, Rku as far out; NaN: not asked */
     size_t fine_times; /* the first surface also on a grid so much finer; 0: not */
     size_t capped_fine_times; /* with a hardness too */
     double length_m;          /* L of the cell */

@@ -2,7 +2,6 @@
 
 #include "base/clock.h"
 #include "direct/direct_map.h"
-#include "profile/level.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,7 +10,6 @@ const enum quantity direct_study_quantities[DIRECT_STUDY_QUANTITIES] = {QUANTITY
                                                                         QUANTITY_ECR};
 static const double contact_tolerance = 1e-6; /* finds the set of points that 1e-12 finds */
 static const double load_step = 0.01;         /* of a model's gap for its slope */
-static const double significance = 0.05;      /* below which heights differ from Gaussian ones, of two tests */
 static const double map_cutoff = 6;           /* spacings: what a map holds below is noise and steps to a solution */
 
 /** What the surfaces of a study are made of. */
@@ -40,6 +38,7 @@ static struct direct_plan_task plan_task(const struct surface_summary *surface, 
                                                            : material_hardness_ratio * plan->pair.yield_strength_Pa;
     bool capped = plan_runs(plan, EFFECT_PLASTICITY) && hardness_Pa > 0;
     double resolved_m = 4 * surface->spacing_m; /* two points a wave is all a scan has, of which noise is half */
+    bool heights = scene->counterface_surface.file_count == 0;
     return (struct direct_plan_task){
         .direct = &scene->direct,
         .loads = loads,
@@ -54,8 +53,8 @@ static struct direct_plan_task plan_task(const struct surface_summary *surface, 
         .slope = sqrt(surface->roughness.m2),
         .hardness = capped ? hardness_Pa / plan->pair.effective_modulus_Pa : INFINITY,
         .resistance = plan->running & (EFFECT_BIT(EFFECT_ELECTRICAL) | EFFECT_BIT(EFFECT_THERMAL)),
-        .heights = scene->counterface_surface.file_count == 0,
-        .gaussian = true,
+        .heights = heights,
+        .gaussian = !heights || surface->height_law.verdict != HEIGHTS_NOT_GAUSSIAN,
     };
 }
 
@@ -64,74 +63,6 @@ void direct_study_outline(struct direct_plan *out, const struct surface_summary 
 {
     struct direct_plan_task task = plan_task(surface, scene, plan, loads, load_count);
     direct_plan_make(out, &task);
-}
-
-/** Share of `count` values as far from their median as `value`, two-sided. */
-static double chance_of(const double *values, size_t count, double value)
-{
-    size_t below = 0, above = 0;
-    for (size_t k = 0; k < count; k++) {
-        below += values[k] <= value;
-        above += values[k] >= value;
-    }
-    return fmin(1, 2 * (double)(below < above ? below : above) / (double)count);
-}
-
-enum { TEST_SURFACES = 16, TEST_ROWS = 16, TEST_SCANS_MOST = 8, TEST_GRID = 128 };
-
-/** Do the scan's heights differ from what a Gaussian surface of this spectrum shows in a scan? A scan that is no longer
- * than the longest wave has few independent heights: its Rsk and Rku scatter, and say little. Rows of Gaussian
- * surfaces, levelled like the scan and averaged over as many, are the measure. */
-static enum status_code compare_heights(double chance[2], const struct surface_record *record,
-                                        const struct direct_plan_task *ask, enum level level, struct status *status)
-{
-    const struct surface_summary *surface = &record->summary;
-    double resolved_m = direct_plan_points_a_wave * ask->length_m / TEST_GRID;
-    struct direct_plan test = {.possible = true, .grid = TEST_GRID, .length_m = ask->length_m};
-    struct direct_spectrum spectrum = {0};
-    chance[0] = chance[1] = NAN;
-    test.coarse = resolved_m > ask->lambda_s_m;
-    test.lambda_s_m = test.coarse ? resolved_m : ask->lambda_s_m;
-    if (direct_plan_match(&test, &record->spectrum, status) != STATUS_OK)
-        return status->code;
-    if (!test.possible) /* nor will be the plan */
-        return STATUS_OK;
-    size_t n = TEST_GRID, count = 0, so_far = 0;
-    size_t scans = surface->scans < TEST_SCANS_MOST ? surface->scans : TEST_SCANS_MOST;
-    double skewness[TEST_SURFACES * TEST_ROWS], kurtosis[TEST_SURFACES * TEST_ROWS];
-    double *height_m = malloc(n * n * sizeof *height_m);
-    enum status_code rc = height_m ? STATUS_OK : status_memory(status);
-    struct roughness mean = {0};
-    level = level == LEVEL_CIRCLE ? LEVEL_PARABOLA : level;
-    if (rc == STATUS_OK)
-        rc = direct_spectrum_of_law(&spectrum, &test.law, status);
-    for (uint64_t seed = 1; seed <= TEST_SURFACES && rc == STATUS_OK; seed++) {
-        rc = direct_surface_realise(height_m, n, direct_spectrum_variance, &spectrum, seed, status);
-        for (size_t row = 0; row < TEST_ROWS && rc == STATUS_OK; row++) {
-            double *z_m = height_m + row * (n / TEST_ROWS) * n;
-            struct levelling levelling;
-            rc = level_remove(&levelling, z_m, NULL, n, ask->length_m / (double)n, level, status);
-            if (rc != STATUS_OK)
-                break;
-            struct roughness one = roughness_of_heights(z_m, n, ask->length_m / (double)n);
-            if (so_far == 0)
-                mean = one;
-            else
-                roughness_average(&mean, &one, so_far);
-            if (++so_far < scans)
-                continue;
-            skewness[count] = roughness_skewness(&mean);
-            kurtosis[count++] = roughness_kurtosis(&mean);
-            so_far = 0;
-        }
-    }
-    free(height_m);
-    direct_spectrum_free(&spectrum);
-    if (rc != STATUS_OK)
-        return rc;
-    chance[0] = chance_of(skewness, count, roughness_skewness(&surface->roughness));
-    chance[1] = chance_of(kurtosis, count, roughness_kurtosis(&surface->roughness));
-    return STATUS_OK;
 }
 
 enum status_code direct_study_plan(struct surface_record *record, const struct scene *scene, const struct plan *plan,
@@ -143,12 +74,7 @@ enum status_code direct_study_plan(struct surface_record *record, const struct s
     record->summary.direct = out;
     struct direct_plan_task task = plan_task(&record->summary, scene, plan, loads, load_count);
     task.spectrum = &record->spectrum;
-    double chance[2] = {NAN, NAN};
-    if (task.side == 0 && task.heights && compare_heights(chance, record, &task, scene->level, status) != STATUS_OK)
-        return status->code;
-    task.gaussian = !(fmin(chance[0], chance[1]) < significance / 2);
     direct_plan_make(out, &task);
-    memcpy(out->chance, chance, sizeof chance);
     if (out->possible && out->side > 0) {
         struct status problem = {0};
         struct direct_map map = {0};

@@ -262,7 +262,7 @@ void effect_bounds_heights(struct plan *plan, const struct scene *scene, const s
                            size_t count)
 {
     for (size_t i = 0; i < count; i++)
-        if (surfaces[i].usable && !roughness_is_gaussian(&surfaces[i].roughness))
+        if (surfaces[i].usable && surfaces[i].height_law.verdict != HEIGHTS_GAUSSIAN)
             return;
     for (size_t m = 0; m < model_count && !scene->models_named; m++)
         if (model_rows[m]->uses_heights)

@@ -360,7 +360,7 @@ enum status_code surface_run_models(struct surface_record *record, const struct 
  * have none in common. */
 static void drop_points(struct surface_record *record, const struct scene *scene)
 {
-    bool asked = scene->models_named || !roughness_is_gaussian(&record->summary.roughness);
+    bool asked = scene->models_named || record->summary.height_law.verdict != HEIGHTS_GAUSSIAN;
     if (asked && scene->counterface_surface.file_count == 0)
         return;
     free(record->points);
@@ -394,6 +394,10 @@ static enum status_code conclude(struct surface_record *record, struct power_law
     if (counterface && gather_counterface(record, scans, counterface, status) != STATUS_OK)
         return status->code;
     if (describe(record, scans, scene, status) != STATUS_OK)
+        return status->code;
+    const struct spectrum *spectrum = record->tapered.count > 0 ? &record->tapered : &record->spectrum;
+    if (height_law_find(&record->summary.height_law, &record->summary.roughness, spectrum, record->summary.independent,
+                        scene->level, status) != STATUS_OK)
         return status->code;
     drop_points(record, scene);
     if (gather_describe_repeats(record, scene, status) != STATUS_OK)

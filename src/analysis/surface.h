@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "contact/model.h"
 #include "profile/profile.h"
+#include "spectrum/height_law.h"
 #include "spectrum/power_law_scans.h"
 
 enum { SURFACE_PREVIEW = 1000 }; /* points of a profile kept for the chart */
@@ -43,6 +44,7 @@ struct surface_summary {
     double jump_m;     /* end-to-end jump, root mean square over the scans */
     double jump_share; /* amplitude that jump leaks at the short end of the fit band / fitted amplitude there */
     struct roughness roughness;
+    struct height_law height_law; /* are its heights Gaussian? */
     struct asperities asperities;
     bool has_asperities; /* a statistical model exists */
     struct power_law power_law;

@@ -267,6 +267,25 @@ int command_report(int argc, char **argv)
     return run(argc, argv, &argp, false);
 }
 
+/** The surfaces whose heights the models may take for what they are not. */
+static void print_heights(const struct surface_store *store)
+{
+    for (size_t i = 0; i < store->count; i++) {
+        const struct surface_summary *summary = &store->summaries[i];
+        if (!summary->usable || summary->height_law.verdict == HEIGHTS_GAUSSIAN)
+            continue;
+        struct text shown = {0};
+        text_add_shown(&shown, summary->scene->name);
+        printf("%s surface '%s': %s (Rsk %.2f, Rku %.2f)\n", height_verdicts[summary->height_law.verdict].mark,
+               text_string(&shown),
+               summary->height_law.verdict == HEIGHTS_NOT_GAUSSIAN
+                   ? "heights not Gaussian, as models take them"
+                   : "heights outside the Gaussian range, perhaps by chance",
+               roughness_skewness(&summary->roughness), roughness_kurtosis(&summary->roughness));
+        text_free(&shown);
+    }
+}
+
 static void print_plan(const struct scene *scene, const struct prepared *prepared)
 {
     const struct plan *plan = &prepared->plan;
@@ -281,6 +300,7 @@ static void print_plan(const struct scene *scene, const struct prepared *prepare
     printf("\n%zu surface%s, %zu loads, tolerance %g, closure %s\n", scene->surface_count,
            scene->surface_count == 1 ? "" : "s", prepared->results.load_count, scene->tolerance,
            sinusoid_fits[scene->closure].name);
+    print_heights(&prepared->store);
 }
 
 int command_plan(int argc, char **argv)

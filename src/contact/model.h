@@ -66,7 +66,8 @@ struct model_row {
                                             against; NULL: none */
     bool stacks_scales;                  /* every harmonic is a scale: the convergence study speaks of it */
     const struct asperity_model *asperity_model; /* it sums this over model_task.asperities; NULL: it needs none */
-    bool uses_heights;     /* works on model_task.points; runs unasked where a surface is not Gaussian */
+    bool uses_heights;     /* works on model_task.points, and does not take heights as Gaussian: no mark (height_law.h);
+                              runs unasked where those are not */
     unsigned quantities;   /* QUANTITY_BITs it computes */
     unsigned may_be_empty; /* those of them that it leaves empty (NaN) where it should not be trusted */
     double largest_area;   /* A/A_n up to which it is valid; 0: any */

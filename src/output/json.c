@@ -238,6 +238,9 @@ static json_t *surface_json(const struct surface_record *record, const struct sc
             if (json_object_size(intervals) > 0)
                 json_object_set(model, "at_middle_load", intervals);
             json_decref(intervals);
+            json_object_set_new(
+                model, "heights_mark",
+                json_string(model_rows[m]->uses_heights ? "" : height_verdicts[s->height_law.verdict].mark));
             json_object_set_new(models, model_rows[m]->name, model);
         }
     json_t *json = json_pack("{s:o, s:o, s:s, s:s, s:s}", "surface", string(s->scene->name), "files", files, "sha256",
@@ -255,6 +258,10 @@ static json_t *surface_json(const struct surface_record *record, const struct sc
         {"m0_m2", s->roughness.m0_m2},
         {"m2", s->roughness.m2},
         {"m4_per_m2", s->roughness.m4_per_m2},
+        {"rsk", roughness_skewness(&s->roughness)},
+        {"rku", roughness_kurtosis(&s->roughness)},
+        {"rsk_chance", s->height_law.chance[0]},
+        {"rku_chance", s->height_law.chance[1]},
         {"nayak", s->asperities.nayak},
         {"asperity_density_per_m2", s->asperities.density_per_m2},
         {"asperity_radius_m", s->asperities.radius_m},
@@ -275,6 +282,7 @@ static json_t *surface_json(const struct surface_record *record, const struct sc
     };
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
         set(json, guard, numbers[i].name, numbers[i].value);
+    json_object_set_new(json, "heights", json_string(height_verdicts[s->height_law.verdict].name));
     json_object_set_new(json, "fit", fit_json(record, scene->fit, guard));
     json_object_set_new(json, "scans", json_integer((json_int_t)s->scans));
     json_object_set_new(json, "scans_periodic", json_integer((json_int_t)s->periodic));

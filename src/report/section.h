@@ -5,6 +5,7 @@
 #include "base/number_format.h"
 #include "chart/figure.h"
 #include "results/comparison.h"
+#include "spectrum/height_law.h"
 
 /** What the sections are written from. */
 struct section_context {
@@ -46,10 +47,20 @@ void section_named(struct text *out, const char *article, const struct results *
 const struct surface_summary *section_surface(const struct section_context *context, size_t index);
 /** The k-th smoothest usable surface. */
 const struct surface_summary *section_smoothest(const struct section_context *context, size_t k);
-/** Marks what a model that takes heights as Gaussian says of surface `index`: " ‡" where they are not, else nothing. */
-void section_gaussian_mark(struct text *out, const struct section_context *context, size_t index, size_t model);
-/** Usable surfaces whose heights are not Gaussian. */
-size_t section_not_gaussian(const struct section_context *context);
+/** Does what model `model` says of surface `index` get a mark? It does where the model takes heights as Gaussian and
+ * they are beyond the limits (height_law.h). model_count: any model that runs. */
+bool section_is_marked(const struct section_context *context, size_t index, size_t model);
+/** A no-break space and the mark, ‡ or ‡?, or nothing: behind the model's name, or behind the surface's where its row
+ * holds numbers of the models. */
+void section_mark(struct text *out, const struct section_context *context, size_t index, size_t model);
+/** A line below a table that says what the marks in it mean; nothing where there are none. `index`: of the one surface
+ * that it is about; SECTION_EVERY_SURFACE. */
+void section_mark_legend(struct text *out, const struct section_context *context, size_t index);
+#define SECTION_EVERY_SURFACE ((size_t)-1)
+/** Usable surfaces that get this mark, of models that run. */
+size_t section_marked(const struct section_context *context, enum height_verdict verdict);
+/** Their names, joined by commas, the first few of them. */
+void section_marked_names(struct text *out, const struct section_context *context, enum height_verdict verdict);
 /** The running model that does not take heights as Gaussian; model_count: none. */
 size_t section_heights_model(const struct section_context *context);
 /** Was any surface's fitted power law carried on below its sampling limit? */

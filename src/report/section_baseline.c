@@ -51,6 +51,7 @@ static void baseline_table(struct text *out, const struct section_context *conte
                 number_format_power(out, load, 3);
                 section_cell(out, load * results->plan->pair.effective_modulus_Pa * 1e-6, 3);
                 text_add(out, " | %s", model_rows[m]->label);
+                section_mark(out, context, results->baseline, m);
                 section_cell(out, p->area_ratio, 3);
                 if (yields)
                     section_cell(out, section_contact_pressure(context, p), 3);
@@ -78,6 +79,7 @@ static void model_table(struct text *out, const struct section_context *context)
         if (!model->exists)
             continue;
         text_add(out, "| %s", model_rows[m]->label);
+        section_mark(out, context, context->results->baseline, m);
         section_cell(out, model->area_slope, 3);
         section_load_cell(out, model->full_load);
         if (separation)
@@ -306,8 +308,10 @@ static void write(struct text *out, const struct section_context *context)
     baseline_text(out, context);
     text_add(out, "\n\n");
     baseline_table(out, context);
+    section_mark_legend(out, context, context->results->baseline);
     text_add(out, "\nOver all loads:\n\n");
     model_table(out, context);
+    section_mark_legend(out, context, context->results->baseline);
     for (size_t p = 0; p < sizeof parts / sizeof *parts; p++) {
         if (!section_computes(context, parts[p].quantity))
             continue;

@@ -35,7 +35,10 @@ static void ratio_row(struct text *out, const struct section_context *context, s
         return;
     text_add(out, "| ");
     number_format_power(out, load, 3);
-    text_add(out, " | %s | %s", model_rows[m]->label, model_rows[by]->label);
+    text_add(out, " | %s", model_rows[m]->label);
+    section_mark(out, context, context->results->baseline, m);
+    text_add(out, " | %s", model_rows[by]->label);
+    section_mark(out, context, context->results->baseline, by);
     for (int q = 0; q < COMPARED; q++)
         if (section_computes(context, compared[q])) {
             double value = ratio(context, m, by, compared[q], load);
@@ -114,6 +117,7 @@ static void write(struct text *out, const struct section_context *context)
     introduction(out, context);
     text_add(out, "\n\n");
     ratio_table(out, context);
+    section_mark_legend(out, context, context->results->baseline);
     text_add(out, "\n");
     section_figures(out, context, "beyond thesis", caption);
     section_figures(out, context, "heights", heights_caption);

@@ -51,23 +51,30 @@ static void resolution(struct text *out, const struct direct_study *study, const
     number_format_between(out, " µm where its rows' Rq is ", sqrt(study->moments.m0_m2) * 1e6, 3, " µm.");
 }
 
-static void heights(struct text *out, const struct direct_study *study)
+/** Whose heights the surfaces have: by the report's one criterion. */
+static void heights(struct text *out, const struct section_context *context, const struct direct_study *study)
 {
-    const struct direct_plan *plan = &study->plan;
-    if (!plan->heights)
+    const struct height_law *law = &section_surface(context, study->surface)->height_law;
+    if (!study->plan.heights)
         return;
-    if (plan->gaussian && isfinite(plan->chance[0])) {
-        number_format_between(out, " Of scans as long as this one, of Gaussian surfaces with this spectrum, ",
-                              100 * plan->chance[0], 2, " % have an Rsk");
-        number_format_between(out, " and ", 100 * plan->chance[1], 2,
-                              " % an Rku as far out: it cannot tell its heights from Gaussian ones, so the models are "
-                              "held against Gaussian surfaces. Surfaces that are given the scan's heights stand "
-                              "beside them; few long waves make those uncertain.");
-    } else {
-        text_add(out, " The scan's heights are not Gaussian beyond the scatter of its few long waves, so the surfaces "
-                      "are given its distribution of heights; Gaussian ones with the same spectrum stand beside them, "
-                      "which shows what skewness does.");
+    if (law->verdict == HEIGHTS_NOT_GAUSSIAN) {
+        text_add(out,
+                 " The scan's heights are not Gaussian%s, so the surfaces are given its distribution of heights; "
+                 "Gaussian ones with the same spectrum stand beside them, which shows what skewness does.",
+                 isfinite(law->chance[0]) ? " beyond the scatter of its few long waves" : "");
+        return;
     }
+    if (law->verdict == HEIGHTS_CANNOT_TELL) {
+        number_format_between(out, " Of scans as long as this one, of Gaussian surfaces with this spectrum, ",
+                              100 * law->chance[0], 2, " % have an Rsk");
+        number_format_between(out, " and ", 100 * law->chance[1], 2,
+                              " % an Rku as far out: it cannot tell its heights from Gaussian ones");
+    } else {
+        text_add(out, " The scan's Rsk and Rku are those of Gaussian heights");
+    }
+    text_add(out,
+             ", so the models are held against Gaussian surfaces. Surfaces that are given the scan's heights stand "
+             "beside them; few long waves make those uncertain.");
 }
 
 static void introduction(struct text *out, const struct section_context *context, const struct direct_study *study)
@@ -75,7 +82,7 @@ static void introduction(struct text *out, const struct section_context *context
     section_named(out, "Surface ", context->results, study->surface);
     text_add(out, ", solved by boundary elements without the models' assumptions:");
     resolution(out, study, &context->results->store->summaries[study->surface].power_law);
-    heights(out, study);
+    heights(out, context, study);
     text_add(out,
              " The models are given the spectrum of the same surface%s rows, so a ratio is the model's error and "
              "not the scan's.",
@@ -102,6 +109,13 @@ static const char *error_words(const struct direct_study *study)
 static size_t table_load(const struct direct_study *study, int k)
 {
     return (size_t)k * (study->plan.loads - 1) / 2;
+}
+
+/** Only where the surfaces solved have the scan's heights: Gaussian ones are what such a model takes them for. */
+static void mark(struct text *out, const struct section_context *context, const struct direct_study *study, size_t m)
+{
+    if (study->leading == DIRECT_STUDY_HEIGHTS)
+        section_mark(out, context, study->surface, m);
 }
 
 static void direct_row(struct text *out, const struct section_context *context, const struct direct_study *study,
@@ -136,9 +150,9 @@ static void model_row(struct text *out, const struct section_context *context, c
         return;
     text_add(out, "| ");
     number_format_power(out, study->plan.load[i], 3);
-    text_add(out, " | %s over it", model_rows[m]->label);
-    if (study->leading == DIRECT_STUDY_HEIGHTS) /* Gaussian surfaces are what such a model takes them for */
-        section_gaussian_mark(out, context, study->surface, m);
+    text_add(out, " | %s", model_rows[m]->label);
+    mark(out, context, study, m);
+    text_add(out, " over it");
     for (int q = 0; q < DIRECT_STUDY_QUANTITIES; q++)
         if (has(context, q))
             section_cell(out, direct_study_ratio(study, pair, m, direct_study_quantities[q], i), 3);
@@ -189,7 +203,10 @@ static void table(struct text *out, const struct section_context *context, const
             text_add(out, " Where it is missing a single surface was solved, which has no scatter to tell.");
             break;
         }
-    text_add(out, "\n\n");
+    text_add(out, "\n");
+    if (study->leading == DIRECT_STUDY_HEIGHTS)
+        section_mark_legend(out, context, study->surface);
+    text_add(out, "\n");
 }
 
 /** "area within 25 % (0.97 to 1.05)". */
@@ -213,8 +230,10 @@ static void sentences(struct text *out, const struct section_context *context, c
             struct direct_study_distance distance = direct_study_distance(study, pair, m, direct_study_quantities[q]);
             if (!study->models[m].exists || !has(context, q) || distance.loads == 0)
                 continue;
-            if (first)
+            if (first) {
                 text_add(out, "- **%s**", model_rows[m]->label);
+                mark(out, context, study, m);
+            }
             text_add(out, first ? ": " : "; ");
             add_distance(out, &distance, q);
             if (q == 0 || distance.loads < study->curves[direct_study_kind_of(study, m)].loads)

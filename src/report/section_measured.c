@@ -23,7 +23,9 @@ static void write(struct text *out, const struct section_context *context)
         if (!context->baseline->curves[m].exists)
             continue;
         struct measured_distance distance = measured_compare(measured, context->results->answers, m);
-        text_add(out, "| %s | %zu of %zu | ", model_rows[m]->label, distance.points, measured->count);
+        text_add(out, "| %s", model_rows[m]->label);
+        section_mark(out, context, context->results->baseline, m);
+        text_add(out, " | %zu of %zu | ", distance.points, measured->count);
         number_format_range(out, distance.load[0], distance.load[1], 2);
         text_add(out, " | ");
         number_format(out, distance.rms_decades, 3);
@@ -31,6 +33,7 @@ static void write(struct text *out, const struct section_context *context)
         number_format(out, distance.bias_decades, 3);
         text_add(out, " |\n");
     }
+    section_mark_legend(out, context, context->results->baseline);
 }
 
 const struct section section_measured = {"measured", called_for, write};

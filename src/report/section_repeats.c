@@ -54,6 +54,7 @@ static void surface_row(struct text *out, const struct section_context *context,
     const struct surface_summary *summary = section_surface(context, index);
     size_t leading = context->comparison->leading;
     const struct estimate *middle = &summary->models[leading].middle[context->comparison->ranking.criterion];
+    section_mark(out, context, index, leading);
     origin(out, summary, middle, plan_runs(context->results->plan, EFFECT_UNCERTAINTY));
     if (has_several(context)) {
         interval_cell(out, &summary->repeats.rq_m, 1e6);
@@ -92,6 +93,7 @@ static void write(struct text *out, const struct section_context *context)
     text_add(out, " | %s, 95 %% of the mean | of another scan |\n|---|---%s|---:|---:|\n", symbol,
              several ? "|---:|---:|---:" : "");
     section_each_surface(out, context, surface_row);
+    section_mark_legend(out, context, SECTION_EVERY_SURFACE);
 }
 
 const struct section section_repeats = {"repeats", called_for, write};

@@ -56,6 +56,7 @@ static void surface_rows(struct text *out, const struct section_context *context
         text_add(out, "| ");
         section_surface_name(out, context->results, index);
         text_add(out, " | %s", model_rows[m]->label);
+        section_mark(out, context, index, m);
         for (int c = 0; c < SENSITIVITY_CHANGES; c++) {
             section_cell(out, isfinite(factors->area[c]) ? factors->area[c] : NAN, 3);
             if (electrical)
@@ -118,6 +119,7 @@ static void write(struct text *out, const struct section_context *context)
     text_add(out, " when the heights are low-passed at twice the cut-off, and for halves of the scan (their geometric "
                   "mean):\n\n");
     table(out, context);
+    section_mark_legend(out, context, SECTION_EVERY_SURFACE);
     text_add(out, "\n");
     section_figures(out, context, "sensitivity", caption);
 }

@@ -1,6 +1,7 @@
 /* What an engineer wants first: contact area, resistance, the best surface, and how far to trust it. */
 #include "report/section.h"
 
+#include "analysis/direct_study.h"
 #include <math.h>
 #include <stdio.h>
 
@@ -211,9 +212,13 @@ static void one_spread(struct text *out, const struct section_context *context, 
     if (models.count < 2)
         return;
     number_format_between(out, before, models.least * scale, 3, " (");
-    text_add(out, "%s) to ", model_rows[models.least_at]->label);
+    text_add(out, "%s", model_rows[models.least_at]->label);
+    section_mark(out, context, context->results->baseline, models.least_at);
+    text_add(out, ") to ");
     number_format(out, models.most * scale, 3);
-    text_add(out, "%s (%s)", unit, model_rows[models.most_at]->label);
+    text_add(out, "%s (%s", unit, model_rows[models.most_at]->label);
+    section_mark(out, context, context->results->baseline, models.most_at);
+    text_add(out, ")");
 }
 
 /** "; without GW and JG, which are outside their validity there". */
@@ -371,10 +376,93 @@ static void limits(struct text *out, const struct section_context *context)
     text_free(&list);
 }
 
+/** Is the surface among those solved directly? */
+static bool is_solved(const struct results *results, size_t index)
+{
+    for (size_t k = 0; k < results->direct_count; k++)
+        if (results->direct[k].surface == index)
+            return true;
+    return false;
+}
+
+/** What the direct solution of the marked surfaces would take, or where it stands. */
+static void direct_advice(struct text *out, const struct section_context *context)
+{
+    const struct results *results = context->results;
+    size_t solved = 0, possible = 0, impossible = 0;
+    double least = INFINITY, most = 0;
+    struct direct_plan outline;
+    char problem[sizeof outline.problem] = "";
+    for (size_t i = 0; i < results->store->count; i++) {
+        if (!section_is_marked(context, i, model_count))
+            continue;
+        if (is_solved(results, i)) {
+            solved++;
+            continue;
+        }
+        direct_study_outline(&outline, section_surface(context, i), results->scene, results->plan, results->loads,
+                             results->load_count);
+        if (!outline.possible) {
+            snprintf(problem, sizeof problem, "%s", outline.problem);
+            impossible++;
+            continue;
+        }
+        possible++;
+        least = fmin(least, outline.seconds);
+        most = fmax(most, outline.seconds);
+    }
+    if (solved > 0)
+        text_add(out, " What the direct solution says of %s is below.",
+                 possible + impossible == 0 ? solved == 1 ? "it" : "them" : "the baseline");
+    if (possible > 0) {
+        text_add(out, " At more contact than A/Aₙ = 0.15 a direct solution should be run%s (`%s`), which takes about ",
+                 solved > 0 ? " of the others too" : "",
+                 solved > 0 ? "direct: {surfaces: all}" : "roughcontact direct");
+        number_format_range(out, least, most, 2);
+        text_add(out, " s of one core%s.", possible > 1 ? " a surface" : "");
+    } else if (impossible > 0) {
+        text_add(out, " A direct solution would say more, but ");
+        text_add_markdown(out, problem);
+        text_add(out, ".");
+    }
+}
+
+/** Surfaces whose heights the models take for what they are not, and what to do. */
+static void heights(struct text *out, const struct section_context *context)
+{
+    size_t not = section_marked(context, HEIGHTS_NOT_GAUSSIAN), unsure = section_marked(context, HEIGHTS_CANNOT_TELL);
+    size_t m = section_heights_model(context);
+    if (not +unsure == 0)
+        return;
+    text_add(out, "- **Heights are %s Gaussian**, as the models%s%s take them, on ", not > 0 ? "not" : "perhaps not",
+             m < model_count ? " other than " : "", m < model_count ? model_rows[m]->label : "");
+    section_marked_names(out, context, not > 0 ? HEIGHTS_NOT_GAUSSIAN : HEIGHTS_CANNOT_TELL);
+    text_add(out, " (%s)", height_verdicts[not > 0 ? HEIGHTS_NOT_GAUSSIAN : HEIGHTS_CANNOT_TELL].mark);
+    if (not > 0 && unsure > 0) {
+        text_add(out, ", and perhaps not on ");
+        section_marked_names(out, context, HEIGHTS_CANNOT_TELL);
+        text_add(out, " (%s)", height_verdicts[HEIGHTS_CANNOT_TELL].mark);
+    }
+    text_add(out, unsure > 0 ? ", where scans of so few long waves cannot tell. " : ". ");
+    text_add(out, "%s that know only the spectrum are off by factors of 2 to 30 in area and up to 40 in resistance%s.",
+             unsure > 0 ? "Where they are not, models" : "Models", unsure > 0 ? "" : " there");
+    if (context->results->counterface) {
+        text_add(out, "\n");
+        return;
+    }
+    if (m == model_count)
+        text_add(out, " Let the model `contacting-slopes` run.");
+    else
+        text_add(out, " Up to A/Aₙ = 0.15 %s says more: see the table below.", model_rows[m]->label);
+    direct_advice(out, context);
+    text_add(out, "\n");
+}
+
 static void summary(struct text *out, const struct section_context *context)
 {
     size_t refused = context->results->store->count - context->results->usable_count;
     surfaces(out, context);
+    heights(out, context);
     at_middle(out, context);
     ranking_text(out, context);
     model_spread(out, context);
@@ -406,7 +494,7 @@ static void surface_key(struct text *out, const struct section_context *context,
     const struct surface_summary *s = section_surface(context, index);
     const struct contact_point *point = &context->comparison->middle[index];
     size_t leading = context->comparison->leading;
-    section_gaussian_mark(out, context, index, leading);
+    section_mark(out, context, index, leading);
     section_cell(out, s->roughness.rq_m * 1e6, 3);
     for (int q = 0; q < QUANTITY_COUNT; q++)
         if (has_column(context, q)) {
@@ -483,18 +571,12 @@ static void heights_table(struct text *out, const struct section_context *contex
 {
     size_t m = section_heights_model(context), rows = 0;
     struct text rule = {0};
-    if (section_not_gaussian(context) == 0)
+    if (m == model_count ||
+        section_marked(context, HEIGHTS_NOT_GAUSSIAN) + section_marked(context, HEIGHTS_CANNOT_TELL) == 0)
         return;
     text_add(out,
-             "\n‡ Heights are not Gaussian (Rsk beyond ±0.5, or Rku outside 2.5…4): models that know only the spectrum "
-             "are off there, by factors of 2 to 30 in area and up to 40 in resistance.");
-    if (m == model_count) {
-        text_add(out, " Let the model `contacting-slopes` run.\n");
-        return;
-    }
-    text_add(out,
-             " **At the same pressure**, %s (elastic; beyond A/Aₙ = 0.15 area alone, and only a direct numerical "
-             "solution would say more):\n\n| surface | Rsk | Rku | A/Aₙ (%%)%s",
+             "\n**At the same pressure**, %s, which takes the heights as they are (elastic; beyond A/Aₙ = 0.15 area "
+             "alone, and only a direct numerical solution would say more):\n\n| surface | Rsk | Rku | A/Aₙ (%%)%s",
              model_rows[m]->label, section_knows_yield(context) ? " | P/A (S_y)" : "");
     text_add(&rule, "|---|---:|---:|---:|%s", section_knows_yield(context) ? "---:|" : "");
     for (int q = QUANTITY_SEPARATION; q <= QUANTITY_TCR; q++)
@@ -506,7 +588,7 @@ static void heights_table(struct text *out, const struct section_context *contex
     text_add(out, " |\n%s\n", text_string(&rule));
     text_free(&rule);
     for (size_t i = 0; i < context->results->store->count && rows < SECTION_ROWS; i++)
-        if (section_surface(context, i)->usable && !roughness_is_gaussian(&section_surface(context, i)->roughness)) {
+        if (section_is_marked(context, i, model_count)) {
             text_add(out, "| ");
             section_surface_name(out, context->results, i);
             surface_heights(out, context, i);
@@ -515,7 +597,7 @@ static void heights_table(struct text *out, const struct section_context *contex
         }
 }
 
-static void write(struct text *out, const struct section_context *context)
+static void write_summary(struct text *out, const struct section_context *context)
 {
     text_add(out, "# ");
     text_add_markdown(out, context->results->scene->title);
@@ -525,7 +607,9 @@ static void write(struct text *out, const struct section_context *context)
     section_middle_pressure(out, context);
     text_add(out, "**, %s:\n\n", model_rows[context->comparison->leading]->label);
     key_table(out, context);
+    if (!model_rows[context->comparison->leading]->uses_heights)
+        section_mark_legend(out, context, SECTION_EVERY_SURFACE);
     heights_table(out, context);
 }
 
-const struct section section_summary = {"summary", NULL, write};
+const struct section section_summary = {"summary", NULL, write_summary};

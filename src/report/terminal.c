@@ -3,6 +3,7 @@
 
 #include "base/number_format.h"
 #include "results/results.h"
+#include "spectrum/height_law.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -183,6 +184,44 @@ static void print_row(struct text *out, const struct terminal_table *table, size
     text_add(out, "\n");
 }
 
+/** The mark of a surface whose heights the models that run take for what they are not. */
+static const char *mark_of(const struct surface_summary *summary, const struct plan *plan)
+{
+    for (size_t m = 0; m < model_count; m++)
+        if (plan_runs_model(plan, m) && !model_rows[m]->uses_heights)
+            return height_verdicts[summary->height_law.verdict].mark;
+    return "";
+}
+
+/** A name with its mark, in at most `most` characters together. */
+static void put_marked_name(struct terminal_cell *cell, const struct surface_summary *summary, const struct plan *plan,
+                            int most)
+{
+    const char *mark = mark_of(summary, plan);
+    put_name(cell, summary->scene->name, *mark ? most - 1 - width_of(mark) : most);
+    size_t length = strlen(cell->text);
+    if (*mark)
+        snprintf(cell->text + length, sizeof cell->text - length, " %s", mark);
+}
+
+/** What the marks mean. */
+static void legend(struct text *out, const struct results *results)
+{
+    static const char *const meaning[HEIGHT_VERDICTS] = {
+        [HEIGHTS_CANNOT_TELL] = "heights outside the Gaussian range, perhaps by chance: few long waves",
+        [HEIGHTS_NOT_GAUSSIAN] = "heights not Gaussian, as the models take them: see the report",
+    };
+    for (int v = HEIGHT_VERDICTS - 1; v > HEIGHTS_GAUSSIAN; v--)
+        for (size_t i = 0; i < results->store->count; i++) {
+            const struct surface_summary *summary = &results->store->summaries[i];
+            if (summary->usable && summary->height_law.verdict == (enum height_verdict)v &&
+                *mark_of(summary, results->plan)) {
+                text_add(out, "%s %s\n", height_verdicts[v].mark, meaning[v]);
+                break;
+            }
+        }
+}
+
 void report_terminal_table(struct text *out, const struct results *results)
 {
     static const char above[] = "load to full contact, P/(An E')";
@@ -206,12 +245,13 @@ void report_terminal_table(struct text *out, const struct results *results)
     row = 1;
     for (size_t i = 0; i < results->store->count; i++)
         if (results->store->summaries[i].usable)
-            put_name(cell_at(&table, row++, 0), results->store->summaries[i].scene->name, room);
+            put_marked_name(cell_at(&table, row++, 0), &results->store->summaries[i], results->plan, room);
     widths[0] = widest(&table, 0);
     spaces(out, widths[0] + numbers - (int)strlen(above)); /* it stands over the columns of loads, which come last */
     text_add(out, "%s\n", above);
     for (size_t r = 0; r < table.rows; r++)
         print_row(out, &table, r, widths);
+    legend(out, results);
     free(table.cells);
     free(widths);
 }

@@ -104,14 +104,6 @@ double roughness_kurtosis(const struct roughness *roughness)
     return roughness->fourth_m4 / roughness->m0_m2 / roughness->m0_m2;
 }
 
-bool roughness_is_gaussian(const struct roughness *roughness)
-{
-    static const double most_skewness = 0.5, least_kurtosis = 2.5, most_kurtosis = 4;
-    double kurtosis = roughness_kurtosis(roughness);
-    return fabs(roughness_skewness(roughness)) < most_skewness && kurtosis >= least_kurtosis &&
-           kurtosis <= most_kurtosis;
-}
-
 double roughness_nayak(const struct roughness *roughness)
 {
     if (!(roughness->m2 > 0))

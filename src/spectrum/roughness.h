@@ -34,8 +34,6 @@ void roughness_from_spectrum(struct roughness *roughness, const struct spectrum 
 /** Rsk and Rku, the third and fourth power's mean over that of Rq (ISO 21920-2): 0 and 3 for Gaussian heights. */
 double roughness_skewness(const struct roughness *roughness);
 double roughness_kurtosis(const struct roughness *roughness);
-/** May models that know only the spectrum be trusted: |Rsk| < 0.5 and 2.5 <= Rku <= 4? */
-bool roughness_is_gaussian(const struct roughness *roughness);
 
 /** Mean over scans: m0, m2, m4, Ra averaged, Rq from m0, PV the largest. `so_far` is how many `mean` holds. */
 void roughness_average(struct roughness *mean, const struct roughness *other, size_t so_far);

@@ -335,6 +335,73 @@ static void test_cost_colours(void **state)
     free(script);
 }
 
+/* A map with a plateau: beside every model that takes heights as Gaussian stands a mark, and in the captions; none
+ * where the models are held against Gaussian surfaces. */
+static void test_marks(void **state)
+{
+    const char *place = *state;
+    enum { SIDE = 48 };
+    char *text = malloc(64 * SIDE * SIDE);
+    assert_non_null(text);
+    size_t used = (size_t)sprintf(text, "DSAA\n%d %d\n0 47e-6\n0 47e-6\n-1e-6 1e-6\n", SIDE, SIDE);
+    uint32_t seed = 1;
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        seed = seed * UINT32_C(1664525) + UINT32_C(1013904223);
+        double z = seed / 4294967296.0 + sin(0.9 * (i % SIDE)) * cos(0.7 * (double)(i / SIDE)) - 0.5;
+        used += (size_t)sprintf(text + used, "%.9e\n", 1e-6 * (z > 0 ? 0.05 * z : z));
+    }
+    workspace_write(place, "d/map.grd", text);
+    free(text);
+    workspace_write(place, "d/scene.yaml",
+                    "material: tin\neffects: [separation, electrical, direct]\nload: {from: 1e-4, to: 1, points: 41}\n"
+                    "surfaces: [{name: m, file: map.grd, x_unit: m, z_unit: m}]\ndirect: {loads: 5}\n");
+    report(place, "out", "2");
+    char *page = workspace_read(place, "out/report.md"), *section = strstr(page, "\n## Against a direct solution");
+    assert_non_null(section);
+    strstr(section, "\n## All surfaces")[0] = '\0';
+    expect_part(section, "| multiscale elastic\u00a0‡ over it |");
+    expect_part(section, "| two-band elastic\u00a0‡ over it |");
+    expect_part(section, "- **two-band elastic**\u00a0‡: ");
+    expect_part(section, "| contacting slopes over it |");
+    expect_part(section, "\n‡ heights not Gaussian, as the model takes them");
+    expect_part(section, " Heights not Gaussian: surface m (‡).](figures/direct-area.svg)");
+    expect_part(section, " Heights not Gaussian: surface m (‡).](figures/direct-ratio-area.svg)");
+    expect_no_part(section, "‡).](figures/direct-patches.png)");
+    expect_part(page, " What the direct solution says of it is below.\n");
+    free(page);
+    write_profile(place, EFFECTS SMALL);
+    report(place, "out", "2");
+    page = workspace_read(place, "out/report.md");
+    section = strstr(page, "\n## Against a direct solution");
+    assert_non_null(section);
+    strstr(section, "\n## All surfaces")[0] = '\0';
+    expect_part(section, "so the models are held against Gaussian surfaces.");
+    expect_no_part(section, "‡");
+    free(page);
+    char profile[16000]; /* of few long waves, which cannot tell */
+    used = (size_t)snprintf(profile, sizeof profile, "x [um],z [um]\n");
+    for (int i = 0; i < 400; i++) {
+        double z = 0;
+        seed = 5;
+        for (int n = 1; n < 100; n++) {
+            seed = seed * UINT32_C(1664525) + UINT32_C(1013904223);
+            z += 0.1 * pow(n, -1.5) * cos(2 * M_PI * (n * i / 400.0 + seed / 4294967296.0));
+        }
+        used += (size_t)snprintf(profile + used, sizeof profile - used, "%g,%.6f\n", 0.5 * i, z);
+    }
+    workspace_write(place, "d/a.csv", profile);
+    report(place, "out", "2");
+    page = workspace_read(place, "out/report.md");
+    section = strstr(page, "\n## Against a direct solution");
+    assert_non_null(section);
+    expect_part(page, "- **Heights are perhaps not Gaussian**");
+    expect_part(section, " | direct, the scan's heights | "); /* beside Gaussian ones, which lead */
+    expect_no_part(section, " | direct, Gaussian heights | ");
+    expect_part(section, "it cannot tell its heights from Gaussian ones, so the models are held against Gaussian "
+                         "surfaces.");
+    free(page);
+}
+
 static void test_impossible(void **state)
 {
     const char *place = *state;
@@ -387,10 +454,11 @@ static void test_stopped(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        workspace_test(test_files),      workspace_test(test_numbers),      workspace_test(test_same_bytes),
-        workspace_test(test_off),        workspace_test(test_budget),       workspace_test(test_called_for),
-        workspace_test(test_map),        workspace_test(test_key),          workspace_test(test_impossible),
-        workspace_test(test_resolution), workspace_test(test_cost_colours), workspace_test(test_stopped),
+        workspace_test(test_files),      workspace_test(test_marks),      workspace_test(test_numbers),
+        workspace_test(test_same_bytes), workspace_test(test_off),        workspace_test(test_budget),
+        workspace_test(test_called_for), workspace_test(test_map),        workspace_test(test_key),
+        workspace_test(test_impossible), workspace_test(test_resolution), workspace_test(test_cost_colours),
+        workspace_test(test_stopped),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

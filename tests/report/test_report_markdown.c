@@ -111,8 +111,11 @@ static double ratio_value(const struct table *contact, size_t model, double load
     return contact_value(contact, "b", model, load, adjusted ? "adjusted_separation_over_sigma" : columns[quantity]);
 }
 
+/* A label may have a mark behind it: heights that are not Gaussian. */
 static size_t model_labelled(const char *label, size_t length)
 {
+    const char *mark = memmem(label, length, "\u00a0‡", strlen("\u00a0‡"));
+    length = mark ? (size_t)(mark - label) : length;
     for (size_t m = 0; m < model_count; m++)
         if (strlen(model_rows[m]->label) == length && strncmp(model_rows[m]->label, label, length) == 0)
             return m;

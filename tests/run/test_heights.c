@@ -3,6 +3,7 @@
 #include "run/pipeline.h"
 
 #include <gsl/gsl_cdf.h>
+#include <jansson.h>
 
 enum { POINTS = 600 };
 
@@ -96,9 +97,6 @@ static void unasked_only_where_heights_are_not_gaussian(void **state)
     assert_int_equal(rows_of(place, "out", "fair", "contacting-slopes"), 0);
     assert_int_equal(rows_of(place, "out", "fair", "two-band-elastic"), 9);
     struct text report = report_of(place, "out");
-    assert_int_equal(times(&report, "| plateau ‡ |"), 1);
-    assert_int_equal(times(&report, " ‡ |"), 1);
-    assert_int_equal(times(&report, "‡ Heights are not Gaussian"), 1);
     const char *table = strstr(report.data, "| surface | Rsk | Rku | A/Aₙ (%)");
     assert_non_null(table);
     const char *row = strstr(table, "| plateau | "), *end = strstr(table, "\n\n");
@@ -124,6 +122,261 @@ static void unasked_only_where_heights_are_not_gaussian(void **state)
     text_free(&report);
 }
 
+/** From a heading, or "" for the first page, to the next; malloc'ed. */
+static char *section_of(const struct text *report, const char *heading)
+{
+    const char *from = *heading ? strstr(text_string(report), heading) : text_string(report);
+    assert_non_null(from);
+    const char *to = strstr(from + strlen(heading), "\n## ");
+    return to ? strndup(from, (size_t)(to - from)) : strdup(from);
+}
+
+/** Rows of the section's tables that begin with `start`, and how many of them have `part`. */
+static void count_rows(size_t counts[2], const char *section, const char *start, const char *part)
+{
+    counts[0] = counts[1] = 0;
+    for (const char *line = section; line && *line; line = strchr(line, '\n'), line = line ? line + 1 : NULL) {
+        size_t length = strcspn(line, "\n");
+        char row[4096];
+        assert_true(length < sizeof row);
+        snprintf(row, length + 1, "%s", line);
+        if (strncmp(row, start, strlen(start)) != 0)
+            continue;
+        counts[0]++;
+        counts[1] += strstr(row, part) != NULL;
+    }
+}
+
+/** Every cell that names a model has the mark where the model takes heights as Gaussian, and `marked` says that the
+ * table's surface gets one; how many of them there are. */
+static size_t check_models(const char *section, const char *mark, bool marked)
+{
+    size_t found = 0;
+    for (size_t m = 0; m < model_count; m++) {
+        char plain[128], with[128];
+        snprintf(plain, sizeof plain, "| %s |", model_rows[m]->label);
+        snprintf(with, sizeof with, "| %s\u00a0%s |", model_rows[m]->label, mark);
+        bool expected = marked && !model_rows[m]->uses_heights;
+        for (const char *at = section; (at = strstr(at, plain)); at++) {
+            assert_false(expected);
+            found++;
+        }
+        for (const char *at = section; (at = strstr(at, with)); at++) {
+            assert_true(expected);
+            found++;
+        }
+    }
+    return found;
+}
+
+/** Every table in which there is a mark has its legend before the next one. */
+static void check_legends(const char *section, const char *legend)
+{
+    bool marked = false, inside = false;
+    for (const char *line = section; line && *line; line = strchr(line, '\n'), line = line ? line + 1 : NULL) {
+        size_t length = strcspn(line, "\n");
+        bool row = *line == '|';
+        if (row && !inside)
+            assert_false(marked);
+        inside = row;
+        marked = marked || (row && memmem(line, length, "\u00a0‡", strlen("\u00a0‡")));
+        marked = marked && strncmp(line, legend, strlen(legend)) != 0;
+    }
+    assert_false(marked);
+}
+
+static const char *const model_sections[] = {"\n## Surface plateau in every model", "\n## Two bands"};
+static const char *const surface_sections[] = {"", "\n## All surfaces, model by model",
+                                               "\n## Where the models may be trusted"};
+static const char legend[] = "‡ heights not Gaussian, as the model takes them";
+
+/** The mark stands beside every model that takes heights as Gaussian and by no other, on that surface alone. */
+static void marks_in_every_table(void **state)
+{
+    const struct directory *place = *state;
+    size_t rows[2];
+    write_scene(place, "in", "baseline: plateau\n");
+    assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
+    struct text report = report_of(place, "out");
+    for (size_t i = 0; i < sizeof model_sections / sizeof *model_sections; i++) {
+        char *section = section_of(&report, model_sections[i]);
+        assert_true(check_models(section, "‡", true) >= 8);
+        check_legends(section, legend);
+        free(section);
+    }
+    for (size_t i = 0; i < sizeof surface_sections / sizeof *surface_sections; i++) {
+        char *section = section_of(&report, surface_sections[i]);
+        count_rows(rows, section, "| plateau", "| plateau\u00a0‡ |");
+        assert_true(rows[1] > 0 && rows[1] + (i == 0) == rows[0]); /* the first page has it once more, in slopes */
+        count_rows(rows, section, "| even", "‡");
+        assert_true(rows[0] > 0 && rows[1] == 0);
+        check_legends(section, legend);
+        free(section);
+    }
+    char *hang = section_of(&report, "\n## What the answers hang on");
+    count_rows(rows, hang, "| plateau | ", "\u00a0‡ |");
+    assert_true(rows[0] > 0 && rows[1] == rows[0]);
+    count_rows(rows, hang, "| fair | ", "‡");
+    assert_true(rows[0] > 0 && rows[1] == 0);
+    check_legends(hang, legend);
+    free(hang);
+    text_free(&report);
+
+    write_scene(place, "in", "baseline: fair\n");
+    assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
+    report = report_of(place, "out");
+    char *every = section_of(&report, "\n## Surface fair in every model");
+    assert_true(check_models(every, "‡", false) >= 8);
+    assert_null(strstr(every, "‡"));
+    free(every);
+    text_free(&report);
+}
+
+/** The sections that are called for by effects alone: intervals, and what lies below the sampling limit. */
+static void marks_where_effects_call_for_tables(void **state)
+{
+    const struct directory *place = *state;
+    static const char *const sections[] = {"\n## How sure the numbers are", "\n## Does the area converge"};
+    size_t rows[2];
+    directory_write(place, "in/scene.yaml",
+                    "level: none\neffects: [uncertainty, convergence]\n"
+                    "load: {from: 1e-6, to: 1e-2, points: 9}\n");
+    assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
+    struct text report = report_of(place, "out");
+    for (size_t i = 0; i < sizeof sections / sizeof *sections; i++) {
+        char *section = section_of(&report, sections[i]);
+        count_rows(rows, section, "| plateau", "| plateau\u00a0‡ |");
+        assert_true(rows[0] == 1 && rows[1] == 1);
+        count_rows(rows, section, "| even", "‡");
+        assert_true(rows[0] == 1 && rows[1] == 0);
+        check_legends(section, legend);
+        free(section);
+    }
+    text_free(&report);
+}
+
+/** Captions of charts with such curves name the surface; others do not. */
+static void marks_in_captions(void **state)
+{
+    const struct directory *place = *state;
+    static const struct {
+        const char *file;
+        bool of_fair, of_plateau; /* with that baseline */
+    } charts[] = {
+        {"6-05", false, true},  {"models-ecr", false, true}, {"sensitivity-area", false, true},   {"6-12", true, true},
+        {"6-10", false, false}, {"power-law", false, false}, {"normal-probability", false, false}};
+    for (int fair = 0; fair < 2; fair++) {
+        write_scene(place, "in", fair ? "baseline: fair\n" : "baseline: plateau\n");
+        assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
+        struct text report = report_of(place, "out");
+        for (size_t i = 0; i < sizeof charts / sizeof *charts; i++) {
+            char name[64];
+            snprintf(name, sizeof name, "](figures/%s.svg)", charts[i].file);
+            const char *end = strstr(report.data, name), *from = end;
+            if (!end)
+                fail_msg("no figure %s", charts[i].file);
+            while (from > report.data && from[-1] != '\n')
+                from--;
+            char *caption = strndup(from, (size_t)(end - from));
+            bool expected = fair ? charts[i].of_fair : charts[i].of_plateau;
+            assert_true((strstr(caption, " Heights not Gaussian: surface plateau (‡).") != NULL) == expected);
+            assert_true((strstr(caption, "‡") != NULL) == expected);
+            free(caption);
+        }
+        text_free(&report);
+    }
+}
+
+/** The first lines name the surface, and what a direct solution of it would take, as planned. */
+static void the_first_lines(void **state)
+{
+    const struct directory *place = *state;
+    write_scene(place, "in", "baseline: plateau\n");
+    assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
+    struct text report = report_of(place, "out");
+    const char *line = strstr(report.data, "- **Heights are not Gaussian**, as the models other than contacting slopes "
+                                           "take them, on surface plateau (‡). ");
+    const char *table = strstr(report.data, "\n|");
+    assert_true(line && table && line < table);
+    double told, planned;
+    const char *takes = strstr(line, "(`roughcontact direct`), which takes about ");
+    assert_non_null(takes);
+    assert_int_equal(sscanf(takes, "(`roughcontact direct`), which takes about %lf s of one core.", &told), 1);
+    const char *reason = strstr(report.data, "it would say how far each model is off: ");
+    assert_non_null(reason);
+    const char *seconds = strstr(reason, "convolutions, ");
+    assert_non_null(seconds);
+    assert_int_equal(sscanf(seconds, "convolutions, %lf s of one core", &planned), 1);
+    assert_true(told > 0);
+    assert_near(told, planned, 0.02);
+    text_free(&report);
+}
+
+/** Few long waves: the other mark, everywhere; in results.json and on a terminal too. */
+static void the_weaker_mark(void **state)
+{
+    const struct directory *place = *state;
+    double height_m[POINTS];
+    uint32_t seed = 5;
+    mkdir(directory_path(place, "long"), 0777);
+    memset(height_m, 0, sizeof height_m);
+    for (int n = 1; n < 100; n++) {
+        seed = seed * UINT32_C(1664525) + UINT32_C(1013904223);
+        for (size_t i = 0; i < POINTS; i++)
+            height_m[i] += 1e-7 * pow(n, -1.5) * cos(2 * M_PI * (n * (double)i / POINTS + seed / 4294967296.0));
+    }
+    pipeline_scan(place, "long/few.csv", height_m, POINTS);
+    heights(height_m, true, 4);
+    pipeline_scan(place, "long/plateau.csv", height_m, POINTS);
+    heights(height_m, false, 4);
+    pipeline_scan(place, "long/even.csv", height_m, POINTS);
+    write_scene(place, "long", "baseline: few\n");
+    struct run_outcome outcome;
+    struct status status = {0};
+    char target[4096];
+    snprintf(target, sizeof target, "%s", directory_path(place, "out"));
+    struct run_options options = {.output = target, .templates = PROJECT_SOURCE "/templates", .no_cost = true};
+    assert_int_equal(pipeline_try(&outcome, place, "long", options, &status), STATUS_OK);
+    const char *terminal = text_string(&outcome.table);
+    assert_non_null(strstr(terminal, "\nfew ‡? "));
+    assert_non_null(strstr(terminal, "\nplateau ‡ "));
+    assert_non_null(strstr(terminal, "\neven  "));
+    assert_non_null(strstr(terminal, "\n‡ heights not Gaussian"));
+    assert_non_null(strstr(terminal, "\n‡? heights outside the Gaussian range"));
+    run_outcome_free(&outcome);
+    struct text report = report_of(place, "out");
+    char *section = section_of(&report, "\n## Surface few in every model");
+    assert_true(check_models(section, "‡?", true) >= 8);
+    check_legends(section, "‡? heights outside the Gaussian range, as a scan of so few long waves may show by chance");
+    free(section);
+    assert_non_null(strstr(report.data,
+                           " on surface plateau (‡), and perhaps not on surface few (‡?), where scans of so "
+                           "few long waves cannot tell. "));
+    assert_int_equal(rows_of(place, "out", "few", "contacting-slopes"), 9); /* beyond the limits is beyond the limits */
+    text_free(&report);
+
+    json_error_t error;
+    json_t *root = json_load_file(directory_path(place, "out/results.json"), 0, &error), *surface;
+    static const char *const verdicts[] = {"gaussian", "cannot tell", "not gaussian"};
+    static const char *const marks[] = {"", "‡?", "‡"};
+    size_t index;
+    assert_non_null(root);
+    json_array_foreach(json_object_get(root, "surfaces"), index, surface)
+    {
+        const char *name;
+        json_t *model;
+        assert_string_equal(json_string_value(json_object_get(surface, "heights")), verdicts[index]);
+        assert_int_equal(json_is_null(json_object_get(surface, "rsk_chance")), index == 0);
+        json_object_foreach(json_object_get(surface, "models"), name, model)
+        {
+            const char *mark = json_string_value(json_object_get(model, "heights_mark"));
+            assert_string_equal(mark, model_rows[model_named(name)]->uses_heights ? "" : marks[index]);
+        }
+    }
+    assert_int_equal(index, 3);
+    json_decref(root);
+}
+
 /** Without a surface that is not Gaussian nothing of it is said; asked for, it runs on all. */
 static void asked_for_it_runs_everywhere(void **state)
 {
@@ -141,7 +394,7 @@ static void asked_for_it_runs_everywhere(void **state)
     for (size_t i = 0; i < 3; i++)
         assert_int_equal(rows_of(place, "out", names[i], "contacting-slopes"), 9);
     report = report_of(place, "out");
-    assert_null(strstr(report.data, " ‡ |")); /* the leading model knows the heights */
+    assert_null(strstr(report.data, "‡")); /* every model that runs knows the heights */
     assert_non_null(strstr(report.data, "\n## Models beyond the thesis\n"));
     assert_int_equal(times(&report, "(figures/normal-probability.svg)"), 1);
     text_free(&report);
@@ -237,6 +490,11 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(unasked_only_where_heights_are_not_gaussian),
+        cmocka_unit_test(marks_in_every_table),
+        cmocka_unit_test(marks_where_effects_call_for_tables),
+        cmocka_unit_test(marks_in_captions),
+        cmocka_unit_test(the_first_lines),
+        cmocka_unit_test(the_weaker_mark),
         cmocka_unit_test(asked_for_it_runs_everywhere),
         cmocka_unit_test(none_where_there_cannot_be_one),
         cmocka_unit_test(the_probability_plot),
