@@ -31,7 +31,7 @@ static struct text report_of(const struct directory *place, const char *more)
 {
     struct text scene = {0};
     text_add(&scene,
-             "level: none\nwindow: none\nload: {values: [1e-7, 1e-6, 1e-5, 3e-3, 1e-2]}\nhardness: 50e6\n"
+             "level: none\nwindow: none\nload: {values: [1e-6, 1e-5, 3e-3, 1e-2]}\nhardness: 50e6\n"
              "material: {E_Pa: 50e9, nu: 0, Sy_Pa: 10e6, resistivity_ohm_m: 2e-7, conductivity_W_per_mK: 40}\n%s",
              more);
     directory_write(place, "in/scene.yaml", text_string(&scene));
