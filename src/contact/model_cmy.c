@@ -40,7 +40,9 @@ const struct model_row model_cmy = {
     .source = "Cooper, Mikic and Yovanovich, Int. J. Heat Mass Transf. 12 (1969) 279",
     .assumes = "isotropic Gaussian surface, of which all that is truncated touches; every spot bears the hardness (the "
                "scene's, else 2.84 S_y); round spots",
-    .valid = "Gaussian heights, first loading, P/H up to 0.1: beyond, islands run together; it ends at P = H",
+    .valid = "Gaussian heights, first loading, P/H up to 0.1: beyond, islands run together; it ends at P = H. From ten "
+             "spots on, resistance 0.6 to 1.1 of direct solutions of the same islands, which are neither round nor "
+             "evenly spread",
     .method = "closed form",
     .work = truncation_model_work,
     .run = truncation_model_run,

@@ -44,7 +44,8 @@ const struct model_row model_sridhar_yovanovich = {
               "and pass five numerical checks, no more",
     .assumes = "isotropic Gaussian surface, of which between half (elastic) and all (plastic) of what is truncated "
                "touches; flow stress S_y of the softer body, whatever the scene's hardness",
-    .valid = "Gaussian heights, first loading, P/H_ep up to 0.1: beyond, islands run together; it ends at P/H_ep = f",
+    .valid = "Gaussian heights, first loading, P/H_ep up to 0.1: beyond, islands run together; it ends at P/H_ep = f; "
+             "resistance no nearer than that of CMY",
     .method = "closed form",
     .work = truncation_model_work,
     .run = truncation_model_run,
