@@ -32,6 +32,7 @@ const struct model_row model_cmy = {
     .plastic = true,
     .truncation_model = &plastic,
     .quantities = TRUNCATION_MODEL_QUANTITIES,
+    .may_be_empty = QUANTITY_BIT(QUANTITY_SEPARATION),
     .largest_area = TRUNCATION_VALID_AREA,
     .style = "cy",
     .colour = "#8C6D31",

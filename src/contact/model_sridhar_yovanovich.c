@@ -35,6 +35,7 @@ const struct model_row model_sridhar_yovanovich = {
     .plastic = true,
     .truncation_model = &elastoplastic,
     .quantities = TRUNCATION_MODEL_QUANTITIES,
+    .may_be_empty = QUANTITY_BIT(QUANTITY_SEPARATION),
     .largest_area = TRUNCATION_VALID_AREA,
     .style = "sy",
     .colour = "#5F5F5F",

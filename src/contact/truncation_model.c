@@ -43,7 +43,7 @@ enum status_code truncation_model_run(struct model_curve *curve, const struct mo
     struct truncation_contact contact;
     (void)status;
     curve->work = truncation_model_work(row, task);
-    bool has_law = law_of(&law, row, task);
+    bool has_law = law_of(&law, row, task), gap = task->wanted & QUANTITY_BIT(QUANTITY_SEPARATION);
     for (size_t i = 0; i < task->load_count && has_law; i++) {
         if (!truncation_press(&contact, &law, truncation_model_ratio(&law, task, task->loads[i])))
             break; /* all of the surface is truncated, there and beyond */
@@ -52,7 +52,7 @@ enum status_code truncation_model_run(struct model_curve *curve, const struct mo
             .load = task->loads[i],
             .area_ratio = contact.area_ratio,
             .separation_m =
-                task->wanted & QUANTITY_BIT(QUANTITY_SEPARATION) ? contact.separation_over_sigma * law.sigma_m : NAN,
+                gap && contact.separation_over_sigma >= 0 ? contact.separation_over_sigma * law.sigma_m : NAN,
             .adjusted_m = NAN,
             .ecr_ohm_m2 = task->wanted & QUANTITY_BIT(QUANTITY_ECR) ? task->pair->resistivity_ohm_m * spread_m : NAN,
             .tcr_K_m2_per_W =
