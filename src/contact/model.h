@@ -11,6 +11,8 @@
 #include "spectrum/spectrum.h"
 #include <stdint.h>
 
+struct truncation_model; /* contact/truncation_model.h */
+
 /** What a model is asked: one surface, one pair of bodies, a list of loads. */
 struct model_task {
     const struct spectrum *spectrum;
@@ -65,7 +67,8 @@ struct model_row {
     const struct model_row *counterpart; /* multiscale model of the same material law, which the thesis holds this one
                                             against; NULL: none */
     bool stacks_scales;                  /* every harmonic is a scale: the convergence study speaks of it */
-    const struct asperity_model *asperity_model; /* it sums this over model_task.asperities; NULL: it needs none */
+    const struct asperity_model *asperity_model;     /* it sums this over model_task.asperities; NULL: it needs none */
+    const struct truncation_model *truncation_model; /* it presses by this law; NULL: not by truncation */
     bool uses_heights;     /* works on model_task.points, and does not take heights as Gaussian: no mark (height_law.h);
                               runs unasked where those are not */
     unsigned quantities;   /* QUANTITY_BITs it computes */
@@ -89,6 +92,11 @@ struct model_row {
     /** Fills the curve. Error: STATUS_MEMORY. */
     enum status_code (*run)(struct model_curve *curve, const struct model_row *row, const struct model_task *task,
                             struct status *status);
+    /** Number and radius of the spots at the loads of the task, one of `spots` a load; nothing but what they need is
+     * computed, and only when asked. NULL: the model has none (of stacked scales, every scale has its own). Error:
+     * STATUS_MEMORY. */
+    enum status_code (*spots)(struct contact_spots *spots, const struct model_row *row, const struct model_task *task,
+                              struct status *status);
     /* Bounds for `effects: auto`, next to nothing to compute. NULL: not known, and so the effect runs. */
     /** Of a plastic model: how far yielding can move any of its numbers from its elastic partner's, relative (of a
      * separation: to sigma), also beyond the loads, up to full contact; 0: it changes nothing. */

@@ -60,6 +60,26 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
     return rc;
 }
 
+static enum status_code spots(struct contact_spots *out, const struct model_row *row, const struct model_task *task,
+                              struct status *status)
+{
+    struct statistical model;
+    uint64_t nodes = 0;
+    for (size_t i = 0; i < task->load_count; i++)
+        out[i] = (struct contact_spots){NAN, NAN};
+    if (!task->asperities)
+        return STATUS_OK;
+    enum status_code rc = statistical_make(&model, task->asperities, task->pair, asperity_model_of(row), 0,
+                                           task->tolerance, INFINITY, &nodes, status);
+    struct contact_point point;
+    double d = 3;
+    for (size_t i = 0; rc == STATUS_OK && i < task->load_count; i++)
+        if (statistical_solve(&point, &model, task->loads[i], &d))
+            out[i] = statistical_spots(&model, d);
+    statistical_free(&model);
+    return rc;
+}
+
 /** The largest relative change of a number of the statistical models (of a separation: over sigma) that JG can make,
  * from the asperities beyond its yield at GW's full contact, where they are most.
  *  - load: JG's is between 0 and 1.08 times Hertz's. u^(3/2) <= sqrt2 (v^(3/2) + y^(3/2)) for u = y + v, y the yield.
@@ -183,6 +203,7 @@ const struct model_row model_gw = {
     .scale_dependent_method = "Gauss-Legendre panels, since no closed form exists",
     .work = work,
     .run = run,
+    .spots = spots,
     .scale_dependence_bound = scale_dependence_bound,
 };
 
@@ -212,6 +233,7 @@ const struct model_row model_jg = {
     .method = "Gauss-Legendre panels split where its law changes",
     .work = work,
     .run = run,
+    .spots = spots,
     .yield_bound = yield_bound,
     .yield_reason = yield_reason,
     .scale_dependence_bound = scale_dependence_bound,

@@ -10,7 +10,9 @@
     X(two_band_elastic)                                                                                                \
     X(two_band_plastic)                                                                                                \
     X(persson)                                                                                                         \
-    X(contacting_slopes)
+    X(contacting_slopes)                                                                                               \
+    X(cmy)                                                                                                             \
+    X(sridhar_yovanovich)
 
 #define DECLARE(name) extern const struct model_row model_##name;
 #define ENTRY(name)   &model_##name,

@@ -191,3 +191,16 @@ void quadrature_sum(struct quadrature_sums *out, const struct quadrature *panels
         out->radius_scale_dependent += weight * panels->radius_scale_dependent[k];
     }
 }
+
+double quadrature_mean_radius(const struct quadrature *panels, double d)
+{
+    double area = 0, area_radius = 0;
+    for (size_t k = 0; k < panels->count; k++) {
+        double u = panels->node[k], height = u + d;
+        double weight = exp(d > 0 ? -u * (u / 2 + d) : -height * height / 2) * panels->area[k];
+        area += weight;
+        if (panels->radius[k] > 0)
+            area_radius += weight * (panels->area[k] / (M_PI * panels->radius[k])); /* pi a²/(pi a) */
+    }
+    return area_radius / area;
+}

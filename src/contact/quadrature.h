@@ -48,4 +48,8 @@ size_t quadrature_count(const struct asperity *asperity, double sigma_s_m, doubl
 /** All sums at separation d (in sigma_s) under the Gaussian of (4.23), d >= the lowest_d of quadrature_make(). */
 void quadrature_sum(struct quadrature_sums *out, const struct quadrature *panels, double d);
 
+/** Mean radius over the area of contact, int a³ phi/int a² phi [m], at separation d (in sigma_s) as above; nothing else
+ * is summed for it. */
+double quadrature_mean_radius(const struct quadrature *panels, double d);
+
 #endif

@@ -18,6 +18,13 @@ struct contact_point {
     double radius_clamped;    /* share of the load on asperities whose a/R is clamped to 1 (JG), else 0 */
 };
 
+/** The spots that make up a contact at one load, each as round; NaN: the model has no answer there. Both depend on how
+ * finely the surface was measured: finer scans have more and smaller spots. */
+struct contact_spots {
+    double density_per_m2; /* n: of them in an area S there are n S */
+    double radius_m;       /* a, mean over the area of contact */
+};
+
 enum quantity {
     QUANTITY_LOAD,
     QUANTITY_AREA,

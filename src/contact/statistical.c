@@ -163,6 +163,18 @@ bool statistical_solve(struct contact_point *out, const struct statistical *mode
     return true;
 }
 
+struct contact_spots statistical_spots(const struct statistical *model, double d)
+{
+    struct gaussian_integrals f = gaussian_integrals(d);
+    const struct asperities *surface = &model->surface;
+    return (struct contact_spots){
+        .density_per_m2 = surface->density_per_m2 * f.zero * exp(f.log_factor),
+        .radius_m = model->law == ASPERITY_HERTZ
+                        ? sqrt(surface->radius_m * surface->sigma_s_m) * (f.three_halves / f.one)
+                        : quadrature_mean_radius(&model->panels, d),
+    };
+}
+
 void statistical_full(struct contact_point *out, const struct statistical *model)
 {
     statistical_at(out, model, model->full_d);

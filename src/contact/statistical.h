@@ -47,6 +47,11 @@ void statistical_at(struct contact_point *out, const struct statistical *model, 
  * `*d` is the first guess and becomes d/sigma_s of the solution (any finite value to start). */
 bool statistical_solve(struct contact_point *out, const struct statistical *model, double load, double *d);
 
+/** The spots at d = `d` sigma_s: n = eta F_0(d), all asperities that touch, and their mean radius over the area of
+ * contact, int a³ phi/int a² phi (GW: sqrt(R sigma_s) F_3/2/F_1). Both depend on the resolution of the scan through m4.
+ */
+struct contact_spots statistical_spots(const struct statistical *model, double d);
+
 /** The point of complete contact: area ratio 1, adjusted separation and resistances 0. */
 void statistical_full(struct contact_point *out, const struct statistical *model);
 

@@ -5,8 +5,6 @@
 #include <gsl/gsl_cdf.h>
 #include <math.h>
 
-const double truncation_valid = 0.1;
-
 double truncation_slope(double m2)
 {
     return sqrt(2 * m2 / M_PI);

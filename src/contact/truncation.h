@@ -33,8 +33,8 @@ struct truncation_contact {
  * the surface is truncated). Valid to P/H = 0.1. */
 bool truncation_press(struct truncation_contact *out, const struct truncation *law, double pressure_over_hardness);
 
-/** Largest P/H for which the laws are meant: above, truncated islands run together. */
-extern const double truncation_valid;
+/** Largest P/H = A/A_n for which the laws are meant: above, truncated islands run together. */
+#define TRUNCATION_VALID_AREA 0.1
 
 /** ECR A_n = rho sigma/(m (h sigma/(k m))) [ohm m²], rho half of both resistivities; with 1/k in its place TCR A_n. */
 double truncation_resistance(const struct truncation *law, const struct truncation_contact *contact,

@@ -214,6 +214,11 @@ bool section_computes(const struct section_context *context, enum quantity quant
     return plan_quantities(context->results->plan) & QUANTITY_BIT(quantity);
 }
 
+size_t section_table_load(const struct results *results, size_t k)
+{
+    return k * (results->load_count - 1) / 4;
+}
+
 const struct contact_point *section_middle(const struct section_context *context, size_t model)
 {
     const struct model_curve *curve = &context->baseline->curves[model];

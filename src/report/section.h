@@ -24,8 +24,9 @@ struct section {
 };
 
 extern const struct section section_summary, section_surfaces, section_material, section_convergence, section_baseline,
-    section_beyond_thesis, section_direct, section_all_surfaces, section_checks, section_sensitivity, section_repeats,
-    section_measured, section_validity, section_cost, section_computed, section_methods, section_sources;
+    section_beyond_thesis, section_correlations, section_direct, section_all_surfaces, section_checks,
+    section_sensitivity, section_repeats, section_measured, section_validity, section_cost, section_computed,
+    section_methods, section_sources;
 
 /** Surfaces that a table or list of the report shows at most; data/ and results.json have all. */
 enum { SECTION_ROWS = 100 };
@@ -70,6 +71,8 @@ const char *section_law(size_t model, const char *plastic);
 /** Does a model run that computes this quantity? */
 bool section_computes(const struct section_context *context, enum quantity quantity);
 
+/** Index of the k-th of the three loads that tables show, k = 1...3: the quarters of the list. */
+size_t section_table_load(const struct results *results, size_t k);
 /** Point of the baseline's curve at the middle load; NULL: the model has none there. */
 const struct contact_point *section_middle(const struct section_context *context, size_t model);
 /** Adds the middle load as a pressure: "15.0 MPa". */

@@ -39,8 +39,8 @@ static void baseline_table(struct text *out, const struct section_context *conte
     text_free(&rule);
     double sigma_m = context->baseline->summary.asperities.sigma_m;
     for (size_t k = 1; k <= 3; k++) {
-        double load = results->loads[k * (results->load_count - 1) / 4];
-        if (k > 1 && load == results->loads[(k - 1) * (results->load_count - 1) / 4])
+        double load = results->loads[section_table_load(results, k)];
+        if (k > 1 && load == results->loads[section_table_load(results, k - 1)])
             continue;
         for (size_t m = 0; m < model_count; m++)
             for (size_t i = 0; i < context->baseline->curves[m].count; i++) {

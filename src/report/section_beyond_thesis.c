@@ -61,8 +61,8 @@ static void ratio_table(struct text *out, const struct section_context *context)
     text_add(out, " |\n%s\n", text_string(&rule));
     text_free(&rule);
     for (size_t k = 1; k <= 3; k++) {
-        double load = results->loads[k * (results->load_count - 1) / 4];
-        if (k > 1 && load == results->loads[(k - 1) * (results->load_count - 1) / 4])
+        double load = results->loads[section_table_load(results, k)];
+        if (k > 1 && load == results->loads[section_table_load(results, k - 1)])
             continue;
         for (size_t m = 0; m < model_count; m++)
             ratio_row(out, context, m, load);

@@ -134,8 +134,8 @@ static void test_choices(void **state)
         {"moments: [spectral]\n", 1, "'moments' is a list; give one word"},
         {"closure: bem\n", 1, "unknown closure 'bem'; allowed: thesis, numeric"},
         {"models: [multiscale,\n  greenwood]\n", 2,
-         "unknown model 'greenwood'; allowed: multiscale, statistical, two-band, persson, contacting-slopes, "
-         "multiscale-elastic, multiscale-plastic, gw, jg, two-band-elastic, two-band-plastic"},
+         "unknown model 'greenwood'; allowed: multiscale, statistical, two-band, persson, contacting-slopes, cmy, "
+         "sridhar-yovanovich, multiscale-elastic, multiscale-plastic, gw, jg, two-band-elastic, two-band-plastic"},
         {"models: []\n", 1, "'models' names none; remove the line for the default ones"},
         {"effects:\n  - thermal\n  - electric\n", 3, "unknown effect 'electric'; did you mean 'electrical'?"},
         {"effects: [auto]\n", 1,

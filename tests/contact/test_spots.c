@@ -1,0 +1,145 @@
+/* Number and radius of the spots of the asperity models, against integrals over asperities taken one by one. */
+#include "base/integral.h"
+#include "contact/statistical.h"
+#include "model_support.h"
+
+/** a^power phi(u + d) of the asperities that stand u sigma_s above the flat. */
+struct spot_integrand {
+    const struct asperity *asperity;
+    enum asperity_model_id law;
+    double sigma_s_m, d, power;
+};
+
+static double spot_integrand(double u, void *context)
+{
+    const struct spot_integrand *f = context;
+    struct asperity_contact contact;
+    asperity_models[f->law].press(&contact, f->asperity, f->sigma_s_m * u);
+    return (f->power > 0 ? pow(contact.radius_m, f->power) : 1) * exp(-(u + f->d) * (u + f->d) / 2) / sqrt(2 * M_PI);
+}
+
+static double over_asperities(struct spot_integrand f, double power)
+{
+    double onset = asperity_yield_onset * f.asperity->critical_interference_m / f.sigma_s_m, end = 14 + fmax(0, -f.d);
+    f.power = power;
+    double middle = fmin(onset, end);
+    return integral(spot_integrand, &f, 0, middle, 1e-12) +
+           (middle < end ? integral(spot_integrand, &f, middle, end, 1e-12) : 0);
+}
+
+static struct asperities surface_of(double m0, double m2, double m4)
+{
+    struct roughness roughness = {.m0_m2 = m0, .m2 = m2, .m4_per_m2 = m4};
+    struct asperities surface;
+    struct status status = {0};
+    assert_int_equal(roughness_asperities(&surface, &roughness, &status), STATUS_OK);
+    return surface;
+}
+
+static const struct {
+    double m0, m2, m4;
+} surfaces[] = {{1.156e-13, 0.0012, 4.5e8}, {1e-12, 0.0098696044, 1.2e8}, {3.3872e-11, 0.02, 2.4e10}};
+
+static void spots_of(struct contact_spots *spots, const char *model, const struct model_task *task)
+{
+    const struct model_row *row = model_rows[model_named(model)];
+    struct status status = {0};
+    assert_int_equal(row->spots(spots, row, task, &status), STATUS_OK);
+}
+
+/** n = eta int phi, a = int a³ phi/int a² phi, at the separation of each load; more load, more and larger spots. */
+static void spots_are_integrals_over_asperities(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"gw", "jg"};
+    struct material_pair pair = model_support_tin();
+    double load[MODEL_LOADS];
+    struct contact_point points[MODEL_LOADS + 1];
+    struct contact_spots spots[MODEL_LOADS];
+    model_support_loads(load, MODEL_LOADS, 1e-8, 1e-2);
+    for (size_t s = 0; s < sizeof surfaces / sizeof *surfaces; s++)
+        for (int law = ASPERITY_HERTZ; law <= ASPERITY_JG; law++) {
+            struct asperities surface = surface_of(surfaces[s].m0, surfaces[s].m2, surfaces[s].m4);
+            struct asperity asperity = asperity_make(surface.radius_m, &pair, (enum asperity_model_id)law);
+            struct model_task task = {.asperities = &surface,
+                                      .pair = &pair,
+                                      .loads = load,
+                                      .load_count = MODEL_LOADS,
+                                      .wanted = MODEL_EVERYTHING,
+                                      .tolerance = 1e-10};
+            struct model_curve curve = model_support_run(points, names[law], &task);
+            spots_of(spots, names[law], &task);
+            bool closed = curve.points[curve.count - 1].load == curve.full_load;
+            size_t pressed = curve.count - closed;
+            assert_true(pressed > 5);
+            for (size_t i = 0; i < pressed; i++) {
+                struct spot_integrand f = {&asperity, (enum asperity_model_id)law, surface.sigma_s_m,
+                                           (points[i].separation_m - surface.offset_m) / surface.sigma_s_m, 0};
+                double area = over_asperities(f, 2);
+                assert_near(surface.density_per_m2 * M_PI * area, points[i].area_ratio, 1e-8); /* the same spots */
+                assert_near(spots[i].density_per_m2, surface.density_per_m2 * over_asperities(f, 0), 1e-8);
+                assert_near(spots[i].radius_m, over_asperities(f, 3) / area, 1e-8);
+                if (i > 0)
+                    assert_true(spots[i].density_per_m2 > spots[i - 1].density_per_m2 &&
+                                spots[i].radius_m > spots[i - 1].radius_m);
+            }
+            for (size_t i = pressed; i < MODEL_LOADS; i++)
+                assert_true(isnan(spots[i].density_per_m2) && isnan(spots[i].radius_m));
+        }
+}
+
+/** Where nothing yields JG has GW's spots; far apart GW's are those of exponential heights. */
+static void spots_in_the_limits(void **state)
+{
+    (void)state;
+    struct asperities surface = surface_of(1e-12, 1e-4, 1e5);
+    struct material soft = *material_find("tin");
+    soft.yield_strength_Pa = 2e9; /* beyond what these blunt asperities bear at any height that counts */
+    struct material_pair pair = material_pair(&soft, MATERIAL_COUNTERFACE_RIGID, NULL);
+    double load[MODEL_LOADS];
+    struct contact_spots gw[MODEL_LOADS], jg[MODEL_LOADS];
+    model_support_loads(load, MODEL_LOADS, 1e-9, 1e-5);
+    struct model_task task = {
+        .asperities = &surface, .pair = &pair, .loads = load, .load_count = MODEL_LOADS, .tolerance = 1e-10};
+    spots_of(gw, "gw", &task);
+    spots_of(jg, "jg", &task);
+    for (size_t i = 0; i < MODEL_LOADS; i++) {
+        assert_near(jg[i].density_per_m2, gw[i].density_per_m2, 1e-8);
+        assert_near(jg[i].radius_m, gw[i].radius_m, 1e-8);
+    }
+    /* far apart, heights above the flat are exponential: F_3/2/F_1 = Gamma(5/2)/sqrt(d) */
+    struct statistical model;
+    struct status status = {0};
+    uint64_t evaluations = 0;
+    assert_int_equal(
+        statistical_make(&model, &surface, &pair, ASPERITY_HERTZ, 0, 1e-10, INFINITY, &evaluations, &status),
+        STATUS_OK);
+    double d = 35;
+    struct contact_spots far = statistical_spots(&model, d);
+    assert_near(far.radius_m, sqrt(surface.radius_m * surface.sigma_s_m / d) * 0.75 * sqrt(M_PI), 2e-3);
+    assert_near(far.density_per_m2, surface.density_per_m2 * erfc(d / M_SQRT2) / 2, 1e-12);
+    statistical_free(&model);
+    task.asperities = NULL; /* no statistical model exists */
+    spots_of(gw, "gw", &task);
+    assert_true(isnan(gw->density_per_m2) && isnan(gw->radius_m));
+}
+
+/** Stacked scales have spots on spots: no number of them. */
+static void stacked_scales_have_none(void **state)
+{
+    (void)state;
+    for (size_t m = 0; m < model_count; m++)
+        assert_false(model_rows[m]->stacks_scales && model_rows[m]->spots);
+    assert_null(model_rows[model_named("two-band-elastic")]->spots);
+    assert_null(model_rows[model_named("persson")]->spots);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(spots_are_integrals_over_asperities),
+        cmocka_unit_test(spots_in_the_limits),
+        cmocka_unit_test(stacked_scales_have_none),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
