@@ -183,7 +183,7 @@ static void make_surface(struct made_up *made, size_t index, void (*change)(stru
                 summary->models[m].extension = (struct convergence_extension){0.4, 0.3, NAN, 100};
             else
                 summary->models[m].beta_multiscale = 7;
-            summary->models[m].sensitivity = (struct sensitivity_factors){{1.05, 0.8}, {0.95, 1.3}};
+            summary->models[m].sensitivity = (struct sensitivity_factors){{1.05, 0.8, 0.92}, {0.95, 1.3, 1.08}};
             make_estimates(made, record, index, m);
             if (index == 0)
                 make_bands(record, m);

@@ -8,7 +8,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char *const sensitivity_change_names[SENSITIVITY_CHANGES] = {"cut-off x2", "scan /2"};
+const struct sensitivity_change_row sensitivity_changes[SENSITIVITY_CHANGES] = {
+    [SENSITIVITY_CUTOFF_DOUBLED] = {"cut-off x2", "cut-off × 2", "Doubling the cut-off", false},
+    [SENSITIVITY_SCAN_HALVED] = {"scan /2", "scan ÷ 2", "Halving the scan", false},
+    [SENSITIVITY_HARDNESS_RAISED] = {"hardness x1.1", "hardness × 1.1", "Raising the hardness by a tenth", true},
+};
+
+const double sensitivity_hardness_factor = 1.1;
 
 enum { LEAST_POINTS = 16 };
 
@@ -107,25 +113,27 @@ static enum status_code solve_one(struct contact_point *out, const struct model_
     return STATUS_OK;
 }
 
-enum status_code sensitivity_run(struct sensitivity_factors *out, const struct sensitivity *sensitivity,
-                                 const struct model_row *model, const struct model_task *task,
-                                 const struct contact_point *as_is, struct model_work *work, struct status *status)
+/** The task with the softer body harder. */
+static struct model_task harder_task(struct material_pair *pair, const struct model_task *task)
 {
-    struct contact_point points[SENSITIVITY_VARIANTS], itself;
-    *out = (struct sensitivity_factors){{NAN, NAN}, {NAN, NAN}};
-    if (sensitivity->scans == 0 || model->uses_heights)
-        return STATUS_OK;
+    struct model_task own = *task;
+    *pair = *task->pair;
+    pair->yield_strength_Pa *= sensitivity_hardness_factor;
+    own.pair = pair;
+    own.hardness_Pa *= sensitivity_hardness_factor;
+    own.wanted &= variant_wanted;
+    return own;
+}
+
+static enum status_code run_variants(struct sensitivity_factors *out, const struct sensitivity *sensitivity,
+                                     const struct model_row *model, const struct model_task *task,
+                                     const struct contact_point *as_is, struct model_work *work, struct status *status)
+{
+    struct contact_point points[SENSITIVITY_VARIANTS];
     for (int v = 0; v < SENSITIVITY_VARIANTS; v++) {
         struct asperities asperities;
         struct model_task own = variant_task(&asperities, &sensitivity->variants[v], task);
         if (solve_one(&points[v], model, &own, work, status) != STATUS_OK)
-            return status->code;
-    }
-    if (!as_is) {
-        as_is = &itself;
-        struct model_task own = *task;
-        own.wanted &= variant_wanted;
-        if (solve_one(&itself, model, &own, work, status) != STATUS_OK)
             return status->code;
     }
     const struct contact_point *first = &points[SENSITIVITY_FIRST_HALF], *second = &points[SENSITIVITY_SECOND_HALF];
@@ -138,12 +146,49 @@ enum status_code sensitivity_run(struct sensitivity_factors *out, const struct s
     return STATUS_OK;
 }
 
+static enum status_code run_harder(struct sensitivity_factors *out, const struct model_row *model,
+                                   const struct model_task *task, const struct contact_point *as_is,
+                                   struct model_work *work, struct status *status)
+{
+    struct material_pair pair;
+    struct contact_point point;
+    struct model_task own = harder_task(&pair, task);
+    if (solve_one(&point, model, &own, work, status) != STATUS_OK)
+        return status->code;
+    out->area[SENSITIVITY_HARDNESS_RAISED] = point.area_ratio / as_is->area_ratio;
+    if (as_is->ecr_ohm_m2 > 0)
+        out->ecr[SENSITIVITY_HARDNESS_RAISED] = point.ecr_ohm_m2 / as_is->ecr_ohm_m2;
+    return STATUS_OK;
+}
+
+enum status_code sensitivity_run(struct sensitivity_factors *out, const struct sensitivity *sensitivity,
+                                 const struct model_row *model, const struct model_task *task,
+                                 const struct contact_point *as_is, struct model_work *work, struct status *status)
+{
+    struct contact_point itself;
+    for (int c = 0; c < SENSITIVITY_CHANGES; c++)
+        out->area[c] = out->ecr[c] = NAN;
+    if (sensitivity->scans == 0 || model->uses_heights)
+        return STATUS_OK;
+    if (!as_is) {
+        as_is = &itself;
+        struct model_task own = *task;
+        own.wanted &= variant_wanted;
+        if (solve_one(&itself, model, &own, work, status) != STATUS_OK)
+            return status->code;
+    }
+    if (run_variants(out, sensitivity, model, task, as_is, work, status) == STATUS_OK && model->plastic)
+        (void)run_harder(out, model, task, as_is, work, status);
+    return status->code;
+}
+
 struct model_work sensitivity_work(const struct sensitivity *sensitivity, const struct model_row *model,
                                    const struct model_task *task, bool as_is_known)
 {
     struct model_work sum = {0}, work;
     struct model_task own = *task;
     struct asperities asperities;
+    struct material_pair pair;
     if (sensitivity->scans == 0 || model->uses_heights)
         return sum;
     own.wanted &= variant_wanted;
@@ -153,6 +198,11 @@ struct model_work sensitivity_work(const struct sensitivity *sensitivity, const 
     }
     for (int v = 0; v < SENSITIVITY_VARIANTS; v++) {
         own = variant_task(&asperities, &sensitivity->variants[v], task);
+        work = model->work(model, &own);
+        model_work_add(&sum, &work);
+    }
+    if (model->plastic) {
+        own = harder_task(&pair, task);
         work = model->work(model, &own);
         model_work_add(&sum, &work);
     }

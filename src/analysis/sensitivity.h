@@ -1,5 +1,5 @@
-/* What the answers hang on: how area and resistance change when the shortest wavelength, or the length of the scan, is
- * another. */
+/* What the answers hang on: how area and resistance change when the shortest wavelength, the length of the scan or the
+ * hardness is another. */
 #ifndef ANALYSIS_SENSITIVITY_H
 #define ANALYSIS_SENSITIVITY_H
 
@@ -9,9 +9,22 @@
 /** A changed scan: its heights low-passed at twice the cut-off, or one half of them. */
 enum sensitivity_variant { SENSITIVITY_CUTOFF, SENSITIVITY_FIRST_HALF, SENSITIVITY_SECOND_HALF, SENSITIVITY_VARIANTS };
 
-/** What is told of it. */
-enum sensitivity_change { SENSITIVITY_CUTOFF_DOUBLED, SENSITIVITY_SCAN_HALVED, SENSITIVITY_CHANGES };
-extern const char *const sensitivity_change_names[SENSITIVITY_CHANGES]; /* as in sensitivity.csv: "cut-off x2" ... */
+/** What is changed, one thing at a time. */
+enum sensitivity_change {
+    SENSITIVITY_CUTOFF_DOUBLED,
+    SENSITIVITY_SCAN_HALVED,
+    SENSITIVITY_HARDNESS_RAISED, /* by a tenth, with the yield strength; of plastic models */
+    SENSITIVITY_CHANGES
+};
+struct sensitivity_change_row {
+    const char *name;    /* as in sensitivity.csv: "cut-off x2" */
+    const char *heading; /* as tables print it: "cut-off × 2" */
+    const char *doing;   /* as a sentence begins: "Doubling the cut-off" */
+    bool plastic;        /* changes plastic models alone */
+};
+extern const struct sensitivity_change_row sensitivity_changes[SENSITIVITY_CHANGES];
+/** What hardness and yield strength are raised by: 1.1, about how well they are known of a metal whose state is not. */
+extern const double sensitivity_hardness_factor;
 
 /** Spectra and moments of the variants of a surface, averaged over its scans like the surface's own. Owned:
  * sensitivity_free(). */
@@ -23,8 +36,8 @@ struct sensitivity {
     } variants[SENSITIVITY_VARIANTS];
 };
 
-/** Answer changed / answer as it is, at the middle load; NaN where either is empty. The other way (cut-off halved, scan
- * doubled) is predicted by the inverses. */
+/** Answer changed / answer as it is, at the middle load; NaN where either is empty, or the change is none for the
+ * model. The other way (cut-off halved, scan doubled, hardness lowered) is predicted by the inverses. */
 struct sensitivity_factors {
     double area[SENSITIVITY_CHANGES], ecr[SENSITIVITY_CHANGES];
 };
@@ -39,9 +52,9 @@ MUST_CHECK enum status_code sensitivity_add(struct sensitivity *out, const struc
                                             enum roughness_moments moments, struct status *status);
 void sensitivity_free(struct sensitivity *sensitivity);
 
-/** Runs a model on the variants at the one load of `task`, whose surface is as it is, and compares with `as_is` (NULL:
- * what the model answers for `task` itself, which it then runs too); of the halves the geometric mean counts. Adds what
- * it took to *work. Error: STATUS_MEMORY. */
+/** Runs a model on the variants, and with the hardness raised, at the one load of `task`, whose surface is as it is,
+ * and compares with `as_is` (NULL: what the model answers for `task` itself, which it then runs too); of the halves the
+ * geometric mean counts. Adds what it took to *work. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code sensitivity_run(struct sensitivity_factors *out, const struct sensitivity *sensitivity,
                                             const struct model_row *model, const struct model_task *task,
                                             const struct contact_point *as_is, struct model_work *work,

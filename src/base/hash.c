@@ -1,6 +1,5 @@
 #include "base/hash.h"
 
-#include <stdint.h>
 #include <stdio.h>
 
 struct hash hash_start(void)
@@ -15,10 +14,15 @@ void hash_add(struct hash *hash, const void *bytes, size_t length)
     SHA256Update(&hash->context, bytes, length);
 }
 
+void hash_finish_bytes(struct hash *hash, unsigned char digest[HASH_BYTES])
+{
+    SHA256Final(digest, &hash->context);
+}
+
 void hash_finish(struct hash *hash, char digits[65])
 {
-    uint8_t digest[SHA256_DIGEST_LENGTH];
-    SHA256Final(digest, &hash->context);
+    unsigned char digest[HASH_BYTES];
+    hash_finish_bytes(hash, digest);
     for (size_t i = 0; i < sizeof digest; i++)
         snprintf(digits + 2 * i, 3, "%02x", digest[i]);
 }

@@ -376,8 +376,10 @@ static enum status_code write_sensitivity(const struct results *results, const c
             if (!s->usable || !s->models[m].exists || model_rows[m]->uses_heights)
                 continue;
             for (int c = 0; c < SENSITIVITY_CHANGES; c++) {
+                if (sensitivity_changes[c].plastic && !model_rows[m]->plastic)
+                    continue;
                 put_surface(&table, s);
-                text_add(&table.row, ",%s,%s", model_rows[m]->name, sensitivity_change_names[c]);
+                text_add(&table.row, ",%s,%s", model_rows[m]->name, sensitivity_changes[c].name);
                 put_number(&table, "area_factor", s->models[m].sensitivity.area[c]);
                 if (ecr)
                     put_number(&table, "ecr_factor", s->models[m].sensitivity.ecr[c]);

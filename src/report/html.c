@@ -1,5 +1,6 @@
 #include "report/html.h"
 
+#include "base/hash.h"
 #include "report/svg.h"
 #include "report/template.h"
 
@@ -23,11 +24,14 @@ struct page {
     struct text label;   /* of the open image, escaped */
     const char *title, *directory;
     unsigned level;  /* of the last entry in the contents: 0 (none), 2 or 3 */
+    unsigned parts;  /* headings of the first level so far: below the second, sections are folded */
+    bool in_folded;  /* inside the <details> of a section */
     unsigned charts; /* so far */
     unsigned images; /* open, each but the outermost in the label of another */
     bool mixed;      /* the line holds more than charts */
     bool in_figures; /* inside the <div> of a run of figures */
     bool in_link;    /* inside a link that was kept */
+    unsigned char script_hash[HASH_BYTES]; /* of the only script that the page's policy lets run: the skeleton's own */
     struct status *status;
 };
 
@@ -150,16 +154,25 @@ static void end_paragraph(struct page *page)
     page->in_figures = true;
 }
 
+static const char fold_end[] = "</details>\n";
+
 static void end_heading(struct page *page, unsigned level)
 {
     const char *id = add_id(&page->ids, text_string(&page->words));
     int id_length = (int)strcspn(id, "\n");
     struct text start = {0};
-    if (level == 2 || level == 3)
-        add_contents_entry(page, level, id, id_length);
-    text_add(&start, "<h%u id=\"%.*s\">", level, id_length, id);
+    page->parts += level == 1;
+    bool folds = level == 2 && page->parts > 1;
+    if (level == 2 || level == 3 || page->parts > 1)
+        add_contents_entry(page, level == 3 ? 3 : 2, id, id_length);
+    if (page->in_folded && level <= 2) {
+        text_add(&start, fold_end);
+        page->in_folded = false;
+    }
+    text_add(&start, "%s<h%u id=\"%.*s\">", folds ? "<details class=\"folded\"><summary>" : "", level, id_length, id);
     end_line(page, text_string(&start), "");
-    text_add(&page->body, "</h%u>\n", level);
+    text_add(&page->body, "</h%u>%s\n", level, folds ? "</summary>" : "");
+    page->in_folded |= folds;
     page->body.failed |= start.failed;
     text_free(&start);
 }
@@ -223,23 +236,34 @@ static bool ends_with(const char *name, const char *extension)
     return length > size && strcmp(name + length - size, extension) == 0;
 }
 
-/* A picture as a data URI, in base 64 (RFC 4648). */
-static void add_picture(struct text *out, const struct text *bytes, const char *label)
+/* In base 64 (RFC 4648). */
+static void add_base64(struct text *out, const unsigned char *bytes, size_t length)
 {
     static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    text_add(out, "<img alt=\"");
-    text_add_bytes(out, label, strlen(label)); /* escaped already */
-    text_add(out, "\" src=\"data:image/png;base64,");
-    for (size_t i = 0; i < bytes->length; i += 3) {
+    for (size_t i = 0; i < length; i += 3) {
         unsigned group = 0;
-        size_t here = bytes->length - i < 3 ? bytes->length - i : 3;
+        size_t here = length - i < 3 ? length - i : 3;
         for (size_t k = 0; k < 3; k++)
-            group = group << 8 | (k < here ? (unsigned char)bytes->data[i + k] : 0u);
+            group = group << 8 | (k < here ? bytes[i + k] : 0u);
         char quad[4];
         for (size_t k = 0; k < 4; k++)
             quad[k] = k <= here ? digits[group >> (18 - 6 * k) & 63] : '=';
         text_add_bytes(out, quad, sizeof quad);
     }
+}
+
+static void add_data_uri(struct text *out, const char *type, const struct text *bytes)
+{
+    text_add(out, "data:%s;base64,", type);
+    add_base64(out, (const unsigned char *)text_string(bytes), bytes->length);
+}
+
+static void add_picture(struct text *out, const struct text *bytes, const char *label)
+{
+    text_add(out, "<img alt=\"");
+    text_add_bytes(out, label, strlen(label)); /* escaped already */
+    text_add(out, "\" src=\"");
+    add_data_uri(out, "image/png", bytes);
     text_add(out, "\">");
 }
 
@@ -265,25 +289,82 @@ static void add_caption(struct text *out, const char *label)
     text_add(out, "%s</figcaption>", stop ? stop + 1 : label);
 }
 
+/* A box to tick for each curve that the legend names: page.html hides what is drawn in its colour. */
+static void add_switches(struct text *out, const struct svg_curves *curves)
+{
+    unsigned named = 0;
+    for (unsigned k = 0; k < curves->count; k++)
+        named += curves->curve[k].name.length > 0;
+    if (named < 2)
+        return;
+    text_add(out, "<details><summary>Curves</summary>");
+    for (unsigned k = 0; k < curves->count; k++)
+        if (curves->curve[k].name.length > 0) {
+            text_add(out, "<label style=\"accent-color:#%06x\"><input type=\"checkbox\" class=\"show%u\" checked> ",
+                     curves->curve[k].colour, k + 1);
+            text_add_bytes(out, curves->curve[k].name.data, curves->curve[k].name.length);
+            text_add(out, "</label>");
+        }
+    text_add(out, "</details>");
+}
+
+static void add_download(struct text *out, const char *words, const char *name, const char *type,
+                         const struct text *bytes)
+{
+    text_add(out, "<a download=\"%s\" href=\"", name);
+    add_data_uri(out, type, bytes);
+    text_add(out, "\">%s</a>", words);
+}
+
+/* Reads figures/NAME. */
+static enum status_code read_figure(struct text *out, struct text *path, struct page *page, const char *name)
+{
+    text_add(path, "%s/figures/%s", page->directory, name);
+    return path->failed ? status_memory(page->status) : text_read_file(out, text_string(path), page->status);
+}
+
+/* The figure's curves to switch, its numbers and its picture to take away. */
+static enum status_code add_tools(struct page *page, const char *name, const struct text *drawing,
+                                  const struct svg_curves *curves)
+{
+    struct text *out = &page->figures, path = {0}, numbers = {0}, data = {0};
+    bool picture = ends_with(name, picture_extension);
+    text_add(&numbers, "%.*s.csv", (int)(strrchr(name, '.') - name), name);
+    enum status_code code = read_figure(&data, &path, page, text_string(&numbers));
+    text_add(out, "<div class=\"tools\">");
+    add_switches(out, curves);
+    if (code == STATUS_OK)
+        add_download(out, "Data", text_string(&numbers), "text/csv", &data);
+    add_download(out, "Picture", name, picture ? "image/png" : "image/svg+xml", drawing);
+    text_add(out, "</div>\n");
+    text_free(&path);
+    text_free(&numbers);
+    text_free(&data);
+    return code;
+}
+
 static enum status_code add_chart(struct page *page, const char *name)
 {
-    struct text path = {0}, svg = {0};
+    struct text path = {0}, drawing = {0};
+    struct svg_curves curves = {0};
     size_t before = page->line.length;
-    text_add(&path, "%s/figures/%s", page->directory, name);
-    enum status_code code =
-        path.failed ? status_memory(page->status) : text_read_file(&svg, text_string(&path), page->status);
+    enum status_code code = read_figure(&drawing, &path, page, name);
     if (code == STATUS_OK && ends_with(name, picture_extension))
-        add_picture(&page->line, &svg, text_string(&page->label));
+        add_picture(&page->line, &drawing, text_string(&page->label));
     else if (code == STATUS_OK)
-        code =
-            svg_inline(&page->line, &svg, text_string(&path), ++page->charts, text_string(&page->label), page->status);
+        code = svg_inline(&page->line, &drawing, text_string(&path), ++page->charts, text_string(&page->label), &curves,
+                          page->status);
     if (code == STATUS_OK) {
-        text_add(&page->figures, "<figure>\n%s", page->line.data + before);
+        text_add(&page->figures, "<figure>\n");
+        text_add_bytes(&page->figures, page->line.data + before, page->line.length - before);
         add_caption(&page->figures, text_string(&page->label));
-        text_add(&page->figures, "\n</figure>\n");
+        text_add(&page->figures, "\n");
+        code = add_tools(page, name, &drawing, &curves);
+        text_add(&page->figures, "</figure>\n");
     }
+    svg_curves_free(&curves);
     text_free(&path);
-    text_free(&svg);
+    text_free(&drawing);
     return code;
 }
 
@@ -387,9 +468,20 @@ static bool field(struct text *out, const char *name, void *context)
         text_add_bytes(out, text_string(&page->contents), page->contents.length);
     else if (strcmp(name, "body") == 0)
         text_add_bytes(out, text_string(&page->body), page->body.length);
+    else if (strcmp(name, "script_hash") == 0)
+        add_base64(out, page->script_hash, sizeof page->script_hash);
     else
         return false;
     return true;
+}
+
+static void hash_script(struct page *page, const char *skeleton)
+{
+    const char *start = strstr(skeleton, "<script>"), *end = start ? strstr(start, "</script>") : NULL;
+    struct hash hash = hash_start();
+    if (end)
+        hash_add(&hash, start + strlen("<script>"), (size_t)(end - start) - strlen("<script>"));
+    hash_finish_bytes(&hash, page->script_hash);
 }
 
 enum status_code html_render(struct text *out, const char *markdown, const char *title, const char *directory,
@@ -409,8 +501,11 @@ enum status_code html_render(struct text *out, const char *markdown, const char 
     text_add(&path, "%s/page.html", templates);
     bool memory = path.failed || length > UINT_MAX;
     enum status_code code = memory ? status_memory(status) : text_read_file(&skeleton, text_string(&path), status);
+    if (code == STATUS_OK)
+        hash_script(&page, text_string(&skeleton));
     if (code == STATUS_OK) {
         int failed = md_parse(markdown, (MD_SIZE)length, &parser, &page);
+        end_line(&page, page.in_folded ? fold_end : "", "");
         end_contents(&page);
         for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
             memory |= texts[i]->failed;

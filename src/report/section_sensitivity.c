@@ -1,4 +1,4 @@
-/* Which results survive another cut-off and another scan length. */
+/* Which results survive another cut-off, another scan length and another hardness. */
 #include "report/section.h"
 
 #include <math.h>
@@ -14,6 +14,15 @@ static bool is_stable(double factor)
 static bool has(const struct section_context *context, size_t m)
 {
     return plan_runs_model(context->results->plan, m) && !model_rows[m]->uses_heights;
+}
+
+/** Is there a model that the change is one for? */
+static bool has_change(const struct section_context *context, int change)
+{
+    bool any = !sensitivity_changes[change].plastic;
+    for (size_t m = 0; m < model_count; m++)
+        any |= has(context, m) && model_rows[m]->plastic;
+    return any;
 }
 
 /** "area within 10 % on 3 of 4 surfaces" for one change; nothing where no surface has a value. */
@@ -32,17 +41,21 @@ static void count_stable(struct text *out, const struct section_context *context
 
 static void sentence(struct text *out, const struct section_context *context)
 {
-    static const char *const changes[SENSITIVITY_CHANGES] = {"Doubling the cut-off", "Halving the scan"};
     bool electrical = section_computes(context, QUANTITY_ECR);
     for (int c = 0; c < SENSITIVITY_CHANGES; c++) {
         size_t leading = context->comparison->leading;
-        text_add(out, "%s leaves within 10 %%, in the %s model: ", changes[c], model_rows[leading]->label);
+        if (sensitivity_changes[c].plastic && !model_rows[leading]->plastic)
+            continue;
+        text_add(out, "%s leaves within 10 %%, in the %s model: ", sensitivity_changes[c].doing,
+                 model_rows[leading]->label);
         count_stable(out, context, leading, c, false);
         if (electrical)
             count_stable(out, context, leading, c, true);
         text_add(out, " surfaces. ");
     }
-    text_add(out, "The other way about (cut-off halved, scan doubled) the inverse factors are to be expected.");
+    text_add(
+        out,
+        "The other way about (cut-off halved, scan doubled, hardness lowered) the inverse factors are to be expected.");
 }
 
 static void surface_rows(struct text *out, const struct section_context *context, size_t index)
@@ -58,9 +71,12 @@ static void surface_rows(struct text *out, const struct section_context *context
         text_add(out, " | %s", model_rows[m]->label);
         section_mark(out, context, index, m);
         for (int c = 0; c < SENSITIVITY_CHANGES; c++) {
-            section_cell(out, isfinite(factors->area[c]) ? factors->area[c] : NAN, 3);
+            bool none = sensitivity_changes[c].plastic && !model_rows[m]->plastic;
+            if (!has_change(context, c))
+                continue;
+            section_cell(out, !none && isfinite(factors->area[c]) ? factors->area[c] : NAN, 3);
             if (electrical)
-                section_cell(out, isfinite(factors->ecr[c]) ? factors->ecr[c] : NAN, 3);
+                section_cell(out, !none && isfinite(factors->ecr[c]) ? factors->ecr[c] : NAN, 3);
         }
         text_add(out, " |\n");
     }
@@ -70,10 +86,17 @@ static void table(struct text *out, const struct section_context *context)
 {
     bool electrical = section_computes(context, QUANTITY_ECR);
     size_t rows = 0;
-    text_add(out, electrical
-                      ? "| surface | model | area, cut-off × 2 | ECR, cut-off × 2 | area, scan ÷ 2 | ECR, scan ÷ 2 "
-                        "|\n|---|---|---:|---:|---:|---:|\n"
-                      : "| surface | model | area, cut-off × 2 | area, scan ÷ 2 |\n|---|---|---:|---:|\n");
+    struct text rule = {0};
+    text_add(out, "| surface | model");
+    for (int c = 0; c < SENSITIVITY_CHANGES; c++) {
+        if (!has_change(context, c))
+            continue;
+        text_add(out, electrical ? " | area, %s | ECR, %s" : " | area, %s", sensitivity_changes[c].heading,
+                 sensitivity_changes[c].heading);
+        text_add(&rule, electrical ? "---:|---:|" : "---:|");
+    }
+    text_add(out, " |\n|---|---|%s\n", text_string(&rule));
+    text_free(&rule);
     for (size_t i = 0; i < context->results->store->count && rows < SECTION_ROWS; i++)
         if (section_surface(context, i)->usable) {
             surface_rows(out, context, i);
@@ -112,12 +135,12 @@ static bool called_for(const struct section_context *context)
 
 static void write(struct text *out, const struct section_context *context)
 {
-    text_add(out, "## What the answers hang on: cut-off and scan length\n\n");
+    text_add(out, "## What the answers hang on: cut-off, scan length, hardness\n\n");
     sentence(out, context);
     text_add(out, " Factors on the answer at ");
     section_middle_pressure(out, context);
-    text_add(out, " when the heights are low-passed at twice the cut-off, and for halves of the scan (their geometric "
-                  "mean):\n\n");
+    text_add(out, " when the heights are low-passed at twice the cut-off, for halves of the scan (their geometric "
+                  "mean), and for plastic models with hardness and yield strength raised by a tenth:\n\n");
     table(out, context);
     section_mark_legend(out, context, SECTION_EVERY_SURFACE);
     text_add(out, "\n");

@@ -4,6 +4,7 @@
 
 #include <expat.h>
 #include <limits.h>
+#include <stdio.h>
 #include <string.h>
 
 #define NAME_CHARS "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._:-"
@@ -35,8 +36,18 @@ static const struct {
     {"rgb(0,0,0)", INK}, {"#ffffff", PAPER},     {"white", PAPER}, {"rgb(255,255,255)", PAPER},
 };
 
+/* the call by which gnuplot's own page would show a point's text, which stands between these */
+static const char hypertext_start[] = "gnuplot_svg.showHypertext(evt,'", hypertext_end[] = "')";
+
 struct drawing {
     struct text *out;
+    struct svg_curves *curves;
+    unsigned plot;      /* depth inside the group of a plotted curve, 0 outside */
+    bool takes_title;   /* the next title is that group's */
+    bool in_plot_title; /* it is open */
+    bool titled;        /* the open element has been given a title */
+    struct text name;   /* the plotted curve's as the legend has it; empty: it stands in none */
+
     size_t before; /* length of `out` before the drawing */
     const char *label;
     unsigned number;
@@ -116,6 +127,59 @@ static void write_attribute(const struct drawing *drawing, const char *name, con
         text_add(drawing->out, " %s=\"%s\"", name, colour ? colour : value);
 }
 
+/* Number of a colour among those of the curves, 1 and up; 0 for greys, which are nobody's own, and for what is none. */
+static unsigned curve_colour(struct drawing *drawing, const char *value)
+{
+    struct svg_curves *curves = drawing->curves;
+    unsigned rgb[3];
+    if ((sscanf(value, "rgb(%3u,%3u,%3u)", &rgb[0], &rgb[1], &rgb[2]) != 3 &&
+         sscanf(value, "#%2x%2x%2x", &rgb[0], &rgb[1], &rgb[2]) != 3) ||
+        (rgb[0] == rgb[1] && rgb[1] == rgb[2]) || rgb[0] > 255 || rgb[1] > 255 || rgb[2] > 255)
+        return 0;
+    unsigned colour = rgb[0] << 16 | rgb[1] << 8 | rgb[2];
+    for (unsigned i = 0; i < curves->count; i++)
+        if (curves->curve[i].colour == colour)
+            return i + 1;
+    if (curves->count == SVG_CURVES)
+        return 0;
+    curves->curve[curves->count++].colour = colour;
+    return curves->count;
+}
+
+/* In a plotted curve: the class of its colour, by which the page can hide it; its name is noted with the colour. A
+ * group's colour says nothing: it is the one that was drawn with last. */
+static void write_curve(struct drawing *drawing, const char *element, const XML_Char **attributes)
+{
+    bool drawn = drawing->plot > 0 && strcmp(element, "g") != 0;
+    for (; drawn && *attributes; attributes += 2) {
+        unsigned number = listed(colour_attributes, attributes[0]) ? curve_colour(drawing, attributes[1]) : 0;
+        if (number == 0)
+            continue;
+        struct text *name = &drawing->curves->curve[number - 1].name;
+        text_add(drawing->out, " class=\"curve%u\"", number);
+        if (name->length == 0)
+            text_add_bytes(name, text_string(&drawing->name), drawing->name.length);
+        return;
+    }
+}
+
+/* What a point says when it is pointed at. */
+static void write_hypertext(struct drawing *drawing, const XML_Char **attributes)
+{
+    for (drawing->titled = false; *attributes; attributes += 2) {
+        const char *value = attributes[1], *end = value + strlen(value) - strlen(hypertext_end);
+        if (strcmp(attributes[0], "onmousemove") != 0 || strncmp(value, hypertext_start, strlen(hypertext_start)) != 0)
+            continue;
+        value += strlen(hypertext_start);
+        if (end < value || strcmp(end, hypertext_end) != 0)
+            continue;
+        text_add(drawing->out, "<title>");
+        text_add_html(drawing->out, value, (size_t)(end - value));
+        text_add(drawing->out, "</title>");
+        drawing->titled = true;
+    }
+}
+
 static const char *find_attribute(const XML_Char **attributes, const char *name)
 {
     while (*attributes && strcmp(*attributes, name) != 0)
@@ -141,14 +205,32 @@ static bool is_kept(const struct drawing *drawing, const char *name, const XML_C
         return false;
     if (drawing->depth == 1 && strcmp(name, "title") == 0) /* gnuplot's name: the caption says what the drawing is */
         return false;
+    if (drawing->titled && strcmp(name, "title") == 0)
+        return false;
     const char *fill = find_attribute(attributes, "fill");
     const char *colour = fill && strcmp(name, "rect") == 0 ? page_colour(fill) : NULL;
     return !colour || strcmp(colour, PAPER) != 0; /* a rectangle of paper is the background */
 }
 
+/* Gnuplot draws each curve in a group of its own, whose title is the legend's entry, else its id again. */
+static void enter_plot(struct drawing *drawing, const char *element, const char *id)
+{
+    static const char plot[] = "gnuplot_plot_";
+    drawing->in_plot_title = drawing->takes_title && strcmp(element, "title") == 0;
+    drawing->takes_title = false;
+    if (drawing->plot > 0)
+        drawing->plot++;
+    else if (id && strncmp(id, plot, strlen(plot)) == 0) {
+        drawing->plot = 1;
+        drawing->takes_title = true;
+        text_free(&drawing->name);
+    }
+}
+
 static void XMLCALL on_start(void *user, const XML_Char *name, const XML_Char **attributes)
 {
     struct drawing *drawing = user;
+    const XML_Char **all = attributes;
     if (drawing->depth == 0)
         write_root(drawing, name, attributes);
     else if (!is_kept(drawing, name, attributes)) {
@@ -158,8 +240,11 @@ static void XMLCALL on_start(void *user, const XML_Char *name, const XML_Char **
         text_add(drawing->out, "<%s", name);
         for (; *attributes; attributes += 2)
             write_attribute(drawing, attributes[0], attributes[1]);
+        write_curve(drawing, name, all);
         text_add(drawing->out, ">");
+        write_hypertext(drawing, all);
     }
+    enter_plot(drawing, name, find_attribute(all, "id"));
     drawing->texts += listed(text_elements, name);
     drawing->in_title = strcmp(name, "title") == 0;
     if (++drawing->depth > SVG_DEPTH)
@@ -176,12 +261,14 @@ static void XMLCALL on_end(void *user, const XML_Char *name)
         drawing->hidden--;
         return;
     }
-    if (XML_GetCurrentByteCount(drawing->parser) == 0) { /* the end of <name/>, whose start has just been written */
+    if (XML_GetCurrentByteCount(drawing->parser) == 0 && !drawing->titled) { /* of <name/>, just begun */
         out->length--;
         text_add(out, "/>");
     } else
         text_add(out, "</%s>", name);
     drawing->depth--;
+    drawing->plot -= drawing->plot > 0;
+    drawing->in_plot_title = false;
     drawing->texts -= listed(text_elements, name);
     drawing->in_title = false;
 }
@@ -191,6 +278,8 @@ static void XMLCALL on_text(void *user, const XML_Char *text, int length)
     struct drawing *drawing = user;
     if (drawing->texts > 0 && drawing->hidden == 0)
         text_add_html(drawing->out, text, (size_t)length);
+    if (drawing->in_plot_title && (drawing->name.length > 0 || strncmp(text, "gnuplot_plot_", 13) != 0))
+        text_add_html(&drawing->name, text, (size_t)length);
 }
 
 /* Gnuplot declares no entities; files that do want to make little bytes large. */
@@ -214,10 +303,10 @@ static void add_repaired(struct text *out, const struct text *svg)
 }
 
 enum status_code svg_inline(struct text *out, const struct text *svg, const char *path, unsigned number,
-                            const char *label, struct status *status)
+                            const char *label, struct svg_curves *curves, struct status *status)
 {
     struct text repaired = {0};
-    struct drawing drawing = {.out = out, .before = out->length, .label = label, .number = number};
+    struct drawing drawing = {.out = out, .curves = curves, .before = out->length, .label = label, .number = number};
     enum status_code code = STATUS_OK;
     add_repaired(&repaired, svg);
     drawing.parser = XML_ParserCreate("UTF-8"); /* whatever the file says */
@@ -239,5 +328,13 @@ enum status_code svg_inline(struct text *out, const struct text *svg, const char
     }
     XML_ParserFree(drawing.parser);
     text_free(&repaired);
+    text_free(&drawing.name);
     return code;
+}
+
+void svg_curves_free(struct svg_curves *curves)
+{
+    for (unsigned i = 0; i < curves->count; i++)
+        text_free(&curves->curve[i].name);
+    curves->count = 0;
 }

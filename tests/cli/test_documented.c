@@ -160,7 +160,7 @@ static void report_is_described(void **state)
     process = expect_exit(place, 0, "report", "in", "-o", "out");
     process_free(&process);
     char *report = workspace_read(place, "out/report.md");
-    assert_non_null(strstr(report, "\n## What the answers hang on: cut-off and scan length\n"));
+    assert_non_null(strstr(report, "\n## What the answers hang on: cut-off, scan length, hardness\n"));
     free(report);
     check_sections(document, place);
     assert_int_equal(sections + 1, 16); /* all but the title's */

@@ -5,6 +5,26 @@
 #define TEMPLATES PROJECT_SOURCE "/templates"
 #define DIRECTORY TEST_DATA "/report"
 
+/* The skeleton's script, which alone may run: cut out of `page`, which has to name its hash. */
+static void take_script_out(struct text *page)
+{
+    struct text skeleton = {0};
+    struct status status = {0};
+    assert_int_equal(text_read_file(&skeleton, TEMPLATES "/page.html", &status), STATUS_OK);
+    const char *start = strstr(skeleton.data, "<script>"), *end = strstr(start, "</script>");
+    size_t length = (size_t)(end - start);
+    char *found = strstr(page->data, "<script>\n// ");
+    assert_non_null(found);
+    assert_memory_equal(found, start, length);
+    static const char allowed[] = "script-src 'sha256-";
+    assert_int_equal(strspn(strstr(page->data, allowed) + sizeof allowed - 1,
+                            "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"),
+                     43); /* and one '=' */
+    memmove(found, found + length, page->length - (size_t)(found - page->data) - length + 1);
+    page->length -= length;
+    text_free(&skeleton);
+}
+
 static struct text rendered(const char *markdown)
 {
     struct text out = {0};
@@ -12,6 +32,7 @@ static struct text rendered(const char *markdown)
     enum status_code code = html_render(&out, markdown, "A title", DIRECTORY, TEMPLATES, &status);
     if (code != STATUS_OK)
         fail_msg("%s", status.message);
+    take_script_out(&out);
     return out;
 }
 
@@ -194,6 +215,16 @@ static void links(void **state)
     assert_body("www.example.org ~~a~~\n", "<p>www.example.org ~~a~~</p>");
 }
 
+static void assert_fails(const char *markdown, const char *templates, const char *message)
+{
+    struct text out = {0};
+    struct status status = {0};
+    assert_int_equal(html_render(&out, markdown, "t", DIRECTORY, templates, &status), STATUS_IO);
+    if (!strstr(status.message, message))
+        fail_msg("'%s' does not say '%s'", status.message, message);
+    text_free(&out);
+}
+
 static void nothing_from_outside(void **state)
 {
     (void)state;
@@ -201,6 +232,41 @@ static void nothing_from_outside(void **state)
     static const char *const unwanted[] = {"http:", "https:", " src=", "@import", "<link", "<script", "url(h", "{{"};
     for (size_t i = 0; i < sizeof unwanted / sizeof *unwanted; i++)
         assert_not_in_page(report, unwanted[i]);
+}
+
+/* Below a second title each section is folded, and its contents go on as before. */
+static void folded_sections(void **state)
+{
+    (void)state;
+    struct text page = rendered("# R\n\n## One\n\na\n\n# Rest\n\nb\n\n## Two\n\n![C](figures/chart.svg)\n\n## Three\n\n"
+                                "### Four\n\nc\n");
+    const char *body = body_of(&page);
+    assert_non_null(
+        strstr(body, "<h2 id=\"one\">One</h2>\n<p>a</p>\n<h1 id=\"rest\">Rest</h1>\n<p>b</p>\n"
+                     "<details class=\"folded\"><summary><h2 id=\"two\">Two</h2></summary>\n<div class=\"figures\">"));
+    assert_non_null(
+        strstr(body, "</figure>\n\n</div>\n</details>\n<details class=\"folded\"><summary><h2 id=\"three\">"));
+    assert_non_null(strstr(body, "<h3 id=\"four\">Four</h3>\n<p>c</p>\n</details>\n</main>"));
+    assert_non_null(
+        strstr(text_string(&page), "<li><a href=\"#rest\">Rest</a></li>\n<li><a href=\"#two\">Two</a></li>"));
+    text_free(&page);
+}
+
+/* What a reader can do with a chart: hide a curve, take the numbers or the picture away. */
+static void tools_of_a_chart(void **state)
+{
+    (void)state;
+    struct text page = rendered("![C](figures/chart.svg)\n");
+    const char *body = body_of(&page);
+    assert_non_null(strstr(body, "<a download=\"chart.csv\" href=\"data:text/csv;base64,eCx5CjEsMgo=\">Data</a>"));
+    assert_non_null(strstr(body, "<a download=\"chart.svg\" href=\"data:image/svg+xml;base64,PD94"));
+    assert_non_null(
+        strstr(body, "<label style=\"accent-color:#0072b2\"><input type=\"checkbox\" class=\"show1\" checked> "));
+    assert_non_null(strstr(body, "class=\"curve1\""));
+    text_free(&page);
+    assert_body("![P](figures/picture.png)\n",
+                "<a download=\"picture.png\" href=\"data:image/png;base64,iVBORw0KGgo=\">Picture</a></div>");
+    assert_fails("![a](figures/dataless.svg)\n", TEMPLATES, "figures/dataless.csv");
 }
 
 static void title_is_escaped(void **state)
@@ -212,16 +278,6 @@ static void title_is_escaped(void **state)
                      STATUS_OK);
     assert_non_null(strstr(text_string(&out), "<title>&lt;/title&gt;&lt;b&gt; &amp; &quot;γ&quot; {{body}}</title>"));
     assert_non_null(strstr(body_of(&out), "<p>{{title}}</p>")); /* what was filled in is not filled in again */
-    text_free(&out);
-}
-
-static void assert_fails(const char *markdown, const char *templates, const char *message)
-{
-    struct text out = {0};
-    struct status status = {0};
-    assert_int_equal(html_render(&out, markdown, "t", DIRECTORY, templates, &status), STATUS_IO);
-    if (!strstr(status.message, message))
-        fail_msg("'%s' does not say '%s'", status.message, message);
     text_free(&out);
 }
 
@@ -282,7 +338,8 @@ static void random_markdown(void **state)
                                         "    ",
                                         "\n1. "};
     static const char *const pairs[][2] = {
-        {"<a ", "</a>"}, {"<figure>", "</figure>"}, {"<div ", "</div>"}, {"<ul>", "</ul>"}, {"<svg ", "</svg>"}};
+        {"<a ", "</a>"},     {"<figure>", "</figure>"},  {"<div ", "</div>"},       {"<ul>", "</ul>"},
+        {"<svg ", "</svg>"}, {"<details", "</details>"}, {"<summary", "</summary>"}};
     uint64_t seed = 7;
     for (int round = 0; round < 1000; round++) {
         struct text markdown = {0};
@@ -317,6 +374,8 @@ int main(void)
         cmocka_unit_test(blocks),
         cmocka_unit_test(links),
         cmocka_unit_test(nothing_from_outside),
+        cmocka_unit_test(folded_sections),
+        cmocka_unit_test(tools_of_a_chart),
         cmocka_unit_test(title_is_escaped),
         cmocka_unit_test(failures),
         cmocka_unit_test(same_bytes_every_time),

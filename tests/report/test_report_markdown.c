@@ -196,7 +196,7 @@ static void test_everything(void **state)
                              "## All surfaces, model by model\n### Area against load\n### Separation against load\n"
                              "### Separation against area\n### ECR against load\n### TCR against load\n"
                              "## The findings of chapter 6, checked on these surfaces\n"
-                             "## What the answers hang on: cut-off and scan length\n"
+                             "## What the answers hang on: cut-off, scan length, hardness\n"
                              "## Where the models may be trusted\n## What was computed\n## Models and sources\n");
     assert_tidy(*state, &report);
     text_free(&report);
@@ -211,7 +211,7 @@ static void test_what_did_not_run_is_not_spoken_of(void **state)
                              "### Real contact area\n### Electrical contact resistance\n"
                              "## All surfaces, model by model\n### Area against load\n### ECR against load\n"
                              "## The findings of chapter 6, checked on these surfaces\n"
-                             "## What the answers hang on: cut-off and scan length\n"
+                             "## What the answers hang on: cut-off, scan length, hardness\n"
                              "## Where the models may be trusted\n## What was computed\n## Models and sources\n");
     assert_tidy(*state, &report);
     *strstr(report.data, "## What was computed") = '\0'; /* which says what was skipped and why */
@@ -250,7 +250,7 @@ static void test_repeats_and_measurements(void **state)
                              "### Real contact area\n### Electrical contact resistance\n"
                              "## All surfaces, model by model\n### Area against load\n### ECR against load\n"
                              "## The findings of chapter 6, checked on these surfaces\n"
-                             "## What the answers hang on: cut-off and scan length\n"
+                             "## What the answers hang on: cut-off, scan length, hardness\n"
                              "## How sure the numbers are\n## Measured contact resistance\n"
                              "## Where the models may be trusted\n## What was computed\n## Models and sources\n");
     assert_tidy(*state, &report);

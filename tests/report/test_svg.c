@@ -6,11 +6,20 @@
 
 static const char *const label = "Figure 1. A &quot;chart&quot;";
 
+static enum status_code drawn(struct text *out, const struct text *svg, unsigned number, const char *words,
+                              struct status *status)
+{
+    struct svg_curves curves = {0};
+    enum status_code code = svg_inline(out, svg, "figures/x.svg", number, words, &curves, status);
+    svg_curves_free(&curves);
+    return code;
+}
+
 static enum status_code inlined(struct text *out, const char *svg, struct status *status)
 {
     struct text text = {0};
     text_add_bytes(&text, svg, strlen(svg));
-    enum status_code code = svg_inline(out, &text, "figures/x.svg", 3, label, status);
+    enum status_code code = drawn(out, &text, 3, label, status);
     text_free(&text);
     return code;
 }
@@ -67,7 +76,7 @@ static void gnuplot_chart(void **state)
     static const char *const gone[] = {"<rect", "Gnuplot", "GNUPLOT", "xmlns", "http", "<!", "<?", "xlink", "style="};
     struct text chart = read_chart(), out = {0};
     struct status status = {0};
-    assert_int_equal(svg_inline(&out, &chart, "figures/x.svg", 3, label, &status), STATUS_OK);
+    assert_int_equal(drawn(&out, &chart, 3, label, &status), STATUS_OK);
     for (size_t i = 0; i < sizeof kept / sizeof *kept; i++)
         if (!strstr(text_string(&out), kept[i]))
             fail_msg("no %s in %s", kept[i], text_string(&out));
@@ -138,6 +147,48 @@ static void malformed(void **state)
                    "invalid");
 }
 
+/* Two curves of one colour, one of another, and what is grey: only the legend's titles are names. */
+static void curves_by_colour(void **state)
+{
+    (void)state;
+    static const char drawing[] =
+        "<svg viewBox='0 0 1 1'><title>Gnuplot</title><path stroke='rgb(9,9,200)'/>"
+        "<g id='gnuplot_plot_1'><title>gnuplot_plot_1</title><path stroke='rgb(  0, 114, 178)'/></g>"
+        "<g id='gnuplot_plot_2'><title>gnuplot_plot_2</title><polygon fill='#d55e00'/></g>"
+        "<g id='gnuplot_plot_3'><title>A &lt; B</title><g stroke='#d55e00'/><path stroke='rgb(0,114,178)'/>"
+        "<use color='rgb(1,2,3)'/></g>"
+        "<g id='gnuplot_plot_4'><title>outside</title><path stroke='rgb(119,119,119)'/></g></svg>";
+    struct text svg = {0}, out = {0};
+    struct status status = {0};
+    struct svg_curves curves = {0};
+    text_add(&svg, "%s", drawing);
+    assert_int_equal(svg_inline(&out, &svg, "figures/x.svg", 1, "", &curves, &status), STATUS_OK);
+    assert_int_equal(curves.count, 3);
+    assert_int_equal(curves.curve[0].colour, 0x0072b2);
+    assert_string_equal(text_string(&curves.curve[0].name), "A &lt; B");
+    assert_int_equal(curves.curve[1].colour, 0xd55e00);
+    assert_int_equal(curves.curve[1].name.length, 0);
+    assert_non_null(strstr(text_string(&out), "<path stroke=\"rgb(  0, 114, 178)\" class=\"curve1\"/>"));
+    assert_non_null(strstr(text_string(&out), "<path stroke=\"rgb(0,114,178)\" class=\"curve1\"/>"));
+    assert_non_null(strstr(text_string(&out), "<path stroke=\"rgb(9,9,200)\"/>"));
+    assert_non_null(strstr(text_string(&out), "<path stroke=\"rgb(119,119,119)\"/>"));
+    svg_curves_free(&curves);
+    text_free(&svg);
+    text_free(&out);
+}
+
+static void what_a_point_says(void **state)
+{
+    (void)state;
+    assert_inlined(
+        "<g onmousemove=\"gnuplot_svg.showHypertext(evt,'it&apos;s &lt;1')\" onmouseout=\"x()\"><title> </title>"
+        "<circle r=\"1\"/></g><g><title>t</title></g>",
+        "<g><title>it's &lt;1</title><circle r=\"1\"/></g><g><title>t</title></g>");
+    assert_inlined("<g onmousemove=\"steal(evt,'x')\"><title>t</title></g>", "<g><title>t</title></g>");
+    assert_inlined("<g onmousemove=\"gnuplot_svg.showHypertext(evt,'\"/>", "<g/>");
+    assert_inlined("<g onmousemove=\"gnuplot_svg.showHypertext(evt,'a')\"/><g/>", "<g><title>a</title></g><g/>");
+}
+
 static void cut_off_anywhere(void **state)
 {
     (void)state;
@@ -146,7 +197,7 @@ static void cut_off_anywhere(void **state)
     for (size_t length = 0; length < whole; length++) {
         struct text svg = {.data = chart.data, .length = length}, out = {0};
         struct status status = {0};
-        assert_int_equal(svg_inline(&out, &svg, "figures/x.svg", 3, label, &status), STATUS_IO);
+        assert_int_equal(drawn(&out, &svg, 3, label, &status), STATUS_IO);
         assert_int_equal(strncmp(status.message, "figures/x.svg:", 14), 0);
         text_free(&out);
     }
@@ -170,7 +221,7 @@ static void nul_byte(void **state)
     struct text text = {0}, out = {0};
     struct status status = {0};
     text_add_bytes(&text, svg, sizeof svg - 1);
-    assert_int_equal(svg_inline(&out, &text, "figures/x.svg", 1, "", &status), STATUS_IO);
+    assert_int_equal(drawn(&out, &text, 1, "", &status), STATUS_IO);
     text_free(&text);
     text_free(&out);
 }
@@ -286,7 +337,7 @@ static void mutations(void **state)
         struct text svg = {0}, out = {0};
         struct status status = {0};
         mutate(&svg, &chart, &seed);
-        enum status_code code = svg_inline(&out, &svg, "figures/x.svg", 7, label, &status);
+        enum status_code code = drawn(&out, &svg, 7, label, &status);
         if (code == STATUS_OK) {
             assert_harmless(text_string(&out));
             accepted++;
@@ -302,9 +353,10 @@ static void mutations(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(gnuplot_chart), cmocka_unit_test(elements), cmocka_unit_test(attributes),
-        cmocka_unit_test(malformed),     cmocka_unit_test(nul_byte), cmocka_unit_test(cut_off_anywhere),
-        cmocka_unit_test(entities),      cmocka_unit_test(too_deep), cmocka_unit_test(mutations),
+        cmocka_unit_test(gnuplot_chart),    cmocka_unit_test(elements),          cmocka_unit_test(attributes),
+        cmocka_unit_test(malformed),        cmocka_unit_test(nul_byte),          cmocka_unit_test(cut_off_anywhere),
+        cmocka_unit_test(entities),         cmocka_unit_test(too_deep),          cmocka_unit_test(mutations),
+        cmocka_unit_test(curves_by_colour), cmocka_unit_test(what_a_point_says),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

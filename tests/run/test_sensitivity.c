@@ -1,7 +1,11 @@
-/* Sensitivity to cut-off and scan length: the factors are those of reports on changed scans, made apart. */
+/* Sensitivity to cut-off, scan length and hardness: the factors are those of reports on changed scans, made apart. */
+#include "contact/model.h"
 #include "profile/filter.h"
 #include "profile/level.h"
 #include "run/pipeline.h"
+
+#define METAL(yield_strength_Pa)                                                                                       \
+    "material: {E_Pa: 4.1369e10, nu: 0.36, resistivity_ohm_m: 1.15e-7, Sy_Pa: " yield_strength_Pa "}\n"
 
 enum { POINTS = 400, LOADS = 9 };
 static const double spacing_m = 5e-7;
@@ -32,7 +36,7 @@ static void write_scene(const struct directory *place, const char *in, const cha
 static int place_setup(void **state)
 {
     static struct directory place;
-    static const char *const folders[] = {"in", "smooth", "first", "second", "wave"};
+    static const char *const folders[] = {"in", "smooth", "first", "second", "harder", "wave"};
     place = directory_make();
     for (size_t i = 0; i < sizeof folders / sizeof *folders; i++)
         mkdir(directory_path(&place, folders[i]), 0777);
@@ -79,7 +83,16 @@ static void assert_factor(const struct table *table, size_t row, const char *col
         assert_near(table_number(table, row, column), expected, 1e-9);
 }
 
-/** Every model and both changes against reports of the low-passed scan and of its halves. */
+static bool is_plastic(const char *model)
+{
+    for (size_t m = 0; m < model_count; m++)
+        if (strcmp(model_rows[m]->name, model) == 0)
+            return model_rows[m]->plastic;
+    fail_msg("no model '%s'", model);
+    return false;
+}
+
+/** Every model and change against reports of the low-passed scan, of its halves and of a harder metal. */
 static void factors_are_those_of_separate_reports(void **state)
 {
     const struct directory *place = *state;
@@ -101,11 +114,12 @@ static void factors_are_those_of_separate_reports(void **state)
     write_scan(place, "smooth/a.csv", smooth, POINTS);
     write_scan(place, "first/a.csv", z, POINTS / 2);
     write_scan(place, "second/a.csv", z + POINTS / 2, POINTS / 2);
-    static const char *const folders[] = {"in", "smooth", "first", "second"};
-    char out[4][32];
-    for (int f = 0; f < 4; f++) {
+    write_scan(place, "harder/a.csv", z, POINTS);
+    static const char *const folders[] = {"in", "smooth", "first", "second", "harder"};
+    char out[5][32];
+    for (int f = 0; f < 5; f++) {
         snprintf(out[f], sizeof out[f], "out-%s", folders[f]);
-        write_scene(place, folders[f], "");
+        write_scene(place, folders[f], f < 4 ? METAL("1.4e7") : METAL("1.54e7"));
         assert_int_equal(pipeline_run(place, folders[f], out[f], 1), 0);
     }
     struct table table = table_read_path(directory_path(place, "out-in/data/sensitivity.csv"));
@@ -115,18 +129,25 @@ static void factors_are_those_of_separate_reports(void **state)
         const char *model = table_text(&table, row, "model"), *change = table_text(&table, row, "change");
         static const char *const columns[2][2] = {{"area_factor", "area_ratio"}, {"ecr_factor", "ecr_ohm_m2"}};
         for (int c = 0; c < 2; c++) {
-            double value[4];
-            for (int f = 0; f < 4; f++)
+            double value[5];
+            for (int f = 0; f < 5; f++)
                 value[f] = at_middle(place, out[f], model, columns[c][1]);
             bool cutoff = strcmp(change, "cut-off x2") == 0;
-            assert_true(cutoff || strcmp(change, "scan /2") == 0);
+            bool halved = strcmp(change, "scan /2") == 0;
+            assert_true(cutoff || halved || strcmp(change, "hardness x1.1") == 0);
+            assert_true(cutoff || halved || is_plastic(model));
             assert_factor(&table, row, columns[c][0],
-                          cutoff ? value[1] / value[0] : sqrt(value[2] * value[3]) / value[0]);
+                          cutoff   ? value[1] / value[0]
+                          : halved ? sqrt(value[2] * value[3]) / value[0]
+                                   : value[4] / value[0]);
             compared += isnan(value[0]) ? 0 : 1;
         }
         assert_string_not_equal(model, "contacting-slopes");
     }
-    assert_int_equal(table.rows, 2 * (model_count - 1));
+    size_t rows = 0;
+    for (size_t m = 0; m < model_count; m++)
+        rows += model_rows[m]->uses_heights ? 0 : model_rows[m]->plastic ? 3 : 2;
+    assert_int_equal(table.rows, rows);
     assert_true(compared > 20);
     table_free(&table);
 }
@@ -149,7 +170,7 @@ static void smooth_waves_do_not_change(void **state)
         const char *model = table_text(&table, row, "model");
         bool cutoff = strcmp(table_text(&table, row, "change"), "cut-off x2") == 0;
         bool persson = strcmp(model, "persson") == 0, two_band = strncmp(model, "two-band", 8) == 0;
-        if (!*table_text(&table, row, "area_factor"))
+        if (!*table_text(&table, row, "area_factor") || strstr(table_text(&table, row, "change"), "hardness"))
             continue;
         if (cutoff || persson || two_band) {
             assert_near(table_number(&table, row, "area_factor"), 1, 0.01);
