@@ -108,6 +108,7 @@ struct scene {
     struct scene_measured measured;
     struct scene_surface *surfaces;
     size_t surface_count;
+    char *passed_over; /* files of the directory that are no scans, a line a kind; NULL: none */
 };
 
 /** Overrides from the command line; NULL, or 0 for tolerance, means not given. */
