@@ -229,9 +229,9 @@ bool scan_reader_unpacks(const struct scan_reader *reader)
 
 enum status_code scan_fail_foreign(const struct scan_bytes *file, const struct foreign *foreign, struct status *status)
 {
-    bool vowel = strchr("AEIOUo", *foreign->name) != NULL;
-    return scan_fail(status, file, 0, "is %s %s, which is not read here; %s", vowel ? "an" : "a", foreign->name,
-                     foreign_remedy(foreign));
+    if (foreign->kind == FOREIGN_DOCUMENT && !foreign->remedy)
+        return scan_fail(status, file, 0, "it is no scan: %s", foreign->name);
+    return scan_fail(status, file, 0, "the format is not read here: %s; %s", foreign->name, foreign_remedy(foreign));
 }
 
 static enum status_code fail_binary(const struct scan_bytes *file, struct status *status)
