@@ -59,8 +59,9 @@ static void note_file(struct surface_summary *summary, const char *file, const c
         if (said > 0) {
             struct text notes = {0};
             size_t kept = (size_t)(line - summary->notes) +
-                          (said == 1 ? length : length - (size_t)snprintf(NULL, 0, " (and of %zu more scan%s)", said - 1,
-                                                                          said == 2 ? "" : "s"));
+                          (said == 1 ? length
+                                     : length - (size_t)snprintf(NULL, 0, " (and of %zu more scan%s)", said - 1,
+                                                                 said == 2 ? "" : "s"));
             text_add_bytes(&notes, summary->notes, kept);
             text_add(&notes, " (and of %zu more scan%s)%s", said, said == 1 ? "" : "s", line + length);
             if (!notes.failed) {
@@ -355,7 +356,8 @@ static enum status_code add_rows(struct surface_record *record, struct power_law
     char note[200], models[100] = "";
     if (run < used)
         snprintf(models, sizeof models, ", and %zu of them, evenly spaced, go through the models", run);
-    snprintf(note, sizeof note, "a map; its %zu %s were averaged as profiles for spectrum and fit%s", used, rows, models);
+    snprintf(note, sizeof note, "a map; its %zu %s were averaged as profiles for spectrum and fit%s", used, rows,
+             models);
     if (scan->kind == SCAN_AREAL)
         note_file(summary, file, note);
     if (unusable > 0)
@@ -545,8 +547,7 @@ static enum status_code cut_scan(struct repeat_set *cut, struct repeat *part, si
 }
 
 /** Scans of unlike lengths are cut to pieces of the shortest one's. */
-static enum status_code cut_to_shortest(struct surface_record *record, const struct scene *scene,
-                                        struct status *status)
+static enum status_code cut_to_shortest(struct surface_record *record, const struct scene *scene, struct status *status)
 {
     struct repeat_set *set = &record->repeats;
     size_t shortest = 0, longer = 0;

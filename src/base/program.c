@@ -56,8 +56,8 @@ void program_hold_signals(bool hold)
 static bool is_asked_to_stop(void)
 {
     sigset_t pending;
-    return stop || (sigpending(&pending) == 0 && (sigismember(&pending, SIGINT) || sigismember(&pending, SIGTERM) ||
-                                                  sigismember(&pending, SIGHUP)));
+    return stop || (sigpending(&pending) == 0 &&
+                    (sigismember(&pending, SIGINT) || sigismember(&pending, SIGTERM) || sigismember(&pending, SIGHUP)));
 }
 
 /* The environment with another HOME; the other strings stay environ's. NULL: out of memory. */
@@ -138,15 +138,16 @@ enum status_code program_run(char *const *arguments, const char *directory, doub
     free(home);
     if (error)
         return status_fail(status, STATUS_IO, "cannot start '%s': %s", arguments[0], strerror(error));
+    const char *slash = strrchr(arguments[0], '/'), *name = slash ? slash + 1 : arguments[0];
     bool ended = await(process, clock_seconds() + seconds);
     kill(-process, SIGKILL); /* and what it may have left running */
     while (waitpid(process, &how, 0) < 0 && errno == EINTR)
         ;
     if (!ended && is_asked_to_stop())
-        return status_fail(status, STATUS_INTERRUPTED, "'%s' was stopped by a signal", arguments[0]);
+        return status_fail(status, STATUS_INTERRUPTED, "'%s' was stopped by a signal", name);
     if (!ended)
-        return status_fail(status, STATUS_IO, "'%s' took more than %g s", arguments[0], seconds);
+        return status_fail(status, STATUS_IO, "'%s' took more than %g s", name, seconds);
     if (!WIFEXITED(how) || WEXITSTATUS(how) != 0)
-        return status_fail(status, STATUS_IO, "'%s' failed", arguments[0]);
+        return status_fail(status, STATUS_IO, "'%s' failed", name);
     return STATUS_OK;
 }

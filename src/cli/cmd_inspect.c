@@ -229,8 +229,8 @@ static void refuse(struct outcome *outcome, const struct arguments *arguments, c
     outcome->scans++;
     outcome->refused++;
     if (arguments->json)
-        json_array_append_new(outcome->all,
-                              json_pack("{s:o, s:o}", "file", inspection_text(path), "error", inspection_text(message)));
+        json_array_append_new(
+            outcome->all, json_pack("{s:o, s:o}", "file", inspection_text(path), "error", inspection_text(message)));
     else
         command_complain("", message);
 }

@@ -9,15 +9,42 @@ enum { FOREIGN_LOOKED_AT = 4096 };
 
 const char foreign_usual_remedy[] = "export it as text (x z columns), .sdf, .sur or .x3p";
 
-#define SCAN(name, remedy, magic)          {name, remedy, magic, sizeof(magic) - 1, 0, NULL, NULL, FOREIGN_SCAN}
-#define SCAN_NAMED(name, remedy, endings)  {name, remedy, NULL, 0, 0, endings, NULL, FOREIGN_SCAN}
-#define SCAN_BOTH(name, remedy, m, ending) {name, remedy, m, sizeof(m) - 1, 0, ending, NULL, FOREIGN_SCAN}
-#define SCAN_ZIP(name, remedy, entry)      {name, remedy, NULL, 0, 0, NULL, entry, FOREIGN_SCAN}
-#define SCAN_ZIP_NAMED(name, remedy, end)  {name, remedy, "PK\3\4", 4, 0, end, NULL, FOREIGN_SCAN}
-#define OTHER(name, magic)                 {name, NULL, magic, sizeof(magic) - 1, 0, NULL, NULL, FOREIGN_DOCUMENT}
-#define OTHER_AT(name, magic, offset)      {name, NULL, magic, sizeof(magic) - 1, offset, NULL, NULL, FOREIGN_DOCUMENT}
-#define OTHER_BOTH(name, magic, endings)   {name, NULL, magic, sizeof(magic) - 1, 0, endings, NULL, FOREIGN_DOCUMENT}
-#define OTHER_ZIP(name, remedy, entry)     {name, remedy, NULL, 0, 0, NULL, entry, FOREIGN_DOCUMENT}
+#define SCAN(name, remedy, magic)                                                                                      \
+    {                                                                                                                  \
+        name, remedy, magic, sizeof(magic) - 1, 0, NULL, NULL, FOREIGN_SCAN                                            \
+    }
+#define SCAN_NAMED(name, remedy, endings)                                                                              \
+    {                                                                                                                  \
+        name, remedy, NULL, 0, 0, endings, NULL, FOREIGN_SCAN                                                          \
+    }
+#define SCAN_BOTH(name, remedy, m, ending)                                                                             \
+    {                                                                                                                  \
+        name, remedy, m, sizeof(m) - 1, 0, ending, NULL, FOREIGN_SCAN                                                  \
+    }
+#define SCAN_ZIP(name, remedy, entry)                                                                                  \
+    {                                                                                                                  \
+        name, remedy, NULL, 0, 0, NULL, entry, FOREIGN_SCAN                                                            \
+    }
+#define SCAN_ZIP_NAMED(name, remedy, end)                                                                              \
+    {                                                                                                                  \
+        name, remedy, "PK\3\4", 4, 0, end, NULL, FOREIGN_SCAN                                                          \
+    }
+#define OTHER(name, magic)                                                                                             \
+    {                                                                                                                  \
+        name, NULL, magic, sizeof(magic) - 1, 0, NULL, NULL, FOREIGN_DOCUMENT                                          \
+    }
+#define OTHER_AT(name, magic, offset)                                                                                  \
+    {                                                                                                                  \
+        name, NULL, magic, sizeof(magic) - 1, offset, NULL, NULL, FOREIGN_DOCUMENT                                     \
+    }
+#define OTHER_BOTH(name, magic, endings)                                                                               \
+    {                                                                                                                  \
+        name, NULL, magic, sizeof(magic) - 1, 0, endings, NULL, FOREIGN_DOCUMENT                                       \
+    }
+#define OTHER_ZIP(name, remedy, entry)                                                                                 \
+    {                                                                                                                  \
+        name, remedy, NULL, 0, 0, NULL, entry, FOREIGN_DOCUMENT                                                        \
+    }
 
 #define SHEET   "save the sheet with the scan as CSV (x z columns)"
 #define BY_GWY  "open it in Gwyddion and save it as .gwy, or export it there as text or .sdf"
@@ -100,15 +127,16 @@ static const struct foreign rows[] = {
     OTHER_AT("film", "ftyp", 4),
     OTHER_BOTH("film", "RIFF", ".avi"),
     OTHER("Windows program", "MZ\x90\0"),
-    OTHER("program", "\x7f" "ELF"),
+    OTHER("program", "\x7f"
+                     "ELF"),
     OTHER_BOTH("shortcut", "L\0\0\0\1\x14\2\0", ".lnk"),
     OTHER("SQLite database", "SQLite format 3"),
 };
 
 /* A TIFF may be a picture or a map: Park's tag tells. */
 static const struct foreign tiff_park = {"Park Systems TIFF", BY_GWY, NULL, 0, 0, NULL, NULL, FOREIGN_SCAN};
-static const struct foreign tiff_picture = {
-    "TIFF picture", "if it holds heights, " BY_GWY, NULL, 0, 0, NULL, NULL, FOREIGN_DOCUMENT};
+static const struct foreign tiff_picture = {"TIFF picture",  "if it holds heights, " BY_GWY, NULL, 0, 0, NULL, NULL,
+                                            FOREIGN_DOCUMENT};
 
 bool foreign_is_binary(const struct scan_bytes *file)
 {

@@ -35,7 +35,7 @@ static enum status_code convert(struct text *out, const char *program, const cha
     if (code == STATUS_OK)
         code = text_read_file(out, strchr(option, '=') + 1, &problem);
     free(option);
-    return code == STATUS_IO ? status_fail(status, STATUS_SCAN, "Gwyddion cannot convert it (%s)", problem.message)
+    return code == STATUS_IO   ? status_fail(status, STATUS_SCAN, "Gwyddion cannot convert it: %s", problem.message)
            : code != STATUS_OK ? status_fail(status, code, "%s", problem.message)
                                : STATUS_OK;
 }

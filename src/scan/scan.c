@@ -299,10 +299,11 @@ enum status_code scan_read_bytes(struct scan *out, const struct scan_bytes *file
 }
 
 /* Texts of these names are no scans, whatever numbers are in them. */
-static const char other_endings[] =
-    ".md .rst .tex .html .htm .css .js .py .ipynb .m .r .rmd .jl .c .h .cpp .hpp .sh .bat .ps1 .cmake .gp .toml .ini .cfg "
-    ".yaml .yml .svg .url .bib .log";
-static const char *const other_names[] = {"readme", "license", "licence", "copying", "changelog", "authors", "makefile"};
+static const char other_endings[] = ".md .rst .tex .html .htm .css .js .py .ipynb .m .r .rmd .jl .c .h .cpp .hpp .sh "
+                                    ".bat .ps1 .cmake .gp .toml .ini .cfg "
+                                    ".yaml .yml .svg .url .bib .log";
+static const char *const other_names[] = {"readme",    "license", "licence", "copying",
+                                          "changelog", "authors", "makefile"};
 /* And these are scans, or damaged ones, even without numbers. */
 static const char table_endings[] = ".csv .tsv .dat .asc .xyz .prf .prn .pro .sdf .smd .gsf .grd .sur .al3d";
 

@@ -49,8 +49,8 @@ struct scan_options {
     const char *x_unit, *z_unit;     /* a unit of length; of slopes: rad, mrad, urad, nrad, um/mm, ..., or 1 */
     enum scan_quantity quantity;     /* slopes are read only where this says so */
     const char *x_column, *z_column; /* of a table of text: a number, from 1, or a title; else the header decides */
-    size_t entry;                    /* of an archive of several scans: 0 the first, then next_entry of the one before */
-    const struct sidecar *sidecar;   /* set by scan_read_beside() */
+    size_t entry;                  /* of an archive of several scans: 0 the first, then next_entry of the one before */
+    const struct sidecar *sidecar; /* set by scan_read_beside() */
 };
 
 /** The bytes of a file in memory; `bytes[length]` is readable and 0. */

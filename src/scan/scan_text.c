@@ -282,7 +282,8 @@ static enum status_code read_table(struct table *table, struct status *status)
     table->text = text_of(table->file);
     struct lines lines = lines_begin(table->text), before = lines;
     struct string_view above = {NULL, NULL};
-    size_t above_line = 0, skipped = table->options && table->options->sidecar ? table->options->sidecar->header.lines : 0;
+    size_t above_line = 0,
+           skipped = table->options && table->options->sidecar ? table->options->sidecar->header.lines : 0;
     for (struct string_view line; lines_next(&lines, &line); before = lines) {
         bool comment;
         struct string_view content = text_header_uncomment(line, &comment);

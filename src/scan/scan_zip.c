@@ -108,7 +108,8 @@ static enum status_code look(struct survey *out, const struct archive *archive, 
         if (code != STATUS_OK)
             return code;
         if (out->bytes > ARCHIVE_MOST_BYTES)
-            return scan_fail(status, archive->file, 0, "the archive unpacks to more than %d MiB; unpack it, or split it",
+            return scan_fail(status, archive->file, 0,
+                             "the archive unpacks to more than %d MiB; unpack it, or split it",
                              ARCHIVE_MOST_BYTES >> 20);
     }
     return STATUS_OK;
@@ -156,8 +157,8 @@ static enum status_code read_archive(struct scan *out, const struct archive *arc
     struct survey survey = {.scans = 0};
     size_t count = archive_count(archive);
     if (count > ZIP_ENTRIES)
-        return scan_fail(status, archive->file, 0, "%zu files in the archive; at most %d: unpack it, or split it", count,
-                         ZIP_ENTRIES);
+        return scan_fail(status, archive->file, 0, "%zu files in the archive; at most %d: unpack it, or split it",
+                         count, ZIP_ENTRIES);
     bool first = options->entry == 0;
     if (first && look(&survey, archive, status) != STATUS_OK)
         return status->code;

@@ -68,7 +68,8 @@ static void test_passed_over(void **state)
     /* an instrument's file that is not read is no such thing */
     write_bytes(place, "d/w.opd", "\1\0Directory\0\0\0", 14);
     process = expect_exit(place, 1, "plan", "d");
-    expect_part(process.err, "surface 'w' refused: w.opd: the format is not read here: Wyko OPD file; export it in Vision");
+    expect_part(process.err,
+                "surface 'w' refused: w.opd: the format is not read here: Wyko OPD file; export it in Vision");
     process_free(&process);
 
     workspace_write(place, "d/scene.yaml", "surfaces: [{file: 1.csv}, {file: photo.jpg}]\n");
@@ -77,7 +78,8 @@ static void test_passed_over(void **state)
     expect_no_part(process.err, "passed over");
     process_free(&process);
     workspace_write(place, "e/README.md", "nothing yet\n");
-    expect_failure(place, 4, 2, "passed over, no scan: 1 x text (README.md)\nroughcontact: no scan in 'e'", "report", "e");
+    expect_failure(place, 4, 2, "passed over, no scan: 1 x text (README.md)\nroughcontact: no scan in 'e'", "report",
+                   "e");
 }
 
 /* What every scan of a surface says in the same words is said once. */
@@ -118,10 +120,11 @@ static void test_packed(void **state)
     workspace_scan(place, "1.csv", 200, 1);
     workspace_scan(place, "2.csv", 200, 2);
     workspace_scan(place, "3.csv", 200, 3);
-    struct process process = process_end(process_start_list(
-        place, (const char *const[]){CMAKE_PROGRAM, "-E", "tar", "cf", "three.zip", "--format=zip", "1.csv", "2.csv",
-                                     "3.csv", NULL},
-        NULL));
+    struct process process =
+        process_end(process_start_list(place,
+                                       (const char *const[]){CMAKE_PROGRAM, "-E", "tar", "cf", "three.zip",
+                                                             "--format=zip", "1.csv", "2.csv", "3.csv", NULL},
+                                       NULL));
     assert_int_equal(process.status, 0);
     process_free(&process);
     process = process_end(process_start_list(place, (const char *const[]){"gzip", "1.csv", NULL}, NULL));
@@ -153,7 +156,8 @@ static void test_packed(void **state)
     process_free(&process);
     process = expect_exit(place, 0, "report", "--no-cost", "f");
     process_free(&process);
-    char *packed = workspace_read(place, "out/z/data/contact.csv"), *files = workspace_read(place, "out/f/data/contact.csv");
+    char *packed = workspace_read(place, "out/z/data/contact.csv"),
+         *files = workspace_read(place, "out/f/data/contact.csv");
     assert_string_equal(packed, files);
     free(packed);
     free(files);

@@ -110,10 +110,18 @@ static void test_others(void **state)
         const char *path, *content;
         bool other;
     } texts[] = {
-        {"dir/README", "1 2\n3 4\n", true},      {"readme.txt", "1 2\n", true},    {"readmission.csv", "1 2\n", false},
-        {"a.py", "0.5, 1\n", true},              {"a.MD", "1 2\n3 4\n", true},     {"notes.txt", "by hand\n", true},
-        {"notes.txt", "by hand\n1 2\n", false},  {"a.csv", "by hand\n", false},    {"scan", "by hand\n", false},
-        {"a.txt", "", false},                    {"a.dat", "\0\1\2", false},       {"a.txt", "# 1 2\n", true},
+        {"dir/README", "1 2\n3 4\n", true},
+        {"readme.txt", "1 2\n", true},
+        {"readmission.csv", "1 2\n", false},
+        {"a.py", "0.5, 1\n", true},
+        {"a.MD", "1 2\n3 4\n", true},
+        {"notes.txt", "by hand\n", true},
+        {"notes.txt", "by hand\n1 2\n", false},
+        {"a.csv", "by hand\n", false},
+        {"scan", "by hand\n", false},
+        {"a.txt", "", false},
+        {"a.dat", "\0\1\2", false},
+        {"a.txt", "# 1 2\n", true},
     };
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
         struct scan_bytes file = {texts[i].content, strlen(texts[i].content), texts[i].path};

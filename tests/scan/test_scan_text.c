@@ -302,7 +302,8 @@ static void test_missing(void **state)
 static void test_counts(void **state)
 {
     (void)state;
-    static const char *const texts[] = {"4\n" "0 0.5\n1 -1.25\n2 2.75\n3 0.125\n",
+    static const char *const texts[] = {"4\n"
+                                        "0 0.5\n1 -1.25\n2 2.75\n3 0.125\n",
                                         "title\n4\n\n0,0.5\n1,-1.25\n2,2.75\n3,0.125\n",
                                         "4,\n0,0.5,\n1,-1.25,\n2,2.75,\n3,0.125,\n"};
     for (size_t k = 0; k < sizeof texts / sizeof *texts; k++)

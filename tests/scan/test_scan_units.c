@@ -386,6 +386,17 @@ static void test_dabam(void **state)
         "{\"FILE_FORMAT\": 4, \"X1_FACTOR\": 1, \"Y1_FACTOR\": 1, \"X2_FACTOR\": 0.001, \"Y2_FACTOR\": 1e-10,\n"
         "\"PLOT_TITLE_Y2\": \"heights\"}");
     expect_units(&pair, "A", "s.txt");
+    /* numbers as strings; lines of the header that look like points */
+    put("s.txt",
+        "{\"FILE_FORMAT\": \"2\", \"FILE_HEADER_LINES\": \"3\", \"X1_FACTOR\": \"1e-3\", \"Y1_FACTOR\": 1e-9}");
+    put("s.dat", "7 8 9\n2 4\n1 1\n0 0\n1 2\n2 4\n3 6\n");
+    expect_units(&no_units, "nm", "s.txt");
+    assert_int_equal(take(&scan, "s.dat", &no_units, &status), STATUS_OK);
+    assert_int_equal(scan.nx, 4);
+    assert_within(scan.z_m[3], 6e-9, 1e-22);
+    scan_free(&scan);
+    put("s.txt", "{\"FILE_FORMAT\": 2, \"FILE_HEADER_LINES\": 0, \"X1_FACTOR\": 1e-3, \"Y1_FACTOR\": 1e-9}");
+    expect_refusal(&no_units, "s.dat:2: 2 columns where line 1 has 3");
 }
 
 /* A sidecar cut off anywhere gives units or none; the sanitizers watch the rest. */

@@ -71,10 +71,8 @@ static inline struct text gzip(const char *bytes, size_t length)
     struct text text = {0};
     uLong room = compressBound(length) + 64;
     Bytef *packed = malloc(room);
-    z_stream stream = {.next_in = (Bytef *)(uintptr_t)bytes,
-                       .avail_in = (uInt)length,
-                       .next_out = packed,
-                       .avail_out = (uInt)room};
+    z_stream stream = {
+        .next_in = (Bytef *)(uintptr_t)bytes, .avail_in = (uInt)length, .next_out = packed, .avail_out = (uInt)room};
     assert_non_null(packed);
     assert_int_equal(deflateInit2(&stream, 9, Z_DEFLATED, 16 + MAX_WBITS, 8, Z_DEFAULT_STRATEGY), Z_OK);
     assert_int_equal(deflate(&stream, Z_FINISH), Z_STREAM_END);

@@ -126,8 +126,8 @@ static void test_files_spoken_for(void **state)
     scene_directory_remove(&directory);
 }
 
-/* Files that only say units of a scan beside them are no surfaces; alone they are passed over, with numbers in them they
- * are surfaces. */
+/* Files that only say units of a scan beside them are no surfaces; alone they are passed over, with numbers in them
+ * they are surfaces. */
 static void test_sidecars(void **state)
 {
     (void)state;
