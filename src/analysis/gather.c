@@ -31,13 +31,57 @@ void gather_note(struct surface_summary *summary, const char *format, ...)
     }
 }
 
+/** How many scans said `message` by this line, "file: message" or "file: message (and of N more scans)"; 0: none. */
+static size_t count_said(const char *line, size_t length, const char *message)
+{
+    size_t own = strlen(message);
+    const char *found = NULL;
+    for (const char *at = line; at + own + 2 <= line + length; at++)
+        if (memcmp(at, ": ", 2) == 0 && memcmp(at + 2, message, own) == 0)
+            found = at + 2 + own;
+    size_t more = 0;
+    int end = 0;
+    if (!found)
+        return 0;
+    if (found == line + length)
+        return 1;
+    if (sscanf(found, " (and of %zu more scan%n", &more, &end) != 1 || end == 0)
+        return 0;
+    end += found[end] == 's';
+    return found[end] == ')' && found + end + 1 == line + length ? more + 1 : 0;
+}
+
+/** Notes what is said of one scan; what was said of others in the same words is counted there. */
+static void note_file(struct surface_summary *summary, const char *file, const char *message)
+{
+    for (const char *line = summary->notes; line && *line;) {
+        size_t length = strcspn(line, "\n"), said = count_said(line, length, message);
+        if (said > 0) {
+            struct text notes = {0};
+            size_t kept = (size_t)(line - summary->notes) +
+                          (said == 1 ? length
+                                     : length - (size_t)snprintf(NULL, 0, " (and of %zu more scan%s)", said - 1,
+                                                                 said == 2 ? "" : "s"));
+            text_add_bytes(&notes, summary->notes, kept);
+            text_add(&notes, " (and of %zu more scan%s)%s", said, said == 1 ? "" : "s", line + length);
+            if (!notes.failed) {
+                free(summary->notes);
+                summary->notes = notes.data;
+            }
+            return;
+        }
+        line += length + (line[length] == '\n');
+    }
+    gather_note(summary, "%s: %s", file, message);
+}
+
 static void note_scan(struct surface_summary *summary, const struct scan *scan, const struct profile *profile,
                       const char *file)
 {
     for (size_t w = 0; w < scan->warning_count; w++)
-        gather_note(summary, "%s: %s", file, scan->warnings[w]);
+        note_file(summary, file, scan->warnings[w]);
     for (size_t n = 0; n < profile->note_count; n++)
-        gather_note(summary, "%s: %s", file, profile->notes[n]);
+        note_file(summary, file, profile->notes[n]);
 }
 
 /** The profile thinned for its chart: of every run of points the lowest and the highest, in their order. */
@@ -244,27 +288,29 @@ static bool keeps_direct(const struct surface_record *record, const struct scene
 }
 
 /** One scan more, of which nothing is known yet. */
-static enum status_code add_scan(struct repeat_set *set, struct status *status)
+static enum status_code add_scan(struct repeat_set *set, const char *file, struct status *status)
 {
     struct repeats_scan *scans = reallocarray(set->scans, set->scan_count + 1, sizeof *scans);
     if (!scans)
         return status_memory(status);
     set->scans = scans;
-    set->scans[set->scan_count++] = (struct repeats_scan){.weight = 1};
+    set->scans[set->scan_count++] = (struct repeats_scan){.file = file, .weight = 1};
     return STATUS_OK;
 }
 
 /** Every row of a scan (a profile has one) into the surface. A row of a map that cannot be used (all missing, flat) is
  * left out and counted; the map is refused when none is left. */
 static enum status_code add_rows(struct surface_record *record, struct power_law_scans *scans, const struct scan *scan,
-                                 const struct scene *scene, const char *file, struct status *status)
+                                 const struct scene *scene, const char *scene_file, struct status *status)
 {
+    char file[512];
     struct surface_summary *summary = &record->summary;
     const struct profile_options how = gather_profile_options(scene);
     size_t unusable = 0, run_before = record->repeats.count, heights_before = summary->heights;
     struct status first = {0};
-    if (add_scan(&record->repeats, status) != STATUS_OK)
+    if (add_scan(&record->repeats, scene_file, status) != STATUS_OK)
         return status->code;
+    snprintf(file, sizeof file, *scan->part ? "%.400s(%s)" : "%.400s%s", scene_file, scan->part);
     for (size_t row = 0; row < scan->ny; row++) {
         struct profile profile;
         struct status problem = {0};
@@ -307,13 +353,13 @@ static enum status_code add_rows(struct surface_record *record, struct power_law
     own->point_count = summary->heights - heights_before;
     size_t run = record->repeats.count - run_before, used = scan->ny - unusable;
     const char *rows = scene->direction == SCAN_DIRECTION_X ? "rows" : "columns";
-    if (scan->kind == SCAN_AREAL && run < used)
-        gather_note(summary,
-                    "%s: a map; its %zu %s were averaged as profiles for spectrum and fit, and %zu of them, "
-                    "evenly spaced, go through the models",
-                    file, used, rows, run);
-    else if (scan->kind == SCAN_AREAL)
-        gather_note(summary, "%s: a map; its %zu %s were averaged as profiles for spectrum and fit", file, used, rows);
+    char note[200], models[100] = "";
+    if (run < used)
+        snprintf(models, sizeof models, ", and %zu of them, evenly spaced, go through the models", run);
+    snprintf(note, sizeof note, "a map; its %zu %s were averaged as profiles for spectrum and fit%s", used, rows,
+             models);
+    if (scan->kind == SCAN_AREAL)
+        note_file(summary, file, note);
     if (unusable > 0)
         gather_note(summary, "%s: %zu %s%s left out, the first because %s", file, unusable,
                     scene->direction == SCAN_DIRECTION_X ? "row" : "column", unusable == 1 ? "" : "s", first.message);
@@ -330,13 +376,22 @@ struct profile_options gather_profile_options(const struct scene *scene)
                                     .periodic_mean = !scene->level_given};
 }
 
+static enum status_code hash_file(struct hash *hash, const char *path, struct status *status)
+{
+    struct text bytes = {0};
+    enum status_code rc = text_read_file(&bytes, path, status);
+    if (rc == STATUS_OK)
+        hash_add(hash, bytes.data, bytes.length);
+    text_free(&bytes);
+    return rc;
+}
+
 enum status_code gather_file(struct surface_record *record, struct power_law_scans *scans, const struct scene *scene,
                              const struct scene_surface *surface, const char *file, struct hash *hash,
                              struct status *status)
 {
     struct surface_summary *summary = &record->summary;
     struct text bytes = {0};
-    struct scan scan = {0};
     char *path = scene_file_path(scene, file);
     if (!path)
         return status_memory(status);
@@ -348,25 +403,28 @@ enum status_code gather_file(struct surface_record *record, struct power_law_sca
 
     double started = clock_seconds();
     enum status_code rc = text_read_file(&bytes, path, status);
-    if (rc == STATUS_OK) {
+    if (rc == STATUS_OK)
         hash_add(hash, bytes.data, bytes.length);
+    for (bool more = rc == STATUS_OK; more;) { /* an archive may hold several */
+        struct scan scan = {0};
         struct scan_bytes content = {bytes.data, bytes.length, file};
         rc = scan_read_beside(&scan, &content, path, &options, status);
+        if (rc == STATUS_OK && scan.sidecar && options.entry == 0)
+            rc = hash_file(hash, scan.sidecar, status); /* what it says changes the numbers too */
+        if (rc == STATUS_OK && scan.kind == SCAN_AREAL && scene->direction == SCAN_DIRECTION_Y)
+            rc = scan_transpose(&scan, status);
+        summary->times.read += clock_seconds() - started;
+        if (rc == STATUS_OK) {
+            snprintf(summary->format, sizeof summary->format, "%s", scan.format);
+            snprintf(summary->units, sizeof summary->units, "x %s, z %s", scan.x_unit, scan.z_unit);
+            rc = add_rows(record, scans, &scan, scene, file, status);
+        }
+        options.entry = scan.next_entry;
+        more = rc == STATUS_OK && options.entry > 0;
+        scan_free(&scan);
+        started = clock_seconds();
     }
     text_free(&bytes);
-    if (rc == STATUS_OK && scan.sidecar && (rc = text_read_file(&bytes, scan.sidecar, status)) == STATUS_OK) {
-        hash_add(hash, bytes.data, bytes.length); /* what it says changes the numbers too */
-        text_free(&bytes);
-    }
-    if (rc == STATUS_OK && scan.kind == SCAN_AREAL && scene->direction == SCAN_DIRECTION_Y)
-        rc = scan_transpose(&scan, status);
-    summary->times.read += clock_seconds() - started;
-    if (rc == STATUS_OK) {
-        snprintf(summary->format, sizeof summary->format, "%s", scan.format);
-        snprintf(summary->units, sizeof summary->units, "x %s, z %s", scan.x_unit, scan.z_unit);
-        rc = add_rows(record, scans, &scan, scene, file, status);
-    }
-    scan_free(&scan);
     free(path);
     return rc;
 }
@@ -379,7 +437,7 @@ static void note_counterface(struct surface_summary *summary, const struct surfa
         size_t length = strcspn(line, "\n");
         for (size_t f = 0; f < scene->file_count; f++) {
             size_t name = strlen(scene->files[f]);
-            if (length > name && strncmp(line, scene->files[f], name) == 0 && line[name] == ':') {
+            if (length > name && strncmp(line, scene->files[f], name) == 0 && strchr(":(", line[name])) {
                 gather_note(summary, "counterface %.*s", (int)length, line);
                 break;
             }
@@ -489,8 +547,7 @@ static enum status_code cut_scan(struct repeat_set *cut, struct repeat *part, si
 }
 
 /** Scans of unlike lengths are cut to pieces of the shortest one's. */
-static enum status_code cut_to_shortest(struct surface_record *record, const struct scene *scene,
-                                        const char *const *files, struct status *status)
+static enum status_code cut_to_shortest(struct surface_record *record, const struct scene *scene, struct status *status)
 {
     struct repeat_set *set = &record->repeats;
     size_t shortest = 0, longer = 0;
@@ -508,7 +565,7 @@ static enum status_code cut_to_shortest(struct surface_record *record, const str
     if (interval_shortest_is_odd(length_m, set->count))
         gather_note(&record->summary,
                     "%s is less than half as long as the others, which are all cut to its length; leave it out",
-                    files[set->parts[shortest].scan]);
+                    set->scans[set->parts[shortest].scan].file);
     free(length_m);
     struct repeat_set cut = {.scans = set->scans, .scan_count = set->scan_count};
     enum status_code rc = STATUS_OK;
@@ -537,7 +594,7 @@ static enum status_code cut_to_shortest(struct surface_record *record, const str
 }
 
 enum status_code gather_conclude(struct surface_record *record, struct power_law_scans *scans,
-                                 const struct scene *scene, const char *const *files, struct status *status)
+                                 const struct scene *scene, struct status *status)
 {
     struct repeat_set *set = &record->repeats;
     bool profiles = true;
@@ -557,7 +614,7 @@ enum status_code gather_conclude(struct surface_record *record, struct power_law
     }
     if (set->count == 1)
         return keep_single(record, scene, status);
-    if (profiles && cut_to_shortest(record, scene, files, status) != STATUS_OK)
+    if (profiles && cut_to_shortest(record, scene, status) != STATUS_OK)
         return status->code;
     for (size_t p = 0; p < set->count; p++) {
         free(set->parts[p].height_m);

@@ -29,7 +29,7 @@ MUST_CHECK enum status_code gather_counterface(struct surface_record *record, st
  * one independent scan) is the surface itself; of several profiles the longer ones are cut to pieces as long as the
  * shortest. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code gather_conclude(struct surface_record *record, struct power_law_scans *scans,
-                                            const struct scene *scene, const char *const *files, struct status *status);
+                                            const struct scene *scene, struct status *status);
 
 /** Puts the scans to be run alone on the mean's grid and lets them say how far they differ. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code gather_describe_repeats(struct surface_record *record, const struct scene *scene,

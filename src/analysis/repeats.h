@@ -26,6 +26,7 @@ struct repeat {
 
 /** A file. */
 struct repeats_scan {
+    const char *file;                /* of the scene, which holds it */
     double weight;                   /* lengths of the shortest scan that it holds */
     size_t first_point, point_count; /* of the surface's slope_points, where those are kept */
 };

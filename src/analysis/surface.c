@@ -426,7 +426,7 @@ enum status_code surface_describe(struct surface_record *out, const struct scene
         rc = gather_file(out, &scans, scene, surface, files[f], &hash, &problem);
     hash_finish(&hash, summary->hash);
     if (rc == STATUS_OK)
-        rc = gather_conclude(out, &scans, scene, files, &problem);
+        rc = gather_conclude(out, &scans, scene, &problem);
     free(files);
     if (rc == STATUS_OK) {
         summary->usable = true;

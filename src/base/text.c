@@ -156,31 +156,33 @@ void text_free(struct text *text)
     *text = (struct text){0};
 }
 
-enum status_code text_read_file(struct text *text, const char *path, struct status *status)
+enum status_code text_read_stream(struct text *text, FILE *file, const char *name, struct status *status)
 {
-    FILE *file = fopen(path, "rb");
-    if (!file)
-        return status_fail(status, STATUS_IO, "cannot open '%s': %s", path, strerror(errno));
     struct stat info;
     if (fstat(fileno(file), &info) == 0 && S_ISREG(info.st_mode))
         text_reserve(text, (size_t)info.st_size + 1);
     for (;;) {
-        if (!text_reserve(text, 65536)) {
-            fclose(file);
+        if (!text_reserve(text, 65536))
             return status_memory(status);
-        }
         size_t got = fread(text->data + text->length, 1, text->capacity - text->length - 1, file);
         text->length += got;
         text->data[text->length] = '\0';
         if (got == 0)
             break;
     }
-    bool bad = ferror(file) != 0;
-    int reason = errno;
-    fclose(file);
-    if (bad)
-        return status_fail(status, STATUS_IO, "cannot read '%s': %s", path, strerror(reason));
+    if (ferror(file))
+        return status_fail(status, STATUS_IO, "cannot read '%s': %s", name, strerror(errno));
     return STATUS_OK;
+}
+
+enum status_code text_read_file(struct text *text, const char *path, struct status *status)
+{
+    FILE *file = fopen(path, "rb");
+    if (!file)
+        return status_fail(status, STATUS_IO, "cannot open '%s': %s", path, strerror(errno));
+    enum status_code code = text_read_stream(text, file, path, status);
+    fclose(file);
+    return code;
 }
 
 enum status_code text_write_file(const char *path, const char *bytes, size_t length, struct status *status)

@@ -1,4 +1,5 @@
 #include "chart/gnuplot.h"
+#include "base/program.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -23,25 +24,9 @@ static double monotonic_seconds(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/* Absolute elements of PATH only: the child changes its directory before it runs the program. */
-static bool gnuplot_find(char *out, size_t size)
-{
-    const char *path = getenv("PATH");
-    while (path && *path) {
-        size_t length = strcspn(path, ":");
-        int written = snprintf(out, size, "%.*s/gnuplot", (int)length, path);
-        struct stat info;
-        if (*path == '/' && written > 0 && (size_t)written < size && access(out, X_OK) == 0 && stat(out, &info) == 0 &&
-            S_ISREG(info.st_mode))
-            return true;
-        path += length + (path[length] == ':');
-    }
-    return false;
-}
-
 static enum status_code gnuplot_need(char *program, size_t size, struct status *status)
 {
-    if (gnuplot_find(program, size))
+    if (program_find(program, size, "gnuplot"))
         return STATUS_OK;
     return status_fail(status, STATUS_CHART, "no gnuplot in PATH to draw the charts: install the package gnuplot-nox");
 }

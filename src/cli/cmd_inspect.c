@@ -1,6 +1,7 @@
 #include "chart/gnuplot.h"
 #include "cli/command.h"
 #include "cli/inspection.h"
+#include "scene/scene.h"
 
 #include <argp.h>
 #include <jansson.h>
@@ -9,6 +10,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 struct arguments {
@@ -216,45 +218,142 @@ static enum status_code draw(const struct inspection *f, struct status *status)
     return rc;
 }
 
+/** What was looked at so far. */
+struct outcome {
+    json_t *all;
+    size_t scans, refused;
+};
+
+static void refuse(struct outcome *outcome, const struct arguments *arguments, const char *path, const char *message)
+{
+    outcome->scans++;
+    outcome->refused++;
+    if (arguments->json)
+        json_array_append_new(
+            outcome->all, json_pack("{s:o, s:o}", "file", inspection_text(path), "error", inspection_text(message)));
+    else
+        command_complain("", message);
+}
+
+static void show(struct outcome *outcome, const struct arguments *arguments, const char *path,
+                 const struct inspection *inspection)
+{
+    struct status chart = {0};
+    outcome->scans++;
+    if (arguments->json) {
+        json_t *json = json_pack("{s:o}", "file", inspection_text(path));
+        inspection_add_json(json, inspection);
+        json_array_append_new(outcome->all, json);
+        return;
+    }
+    inspection_print(path, inspection);
+    bool wanted = !arguments->no_chart && (arguments->chart || isatty(STDOUT_FILENO));
+    if (wanted && inspection->profile.points > 0 && inspection->spectrum.count > 0 &&
+        draw(inspection, &chart) != STATUS_OK)
+        command_complain("no charts: ", chart.message);
+}
+
+/** The scans of a file, or of `bytes` where they are not NULL: one, but for archives. */
+static void inspect_file(struct outcome *outcome, const struct arguments *arguments, const char *path,
+                         const struct scan_bytes *bytes, struct scan_options how)
+{
+    do {
+        struct status status = {0};
+        struct inspection inspection;
+        struct text name = {0};
+        enum status_code code =
+            inspection_make(&inspection, path, bytes, &how, &arguments->how, arguments->fit, &status);
+        const char *part = inspection.scan.part;
+        text_add(&name, *part ? "%s(%s)" : "%s%s", path, part);
+        if (code == STATUS_OK)
+            show(outcome, arguments, text_string(&name), &inspection);
+        else
+            refuse(outcome, arguments, text_string(&name), status.message);
+        how.entry = inspection.scan.next_entry;
+        text_free(&name);
+        inspection_free(&inspection);
+    } while (how.entry > 0);
+}
+
+static void inspect_input(struct outcome *outcome, const struct arguments *arguments)
+{
+    struct status status = {0};
+    struct text text = {0};
+    if (text_read_stream(&text, stdin, "-", &status) == STATUS_OK)
+        inspect_file(outcome, arguments, "-", &(struct scan_bytes){text_string(&text), text.length, "-"},
+                     arguments->scan);
+    else
+        refuse(outcome, arguments, "-", status.message);
+    text_free(&text);
+}
+
+/** Where the command line says nothing the scene does. */
+static struct scan_options options_of(const struct arguments *arguments, const struct scene_surface *surface)
+{
+    struct scan_options how = arguments->scan;
+    how.x_unit = how.x_unit ? how.x_unit : surface->x_unit;
+    how.z_unit = how.z_unit ? how.z_unit : surface->z_unit;
+    how.quantity = how.quantity != SCAN_HEIGHT ? how.quantity : surface->quantity;
+    if (!how.z_column) {
+        how.x_column = surface->x_column;
+        how.z_column = surface->z_column;
+    }
+    return how;
+}
+
+/** The scans of a directory, as a report would read them. */
+static void inspect_directory(struct outcome *outcome, const struct arguments *arguments, const char *path)
+{
+    struct status status = {0};
+    struct scene scene;
+    enum status_code code = scene_read(&scene, path, NULL, &status);
+    if (code == STATUS_OK && scene.passed_over)
+        fprintf(stderr, "%s\n", scene.passed_over);
+    if (code == STATUS_OK && scene.surface_count == 0)
+        code = status_fail(&status, STATUS_SCAN, "no scan in '%s'", path);
+    if (code != STATUS_OK)
+        refuse(outcome, arguments, path, status.message);
+    for (size_t i = 0; code == STATUS_OK && i < scene.surface_count; i++) {
+        const struct scene_surface *surface = &scene.surfaces[i];
+        for (size_t f = 0; f < surface->file_count; f++) {
+            char *file = scene_file_path(&scene, surface->files[f]);
+            if (file)
+                inspect_file(outcome, arguments, file, NULL, options_of(arguments, surface));
+            else
+                refuse(outcome, arguments, surface->files[f], "out of memory");
+            free(file);
+        }
+    }
+    scene_free(&scene);
+}
+
 int command_inspect(int argc, char **argv)
 {
     static const struct argp argp = {
         .options = options,
         .parser = parse,
-        .args_doc = "FILE...",
-        .doc = "Says what is in each scan: format, points, spacing, units, roughness, power law."};
+        .args_doc = "FILE|DIR|-...",
+        .doc = "Says what is in each scan: format, points, spacing, units, roughness, power law. Of a directory, the "
+               "scans that a report on it would read; - is standard input. An archive (zip) may hold several scans."};
     struct arguments arguments = {.how = profile_defaults};
     argp_parse(&argp, argc, argv, 0, NULL, &arguments);
-    json_t *all = json_array();
-    int refused = 0;
+    struct outcome outcome = {.all = json_array()};
     for (int i = 0; i < arguments.file_count; i++) {
-        struct status status = {0}, chart = {0};
-        struct inspection inspection;
         const char *path = arguments.files[i];
-        json_t *json = json_pack("{s:o}", "file", inspection_text(path));
-        json_array_append_new(all, json);
-        if (inspection_make(&inspection, path, &arguments.scan, &arguments.how, arguments.fit, &status) != STATUS_OK) {
-            refused++;
-            if (arguments.json)
-                json_object_set_new(json, "error", inspection_text(status.message));
-            else
-                command_complain("", status.message);
-        } else if (arguments.json) {
-            inspection_add_json(json, &inspection);
-        } else {
-            inspection_print(path, &inspection);
-            bool wanted = !arguments.no_chart && (arguments.chart || isatty(STDOUT_FILENO));
-            if (wanted && inspection.profile.points > 0 && inspection.spectrum.count > 0 &&
-                draw(&inspection, &chart) != STATUS_OK)
-                command_complain("no charts: ", chart.message);
-        }
-        inspection_free(&inspection);
+        struct stat info;
+        if (strcmp(path, "-") == 0)
+            inspect_input(&outcome, &arguments);
+        else if (stat(path, &info) == 0 && S_ISDIR(info.st_mode))
+            inspect_directory(&outcome, &arguments, path);
+        else
+            inspect_file(&outcome, &arguments, path, NULL, arguments.scan);
     }
     if (arguments.json) {
-        json_dumpf(all, stdout, JSON_INDENT(1) | JSON_REAL_PRECISION(17));
+        json_dumpf(outcome.all, stdout, JSON_INDENT(1) | JSON_REAL_PRECISION(17));
         printf("\n");
     }
-    json_decref(all);
-    int exit_status = refused == 0 ? COMMAND_DONE : refused == arguments.file_count ? COMMAND_NOTHING : COMMAND_REFUSED;
-    return command_finish(exit_status);
+    json_decref(outcome.all);
+    return command_finish(outcome.refused == 0               ? COMMAND_DONE
+                          : outcome.refused == outcome.scans ? COMMAND_NOTHING
+                                                             : COMMAND_REFUSED);
 }

@@ -1,4 +1,5 @@
 /* The commands on a scene, `report` and `plan`. */
+#include "base/program.h"
 #include "cli/command.h"
 #include "run/prepare.h"
 #include "run/run.h"
@@ -134,6 +135,7 @@ static void ask_to_stop(int signal_number)
 {
     (void)signal_number;
     stop = 1;
+    program_stop();
 }
 
 static void progress(size_t done, size_t total, const char *name)
@@ -316,9 +318,11 @@ int command_plan(int argc, char **argv)
     struct text messages = {0};
     argp_parse(&argp, argc, argv, 0, NULL, &arguments);
     enum status_code rc = scene_read(&scene, arguments.directory, &arguments.overrides, &status);
+    arguments.run.stop = &stop;
+    catch_signals();
     if (rc == STATUS_OK)
         rc = prepare(&prepared, &scene, &arguments.run, NULL, &status);
-    size_t refused = prepare_messages(&messages, &prepared.store);
+    size_t refused = prepare_messages(&messages, &scene, &prepared.store);
     fputs(text_string(&messages), stderr);
     if (rc == STATUS_OK && refused == scene.surface_count)
         rc = status_fail(&status, STATUS_SCAN, "no readable scan in '%s'", scene.directory);

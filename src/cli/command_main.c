@@ -11,7 +11,7 @@ static const struct command_row commands[] = {
     {"report", "DIR [-o OUT]", "read the scans in DIR, run the models, write the report", command_report},
     {"direct", "DIR [-o OUT]", "the report, with a direct solution beside the models", command_direct},
     {"plan", "DIR", "what would be simulated and why; runs nothing", command_plan},
-    {"inspect", "FILE...", "what is in a scan: format, spacing, roughness, power law", command_inspect},
+    {"inspect", "FILE|DIR...", "what is in a scan: format, spacing, roughness, power law", command_inspect},
     {"synth", "[-o FILE]", "write a scan that obeys a given power law", command_synth},
     {"models", "", "the models, their sources and where they are valid", command_models},
     {"materials", "", "the built-in materials and where their numbers are from", command_materials},

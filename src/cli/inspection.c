@@ -83,14 +83,16 @@ static enum status_code fit_law(struct inspection *out, struct status *status)
     return code;
 }
 
-enum status_code inspection_make(struct inspection *out, const char *path, const struct scan_options *units,
-                                 const struct profile_options *options, enum power_law_method fit,
-                                 struct status *status)
+enum status_code inspection_make(struct inspection *out, const char *path, const struct scan_bytes *bytes,
+                                 const struct scan_options *units, const struct profile_options *options,
+                                 enum power_law_method fit, struct status *status)
 {
     *out = (struct inspection){.options = *options, .fit = fit};
-    if (scan_read(&out->scan, path, units, status) != STATUS_OK)
-        return status->code;
-    enum status_code code = out->scan.kind == SCAN_AREAL ? look_at_map(out, status) : look_at_profile(out, status);
+    enum status_code code =
+        bytes ? scan_read_bytes(&out->scan, bytes, units, status) : scan_read(&out->scan, path, units, status);
+    if (code != STATUS_OK)
+        return code;
+    code = out->scan.kind == SCAN_AREAL ? look_at_map(out, status) : look_at_profile(out, status);
     if (code == STATUS_OK)
         code = fit_law(out, status);
     return code == STATUS_OK ? STATUS_OK : status_prefix(status, "%s", path);

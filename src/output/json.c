@@ -421,6 +421,11 @@ enum status_code json_write(const struct results *results, const char *directory
         ok = print(file, json_pack("{s:o, s:o}", "surface", string(s->scene->name), "error", string(s->refusal)));
     }
     fputs("],\n", file);
+    if (results->scene->passed_over) {
+        fputs("\"passed_over\": ", file);
+        ok = ok && print(file, lines_json(results->scene->passed_over));
+        fputs(",\n", file);
+    }
     for (size_t k = 0; k < results->direct_count && ok; k++) {
         fputs(k == 0 ? "\"direct\": [\n" : ",\n", file);
         ok = print(file, direct_json(&results->direct[k], results, status));

@@ -77,6 +77,21 @@ static void refused(struct text *out, const struct section_context *context)
         text_add(out, "- … %zu more in results.json\n", items - SECTION_ROWS);
 }
 
+/** Files of the directory that are no scans. */
+static void passed_over(struct text *out, const struct scene *scene)
+{
+    for (const char *line = scene->passed_over; line && *line;) {
+        struct text one = {0};
+        size_t length = strcspn(line, "\n");
+        text_add_bytes(&one, line, length);
+        text_add(out, "- ");
+        text_add_markdown(out, text_string(&one));
+        text_add(out, "\n");
+        text_free(&one);
+        line += length + (line[length] == '\n');
+    }
+}
+
 static void write(struct text *out, const struct section_context *context)
 {
     struct text list = {0};
@@ -93,6 +108,10 @@ static void write(struct text *out, const struct section_context *context)
     refused(&list, context);
     if (list.length > 0)
         text_add(out, "\n**Refused.**\n\n%s", text_string(&list));
+    list.length = 0;
+    passed_over(&list, context->results->scene);
+    if (list.length > 0)
+        text_add(out, "\n**Passed over.**\n\n%s", text_string(&list));
     text_free(&list);
 }
 

@@ -215,9 +215,11 @@ static void add_message(struct text *messages, const char *surface, const char *
     text_add(messages, "\n");
 }
 
-size_t prepare_messages(struct text *messages, const struct surface_store *store)
+size_t prepare_messages(struct text *messages, const struct scene *scene, const struct surface_store *store)
 {
     size_t refused = 0;
+    if (scene->passed_over)
+        text_add(messages, "%s\n", scene->passed_over);
     for (size_t i = 0; i < store->count; i++) {
         const struct surface_summary *summary = &store->summaries[i];
         refused += summary->refusal != NULL;

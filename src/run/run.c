@@ -165,7 +165,7 @@ static enum status_code evaluate(struct run *run, struct run_outcome *out, struc
     struct prepared *prepared = &run->prepared;
     enum status_code rc = prepare(prepared, run->scene, run->options, run->output.staging, status);
     run->results = &prepared->results;
-    out->refused = prepare_messages(&out->messages, &prepared->store);
+    out->refused = prepare_messages(&out->messages, run->scene, &prepared->store);
     out->surfaces = prepared->store.count - out->refused;
     if (rc == STATUS_OK && run->results->usable_count == 0)
         rc = status_fail(status, STATUS_SCAN, "no readable scan in '%s'", run->scene->directory);
@@ -173,7 +173,7 @@ static enum status_code evaluate(struct run *run, struct run_outcome *out, struc
         rc = workers_run(run->results, workers_model, run->options, status);
     if (rc == STATUS_OK) { /* once more: the models may have something to say */
         text_free(&out->messages);
-        prepare_messages(&out->messages, &prepared->store);
+        prepare_messages(&out->messages, run->scene, &prepared->store);
     }
     if (rc == STATUS_OK)
         rc = run_baseline(run, status);

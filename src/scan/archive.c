@@ -45,6 +45,16 @@ size_t archive_find(const struct archive *archive, const char *name, bool anywhe
     return index < 0 ? archive_count(archive) : (size_t)index;
 }
 
+bool archive_has(const struct scan_bytes *file, const char *name, bool anywhere, bool damaged)
+{
+    struct archive archive;
+    struct status ignored = {0};
+    bool opened = archive_open(&archive, file, &ignored) == STATUS_OK;
+    bool found = opened ? archive_find(&archive, name, anywhere) < archive_count(&archive) : damaged;
+    archive_close(&archive);
+    return found;
+}
+
 enum status_code archive_read(struct text *text, const struct archive *archive, size_t index, struct status *status)
 {
     zip_stat_t info;
@@ -55,6 +65,9 @@ enum status_code archive_read(struct text *text, const struct archive *archive, 
     if (info.comp_size > archive->file->length || info.size > info.comp_size * ARCHIVE_RATIO + ARCHIVE_SLACK)
         return scan_fail(status, archive->file, 0, "'%.80s' in the archive claims %llu bytes: damaged", name,
                          (unsigned long long)info.size);
+    if (info.size > ARCHIVE_MOST_BYTES)
+        return scan_fail(status, archive->file, 0, "'%.80s' in the archive unpacks to more than %d MiB", name,
+                         ARCHIVE_MOST_BYTES >> 20);
     zip_file_t *entry = zip_fopen_index(archive->zip, index, 0);
     if (!entry)
         return scan_fail(status, archive->file, 0, "cannot unpack '%.80s': %s", name, zip_strerror(archive->zip));

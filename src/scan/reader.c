@@ -225,7 +225,11 @@ size_t scan_line(const struct scan_bytes *file, const char *at)
 
 bool scan_is_missing(struct string_view cell)
 {
-    return string_view_equals(cell, "NaN") || string_view_equals(cell, "BAD");
+    const char *at = cell.start;
+    while (at < cell.end && *at == '*')
+        at++;
+    return (cell.end > cell.start && at == cell.end) || string_view_equals(cell, "NaN") ||
+           string_view_equals(cell, "BAD");
 }
 
 enum status_code scan_fill(struct scan *out, struct string_view *text, double z_m, const struct scan_bytes *file,

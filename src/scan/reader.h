@@ -62,7 +62,7 @@ struct scan_key {
 MUST_CHECK enum status_code scan_take_key(const struct scan_key *keys, struct string_view line, size_t line_number,
                                           const struct scan_bytes *file, struct status *status);
 
-/** Is `cell` what instruments write where they measured nothing: BAD or NaN? */
+/** Is `cell` what instruments write where they measured nothing: BAD, NaN or stars? */
 bool scan_is_missing(struct string_view cell);
 
 /** Fills the heights that scan_reserve() made from `text`, numbers between blanks or line ends, or missing points.
@@ -89,12 +89,14 @@ size_t scan_disorder(const double *x, size_t n);
  * match wins, and text takes what no other reader knows. */
 #define SCAN_FORMATS(X)                                                                                                \
     X(x3p, "x3p")                                                                                                      \
-    X(zip, "zip") /* with one scan of any other format in it */                                                        \
+    X(zip, "zip") /* with scans of any other format in it */                                                           \
+    X(gz, "gz")   /* one scan of any other format */                                                                   \
     X(mahr_prf, "mahr-prf")                                                                                            \
     X(sur, "sur")                                                                                                      \
     X(al3d, "al3d")                                                                                                    \
     X(sdf, "sdf")                                                                                                      \
     X(gsf, "gsf")                                                                                                      \
+    X(gwy, "gwy")                                                                                                      \
     X(surfer, "surfer")                                                                                                \
     X(mahr_text, "mahr-text")                                                                                          \
     X(npl_prf, "npl-prf")                                                                                              \
@@ -118,6 +120,20 @@ struct scan_reader {
 };
 /** The reader of these bytes; NULL where no format fits. */
 const struct scan_reader *scan_reader_find(const struct scan_bytes *file);
+
+/** Is it a reader of packed files? */
+bool scan_reader_unpacks(const struct scan_reader *reader);
+
+/** Reads bytes that were packed in a file: any format that is none of packed files itself. */
+MUST_CHECK enum status_code scan_read_inner(struct scan *out, const struct scan_bytes *inner,
+                                            const struct scan_options *options, struct status *status);
+
+struct foreign;
+/** STATUS_SCAN: what the file is, and how to get a scan out of it. */
+enum status_code scan_fail_foreign(const struct scan_bytes *file, const struct foreign *foreign, struct status *status);
+
+/** Is there a row of numbers in this text? */
+bool scan_text_has_numbers(const struct scan_bytes *file);
 
 struct text_header;
 /** Takes over what the lines of a file say that are units or other keys (text_header_add()); false, and nothing, where

@@ -1,5 +1,7 @@
 #include "scan/scan.h"
 #include "base/text.h"
+#include "scan/foreign.h"
+#include "scan/gwyddion.h"
 #include "scan/reader.h"
 #include "scan/sidecar.h"
 
@@ -182,6 +184,9 @@ static bool is_utf16(const struct scan_bytes *file)
            (memcmp(file->bytes, "\xFF\xFE", 2) == 0 || memcmp(file->bytes, "\xFE\xFF", 2) == 0);
 }
 
+static enum status_code read_any(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
+                                 bool inner, struct status *status);
+
 /* The same file, which some Windows program wrote in UTF-16, in UTF-8. */
 static enum status_code read_utf16(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
                                    struct status *status)
@@ -204,7 +209,7 @@ static enum status_code read_utf16(struct scan *out, const struct scan_bytes *fi
     }
     iconv_close(convert);
     struct scan_bytes utf8 = {text_string(&text), text.length, file->path};
-    enum status_code code = text.failed ? status_memory(status) : scan_read_bytes(out, &utf8, options, status);
+    enum status_code code = text.failed ? status_memory(status) : read_any(out, &utf8, options, true, status);
     text_free(&text);
     return code;
 }
@@ -217,24 +222,149 @@ const struct scan_reader *scan_reader_find(const struct scan_bytes *file)
     return NULL;
 }
 
-enum status_code scan_read_bytes(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
-                                 struct status *status)
+bool scan_reader_unpacks(const struct scan_reader *reader)
 {
-    *out = (struct scan){.ny = 1};
+    return reader->read == scan_zip_read || reader->read == scan_gz_read;
+}
+
+enum status_code scan_fail_foreign(const struct scan_bytes *file, const struct foreign *foreign, struct status *status)
+{
+    if (foreign->kind == FOREIGN_DOCUMENT && !foreign->remedy)
+        return scan_fail(status, file, 0, "it is no scan: %s", foreign->name);
+    return scan_fail(status, file, 0, "the format is not read here: %s; %s", foreign->name, foreign_remedy(foreign));
+}
+
+static enum status_code fail_binary(const struct scan_bytes *file, struct status *status)
+{
+    return scan_fail(status, file, 0, "is a binary file of no known format; %s", foreign_usual_remedy);
+}
+
+/* What the file is that only looks like one of the formats here: text whose head is followed by binary data, or a zip
+ * archive of something else. */
+static const struct foreign *find_foreign(const struct scan_bytes *file, const struct scan_reader *reader)
+{
+    bool vague = !reader || reader->read == scan_zip_read || reader->read == scan_text_read;
+    return vague ? foreign_find(file) : NULL;
+}
+
+/* Is there a NUL among the bytes? Those at the end do not count: some programs end a text so. */
+static bool has_nul(const struct scan_bytes *file)
+{
+    size_t length = file->length;
+    while (length > 0 && (file->bytes[length - 1] == '\0' || file->bytes[length - 1] == 0x1a))
+        length--;
+    return memchr(file->bytes, '\0', length) != NULL;
+}
+
+static enum status_code read_any(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
+                                 bool inner, struct status *status)
+{
     if (file->length == 0)
         return scan_fail(status, file, 0, "the file is empty");
     if (is_utf16(file))
         return read_utf16(out, file, options, status);
     const struct scan_reader *reader = scan_reader_find(file);
+    const struct foreign *foreign = find_foreign(file, reader);
+    if (foreign)
+        return scan_fail_foreign(file, foreign, status);
     if (!reader)
-        return scan_fail(status, file, 0, "binary data in no format known here: not a scan");
+        return fail_binary(file, status);
+    if (inner && scan_reader_unpacks(reader))
+        return scan_fail(status, file, 0, "a packed file within a packed file; unpack it");
     out->format = reader->name;
-    if (reader->read(out, file, options, status) != STATUS_OK || check_asked(out, file, options, status) != STATUS_OK ||
-        check(out, file, status) != STATUS_OK)
+    if (reader->read(out, file, options, status) == STATUS_OK || status->code != STATUS_SCAN)
+        return status->code;
+    if (reader->read != scan_text_read || !has_nul(file))
+        return status->code;
+    *status = (struct status){0};
+    return fail_binary(file, status);
+}
+
+enum status_code scan_read_inner(struct scan *out, const struct scan_bytes *inner, const struct scan_options *options,
+                                 struct status *status)
+{
+    return read_any(out, inner, options, true, status);
+}
+
+enum status_code scan_read_bytes(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
+                                 struct status *status)
+{
+    *out = (struct scan){.ny = 1};
+    if (read_any(out, file, options, false, status) != STATUS_OK ||
+        check_asked(out, file, options, status) != STATUS_OK || check(out, file, status) != STATUS_OK)
         return status->code;
     warn_unit(out, 'x', out->x_unit, options);
     warn_unit(out, 'z', out->z_unit, options);
     return STATUS_OK;
+}
+
+/* Texts of these names are no scans, whatever numbers are in them. */
+static const char other_endings[] = ".md .rst .tex .html .htm .css .js .py .ipynb .m .r .rmd .jl .c .h .cpp .hpp .sh "
+                                    ".bat .ps1 .cmake .gp .toml .ini .cfg "
+                                    ".yaml .yml .svg .url .bib .log";
+static const char *const other_names[] = {"readme",    "license", "licence", "copying",
+                                          "changelog", "authors", "makefile"};
+/* And these are scans, or damaged ones, even without numbers. */
+static const char table_endings[] = ".csv .tsv .dat .asc .xyz .prf .prn .pro .sdf .smd .gsf .grd .sur .al3d";
+
+const char *scan_is_other(const struct scan_bytes *file, bool whole)
+{
+    const char *slash = strrchr(file->path, '/'), *name = slash ? slash + 1 : file->path;
+    if (file->length == 0 || is_utf16(file))
+        return NULL;
+    const struct scan_reader *reader = scan_reader_find(file);
+    const struct foreign *foreign = find_foreign(file, reader);
+    if (foreign)
+        return foreign->kind == FOREIGN_DOCUMENT ? foreign->name : NULL;
+    if (!reader || reader->read != scan_text_read)
+        return NULL;
+    for (size_t i = 0; i < sizeof other_names / sizeof *other_names; i++) {
+        size_t length = strlen(other_names[i]);
+        if (strncasecmp(name, other_names[i], length) == 0 && strchr(".-_", name[length]))
+            return "text";
+    }
+    if (foreign_has_ending(name, other_endings))
+        return "text";
+    if (!whole || !strrchr(name, '.') || foreign_has_ending(name, table_endings) || scan_text_has_numbers(file))
+        return NULL;
+    return "text without a row of numbers";
+}
+
+bool scan_tells_at_end(const struct scan_bytes *file)
+{
+    return scan_zip_sniff(file) ||
+           (file->length > 4 && (memcmp(file->bytes, "II*\0", 4) == 0 || memcmp(file->bytes, "MM\0*", 4) == 0));
+}
+
+/* Reads what Gwyddion makes of a binary file that no reader knows. `problem` says why none does. */
+static enum status_code read_converted(struct scan *out, const struct scan_bytes *file, const char *path,
+                                       const struct scan_options *options, const struct status *problem,
+                                       struct status *status)
+{
+    const struct foreign *foreign = foreign_find(file);
+    struct text text = {0};
+    struct status failed = {0};
+    enum status_code code = gwyddion_convert(&text, path, &failed);
+    struct scan_bytes converted = {text_string(&text), text.length, file->path};
+    scan_free(out);
+    if (code == STATUS_OK)
+        code = scan_read_bytes(out, &converted, options, &failed);
+    text_free(&text);
+    if (code == STATUS_SCAN || code == STATUS_IO) /* what the user can do is said there */
+        return status_fail(status, STATUS_SCAN, "%s (%.200s)", problem->message, failed.message);
+    if (code != STATUS_OK)
+        return status_fail(status, code, "%s", failed.message);
+    scan_warn(out, "converted by the program Gwyddion from a %s",
+              foreign ? foreign->name : "format that is not read here");
+    return STATUS_OK;
+}
+
+/* Is it a measurement, as far as one can tell, in a binary format that no reader knows? */
+static bool is_foreign_scan(const struct scan_bytes *file)
+{
+    const struct scan_reader *reader = file->length > 0 && !is_utf16(file) ? scan_reader_find(file) : NULL;
+    const struct foreign *foreign = file->length > 0 ? find_foreign(file, reader) : NULL;
+    return foreign ? foreign->kind == FOREIGN_SCAN : !reader && foreign_is_binary(file);
 }
 
 enum status_code scan_read_beside(struct scan *out, const struct scan_bytes *file, const char *path,
@@ -244,8 +374,16 @@ enum status_code scan_read_beside(struct scan *out, const struct scan_bytes *fil
     enum status_code code = scan_read_bytes(out, file, options, &problem);
     struct sidecar sidecar;
     char *found = NULL;
-    if (code != STATUS_MEMORY && out->units_lacking && sidecar_find(&sidecar, &found, path, status) != STATUS_OK)
+    bool refused_text = code == STATUS_SCAN && out->z_column == 0 && !foreign_is_binary(file);
+    if (code != STATUS_MEMORY && (out->units_lacking || refused_text) &&
+        sidecar_find(&sidecar, &found, path, status) != STATUS_OK)
         return status->code;
+    if (found && !out->units_lacking && sidecar.header.lines == 0) { /* it has nothing to say of what went wrong */
+        free(found);
+        found = NULL;
+    }
+    if (code == STATUS_SCAN && is_foreign_scan(file) && gwyddion_exists())
+        return read_converted(out, file, path, options, &problem, status);
     if (!found) {
         *status = code == STATUS_OK ? *status : problem;
         return code;

@@ -31,6 +31,8 @@ struct scan {
     char x_unit[SCAN_UNIT_SIZE],
         z_unit[SCAN_UNIT_SIZE];                        /* as named by the file, else by a sidecar, else by the scene */
     enum scan_quantity quantity;                       /* of the file; z_m has heights either way */
+    char part[104];                                    /* of an archive: which file in it; else "" */
+    size_t next_entry;                                 /* where its next scan is; 0: there is none */
     size_t x_column, z_column;                         /* of a table of text, from 1; 0 where there is none */
     bool units_lacking;                                /* the file itself does not name both units */
     bool units_beside;                                 /* and one or both came from a sidecar */
@@ -47,7 +49,8 @@ struct scan_options {
     const char *x_unit, *z_unit;     /* a unit of length; of slopes: rad, mrad, urad, nrad, um/mm, ..., or 1 */
     enum scan_quantity quantity;     /* slopes are read only where this says so */
     const char *x_column, *z_column; /* of a table of text: a number, from 1, or a title; else the header decides */
-    const struct sidecar *sidecar;   /* set by scan_read_beside() */
+    size_t entry;                  /* of an archive of several scans: 0 the first, then next_entry of the one before */
+    const struct sidecar *sidecar; /* set by scan_read_beside() */
 };
 
 /** The bytes of a file in memory; `bytes[length]` is readable and 0. */
@@ -69,12 +72,18 @@ extern const double scan_least_m, scan_most_m;
 MUST_CHECK enum status_code scan_read(struct scan *out, const char *path, const struct scan_options *options,
                                       struct status *status);
 /** The same from bytes already in memory, the content of `path`. Where they do not name both units, a sidecar of `path`
- * (sidecar.h) is read too: what it says comes before the scene's units, and out->sidecar names it. */
+ * (sidecar.h) is read too: what it says comes before the scene's units, and out->sidecar names it. Binary data that no
+ * reader knows are given to the program Gwyddion, where it is installed; a warning says so. */
 MUST_CHECK enum status_code scan_read_beside(struct scan *out, const struct scan_bytes *file, const char *path,
                                              const struct scan_options *options, struct status *status);
-/** The same without a look at any other file. */
+/** The same without a look at any other file or program. */
 MUST_CHECK enum status_code scan_read_bytes(struct scan *out, const struct scan_bytes *file,
                                             const struct scan_options *options, struct status *status);
+/** What a file is that lies beside scans and is certainly none, by its name and its bytes (`whole`: all of them; else
+ * the first): "PNG picture", "text without a row of numbers"; NULL: it may be one. */
+const char *scan_is_other(const struct scan_bytes *file, bool whole);
+/** Do the first bytes not tell what the file is, but the last ones (zip, TIFF)? */
+bool scan_tells_at_end(const struct scan_bytes *file);
 void scan_free(struct scan *scan);
 /** Exchanges rows and columns of a map, so that its columns can be taken as profiles. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code scan_transpose(struct scan *scan, struct status *status);

@@ -25,6 +25,8 @@ struct table {
     size_t first_line, last_line; /* where the rows are, counted from 1 */
     struct string_view missing;   /* the first cell that says NaN or BAD, which `cell` has as NaN */
     size_t missing_line;          /* and its line, 0 when there is none */
+    size_t announced;             /* how many rows the line right above them says follow */
+    size_t announced_line;        /* and its line, 0 when there is none */
     struct text_header header;    /* of the preamble */
     const struct scan_bytes *file;
     const struct scan_options *options;
@@ -67,16 +69,28 @@ struct row {
     size_t count;               /* cells met, trailing empty ones aside */
     unsigned decimal;           /* decimal signs met */
     struct string_view bad;     /* the first cell that is no finite number */
-    struct string_view missing; /* the first cell that says that nothing was measured */
+    struct string_view missing; /* the first cell that says that nothing was measured, or is empty */
     size_t numbers;             /* cells that are numbers */
 };
 
-/* Reads the cells of `line`; false at the first that is no number. */
+/* Has `row`, as wide as the table, room for the empty cell `cell`: a point that was not measured? */
+static bool take_blank(struct row *row, struct string_view cell)
+{
+    if (row->count >= row->room)
+        return false;
+    row->missing = row->missing.start ? row->missing : cell;
+    row->cell[row->count++] = NAN;
+    return true;
+}
+
+/* Reads the cells of `line`; false at the first that is no number. In a row of known width empty cells are points that
+ * were not measured, and what stands behind its last cell may be empty. */
 static bool read_row(struct row *row, struct string_view line, char delimiter)
 {
     /* in a file separated by commas a comma is no decimal sign */
     unsigned allowed = delimiter == ',' ? NUMBER_POINT : NUMBER_POINT | NUMBER_COMMA;
     size_t cells = 0;
+    bool open = delimiter != ' ' && line.end > line.start && line.end[-1] == delimiter; /* an empty cell behind it */
     row->count = 0;
     for (struct string_view cell; cell_next(&line, delimiter, &cell); cells++) {
         if (cell.start == cell.end)
@@ -84,11 +98,14 @@ static bool read_row(struct row *row, struct string_view line, char delimiter)
         double value = NAN;
         bool good = number_scan(cell, allowed, &row->decimal, &value) == cell.end && isfinite(value);
         row->numbers += good ? 1 : 0;
-        if (!good && scan_is_missing(cell)) {
+        /* a line of stars above the numbers is none of them */
+        if (!good && scan_is_missing(cell) && (*cell.start != '*' || row->room > 0 || row->numbers > 0)) {
             row->missing = row->missing.start ? row->missing : cell;
             value = NAN;
             good = true;
         }
+        while (good && row->count < cells && take_blank(row, (struct string_view){cell.start, cell.start}))
+            ;
         if (!good || cells != row->count) {
             row->bad = cell;
             return false;
@@ -97,6 +114,9 @@ static bool read_row(struct row *row, struct string_view line, char delimiter)
             row->cell[row->count] = value;
         row->count++;
     }
+    while (row->numbers > 0 && row->count < cells + (open ? 1 : 0) &&
+           take_blank(row, (struct string_view){line.end, line.end}))
+        ;
     return row->count > 0;
 }
 
@@ -170,6 +190,15 @@ static bool is_comment(const struct table *table, struct string_view content)
     return comment;
 }
 
+/* Is there nothing in `content`, which is trimmed, or nothing but delimiters? */
+static bool is_blank(const struct table *table, struct string_view content)
+{
+    while (table->columns > 1 && content.start < content.end &&
+           (*content.start == table->delimiter || string_view_is_blank_char(*content.start)))
+        content.start++;
+    return content.start == content.end;
+}
+
 /* The rows from `lines` on; the first is there already known to be one. */
 static enum status_code read_rows(struct table *table, struct lines lines, struct status *status)
 {
@@ -177,7 +206,7 @@ static enum status_code read_rows(struct table *table, struct lines lines, struc
     unsigned decimal = 0;
     for (struct string_view line; lines_next(&lines, &line);) {
         struct string_view content = string_view_trim(line);
-        if (content.start == content.end) {
+        if (is_blank(table, content)) {
             blank = blank ? blank : lines.number;
             continue;
         }
@@ -219,6 +248,33 @@ static bool is_damaged_row(const struct table *table, struct string_view line, s
     return cells == table->columns && table->columns > 1 && !read_row(row, line, table->delimiter);
 }
 
+/* Is `content` nothing but how many rows follow? `lines` goes on with the next line, which then has more columns. */
+static bool is_count(struct table *table, struct string_view content, struct lines lines)
+{
+    size_t columns = 0;
+    while (content.end > content.start && strchr(",;", content.end[-1]))
+        content.end--;
+    if (!number_read_size(content, &table->announced))
+        return false;
+    for (struct string_view line; lines_next(&lines, &line);) {
+        bool comment;
+        struct string_view next = text_header_uncomment(line, &comment);
+        if (!comment && next.start < next.end)
+            return find_delimiter(line, &columns) && columns > 1;
+    }
+    return false;
+}
+
+/* Are there as many rows as the line above them says? */
+static enum status_code check_count(const struct table *table, struct status *status)
+{
+    if (table->announced_line == 0 || table->announced == table->rows)
+        return STATUS_OK;
+    return scan_fail(status, table->file, table->announced_line,
+                     "%zu points are announced, %zu follow; copy the file again, or remove this line", table->announced,
+                     table->rows);
+}
+
 /* Finds the first line that is a row of numbers and reads from there to the end; comments and, with two columns or
  * more, blank lines are passed over. */
 static enum status_code read_table(struct table *table, struct status *status)
@@ -226,16 +282,21 @@ static enum status_code read_table(struct table *table, struct status *status)
     table->text = text_of(table->file);
     struct lines lines = lines_begin(table->text), before = lines;
     struct string_view above = {NULL, NULL};
-    size_t above_line = 0;
+    size_t above_line = 0,
+           skipped = table->options && table->options->sidecar ? table->options->sidecar->header.lines : 0;
     for (struct string_view line; lines_next(&lines, &line); before = lines) {
         bool comment;
         struct string_view content = text_header_uncomment(line, &comment);
-        if (comment || content.start == content.end)
+        if (comment || content.start == content.end || lines.number <= skipped)
             continue;
         table->delimiter = find_delimiter(line, &table->columns);
         if (!table->delimiter) {
             above = line;
             above_line = lines.number;
+            continue;
+        }
+        if (table->columns == 1 && is_count(table, content, lines)) {
+            table->announced_line = lines.number;
             continue;
         }
         struct row row = {0};
@@ -247,9 +308,22 @@ static enum status_code read_table(struct table *table, struct status *status)
         table->first_line = lines.number;
         table->preamble = (struct string_view){table->text.start, before.next};
         table->header = text_header_read(table->preamble, table->delimiter, table->columns);
-        return read_rows(table, before, status);
+        return read_rows(table, before, status) == STATUS_OK ? check_count(table, status) : status->code;
     }
     return scan_fail(status, table->file, 0, "no line of numbers in it: not a scan");
+}
+
+bool scan_text_has_numbers(const struct scan_bytes *file)
+{
+    size_t columns;
+    struct lines lines = lines_begin(text_of(file));
+    for (struct string_view line; lines_next(&lines, &line);) {
+        bool comment;
+        struct string_view content = text_header_uncomment(line, &comment);
+        if (!comment && content.start < content.end && find_delimiter(line, &columns))
+            return true;
+    }
+    return false;
 }
 
 bool scan_text_read_keys(struct text_header *out, const struct scan_bytes *file)
@@ -269,7 +343,7 @@ static size_t line_of_row(const struct table *table, size_t row)
     struct lines lines = lines_begin(table->text);
     for (struct string_view line; lines_next(&lines, &line);) {
         struct string_view content = string_view_trim(line);
-        if (lines.number < table->first_line || content.start == content.end || is_comment(table, content))
+        if (lines.number < table->first_line || is_blank(table, content) || is_comment(table, content))
             continue;
         if (row-- == 0)
             return lines.number;
@@ -369,6 +443,30 @@ static enum status_code take_units(struct scan *out, const struct table *table, 
     return STATUS_OK;
 }
 
+/* Is there a decimal sign or an exponent in row `row`? */
+static bool is_decimal(const struct table *table, size_t row)
+{
+    size_t wanted = line_of_row(table, row);
+    struct lines lines = lines_begin(table->text);
+    for (struct string_view line; lines_next(&lines, &line);)
+        if (lines.number == wanted)
+            for (; line.start < line.end; line.start++)
+                if (strchr(".,eEdD", *line.start) && *line.start)
+                    return true;
+    return false;
+}
+
+/* Does the only column begin with how many heights follow, a whole number above decimal ones? Takes it out. */
+static void drop_count(struct scan *out, struct table *table)
+{
+    if (table->columns > 1 || table->rows <= TEXT_POINTS || table->cell[0] != (double)(table->rows - 1) ||
+        is_decimal(table, 0) || !is_decimal(table, 1))
+        return;
+    table->rows--;
+    memmove(table->cell, table->cell + 1, table->rows * sizeof *table->cell);
+    scan_warn(out, "the first number, %zu, says how many heights follow", table->rows);
+}
+
 /* Column `z` alone, at the spacing that the header names. */
 static enum status_code take_heights(struct scan *out, struct table *table, size_t z, struct status *status)
 {
@@ -383,6 +481,7 @@ static enum status_code take_heights(struct scan *out, struct table *table, size
     if (take_units(out, table, table->header.spacing.unit, &x_m, &z_m, status) != STATUS_OK)
         return status->code;
     out->dx_m = table->header.spacing.value * x_m;
+    drop_count(out, table);
     for (size_t i = 0; i < table->rows; i++)
         table->cell[i] = table->cell[i * table->columns + z] * z_m;
     keep_heights(out, table, table->rows);
@@ -420,6 +519,8 @@ static enum status_code take_points(struct scan *out, struct table *table, size_
         table->cell[i] = valid ? row[z] * z_m : NAN; /* never beyond row i itself */
     }
     size_t bad = scan_disorder(out->x_m, rows);
+    if (bad < rows && isnan(out->x_m[bad]))
+        return scan_fail(status, table->file, line_of_row(table, bad), "no x here; fill it in or remove this line");
     if (bad < rows)
         return fail_disorder(table, out->x_m, bad, status);
     keep_heights(out, table, rows);
@@ -505,15 +606,6 @@ static enum status_code choose_column(size_t *column, const char *name, const st
     return STATUS_OK;
 }
 
-/* The line of the first row with nothing measured in one of two columns, 0: none. */
-static size_t missing_line(const struct table *table, size_t x, size_t z)
-{
-    for (size_t i = 0; table->missing_line > 0 && i < table->rows; i++)
-        if (isnan(at(table, i, x)) || isnan(at(table, i, z)))
-            return line_of_row(table, i);
-    return 0;
-}
-
 /* The columns that the scene chooses: z, and perhaps x. Where the header's x is z itself or no x at all, its spacing
  * will do. */
 static enum status_code take_chosen(struct scan *out, struct table *table, struct status *status)
@@ -523,9 +615,6 @@ static enum status_code take_chosen(struct scan *out, struct table *table, struc
     if (choose_column(&z, table->options->z_column, table, status) != STATUS_OK ||
         (x_given && choose_column(&x, table->options->x_column, table, status) != STATUS_OK))
         return status->code;
-    size_t line = missing_line(table, x_given ? x : z, z);
-    if (line > 0)
-        return fail_cell(table, table->missing, line, status);
     bool no_x = x == z || (table->header.spacing.value > 0 && !goes_one_way(table, x));
     if (!x_given && no_x && (table->columns == 1 || table->header.spacing.value > 0))
         return take_heights(out, table, z, status);
@@ -665,8 +754,6 @@ static enum status_code take_table(struct scan *out, struct table *table, struct
         return take_list(out, table, status);
     if (is_matrix(table))
         return take_matrix(out, table, status);
-    if (table->missing_line > 0)
-        return fail_cell(table, table->missing, table->missing_line, status);
     if (table->rows < TEXT_POINTS)
         return scan_fail(status, table->file, table->last_line, "only %zu points; a scan needs at least %d",
                          table->rows, TEXT_POINTS);

@@ -39,7 +39,8 @@ struct x3p {
 
 bool scan_x3p_sniff(const struct scan_bytes *file)
 {
-    return scan_zip_sniff(file) && memmem(file->bytes, file->length, "main.xml", 8) != NULL;
+    return scan_zip_sniff(file) && memmem(file->bytes, file->length, "main.xml", 8) != NULL &&
+           archive_has(file, "main.xml", true, true); /* and not an archive of such files */
 }
 
 enum { X3P_PATH = 256, X3P_TEXT = 256 };

@@ -1,5 +1,6 @@
 #include "scan/sidecar.h"
 #include "base/text.h"
+#include "scan/number.h"
 
 #include <jansson.h>
 #include <stdio.h>
@@ -34,19 +35,29 @@ bool sidecar_fits(const char *beside, const char *scan)
     return scan[stem] == '\0' || (scan[stem] == '.' && !strchr(scan + stem + 1, '.'));
 }
 
-/* A number of the JSON object by a key such as Y2_FACTOR; 0 when there is none. */
+/* A number of the JSON object, which may be written as a string; 0 when there is none. */
+static double dabam_number(const json_t *object, const char *key)
+{
+    const json_t *value = json_object_get(object, key);
+    double number = json_number_value(value);
+    if (json_is_string(value) && !number_read(string_view_of(json_string_value(value)), &number))
+        return 0;
+    return number;
+}
+
+/* By a key such as Y2_FACTOR. */
 static double dabam_factor(const json_t *object, char axis, size_t index)
 {
     char key[32];
     snprintf(key, sizeof key, "%c%zu_FACTOR", axis, index);
-    return json_number_value(json_object_get(object, key));
+    return dabam_number(object, key);
 }
 
 /* Is y number `index` a slope? *known: does the file say what it is? */
 static bool is_dabam_slope(const json_t *object, size_t index, bool *known)
 {
     char key[32];
-    json_int_t format = json_integer_value(json_object_get(object, "FILE_FORMAT"));
+    double format = dabam_number(object, "FILE_FORMAT");
     snprintf(key, sizeof key, "PLOT_TITLE_Y%zu", index);
     const char *title = json_string_value(json_object_get(object, key));
     title = title ? title : "";
@@ -63,9 +74,10 @@ static bool take_dabam(struct text_header *out, const json_t *object)
     double x_factor = dabam_factor(object, 'X', 1);
     if (!(x_factor > 0))
         return false;
-    json_int_t format = json_integer_value(json_object_get(object, "FILE_FORMAT"));
+    double format = dabam_number(object, "FILE_FORMAT"), lines = dabam_number(object, "FILE_HEADER_LINES");
     bool pairs = format == DABAM_SLOPES_IN_PAIRS || format == DABAM_HEIGHTS_IN_PAIRS;
     out->factors = true;
+    out->lines = lines > 0 && lines < (double)most_bytes ? (size_t)lines : 0;
     for (size_t i = 1; 2 * i <= TEXT_HEADER_COLUMNS; i++) {
         size_t x = pairs ? 2 * i - 2 : 0, y = pairs ? 2 * i - 1 : i;
         bool known, slope = is_dabam_slope(object, i, &known);

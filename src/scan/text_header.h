@@ -17,6 +17,7 @@ struct text_quantity {
 struct text_header {
     const char *unit[TEXT_HEADER_COLUMNS]; /* of each column, of length or of slope; NULL where none is named */
     bool slope[TEXT_HEADER_COLUMNS];       /* its title says slope */
+    size_t lines;                          /* of the header, as a sidecar says; 0 where not said */
     bool factors;                          /* the units stand for factors: of a slope um is urad */
     size_t valid;                          /* column that says whether a point is valid; SIZE_MAX where none does */
     struct text_quantity spacing;          /* `spacing 0.5 um`, `dx=0.5um`, `Resolution,0.156 um/sample` */

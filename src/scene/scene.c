@@ -251,6 +251,7 @@ void scene_free(struct scene *scene)
     free(scene->load.values);
     free(scene->direct.values);
     free(scene->baseline);
+    free(scene->passed_over);
     free(scene->title);
     free(scene->path);
     free(scene->directory);

@@ -108,6 +108,7 @@ struct scene {
     struct scene_measured measured;
     struct scene_surface *surfaces;
     size_t surface_count;
+    char *passed_over; /* files of the directory that are no scans, a line a kind; NULL: none */
 };
 
 /** Overrides from the command line; NULL, or 0 for tolerance, means not given. */
@@ -120,7 +121,8 @@ struct scene_overrides {
 };
 
 /** Reads `directory`/scene.yaml when there is one, applies the overrides and lists the surfaces: those of the scene,
- * else every regular file of the directory that is not hidden and not scene.yaml, one surface each, named by its file
+ * else every regular file of the directory that is not hidden, not scene.yaml and no sidecar, and that may be a scan
+ * (scan_is_other(); the rest is told in passed_over), one surface each, named by its file
  * name without the ending (with it, where two would be alike), ordered by name (digits by value: 2 before 10).
  * `out` is to be freed with scene_free() whatever comes back.
  * Errors: STATUS_SCENE (file, line, key, remedy): not YAML, unknown or doubled key, wrong type, value out of range,

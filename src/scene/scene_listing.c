@@ -1,4 +1,6 @@
 #include "scene/scene_listing.h"
+#include "base/text.h"
+#include "scan/scan.h"
 #include "scan/sidecar.h"
 #include "scene/scene_surfaces.h"
 
@@ -6,6 +8,7 @@
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -155,6 +158,102 @@ static void drop_sidecars(struct scene *scene)
     }
 }
 
+/* A file that is no scan, and what it is. */
+struct other {
+    const char *kind;
+    char *file;
+};
+
+/* By kind, then by name. */
+static int compare_others(const void *a, const void *b)
+{
+    const struct other *first = a, *second = b;
+    int order = strcmp(first->kind, second->kind);
+    return order ? order : compare_natural(first->file, second->file);
+}
+
+/* "passed over: 2 PNG pictures (a.png, b.png)", a line a kind. */
+static enum status_code tell_others(struct scene *scene, struct other *others, size_t count, struct status *status)
+{
+    enum { NAMED = 8 };
+    struct text lines = {0};
+    qsort(others, count, sizeof *others, compare_others);
+    for (size_t i = 0, end; i < count; i = end) {
+        for (end = i + 1; end < count && strcmp(others[end].kind, others[i].kind) == 0;)
+            end++;
+        text_add(&lines, "%spassed over, no scan%s: %zu x %s (", i > 0 ? "\n" : "", end - i == 1 ? "" : "s", end - i,
+                 others[i].kind);
+        for (size_t k = i; k < end && k < i + NAMED; k++) {
+            text_add(&lines, "%s", k > i ? ", " : "");
+            text_add_shown(&lines, others[k].file);
+        }
+        text_add(&lines, "%s)", end - i > NAMED ? ", ..." : "");
+    }
+    if (lines.failed)
+        return text_free(&lines), status_memory(status);
+    scene->passed_over = lines.data;
+    return STATUS_OK;
+}
+
+/* What the file at `path` is that is no scan; NULL: it may be one. Only its beginning is read where that tells. */
+static const char *kind_of_other(const char *path, struct status *status)
+{
+    enum { BEGINNING = 65536 };
+    char *bytes = malloc(BEGINNING + 1);
+    FILE *file = fopen(path, "rb");
+    const char *kind = NULL;
+    struct text all = {0};
+    if (!bytes)
+        status_memory(status);
+    if (bytes && file) {
+        size_t length = fread(bytes, 1, BEGINNING, file);
+        bytes[length] = '\0';
+        struct scan_bytes content = {bytes, length, path};
+        bool whole = length < BEGINNING;
+        if (!whole && scan_tells_at_end(&content) && text_read_file(&all, path, &(struct status){0}) == STATUS_OK) {
+            content = (struct scan_bytes){text_string(&all), all.length, path};
+            whole = true;
+        }
+        kind = scan_is_other(&content, whole);
+    }
+    if (file)
+        fclose(file);
+    text_free(&all);
+    free(bytes);
+    return kind;
+}
+
+/* Takes out the files that are no scans: pictures, documents, programs, texts. */
+static enum status_code drop_others(struct scene *scene, struct status *status)
+{
+    size_t kept = 0, count = 0;
+    struct other *others = calloc(scene->surface_count + 1, sizeof *others);
+    if (!others)
+        return status_memory(status);
+    for (size_t i = 0; i < scene->surface_count; i++) {
+        struct scene_surface surface = scene->surfaces[i];
+        char *path = scene_file_path(scene, surface.files[0]);
+        const char *kind = path ? kind_of_other(path, status) : NULL;
+        if (!path)
+            status_memory(status);
+        free(path);
+        if (kind) {
+            others[count++] = (struct other){kind, surface.files[0]};
+            surface.files[0] = NULL;
+            scene_surfaces_free(&surface);
+        } else {
+            scene->surfaces[kept++] = surface;
+        }
+    }
+    scene->surface_count = kept;
+    if (status->code == STATUS_OK && count > 0)
+        (void)tell_others(scene, others, count, status);
+    for (size_t i = 0; i < count; i++)
+        free(others[i].file);
+    free(others);
+    return status->code;
+}
+
 enum status_code scene_listing_read(struct scene *scene, struct status *status)
 {
     struct dirent **entries = NULL;
@@ -176,5 +275,7 @@ enum status_code scene_listing_read(struct scene *scene, struct status *status)
     if (code != STATUS_OK)
         return code;
     drop_sidecars(scene);
+    if (drop_others(scene, status) != STATUS_OK)
+        return status->code;
     return tell_apart(scene, status);
 }

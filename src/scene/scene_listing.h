@@ -4,8 +4,9 @@
 
 #include "scene/scene.h"
 
-/** Adds to a scene without surfaces one for each regular file of its directory that is not hidden and not
- * scene.yaml; names and order as scene_read() says. Errors: STATUS_IO, STATUS_MEMORY. */
+/** Adds to a scene without surfaces one for each regular file of its directory that is not hidden, not
+ * scene.yaml, no sidecar, and may be a scan; the rest is told in scene->passed_over; names and order as scene_read()
+ * says. Errors: STATUS_IO, STATUS_MEMORY. */
 MUST_CHECK enum status_code scene_listing_read(struct scene *scene, struct status *status);
 
 #endif

@@ -32,7 +32,7 @@ struct bad_input {
 static const struct bad_input bad_inputs[] = {
     {NULL, NULL, 4, 1, "roughcontact: no scan in 'd': put"},
     {NULL, "no numbers here\n", 4, 2, "surface 'a' refused: a.csv: no line of numbers in it"},
-    {NULL, HEADER "0,1\n1,nan\n2,1\n3,2\n", 4, 2, "a.csv:3: 'nan' in a column of numbers; correct or remove this line"},
+    {NULL, HEADER "0,1\n1,nan\n2,1\n3,2\n", 4, 2, "a.csv: 1 of 4 heights are missing, 25 % where 10 % may be"},
     {NULL, HEADER "0,1\n1,1\n2,oops\n3,2\n", 4, 2,
      "a.csv:4: 'oops' in a column of numbers; correct or remove this line"},
     {NULL, HEADER "0,1\n1,2\n", 4, 2, "a.csv:3: only 2 points; a scan needs at least 3"},

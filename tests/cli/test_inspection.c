@@ -57,7 +57,7 @@ static struct inspection find(const char *file, const struct profile_options *op
             known = (struct scan_options){.x_unit = units[u].x_unit, .z_unit = units[u].z_unit};
     struct inspection inspection;
     struct status status = {0};
-    if (inspection_make(&inspection, path, &known, options, POWER_LAW_AUTO, &status) != STATUS_OK)
+    if (inspection_make(&inspection, path, NULL, &known, options, POWER_LAW_AUTO, &status) != STATUS_OK)
         fail_msg("%s", status.message);
     return inspection;
 }

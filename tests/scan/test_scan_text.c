@@ -1,3 +1,4 @@
+#include "base/text.h"
 #include "scan_support.h"
 
 /* Every dialect below holds x = 0, 1, 2, 3 mm and these heights in um. */
@@ -144,14 +145,17 @@ static void test_refusals(void **state)
     assert_refused("\n\n\n", "file: no line of numbers");
     assert_refused("{\n \"LENGTH\": 0.11,\n \"NAME\": null\n}\n", "file: no line of numbers in it: not a scan");
     assert_refused("0,1\n1,2\n", "file:2: only 2 points");
-    assert_refused("x,z\n0,1\n1,nan\n2,3\n", "file:3: 'nan' in a column of numbers; correct or remove this line");
+    assert_refused("x,z\n0,1\n1,nan\n2,3\n", "file: 1 of 3 heights are missing");
+    assert_refused("x,z\n0,1\nnan,2\n2,3\n3,4\n", "file:3: no x here; fill it in or remove this line");
+    assert_refused("x,z\n0,1\n1,2\n,2\n3,4\n", "file:4: no x here; fill it in or remove this line");
     assert_refused("0,1\n1,inf\n2,3\n", "file:2: 'inf'");
     assert_refused("0,1\n1,1e999\n2,3\n", "file:2: '1e999'");
     assert_refused("x;z\r\n0;1\r\n1;2\r\n2;bad\x7f one\r\n", "file:4: 'bad? one'");
     assert_refused("0 1\n\n1 2\n2 3 4\n", "file:4: 3 columns where line 1 has 2");
     assert_refused("0,1\n1\n2,3\n", "file:2: 1 columns where line 1 has 2");
-    assert_refused("0,1\n1,\n2,3\n", "file:2: 1 columns where line 1 has 2");
-    assert_refused("0,1\n,2\n2,3\n", "file:2: '2'");
+    assert_refused("0,1\n1,\n2,3\n", "file: 1 of 3 heights are missing");
+    assert_refused("0,1\n1\n2,3\n", "file:2: 1 columns where line 1 has 2");
+    assert_refused("0,1\n,2\n2,3\n", "file:2: no x here; fill it in or remove this line");
     assert_refused("0,1\n1,2\n2,3\nend\n", "file:4: 'end'");
     assert_refused("0;1\n1;2\n;x\n", "file:3: 'x'");
     assert_refused("# a\n0 1\n# b\n\n1 2\n1 3\n2 4\n", "file:6: x is that of the point before");
@@ -161,7 +165,7 @@ static void test_refusals(void **state)
     assert_refused("spacing 1 um\n1\n2\n\n3\n", "file:4: a blank line among the heights");
     assert_refused("1\n2\n3\n", "file:1: one column is heights only: no spacing; add a line `spacing");
     assert_refused("x,z\n0,err\n1,2\n2,3\n4,5\n", "file:2: 'err'");
-    assert_refused("x;z\r\n0;nan\r\n1;2\r\n2;3\r\n", "file:2: 'nan'");
+    assert_refused("x;z\r\n0;nan\r\n1;2\r\n2;3\r\n", "file: 1 of 3 heights are missing");
     assert_refused("0,1\n1,2\n2,3\n\x80\x80", "file:4: '\?\?'");
 }
 
@@ -182,12 +186,20 @@ static void test_binary(void **state)
 {
     (void)state;
     static const char png[] = "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\x20";
-    assert_refused_bytes(png, sizeof png - 1, &no_units, "binary data in no format known here: not a scan");
+    assert_refused_bytes(png, sizeof png - 1, &no_units, "it is no scan: PNG picture");
     char noise[4096];
     uint64_t seed = 3;
     for (size_t i = 0; i < sizeof noise; i++)
         noise[i] = (char)random_next(&seed);
-    assert_refused_bytes(noise, sizeof noise, &no_units, "not a scan");
+    assert_refused_bytes(noise, sizeof noise, &no_units,
+                         "is a binary file of no known format; export it as text (x z columns), .sdf, .sur or .x3p");
+    /* text at first, data behind it: the first letter of those would be no help */
+    struct text head = {0};
+    for (size_t i = 0; i < 1000; i++)
+        text_add(&head, "%zu 1.5\n", i);
+    text_add_bytes(&head, "j\0\0k\xff\n1 2\n", 10);
+    assert_refused_bytes(head.data, head.length, &no_units, "is a binary file of no known format");
+    text_free(&head);
 }
 
 static void test_no_file(void **state)
@@ -249,6 +261,68 @@ static void test_mutations(void **state)
         fuzz(samples[i], strlen(samples[i]), 2000, 17 + i);
 }
 
+/* What instruments write where they measured nothing, and empty cells, are missing points. */
+static void test_missing(void **state)
+{
+    (void)state;
+    static const char *const texts[] = {
+        "x [mm],z [um]\n0,0.5\n1,nan\n2,2.75\n3,0.125\n4,7\n",
+        "x [mm],z [um]\n0,0.5\n1,Bad\n2,2.75\n3,0.125\n4,7\n",
+        "x [mm];z [um]\n0;0,5\n1;***\n2;2,75\n3;0,125\n4;7\n",
+        "x [mm],z [um]\n0,0.5\n1,\n2,2.75\n3,0.125\n4,7\n",
+        "x [mm],z [um],\n0,0.5,\n1,,\n2,2.75,\n3,0.125,\n4,7,\n,,\n",
+        "x [mm]\tz [um]\n0\t0.5\n1\t\n2\t2.75\n3\t0.125\n4\t7\n\t\n",
+        "x [mm] z [um]\n0 0.5\n1 *****\n2 2.75\n3 0.125\n4 7\n",
+        "*****\n*** a b ***\nx [mm] z [um]\n0 0.5\n1 NaN\n2 2.75\n3 0.125\n4 7\n",
+        "i,x [mm],z [um]\n0,0,0.5\n1,1,\n2,2,2.75\n3,3,0.125\n4,4,7\n",
+        "x [mm],z [um],remark\n0,0.5,1\n1,,1\n2,2.75,1\n3,0.125,\n4,7,1\n",
+    };
+    static const double z_um[] = {0.5, NAN, 2.75, 0.125, 7};
+    for (size_t k = 0; k < sizeof texts / sizeof *texts; k++) {
+        struct scan scan = read_good(texts[k], "", "");
+        assert_int_equal(scan.nx, 5);
+        assert_int_equal(scan.missing, 1);
+        assert_sound(&scan);
+        for (size_t i = 0; i < 5; i++) {
+            assert_within(scan_x(&scan, i), 1e-3 * (double)i, 1e-15);
+            if (i == 1)
+                assert_true(isnan(scan.z_m[i]));
+            else
+                assert_within(scan.z_m[i], z_um[i] * 1e-6, 1e-15);
+        }
+        scan_free(&scan);
+    }
+    struct scan scan = read_good("spacing 0.5 um, heights in um\nz unit: um\n1\n2\n***\nBAD\n3\n", "", "");
+    assert_int_equal(scan.nx, 5);
+    assert_int_equal(scan.missing, 2);
+    scan_free(&scan);
+}
+
+/* A first line with the number of points is none of them, and has to be right. */
+static void test_counts(void **state)
+{
+    (void)state;
+    static const char *const texts[] = {"4\n"
+                                        "0 0.5\n1 -1.25\n2 2.75\n3 0.125\n",
+                                        "title\n4\n\n0,0.5\n1,-1.25\n2,2.75\n3,0.125\n",
+                                        "4,\n0,0.5,\n1,-1.25,\n2,2.75,\n3,0.125,\n"};
+    for (size_t k = 0; k < sizeof texts / sizeof *texts; k++)
+        assert_four_points(texts[k], "mm", "um");
+    assert_refused("5\n0 0.5\n1 -1.25\n2 2.75\n3 0.125\n", "file:1: 5 points are announced, 4 follow; copy the file");
+    assert_refused("3\n0 0.5\n1 -1.25\n2 2.75\n3 0.125\n", "file:1: 3 points are announced, 4 follow");
+    struct scan scan = read_good("# spacing 1 mm\n4\n0.5\n-1.25\n2.75\n0.125\n", "", "um");
+    assert_int_equal(scan.nx, 4);
+    assert_within(scan.z_m[0], 0.5e-6, 1e-15);
+    assert_non_null(strstr(scan.warnings[0], "the first number, 4, says how many heights follow"));
+    scan_free(&scan);
+    scan = read_good("# spacing 1 mm\n4\n1\n3\n2\n1\n", "", "um"); /* whole numbers all: a height, as before */
+    assert_int_equal(scan.nx, 5);
+    scan_free(&scan);
+    scan = read_good("# spacing 1 mm\n4.0\n0.5\n-1.25\n2.75\n0.125\n", "", "um");
+    assert_int_equal(scan.nx, 5);
+    scan_free(&scan);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -258,7 +332,8 @@ int main(void)
         cmocka_unit_test(test_refusals),         cmocka_unit_test(test_missing_units),
         cmocka_unit_test(test_binary),           cmocka_unit_test(test_no_file),
         cmocka_unit_test(test_hostile_name),     cmocka_unit_test(test_warnings_overflow),
-        cmocka_unit_test(test_mutations),
+        cmocka_unit_test(test_mutations),        cmocka_unit_test(test_missing),
+        cmocka_unit_test(test_counts),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -204,9 +204,16 @@ static void test_columns(void **state)
         assert_near(scan.z_m[scan.nx - 1], rows[i].last_m, 1e-12);
         scan_free(&scan);
     }
+    struct scan gapped = {.nx = 0};
+    struct status status = {0};
+    struct scan_options gap = {.z_column = "3"};
+    assert_int_equal(read_bytes(&gapped, FIVE, strlen(FIVE), &gap, &status), STATUS_OK);
+    assert_int_equal(gapped.missing, 1);
+    assert_true(isnan(gapped.z_m[2]));
+    scan_free(&gapped);
     struct scan_options six = {.z_column = "6"}, zero = {.z_column = "0"}, none = {.z_column = "C"},
                         both = {.z_column = "B"}, same = {.x_column = "2", .z_column = "2"}, first = {.z_column = "1"},
-                        gap = {.z_column = "3"}, huge = {.z_column = "99999999999999999999"},
+                        huge = {.z_column = "99999999999999999999"},
                         two = {.x_unit = "mm", .z_unit = "um", .z_column = "2"};
     refuse_with(FIVE, &six, "file:2: there is no column 6: there are 5 columns");
     refuse_with(FIVE, &zero, "there is no column 0: there are 5 columns");
@@ -215,7 +222,6 @@ static void test_columns(void **state)
     refuse_with(FIVE, &both, "more than one column is titled 'B'; give its number, 1 to 5");
     refuse_with(FIVE, &same, "column 2 cannot be x and z");
     refuse_with(FIVE, &first, "column 1 cannot be x and z; choose both, as in `column: [1, 2]`");
-    refuse_with(FIVE, &gap, "file:4: 'NaN' in a column of numbers");
     refuse_with("spacing 0.5 um\n1\n2\n3\n4\n", &two, "there is no column 2: there is 1 column");
     refuse_with("aISO-1.0\nNumPoints = 4\nNumProfiles = 1\nXscale = 1E-6\nYscale = 1E-6\nZscale = 1E-6\n"
                 "Compression = 0\nDataType = 7\nCheckType = 0\n*\n1\n2\n3\n1\n",
@@ -380,6 +386,17 @@ static void test_dabam(void **state)
         "{\"FILE_FORMAT\": 4, \"X1_FACTOR\": 1, \"Y1_FACTOR\": 1, \"X2_FACTOR\": 0.001, \"Y2_FACTOR\": 1e-10,\n"
         "\"PLOT_TITLE_Y2\": \"heights\"}");
     expect_units(&pair, "A", "s.txt");
+    /* numbers as strings; lines of the header that look like points */
+    put("s.txt",
+        "{\"FILE_FORMAT\": \"2\", \"FILE_HEADER_LINES\": \"3\", \"X1_FACTOR\": \"1e-3\", \"Y1_FACTOR\": 1e-9}");
+    put("s.dat", "7 8 9\n2 4\n1 1\n0 0\n1 2\n2 4\n3 6\n");
+    expect_units(&no_units, "nm", "s.txt");
+    assert_int_equal(take(&scan, "s.dat", &no_units, &status), STATUS_OK);
+    assert_int_equal(scan.nx, 4);
+    assert_within(scan.z_m[3], 6e-9, 1e-22);
+    scan_free(&scan);
+    put("s.txt", "{\"FILE_FORMAT\": 2, \"FILE_HEADER_LINES\": 0, \"X1_FACTOR\": 1e-3, \"Y1_FACTOR\": 1e-9}");
+    expect_refusal(&no_units, "s.dat:2: 2 columns where line 1 has 3");
 }
 
 /* A sidecar cut off anywhere gives units or none; the sanitizers watch the rest. */

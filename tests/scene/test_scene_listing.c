@@ -126,13 +126,14 @@ static void test_files_spoken_for(void **state)
     scene_directory_remove(&directory);
 }
 
-/* Files that only say units of a scan beside them are no surfaces; alone, or with numbers in them, they are. */
+/* Files that only say units of a scan beside them are no surfaces; alone they are passed over, with numbers in them
+ * they are surfaces. */
 static void test_sidecars(void **state)
 {
     (void)state;
     static const char units[] = "x unit: mm\nz unit: nm\n", dabam[] = "{\"X1_FACTOR\": 0.001, \"Y1_FACTOR\": 1e-9}",
                       unfit[] = "x unit: mm\nz unit: nm\n0 1\n1 2\n2 1\n";
-    static const char *const surfaces[] = {"a", "b", "c.csv", "c.txt", "d", "e", "f.json", "f.txt"};
+    static const char *const surfaces[] = {"a", "b", "c.csv", "c.txt"};
     struct scene_directory directory = scene_directory_make();
     static const char *const scans[] = {"a.dat", "b.csv", "c.csv", "d.1.csv", "g.csv"};
     for (size_t i = 0; i < COUNT(scans); i++)
@@ -157,6 +158,8 @@ static void test_sidecars(void **state)
     }
     assert_int_equal(found, COUNT(surfaces));
     assert_int_equal(scene.surface_count, COUNT(surfaces) + 1);
+    assert_string_equal(scene.passed_over,
+                        "passed over, no scans: 4 x text without a row of numbers (d.txt, e.txt, f.json, f.txt)");
     scene_free(&scene);
     scene_directory_remove(&directory);
 }

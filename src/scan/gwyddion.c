@@ -1,0 +1,61 @@
+#include "scan/gwyddion.h"
+#include "base/program.h"
+
+#include <errno.h>
+#include <ftw.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static const double most_seconds = 30;
+
+bool gwyddion_exists(void)
+{
+    char program[PATH_MAX];
+    return program_find(program, sizeof program, "gwyddion");
+}
+
+static int remove_one(const char *path, const struct stat *info, int kind, struct FTW *walk)
+{
+    (void)info, (void)kind, (void)walk;
+    return remove(path);
+}
+
+static enum status_code convert(struct text *out, const char *program, const char *path, const char *directory,
+                                struct status *status)
+{
+    struct status problem = {0};
+    char *option = NULL;
+    if (asprintf(&option, "--convert-to-gwy=%s/scan.gwy", directory) < 0)
+        return status_memory(status);
+    char *const arguments[] = {(char *)program, option, (char *)path, NULL};
+    enum status_code code = program_run(arguments, directory, most_seconds, &problem);
+    if (code == STATUS_OK)
+        code = text_read_file(out, strchr(option, '=') + 1, &problem);
+    free(option);
+    return code == STATUS_IO   ? status_fail(status, STATUS_SCAN, "Gwyddion cannot convert it: %s", problem.message)
+           : code != STATUS_OK ? status_fail(status, code, "%s", problem.message)
+                               : STATUS_OK;
+}
+
+enum status_code gwyddion_convert(struct text *out, const char *path, struct status *status)
+{
+    char program[PATH_MAX], whole[PATH_MAX], directory[PATH_MAX];
+    const char *base = getenv("TMPDIR");
+    if (!program_find(program, sizeof program, "gwyddion"))
+        return status_fail(status, STATUS_SCAN, "no gwyddion in PATH");
+    if (!realpath(path, whole)) /* absolute: it can be no option */
+        return status_fail(status, STATUS_IO, "cannot find '%s': %s", path, strerror(errno));
+    snprintf(directory, sizeof directory, "%s/roughcontact-XXXXXX", base && strlen(base) < 1000 ? base : P_tmpdir);
+    program_hold_signals(true); /* until the directory is gone */
+    if (mkdtemp(directory)) {
+        (void)convert(out, program, whole, directory, status);
+        nftw(directory, remove_one, 8, FTW_DEPTH | FTW_PHYS);
+    } else {
+        status_fail(status, STATUS_IO, "cannot make a directory like '%s': %s", directory, strerror(errno));
+    }
+    program_hold_signals(false);
+    return status->code;
+}

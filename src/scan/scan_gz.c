@@ -1,0 +1,57 @@
+/* Any other format, packed by gzip (RFC 1952). */
+#include "scan/archive.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <zlib.h>
+
+bool scan_gz_sniff(const struct scan_bytes *file)
+{
+    return file->length > 18 && memcmp(file->bytes, "\x1f\x8b\x08", 3) == 0;
+}
+
+/* Unpacks every member of the file, which are one after another, into `text`. */
+static enum status_code unpack(struct text *text, const struct scan_bytes *file, struct status *status)
+{
+    z_stream stream = {.next_in = (Bytef *)file->bytes};
+    const char *end = file->bytes + file->length;
+    int code = inflateInit2(&stream, 16 + MAX_WBITS); /* gzip's header */
+    bool ended = false;
+    if (code != Z_OK)
+        return status_memory(status);
+    while (code == Z_OK || (code == Z_STREAM_END && (const char *)stream.next_in < end)) {
+        unsigned char piece[65536];
+        size_t left = (size_t)(end - (const char *)stream.next_in);
+        if (code == Z_STREAM_END && inflateReset(&stream) != Z_OK)
+            break;
+        stream.avail_in = left < sizeof piece ? (uInt)left : (uInt)sizeof piece;
+        stream.next_out = piece;
+        stream.avail_out = sizeof piece;
+        code = inflate(&stream, Z_NO_FLUSH);
+        text_add_bytes(text, (const char *)piece, sizeof piece - stream.avail_out);
+        ended = code == Z_STREAM_END;
+        if (text->failed || text->length > ARCHIVE_MOST_BYTES || (left == 0 && stream.avail_out > 0))
+            break;
+    }
+    inflateEnd(&stream);
+    if (text->failed || code == Z_MEM_ERROR)
+        return status_memory(status);
+    if (text->length > ARCHIVE_MOST_BYTES)
+        return scan_fail(status, file, 0, "it unpacks to more than %d MiB; unpack it, and cut it down",
+                         ARCHIVE_MOST_BYTES >> 20);
+    if (!ended)
+        return scan_fail(status, file, 0, "damaged or cut off within the gzip data; copy the file again");
+    return STATUS_OK;
+}
+
+enum status_code scan_gz_read(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
+                              struct status *status)
+{
+    struct text text = {0};
+    enum status_code code = unpack(&text, file, status);
+    struct scan_bytes inner = {text_string(&text), text.length, file->path};
+    if (code == STATUS_OK)
+        code = scan_read_inner(out, &inner, options, status);
+    text_free(&text);
+    return code;
+}

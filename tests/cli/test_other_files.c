@@ -1,0 +1,290 @@
+/* What lies beside scans, scans in archives, standard input, directories, and the help of another program. */
+#include "base/text.h"
+#include "cli/process.h"
+
+#include <signal.h>
+#include <stdio.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+#define ROUGH "x [um],z [um]\n0,1\n1,3\n2,2\n3,5\n4,1\n5,4\n6,2\n7,6\n8,3\n9,1\n"
+
+/** Writes bytes that may hold NUL. */
+static void write_bytes(const char *place, const char *path, const char *bytes, size_t length)
+{
+    struct status status = {0};
+    char *whole;
+    assert_true(asprintf(&whole, "%s/%s", place, path) > 0);
+    workspace_write(place, path, "");
+    assert_int_equal(text_write_file(whole, bytes, length, &status), STATUS_OK);
+    free(whole);
+}
+
+static void write_others(const char *place)
+{
+    write_bytes(place, "d/photo.jpg", "\xff\xd8\xff\xe0\0\0", 6);
+    write_bytes(place, "d/b.png", "\x89PNG\r\n\x1a\n\0\0", 10);
+    write_bytes(place, "d/a.png", "\x89PNG\r\n\x1a\n\0\0", 10);
+    workspace_write(place, "d/paper.pdf", "%PDF-1.7\n1 0 obj\n");
+    workspace_write(place, "d/README.md", "# Scans\n1 2\n3 4\n");
+    workspace_write(place, "d/plot.py", "x = 1\n0.5, 1\n");
+    workspace_write(place, "d/notes.txt", "made by hand\n");
+}
+
+static const char others[] = "passed over, no scan: 1 x JPEG picture (photo.jpg)\n"
+                             "passed over, no scan: 1 x PDF document (paper.pdf)\n"
+                             "passed over, no scans: 2 x PNG picture (a.png, b.png)\n"
+                             "passed over, no scans: 2 x text (README.md, plot.py)\n"
+                             "passed over, no scan: 1 x text without a row of numbers (notes.txt)\n";
+
+/* Found in a directory they are passed over and told; named in a scene they are refused. */
+static void test_passed_over(void **state)
+{
+    const char *place = *state;
+    workspace_scan(place, "d/1.csv", 200, 1);
+    workspace_scan(place, "d/2.csv", 200, 2);
+    write_others(place);
+    struct process process = expect_exit(place, 0, "plan", "d");
+    expect_part(process.err, others);
+    process_free(&process);
+    process = expect_exit(place, 0, "report", "--no-cost", "d");
+    expect_part(process.err, others);
+    process_free(&process);
+    char *report = workspace_read(place, "out/d/report.md");
+    expect_part(report, "**Passed over.**");
+    expect_part(report, "2 x PNG picture (a.png, b.png)");
+    expect_no_part(report, "**Refused.**");
+    free(report);
+    char *json = workspace_read(place, "out/d/results.json");
+    expect_part(json, "passed over, no scans: 2 x PNG picture (a.png, b.png)");
+    free(json);
+    process = expect_exit(place, 0, "inspect", "d");
+    expect_part(process.err, others);
+    expect_part(process.out, "d/1.csv\n  format ");
+    expect_part(process.out, "d/2.csv\n  format ");
+    process_free(&process);
+
+    /* an instrument's file that is not read is no such thing */
+    write_bytes(place, "d/w.opd", "\1\0Directory\0\0\0", 14);
+    process = expect_exit(place, 1, "plan", "d");
+    expect_part(process.err,
+                "surface 'w' refused: w.opd: the format is not read here: Wyko OPD file; export it in Vision");
+    process_free(&process);
+
+    workspace_write(place, "d/scene.yaml", "surfaces: [{file: 1.csv}, {file: photo.jpg}]\n");
+    process = expect_exit(place, 1, "report", "--no-cost", "d");
+    expect_part(process.err, "surface 'photo' refused: photo.jpg: it is no scan: JPEG picture");
+    expect_no_part(process.err, "passed over");
+    process_free(&process);
+    workspace_write(place, "e/README.md", "nothing yet\n");
+    expect_failure(place, 4, 2, "passed over, no scan: 1 x text (README.md)\nroughcontact: no scan in 'e'", "report",
+                   "e");
+}
+
+/* What every scan of a surface says in the same words is said once. */
+static void test_counted_notes(void **state)
+{
+    const char *place = *state;
+    struct text scene = {0};
+    text_add(&scene, "surfaces:\n  - name: s\n    file: [");
+    for (unsigned i = 0; i < 12; i++) {
+        char path[32];
+        struct text scan = {0};
+        uint64_t seed = i + 1;
+        text_add(&scan, "x [um],z [um],more\n");
+        for (int k = 0; k < 200; k++) {
+            seed = seed * 6364136223846793005u + 1442695040888963407u;
+            text_add(&scan, "%d,%.4f,1\n", k, (double)(seed >> 40) * 1e-6);
+        }
+        snprintf(path, sizeof path, "d/%u.csv", 10 + i);
+        workspace_write(place, path, text_string(&scan));
+        text_add(&scene, "%s%u.csv", i > 0 ? ", " : "", 10 + i);
+        text_free(&scan);
+    }
+    text_add(&scene, "]\n");
+    workspace_write(place, "d/scene.yaml", text_string(&scene));
+    text_free(&scene);
+    static const char note[] = "3 columns: column 1 read as x, column 2 as z, the others ignored";
+    struct process process = expect_exit(place, 0, "plan", "d");
+    char expected[300];
+    snprintf(expected, sizeof expected, "surface 's': 10.csv: %s (and of 11 more scans)\n", note);
+    expect_part(process.err, expected);
+    assert_null(strstr(strstr(process.err, note) + 1, note));
+    process_free(&process);
+}
+
+static void test_packed(void **state)
+{
+    const char *place = *state;
+    workspace_scan(place, "1.csv", 200, 1);
+    workspace_scan(place, "2.csv", 200, 2);
+    workspace_scan(place, "3.csv", 200, 3);
+    struct process process =
+        process_end(process_start_list(place,
+                                       (const char *const[]){CMAKE_PROGRAM, "-E", "tar", "cf", "three.zip",
+                                                             "--format=zip", "1.csv", "2.csv", "3.csv", NULL},
+                                       NULL));
+    assert_int_equal(process.status, 0);
+    process_free(&process);
+    process = process_end(process_start_list(place, (const char *const[]){"gzip", "1.csv", NULL}, NULL));
+    assert_int_equal(process.status, 0);
+    process_free(&process);
+    process = expect_exit(place, 0, "inspect", "three.zip");
+    expect_part(process.out, "three.zip(1.csv)\n");
+    expect_part(process.out, "three.zip(2.csv)\n");
+    expect_part(process.out, "three.zip(3.csv)\n");
+    process_free(&process);
+    process = expect_exit(place, 0, "inspect", "1.csv.gz");
+    expect_part(process.out, "points      200");
+    process_free(&process);
+
+    /* three scans of one surface: the same as the three files */
+    char *name = NULL;
+    assert_true(asprintf(&name, "%s/three.zip", place) > 0);
+    struct text bytes = {0};
+    struct status status = {0};
+    assert_int_equal(text_read_file(&bytes, name, &status), STATUS_OK);
+    write_bytes(place, "z/s.zip", bytes.data, bytes.length);
+    text_free(&bytes);
+    free(name);
+    workspace_scan(place, "f/1.csv", 200, 1);
+    workspace_scan(place, "f/2.csv", 200, 2);
+    workspace_scan(place, "f/3.csv", 200, 3);
+    workspace_write(place, "f/scene.yaml", "surfaces: [{name: s, file: [1.csv, 2.csv, 3.csv]}]\n");
+    process = expect_exit(place, 0, "report", "--no-cost", "z");
+    process_free(&process);
+    process = expect_exit(place, 0, "report", "--no-cost", "f");
+    process_free(&process);
+    char *packed = workspace_read(place, "out/z/data/contact.csv"),
+         *files = workspace_read(place, "out/f/data/contact.csv");
+    assert_string_equal(packed, files);
+    free(packed);
+    free(files);
+}
+
+/** Runs `inspect` with the file `input` as standard input. */
+static struct process inspect_input(const char *place, const char *input, const char *option)
+{
+    return process_end(process_start_list(
+        place, (const char *const[]){"sh", "-c", "\"$0\" inspect \"$1\" - < \"$2\"", PROGRAM, option, input, NULL},
+        NULL));
+}
+
+static void test_standard_input(void **state)
+{
+    const char *place = *state;
+    workspace_write(place, "a.csv", ROUGH);
+    workspace_write(place, "bad.csv", "hello\n");
+    struct process process = inspect_input(place, "a.csv", "--no-chart");
+    assert_int_equal(process.status, 0);
+    expect_part(process.out, "-\n  format      text");
+    process_free(&process);
+    process = inspect_input(place, "bad.csv", "--json");
+    assert_int_equal(process.status, 4);
+    expect_part(process.out, "\"error\": \"-: no line of numbers in it: not a scan\"");
+    process_free(&process);
+    expect_failure(place, 4, 1, "no scan in 'empty'", "inspect", (workspace_folder(place, "empty"), "empty"));
+}
+
+/** A directory of its own in front of PATH, with a program gwyddion of these lines. */
+static char *put_gwyddion(const char *place, const char *script)
+{
+    char *path, *before = strdup(getenv("PATH")), *file;
+    workspace_write(place, "bin/gwyddion", script);
+    assert_true(asprintf(&file, "%s/bin/gwyddion", place) > 0);
+    assert_int_equal(chmod(file, 0700), 0);
+    assert_true(asprintf(&path, "%s/bin:%s", place, before) > 0);
+    assert_int_equal(setenv("PATH", path, 1), 0);
+    free(path);
+    free(file);
+    return before;
+}
+
+static void take_gwyddion(char *before)
+{
+    assert_int_equal(setenv("PATH", before, 1), 0);
+    free(before);
+}
+
+/** Does the process still run? One that ended may wait for its parent. */
+static bool is_running(const char *pid)
+{
+    char path[64], state = 'Z';
+    snprintf(path, sizeof path, "/proc/%d/stat", atoi(pid));
+    FILE *file = fopen(path, "r");
+    if (file && fscanf(file, "%*d (%*[^)]) %c", &state) != 1)
+        state = 'Z';
+    if (file)
+        fclose(file);
+    return state != 'Z';
+}
+
+/* Where Gwyddion is installed it is asked for what nothing here reads; nothing it leaves stays. */
+static void test_gwyddion(void **state)
+{
+    const char *place = *state;
+    char *temporary = NULL, *kept = getenv("TMPDIR") ? strdup(getenv("TMPDIR")) : NULL;
+    assert_true(asprintf(&temporary, "%s/tmp", place) > 0);
+    workspace_folder(place, "tmp");
+    assert_int_equal(setenv("TMPDIR", temporary, 1), 0);
+    write_bytes(place, "-a.opd", "\1\0Directory\0\0\0", 14);
+    write_bytes(place, "b.bin", "\0\1\2\3", 4);
+    write_bytes(place, "c.png", "\x89PNG\r\n\x1a\n\0\0", 10);
+    workspace_write(place, "map.gsf", ""); /* what stands for a conversion: any format will do */
+    workspace_write(place, "converted", ROUGH);
+    char *before = put_gwyddion(place, "#!/bin/sh\n"
+                                       "case \"$1\" in --convert-to-gwy=*) ;; *) exit 1 ;; esac\n"
+                                       "case \"$2\" in /*) ;; *) exit 1 ;; esac\n"
+                                       "mkdir -p \"$HOME/.gwyddion/ui\"\n"
+                                       "cp \"$(dirname \"$2\")/converted\" \"${1#*=}\"\n");
+    struct process process = expect_exit(place, 0, "inspect", "--", "-a.opd");
+    expect_part(process.out, "converted by the program Gwyddion from a Wyko OPD file");
+    process_free(&process);
+    process = expect_exit(place, 0, "inspect", "b.bin");
+    expect_part(process.out, "converted by the program Gwyddion from a format that is not read here");
+    process_free(&process);
+    expect_failure(place, 4, 1, "c.png: it is no scan: PNG picture", "inspect", "c.png");
+    workspace_write(place, "converted", "hello\n");
+    expect_failure(place, 4, 1, "the format is not read here: Wyko OPD file", "inspect", "--", "-a.opd");
+    take_gwyddion(before);
+
+    before = put_gwyddion(place, "#!/bin/sh\nexit 1\n");
+    expect_failure(place, 4, 1, "Wyko OPD file; export it in Vision", "inspect", "--", "-a.opd");
+    take_gwyddion(before);
+
+    /* a signal ends it and what it started, and the directory goes */
+    before = put_gwyddion(place, "#!/bin/sh\ncd /\nsleep 1000 &\n"
+                                 "echo $! > \"$(dirname \"$2\")/started\"\n"
+                                 "mv \"$(dirname \"$2\")/started\" \"$(dirname \"$2\")/pid\"\nsleep 1000\n");
+    struct process_running running = process_start(place, "inspect", "b.bin");
+    const struct timespec pause = {0, 20000000};
+    while (!workspace_has(place, "pid"))
+        nanosleep(&pause, NULL);
+    nanosleep(&pause, NULL);
+    kill(running.pid, SIGTERM);
+    process = process_end(running);
+    assert_int_equal(process.status, 128 + SIGTERM);
+    process_free(&process);
+    char *pid = workspace_read(place, "pid");
+    while (is_running(pid))
+        nanosleep(&pause, NULL); /* until the test's own time is up */
+    free(pid);
+    take_gwyddion(before);
+    assert_int_equal(workspace_count(place, "roughcontact-"), 0);
+    if (kept)
+        setenv("TMPDIR", kept, 1);
+    else
+        unsetenv("TMPDIR");
+    free(kept);
+    free(temporary);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        workspace_test(test_passed_over),    workspace_test(test_counted_notes), workspace_test(test_packed),
+        workspace_test(test_standard_input), workspace_test(test_gwyddion),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

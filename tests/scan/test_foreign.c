@@ -1,0 +1,140 @@
+/* Files that no reader reads: known by their bytes, else by their name and that they are binary. */
+#include "scan/foreign.h"
+#include "zip_support.h"
+
+#define BYTES(text) text, sizeof(text) - 1
+
+static const struct {
+    const char *path, *bytes;
+    size_t length;
+    const char *name; /* NULL: not known */
+    enum foreign_kind kind;
+} files[] = {
+    {"a", BYTES("\1\0Directory\0\0\0\0"), "Wyko OPD file", FOREIGN_SCAN},
+    {"a", BYTES("VCA DATA\1\0\0\x55\0\0"), "Dektak or Bruker OPDx file", FOREIGN_SCAN},
+    {"a.PLU", BYTES("Mon Jan 01 2001\0\0\0"), "Sensofar PLU file", FOREIGN_SCAN},
+    {"a.plu", BYTES("1 2\n3 4\n"), NULL, FOREIGN_SCAN}, /* text of that name */
+    {"a.dat", BYTES("\x88\x1b\x03\x6f\0\1\0\0"), "Zygo MetroPro file", FOREIGN_SCAN},
+    {"a.dat", BYTES("\x88\x1b\x03\x70\0\1\0\0"), "Zygo MetroPro file", FOREIGN_SCAN},
+    {"a.dat", BYTES("\x88\x1b\x03\x71\0\1\0\0"), "Zygo MetroPro file", FOREIGN_SCAN},
+    {"a.dat", BYTES("\x88\x1b\x03\x72\0\1\0\0"), NULL, FOREIGN_SCAN},
+    {"a", BYTES("FRTM_GLIDERV1.00\0"), "FRT MicroProf file", FOREIGN_SCAN},
+    {"a.mnt", BYTES("\0\1\2\3"), "MountainsMap document", FOREIGN_SCAN},
+    {"a.ibw", BYTES("\5\0\x12\x34"), "Igor Pro binary wave", FOREIGN_SCAN},
+    {"a.ibw", BYTES("\0\2\x12\x34"), "Igor Pro binary wave", FOREIGN_SCAN},
+    {"a.dat", BYTES("\5\0\x12\x34"), NULL, FOREIGN_SCAN},
+    {"a.001", BYTES("\\*File list\r\n\\Version: 0x05\r\n"), "Bruker Nanoscope file", FOREIGN_SCAN},
+    {"a.spm", BYTES("\\*Force file list\r\n"), "Bruker Nanoscope force file", FOREIGN_SCAN},
+    {"a.jpk", BYTES("MM\0*\0\0\0\x08\0\0"), "JPK image", FOREIGN_SCAN},
+    {"a.vk4", BYTES("VK4_\0\0\0\0"), "Keyence VK4 file", FOREIGN_SCAN},
+    {"a.vk6", BYTES("VK6\0\0\0\0BM"), "Keyence VK6 file", FOREIGN_SCAN},
+    {"a.lext", BYTES("II*\0\x08\0\0\0\0\0"), "Olympus LEXT file", FOREIGN_SCAN},
+    {"a.poir", BYTES("PK\3\4\0\0\0\0"), "Olympus POIR file", FOREIGN_SCAN},
+    {"a.nms", BYTES("\0\1\2\3"), "NanoFocus NMS file", FOREIGN_SCAN},
+    {"a", BYTES("ZISRAWFILE\0\0\0\0"), "ZEISS CZI file", FOREIGN_SCAN},
+    {"a", BYTES("\x89HDF\r\n\x1a\n\0"), "HDF5 file", FOREIGN_SCAN},
+    {"a", BYTES("MATLAB 5.0 MAT-file, Platform\0"), "MATLAB file", FOREIGN_SCAN},
+    {"a", BYTES("\x93NUMPY\1\0v\0"), "NumPy array", FOREIGN_SCAN},
+    {"a", BYTES("GWYOGwyContainer\0"), "Gwyddion file of version 1", FOREIGN_SCAN},
+    /* directory at 8 with one entry: tag 50434, and then another */
+    {"a.tiff", BYTES("II*\0\x08\0\0\0\1\0\x02\xc5\4\0\1\0\0\0\0\0\0\0"), "Park Systems TIFF", FOREIGN_SCAN},
+    {"a.tiff", BYTES("MM\0*\0\0\0\x08\0\1\xc5\x02\0\4\0\0\0\1\0\0\0\0"), "Park Systems TIFF", FOREIGN_SCAN},
+    {"a.tiff", BYTES("II*\0\x08\0\0\0\1\0\x03\xc5\4\0\1\0\0\0\0\0\0\0"), "TIFF picture", FOREIGN_DOCUMENT},
+    {"a.tiff", BYTES("II*\0\xff\xff\xff\xff\1\0"), "TIFF picture", FOREIGN_DOCUMENT},
+    {"a", BYTES("%PDF-1.7\n"), "PDF document", FOREIGN_DOCUMENT},
+    {"a", BYTES("\x89PNG\r\n\x1a\n\0"), "PNG picture", FOREIGN_DOCUMENT},
+    {"a", BYTES("\xff\xd8\xff\xe0"), "JPEG picture", FOREIGN_DOCUMENT},
+    {"a", BYTES("GIF89a\0"), "GIF picture", FOREIGN_DOCUMENT},
+    {"a.xls", BYTES("\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1\0"), "old Excel workbook", FOREIGN_DOCUMENT},
+    {"a.doc", BYTES("\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1\0"), "Office document", FOREIGN_DOCUMENT},
+    {"a.xyz", BYTES("\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1\0"), NULL, FOREIGN_DOCUMENT}, /* instruments use it too */
+    {"a.csv", BYTES("0 1\n1 2\n"), NULL, FOREIGN_DOCUMENT},
+    {"a.bin", BYTES("\0\1\2\3"), NULL, FOREIGN_DOCUMENT},
+};
+
+static void test_files(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
+        for (size_t length = 0; length <= files[i].length; length++) { /* every prefix */
+            struct scan_bytes file = bytes_copy(files[i].bytes, length);
+            file.path = files[i].path;
+            const struct foreign *foreign = foreign_find(&file);
+            if (length == files[i].length && (foreign == NULL) != (files[i].name == NULL))
+                fail_msg("row %zu, %s: %s", i, files[i].path, foreign ? foreign->name : "not known");
+            if (length == files[i].length && foreign) {
+                assert_string_equal(foreign->name, files[i].name);
+                assert_int_equal(foreign->kind, files[i].kind);
+                assert_true(strlen(foreign_remedy(foreign)) > 0);
+            }
+            free((char *)file.bytes);
+        }
+    }
+}
+
+static void test_archives(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *entry, *content, *name;
+        enum foreign_kind kind;
+    } archives[] = {
+        {"LAYER_0.raw", "x", "Sensofar PLUX file", FOREIGN_SCAN},
+        {"xl/workbook.xml", "x", "Excel workbook", FOREIGN_DOCUMENT},
+        {"word/document.xml", "x", "Word document", FOREIGN_DOCUMENT},
+        {"mimetype", "application/vnd.oasis.opendocument.spreadsheet", "OpenDocument spreadsheet", FOREIGN_DOCUMENT},
+        {"mimetype", "application/vnd.oasis.opendocument.text", "OpenDocument file", FOREIGN_DOCUMENT},
+        {"scan.csv", "0 1\n", NULL, FOREIGN_SCAN},
+    };
+    for (size_t i = 0; i < sizeof archives / sizeof *archives; i++) {
+        const struct member members[] = {{archives[i].entry, archives[i].content, strlen(archives[i].content)},
+                                         {NULL, NULL, 0}};
+        struct text text = zip(members, false);
+        struct scan_bytes file = bytes_copy(text.data, text.length);
+        const struct foreign *foreign = foreign_find(&file);
+        assert_int_equal(foreign == NULL, archives[i].name == NULL);
+        if (foreign) {
+            assert_string_equal(foreign->name, archives[i].name);
+            assert_int_equal(foreign->kind, archives[i].kind);
+        }
+        free((char *)file.bytes);
+        text_free(&text);
+    }
+}
+
+/* What lies beside scans, and what may be one. */
+static void test_others(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *path, *content;
+        bool other;
+    } texts[] = {
+        {"dir/README", "1 2\n3 4\n", true},
+        {"readme.txt", "1 2\n", true},
+        {"readmission.csv", "1 2\n", false},
+        {"a.py", "0.5, 1\n", true},
+        {"a.MD", "1 2\n3 4\n", true},
+        {"notes.txt", "by hand\n", true},
+        {"notes.txt", "by hand\n1 2\n", false},
+        {"a.csv", "by hand\n", false},
+        {"scan", "by hand\n", false},
+        {"a.txt", "", false},
+        {"a.dat", "\0\1\2", false},
+        {"a.txt", "# 1 2\n", true},
+    };
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+        struct scan_bytes file = {texts[i].content, strlen(texts[i].content), texts[i].path};
+        if ((scan_is_other(&file, true) != NULL) != texts[i].other)
+            fail_msg("%s (%zu)", texts[i].path, i);
+    }
+    struct scan_bytes start = {"by hand\n", 8, "notes.txt"}; /* the numbers may follow */
+    assert_null(scan_is_other(&start, false));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_files), cmocka_unit_test(test_archives),
+                                       cmocka_unit_test(test_others)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,267 @@
+/* Several scans in a zip archive, gzip, Gwyddion's own files. */
+#include "zip_support.h"
+
+static const char csv[] = "x [um],z [um]\n0,0.5\n0.5,-1.25\n1,2.75\n1.5,0.125\n2,8\n2.5,-3.5\n";
+static const char sdf[] = "aISO-1.0\nNumPoints=6\nNumProfiles=1\nXscale=0.5e-6\nYscale=0\nZscale=1e-6\n*\n"
+                          "0.5 -1.25 2.75 0.125 8 -3.5\n*\n";
+
+static bool has_warning(const struct scan *scan, const char *words)
+{
+    for (size_t i = 0; i < scan->warning_count; i++)
+        if (strstr(scan->warnings[i], words))
+            return true;
+    return false;
+}
+
+/* Reads the scans of an archive one after another; their names have to be `parts`, which NULL ends. Returns the
+ * warnings of the first in `first`. */
+static void assert_parts(const struct text *text, const char *const *parts, const char *warning)
+{
+    struct scan_options options = {.x_unit = "um", .z_unit = "um"};
+    size_t count = 0;
+    do {
+        struct scan scan;
+        struct status status = {0};
+        assert_non_null(parts[count]);
+        if (read_bytes(&scan, text->data, text->length, &options, &status) != STATUS_OK)
+            fail_msg("%s", status.message);
+        assert_sound(&scan);
+        assert_string_equal(scan.part, parts[count]);
+        assert_int_equal(scan.nx, SAMPLE_POINTS);
+        for (size_t i = 0; i < SAMPLE_POINTS; i++)
+            assert_within(scan.z_m[i], sample_um[i] * 1e-6, 1e-12);
+        if (warning)
+            assert_true(has_warning(&scan, warning) == (count == 0));
+        options.entry = scan.next_entry;
+        scan_free(&scan);
+        count++;
+    } while (options.entry > 0);
+    assert_null(parts[count]);
+}
+
+static void test_several(void **state)
+{
+    (void)state;
+    const struct member texts[] = {{"README.md", "1 2\n3 4\n", 8},
+                                   {"folder/", "", 0},
+                                   {"folder/b.csv", csv, sizeof csv - 1},
+                                   {"__MACOSX/folder/._b.csv", "\0\1", 2},
+                                   {"a.txt", csv, sizeof csv - 1},
+                                   {"photo.jpg", "\xff\xd8\xff\xe0\0\0", 6},
+                                   {"notes.txt", "by hand\n", 8},
+                                   {"c.csv", csv, sizeof csv - 1},
+                                   {NULL, NULL, 0}};
+    static const char *const text_parts[] = {"folder/b.csv", "a.txt", "c.csv", NULL};
+    for (int deflated = 0; deflated < 2; deflated++) {
+        struct text text = zip(texts, deflated);
+        assert_parts(&text, text_parts, "passed over in the archive, no scans: README.md, photo.jpg, notes.txt");
+        fuzz_sample(&text, 500 + (uint64_t)deflated);
+        text_free(&text);
+    }
+    /* beside other formats a text is a description */
+    const struct member mixed[] = {{"a.txt", csv, sizeof csv - 1},
+                                   {"b.sdf", sdf, sizeof sdf - 1},
+                                   {"c.sdf", sdf, sizeof sdf - 1},
+                                   {NULL, NULL, 0}};
+    static const char *const mixed_parts[] = {"b.sdf", "c.sdf", NULL};
+    struct text text = zip(mixed, false);
+    assert_parts(&text, mixed_parts, "1 text in the archive (a.txt) passed over beside its 2 other scans");
+    const struct member one[] = {{"b.sdf", sdf, sizeof sdf - 1}, {NULL, NULL, 0}};
+    static const char *const one_part[] = {"b.sdf", NULL};
+    text_free(&text);
+    text = zip(one, true);
+    assert_parts(&text, one_part, NULL);
+    text_free(&text);
+}
+
+/* A scan that is damaged, or in a format that is not read, is not passed over. */
+static void test_refusals(void **state)
+{
+    (void)state;
+    const struct member damaged[] = {{"a.csv", csv, sizeof csv - 1}, {"b.csv", "no numbers\n", 11}, {NULL, NULL, 0}};
+    const struct member wyko[] = {{"a.csv", csv, sizeof csv - 1}, {"b.opd", "\1\0Directory\0\0", 13}, {NULL, NULL, 0}};
+    struct scan_options second = {.entry = 3}; /* of two entries: the second among the texts */
+    struct text text = zip(damaged, true);
+    assert_refused_bytes(text.data, text.length, &second, "file(b.csv): no line of numbers in it");
+    text_free(&text);
+    text = zip(wyko, true);
+    assert_refused_bytes(text.data, text.length, &no_units,
+                         "file(b.opd): the format is not read here: Wyko OPD file; export it in Vision");
+    text_free(&text);
+    const struct member workbook[] = {{"[Content_Types].xml", "x", 1}, {"xl/workbook.xml", "y", 1}, {NULL, NULL, 0}};
+    text = zip(workbook, true);
+    assert_refused_bytes(text.data, text.length, &no_units, "Excel workbook; save the sheet with the scan as CSV");
+    text_free(&text);
+    static struct member many[1002];
+    for (size_t i = 0; i < 1001; i++)
+        many[i] = (struct member){"a.csv", csv, sizeof csv - 1};
+    text = zip(many, true);
+    assert_refused_bytes(text.data, text.length, &no_units, "1001 files in the archive; at most 1000");
+    text_free(&text);
+}
+
+static void test_gzip(void **state)
+{
+    (void)state;
+    struct text text = gzip(csv, sizeof csv - 1);
+    assert_sample(&text, "text", SCAN_PROFILE, SAMPLE_POINTS, &no_units);
+    fuzz_sample(&text, 510);
+    for (size_t length = 0; length < text.length; length++) { /* every prefix */
+        struct scan scan;
+        struct status status = {0};
+        assert_int_equal(read_bytes(&scan, text.data, length, &no_units, &status), STATUS_SCAN);
+        scan_free(&scan);
+    }
+    assert_refused_bytes(text.data, text.length - 1, &no_units, "damaged or cut off within the gzip data");
+    struct text twice = gzip(text.data, text.length);
+    assert_refused_bytes(twice.data, twice.length, &no_units, "a packed file within a packed file; unpack it");
+    text_free(&twice);
+    text_free(&text);
+    /* members one after another are one file */
+    text = gzip(csv, 30);
+    struct text rest = gzip(csv + 30, sizeof csv - 1 - 30);
+    put_copy(&text, &rest);
+    assert_sample(&text, "text", SCAN_PROFILE, SAMPLE_POINTS, &no_units);
+    text_free(&rest);
+    text_free(&text);
+    text = gzip(sdf, sizeof sdf - 1);
+    assert_sample(&text, "sdf", SCAN_PROFILE, SAMPLE_POINTS, &no_units);
+    text_free(&text);
+    text = gzip("\x89PNG\r\n\x1a\n\0", 9);
+    assert_refused_bytes(text.data, text.length, &no_units, "it is no scan: PNG picture");
+    text_free(&text);
+}
+
+static void put_name(struct text *text, const char *name, char type)
+{
+    text_add_bytes(text, name, strlen(name) + 1);
+    text_add_bytes(text, &type, 1);
+}
+
+/* An object of that name around `inner`, which is freed. */
+static void put_object(struct text *text, const char *name, struct text *inner)
+{
+    text_add_bytes(text, name, strlen(name) + 1);
+    put_bytes(text, inner->length, 4);
+    put_copy(text, inner);
+    text_free(inner);
+}
+
+static void put_unit(struct text *text, const char *key, const char *unit)
+{
+    struct text inner = {0};
+    put_name(&inner, "unitstr", 's');
+    text_add_bytes(&inner, unit, strlen(unit) + 1);
+    put_name(text, key, 'o');
+    put_object(text, "GwySIUnit", &inner);
+}
+
+/* A map of the sample's heights times `factor`, as a component `key`. */
+static void put_field_object(struct text *text, const char *key, double factor, const char *z_unit, size_t claimed)
+{
+    struct text inner = {0};
+    put_name(&inner, "xres", 'i');
+    put_bytes(&inner, SAMPLE_COLUMNS, 4);
+    put_name(&inner, "yres", 'i');
+    put_bytes(&inner, SAMPLE_ROWS, 4);
+    put_name(&inner, "xreal", 'd');
+    put_f64(&inner, 1.5e-6);
+    put_name(&inner, "yreal", 'd');
+    put_f64(&inner, 4e-6);
+    put_unit(&inner, "si_unit_xy", "m");
+    put_unit(&inner, "si_unit_z", z_unit);
+    put_name(&inner, "data", 'D');
+    put_bytes(&inner, claimed, 4);
+    for (size_t i = 0; i < SAMPLE_POINTS; i++)
+        put_f64(&inner, factor == 0 ? (i == 2 ? 1 : 0) : sample_um[i] * factor);
+    put_name(text, key, 'o');
+    put_object(text, "GwyDataField", &inner);
+}
+
+static struct text gwy(struct text *components)
+{
+    struct text text = {0};
+    text_add_bytes(&text, "GWYP", 4);
+    put_object(&text, "GwyContainer", components);
+    return text;
+}
+
+static void test_gwy(void **state)
+{
+    (void)state;
+    struct text inner = {0};
+    put_name(&inner, "/0/data/title", 's');
+    text_add_bytes(&inner, "Height", 7);
+    put_name(&inner, "/0/data/visible", 'b');
+    put_bytes(&inner, 1, 1);
+    put_field_object(&inner, "/0/data", 1e-6, "m", SAMPLE_POINTS);
+    put_name(&inner, "/names", 'S');
+    put_bytes(&inner, 2, 4);
+    text_add_bytes(&inner, "a\0b", 4);
+    struct text text = gwy(&inner);
+    assert_sample(&text, "gwy", SCAN_AREAL, SAMPLE_POINTS, &no_units);
+    for (size_t length = 0; length < text.length; length++) { /* every prefix */
+        struct scan scan;
+        struct status status = {0};
+        assert_int_equal(read_bytes(&scan, text.data, length, &no_units, &status), STATUS_SCAN);
+        scan_free(&scan);
+    }
+    fuzz_sample(&text, 520);
+    struct text packed = gzip(text.data, text.length);
+    assert_sample(&packed, "gwy", SCAN_AREAL, SAMPLE_POINTS, &no_units);
+    text_free(&packed);
+    text_free(&text);
+
+    /* of several the first that holds lengths, without the points under its own mask */
+    put_field_object(&inner, "/0/data", 1, "V", SAMPLE_POINTS);
+    put_field_object(&inner, "/10/data", 2e-6, "m", SAMPLE_POINTS);
+    put_field_object(&inner, "/0/mask", 1, "", SAMPLE_POINTS);
+    put_field_object(&inner, "/2/data", 1e3, "nm", SAMPLE_POINTS);
+    put_field_object(&inner, "/2/mask", 0, "", SAMPLE_POINTS);
+    text = gwy(&inner);
+    assert_sample(&text, "gwy", SCAN_AREAL, 2, &no_units);
+    fuzz_sample(&text, 530);
+    struct scan scan;
+    struct status status = {0};
+    assert_int_equal(read_bytes(&scan, text.data, text.length, &no_units, &status), STATUS_OK);
+    assert_true(has_warning(&scan, "1 points under the mask of Gwyddion are taken as missing"));
+    assert_true(has_warning(&scan, "the file holds 3 maps: /2/data was read"));
+    scan_free(&scan);
+    text_free(&text);
+}
+
+static void test_gwy_refusals(void **state)
+{
+    (void)state;
+    struct text inner = {0};
+    put_field_object(&inner, "/0/data", 1e-6, "m", SAMPLE_POINTS + 1);
+    struct text text = gwy(&inner);
+    assert_refused_bytes(text.data, text.length, &no_units, "cut off or damaged");
+    text_free(&text);
+    put_field_object(&inner, "/0/data", 1e-6, "m", SAMPLE_POINTS - 1);
+    text = gwy(&inner);
+    assert_refused_bytes(text.data, text.length, &no_units, "cut off or damaged");
+    text_free(&text);
+    put_field_object(&inner, "/0/data", 1, "V", SAMPLE_POINTS);
+    text = gwy(&inner);
+    assert_refused_bytes(text.data, text.length, &no_units, "z is in 'V' by the file, which is no unit of length");
+    text_free(&text);
+    put_name(&inner, "/0/filename", 's');
+    text_add_bytes(&inner, "a", 2);
+    text = gwy(&inner);
+    assert_refused_bytes(text.data, text.length, &no_units, "no map in it (/0/data)");
+    text_free(&text);
+    put_name(&inner, "/0/odd", '?');
+    text = gwy(&inner);
+    assert_refused_bytes(text.data, text.length, &no_units, "cut off or damaged");
+    text_free(&text);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_several), cmocka_unit_test(test_refusals),     cmocka_unit_test(test_gzip),
+        cmocka_unit_test(test_gwy),     cmocka_unit_test(test_gwy_refusals),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
