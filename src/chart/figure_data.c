@@ -5,6 +5,7 @@
 #include <errno.h>
 #include <gsl/gsl_cdf.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* Resistance goes to 0 with the last per cent of the area, over as many decades as a load happens to come close to full
@@ -20,40 +21,110 @@ static void begin_block(struct figure_file *out, const char *style, const char *
     text_add(&out->styles, "%s%s", out->styles.length > 0 ? " " : "", style);
 }
 
-/** One point, left out where a logarithmic axis cannot show it. */
-static void put_point(struct figure_file *out, double x, double y, bool x_logarithmic, bool y_logarithmic)
+static const struct figure_extent nothing = {INFINITY, -INFINITY};
+
+static void reach(struct figure_extent *extent, double value)
 {
-    if (isfinite(x) && isfinite(y) && (!x_logarithmic || x > 0) && (!y_logarithmic || y > 0))
-        fprintf(out->file, "%.17g,%.17g\n", x, y);
+    extent->low = fmin(extent->low, value);
+    extent->high = fmax(extent->high, value);
 }
 
-/** Points `from` to before `to` of a curve as one block. */
-static void put_part(struct figure_file *out, const struct model_curve *curve, size_t from, size_t to, enum quantity y,
-                     double sigma_m, const char *style, const char *legend)
+/** Begins a line that others may hide; its points follow by keep_point(). */
+static void begin_line(struct figure_file *out, const char *style)
+{
+    if (out->line_count == FIGURE_LINES)
+        return;
+    struct figure_line *line = &out->lines[out->line_count++];
+    *line = (struct figure_line){.first = out->point_count, .end = out->point_count};
+    snprintf(line->style, sizeof line->style, "%s", style);
+}
+
+static void keep_point(struct figure_file *out, double x, double y)
+{
+    if (out->line_count == 0 || out->failed)
+        return;
+    if (out->point_count == out->capacity) {
+        size_t more = out->capacity ? 2 * out->capacity : 256;
+        double(*points)[2] = realloc(out->points, more * sizeof *points);
+        out->failed = !points;
+        if (!points)
+            return;
+        out->points = points;
+        out->capacity = more;
+    }
+    out->points[out->point_count][0] = x;
+    out->points[out->point_count][1] = y;
+    out->lines[out->line_count - 1].end = ++out->point_count;
+}
+
+/** One point, left out where a logarithmic axis cannot show it. Was it written? */
+static bool put_point(struct figure_file *out, double x, double y, bool x_logarithmic, bool y_logarithmic)
+{
+    bool shown = isfinite(x) && isfinite(y) && (!x_logarithmic || x > 0) && (!y_logarithmic || y > 0);
+    if (shown) {
+        fprintf(out->file, "%.17g,%.17g\n", x, y);
+        reach(&out->x, x);
+        reach(&out->y, y);
+    }
+    return shown;
+}
+
+/** What a figure shows of a curve: a quantity, or (over) what it is over another one. */
+struct shown {
+    enum quantity y, over; /* over: QUANTITY_LOAD none */
+    double sigma_m;
+    const char *style, *legend;
+};
+
+static double value_shown(const struct contact_point *point, const struct shown *shown)
+{
+    double value = quantity_shown(point, shown->y, shown->sigma_m);
+    return shown->over == QUANTITY_LOAD ? value : value / quantity_value(point, shown->over);
+}
+
+/** Points `from` to before `to` of a curve as one block. A resistance ends with the row of full contact, where it is 0.
+ */
+static void put_part(struct figure_file *out, const struct model_curve *curve, size_t from, size_t to,
+                     const struct shown *shown, const char *style)
 {
     enum quantity x = out->figure->row->x;
-    begin_block(out, style, legend);
-    for (size_t i = from; i < to; i++)
-        put_point(out, quantity_shown(&curve->points[i], x, sigma_m), quantity_shown(&curve->points[i], y, sigma_m),
-                  quantity_rows[x].logarithmic, quantity_rows[y].logarithmic);
+    bool ratio = shown->over != QUANTITY_LOAD, logarithmic = quantity_rows[shown->y].logarithmic && !ratio;
+    bool hides = strcmp(style, shown->style) == 0 && !ratio;
+    begin_block(out, style, shown->legend);
+    if (hides)
+        begin_line(out, style);
+    for (size_t i = from; i < to; i++) {
+        const struct contact_point *point = &curve->points[i];
+        double at = quantity_shown(point, x, shown->sigma_m), value = value_shown(point, shown);
+        if (ratio && isfinite(value)) {
+            fprintf(out->file, "%.17g,%.17g\n", at, value);
+            reach(&out->ratio, value);
+        } else if (!ratio && put_point(out, at, value, quantity_rows[x].logarithmic, logarithmic)) {
+            if (hides)
+                keep_point(out, at, value);
+        } else if (!ratio && (QUANTITY_BIT(shown->y) & QUANTITY_RESISTANCES) && value == 0) {
+            fprintf(out->file, "%.17g,0\n", x == QUANTITY_LOAD ? fmin(at, curve->full_load) : at);
+            break;
+        }
+    }
 }
 
 /** A curve as up to three blocks: inside the model's validity, and (dashed, meeting the first or the last valid point)
- * outside. `y` is the quantity drawn, which may be another form of the figure's. */
+ * outside. */
 static void put_curve(struct figure_file *out, const struct model_curve *curve, const struct model_row *model,
-                      enum quantity y, double sigma_m, const char *style, const char *legend)
+                      const struct shown *shown)
 {
     struct curve_validity valid = curve_summary_validity(curve, model);
-    if (QUANTITY_BIT(y) & QUANTITY_RESISTANCES)
+    if (QUANTITY_BIT(shown->y) & QUANTITY_RESISTANCES && shown->over == QUANTITY_LOAD)
         for (size_t i = 0; i < curve->count && curve->points[i].area_ratio <= nearly_full_area; i++)
-            out->floor = fmin(out->floor, quantity_value(&curve->points[i], y));
+            out->floor = fmin(out->floor, quantity_value(&curve->points[i], shown->y));
     char outside_style[32];
-    snprintf(outside_style, sizeof outside_style, "%sx", style);
-    put_part(out, curve, valid.first, valid.end, y, sigma_m, style, legend);
+    snprintf(outside_style, sizeof outside_style, "%sx", shown->style);
+    put_part(out, curve, valid.first, valid.end, shown, shown->style);
     if (valid.first > 0)
-        put_part(out, curve, 0, valid.first + 1, y, sigma_m, outside_style, legend);
+        put_part(out, curve, 0, valid.first + 1, shown, outside_style);
     if (valid.end < curve->count)
-        put_part(out, curve, valid.end > 0 ? valid.end - 1 : 0, curve->count, y, sigma_m, outside_style, legend);
+        put_part(out, curve, valid.end > 0 ? valid.end - 1 : 0, curve->count, shown, outside_style);
 }
 
 /** The 95 % interval of the surface's mean against load, where there is one. */
@@ -69,8 +140,11 @@ static void put_band(struct figure_file *out, const struct surface_record *recor
     for (size_t i = 0; i < record->band_count; i++) {
         const struct repeats_band *band = &record->bands[model][i];
         double low = band->mean[y][0] * scale, high = band->mean[y][1] * scale;
-        if (isfinite(low) && isfinite(high) && (!quantity_rows[y].logarithmic || low > 0))
+        if (isfinite(low) && isfinite(high) && (!quantity_rows[y].logarithmic || low > 0)) {
             fprintf(out->file, "%.17g,%.17g,%.17g\n", band->load, low, high);
+            reach(&out->y, low);
+            reach(&out->y, high);
+        }
     }
 }
 
@@ -82,22 +156,40 @@ static void put_measured(struct figure_file *out, const struct measured *measure
     begin_block(out, "meas", "measured");
     for (size_t i = 0; i < measured->count; i++) {
         double value = measured->resistance[i], error = isnan(measured->error[i]) ? 0 : measured->error[i];
-        fprintf(out->file, "%.17g,%.17g,%.17g,%.17g\n", measured->load[i], value, fmax(value - error, value * 1e-3),
-                value + error);
+        double low = fmax(value - error, value * 1e-3);
+        fprintf(out->file, "%.17g,%.17g,%.17g,%.17g\n", measured->load[i], value, low, value + error);
+        reach(&out->x, measured->load[i]);
+        reach(&out->y, low);
+        reach(&out->y, value + error);
+        out->floor = fmin(out->floor, low);
     }
 }
 
-/** A further form of a model's curve, where the run and the model have it: `flag` behind the style tells it. */
-static void put_variant(struct figure_file *out, const struct surface_record *record, size_t m, unsigned wanted,
-                        enum quantity variant, char flag, const char *what)
+/** The adjusted separation beside a model's own, where the run and the model have it. */
+static void put_adjusted(struct figure_file *out, const struct surface_record *record, size_t m, unsigned wanted)
 {
     const struct model_row *model = model_rows[m];
     char style[32], legend[80];
-    if (!(model->quantities & wanted & QUANTITY_BIT(variant)))
+    if (!(model->quantities & wanted & QUANTITY_BIT(QUANTITY_ADJUSTED)))
         return;
-    snprintf(style, sizeof style, "%s%c", model->style, flag);
-    snprintf(legend, sizeof legend, "%s, %s", model->label, what);
-    put_curve(out, &record->curves[m], model, variant, record->summary.asperities.sigma_m, style, legend);
+    snprintf(style, sizeof style, "%sa", model->style);
+    snprintf(legend, sizeof legend, "%s, adjusted", model->label);
+    out->adjusted = true;
+    put_curve(out, &record->curves[m], model,
+              &(struct shown){QUANTITY_ADJUSTED, QUANTITY_LOAD, record->summary.asperities.sigma_m, style, legend});
+}
+
+/** A curve of the panel below: the row's quantity there over the figure's. */
+static void put_ratio(struct figure_file *out, const struct surface_record *record, size_t m, unsigned wanted,
+                      const char *style, const char *legend)
+{
+    enum quantity below = out->figure->row->below;
+    char ratio_style[32];
+    if (below == QUANTITY_LOAD || !(model_rows[m]->quantities & wanted & QUANTITY_BIT(below)))
+        return;
+    snprintf(ratio_style, sizeof ratio_style, "%sS", style);
+    put_curve(out, &record->curves[m], model_rows[m],
+              &(struct shown){below, out->figure->row->y, NAN, ratio_style, legend});
 }
 
 /** The charts of chapter 6 show the thesis's models, and others where none of those has a curve. */
@@ -113,11 +205,11 @@ static void put_models(struct figure_file *out, const struct surface_record *rec
             continue;
         if (model_shown(model, y) == y)
             put_band(out, record, m, model->style);
-        put_curve(out, &record->curves[m], model, y, record->summary.asperities.sigma_m, model->style, model->label);
+        put_curve(out, &record->curves[m], model,
+                  &(struct shown){y, QUANTITY_LOAD, record->summary.asperities.sigma_m, model->style, model->label});
         if (y == QUANTITY_SEPARATION)
-            put_variant(out, record, m, wanted, QUANTITY_ADJUSTED, 'a', "adjusted");
-        if (y == QUANTITY_TCR)
-            put_variant(out, record, m, wanted, QUANTITY_TCR_SCALE_DEPENDENT, 'S', "scale-dependent");
+            put_adjusted(out, record, m, wanted);
+        put_ratio(out, record, m, wanted, model->style, model->label);
     }
     if (out->blocks == 0) /* gnuplot complains of a file without any */
         begin_block(out, model_rows[0]->style, "no model exists for this surface");
@@ -268,6 +360,14 @@ static enum status_code put_probability(struct figure_file *out, const struct su
     return STATUS_OK;
 }
 
+static void put_profile(struct figure_file *out, const struct surface_record *record, const char *style,
+                        const char *legend)
+{
+    begin_block(out, style, legend);
+    for (size_t i = 0; i < record->preview_points; i++)
+        fprintf(out->file, "%.9g,%.9g\n", record->preview_x_m[i] * 1e3, record->preview_z_m[i] * 1e6);
+}
+
 static enum status_code put_surfaces(struct figure_file *out, const struct results *results, struct status *status)
 {
     enum status_code rc = STATUS_OK;
@@ -280,9 +380,7 @@ static enum status_code put_surfaces(struct figure_file *out, const struct resul
         surface_legend(legend, sizeof legend, &record.summary);
         snprintf(style, sizeof style, "s%zu", k + 1);
         if (row->kind == FIGURE_PROFILES) {
-            begin_block(out, style, legend);
-            for (size_t i = 0; i < record.preview_points; i++)
-                fprintf(out->file, "%.9g,%.9g\n", record.preview_x_m[i] * 1e3, record.preview_z_m[i] * 1e6);
+            put_profile(out, &record, style, legend);
         } else if (row->kind == FIGURE_PROBABILITY) {
             rc = put_probability(out, &record, results, style, legend, status);
         } else if (row->kind == FIGURE_SPECTRA) {
@@ -290,10 +388,17 @@ static enum status_code put_surfaces(struct figure_file *out, const struct resul
         } else {
             size_t m = out->figure->model;
             put_band(out, &record, m, style);
-            put_curve(out, &record.curves[m], model_rows[m], model_shown(model_rows[m], row->y),
-                      record.summary.asperities.sigma_m, style, legend);
+            put_curve(out, &record.curves[m], model_rows[m],
+                      &(struct shown){model_shown(model_rows[m], row->y), QUANTITY_LOAD,
+                                      record.summary.asperities.sigma_m, style, legend});
+            put_ratio(out, &record, m, results->plan->wanted, style, legend);
         }
         surface_record_free(&record, false);
+    }
+    if (out->figure->row->kind == FIGURE_PROFILES && results->counterface) {
+        char legend[80];
+        snprintf(legend, sizeof legend, "counterface, Rq %.3g µm", results->counterface->summary.roughness.rq_m * 1e6);
+        put_profile(out, results->counterface, "cf", legend);
     }
     return rc;
 }
@@ -308,11 +413,15 @@ static void put_sweep(struct figure_file *out, const struct results *results)
         char legend[40], style[24];
         snprintf(legend, sizeof legend, "%s = %g", out->figure->row->sweep == CONVERGENCE_ALPHA ? "α" : "γ",
                  sweep->values[v]);
-        snprintf(style, sizeof style, "r%zu", v + 1);
+        snprintf(style, sizeof style, "r%zu", 1 + (8 * v + (sweep->count - 1) / 2) / (sweep->count - 1));
         begin_block(out, style, legend);
+        begin_line(out, style);
         const double *area = results_sweep(results, out->figure->row->sweep, out->figure->model, v);
-        for (size_t k = 0; k < count; k++)
-            put_point(out, study->scan_length_m / (double)(index[k] + 1), area[index[k]], true, true);
+        for (size_t k = 0; k < count; k++) {
+            double wavelength_m = study->scan_length_m / (double)(index[k] + 1);
+            if (put_point(out, wavelength_m, area[index[k]], true, true))
+                keep_point(out, wavelength_m, area[index[k]]);
+        }
     }
 }
 
@@ -372,8 +481,9 @@ static void put_direct(struct figure_file *out, const struct direct_study *study
             if (direct_study_model(study, m, i))
                 points[curve.count++] = *direct_study_model(study, m, i);
         if (curve.count > 0 && (model_rows[m]->quantities & plan->wanted & QUANTITY_BIT(y)))
-            put_curve(out, &curve, model_rows[m], y, sqrt(study->moments.m0_m2), model_rows[m]->style,
-                      model_rows[m]->label);
+            put_curve(out, &curve, model_rows[m],
+                      &(struct shown){y, QUANTITY_LOAD, sqrt(study->moments.m0_m2), model_rows[m]->style,
+                                      model_rows[m]->label});
     }
     put_direct_points(out, study, &plan->pair);
 }
@@ -418,11 +528,17 @@ static void put_patches(struct figure_file *out, const struct direct_study *stud
         }
 }
 
+/** The error of a row as its chart shows it: below 1e-16 it is nothing that double precision can show. */
+static double cost_error(const struct benchmark_row *row)
+{
+    if (row->chart >= BENCHMARK_DIRECT_AREA)
+        return fmax(row->error, 1e-3); /* an error of exactly 0 has no place on a logarithmic axis */
+    return row->error < 1e-16 ? 0 : row->error;
+}
+
 /** One line a study and method, and a ring round what the report uses. */
 static void put_cost(struct figure_file *out, const struct benchmark *cost)
 {
-    bool direct_chart = out->figure->row->chart >= BENCHMARK_DIRECT_AREA;
-    const double floor = direct_chart ? 1e-3 : 1e-16; /* an error of exactly 0 has no place on a logarithmic axis */
     size_t methods = 0;
     const struct benchmark_row *before = NULL;
     for (size_t i = 0; i < cost->count; before = &cost->rows[i++]) {
@@ -437,7 +553,7 @@ static void put_cost(struct figure_file *out, const struct benchmark *cost)
                      integral ? row->method : row->study);
             begin_block(out, style, direct ? row->method : legend);
         }
-        fprintf(out->file, "%.17g,%.17g\n", row->seconds, fmax(row->error, floor));
+        fprintf(out->file, "%.17g,%.17g\n", row->seconds, cost_error(row));
     }
     bool chosen = false;
     for (size_t i = 0; i < cost->count; i++)
@@ -447,7 +563,111 @@ static void put_cost(struct figure_file *out, const struct benchmark *cost)
     begin_block(out, "choice", "used in this report");
     for (size_t i = 0; i < cost->count; i++)
         if (cost->rows[i].chart == out->figure->row->chart && cost->rows[i].chosen)
-            fprintf(out->file, "%.17g,%.17g\n", cost->rows[i].seconds, fmax(cost->rows[i].error, floor));
+            fprintf(out->file, "%.17g,%.17g\n", cost->rows[i].seconds, cost_error(&cost->rows[i]));
+}
+
+/* A chart's size in points on the page, as in templates/legend.gp, and how near a line must be to be covered. */
+static const double wide = 570, tall = 340, covered = 1.5;
+
+/** Place of a value along an axis. */
+static double place(double value, struct figure_extent axis, bool logarithmic, double length)
+{
+    double low = logarithmic ? log10(axis.low) : axis.low, high = logarithmic ? log10(axis.high) : axis.high;
+    return high > low ? length * ((logarithmic ? log10(value) : value) - low) / (high - low) : 0;
+}
+
+/** Does the stretch from a to b pass over a point, all on the page? */
+static bool covers(const double *a, const double *b, const double *point)
+{
+    double dx = b[0] - a[0], dy = b[1] - a[1], square = dx * dx + dy * dy;
+    double along = square > 0 ? ((point[0] - a[0]) * dx + (point[1] - a[1]) * dy) / square : 0;
+    along = fmin(fmax(along, 0), 1);
+    return hypot(point[0] - a[0] - along * dx, point[1] - a[1] - along * dy) <= covered;
+}
+
+/** Adds 1 to count[i] of every point of a line that `other` passes over. Both go one way along x. */
+static void count_covered(unsigned char *count, double (*page)[2], const struct figure_line *line,
+                          const struct figure_line *other)
+{
+    if (line->end - line->first < 2 || other->end - other->first < 2)
+        return;
+    double way = page[line->end - 1][0] < page[line->first][0] ? -1 : 1;
+    size_t s = other->first;
+    for (size_t i = line->first; i < line->end; i++) {
+        while (s + 2 < other->end && way * page[s + 1][0] < way * page[i][0] - covered)
+            s++;
+        bool found = false;
+        for (size_t n = s; n + 1 < other->end && way * page[n][0] <= way * page[i][0] + covered && !found; n++)
+            found = covers(page[n], page[n + 1], page[i]);
+        count[i] += found;
+    }
+}
+
+/** The end of the run of covered points that begins at `from`. */
+static size_t run_end(const unsigned char *count, size_t from, size_t end)
+{
+    while (from < end && count[from] > 0)
+        from++;
+    return from;
+}
+
+/** The stretches of line `k` that later lines cover, as one block; nothing where none is worth a dash. */
+static void put_stretches(struct figure_file *out, double (*page)[2], size_t k, const unsigned char *later,
+                          const unsigned char *earlier)
+{
+    static const double least = 20; /* a shorter stretch is a crossing */
+    const struct figure_line *line = &out->lines[k];
+    bool begun = false;
+    for (size_t from = line->first, to; from < line->end; from = to + 1) {
+        to = run_end(later, from, line->end);
+        if (to - from < 2 || hypot(page[to - 1][0] - page[from][0], page[to - 1][1] - page[from][1]) < least)
+            continue;
+        if (!begun) {
+            size_t middle = (from + to) / 2;
+            char style[40];
+            snprintf(style, sizeof style, "%sh%d%d", line->style, later[middle], later[middle] + earlier[middle] + 1);
+            begin_block(out, style, "hidden");
+        } else {
+            fprintf(out->file, "\n");
+        }
+        begun = true;
+        for (size_t i = from; i < to; i++)
+            fprintf(out->file, "%.17g,%.17g\n", out->points[i][0], out->points[i][1]);
+    }
+}
+
+void figure_data_put_hidden(struct figure_file *file, struct figure_extent x, struct figure_extent y,
+                            bool x_logarithmic, bool y_logarithmic)
+{
+    size_t count = file->point_count;
+    double(*page)[2] = malloc((count + 1) * sizeof *page);
+    unsigned char *later = malloc(2 * count + 1), *earlier = later ? later + count : NULL;
+    file->failed = file->failed || !page || !later;
+    for (size_t i = 0; !file->failed && i < count; i++) {
+        page[i][0] = place(file->points[i][0], x, x_logarithmic, wide);
+        page[i][1] = place(file->points[i][1], y, y_logarithmic, tall);
+    }
+    for (size_t k = 0; !file->failed && k + 1 < file->line_count; k++) {
+        memset(later, 0, 2 * count);
+        for (size_t j = 0; j < file->line_count; j++)
+            if (j != k)
+                count_covered(j > k ? later : earlier, page, &file->lines[k], &file->lines[j]);
+        put_stretches(file, page, k, later, earlier);
+    }
+    free(page);
+    free(later);
+}
+
+struct figure_file figure_data_start(const struct figure *figure)
+{
+    return (struct figure_file){.figure = figure, .floor = INFINITY, .x = nothing, .y = nothing, .ratio = nothing};
+}
+
+void figure_data_free(struct figure_file *file)
+{
+    text_free(&file->styles);
+    free(file->points);
+    file->points = NULL;
 }
 
 enum status_code figure_data_put(struct figure_file *file, const struct results *results,
