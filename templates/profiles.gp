@@ -55,7 +55,7 @@ do for [row = 1:rows] { do for [column = 1:columns] {
     if ((shared || one) && row < rows) { set format x '' }
     set xlabel (row < rows ? '' : axis_label(x_label))
     unset label 3
-    if (!one) { set label 3 (columns > 1 ? both_ends(LEGEND[i], 40) : short(LEGEND[i], 80)) at graph 0, graph 1 offset 0, (text_mode ? 1 : 0.7) left noenhanced textcolor rgb ink }
+    if (!one) { set label 3 short(LEGEND[i], 80) at graph 0, graph 1 offset 0, (text_mode ? 1 : 0.7) left noenhanced textcolor rgb ink }
     if (ROWS[i] > 1) {
         plot data index i - 1 using 1:2 with lines lw 1.1 lt i lc rgb colour(word(style_words, i)) notitle
     } else { if (ROWS[i] == 1) {

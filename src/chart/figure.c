@@ -245,7 +245,7 @@ static enum status_code write_data(struct figure_file *out, const struct results
         return status_fail(status, STATUS_IO, "cannot write figure %s: %s", out->figure->number, strerror(errno));
     enum status_code rc = figure_data_put(out, results, baseline, status);
     enum status_code closed = close_data(out, status);
-    return rc != STATUS_OK ? rc : closed != STATUS_OK ? closed : out->failed ? status_memory(status) : STATUS_OK;
+    return rc != STATUS_OK ? rc : closed != STATUS_OK ? closed : out->lines.failed ? status_memory(status) : STATUS_OK;
 }
 
 static void join(struct figure_extent *all, struct figure_extent one)
@@ -297,10 +297,10 @@ static enum status_code complete_figure(struct figure_file *out, const struct ax
         out->file = open_data(out->figure, directory, "a");
         if (!out->file)
             return status_fail(status, STATUS_IO, "cannot write figure %s: %s", out->figure->number, strerror(errno));
-        figure_data_put_hidden(out, axes->x, axes->y, x_is_logarithmic(row), y_is_logarithmic(row));
+        figure_hidden_put(out, axes->x, axes->y, x_is_logarithmic(row), y_is_logarithmic(row));
         if (close_data(out, status) != STATUS_OK)
             return status->code;
-        if (out->failed)
+        if (out->lines.failed)
             return status_memory(status);
     }
     return write_script(out, axes, results, directory, status);

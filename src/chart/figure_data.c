@@ -12,8 +12,7 @@
  * contact: the axis ends where a curve's last point at or below this A/A_n stands. */
 static const double nearly_full_area = 0.99;
 
-/** Starts a curve: its first row is the legend. */
-static void begin_block(struct figure_file *out, const char *style, const char *legend)
+void figure_data_begin_block(struct figure_file *out, const char *style, const char *legend)
 {
     char field[256];
     gnuplot_field(field, sizeof field, legend);
@@ -27,34 +26,6 @@ static void reach(struct figure_extent *extent, double value)
 {
     extent->low = fmin(extent->low, value);
     extent->high = fmax(extent->high, value);
-}
-
-/** Begins a line that others may hide; its points follow by keep_point(). */
-static void begin_line(struct figure_file *out, const char *style)
-{
-    if (out->line_count == FIGURE_LINES)
-        return;
-    struct figure_line *line = &out->lines[out->line_count++];
-    *line = (struct figure_line){.first = out->point_count, .end = out->point_count};
-    snprintf(line->style, sizeof line->style, "%s", style);
-}
-
-static void keep_point(struct figure_file *out, double x, double y)
-{
-    if (out->line_count == 0 || out->failed)
-        return;
-    if (out->point_count == out->capacity) {
-        size_t more = out->capacity ? 2 * out->capacity : 256;
-        double(*points)[2] = realloc(out->points, more * sizeof *points);
-        out->failed = !points;
-        if (!points)
-            return;
-        out->points = points;
-        out->capacity = more;
-    }
-    out->points[out->point_count][0] = x;
-    out->points[out->point_count][1] = y;
-    out->lines[out->line_count - 1].end = ++out->point_count;
 }
 
 /** One point, left out where a logarithmic axis cannot show it. Was it written? */
@@ -90,9 +61,9 @@ static void put_part(struct figure_file *out, const struct model_curve *curve, s
     enum quantity x = out->figure->row->x;
     bool ratio = shown->over != QUANTITY_LOAD, logarithmic = quantity_rows[shown->y].logarithmic && !ratio;
     bool hides = strcmp(style, shown->style) == 0 && !ratio;
-    begin_block(out, style, shown->legend);
+    figure_data_begin_block(out, style, shown->legend);
     if (hides)
-        begin_line(out, style);
+        figure_hidden_begin(&out->lines, style);
     for (size_t i = from; i < to; i++) {
         const struct contact_point *point = &curve->points[i];
         double at = quantity_shown(point, x, shown->sigma_m), value = value_shown(point, shown);
@@ -101,7 +72,7 @@ static void put_part(struct figure_file *out, const struct model_curve *curve, s
             reach(&out->ratio, value);
         } else if (!ratio && put_point(out, at, value, quantity_rows[x].logarithmic, logarithmic)) {
             if (hides)
-                keep_point(out, at, value);
+                figure_hidden_keep(&out->lines, at, value);
         } else if (!ratio && (QUANTITY_BIT(shown->y) & QUANTITY_RESISTANCES) && value == 0) {
             fprintf(out->file, "%.17g,0\n", x == QUANTITY_LOAD ? fmin(at, curve->full_load) : at);
             break;
@@ -136,7 +107,7 @@ static void put_band(struct figure_file *out, const struct surface_record *recor
     double scale = quantity_rows[y].over_sigma ? 1 / record->summary.asperities.sigma_m : 1;
     char band_style[32];
     snprintf(band_style, sizeof band_style, "%sb", style);
-    begin_block(out, band_style, "band");
+    figure_data_begin_block(out, band_style, "band");
     for (size_t i = 0; i < record->band_count; i++) {
         const struct repeats_band *band = &record->bands[model][i];
         double low = band->mean[y][0] * scale, high = band->mean[y][1] * scale;
@@ -153,7 +124,7 @@ static void put_measured(struct figure_file *out, const struct measured *measure
 {
     if (!measured || out->figure->row->y != (measured->thermal ? QUANTITY_TCR : QUANTITY_ECR))
         return;
-    begin_block(out, "meas", "measured");
+    figure_data_begin_block(out, "meas", "measured");
     for (size_t i = 0; i < measured->count; i++) {
         double value = measured->resistance[i], error = isnan(measured->error[i]) ? 0 : measured->error[i];
         double low = fmax(value - error, value * 1e-3);
@@ -212,7 +183,7 @@ static void put_models(struct figure_file *out, const struct surface_record *rec
         put_ratio(out, record, m, wanted, model->style, model->label);
     }
     if (out->blocks == 0) /* gnuplot complains of a file without any */
-        begin_block(out, model_rows[0]->style, "no model exists for this surface");
+        figure_data_begin_block(out, model_rows[0]->style, "no model exists for this surface");
 }
 
 static void surface_legend(char *legend, size_t size, const struct surface_summary *summary)
@@ -225,7 +196,7 @@ static void surface_legend(char *legend, size_t size, const struct surface_summa
 static void put_bins(struct figure_file *out, const struct power_law_band *band, const char *style, const char *legend,
                      bool (*is_one)(enum power_law_band_use))
 {
-    begin_block(out, style, legend);
+    figure_data_begin_block(out, style, legend);
     for (size_t j = 0; j < band->bins; j++) {
         const struct log_bin *bin = &band->bin[j];
         double s = sqrt(bin->variance), high_m = pow(10, bin->y + s), low_m = pow(10, bin->y - s);
@@ -259,7 +230,7 @@ static void put_found(struct figure_file *out, const struct power_law_band *band
     put_bins(out, band, "bin", "in the fit", is_used);
     put_bins(out, band, "binx", "not in the fit", is_left_out);
     put_bins(out, band, "line", "lines", is_line);
-    begin_block(out, "knee", "knees");
+    figure_data_begin_block(out, "knee", "knees");
     for (size_t k = 0; k + 1 < band->pieces; k++)
         for (size_t j = 0; j < band->bins; j++)
             if (pow(10, band->bin[j].x) < band->knee_m[k]) {
@@ -276,7 +247,7 @@ static void put_spectrum(struct figure_file *out, const struct surface_record *r
     size_t index[MOST], count = results_sweep_scales(index, MOST, record->spectrum.count);
     const struct power_law *law = &record->summary.power_law;
     double longest = record->spectrum.length_m, shortest = longest / (double)record->spectrum.count;
-    begin_block(out, style, legend);
+    figure_data_begin_block(out, style, legend);
     for (size_t k = 0; k < count; k++)
         put_point(out, 1 / spectrum_frequency(&record->spectrum, index[k]), record->spectrum.amplitude_m[index[k]],
                   true, true);
@@ -286,10 +257,10 @@ static void put_spectrum(struct figure_file *out, const struct surface_record *r
     else if (isfinite(law->gamma))
         snprintf(fit, sizeof fit, "γ %.2f ± %.2f%s", law->gamma, law->gamma_error,
                  law->found == POWER_LAW_BAND_NARROW ? ", narrow" : "");
-    begin_block(out, "fit", fit);
+    figure_data_begin_block(out, "fit", fit);
     for (int i = 0; i < 2; i++)
         put_point(out, law->band_m[i], power_law_amplitude(law, law->band_m[i]), true, true);
-    begin_block(out, "fitx", fit);
+    figure_data_begin_block(out, "fitx", fit);
     put_point(out, shortest, power_law_amplitude(law, shortest), true, true);
     put_point(out, law->band_m[0], power_law_amplitude(law, law->band_m[0]), true, true);
     if (record->band.bins > 0)
@@ -332,7 +303,7 @@ static void put_contact_line(struct figure_file *out, const struct contacting_sl
     char legend[80];
     snprintf(legend, sizeof legend, "A/Aₙ %.3g", area_ratio);
     for (int part = 0; part < 2; part++) {
-        begin_block(out, part == 0 ? "fit" : "fitx", legend);
+        figure_data_begin_block(out, part == 0 ? "fit" : "fitx", legend);
         for (int e = 0; e < 2; e++)
             fprintf(out->file, "%.9g,%.9g\n", ends[part + e], (offset_m + scale_m * ends[part + e]) * 1e6);
     }
@@ -351,7 +322,7 @@ static enum status_code put_probability(struct figure_file *out, const struct su
     if (contacting_slopes_make(&slopes, record->points, record->summary.heights, persson_energy_factor, status) !=
         STATUS_OK)
         return status->code;
-    begin_block(out, style, legend);
+    figure_data_begin_block(out, style, legend);
     put_scores(out, &slopes);
     double area_ratio = contacting_slopes_area(&slopes, load).area_ratio;
     if (area_ratio <= contacting_slopes_separation_area) /* beyond, no line stands for what touches */
@@ -363,7 +334,7 @@ static enum status_code put_probability(struct figure_file *out, const struct su
 static void put_profile(struct figure_file *out, const struct surface_record *record, const char *style,
                         const char *legend)
 {
-    begin_block(out, style, legend);
+    figure_data_begin_block(out, style, legend);
     for (size_t i = 0; i < record->preview_points; i++)
         fprintf(out->file, "%.9g,%.9g\n", record->preview_x_m[i] * 1e3, record->preview_z_m[i] * 1e6);
 }
@@ -414,13 +385,13 @@ static void put_sweep(struct figure_file *out, const struct results *results)
         snprintf(legend, sizeof legend, "%s = %g", out->figure->row->sweep == CONVERGENCE_ALPHA ? "α" : "γ",
                  sweep->values[v]);
         snprintf(style, sizeof style, "r%zu", 1 + (8 * v + (sweep->count - 1) / 2) / (sweep->count - 1));
-        begin_block(out, style, legend);
-        begin_line(out, style);
+        figure_data_begin_block(out, style, legend);
+        figure_hidden_begin(&out->lines, style);
         const double *area = results_sweep(results, out->figure->row->sweep, out->figure->model, v);
         for (size_t k = 0; k < count; k++) {
             double wavelength_m = study->scan_length_m / (double)(index[k] + 1);
             if (put_point(out, wavelength_m, area[index[k]], true, true))
-                keep_point(out, wavelength_m, area[index[k]]);
+                figure_hidden_keep(&out->lines, wavelength_m, area[index[k]]);
         }
     }
 }
@@ -435,12 +406,12 @@ static void put_sensitivity(struct figure_file *out, const struct sensitivity_cu
             any = any || quantity_value(&points[w], y) > 0;
         if (!any)
             continue;
-        begin_block(out, model_rows[m]->style, model_rows[m]->label);
+        figure_data_begin_block(out, model_rows[m]->style, model_rows[m]->label);
         for (size_t w = 0; w < SENSITIVITY_WAVELENGTHS; w++)
             put_point(out, curves->wavelength_m[w], quantity_value(&points[w], y), true, true);
     }
     if (out->blocks == 0)
-        begin_block(out, model_rows[0]->style, "no model has a value");
+        figure_data_begin_block(out, model_rows[0]->style, "no model has a value");
 }
 
 /** The direct solutions as points with their errors. */
@@ -460,7 +431,7 @@ static void put_direct_points(struct figure_file *out, const struct direct_study
             snprintf(legend, sizeof legend, "direct, with the hardness");
         else if (study->plan.heights)
             snprintf(legend, sizeof legend, "direct, %s", heights[kind]);
-        begin_block(out, styles[leading ? 0 : capped ? 2 : 1], legend);
+        figure_data_begin_block(out, styles[leading ? 0 : capped ? 2 : 1], legend);
         for (size_t i = 0; i < curve->loads; i++) {
             double error, value = scale * direct_study_value(study, pair, (enum direct_study_kind)kind, y, i, &error);
             error = isnan(error) ? 0 : scale * error;
@@ -492,7 +463,7 @@ static void put_direct(struct figure_file *out, const struct direct_study *study
 static void put_direct_ratio(struct figure_file *out, const struct direct_study *study, const struct plan *plan)
 {
     enum quantity y = out->figure->row->y;
-    begin_block(out, "dirlb", "error of the direct solution");
+    figure_data_begin_block(out, "dirlb", "error of the direct solution");
     for (size_t i = 0; i < study->plan.loads; i++) {
         double error, value = direct_study_value(study, &plan->pair, study->leading, y, i, &error);
         double share = (isnan(error) ? 0 : error / value) + direct_study_grid_error(study, study->leading, y, i);
@@ -505,7 +476,7 @@ static void put_direct_ratio(struct figure_file *out, const struct direct_study 
             any = any || direct_study_ratio(study, &plan->pair, m, y, i) > 0;
         if (!any)
             continue;
-        begin_block(out, model_rows[m]->style, model_rows[m]->label);
+        figure_data_begin_block(out, model_rows[m]->style, model_rows[m]->label);
         for (size_t i = 0; i < study->plan.loads; i++)
             put_point(out, study->plan.load[i], direct_study_ratio(study, &plan->pair, m, y, i), true, true);
     }
@@ -516,7 +487,7 @@ static void put_patches(struct figure_file *out, const struct direct_study *stud
 {
     size_t n = study->plan.grid;
     double step_um = study->plan.length_m * 1e6 / (double)n;
-    begin_block(out, "patches", "x from, x to, y from, y to (um)");
+    figure_data_begin_block(out, "patches", "x from, x to, y from, y to (um)");
     for (size_t j = 0; j < n; j++)
         for (size_t i = 0; i < n; i++) {
             size_t from = i;
@@ -551,7 +522,7 @@ static void put_cost(struct figure_file *out, const struct benchmark *cost)
             snprintf(style, sizeof style, "c%zu", methods++ % 9 + 1);
             snprintf(legend, sizeof legend, "%s, %s", integral ? row->model->label : row->method,
                      integral ? row->method : row->study);
-            begin_block(out, style, direct ? row->method : legend);
+            figure_data_begin_block(out, style, direct ? row->method : legend);
         }
         fprintf(out->file, "%.17g,%.17g\n", row->seconds, cost_error(row));
     }
@@ -560,102 +531,10 @@ static void put_cost(struct figure_file *out, const struct benchmark *cost)
         chosen = chosen || (cost->rows[i].chart == out->figure->row->chart && cost->rows[i].chosen);
     if (!chosen && out->figure->row->chart >= BENCHMARK_DIRECT_AREA)
         return;
-    begin_block(out, "choice", "used in this report");
+    figure_data_begin_block(out, "choice", "used in this report");
     for (size_t i = 0; i < cost->count; i++)
         if (cost->rows[i].chart == out->figure->row->chart && cost->rows[i].chosen)
             fprintf(out->file, "%.17g,%.17g\n", cost->rows[i].seconds, cost_error(&cost->rows[i]));
-}
-
-/* A chart's size in points on the page, as in templates/legend.gp, and how near a line must be to be covered. */
-static const double wide = 570, tall = 340, covered = 1.5;
-
-/** Place of a value along an axis. */
-static double place(double value, struct figure_extent axis, bool logarithmic, double length)
-{
-    double low = logarithmic ? log10(axis.low) : axis.low, high = logarithmic ? log10(axis.high) : axis.high;
-    return high > low ? length * ((logarithmic ? log10(value) : value) - low) / (high - low) : 0;
-}
-
-/** Does the stretch from a to b pass over a point, all on the page? */
-static bool covers(const double *a, const double *b, const double *point)
-{
-    double dx = b[0] - a[0], dy = b[1] - a[1], square = dx * dx + dy * dy;
-    double along = square > 0 ? ((point[0] - a[0]) * dx + (point[1] - a[1]) * dy) / square : 0;
-    along = fmin(fmax(along, 0), 1);
-    return hypot(point[0] - a[0] - along * dx, point[1] - a[1] - along * dy) <= covered;
-}
-
-/** Adds 1 to count[i] of every point of a line that `other` passes over. Both go one way along x. */
-static void count_covered(unsigned char *count, double (*page)[2], const struct figure_line *line,
-                          const struct figure_line *other)
-{
-    if (line->end - line->first < 2 || other->end - other->first < 2)
-        return;
-    double way = page[line->end - 1][0] < page[line->first][0] ? -1 : 1;
-    size_t s = other->first;
-    for (size_t i = line->first; i < line->end; i++) {
-        while (s + 2 < other->end && way * page[s + 1][0] < way * page[i][0] - covered)
-            s++;
-        bool found = false;
-        for (size_t n = s; n + 1 < other->end && way * page[n][0] <= way * page[i][0] + covered && !found; n++)
-            found = covers(page[n], page[n + 1], page[i]);
-        count[i] += found;
-    }
-}
-
-/** The end of the run of covered points that begins at `from`. */
-static size_t run_end(const unsigned char *count, size_t from, size_t end)
-{
-    while (from < end && count[from] > 0)
-        from++;
-    return from;
-}
-
-/** The stretches of line `k` that later lines cover, as one block; nothing where none is worth a dash. */
-static void put_stretches(struct figure_file *out, double (*page)[2], size_t k, const unsigned char *later,
-                          const unsigned char *earlier)
-{
-    static const double least = 20; /* a shorter stretch is a crossing */
-    const struct figure_line *line = &out->lines[k];
-    bool begun = false;
-    for (size_t from = line->first, to; from < line->end; from = to + 1) {
-        to = run_end(later, from, line->end);
-        if (to - from < 2 || hypot(page[to - 1][0] - page[from][0], page[to - 1][1] - page[from][1]) < least)
-            continue;
-        if (!begun) {
-            size_t middle = (from + to) / 2;
-            char style[40];
-            snprintf(style, sizeof style, "%sh%d%d", line->style, later[middle], later[middle] + earlier[middle] + 1);
-            begin_block(out, style, "hidden");
-        } else {
-            fprintf(out->file, "\n");
-        }
-        begun = true;
-        for (size_t i = from; i < to; i++)
-            fprintf(out->file, "%.17g,%.17g\n", out->points[i][0], out->points[i][1]);
-    }
-}
-
-void figure_data_put_hidden(struct figure_file *file, struct figure_extent x, struct figure_extent y,
-                            bool x_logarithmic, bool y_logarithmic)
-{
-    size_t count = file->point_count;
-    double(*page)[2] = malloc((count + 1) * sizeof *page);
-    unsigned char *later = malloc(2 * count + 1), *earlier = later ? later + count : NULL;
-    file->failed = file->failed || !page || !later;
-    for (size_t i = 0; !file->failed && i < count; i++) {
-        page[i][0] = place(file->points[i][0], x, x_logarithmic, wide);
-        page[i][1] = place(file->points[i][1], y, y_logarithmic, tall);
-    }
-    for (size_t k = 0; !file->failed && k + 1 < file->line_count; k++) {
-        memset(later, 0, 2 * count);
-        for (size_t j = 0; j < file->line_count; j++)
-            if (j != k)
-                count_covered(j > k ? later : earlier, page, &file->lines[k], &file->lines[j]);
-        put_stretches(file, page, k, later, earlier);
-    }
-    free(page);
-    free(later);
 }
 
 struct figure_file figure_data_start(const struct figure *figure)
@@ -666,8 +545,7 @@ struct figure_file figure_data_start(const struct figure *figure)
 void figure_data_free(struct figure_file *file)
 {
     text_free(&file->styles);
-    free(file->points);
-    file->points = NULL;
+    figure_hidden_free(&file->lines);
 }
 
 enum status_code figure_data_put(struct figure_file *file, const struct results *results,
