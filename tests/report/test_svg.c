@@ -62,7 +62,7 @@ static void gnuplot_chart(void **state)
         "<title>surface 1</title>",
         "<pattern id=\"fig3.gpPat1\" patternUnits=\"userSpaceOnUse\"",
         "<polygon fill=\"url(#fig3.gpPat1)\" points=\"53.84,211.94 58.23,214.76 \"/>",
-        "color=\"#0072b2\"",
+        "color=\"var(--0072b2,#0072b2)\"",
     };
     static const char *const gone[] = {"<rect", "Gnuplot", "GNUPLOT", "xmlns", "http", "<!", "<?", "xlink", "style="};
     struct text chart = read_chart(), out = {0};
