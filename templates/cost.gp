@@ -12,7 +12,8 @@ load 'blocks.gp'
 array OFF[MOST_BLOCKS]
 off = 0
 do for [i = 1:BLOCKS] { OFF[i] = 0 }
-note_off(b, x, y) = x > 0 && y < 1e-16 ? (off = off + 1, OFF[b] = OFF[b] + 1, 0) : 0
+note_off(b, x, y) = x > 0 && y < 1e-16 ? \
+    (off = off + 1, OFF[b] = OFF[b] + 1, x_low = least(x_low, x), x_high = most(x_high, x), 0) : 0
 stats data using (valid(1) && valid(2) ? note_off(int(column(-2)) + 1, column(1), column(2)) : 0) nooutput
 
 curves = ''; chosen = ''

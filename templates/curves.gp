@@ -48,6 +48,13 @@ steps_back(w) = strstrt(both, ' ' . base(w) . ' ') > 0 && !adjusted(w)
 width(w) = steps_back(w) ? 0.7 : adjusted(w) ? 2.6 : 2
 shape(w) = steps_back(w) ? -1 : marker(w)
 size(w) = shape(w) < 0 ? 0.1 : shape(w) % 2 ? 0.75 : 0.9
+# As a single point: the marker of the curve, a cross for one that steps back.
+alone(w) = steps_back(w) ? (marker(w) % 2 ? 2 : 1) : single(w)
+points = ' '
+do for [i in in_points] { points = points . stem(word(style_words, int(i))) . ' ' }
+is_point(i) = ROWS[i] < 2 && strstrt(points, ' ' . word(style_words, i) . ' ') > 0
+key_shape(i) = is_point(i) ? alone(word(style_words, i)) : shape(word(style_words, i))
+key_point(i) = is_point(i) ? 0.9 : size(word(style_words, i))
 longest = 1; count = 0; label_length = 1
 swept = style_words[1:1] eq 'r' && !text_mode # labels at the curves' ends, no legend
 do for [i = 1:BLOCKS] {
@@ -163,11 +170,11 @@ if (text_mode) {
         ', for [i in marked] data index int(i) - 1 every interval(int(i))::1 + offset(int(i)) using 1:2 with points ' . \
         'pt shape(word(style_words, int(i))) ps size(word(style_words, int(i))) lw 1.3 lc rgb hue(int(i)) notitle' }
     if (strlen(in_points)) { command = command . \
-        ', for [i in in_points] data index int(i) - 1 using 1:2 with points pt single(word(style_words, int(i))) ' . \
+        ', for [i in in_points] data index int(i) - 1 using 1:2 with points pt alone(word(style_words, int(i))) ' . \
         'ps (outside(word(style_words, int(i))) ? 0.6 : 1.1) lw 1.3 lc rgb hue(int(i)) notitle' }
     if (strlen(entries)) { command = command . \
         ', for [i in entries] keyentry with linespoints lw width(word(style_words, int(i))) lc rgb hue(int(i)) ' . \
-        'pt (strstrt(in_points . " ", " " . i . " ") ? single(word(style_words, int(i))) : shape(word(style_words, int(i)))) ps size(word(style_words, int(i))) title LEGEND[int(i)]' }
+        'pt key_shape(int(i)) ps key_point(int(i)) title LEGEND[int(i)]' }
     if (strlen(dashed)) { command = command . \
         ', keyentry with lines dt (7,4) lw 1.3 lc rgb quiet title note_outside' } else { if (strlen(few)) { command = command . \
         ', keyentry with points pt 7 ps 0.6 lc rgb quiet title note_outside' } }

@@ -402,6 +402,7 @@ static void test_no_error_is_off_the_scale(void **state)
     struct text some = read_file(*state, "some.svg"), none = read_file(*state, "none.svg");
     assert_null(strstr(text_string(&some), "lower edge"));
     assert_non_null(strstr(text_string(&none), "lower edge"));
+    assert_int_equal(count(none.data, "transform='tr"), count(some.data, "transform='tr") + 2); /* it, and its note */
     assert_null(strstr(none.data, "−5"));
     assert_null(strstr(none.data, "−16<"));
     text_free(&some);
