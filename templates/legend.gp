@@ -1,11 +1,11 @@
 # Canvas, title, axis labels and a legend below the data; for charts of one panel.
-# In: title_text, x_label, y_label, output, count entries of the legend, longest of them in characters.
+# In: title_text, x_label, y_label, output, count entries of the legend, longest of them in characters; lower_panel.
 key_size = count > 4 && longest > 33 ? 13 : 15
 key_columns = int(most(1, least(count, floor(670.0 / (54 + 0.49 * key_size * longest)))))
 key_rows = int(ceil(1.0 * count / key_columns))
 top = strlen(title_text) ? 36 : 12
 below = 14 + 1.65 * key_size * key_rows
-height = int(ceil(top + 340 + 66 + below))
+height = int(ceil(top + 340 + lower_panel + 66 + below))
 eval canvas(680, height)
 set output output
 if (strlen(title_text)) { set title short(title_text, 80) noenhanced }

@@ -141,9 +141,46 @@ static enum status_code write_text(const struct text *content, const char *direc
     return rc;
 }
 
+static bool is_sweep(const struct figure_row *row)
+{
+    return row->kind == FIGURE_SWEEP || row->kind == FIGURE_SENSITIVITY;
+}
+
+static bool is_direct(const struct figure_row *row)
+{
+    return row->kind == FIGURE_DIRECT || row->kind == FIGURE_DIRECT_RATIO;
+}
+
+static bool x_is_logarithmic(const struct figure_row *row)
+{
+    return is_sweep(row) || row->kind == FIGURE_DIRECT_RATIO || quantity_rows[row->x].logarithmic;
+}
+
+static bool y_is_logarithmic(const struct figure_row *row)
+{
+    return is_sweep(row) || row->kind == FIGURE_DIRECT_RATIO || quantity_rows[row->y].logarithmic;
+}
+
+/** The label of the y axis: what a sweep shows, it shows at one load. */
+static void add_y_label(struct text *script, const struct figure_row *row, const struct results *results)
+{
+    if (row->kind == FIGURE_SWEEP)
+        text_add(script, " '%s, at P/(Aₙ E′) = %g'", quantity_rows[QUANTITY_AREA].label,
+                 results->scene->convergence.load);
+    else
+        text_add(script, " '%s'",
+                 row->kind == FIGURE_DIRECT_RATIO ? "model / direct solution" : quantity_rows[row->y].label);
+}
+
+/** What the axes of a figure hold. */
+struct axes {
+    bool given; /* else the data alone say */
+    struct figure_extent x, y, ratio;
+};
+
 /** NUMBER.gp: what draws the figure, for this program and for anyone in that directory. */
-static enum status_code write_script(const struct figure_file *out, const struct results *results,
-                                     const char *directory, struct status *status)
+static enum status_code write_script(const struct figure_file *out, const struct axes *axes,
+                                     const struct results *results, const char *directory, struct status *status)
 {
     static const char *const templates[] = {
         [FIGURE_SWEEP] = "curves.gp",       [FIGURE_MODELS] = "curves.gp",          [FIGURE_SURFACES] = "curves.gp",
@@ -153,31 +190,27 @@ static enum status_code write_script(const struct figure_file *out, const struct
     const struct figure_row *row = out->figure->row;
     struct text script = {0};
     const char *number = out->figure->number;
-    const struct quantity_row *x = &quantity_rows[row->x], *y = &quantity_rows[row->y];
-    bool sweep = row->kind == FIGURE_SWEEP || row->kind == FIGURE_SENSITIVITY,
-         direct = row->kind == FIGURE_DIRECT || row->kind == FIGURE_DIRECT_RATIO,
-         curves = sweep || direct || row->kind == FIGURE_MODELS || row->kind == FIGURE_SURFACES;
+    bool curves = is_sweep(row) || is_direct(row) || row->kind == FIGURE_MODELS || row->kind == FIGURE_SURFACES;
     text_add(&script, "# draws figure %s from %s.csv: gnuplot %s.gp\n", number, number, number);
-    if (direct || row->kind == FIGURE_MODELS || row->kind == FIGURE_SENSITIVITY ||
+    if (is_direct(row) || row->kind == FIGURE_MODELS || row->kind == FIGURE_SENSITIVITY ||
         (row->kind == FIGURE_BENCHMARK && row->chart >= BENCHMARK_DIRECT_AREA))
         text_add(&script, "load 'models.gp'\n");
     text_add(&script, "call '%s' '%s.csv' ('%s' . (exists('dumb_size') ? '.txt' : '%s')) '%s'", templates[row->kind],
              number, number, figure_extension(row), out->figure->title);
     if (row->kind == FIGURE_PATCHES)
         text_add(&script, " '%.6e'", figure_direct(results)->plan.length_m * 1e6);
-    if (curves) /* the others name their own axes */
-        text_add(&script, " '%s' '%s' '%s'", sweep ? "shortest wavelength included (m)" : x->label,
-                 row->kind == FIGURE_SWEEP          ? quantity_rows[QUANTITY_AREA].label
-                 : row->kind == FIGURE_DIRECT_RATIO ? "model / direct solution"
-                                                    : y->label,
-                 sweep || row->kind == FIGURE_DIRECT_RATIO || (x->logarithmic && y->logarithmic) ? "xy"
-                 : x->logarithmic                                                                ? "x"
-                                                                                                 : "y");
+    if (curves) { /* the others name their own axes */
+        text_add(&script, " '%s'", is_sweep(row) ? "shortest wavelength included (m)" : quantity_rows[row->x].label);
+        add_y_label(&script, row, results);
+        text_add(&script, " '%s%s'", x_is_logarithmic(row) ? "x" : "", y_is_logarithmic(row) ? "y" : "");
+    }
     text_add(&script, " '%s'", text_string(&out->styles));
-    /* One load axis for all, so that they compare. gnuplot reads '1.0e-06' from a string, but not '1e-06'. */
-    if (curves && !sweep && !direct && row->x == QUANTITY_LOAD)
-        text_add(&script, " '%.6e %.6e %.6e'", results->loads[0], results->loads[results->load_count - 1],
-                 isfinite(out->floor) ? out->floor : 0);
+    if (axes->given) { /* gnuplot reads '1.0e-06' from a string, but not '1e-06' */
+        text_add(&script, " '%.6e %.6e %.6e %.6e", axes->x.low, axes->x.high, axes->y.low, axes->y.high);
+        if (axes->ratio.low <= axes->ratio.high)
+            text_add(&script, " %.6e %.6e", axes->ratio.low, axes->ratio.high);
+        text_add(&script, "'");
+    }
     if (row->kind == FIGURE_SENSITIVITY)
         text_add(&script, " '' '%.6e'", results->sensitivity->unsure_m);
     text_add(&script, "\n");
@@ -188,25 +221,91 @@ static enum status_code write_script(const struct figure_file *out, const struct
     return rc;
 }
 
-static enum status_code write_figure(const struct figure *figure, const struct results *results,
-                                     const struct surface_record *baseline, const char *directory,
-                                     struct status *status)
+static FILE *open_data(const struct figure *figure, const char *directory, const char *mode)
 {
-    struct figure_file out = {.figure = figure, .floor = INFINITY};
     struct text path = {0};
     text_add(&path, "%s/figures/%s.csv", directory, figure->number);
-    out.file = fopen(text_string(&path), "w");
+    FILE *file = path.failed ? NULL : fopen(text_string(&path), mode);
     text_free(&path);
-    if (!out.file)
-        return status_fail(status, STATUS_IO, "cannot write figure %s: %s", figure->number, strerror(errno));
-    enum status_code rc = figure_data_put(&out, results, baseline, status);
-    bool bad = ferror(out.file);
-    if (fclose(out.file) != 0 || bad)
-        rc = status_fail(status, STATUS_IO, "cannot write figure %s: %s", figure->number, strerror(errno));
-    if (rc == STATUS_OK)
-        rc = write_script(&out, results, directory, status);
-    text_free(&out.styles);
-    return rc;
+    return file;
+}
+
+static enum status_code close_data(struct figure_file *out, struct status *status)
+{
+    bool bad = ferror(out->file);
+    if (fclose(out->file) != 0 || bad)
+        return status_fail(status, STATUS_IO, "cannot write figure %s: %s", out->figure->number, strerror(errno));
+    out->file = NULL;
+    return STATUS_OK;
+}
+
+static enum status_code write_data(struct figure_file *out, const struct results *results,
+                                   const struct surface_record *baseline, const char *directory, struct status *status)
+{
+    out->file = open_data(out->figure, directory, "w");
+    if (!out->file)
+        return status_fail(status, STATUS_IO, "cannot write figure %s: %s", out->figure->number, strerror(errno));
+    enum status_code rc = figure_data_put(out, results, baseline, status);
+    enum status_code closed = close_data(out, status);
+    return rc != STATUS_OK ? rc : closed != STATUS_OK ? closed : out->lines.failed ? status_memory(status) : STATUS_OK;
+}
+
+static void join(struct figure_extent *all, struct figure_extent one)
+{
+    all->low = fmin(all->low, one.low);
+    all->high = fmax(all->high, one.high);
+}
+
+/** The charts of all surfaces compare: one y range a quantity, one x range. Charts against load hold all loads. A
+ * resistance goes down to little below the floor, a separation shown adjusted as well to where its own is cut. */
+static struct axes axes_of(const struct figure_file *files, size_t count, size_t k, const struct results *results)
+{
+    const struct figure_row *row = files[k].figure->row;
+    struct axes axes = {.given = row->kind == FIGURE_MODELS || row->kind == FIGURE_SURFACES};
+    axes.x = files[k].x;
+    axes.y = files[k].y;
+    axes.ratio = files[k].ratio;
+    double floor = files[k].floor;
+    for (size_t i = 0; i < count && row->kind == FIGURE_SURFACES; i++) {
+        const struct figure_row *other = files[i].figure->row;
+        if (other->kind != FIGURE_SURFACES)
+            continue;
+        if (other->x == row->x)
+            join(&axes.x, files[i].x);
+        if (other->y == row->y) {
+            join(&axes.y, files[i].y);
+            join(&axes.ratio, files[i].ratio);
+            floor = fmin(floor, files[i].floor);
+        }
+    }
+    if (!axes.given)
+        return axes;
+    if (row->x == QUANTITY_LOAD)
+        join(&axes.x, (struct figure_extent){results->loads[0], results->loads[results->load_count - 1]});
+    if (isfinite(floor))
+        axes.y.low = fmax(axes.y.low, 0.3 * floor);
+    if (files[k].adjusted)
+        axes.y.low = fmax(axes.y.low, figure_lowest_separation);
+    axes.given = axes.x.low <= axes.x.high && axes.y.low <= axes.y.high;
+    return axes;
+}
+
+/** Finds what of a figure's lines is hidden, now that its axes are known, and writes its script. */
+static enum status_code complete_figure(struct figure_file *out, const struct axes *axes, const struct results *results,
+                                        const char *directory, struct status *status)
+{
+    const struct figure_row *row = out->figure->row;
+    if (row->kind == FIGURE_SURFACES || row->kind == FIGURE_SWEEP) {
+        out->file = open_data(out->figure, directory, "a");
+        if (!out->file)
+            return status_fail(status, STATUS_IO, "cannot write figure %s: %s", out->figure->number, strerror(errno));
+        figure_hidden_put(out, axes->x, axes->y, x_is_logarithmic(row), y_is_logarithmic(row));
+        if (close_data(out, status) != STATUS_OK)
+            return status->code;
+        if (out->lines.failed)
+            return status_memory(status);
+    }
+    return write_script(out, axes, results, directory, status);
 }
 
 /** models.gp: the look of every model's line. */
@@ -237,20 +336,31 @@ static enum status_code copy_template(const char *name, const char *templates, c
 enum status_code figure_write_all(const struct figure_list *list, const struct results *results, const char *directory,
                                   const char *templates, struct status *status)
 {
-    static const char *const files[] = {"style.gp",    "blocks.gp",  "axis.gp", "legend.gp",      "curves.gp",
+    static const char *const names[] = {"style.gp",    "blocks.gp",  "axis.gp", "legend.gp",      "curves.gp",
                                         "profiles.gp", "spectra.gp", "cost.gp", "probability.gp", "patches.gp"};
-    size_t count = sizeof files / sizeof files[0] - (figure_direct(results) ? 0 : 1);
+    size_t count = sizeof names / sizeof names[0] - (figure_direct(results) ? 0 : 1);
     for (size_t i = 0; i < count; i++)
-        if (copy_template(files[i], templates, directory, status) != STATUS_OK)
+        if (copy_template(names[i], templates, directory, status) != STATUS_OK)
             return status->code;
     if (write_models(directory, status) != STATUS_OK)
         return status->code;
     struct surface_record baseline;
     if (surface_store_get(&baseline, results->store, results->baseline, status) != STATUS_OK)
         return status->code;
-    enum status_code rc = STATUS_OK;
-    for (size_t i = 0; i < list->count && rc == STATUS_OK; i++)
-        rc = write_figure(&list->figures[i], results, &baseline, directory, status);
+    struct figure_file *files = calloc(list->count + 1, sizeof *files);
+    enum status_code rc = files ? STATUS_OK : status_memory(status);
+    size_t made = 0;
+    for (; made < list->count && rc == STATUS_OK; made++) {
+        files[made] = figure_data_start(&list->figures[made]);
+        rc = write_data(&files[made], results, &baseline, directory, status);
+    }
+    for (size_t i = 0; i < list->count && rc == STATUS_OK; i++) {
+        struct axes axes = axes_of(files, list->count, i, results);
+        rc = complete_figure(&files[i], &axes, results, directory, status);
+    }
+    for (size_t i = 0; i < made; i++)
+        figure_data_free(&files[i]);
+    free(files);
     surface_record_free(&baseline, false);
     return rc;
 }

@@ -29,10 +29,14 @@ struct figure_row {
     const char *title;   /* of FIGURE_SURFACES: made from x, y and the model */
     bool terminal;       /* drawn by report --show (of FIGURE_SURFACES: the first) */
     enum quantity x, y;
+    enum quantity below; /* over y, in a panel below where it was computed; QUANTITY_LOAD: no such panel */
     enum convergence_sweep sweep;
     enum benchmark_chart chart;
     bool beyond_thesis; /* FIGURE_MODELS: every model, not the thesis's alone */
 };
+
+/** Separation/sigma below which a chart cuts curves off that are shown adjusted as well. */
+extern const double figure_lowest_separation;
 
 extern const struct figure_row figure_rows[];
 extern const size_t figure_row_count;

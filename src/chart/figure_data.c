@@ -5,14 +5,14 @@
 #include <errno.h>
 #include <gsl/gsl_cdf.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* Resistance goes to 0 with the last per cent of the area, over as many decades as a load happens to come close to full
  * contact: the axis ends where a curve's last point at or below this A/A_n stands. */
 static const double nearly_full_area = 0.99;
 
-/** Starts a curve: its first row is the legend. */
-static void begin_block(struct figure_file *out, const char *style, const char *legend)
+void figure_data_begin_block(struct figure_file *out, const char *style, const char *legend)
 {
     char field[256];
     gnuplot_field(field, sizeof field, legend);
@@ -20,40 +20,82 @@ static void begin_block(struct figure_file *out, const char *style, const char *
     text_add(&out->styles, "%s%s", out->styles.length > 0 ? " " : "", style);
 }
 
-/** One point, left out where a logarithmic axis cannot show it. */
-static void put_point(struct figure_file *out, double x, double y, bool x_logarithmic, bool y_logarithmic)
+static const struct figure_extent nothing = {INFINITY, -INFINITY};
+
+static void reach(struct figure_extent *extent, double value)
 {
-    if (isfinite(x) && isfinite(y) && (!x_logarithmic || x > 0) && (!y_logarithmic || y > 0))
-        fprintf(out->file, "%.17g,%.17g\n", x, y);
+    extent->low = fmin(extent->low, value);
+    extent->high = fmax(extent->high, value);
 }
 
-/** Points `from` to before `to` of a curve as one block. */
-static void put_part(struct figure_file *out, const struct model_curve *curve, size_t from, size_t to, enum quantity y,
-                     double sigma_m, const char *style, const char *legend)
+/** One point, left out where a logarithmic axis cannot show it. Was it written? */
+static bool put_point(struct figure_file *out, double x, double y, bool x_logarithmic, bool y_logarithmic)
+{
+    bool shown = isfinite(x) && isfinite(y) && (!x_logarithmic || x > 0) && (!y_logarithmic || y > 0);
+    if (shown) {
+        fprintf(out->file, "%.17g,%.17g\n", x, y);
+        reach(&out->x, x);
+        reach(&out->y, y);
+    }
+    return shown;
+}
+
+/** What a figure shows of a curve: a quantity, or (over) what it is over another one. */
+struct shown {
+    enum quantity y, over; /* over: QUANTITY_LOAD none */
+    double sigma_m;
+    const char *style, *legend;
+};
+
+static double value_shown(const struct contact_point *point, const struct shown *shown)
+{
+    double value = quantity_shown(point, shown->y, shown->sigma_m);
+    return shown->over == QUANTITY_LOAD ? value : value / quantity_value(point, shown->over);
+}
+
+/** Points `from` to before `to` of a curve as one block. A resistance ends with the row of full contact, where it is 0.
+ */
+static void put_part(struct figure_file *out, const struct model_curve *curve, size_t from, size_t to,
+                     const struct shown *shown, const char *style)
 {
     enum quantity x = out->figure->row->x;
-    begin_block(out, style, legend);
-    for (size_t i = from; i < to; i++)
-        put_point(out, quantity_shown(&curve->points[i], x, sigma_m), quantity_shown(&curve->points[i], y, sigma_m),
-                  quantity_rows[x].logarithmic, quantity_rows[y].logarithmic);
+    bool ratio = shown->over != QUANTITY_LOAD, logarithmic = quantity_rows[shown->y].logarithmic && !ratio;
+    bool hides = strcmp(style, shown->style) == 0 && !ratio;
+    figure_data_begin_block(out, style, shown->legend);
+    if (hides)
+        figure_hidden_begin(&out->lines, style);
+    for (size_t i = from; i < to; i++) {
+        const struct contact_point *point = &curve->points[i];
+        double at = quantity_shown(point, x, shown->sigma_m), value = value_shown(point, shown);
+        if (ratio && isfinite(value)) {
+            fprintf(out->file, "%.17g,%.17g\n", at, value);
+            reach(&out->ratio, value);
+        } else if (!ratio && put_point(out, at, value, quantity_rows[x].logarithmic, logarithmic)) {
+            if (hides)
+                figure_hidden_keep(&out->lines, at, value);
+        } else if (!ratio && (QUANTITY_BIT(shown->y) & QUANTITY_RESISTANCES) && value == 0) {
+            fprintf(out->file, "%.17g,0\n", x == QUANTITY_LOAD ? fmin(at, curve->full_load) : at);
+            break;
+        }
+    }
 }
 
 /** A curve as up to three blocks: inside the model's validity, and (dashed, meeting the first or the last valid point)
- * outside. `y` is the quantity drawn, which may be another form of the figure's. */
+ * outside. */
 static void put_curve(struct figure_file *out, const struct model_curve *curve, const struct model_row *model,
-                      enum quantity y, double sigma_m, const char *style, const char *legend)
+                      const struct shown *shown)
 {
     struct curve_validity valid = curve_summary_validity(curve, model);
-    if (QUANTITY_BIT(y) & QUANTITY_RESISTANCES)
+    if (QUANTITY_BIT(shown->y) & QUANTITY_RESISTANCES && shown->over == QUANTITY_LOAD)
         for (size_t i = 0; i < curve->count && curve->points[i].area_ratio <= nearly_full_area; i++)
-            out->floor = fmin(out->floor, quantity_value(&curve->points[i], y));
+            out->floor = fmin(out->floor, quantity_value(&curve->points[i], shown->y));
     char outside_style[32];
-    snprintf(outside_style, sizeof outside_style, "%sx", style);
-    put_part(out, curve, valid.first, valid.end, y, sigma_m, style, legend);
+    snprintf(outside_style, sizeof outside_style, "%sx", shown->style);
+    put_part(out, curve, valid.first, valid.end, shown, shown->style);
     if (valid.first > 0)
-        put_part(out, curve, 0, valid.first + 1, y, sigma_m, outside_style, legend);
+        put_part(out, curve, 0, valid.first + 1, shown, outside_style);
     if (valid.end < curve->count)
-        put_part(out, curve, valid.end > 0 ? valid.end - 1 : 0, curve->count, y, sigma_m, outside_style, legend);
+        put_part(out, curve, valid.end > 0 ? valid.end - 1 : 0, curve->count, shown, outside_style);
 }
 
 /** The 95 % interval of the surface's mean against load, where there is one. */
@@ -65,12 +107,15 @@ static void put_band(struct figure_file *out, const struct surface_record *recor
     double scale = quantity_rows[y].over_sigma ? 1 / record->summary.asperities.sigma_m : 1;
     char band_style[32];
     snprintf(band_style, sizeof band_style, "%sb", style);
-    begin_block(out, band_style, "band");
+    figure_data_begin_block(out, band_style, "band");
     for (size_t i = 0; i < record->band_count; i++) {
         const struct repeats_band *band = &record->bands[model][i];
         double low = band->mean[y][0] * scale, high = band->mean[y][1] * scale;
-        if (isfinite(low) && isfinite(high) && (!quantity_rows[y].logarithmic || low > 0))
+        if (isfinite(low) && isfinite(high) && (!quantity_rows[y].logarithmic || low > 0)) {
             fprintf(out->file, "%.17g,%.17g,%.17g\n", band->load, low, high);
+            reach(&out->y, low);
+            reach(&out->y, high);
+        }
     }
 }
 
@@ -79,25 +124,43 @@ static void put_measured(struct figure_file *out, const struct measured *measure
 {
     if (!measured || out->figure->row->y != (measured->thermal ? QUANTITY_TCR : QUANTITY_ECR))
         return;
-    begin_block(out, "meas", "measured");
+    figure_data_begin_block(out, "meas", "measured");
     for (size_t i = 0; i < measured->count; i++) {
         double value = measured->resistance[i], error = isnan(measured->error[i]) ? 0 : measured->error[i];
-        fprintf(out->file, "%.17g,%.17g,%.17g,%.17g\n", measured->load[i], value, fmax(value - error, value * 1e-3),
-                value + error);
+        double low = fmax(value - error, value * 1e-3);
+        fprintf(out->file, "%.17g,%.17g,%.17g,%.17g\n", measured->load[i], value, low, value + error);
+        reach(&out->x, measured->load[i]);
+        reach(&out->y, low);
+        reach(&out->y, value + error);
+        out->floor = fmin(out->floor, low);
     }
 }
 
-/** A further form of a model's curve, where the run and the model have it: `flag` behind the style tells it. */
-static void put_variant(struct figure_file *out, const struct surface_record *record, size_t m, unsigned wanted,
-                        enum quantity variant, char flag, const char *what)
+/** The adjusted separation beside a model's own, where the run and the model have it. */
+static void put_adjusted(struct figure_file *out, const struct surface_record *record, size_t m, unsigned wanted)
 {
     const struct model_row *model = model_rows[m];
     char style[32], legend[80];
-    if (!(model->quantities & wanted & QUANTITY_BIT(variant)))
+    if (!(model->quantities & wanted & QUANTITY_BIT(QUANTITY_ADJUSTED)))
         return;
-    snprintf(style, sizeof style, "%s%c", model->style, flag);
-    snprintf(legend, sizeof legend, "%s, %s", model->label, what);
-    put_curve(out, &record->curves[m], model, variant, record->summary.asperities.sigma_m, style, legend);
+    snprintf(style, sizeof style, "%sa", model->style);
+    snprintf(legend, sizeof legend, "%s, adjusted", model->label);
+    out->adjusted = true;
+    put_curve(out, &record->curves[m], model,
+              &(struct shown){QUANTITY_ADJUSTED, QUANTITY_LOAD, record->summary.asperities.sigma_m, style, legend});
+}
+
+/** A curve of the panel below: the row's quantity there over the figure's. */
+static void put_ratio(struct figure_file *out, const struct surface_record *record, size_t m, unsigned wanted,
+                      const char *style, const char *legend)
+{
+    enum quantity below = out->figure->row->below;
+    char ratio_style[32];
+    if (below == QUANTITY_LOAD || !(model_rows[m]->quantities & wanted & QUANTITY_BIT(below)))
+        return;
+    snprintf(ratio_style, sizeof ratio_style, "%sS", style);
+    put_curve(out, &record->curves[m], model_rows[m],
+              &(struct shown){below, out->figure->row->y, NAN, ratio_style, legend});
 }
 
 /** The charts of chapter 6 show the thesis's models, and others where none of those has a curve. */
@@ -113,14 +176,14 @@ static void put_models(struct figure_file *out, const struct surface_record *rec
             continue;
         if (model_shown(model, y) == y)
             put_band(out, record, m, model->style);
-        put_curve(out, &record->curves[m], model, y, record->summary.asperities.sigma_m, model->style, model->label);
+        put_curve(out, &record->curves[m], model,
+                  &(struct shown){y, QUANTITY_LOAD, record->summary.asperities.sigma_m, model->style, model->label});
         if (y == QUANTITY_SEPARATION)
-            put_variant(out, record, m, wanted, QUANTITY_ADJUSTED, 'a', "adjusted");
-        if (y == QUANTITY_TCR)
-            put_variant(out, record, m, wanted, QUANTITY_TCR_SCALE_DEPENDENT, 'S', "scale-dependent");
+            put_adjusted(out, record, m, wanted);
+        put_ratio(out, record, m, wanted, model->style, model->label);
     }
     if (out->blocks == 0) /* gnuplot complains of a file without any */
-        begin_block(out, model_rows[0]->style, "no model exists for this surface");
+        figure_data_begin_block(out, model_rows[0]->style, "no model exists for this surface");
 }
 
 static void surface_legend(char *legend, size_t size, const struct surface_summary *summary)
@@ -133,7 +196,7 @@ static void surface_legend(char *legend, size_t size, const struct surface_summa
 static void put_bins(struct figure_file *out, const struct power_law_band *band, const char *style, const char *legend,
                      bool (*is_one)(enum power_law_band_use))
 {
-    begin_block(out, style, legend);
+    figure_data_begin_block(out, style, legend);
     for (size_t j = 0; j < band->bins; j++) {
         const struct log_bin *bin = &band->bin[j];
         double s = sqrt(bin->variance), high_m = pow(10, bin->y + s), low_m = pow(10, bin->y - s);
@@ -167,7 +230,7 @@ static void put_found(struct figure_file *out, const struct power_law_band *band
     put_bins(out, band, "bin", "in the fit", is_used);
     put_bins(out, band, "binx", "not in the fit", is_left_out);
     put_bins(out, band, "line", "lines", is_line);
-    begin_block(out, "knee", "knees");
+    figure_data_begin_block(out, "knee", "knees");
     for (size_t k = 0; k + 1 < band->pieces; k++)
         for (size_t j = 0; j < band->bins; j++)
             if (pow(10, band->bin[j].x) < band->knee_m[k]) {
@@ -184,7 +247,7 @@ static void put_spectrum(struct figure_file *out, const struct surface_record *r
     size_t index[MOST], count = results_sweep_scales(index, MOST, record->spectrum.count);
     const struct power_law *law = &record->summary.power_law;
     double longest = record->spectrum.length_m, shortest = longest / (double)record->spectrum.count;
-    begin_block(out, style, legend);
+    figure_data_begin_block(out, style, legend);
     for (size_t k = 0; k < count; k++)
         put_point(out, 1 / spectrum_frequency(&record->spectrum, index[k]), record->spectrum.amplitude_m[index[k]],
                   true, true);
@@ -194,10 +257,10 @@ static void put_spectrum(struct figure_file *out, const struct surface_record *r
     else if (isfinite(law->gamma))
         snprintf(fit, sizeof fit, "γ %.2f ± %.2f%s", law->gamma, law->gamma_error,
                  law->found == POWER_LAW_BAND_NARROW ? ", narrow" : "");
-    begin_block(out, "fit", fit);
+    figure_data_begin_block(out, "fit", fit);
     for (int i = 0; i < 2; i++)
         put_point(out, law->band_m[i], power_law_amplitude(law, law->band_m[i]), true, true);
-    begin_block(out, "fitx", fit);
+    figure_data_begin_block(out, "fitx", fit);
     put_point(out, shortest, power_law_amplitude(law, shortest), true, true);
     put_point(out, law->band_m[0], power_law_amplitude(law, law->band_m[0]), true, true);
     if (record->band.bins > 0)
@@ -240,7 +303,7 @@ static void put_contact_line(struct figure_file *out, const struct contacting_sl
     char legend[80];
     snprintf(legend, sizeof legend, "A/Aₙ %.3g", area_ratio);
     for (int part = 0; part < 2; part++) {
-        begin_block(out, part == 0 ? "fit" : "fitx", legend);
+        figure_data_begin_block(out, part == 0 ? "fit" : "fitx", legend);
         for (int e = 0; e < 2; e++)
             fprintf(out->file, "%.9g,%.9g\n", ends[part + e], (offset_m + scale_m * ends[part + e]) * 1e6);
     }
@@ -259,13 +322,21 @@ static enum status_code put_probability(struct figure_file *out, const struct su
     if (contacting_slopes_make(&slopes, record->points, record->summary.heights, persson_energy_factor, status) !=
         STATUS_OK)
         return status->code;
-    begin_block(out, style, legend);
+    figure_data_begin_block(out, style, legend);
     put_scores(out, &slopes);
     double area_ratio = contacting_slopes_area(&slopes, load).area_ratio;
     if (area_ratio <= contacting_slopes_separation_area) /* beyond, no line stands for what touches */
         put_contact_line(out, &slopes, area_ratio);
     contacting_slopes_free(&slopes);
     return STATUS_OK;
+}
+
+static void put_profile(struct figure_file *out, const struct surface_record *record, const char *style,
+                        const char *legend)
+{
+    figure_data_begin_block(out, style, legend);
+    for (size_t i = 0; i < record->preview_points; i++)
+        fprintf(out->file, "%.9g,%.9g\n", record->preview_x_m[i] * 1e3, record->preview_z_m[i] * 1e6);
 }
 
 static enum status_code put_surfaces(struct figure_file *out, const struct results *results, struct status *status)
@@ -280,9 +351,7 @@ static enum status_code put_surfaces(struct figure_file *out, const struct resul
         surface_legend(legend, sizeof legend, &record.summary);
         snprintf(style, sizeof style, "s%zu", k + 1);
         if (row->kind == FIGURE_PROFILES) {
-            begin_block(out, style, legend);
-            for (size_t i = 0; i < record.preview_points; i++)
-                fprintf(out->file, "%.9g,%.9g\n", record.preview_x_m[i] * 1e3, record.preview_z_m[i] * 1e6);
+            put_profile(out, &record, style, legend);
         } else if (row->kind == FIGURE_PROBABILITY) {
             rc = put_probability(out, &record, results, style, legend, status);
         } else if (row->kind == FIGURE_SPECTRA) {
@@ -290,10 +359,17 @@ static enum status_code put_surfaces(struct figure_file *out, const struct resul
         } else {
             size_t m = out->figure->model;
             put_band(out, &record, m, style);
-            put_curve(out, &record.curves[m], model_rows[m], model_shown(model_rows[m], row->y),
-                      record.summary.asperities.sigma_m, style, legend);
+            put_curve(out, &record.curves[m], model_rows[m],
+                      &(struct shown){model_shown(model_rows[m], row->y), QUANTITY_LOAD,
+                                      record.summary.asperities.sigma_m, style, legend});
+            put_ratio(out, &record, m, results->plan->wanted, style, legend);
         }
         surface_record_free(&record, false);
+    }
+    if (out->figure->row->kind == FIGURE_PROFILES && results->counterface) {
+        char legend[80];
+        snprintf(legend, sizeof legend, "counterface, Rq %.3g µm", results->counterface->summary.roughness.rq_m * 1e6);
+        put_profile(out, results->counterface, "cf", legend);
     }
     return rc;
 }
@@ -308,11 +384,15 @@ static void put_sweep(struct figure_file *out, const struct results *results)
         char legend[40], style[24];
         snprintf(legend, sizeof legend, "%s = %g", out->figure->row->sweep == CONVERGENCE_ALPHA ? "α" : "γ",
                  sweep->values[v]);
-        snprintf(style, sizeof style, "r%zu", v + 1);
-        begin_block(out, style, legend);
+        snprintf(style, sizeof style, "r%zu", 1 + (8 * v + (sweep->count - 1) / 2) / (sweep->count - 1));
+        figure_data_begin_block(out, style, legend);
+        figure_hidden_begin(&out->lines, style);
         const double *area = results_sweep(results, out->figure->row->sweep, out->figure->model, v);
-        for (size_t k = 0; k < count; k++)
-            put_point(out, study->scan_length_m / (double)(index[k] + 1), area[index[k]], true, true);
+        for (size_t k = 0; k < count; k++) {
+            double wavelength_m = study->scan_length_m / (double)(index[k] + 1);
+            if (put_point(out, wavelength_m, area[index[k]], true, true))
+                figure_hidden_keep(&out->lines, wavelength_m, area[index[k]]);
+        }
     }
 }
 
@@ -326,12 +406,12 @@ static void put_sensitivity(struct figure_file *out, const struct sensitivity_cu
             any = any || quantity_value(&points[w], y) > 0;
         if (!any)
             continue;
-        begin_block(out, model_rows[m]->style, model_rows[m]->label);
+        figure_data_begin_block(out, model_rows[m]->style, model_rows[m]->label);
         for (size_t w = 0; w < SENSITIVITY_WAVELENGTHS; w++)
             put_point(out, curves->wavelength_m[w], quantity_value(&points[w], y), true, true);
     }
     if (out->blocks == 0)
-        begin_block(out, model_rows[0]->style, "no model has a value");
+        figure_data_begin_block(out, model_rows[0]->style, "no model has a value");
 }
 
 /** The direct solutions as points with their errors. */
@@ -351,7 +431,7 @@ static void put_direct_points(struct figure_file *out, const struct direct_study
             snprintf(legend, sizeof legend, "direct, with the hardness");
         else if (study->plan.heights)
             snprintf(legend, sizeof legend, "direct, %s", heights[kind]);
-        begin_block(out, styles[leading ? 0 : capped ? 2 : 1], legend);
+        figure_data_begin_block(out, styles[leading ? 0 : capped ? 2 : 1], legend);
         for (size_t i = 0; i < curve->loads; i++) {
             double error, value = scale * direct_study_value(study, pair, (enum direct_study_kind)kind, y, i, &error);
             error = isnan(error) ? 0 : scale * error;
@@ -372,8 +452,9 @@ static void put_direct(struct figure_file *out, const struct direct_study *study
             if (direct_study_model(study, m, i))
                 points[curve.count++] = *direct_study_model(study, m, i);
         if (curve.count > 0 && (model_rows[m]->quantities & plan->wanted & QUANTITY_BIT(y)))
-            put_curve(out, &curve, model_rows[m], y, sqrt(study->moments.m0_m2), model_rows[m]->style,
-                      model_rows[m]->label);
+            put_curve(out, &curve, model_rows[m],
+                      &(struct shown){y, QUANTITY_LOAD, sqrt(study->moments.m0_m2), model_rows[m]->style,
+                                      model_rows[m]->label});
     }
     put_direct_points(out, study, &plan->pair);
 }
@@ -382,7 +463,7 @@ static void put_direct(struct figure_file *out, const struct direct_study *study
 static void put_direct_ratio(struct figure_file *out, const struct direct_study *study, const struct plan *plan)
 {
     enum quantity y = out->figure->row->y;
-    begin_block(out, "dirlb", "error of the direct solution");
+    figure_data_begin_block(out, "dirlb", "error of the direct solution");
     for (size_t i = 0; i < study->plan.loads; i++) {
         double error, value = direct_study_value(study, &plan->pair, study->leading, y, i, &error);
         double share = (isnan(error) ? 0 : error / value) + direct_study_grid_error(study, study->leading, y, i);
@@ -395,7 +476,7 @@ static void put_direct_ratio(struct figure_file *out, const struct direct_study 
             any = any || direct_study_ratio(study, &plan->pair, m, y, i) > 0;
         if (!any)
             continue;
-        begin_block(out, model_rows[m]->style, model_rows[m]->label);
+        figure_data_begin_block(out, model_rows[m]->style, model_rows[m]->label);
         for (size_t i = 0; i < study->plan.loads; i++)
             put_point(out, study->plan.load[i], direct_study_ratio(study, &plan->pair, m, y, i), true, true);
     }
@@ -406,7 +487,7 @@ static void put_patches(struct figure_file *out, const struct direct_study *stud
 {
     size_t n = study->plan.grid;
     double step_um = study->plan.length_m * 1e6 / (double)n;
-    begin_block(out, "patches", "x from, x to, y from, y to (um)");
+    figure_data_begin_block(out, "patches", "x from, x to, y from, y to (um)");
     for (size_t j = 0; j < n; j++)
         for (size_t i = 0; i < n; i++) {
             size_t from = i;
@@ -418,11 +499,17 @@ static void put_patches(struct figure_file *out, const struct direct_study *stud
         }
 }
 
+/** The error of a row as its chart shows it: below 1e-16 it is nothing that double precision can show. */
+static double cost_error(const struct benchmark_row *row)
+{
+    if (row->chart >= BENCHMARK_DIRECT_AREA)
+        return fmax(row->error, 1e-3); /* an error of exactly 0 has no place on a logarithmic axis */
+    return row->error < 1e-16 ? 0 : row->error;
+}
+
 /** One line a study and method, and a ring round what the report uses. */
 static void put_cost(struct figure_file *out, const struct benchmark *cost)
 {
-    bool direct_chart = out->figure->row->chart >= BENCHMARK_DIRECT_AREA;
-    const double floor = direct_chart ? 1e-3 : 1e-16; /* an error of exactly 0 has no place on a logarithmic axis */
     size_t methods = 0;
     const struct benchmark_row *before = NULL;
     for (size_t i = 0; i < cost->count; before = &cost->rows[i++]) {
@@ -438,19 +525,30 @@ static void put_cost(struct figure_file *out, const struct benchmark *cost)
                 snprintf(style, sizeof style, "c%zu", methods++ % 9 + 1);
             snprintf(legend, sizeof legend, "%s, %s", integral ? row->model->label : row->method,
                      integral ? row->method : row->study);
-            begin_block(out, style, direct ? row->method : legend);
+            figure_data_begin_block(out, style, direct ? row->method : legend);
         }
-        fprintf(out->file, "%.17g,%.17g\n", row->seconds, fmax(row->error, floor));
+        fprintf(out->file, "%.17g,%.17g\n", row->seconds, cost_error(row));
     }
     bool chosen = false;
     for (size_t i = 0; i < cost->count; i++)
         chosen = chosen || (cost->rows[i].chart == out->figure->row->chart && cost->rows[i].chosen);
     if (!chosen && out->figure->row->chart >= BENCHMARK_DIRECT_AREA)
         return;
-    begin_block(out, "choice", "used in this report");
+    figure_data_begin_block(out, "choice", "used in this report");
     for (size_t i = 0; i < cost->count; i++)
         if (cost->rows[i].chart == out->figure->row->chart && cost->rows[i].chosen)
-            fprintf(out->file, "%.17g,%.17g\n", cost->rows[i].seconds, fmax(cost->rows[i].error, floor));
+            fprintf(out->file, "%.17g,%.17g\n", cost->rows[i].seconds, cost_error(&cost->rows[i]));
+}
+
+struct figure_file figure_data_start(const struct figure *figure)
+{
+    return (struct figure_file){.figure = figure, .floor = INFINITY, .x = nothing, .y = nothing, .ratio = nothing};
+}
+
+void figure_data_free(struct figure_file *file)
+{
+    text_free(&file->styles);
+    figure_hidden_free(&file->lines);
 }
 
 enum status_code figure_data_put(struct figure_file *file, const struct results *results,

@@ -2,16 +2,22 @@
 #ifndef CHART_FIGURE_DATA_H
 #define CHART_FIGURE_DATA_H
 
-#include "chart/figure.h"
+#include "chart/figure_hidden.h"
 
-/** A figure's data file being written, and the style words of its blocks. */
+/** A figure's data file being written, and the style words of its blocks. Owned: figure_data_free(). */
 struct figure_file {
     FILE *file;
     struct text styles;
     const struct figure *figure;
     size_t blocks;
-    double floor; /* least resistance up to nearly_full_area; INFINITY: none so far */
+    double floor;                     /* least resistance up to nearly_full_area; INFINITY: none so far */
+    struct figure_extent x, y, ratio; /* ratio: of the panel below */
+    bool adjusted;                    /* an adjusted separation stands beside the model's own */
+    struct figure_lines lines;
 };
+
+struct figure_file figure_data_start(const struct figure *figure);
+void figure_data_free(struct figure_file *file);
 
 /** The model that used this surface's heights; model_count: none did. */
 size_t figure_data_heights_model(const struct surface_summary *summary);
@@ -19,5 +25,8 @@ size_t figure_data_heights_model(const struct surface_summary *summary);
 /** Writes every block of the figure into `file`. Errors: STATUS_IO, STATUS_MEMORY. */
 MUST_CHECK enum status_code figure_data_put(struct figure_file *file, const struct results *results,
                                             const struct surface_record *baseline, struct status *status);
+
+/** Starts a curve: its first row is the legend. */
+void figure_data_begin_block(struct figure_file *out, const char *style, const char *legend);
 
 #endif

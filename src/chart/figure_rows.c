@@ -1,20 +1,22 @@
 /* Which figures a report may hold (docs/report.md, Figures). */
 #include "chart/figure.h"
 
-#define MODELS(first, where, words, in_terminal, across, up)                                                           \
+const double figure_lowest_separation = -0.5;
+
+#define MODELS(first, where, words, in_terminal, across, up, under)                                                    \
     {                                                                                                                  \
         .number = (first), .kind = FIGURE_MODELS, .section = (where), .title = (words), .terminal = (in_terminal),     \
-        .x = (across), .y = (up)                                                                                       \
+        .x = (across), .y = (up), .below = (under)                                                                     \
     }
 #define BEYOND(file, words, up)                                                                                        \
     {                                                                                                                  \
         .name = (file), .kind = FIGURE_MODELS, .section = "beyond thesis", .title = (words), .x = QUANTITY_LOAD,       \
         .y = (up), .beyond_thesis = true                                                                               \
     }
-#define SURFACES(first, file, where, in_terminal, across, up)                                                          \
+#define SURFACES(first, file, where, in_terminal, across, up, under)                                                   \
     {                                                                                                                  \
         .number = (first), .name = (file), .kind = FIGURE_SURFACES, .section = (where), .terminal = (in_terminal),     \
-        .x = (across), .y = (up)                                                                                       \
+        .x = (across), .y = (up), .below = (under)                                                                     \
     }
 #define SWEEP(first, parameter, words, what)                                                                           \
     {                                                                                                                  \
@@ -39,11 +41,15 @@
 const struct figure_row figure_rows[] = {
     SWEEP(1, "alpha", "Area against wavelength, α varied", CONVERGENCE_ALPHA),
     SWEEP(3, "gamma", "Area against wavelength, γ varied", CONVERGENCE_GAMMA),
-    MODELS(5, "baseline area", "Real contact area against load", true, QUANTITY_LOAD, QUANTITY_AREA),
-    MODELS(6, "baseline separation", "Separation against area", false, QUANTITY_AREA, QUANTITY_SEPARATION),
-    MODELS(7, "baseline separation", "Separation against load", true, QUANTITY_LOAD, QUANTITY_SEPARATION),
-    MODELS(8, "baseline electrical", "Electrical contact resistance against load", true, QUANTITY_LOAD, QUANTITY_ECR),
-    MODELS(9, "baseline thermal", "Thermal contact resistance against load", false, QUANTITY_LOAD, QUANTITY_TCR),
+    MODELS(5, "baseline area", "Real contact area against load", true, QUANTITY_LOAD, QUANTITY_AREA, QUANTITY_LOAD),
+    MODELS(6, "baseline separation", "Separation against area", false, QUANTITY_AREA, QUANTITY_SEPARATION,
+           QUANTITY_LOAD),
+    MODELS(7, "baseline separation", "Separation against load", true, QUANTITY_LOAD, QUANTITY_SEPARATION,
+           QUANTITY_LOAD),
+    MODELS(8, "baseline electrical", "Electrical contact resistance against load", true, QUANTITY_LOAD, QUANTITY_ECR,
+           QUANTITY_LOAD),
+    MODELS(9, "baseline thermal", "Thermal contact resistance against load", false, QUANTITY_LOAD, QUANTITY_TCR,
+           QUANTITY_TCR_SCALE_DEPENDENT),
     {.number = 10, .kind = FIGURE_PROFILES, .section = "profiles", .title = "Surface profiles"},
     BEYOND("models-area", "Area against load, every model", QUANTITY_AREA),
     BEYOND("models-separation", "Separation against load, every model", QUANTITY_SEPARATION),
@@ -61,11 +67,12 @@ const struct figure_row figure_rows[] = {
      .kind = FIGURE_PROBABILITY,
      .section = "heights",
      .title = "Heights on normal-probability axes"},
-    SURFACES(11, "area-load", "surfaces area", true, QUANTITY_LOAD, QUANTITY_AREA),
-    SURFACES(15, "separation-load", "surfaces separation", true, QUANTITY_LOAD, QUANTITY_SEPARATION),
-    SURFACES(19, "separation-area", "surfaces separation-area", false, QUANTITY_AREA, QUANTITY_SEPARATION),
-    SURFACES(23, "ecr-load", "surfaces electrical", false, QUANTITY_LOAD, QUANTITY_ECR),
-    SURFACES(27, "tcr-load", "surfaces thermal", false, QUANTITY_LOAD, QUANTITY_TCR),
+    SURFACES(11, "area-load", "surfaces area", true, QUANTITY_LOAD, QUANTITY_AREA, QUANTITY_LOAD),
+    SURFACES(15, "separation-load", "surfaces separation", true, QUANTITY_LOAD, QUANTITY_SEPARATION, QUANTITY_LOAD),
+    SURFACES(19, "separation-area", "surfaces separation-area", false, QUANTITY_AREA, QUANTITY_SEPARATION,
+             QUANTITY_LOAD),
+    SURFACES(23, "ecr-load", "surfaces electrical", false, QUANTITY_LOAD, QUANTITY_ECR, QUANTITY_LOAD),
+    SURFACES(27, "tcr-load", "surfaces thermal", false, QUANTITY_LOAD, QUANTITY_TCR, QUANTITY_TCR_SCALE_DEPENDENT),
     {.name = "power-law", .kind = FIGURE_SPECTRA, .section = "power law", .title = "Spectra and their power laws"},
     SENSITIVITY("sensitivity-area", "Area against the shortest wavelength included", QUANTITY_AREA),
     SENSITIVITY("sensitivity-ecr", "ECR against the shortest wavelength included", QUANTITY_ECR),

@@ -98,6 +98,28 @@ void section_figures(struct text *out, const struct section_context *context, co
     }
 }
 
+void section_cut(struct text *out, const struct section_context *context, const struct figure *figure)
+{
+    bool first = true;
+    for (size_t m = 0; m < model_count && figure->row->y == QUANTITY_SEPARATION; m++) {
+        const struct model_curve *curve = &context->baseline->curves[m];
+        double sigma_m = context->baseline->summary.asperities.sigma_m, lowest = INFINITY;
+        if (!curve->exists || !section_computes(context, QUANTITY_ADJUSTED) ||
+            !(model_rows[m]->quantities & QUANTITY_BIT(QUANTITY_ADJUSTED)))
+            continue;
+        for (size_t i = 0; i < curve->count; i++)
+            lowest = fmin(lowest, curve->points[i].separation_m / sigma_m);
+        if (!(lowest < figure_lowest_separation))
+            continue;
+        if (first)
+            number_format_between(out, " Cut at ", figure_lowest_separation, 1, " σ: unadjusted, ");
+        text_add(out, "%s%s", first ? "" : ", ", model_rows[m]->label);
+        number_format_between(out, first ? " goes down to " : " to ", lowest, 2, " σ");
+        first = false;
+    }
+    text_add(out, "%s", first ? "" : ".");
+}
+
 void section_at_middle(struct text *out, const struct section_context *context, enum quantity quantity, double value)
 {
     const struct quantity_row *row = &quantity_rows[quantity];

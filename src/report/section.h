@@ -36,6 +36,8 @@ typedef void section_caption(struct text *out, const struct section_context *con
 /** Adds the figures whose row names this place, each with its title and caption (NULL: the title alone). */
 void section_figures(struct text *out, const struct section_context *context, const char *place,
                      section_caption *caption);
+/** Says of the baseline's own separations how far they go on below where their chart is cut: " Cut at −0.5 σ: …". */
+void section_cut(struct text *out, const struct section_context *context, const struct figure *figure);
 /** " At P/(Aₙ E′) = 3.16·10⁻⁴, A/Aₙ is 0.18": the start of a caption that speaks of the middle load. */
 void section_at_middle(struct text *out, const struct section_context *context, enum quantity quantity, double value);
 /** " to 0.31 Ω·m²": the other end of a range. */

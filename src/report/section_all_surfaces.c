@@ -10,7 +10,9 @@ static void shown_text(struct text *out, const struct section_context *context)
         text_add(out, "There is one surface, so these charts show it alone, model by model.");
         return;
     }
-    text_add(out, "A surface has the same colour in every chart.");
+    text_add(out,
+             "A surface has the same colour in every chart, and a quantity the same axis. Where curves lie on each "
+             "other their colours alternate.");
     if (results->shown_count < results->usable_count)
         text_add(
             out,
@@ -18,7 +20,8 @@ static void shown_text(struct text *out, const struct section_context *context)
             "data hold all of them.",
             results->shown_count, results->usable_count);
     if (results->plan->running & (EFFECT_BIT(EFFECT_ELECTRICAL) | EFFECT_BIT(EFFECT_THERMAL)))
-        text_add(out, " Axes of resistance end where A/Aₙ passes 0.99: at full contact resistance is 0.");
+        text_add(out, " Axes of resistance end where A/Aₙ passes 0.99, and curves leave through the lower edge at "
+                      "full contact, where resistance is 0.");
 }
 
 static void full_contact_note(struct text *out, const struct section_context *context)

@@ -84,6 +84,7 @@ static void introduction(struct text *out, const struct section_context *context
 static void caption(struct text *out, const struct section_context *context, const struct figure *figure)
 {
     struct comparison_extremes models = section_models(context, figure->row->y, false);
+    section_cut(out, context, figure);
     if (models.count == 0)
         return;
     section_at_middle(out, context, figure->row->y, models.least);

@@ -95,7 +95,11 @@ static void sweep_caption(struct text *out, const struct section_context *contex
     size_t converged = 0;
     for (size_t v = 0; v < sweep->count; v++)
         converged += comparison_converges(context->results, figure->row->sweep, figure->model, v);
-    text_add(out, " %zu of %zu curves have settled; curves of complete contact lie on each other at 1.", converged,
+    const struct scene_convergence *study = &context->results->scene->convergence;
+    bool alpha = figure->row->sweep == CONVERGENCE_ALPHA;
+    section_given(out, " At P/(Aₙ E′) = ", study->load, "");
+    section_given(out, alpha ? ", γ = " : ", α = ", alpha ? study->gamma : study->alpha, "");
+    text_add(out, ". %zu of %zu curves have settled; curves of complete contact lie on each other at 1.", converged,
              sweep->count);
 }
 

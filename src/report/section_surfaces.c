@@ -175,9 +175,15 @@ static void surface_asperities(struct text *out, const struct section_context *c
 
 static void profiles_caption(struct text *out, const struct section_context *context, const struct figure *figure)
 {
-    (void)context;
+    const struct results *results = context->results;
     (void)figure;
-    text_add(out, " Levelled heights; each panel has its own height scale.");
+    text_add(out, " Levelled heights%s%s.",
+             results->counterface                           ? ", and the counterface's"
+             : results->shown_count < results->usable_count ? ", of the surfaces shown in charts"
+                                                            : "",
+             results->shown_count + (results->counterface != NULL) > 1
+                 ? "; left, each on its own scale, right, all on one"
+                 : "");
 }
 
 static void spectra_caption(struct text *out, const struct section_context *context, const struct figure *figure)

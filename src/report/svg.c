@@ -88,6 +88,18 @@ static const char *page_colour(const char *value)
     return NULL;
 }
 
+/* Reads "#1257d0" or "rgb(18, 87, 208)". */
+static bool read_colour(unsigned *rgb, const char *value)
+{
+    int end = 0;
+    unsigned red, green, blue;
+    if (sscanf(value, "#%2x%2x%2x%n", &red, &green, &blue, &end) != 3 &&
+        sscanf(value, "rgb( %u , %u , %u )%n", &red, &green, &blue, &end) != 3)
+        return false;
+    *rgb = red << 16 | green << 8 | blue;
+    return end > 0 && value[end] == '\0' && (*value != '#' || end == 7) && red < 256 && green < 256 && blue < 256;
+}
+
 /* Writes name="before fig1.ID after" if what stands between the marks of a reference is an identifier. */
 static void write_reference(const struct drawing *drawing, const char *name, const char *value, const char *before,
                             const char *after)
@@ -115,12 +127,15 @@ static void write_id(const struct drawing *drawing, const char *id)
 static void write_attribute(const struct drawing *drawing, const char *name, const char *value)
 {
     const char *colour = listed(colour_attributes, name) ? page_colour(value) : NULL;
+    unsigned rgb;
     if (strcmp(name, "id") == 0)
         write_id(drawing, value);
     else if (strcmp(name, "href") == 0 || strcmp(name, "xlink:href") == 0) /* xlink: is not needed any more */
         write_reference(drawing, "href", value, "#", "");
     else if (!colour && !listed(colour_attributes, name) && !listed(plain_attributes, name))
         return;
+    else if (!colour && listed(colour_attributes, name) && read_colour(&rgb, value)) /* the page may have its own */
+        text_add(drawing->out, " %s=\"var(--%06x,#%06x)\"", name, rgb, rgb);
     else if (strcasestr(value, "url"))
         write_reference(drawing, name, value, "url(#", ")");
     else if (colour || value[strspn(value, VALUE_CHARS)] == '\0')

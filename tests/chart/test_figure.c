@@ -1,9 +1,9 @@
-#include "chart/figure.h"
+#include "chart/figure_data.h"
 #include "run/pipeline.h"
 
 #include <ctype.h>
 
-enum { BLOCKS_MOST = 32, ROWS_MOST = 1100, SPIKE = 1234 };
+enum { BLOCKS_MOST = 40, ROWS_MOST = 1100, SPIKE = 1234 };
 
 /* A quote, an end of line, commands, gnuplot's marks: YAML escapes, and what of it may reach a data file. */
 static const char hostile_yaml[] = "\"x'); system('touch pwned') #\\\"`touch pwned` @a $b %d \\\\n {c} µ, \"";
@@ -287,13 +287,18 @@ static void test_every_data_file_fits_its_script(void **state)
                           : row->kind == FIGURE_SPECTRA
                               ? 3 * 7 /* points, law in and out of its band, bins of three kinds, knees */
                               : 0;
-        if (expected)
-            assert_int_equal(drawing->blocks, expected);
-        for (size_t b = 0; b < drawing->blocks; b++)
+        size_t hidden = 0;
+        bool resistance = QUANTITY_BIT(row->y) & QUANTITY_RESISTANCES;
+        for (size_t b = 0; b < drawing->blocks; b++) {
+            hidden += strcmp(drawing->legend[b], "\"hidden\"") == 0;
             for (size_t k = 0; k < drawing->rows[b] && row->kind != FIGURE_PROFILES; k++) {
+                bool ends = resistance && k + 1 == drawing->rows[b] && drawing->y[b][k] == 0; /* full contact */
                 assert_true(drawing->x[b][k] > 0);
-                assert_true(row->y == QUANTITY_SEPARATION || drawing->y[b][k] > 0);
+                assert_true(row->y == QUANTITY_SEPARATION || ends || drawing->y[b][k] > 0);
             }
+        }
+        if (expected)
+            assert_int_equal(drawing->blocks - hidden, expected);
         free(drawing);
     }
     figure_list_free(&list);
@@ -432,6 +437,250 @@ static void test_a_thinned_profile_keeps_its_spike(void **state)
     free(drawing);
 }
 
+/* A column of contact.csv for the rows of one surface and model, which have a load and that column. */
+static size_t read_column(double *load, double *value, const struct directory *place, const char *model,
+                          const char *column)
+{
+    struct text text = directory_read(place, "out/data/contact.csv");
+    size_t rows = 0, wanted = 0;
+    char prefix[64];
+    snprintf(prefix, sizeof prefix, "a,%s,", model);
+    for (const char *c = text.data, *end = strstr(text.data, column); c < end; c++)
+        wanted += *c == ',';
+    for (const char *line = text.data; (line = strchr(line, '\n')) && *++line;) {
+        const char *cell = line;
+        if (strncmp(line, prefix, strlen(prefix)) != 0)
+            continue;
+        load[rows] = atof(line + strlen(prefix));
+        for (size_t c = 0; c < wanted; c++)
+            cell = strchr(cell, ',') + 1;
+        value[rows++] = *cell == ',' || *cell == '\n' ? NAN : atof(cell);
+    }
+    text_free(&text);
+    return rows;
+}
+
+/* The block of that style. */
+static size_t block_of(const struct drawing *drawing, const char *style)
+{
+    for (size_t b = 0; b < drawing->blocks; b++)
+        if (strcmp(drawing->style[b], style) == 0)
+            return b;
+    fail_msg("no block %s", style);
+    return 0;
+}
+
+/* What the axes of a figure's script hold; returns how many numbers that are. */
+static size_t read_axes(double *axes, const struct directory *place, const char *out, const char *number)
+{
+    char name[96];
+    snprintf(name, sizeof name, "%s/figures/%s.gp", out, number);
+    struct text script = directory_read(place, name);
+    char *end = strrchr(script.data, '\''), *rest;
+    *end = '\0';
+    rest = strrchr(script.data, '\'') + 1;
+    size_t count = 0;
+    for (char *from = rest; count < 6; count++, from = rest) {
+        axes[count] = strtod(from, &rest);
+        if (rest == from)
+            break;
+    }
+    text_free(&script);
+    return count;
+}
+
+/* The charts of all surfaces have one y range a quantity and one x range. */
+static void test_charts_of_all_surfaces_share_their_axes(void **state)
+{
+    double first[6], axes[6];
+    static const struct {
+        int from, to;
+        size_t count;
+    } quantities[] = {{11, 14, 4}, {15, 22, 4}, {23, 26, 4}, {27, 30, 6}};
+    for (size_t q = 0; q < sizeof quantities / sizeof *quantities; q++)
+        for (int n = quantities[q].from; n <= quantities[q].to; n++) {
+            char number[8];
+            snprintf(number, sizeof number, "6-%02d", n);
+            assert_int_equal(read_axes(axes, *state, "out", number), quantities[q].count);
+            if (n == quantities[q].from)
+                memcpy(first, axes, sizeof first);
+            for (size_t k = 2; k < quantities[q].count; k++)
+                assert_near(axes[k], first[k], 0);
+            if (n == 19)
+                memcpy(first, axes, 2 * sizeof *first); /* against area */
+            assert_near(axes[0], first[0], 0);
+            assert_near(axes[1], first[1], 0);
+            struct drawing *drawing = read_drawing(*state, number);
+            for (size_t b = 0; b < drawing->blocks; b++)
+                for (size_t k = 0; k < drawing->rows[b] && !strchr(drawing->style[b], 'S'); k++)
+                    assert_true(drawing->y[b][k] <= axes[3] * (1 + 1e-5));
+            free(drawing);
+        }
+}
+
+/* A chart that shows separations adjusted as well is cut at -0.5 sigma, others are not. */
+static void test_separations_are_cut(void **state)
+{
+    double axes[6], least = INFINITY;
+    struct drawing *drawing = read_drawing(*state, "6-07");
+    for (size_t b = 0; b < drawing->blocks; b++)
+        for (size_t k = 0; k < drawing->rows[b]; k++)
+            least = fmin(least, drawing->y[b][k]);
+    assert_true(least < -0.5); /* the data go on */
+    read_axes(axes, *state, "out", "6-07");
+    assert_near(axes[2], -0.5, 0);
+    read_axes(axes, *state, "out", "6-06");
+    assert_near(axes[2], -0.5, 0);
+    free(drawing);
+}
+
+/* Every curve of a resistance ends with a row of 0 at its full contact, between the last load before and the next. */
+static void test_resistances_end_at_full_contact(void **state)
+{
+    struct drawing *drawing = read_drawing(*state, "6-23"); /* multiscale-plastic */
+    size_t block = block_of(drawing, "s1"), last = drawing->rows[block] - 1;
+    double load[64], ecr[64];
+    size_t rows = read_column(load, ecr, *state, "multiscale-plastic", "ecr_ohm_m2"), full = 0;
+    while (full < rows && ecr[full] > 0)
+        full++;
+    assert_true(full > 1 && full < rows);
+    assert_int_equal(last, full);
+    assert_near(drawing->y[block][last], 0, 0);
+    assert_true(drawing->x[block][last] > load[full - 1] && drawing->x[block][last] <= load[full]);
+    assert_true(drawing->x[block][last] < load[full] * 0.999); /* at its own load, not that of the next row */
+    for (size_t k = 0; k < full; k++)
+        assert_near(drawing->y[block][k], ecr[k], 0);
+    free(drawing);
+}
+
+/* The panel below holds scale-dependent over plain, and is not there without the effect. */
+static void test_the_panel_below_holds_ratios(void **state)
+{
+    const struct directory *place = *state;
+    struct drawing *drawing = read_drawing(place, "6-28"); /* multiscale-elastic */
+    size_t block = block_of(drawing, "s1S"), rows;
+    double load[64], plain[64], dependent[64];
+    rows = read_column(load, plain, place, "multiscale-elastic", "tcr_K_m2_per_W");
+    assert_int_equal(read_column(load, dependent, place, "multiscale-elastic", "tcr_sd_K_m2_per_W"), rows);
+    assert_true(drawing->rows[block] > 5);
+    for (size_t k = 0; k < drawing->rows[block]; k++) {
+        assert_near(drawing->x[block][k], load[k], 0);
+        assert_near(drawing->y[block][k], dependent[k] / plain[k], 1e-14);
+        assert_true(drawing->y[block][k] > 1);
+    }
+    free(drawing);
+    mkdir(directory_path(place, "thermal"), 0777);
+    pipeline_rough(place, "thermal/a.csv", 64, 1, 1);
+    directory_write(place, "thermal/scene.yaml", "material: tin\neffects: [thermal]\n");
+    assert_int_equal(pipeline_run(place, "thermal", "out-thermal", 1), 0);
+    struct text script = directory_read(place, "out-thermal/figures/6-09.gp");
+    assert_non_null(strstr(script.data, "'me "));
+    assert_null(strstr(script.data, "meS"));
+    text_free(&script);
+    double axes[6];
+    assert_int_equal(read_axes(axes, place, "out-thermal", "6-09"), 4);
+}
+
+/* A rough counterface has its profile beside those of the surfaces. */
+static void test_the_counterface_is_drawn(void **state)
+{
+    const struct directory *place = *state;
+    mkdir(directory_path(place, "pair"), 0777);
+    pipeline_rough(place, "pair/a.csv", 64, 1, 1);
+    pipeline_rough(place, "pair/other.csv", 64, 2, 2);
+    directory_write(place, "pair/scene.yaml",
+                    "material: tin\neffects: []\nsurfaces: [{name: a, file: a.csv}]\n"
+                    "counterface: {surface: other.csv, material: tin}\n");
+    assert_int_equal(pipeline_run(place, "pair", "out-pair", 1), 0);
+    struct text script = directory_read(place, "out-pair/figures/6-10.gp"),
+                data = directory_read(place, "out-pair/figures/6-10.csv");
+    assert_non_null(strstr(script.data, "'s1 cf'"));
+    const char *block = strstr(data.data, "\"counterface, Rq ");
+    assert_non_null(block);
+    size_t rows = 0;
+    for (const char *line = block; (line = strchr(line, '\n')); line++)
+        rows += line[1] != '\0';
+    assert_int_equal(rows, 64);
+    text_free(&script);
+    text_free(&data);
+}
+
+/* The blocks that figure_hidden_put() adds to lines of y = 10^exponent against x = 1...20. */
+static struct text hidden_of(double (*exponent)(size_t line, double x), size_t lines, char *styles, size_t size)
+{
+    struct figure_file file = figure_data_start(NULL);
+    char *bytes = NULL;
+    size_t length = 0;
+    file.file = open_memstream(&bytes, &length);
+    assert_non_null(file.file);
+    for (size_t i = 0; i < lines; i++) {
+        char style[8];
+        snprintf(style, sizeof style, "s%zu", i + 1);
+        figure_hidden_begin(&file.lines, style);
+        for (int x = 1; x <= 20; x++)
+            figure_hidden_keep(&file.lines, x, pow(10, exponent(i, x)));
+    }
+    figure_hidden_put(&file, (struct figure_extent){1, 20}, (struct figure_extent){1, 1e4}, false, true);
+    assert_false(file.lines.failed);
+    fclose(file.file);
+    snprintf(styles, size, "%s", text_string(&file.styles));
+    figure_data_free(&file);
+    struct text out = {0};
+    text_add_bytes(&out, bytes, length);
+    free(bytes);
+    return out;
+}
+
+static double joining(size_t line, double x)
+{
+    return line == 0 ? fmin(1 + 0.1 * x, 2) : fmin(0.5 + 0.15 * x, 2); /* together from 10 on */
+}
+
+static double crossing(size_t line, double x)
+{
+    return line == 0 ? 0.2 * x : 4 - 0.2 * x;
+}
+
+static double within_a_point(size_t line, double x)
+{
+    return 0.1 * x + 4.0 / 340 * (double)line * 1.4; /* the third is beyond a point and a half of the first */
+}
+
+static double same(size_t line, double x)
+{
+    (void)line;
+    return 0.2 * x;
+}
+
+static size_t lines_in(const struct text *text)
+{
+    size_t lines = 0;
+    for (const char *c = text->data; c && *c; c++)
+        lines += *c == '\n';
+    return lines;
+}
+
+static void test_hidden_stretches(void **state)
+{
+    (void)state;
+    char styles[100];
+    struct text joined = hidden_of(joining, 2, styles, sizeof styles);
+    assert_string_equal(styles, "s1h12");
+    assert_int_equal(strncmp(joined.data, "\"hidden\"\n10,100\n11,100\n", 23), 0);
+    assert_int_equal(lines_in(&joined), 1 + 11);
+    text_free(&joined);
+    struct text crossed = hidden_of(crossing, 2, styles, sizeof styles);
+    assert_string_equal(styles, "");
+    assert_int_equal(crossed.length, 0);
+    text_free(&crossed);
+    struct text all = hidden_of(same, 3, styles, sizeof styles);
+    assert_string_equal(styles, "s1h23 s2h13");
+    text_free(&all);
+    struct text near = hidden_of(within_a_point, 3, styles, sizeof styles);
+    assert_string_equal(styles, "s1h12 s2h13"); /* each next one hides the one before, the third not the first */
+    text_free(&near);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -445,6 +694,12 @@ int main(void)
         cmocka_unit_test(test_the_models_of_the_baseline),
         cmocka_unit_test(test_models_have_their_colours),
         cmocka_unit_test(test_a_thinned_profile_keeps_its_spike),
+        cmocka_unit_test(test_charts_of_all_surfaces_share_their_axes),
+        cmocka_unit_test(test_separations_are_cut),
+        cmocka_unit_test(test_resistances_end_at_full_contact),
+        cmocka_unit_test(test_the_panel_below_holds_ratios),
+        cmocka_unit_test(test_the_counterface_is_drawn),
+        cmocka_unit_test(test_hidden_stretches),
     };
     return cmocka_run_group_tests(tests, place_setup, place_teardown);
 }

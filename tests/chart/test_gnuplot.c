@@ -174,10 +174,10 @@ static const struct sample {
     {"models-area", "curves", "'load' 'A/A_n' 'xy' 'me mp gw gwx jg jgx'", 1 + 6 + 4 + 4 + 1, "Jackson–Green"},
     {"models-separation", "curves", "'load' 'separation in µm' 'x' 'me mp gw gwx gwa gwax jg jgx jga jgax'",
      1 + 10 + 4 + 6 + 1, "Greenwood–Williamson, adjusted"},
-    {"models-tcr", "curves", "'load' 'TCR·A_n in K m^2/W' 'xy' 'me meS mp mpS gw gwS jg jgS'", 1 + 8 + 8 + 8,
-     "multiscale elastic, scale-dependent"},
-    {"sweep", "curves", "'wavelength in m' 'A/A_n' 'xy' 'r1 r2 r3 r4 r5 r6 r7 r8 r9'", 1 + 9 + 9, "γ = 1.75"},
-    {"profiles", "profiles", "'s1 s2 s3 s4'", 4, "surface 4, Rq 5.82 µm"},
+    {"models-tcr", "curves", "'load' 'TCR·A_n in K m^2/W' 'xy' 'me meS mp mpS gw gwS jg jgS'",
+     1 + 4 + 4 + 4 + (1 + 4 + 4), "multiscale elastic-plastic"},
+    {"sweep", "curves", "'wavelength in m' 'A/A_n' 'xy' 'r1 r2 r3 r4 r5 r6 r7 r8 r9'", 1 + 9, "γ = 1.75"},
+    {"profiles", "profiles", "'s1 s2 s3 s4'", 2 * 4, "surface 4, Rq 5.82 µm"},
     {"spectra", "spectra", "'s1 fit fitx s2 fit fitx s3 fit fitx s4 fit fitx'", 4 * (1 + 3), "surface 3, Rq 1.05 µm"},
     {"cost", "cost", "'c1 c2 c3 c4 choice'", 1 + 4 + 2, "Gauss–Legendre panels"},
 };
@@ -211,7 +211,7 @@ static void test_every_template_draws_an_svg(void **state)
             fail_msg("%s: %zu pieces, expected %zu with '%s'", name, count(svg.data, "<g id=\"gnuplot_plot_"),
                      samples[i].pieces, samples[i].legend);
         assert_non_null(strstr(svg.data, "a title"));
-        assert_in_range(svg.length, 10000, 100000);
+        assert_in_range(svg.length, 10000, 130000);
         text_free(&svg);
     }
 }
@@ -293,6 +293,120 @@ static void test_empty_blocks_and_single_points_are_drawn_silently(void **state)
     assert_int_equal(count(text_string(&few), "<g id=\"gnuplot_plot_"), 1 + 1 + 1 + 2);
     assert_null(strstr(few.data, "no data in range"));
     text_free(&few);
+}
+
+/* The pieces of a chart of `data`, drawn by curves.gp with the arguments behind its title. */
+static struct text draw_curves(const struct place *place, const char *data, const char *arguments, size_t pieces)
+{
+    char command[512];
+    write_file(place, "data.csv", data);
+    write_models(place);
+    snprintf(command, sizeof command, "load 'models.gp'\ncall 'curves.gp' 'data.csv' 'data.svg' '' %s", arguments);
+    run_well(place, command);
+    struct text svg = read_file(place, "data.svg");
+    if (count(text_string(&svg), "<g id=\"gnuplot_plot_") != pieces)
+        fail_msg("%s: %zu pieces, expected %zu", arguments, count(svg.data, "<g id=\"gnuplot_plot_"), pieces);
+    return svg;
+}
+
+/* With one load, models differ by their markers, on the chart and in its legend. */
+static void test_single_points_have_the_markers_of_their_models(void **state)
+{
+    struct text svg = draw_curves(*state, "\"a\"\n1e-4,0.1\n\n\n\"b\"\n1e-4,0.2\n\n\n\"c\"\n1e-4,0.3\n",
+                                  "'x' 'y' 'xy' 'me mp gw' '1.0e-4 1.0e-4 1.0e-1 3.0e-1'", 1 + 3 + 3);
+    const char *const models[] = {"multiscale-elastic", "multiscale-plastic", "gw"};
+    for (size_t k = 0; k < 3; k++) {
+        char marker[64];
+        const struct model_row *row = model_rows[model_named(models[k])];
+        snprintf(marker, sizeof marker, "xlink:href='#gpPt%d' transform='tr", row->marker - 1);
+        assert_int_equal(count(svg.data, marker), 2);
+    }
+    text_free(&svg);
+}
+
+/* At most two bands are filled. */
+static void test_two_bands_are_filled_others_are_bars(void **state)
+{
+    struct text data = {0};
+    char arguments[200];
+    for (size_t bands = 1; bands <= 4; bands++) {
+        text_add(&data, "%s\"band\"\n1e-4,1,2\n1e-3,2,3\n1e-2,3,4\n\n\n\"curve %zu\"\n1e-4,1\n1e-3,2\n1e-2,3\n",
+                 bands > 1 ? "\n\n" : "", bands);
+        snprintf(arguments, sizeof arguments, "'x' 'y' 'xy' '%.*s'", (int)(7 * bands - 1),
+                 "s1b s1 s2b s2 s3b s3 s4b s4 ");
+        struct text svg = draw_curves(*state, text_string(&data), arguments, 1 + 3 * bands + 1 + (bands > 2));
+        assert_int_equal(strstr(svg.data, "the same, as bars") != NULL, bands > 2);
+        assert_int_equal(count(svg.data, "fill-opacity = '0.200000'"), bands < 2 ? 1 : 2);
+        text_free(&svg);
+    }
+    text_free(&data);
+}
+
+/* Curves are cut where the axes say; those that are not leave the axis alone. */
+static void test_an_axis_ends_where_curves_are_cut(void **state)
+{
+    static const char data[] = "\"a\"\n1,3\n2,1\n3,-4\n";
+    struct text whole = draw_curves(*state, data, "'x' 'y' '' 's1'", 1 + 1 + 1);
+    struct text cut = draw_curves(*state, data, "'x' 'y' '' 's1' '1.0 3.0 -0.5 3.0'", 1 + 1 + 1);
+    assert_non_null(strstr(whole.data, "−4"));
+    assert_null(strstr(cut.data, "−"));
+    text_free(&whole);
+    text_free(&cut);
+}
+
+/* A row of 0 on a logarithmic axis ends its curve at the lower edge, without making room for it. */
+static void test_a_zero_ends_at_the_lower_edge(void **state)
+{
+    double end[2];
+    const char *const more[] = {"", "2e-2,0\n"};
+    for (int k = 0; k < 2; k++) {
+        char data[100];
+        snprintf(data, sizeof data, "\"a\"\n1e-4,1e3\n1e-3,1e2\n1e-2,1e1\n%s", more[k]);
+        struct text svg = draw_curves(*state, data, "'x' 'y' 'xy' 's1' '1.0e-4 1.0e-1 1.0 1.0e3'", 1 + 1 + 1);
+        const char *path = strstr(svg.data, "<path stroke='rgb( 18,  87, 208)'  d='M");
+        assert_non_null(path);
+        const char *last = strchr(strstr(path, "d='"), '>');
+        while (*last != ',')
+            last--;
+        end[k] = atof(last + 1);
+        text_free(&svg);
+    }
+    /* 340 for three decades and 4 % of room at both ends; without the zero the curve ends a decade above the edge */
+    assert_near(end[1] - end[0], 340 * (1 + 0.12) / 3.24, 0.005);
+}
+
+/* Sweeps are labelled at their curves' ends, apart from each other and in the order of these. */
+static void test_labels_at_ends_do_not_touch(void **state)
+{
+    struct text svg = draw_curves(*state, "\"p\"\n1,0.5\n2,1\n\n\n\"q\"\n1,0.4\n2,1\n\n\n\"r\"\n1,0.3\n2,0.99\n",
+                                  "'x' 'y' 'xy' 'r1 r2 r3'", 1 + 3);
+    double at[3] = {0};
+    for (int k = 0; k < 3; k++) {
+        const char tag[] = {'>', (char)('p' + k), '<', '\0'};
+        const char *found = strstr(svg.data, tag), *place = NULL;
+        assert_non_null(found);
+        for (const char *c = strstr(svg.data, "translate("); c && c < found; c = strstr(c + 1, "translate("))
+            place = c;
+        assert_int_equal(sscanf(place, "translate(%*f,%lf)", &at[k]), 1);
+    }
+    assert_true(at[0] - at[1] >= 18 && at[2] - at[0] >= 18); /* upwards: r, then p and q, which end together */
+    text_free(&svg);
+}
+
+/* An error of 0 stands on the lower edge and makes no room for itself. */
+static void test_no_error_is_off_the_scale(void **state)
+{
+    write_file(*state, "some.csv", "\"a\"\n1e-4,1e-2\n1e-3,1e-4\n");
+    write_file(*state, "none.csv", "\"a\"\n1e-4,1e-2\n1e-3,1e-4\n1e-2,0\n");
+    run_well(*state, "call 'cost.gp' 'some.csv' 'some.svg' '' 'c1'\ncall 'cost.gp' 'none.csv' 'none.svg' '' 'c1'");
+    struct text some = read_file(*state, "some.svg"), none = read_file(*state, "none.svg");
+    assert_null(strstr(text_string(&some), "lower edge"));
+    assert_non_null(strstr(text_string(&none), "lower edge"));
+    assert_int_equal(count(none.data, "transform='tr"), count(some.data, "transform='tr") + 2); /* it, and its note */
+    assert_null(strstr(none.data, "−5"));
+    assert_null(strstr(none.data, "−16<"));
+    text_free(&some);
+    text_free(&none);
 }
 
 static void test_the_smallest_and_largest_numbers_have_axes(void **state)
@@ -519,6 +633,12 @@ int main(void)
         PLACED(test_the_same_data_give_the_same_bytes),
         PLACED(test_eight_curves_stay_small),
         PLACED(test_empty_blocks_and_single_points_are_drawn_silently),
+        PLACED(test_single_points_have_the_markers_of_their_models),
+        PLACED(test_two_bands_are_filled_others_are_bars),
+        PLACED(test_an_axis_ends_where_curves_are_cut),
+        PLACED(test_a_zero_ends_at_the_lower_edge),
+        PLACED(test_labels_at_ends_do_not_touch),
+        PLACED(test_no_error_is_off_the_scale),
         PLACED(test_the_smallest_and_largest_numbers_have_axes),
         PLACED(test_hostile_names_are_only_text),
         cmocka_unit_test(test_quoting),

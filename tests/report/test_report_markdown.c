@@ -257,6 +257,68 @@ static void test_repeats_and_measurements(void **state)
     text_free(&report);
 }
 
+/* A long wave that closes at sqrt(2) pi D/l (4.4, 4.6), far below the short one on it: there the curve has its kink,
+ * and its caption says so. One wave alone has none. */
+static void test_kinks_are_where_scales_close(void **state)
+{
+    static const double amplitude_m = 1e-7, wavelength_m = 1e-4, short_m[] = {1e-7, 0};
+    const double load = sqrt(2) * M_PI * amplitude_m / wavelength_m;
+    const struct directory *place = *state;
+    mkdir(directory_path(place, "waves"), 0777);
+    for (int k = 0; k < 2; k++) {
+        double height_m[200];
+        for (int i = 0; i < 200; i++)
+            height_m[i] =
+                amplitude_m * cos(2 * M_PI * i / 200) + short_m[k] * cos(2 * M_PI * i / 20 + 1) + 1e-12 * ((i * 7) % 5);
+        pipeline_scan(place, "waves/w.csv", height_m, 200);
+        directory_write(place, "waves/scene.yaml",
+                        "material: tin\neffects: [electrical]\nmodels: [multiscale-elastic]\n"
+                        "load: {from: 1e-4, to: 0.1, points: 91}\n");
+        assert_int_equal(pipeline_run(place, "waves", "out-waves", 1), 0);
+        struct text report = directory_read(place, "out-waves/report.md");
+        const char *kink = strstr(report.data, "its resistance is gone: multiscale elastic at ");
+        assert_int_equal(kink != NULL, k == 0);
+        if (kink) {
+            double digits, micrometres;
+            int power;
+            kink = strstr(kink, " at ");
+            assert_int_equal(sscanf(kink, " at %lf·10⁻%n", &digits, &power), 1);
+            assert_int_equal(strncmp(kink + power, "³ (wavelength ", strlen("³ (wavelength ")), 0);
+            assert_near(digits * 1e-3, load, 0.02);
+            assert_int_equal(sscanf(strchr(kink, 'w'), "wavelength %lf µm)", &micrometres), 1);
+            assert_near(micrometres, 100, 1e-3);
+        }
+        text_free(&report);
+    }
+}
+
+/* Where a chart cuts the statistical models' own separation, its caption says how far they go down. */
+static void test_a_cut_is_told_with_what_is_cut(void **state)
+{
+    struct text report =
+        report_of(*state, "material: tin\nload: {from: 1e-6, to: 1, points: 60}\nmodels: [gw, two-band-elastic]\n"
+                          "effects: [separation]\nsurfaces: [{name: b, file: b.csv}]\n");
+    struct text contact = directory_read(*state, "out/data/contact.csv");
+    double lowest = INFINITY, told;
+    for (const char *line = contact.data; (line = strchr(line, '\n')) && *++line;) {
+        double separation;
+        if (sscanf(line, "b,gw,%*[^,],%*[^,],%*[^,],%*[^,],%lf", &separation) == 1)
+            lowest = fmin(lowest, separation);
+    }
+    assert_true(lowest < -0.5);
+    static const char *const charts[] = {"![Figure 6-06.", "![Figure 6-07.", "![Separation against load, every model"};
+    for (size_t i = 0; i < 3; i++) {
+        const char *chart = strstr(report.data, charts[i]);
+        assert_non_null(chart);
+        const char *cut = strstr(chart, " Cut at −0.5 σ: unadjusted, GW goes down to −");
+        assert_true(cut && cut < strstr(chart, "](figures/"));
+        assert_int_equal(sscanf(strstr(cut, " to −") + strlen(" to −"), "%lf", &told), 1);
+        assert_near(-told, lowest, 0.05);
+    }
+    text_free(&contact);
+    text_free(&report);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -264,6 +326,8 @@ int main(void)
         cmocka_unit_test(test_what_did_not_run_is_not_spoken_of),
         cmocka_unit_test(test_each_effect_alone_leaves_no_gap),
         cmocka_unit_test(test_repeats_and_measurements),
+        cmocka_unit_test(test_kinks_are_where_scales_close),
+        cmocka_unit_test(test_a_cut_is_told_with_what_is_cut),
     };
     return cmocka_run_group_tests(tests, place_setup, place_teardown);
 }

@@ -459,7 +459,7 @@ static void test_what_has_settled(void **state)
     made_up_sweep(&made, CONVERGENCE_ALPHA, "multiscale-elastic", 2, 0.5 * 0.9989);
     expect(&section_convergence, "- elastic: for 6 of 7 α ");
     expect(&section_convergence, "- elastic-plastic: for 7 of 7 α ");
-    expect(&section_convergence, "α varied, elastic. 6 of 7 curves have settled");
+    expect(&section_convergence, "α varied, elastic. At P/(Aₙ E′) = 0.001, γ = 1.5. 6 of 7 curves have settled");
     expect(&section_checks, "elastic: settled for 6 of 7 α, 5 of 5 γ ≥ 1 and 0 of 4 γ < 1");
     for (size_t v = 0; v < 4; v++)
         made_up_sweep(&made, CONVERGENCE_GAMMA, "multiscale-plastic", v, 0.5);

@@ -1,4 +1,5 @@
 /* Drawings made inline: what is kept, what is changed, what must never come through. */
+#include "contact/model.h"
 #include "report/svg.h"
 #include "support.h"
 
@@ -71,7 +72,7 @@ static void gnuplot_chart(void **state)
         "<title>surface 1</title>",
         "<pattern id=\"fig3.gpPat1\" patternUnits=\"userSpaceOnUse\"",
         "<polygon fill=\"url(#fig3.gpPat1)\" points=\"53.84,211.94 58.23,214.76 \"/>",
-        "color=\"#0072b2\"",
+        "color=\"var(--0072b2,#0072b2)\"",
     };
     static const char *const gone[] = {"<rect", "Gnuplot", "GNUPLOT", "xmlns", "http", "<!", "<?", "xlink", "style="};
     struct text chart = read_chart(), out = {0};
@@ -350,13 +351,78 @@ static void mutations(void **state)
     text_free(&chart);
 }
 
+/* Luminance of a colour, and the contrast of two (WCAG 2.1). */
+static double luminance(unsigned rgb)
+{
+    static const double weight[] = {0.2126, 0.7152, 0.0722};
+    double sum = 0;
+    for (int k = 0; k < 3; k++) {
+        double c = (double)(rgb >> (16 - 8 * k) & 255) / 255;
+        sum += weight[k] * (c <= 0.04045 ? c / 12.92 : pow((c + 0.055) / 1.055, 2.4));
+    }
+    return sum;
+}
+
+static double contrast(unsigned a, unsigned b)
+{
+    double x = luminance(a), y = luminance(b);
+    return (fmax(x, y) + 0.05) / (fmin(x, y) + 0.05);
+}
+
+/* Every colour of a curve stands out from the dark page as it is there, and dark ones from the white page. */
+static void dark_page(void **state)
+{
+    (void)state;
+    struct status status = {0};
+    struct text page = {0}, style = {0};
+    assert_int_equal(text_read_file(&page, PROJECT_SOURCE "/templates/page.html", &status), STATUS_OK);
+    assert_int_equal(text_read_file(&style, PROJECT_SOURCE "/templates/style.gp", &status), STATUS_OK);
+    for (size_t m = 0; m < model_count; m++)
+        text_add(&style, "colour_%s = '%s'\n", model_rows[m]->style, model_rows[m]->colour);
+    const char *dark = strstr(page.data, "(prefers-color-scheme: dark)");
+    unsigned paper, colours = 0;
+    assert_non_null(dark);
+    assert_int_equal(sscanf(strstr(dark, "--paper: #"), "--paper: #%6x", &paper), 1);
+    for (const char *c = style.data; (c = strstr(c, "colour_")); c++) {
+        unsigned colour, shown;
+        char name[16];
+        if (sscanf(c, "colour_%*[a-z0-9] = '#%6x'", &colour) != 1)
+            continue;
+        shown = colour;
+        snprintf(name, sizeof name, "--%06x: #", colour);
+        const char *own = strstr(dark, name);
+        if (own)
+            assert_int_equal(sscanf(own + strlen(name), "%6x", &shown), 1);
+        if (contrast(shown, paper) < 3.8 || contrast(colour, 0xffffff) < 2.3)
+            fail_msg("#%06x: %.2f on the dark page as #%06x, %.2f on white", colour, contrast(shown, paper), shown,
+                     contrast(colour, 0xffffff));
+        colours++;
+    }
+    assert_true(colours > 25);
+    text_free(&page);
+    text_free(&style);
+}
+
+/* A colour of a chart comes with its name on the page, whatever its form; what is none stays. */
+static void colours(void **state)
+{
+    (void)state;
+    assert_inlined("<g stroke='rgb( 18,  87, 208)' fill='#CC5500' color='none'/>",
+                   "<g stroke=\"var(--1257d0,#1257d0)\" fill=\"var(--cc5500,#cc5500)\" color=\"none\"/>");
+    assert_inlined("<g stroke='rgb(1,2,300)' fill='#12345' color='#1234567'/>",
+                   "<g stroke=\"rgb(1,2,300)\" fill=\"#12345\" color=\"#1234567\"/>");
+    assert_inlined("<g stroke='rgb(1,2,3) red' fill='rgb(1,2,-3)'/>",
+                   "<g stroke=\"rgb(1,2,3) red\" fill=\"rgb(1,2,-3)\"/>");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(gnuplot_chart),    cmocka_unit_test(elements),          cmocka_unit_test(attributes),
         cmocka_unit_test(malformed),        cmocka_unit_test(nul_byte),          cmocka_unit_test(cut_off_anywhere),
         cmocka_unit_test(entities),         cmocka_unit_test(too_deep),          cmocka_unit_test(mutations),
-        cmocka_unit_test(curves_by_colour), cmocka_unit_test(what_a_point_says),
+        cmocka_unit_test(curves_by_colour), cmocka_unit_test(what_a_point_says), cmocka_unit_test(colours),
+        cmocka_unit_test(dark_page),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
