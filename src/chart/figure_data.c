@@ -61,6 +61,7 @@ static void put_part(struct figure_file *out, const struct model_curve *curve, s
     enum quantity x = out->figure->row->x;
     bool ratio = shown->over != QUANTITY_LOAD, logarithmic = quantity_rows[shown->y].logarithmic && !ratio;
     bool hides = strcmp(style, shown->style) == 0 && !ratio;
+    bool before = false; /* the point before was written: a mean of scans is empty from the first full contact on */
     figure_data_begin_block(out, style, shown->legend);
     if (hides)
         figure_hidden_begin(&out->lines, style);
@@ -71,11 +72,13 @@ static void put_part(struct figure_file *out, const struct model_curve *curve, s
             fprintf(out->file, "%.17g,%.17g\n", at, value);
             reach(&out->ratio, value);
         } else if (!ratio && put_point(out, at, value, quantity_rows[x].logarithmic, logarithmic)) {
+            before = true;
             if (hides)
                 figure_hidden_keep(&out->lines, at, value);
-        } else if (!ratio && (QUANTITY_BIT(shown->y) & QUANTITY_RESISTANCES) && value == 0) {
-            fprintf(out->file, "%.17g,0\n", x == QUANTITY_LOAD ? fmin(at, curve->full_load) : at);
-            break;
+        } else {
+            if (before && (QUANTITY_BIT(shown->y) & QUANTITY_RESISTANCES) && value == 0)
+                fprintf(out->file, "%.17g,0\n", x == QUANTITY_LOAD ? fmin(at, curve->full_load) : at);
+            before = false;
         }
     }
 }

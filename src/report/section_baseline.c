@@ -372,10 +372,36 @@ static void kinks(struct text *out, const struct section_context *context, enum 
     text_add(out, "%s", first ? "" : ".");
 }
 
+/** Smallest and largest value at the middle load over the models that the charts here show: the thesis's, or others
+ * where none of those has a curve. */
+static struct comparison_extremes models_drawn(const struct section_context *context, enum quantity y)
+{
+    struct comparison_extremes extremes = {.least = INFINITY, .most = -INFINITY};
+    bool thesis = false;
+    for (size_t m = 0; m < model_count; m++)
+        thesis = thesis || (context->baseline->curves[m].exists && model_rows[m]->thesis_place > 0);
+    for (size_t m = 0; m < model_count; m++) {
+        const struct contact_point *point = section_middle(context, m);
+        double value = point ? comparison_value(point, y, m, context->baseline->summary.asperities.sigma_m) : NAN;
+        if (isnan(value) || (thesis && model_rows[m]->thesis_place == 0))
+            continue;
+        extremes.count++;
+        if (value < extremes.least) {
+            extremes.least = value;
+            extremes.least_at = m;
+        }
+        if (value > extremes.most) {
+            extremes.most = value;
+            extremes.most_at = m;
+        }
+    }
+    return extremes;
+}
+
 static void caption(struct text *out, const struct section_context *context, const struct figure *figure)
 {
     enum quantity y = figure->row->y;
-    struct comparison_extremes models = section_models(context, y, false);
+    struct comparison_extremes models = models_drawn(context, y);
     if (y == QUANTITY_SEPARATION && section_computes(context, QUANTITY_ADJUSTED))
         text_add(out, " Bold with squares: adjusted by (4.54); thin: the statistical models' own separation.");
     section_cut(out, context, figure);
@@ -392,7 +418,9 @@ static void caption(struct text *out, const struct section_context *context, con
     text_add(out, ".");
     if (QUANTITY_BIT(y) & QUANTITY_RESISTANCES) {
         if (any_vanishes(context, y))
-            text_add(out, " A curve leaves the chart at its full contact, where resistance is 0.");
+            text_add(out, " A curve leaves the chart at its full contact, where resistance is 0%s.",
+                     context->baseline->summary.scans > 1 ? "; a mean of scans ends where the first of them gets there"
+                                                          : "");
         kinks(out, context, y);
     }
 }

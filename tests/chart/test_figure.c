@@ -553,6 +553,26 @@ static void test_resistances_end_at_full_contact(void **state)
     free(drawing);
 }
 
+/* The mean of scans is not known between the first that is in full contact and the last: its curve ends before. */
+static void test_means_of_scans_end_where_they_are_known(void **state)
+{
+    const struct directory *place = *state;
+    mkdir(directory_path(place, "scans"), 0777);
+    pipeline_rough(place, "scans/a.csv", 120, 0.1, 1);
+    pipeline_rough(place, "scans/b.csv", 120, 1, 2);
+    directory_write(place, "scans/scene.yaml",
+                    "material: tin\neffects: [electrical]\nload: {from: 1e-6, to: 1, points: 60}\n"
+                    "surfaces: [{name: both, file: [a.csv, b.csv]}, {name: a, file: a.csv}]\n");
+    assert_int_equal(pipeline_run(place, "scans", "out-scans", 1), 0);
+    struct text data = directory_read(place, "out-scans/figures/6-24.csv");
+    const char *both = strstr(data.data, "\"both, "), *end = both ? strstr(both, "\n\n\n") : NULL;
+    assert_non_null(both);
+    const char *zero = strstr(both, ",0\n");
+    assert_true(!zero || (end && zero > end));
+    assert_non_null(strstr(data.data, ",0\n")); /* the other surface's */
+    text_free(&data);
+}
+
 /* The panel below holds scale-dependent over plain, and is not there without the effect. */
 static void test_the_panel_below_holds_ratios(void **state)
 {
@@ -697,6 +717,7 @@ int main(void)
         cmocka_unit_test(test_charts_of_all_surfaces_share_their_axes),
         cmocka_unit_test(test_separations_are_cut),
         cmocka_unit_test(test_resistances_end_at_full_contact),
+        cmocka_unit_test(test_means_of_scans_end_where_they_are_known),
         cmocka_unit_test(test_the_panel_below_holds_ratios),
         cmocka_unit_test(test_the_counterface_is_drawn),
         cmocka_unit_test(test_hidden_stretches),

@@ -184,10 +184,22 @@ static void assert_ratios(const struct directory *place, const struct text *repo
     table_free(&contact);
 }
 
+/* A caption of chapter 6 names the models of its chart only. */
+static void assert_captions_name_what_is_drawn(const struct text *report)
+{
+    const char *from = strstr(report->data, "![Figure 6-05."), *end = strstr(report->data, "](figures/6-09.svg)");
+    assert_true(from && end && from < end);
+    for (const char *chart = from; chart && chart < end; chart = strstr(chart + 1, "![Figure 6-0")) {
+        const char *named = strstr(chart, "two-band"), *closed = strstr(chart, "](figures/");
+        assert_true(!named || named > closed);
+    }
+}
+
 static void test_everything(void **state)
 {
     struct text report = report_of(*state, LOADS ALL_EFFECTS);
     assert_every_figure_once(*state, &report);
+    assert_captions_name_what_is_drawn(&report);
     assert_ratios(*state, &report);
     assert_headings(&report, "# in\n## The surfaces\n## Material and load\n"
                              "## Does the area converge as smaller scales are included?\n"
