@@ -152,6 +152,7 @@ static enum status_code write_script(const struct figure_file *out, const struct
     const struct figure_row *row = out->figure->row;
     struct text script = {0};
     const char *number = out->figure->number;
+    const double *loads = results_loads(results, results->baseline);
     const struct quantity_row *x = &quantity_rows[row->x], *y = &quantity_rows[row->y];
     bool sweep = row->kind == FIGURE_SWEEP || row->kind == FIGURE_SENSITIVITY,
          direct = row->kind == FIGURE_DIRECT || row->kind == FIGURE_DIRECT_RATIO,
@@ -163,8 +164,15 @@ static enum status_code write_script(const struct figure_file *out, const struct
              number, number, figure_extension(row), out->figure->title);
     if (row->kind == FIGURE_PATCHES)
         text_add(&script, " '%.6e'", figure_direct(results)->plan.length_m * 1e6);
+    const struct results_load_axis axis = results_load_axis(results, results->baseline);
+    char loads_label[UNIT_LENGTH + 16]; /* a unit holds neither quotes nor control characters */
+    snprintf(loads_label, sizeof loads_label, "%s (%s)", results->scene->load.kind == UNIT_FORCE ? "load" : "pressure",
+             axis.unit ? axis.unit : "");
     if (curves) /* the others name their own axes */
-        text_add(&script, " '%s' '%s' '%s'", sweep ? "shortest wavelength included (m)" : x->label,
+        text_add(&script, " '%s' '%s' '%s'",
+                 sweep                                  ? "shortest wavelength included (m)"
+                 : axis.unit && row->x == QUANTITY_LOAD ? loads_label
+                                                        : x->label,
                  row->kind == FIGURE_SWEEP          ? quantity_rows[QUANTITY_AREA].label
                  : row->kind == FIGURE_DIRECT_RATIO ? "model / direct solution"
                                                     : y->label,
@@ -174,7 +182,7 @@ static enum status_code write_script(const struct figure_file *out, const struct
     text_add(&script, " '%s'", text_string(&out->styles));
     /* One load axis for all, so that they compare. gnuplot reads '1.0e-06' from a string, but not '1e-06'. */
     if (curves && !sweep && !direct && row->x == QUANTITY_LOAD)
-        text_add(&script, " '%.6e %.6e %.6e'", results->loads[0], results->loads[results->load_count - 1],
+        text_add(&script, " '%.6e %.6e %.6e'", axis.scale * loads[0], axis.scale * loads[results->load_count - 1],
                  isfinite(out->floor) ? out->floor : 0);
     if (row->kind == FIGURE_SENSITIVITY)
         text_add(&script, " '' '%.6e'", results->sensitivity->unsure_m);

@@ -32,10 +32,12 @@ static void put_part(struct figure_file *out, const struct model_curve *curve, s
                      double sigma_m, const char *style, const char *legend)
 {
     enum quantity x = out->figure->row->x;
+    double scale = x == QUANTITY_LOAD ? out->load_scale : 1;
     begin_block(out, style, legend);
     for (size_t i = from; i < to; i++)
-        put_point(out, quantity_shown(&curve->points[i], x, sigma_m), quantity_shown(&curve->points[i], y, sigma_m),
-                  quantity_rows[x].logarithmic, quantity_rows[y].logarithmic);
+        put_point(out, scale * quantity_shown(&curve->points[i], x, sigma_m),
+                  quantity_shown(&curve->points[i], y, sigma_m), quantity_rows[x].logarithmic,
+                  quantity_rows[y].logarithmic);
 }
 
 /** A curve as up to three blocks: inside the model's validity, and (dashed, meeting the first or the last valid point)
@@ -70,7 +72,7 @@ static void put_band(struct figure_file *out, const struct surface_record *recor
         const struct repeats_band *band = &record->bands[model][i];
         double low = band->mean[y][0] * scale, high = band->mean[y][1] * scale;
         if (isfinite(low) && isfinite(high) && (!quantity_rows[y].logarithmic || low > 0))
-            fprintf(out->file, "%.17g,%.17g,%.17g\n", band->load, low, high);
+            fprintf(out->file, "%.17g,%.17g,%.17g\n", out->load_scale * band->load, low, high);
     }
 }
 
@@ -82,8 +84,8 @@ static void put_measured(struct figure_file *out, const struct measured *measure
     begin_block(out, "meas", "measured");
     for (size_t i = 0; i < measured->count; i++) {
         double value = measured->resistance[i], error = isnan(measured->error[i]) ? 0 : measured->error[i];
-        fprintf(out->file, "%.17g,%.17g,%.17g,%.17g\n", measured->load[i], value, fmax(value - error, value * 1e-3),
-                value + error);
+        fprintf(out->file, "%.17g,%.17g,%.17g,%.17g\n", out->load_scale * measured->load[i], value,
+                fmax(value - error, value * 1e-3), value + error);
     }
 }
 
@@ -253,7 +255,7 @@ static enum status_code put_probability(struct figure_file *out, const struct su
 {
     size_t m = figure_data_heights_model(&record->summary);
     struct contacting_slopes slopes;
-    double load = results->loads[results->load_count / 2];
+    double load = results_operating_load(results, results->baseline);
     if (m == model_count)
         return STATUS_OK;
     if (contacting_slopes_make(&slopes, record->points, record->summary.heights, persson_energy_factor, status) !=
@@ -277,6 +279,7 @@ static enum status_code put_surfaces(struct figure_file *out, const struct resul
             return status->code;
         const struct figure_row *row = out->figure->row;
         char legend[200], style[24];
+        out->load_scale = results_load_axis(results, results->shown[k]).scale;
         surface_legend(legend, sizeof legend, &record.summary);
         snprintf(style, sizeof style, "s%zu", k + 1);
         if (row->kind == FIGURE_PROFILES) {
@@ -356,13 +359,14 @@ static void put_direct_points(struct figure_file *out, const struct direct_study
             double error, value = scale * direct_study_value(study, pair, (enum direct_study_kind)kind, y, i, &error);
             error = isnan(error) ? 0 : scale * error;
             if (value > 0)
-                fprintf(out->file, "%.17g,%.17g,%.17g,%.17g\n", study->plan.load[i], value,
+                fprintf(out->file, "%.17g,%.17g,%.17g,%.17g\n", out->load_scale * study->plan.load[i], value,
                         fmax(value - error, value * 1e-3), value + error);
         }
     }
 }
 
-static void put_direct(struct figure_file *out, const struct direct_study *study, const struct plan *plan)
+static void put_direct(struct figure_file *out, const struct direct_study *study, const struct plan *plan,
+                       const struct material_pair *pair)
 {
     enum quantity y = out->figure->row->y;
     for (size_t m = 0; m < model_count; m++) {
@@ -375,29 +379,31 @@ static void put_direct(struct figure_file *out, const struct direct_study *study
             put_curve(out, &curve, model_rows[m], y, sqrt(study->moments.m0_m2), model_rows[m]->style,
                       model_rows[m]->label);
     }
-    put_direct_points(out, study, &plan->pair);
+    put_direct_points(out, study, pair);
 }
 
 /** The direct solution's own error as a band round 1: standard error and what the grid leaves. */
-static void put_direct_ratio(struct figure_file *out, const struct direct_study *study, const struct plan *plan)
+static void put_direct_ratio(struct figure_file *out, const struct direct_study *study,
+                             const struct material_pair *pair)
 {
     enum quantity y = out->figure->row->y;
     begin_block(out, "dirlb", "error of the direct solution");
     for (size_t i = 0; i < study->plan.loads; i++) {
-        double error, value = direct_study_value(study, &plan->pair, study->leading, y, i, &error);
+        double error, value = direct_study_value(study, pair, study->leading, y, i, &error);
         double share = (isnan(error) ? 0 : error / value) + direct_study_grid_error(study, study->leading, y, i);
         if (value > 0)
-            fprintf(out->file, "%.17g,%.17g,%.17g\n", study->plan.load[i], 1 / (1 + share), 1 + share);
+            fprintf(out->file, "%.17g,%.17g,%.17g\n", out->load_scale * study->plan.load[i], 1 / (1 + share),
+                    1 + share);
     }
     for (size_t m = 0; m < model_count; m++) {
         bool any = false;
         for (size_t i = 0; i < study->plan.loads; i++)
-            any = any || direct_study_ratio(study, &plan->pair, m, y, i) > 0;
+            any = any || direct_study_ratio(study, pair, m, y, i) > 0;
         if (!any)
             continue;
         begin_block(out, model_rows[m]->style, model_rows[m]->label);
         for (size_t i = 0; i < study->plan.loads; i++)
-            put_point(out, study->plan.load[i], direct_study_ratio(study, &plan->pair, m, y, i), true, true);
+            put_point(out, out->load_scale * study->plan.load[i], direct_study_ratio(study, pair, m, y, i), true, true);
     }
 }
 
@@ -453,15 +459,18 @@ static void put_cost(struct figure_file *out, const struct benchmark *cost)
 enum status_code figure_data_put(struct figure_file *file, const struct results *results,
                                  const struct surface_record *baseline, struct status *status)
 {
+    file->load_scale = results_load_axis(results, results->baseline).scale;
     switch (file->figure->row->kind) {
     case FIGURE_SWEEP:
         put_sweep(file, results);
         break;
     case FIGURE_DIRECT:
-        put_direct(file, figure_direct(results), results->plan);
+        file->load_scale = results_load_axis(results, figure_direct(results)->surface).scale;
+        put_direct(file, figure_direct(results), results->plan, results_pair(results, figure_direct(results)->surface));
         break;
     case FIGURE_DIRECT_RATIO:
-        put_direct_ratio(file, figure_direct(results), results->plan);
+        file->load_scale = results_load_axis(results, figure_direct(results)->surface).scale;
+        put_direct_ratio(file, figure_direct(results), results_pair(results, figure_direct(results)->surface));
         break;
     case FIGURE_PATCHES:
         put_patches(file, figure_direct(results));

@@ -10,7 +10,8 @@ struct figure_file {
     struct text styles;
     const struct figure *figure;
     size_t blocks;
-    double floor; /* least resistance up to nearly_full_area; INFINITY: none so far */
+    double load_scale; /* of the surface drawn: P/(A_n E') to what the axis of loads stands in */
+    double floor;      /* least resistance up to nearly_full_area; INFINITY: none so far */
 };
 
 /** The model that used this surface's heights; model_count: none did. */
