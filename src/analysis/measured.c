@@ -43,7 +43,7 @@ static enum status_code need_area(const struct scene *scene, const struct measur
     if (isfinite(scene->nominal_area_m2))
         return STATUS_OK;
     return status_fail(status, STATUS_SCENE,
-                       "%s: measured %s in %s need the contact's area; add nominal_area_m2 to the scene",
+                       "%s: measured %s in %s need the contact's area; add nominal_area to the scene",
                        scene->measured.file, what, unit->text);
 }
 

@@ -1,4 +1,5 @@
 #include "scene/scene_surfaces.h"
+#include "scene/scene_files.h"
 #include "scene/scene_words.h"
 
 #include <assert.h>
@@ -7,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 /* Far beyond any measurement; keeps aliases of long lists from multiplying without end. */
 enum { MOST_FILES = 100000 };
@@ -86,6 +88,31 @@ static bool check_file(struct scene_source *source, const yaml_node_t *node, con
                                                       "surface file '%s' is no regular file; name a scan", shown.text);
 }
 
+/* Adds what a path names: one file, or those that its pattern matches. */
+static bool add_files(struct scene_source *source, struct scene_surface *surface, const yaml_node_t *node,
+                      const char *file)
+{
+    size_t before = surface->file_count, line = scene_source_line(node);
+    struct scene_words_shown shown = scene_words_show(file, strlen(file));
+    char *path = scene_file_path(source->scene, file);
+    if (!path)
+        return scene_source_memory(source);
+    bool pattern = scene_files_is_pattern(file) && access(path, F_OK) != 0; /* a file may have such a name */
+    free(path);
+    if (!pattern)
+        return scene_files_add(surface, file, source->status) == STATUS_OK && check_file(source, node, file);
+    struct status problem = {0};
+    if (scene_files_match(surface, source->scene, file, &problem) == STATUS_MEMORY)
+        return scene_source_memory(source);
+    if (problem.code != STATUS_OK)
+        return scene_source_fail(source, line, "%s", problem.message);
+    source->file_count += surface->file_count - before;
+    if (source->file_count > MOST_FILES)
+        return scene_source_fail(source, line, "more than %d files in one scene; split it", MOST_FILES);
+    return surface->file_count > before ||
+           scene_source_fail(source, line, "'%s' matches no file; paths start at the scene's directory", shown.text);
+}
+
 bool scene_surfaces_files(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
 {
     struct scene_surface *surface = key->field;
@@ -95,14 +122,13 @@ bool scene_surfaces_files(struct scene_source *source, const struct scene_key *k
         return scene_source_fail(source, line, "'%s' lists none; name one or more scans", key->name);
     if (source->file_count > MOST_FILES)
         return scene_source_fail(source, line, "more than %d files in one scene; split it", MOST_FILES);
-    surface->files = calloc(count, sizeof *surface->files);
-    if (!surface->files)
-        return scene_source_memory(source);
-    surface->file_count = count;
     for (size_t i = 0; i < count; i++) {
+        char *file = NULL;
         const yaml_node_t *item = scene_source_item(source, value, i);
-        struct scene_key file = {.name = key->name, .field = &surface->files[i]};
-        if (!scene_source_text(source, &file, item) || !check_file(source, item, surface->files[i]))
+        bool good = scene_source_text(source, &(struct scene_key){.name = key->name, .field = &file}, item) &&
+                    add_files(source, surface, item, file);
+        free(file);
+        if (!good)
             return false;
     }
     return true;

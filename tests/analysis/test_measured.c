@@ -205,8 +205,8 @@ static void what_is_wrong_is_named(void **state)
         {"load (N),R (mOhm)\n1,2\nload (kN),R (mOhm)\n1,2\n", &silent, "ecr.csv:3: 'kN' as unit of load, but line 1"},
         {"1 N,2 ohm\n1 N,2 mohm\n", &silent, "ecr.csv:2: 'mohm' as unit of resistance, but line 1 says 'ohm'"},
         /* without the area */
-        {"load (N),R (ohm m2)\n1,2\n", &no_area, "measured loads in N need the contact's area; add nominal_area_m2"},
-        {"load (Pa),R (mohm)\n1,2\n", &no_area, "resistances in mohm need the contact's area; add nominal_area_m2"},
+        {"load (N),R (ohm m2)\n1,2\n", &no_area, "measured loads in N need the contact's area; add nominal_area"},
+        {"load (Pa),R (mohm)\n1,2\n", &no_area, "resistances in mohm need the contact's area; add nominal_area"},
     };
     for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
         struct measured measured;

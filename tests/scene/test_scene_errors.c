@@ -254,7 +254,7 @@ static void test_quantities(void **state)
          "'E_Pa' is given twice, first by its other name in line 1; remove one"},
         {"material: {E: 70 N, nu: 0.3}\n", 1, "'E' is '70 N'; give a number in Pa or one with its unit: " PRESSURES},
         {"material:\n  E: 70 GPa\n  nu: 0.3\n  conductivity: 90 W/mK\n", 4,
-         "'conductivity' is '90 W/mK'; give a number in W/(m K) or one with its unit: W/(m K), W/m/K, W/cm/K"},
+         "'conductivity' is '90 W/mK'; give a number in W/m/K or one with its unit: W/m/K, W/cm/K"},
         {"direct: {budget: 3 m}\n", 1, "'budget' is '3 m'; give a number in s or one with its unit: s, ms, min, h"},
         {"tolerance: 1 %\n", 1, "'tolerance' is '1 %'; give a number such as 1.5e-6"},
     };
