@@ -129,6 +129,15 @@ static void make_surface(struct made_up *made, size_t index, void (*change)(stru
     struct surface_summary *summary = &record->summary;
     *summary = (struct surface_summary){.scene = &made->names[index],
                                         .usable = index < MADE_UP_USABLE,
+                                        .pair = {.effective_modulus_Pa = 1e11,
+                                                 .yield_strength_Pa = 1e8,
+                                                 .hardness_Pa = 2.84e8,
+                                                 .poisson_ratio = 0.3,
+                                                 .yield_coefficient = 1.6,
+                                                 .resistivity_ohm_m = 1e-7,
+                                                 .conductivity_W_per_mK = 50,
+                                                 .mean_free_path_m = {2e-8, 2e-8},
+                                                 .side_conductivity_W_per_mK = {50, 50}},
                                         .models = calloc(model_count, sizeof *summary->models),
                                         .format = "text",
                                         .units = "x um, z um",
@@ -286,17 +295,7 @@ uint64_t made_up_models(void)
 
 static void make_plan(struct plan *plan, uint64_t models, unsigned effects)
 {
-    *plan = (struct plan){.models = models,
-                          .running = effects,
-                          .wanted = quantity_wanted(effects),
-                          .pair = {.effective_modulus_Pa = 1e11,
-                                   .yield_strength_Pa = 1e8,
-                                   .poisson_ratio = 0.3,
-                                   .yield_coefficient = 1.6,
-                                   .resistivity_ohm_m = 1e-7,
-                                   .conductivity_W_per_mK = 50,
-                                   .mean_free_path_m = {2e-8, 2e-8},
-                                   .side_conductivity_W_per_mK = {50, 50}}};
+    *plan = (struct plan){.models = models, .running = effects, .wanted = quantity_wanted(effects)};
     for (int e = 0; e < EFFECT_COUNT; e++) {
         plan->effects[e].runs = effects & EFFECT_BIT(e);
         snprintf(plan->effects[e].reason, sizeof plan->effects[e].reason, "reason %d", e);
@@ -326,8 +325,13 @@ void made_up_make_of(struct made_up *made, uint64_t models, unsigned effects,
     *made = (struct made_up){.files = {"scan.csv"}, .order = {1, 0, 2}, .shown = {0, 1, 2}};
     make_plan(&made->plan, models, effects);
     for (size_t i = 0; i < MADE_UP_SURFACES; i++)
-        made->names[i] = (struct scene_surface){
-            .name = i < MADE_UP_USABLE ? surfaces[i].name : "broken", .files = made->files, .file_count = 1};
+        made->names[i] = (struct scene_surface){.name = i < MADE_UP_USABLE ? surfaces[i].name : "broken",
+                                                .files = made->files,
+                                                .file_count = 1,
+                                                .bodies = {.material = *material_find("tin"),
+                                                           .counterface_kind = MATERIAL_COUNTERFACE_RIGID,
+                                                           .counterface = material_unknown("rigid"),
+                                                           .hardness_Pa = NAN}};
     for (size_t i = 0; i < MADE_UP_LOADS; i++)
         made->loads[i] = pow(10, -6 + (double)i / 2);
     made->scene = (struct scene){
@@ -337,9 +341,7 @@ void made_up_make_of(struct made_up *made, uint64_t models, unsigned effects,
         .tolerance = 1e-8,
         .fit = POWER_LAW_THESIS,
         .fit_band_m = {0, INFINITY},
-        .counterface_kind = MATERIAL_COUNTERFACE_RIGID,
-        .material = *material_find("tin"),
-        .counterface = material_unknown("rigid"),
+        .bodies = made->names[0].bodies,
         .convergence = {.alpha = 0.1, .gamma = 1.5, .load = 1e-3, .scan_length_m = 1e-3, .scales = MADE_UP_SCALES},
         .surfaces = made->names,
         .surface_count = MADE_UP_SURFACES,

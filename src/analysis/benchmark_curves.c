@@ -73,8 +73,8 @@ static enum status_code cut_off(struct benchmark *cost, const struct benchmark_t
     double *full = attempt.area ? attempt.area + loads : NULL;
     enum status_code rc = full ? STATUS_OK : status_memory(status);
     if (rc == STATUS_OK)
-        rc = multiscale_make(&attempt.stack, &task->surface->spectrum, &task->plan->pair, model_rows[model]->plastic,
-                             task->scene->closure, status);
+        rc = multiscale_make(&attempt.stack, &task->surface->spectrum, &task->surface->summary.pair,
+                             model_rows[model]->plastic, task->scene->closure, status);
     size_t all = attempt.stack.count;
     if (rc == STATUS_OK) {
         solve_cut(&attempt);

@@ -14,7 +14,7 @@ static enum status_code add_model(struct benchmark *cost, const struct benchmark
 {
     const struct direct_study *study = task->direct;
     struct direct_study_distance distance =
-        direct_study_distance(study, &task->plan->pair, m, direct_study_quantities[q]);
+        direct_study_distance(study, &task->surface->summary.pair, m, direct_study_quantities[q]);
     if (distance.loads == 0)
         return STATUS_OK;
     struct benchmark_row row = {.model = model_rows[m],

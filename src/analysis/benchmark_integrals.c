@@ -249,7 +249,7 @@ static enum status_code one_law(struct benchmark *cost, const struct benchmark_t
     enum asperity_model_id law = (enum asperity_model_id)(row->asperity_model - asperity_models);
     struct statistical model;
     uint64_t none = 0;
-    if (statistical_make(&model, &task->surface->summary.asperities, &plan->pair, law, plan->wanted,
+    if (statistical_make(&model, &task->surface->summary.asperities, &task->surface->summary.pair, law, plan->wanted,
                          task->scene->tolerance, INFINITY, &none, status) != STATUS_OK)
         return status->code;
     struct problem problem = {

@@ -40,11 +40,12 @@ static void range_of_loads(double range[2], const struct direct_plan *plan, cons
 static void choose_loads(struct direct_plan *plan, const struct direct_plan_task *task)
 {
     const struct scene_direct *direct = task->direct;
-    double range[2], middle = task->loads[task->load_count / 2];
+    double range[2], middle = task->loads[task->operating];
     size_t first = 0, end = task->load_count, wanted = direct->loads ? direct->loads : LOADS, nearest = 0;
     plan->loads = 0;
     if (direct->values) {
-        memcpy(plan->load, direct->values, direct->loads * sizeof *plan->load);
+        for (size_t k = 0; k < direct->loads; k++)
+            plan->load[k] = direct->values[k] / task->divisor;
         plan->loads = direct->loads;
     } else {
         range_of_loads(range, plan, task);

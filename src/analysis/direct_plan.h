@@ -10,6 +10,8 @@
 /** What it is decided from. */
 struct direct_plan_task {
     const struct scene_direct *direct;
+    double divisor;      /* of the loads that `direct` lists, to be P/(A_n E') */
+    size_t operating;    /* which of `loads` the summary stands at */
     const double *loads; /* P/(A_n E'), ascending: the scene's */
     size_t load_count;
     size_t side;                     /* points along the square that a map offers; 0: a profile */

@@ -33,14 +33,14 @@ static enum status_code make_map(struct direct_map *out, const struct surface_re
 static struct direct_plan_task plan_task(const struct surface_summary *surface, const struct scene *scene,
                                          const struct plan *plan, const double *loads, size_t load_count)
 {
-    double hardness_Pa = !isnan(scene->direct.hardness_Pa) ? scene->direct.hardness_Pa
-                         : !isnan(scene->hardness_Pa)      ? scene->hardness_Pa
-                                                           : material_hardness_ratio * plan->pair.yield_strength_Pa;
+    double hardness_Pa = !isnan(scene->direct.hardness_Pa) ? scene->direct.hardness_Pa : surface->pair.hardness_Pa;
     bool capped = plan_runs(plan, EFFECT_PLASTICITY) && hardness_Pa > 0;
     double resolved_m = 4 * surface->spacing_m; /* two points a wave is all a scan has, of which noise is half */
     bool heights = scene->counterface_surface.file_count == 0;
     return (struct direct_plan_task){
         .direct = &scene->direct,
+        .divisor = scene_load_divisor(scene, scene->direct.kind, &surface->pair),
+        .operating = plan->operating_place > 0 ? plan->operating_place - 1 : load_count / 2,
         .loads = loads,
         .load_count = load_count,
         .side = surface->map_side,
@@ -51,7 +51,7 @@ static struct direct_plan_task plan_task(const struct surface_summary *surface, 
                            surface->length_m / 2),
         .of_spacing = !(scene->lambda_s_m > 0 || scene->fit_band_m[0] > resolved_m),
         .slope = sqrt(surface->roughness.m2),
-        .hardness = capped ? hardness_Pa / plan->pair.effective_modulus_Pa : INFINITY,
+        .hardness = capped ? hardness_Pa / surface->pair.effective_modulus_Pa : INFINITY,
         .resistance = plan->running & (EFFECT_BIT(EFFECT_ELECTRICAL) | EFFECT_BIT(EFFECT_THERMAL)),
         .heights = heights,
         .gaussian = !heights || surface->height_law.verdict != HEIGHTS_NOT_GAUSSIAN,

@@ -39,12 +39,12 @@ static double bound_yield(const struct surface_record *record, const struct scen
     return most;
 }
 
-static bool is_converged(const struct surface_record *record, const struct scene *scene, const struct plan *plan)
+static bool is_converged(const struct surface_record *record, const struct scene *scene)
 {
     const struct convergence_tail *tail = &record->summary.tail;
     if (!(tail->gamma >= 1))
         return false;
-    double limit_m = shortest_m(record), modulus = plan->pair.effective_modulus_Pa;
+    double limit_m = shortest_m(record), modulus = record->summary.pair.effective_modulus_Pa;
     double full_Pa = sinusoid_full_pressure(convergence_tail_amplitude(tail, limit_m), 1 / limit_m, modulus);
     return scene->convergence.load * modulus >= full_Pa;
 }
@@ -123,7 +123,7 @@ enum status_code effect_bounds_surface(struct surface_record *record, const stru
     count_sensitivity(record, plan, &task);
     if (!scene->effects_auto)
         return STATUS_OK;
-    summary->bound = (struct effect_bounds){.converged = is_converged(record, scene, plan)};
+    summary->bound = (struct effect_bounds){.converged = is_converged(record, scene)};
     for (size_t m = 0; m < model_count; m++)
         if (plan_runs_model(plan, m) && model_rows[m]->plastic)
             summary->models[m].bounds.yield = bound_yield(record, scene, plan, m, &task);

@@ -54,9 +54,7 @@ enum status_code landmarks_run_model(struct model_curve *out, const double *load
                                      struct status *status)
 {
     const struct landmarks_model *model = context;
-    struct model_task task = model->task;
-    task.loads = loads;
-    task.load_count = count;
+    struct model_task task = model_task_at(&model->task, loads, count);
     task.wanted &= model->quantities;
     if (!repeats_several(model->repeats, model->row))
         return model_run(out, model->row, &task, status);

@@ -43,24 +43,17 @@ static enum status_code need_area(const struct scene *scene, const struct measur
     if (isfinite(scene->nominal_area_m2))
         return STATUS_OK;
     return status_fail(status, STATUS_SCENE,
-                       "%s: measured %s in %s need the contact's area; add nominal_area_m2 to the scene",
+                       "%s: measured %s in %s need the contact's area; add nominal_area to the scene",
                        scene->measured.file, what, unit->text);
 }
 
 /** What loads of a unit are times, to be P/(A_n E'). */
 static enum status_code load_factor(double *factor, const struct measured_unit *unit, const struct scene *scene,
-                                    const struct plan *plan, struct status *status)
+                                    const struct material_pair *pair, struct status *status)
 {
-    double modulus_Pa = plan->pair.effective_modulus_Pa;
-    *factor = unit->unit.factor;
-    switch (unit_of(&unit->unit, SCENE_MEASURED_LOADS)) {
-    case UNIT_FORCE:
-        *factor /= modulus_Pa * scene->nominal_area_m2;
-        return need_area(scene, unit, "loads", status);
-    case UNIT_PRESSURE:
-        *factor /= modulus_Pa;
-    }
-    return STATUS_OK;
+    enum unit_quantity kind = (enum unit_quantity)unit_of(&unit->unit, UNIT_LOADS);
+    *factor = unit->unit.factor / scene_load_divisor(scene, kind, pair);
+    return kind == UNIT_FORCE ? need_area(scene, unit, "loads", status) : STATUS_OK;
 }
 
 /** The same for resistances, to be per nominal area. */
@@ -76,13 +69,13 @@ static enum status_code resistance_factor(double *factor, const struct measured_
 
 /** The rows in the models' units. */
 static enum status_code convert(struct measured *out, const struct measured_file *file, const struct scene *scene,
-                                const struct plan *plan, struct status *status)
+                                const struct material_pair *pair, struct status *status)
 {
     const struct measured_unit *units = file->units;
     const struct measured_unit *error_unit = &units[units[MEASURED_ERROR].known ? MEASURED_ERROR : MEASURED_RESISTANCE];
     bool relative = unit_of(&error_unit->unit, UNIT_NUMBER | UNIT_PERCENT);
     double load, resistance, error = error_unit->unit.factor;
-    if (load_factor(&load, &units[MEASURED_LOAD], scene, plan, status) != STATUS_OK ||
+    if (load_factor(&load, &units[MEASURED_LOAD], scene, pair, status) != STATUS_OK ||
         resistance_factor(&resistance, &units[MEASURED_RESISTANCE], scene, status) != STATUS_OK ||
         (!relative && resistance_factor(&error, error_unit, scene, status) != STATUS_OK))
         return status->code;
@@ -107,7 +100,7 @@ static enum status_code convert(struct measured *out, const struct measured_file
 }
 
 enum status_code measured_read(struct measured *out, const struct scene *scene, const struct plan *plan,
-                               struct status *status)
+                               const struct material_pair *pair, struct status *status)
 {
     *out = (struct measured){.thermal = scene->measured.quantity == SCENE_MEASURED_TCR};
     enum effect needed = out->thermal ? EFFECT_THERMAL : EFFECT_ELECTRICAL;
@@ -117,8 +110,7 @@ enum status_code measured_read(struct measured *out, const struct scene *scene, 
                            "effects, or take out measured",
                            scene->measured.file, out->thermal ? "TCR" : "ECR", effect_rows[needed].name);
     const unsigned resistances = scene_measured_resistances[scene->measured.quantity];
-    const unsigned quantities[MEASURED_COLUMNS] = {SCENE_MEASURED_LOADS, resistances,
-                                                   resistances | UNIT_NUMBER | UNIT_PERCENT};
+    const unsigned quantities[MEASURED_COLUMNS] = {UNIT_LOADS, resistances, resistances | UNIT_NUMBER | UNIT_PERCENT};
     struct text content = {0};
     struct measured_file file = {0};
     char *path = scene_file_path(scene, scene->measured.file);
@@ -133,7 +125,7 @@ enum status_code measured_read(struct measured *out, const struct scene *scene, 
     if (rc == STATUS_OK)
         rc = complete_units(&file, &scene->measured, quantities, status);
     if (rc == STATUS_OK)
-        rc = convert(out, &file, scene, plan, status);
+        rc = convert(out, &file, scene, pair, status);
     measured_file_free(&file);
     free(path);
     text_free(&content);
@@ -175,9 +167,7 @@ static size_t loads_within(double *loads, const struct measured *measured, const
 static struct model_task task_at(const struct measured *measured, const struct model_task *task, const double *loads,
                                  size_t load_count)
 {
-    struct model_task asked = *task;
-    asked.loads = loads;
-    asked.load_count = load_count;
+    struct model_task asked = model_task_at(task, loads, load_count);
     asked.wanted = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(quantity_of(measured));
     return asked;
 }
@@ -190,7 +180,7 @@ static bool answers(const struct measured *measured, size_t m, size_t load_count
 enum status_code measured_work(struct model_work *out, const struct measured *measured, size_t m,
                                const struct model_task *task, const struct repeat_set *scans, struct status *status)
 {
-    double *loads = malloc(measured->count * sizeof *loads);
+    double *loads = calloc(measured->count, sizeof *loads);
     *out = (struct model_work){0};
     if (!loads)
         return status_memory(status);
@@ -229,7 +219,7 @@ static enum status_code run_model(struct model_curve *curve, const struct model_
 enum status_code measured_answer(struct measured_answers *out, const struct measured *measured, uint64_t models,
                                  const struct model_task *task, const struct repeat_set *scans, struct status *status)
 {
-    double *loads = malloc(measured->count * sizeof *loads);
+    double *loads = calloc(measured->count, sizeof *loads);
     struct contact_point *points = malloc((measured->count + 1) * sizeof *points);
     *out = (struct measured_answers){.resistance = malloc(model_count * measured->count * sizeof *out->resistance),
                                      .work = calloc(model_count, sizeof *out->work)};

@@ -44,13 +44,13 @@ struct measured_distance {
     double load[2];      /* least and greatest compared */
 };
 
-/** Reads the scene's file (see measured_file.h). Units are those that the file names, else the scene's load_unit and
- * resistance_unit. N are divided by the nominal area, Ω and K/W multiplied by it; an error in the unit 1 or % is
- * relative, one without unit is in the resistance's. Errors: STATUS_SCENE with file, line and remedy (as
- * measured_file_read(); no unit anywhere, file and scene of two minds, N, Ω or K/W without nominal_area_m2, nothing to
- * compare with); STATUS_IO, STATUS_MEMORY. */
+/** Reads the scene's file (see measured_file.h), measured on these bodies. Units are those that the file names, else
+ * the scene's load_unit and resistance_unit. N are divided by the nominal area, Ω and K/W multiplied by it; an error in
+ * the unit 1 or % is relative, one without unit is in the resistance's. Errors: STATUS_SCENE with file, line and remedy
+ * (as measured_file_read(); no unit anywhere, file and scene of two minds, N, Ω or K/W without nominal_area_m2, nothing
+ * to compare with); STATUS_IO, STATUS_MEMORY. */
 MUST_CHECK enum status_code measured_read(struct measured *out, const struct scene *scene, const struct plan *plan,
-                                          struct status *status);
+                                          const struct material_pair *pair, struct status *status);
 void measured_free(struct measured *measured);
 
 /** Distance of model `m`. */

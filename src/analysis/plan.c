@@ -12,24 +12,69 @@ static const struct material_property *property_find(const char *key)
     return NULL;
 }
 
-/** The first property of `row` that one of the bodies lacks, NULL when all are given. */
-static const char *missing_property(const struct effect_row *row, const struct scene *scene)
+/** The bodies of surface `i`; the scene's where it has no surface. */
+static const struct scene_bodies *bodies_of(const struct scene *scene, size_t i)
 {
-    for (size_t i = 0; row->properties[i]; i++) {
-        const struct material_property *property = property_find(row->properties[i]);
-        bool other = scene->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC;
-        if (isnan(material_value(&scene->material, property)) ||
-            (other && isnan(material_value(&scene->counterface, property))))
-            return row->properties[i];
+    return i < scene->surface_count ? &scene->surfaces[i].bodies : &scene->bodies;
+}
+
+/** What an effect lacks to run on every surface. */
+struct lack {
+    const char *property; /* NULL: nothing */
+    const char *surface;  /* the first that lacks it, where not all do; else NULL */
+    bool material;        /* nothing at all is known of its material */
+};
+
+static struct lack find_lack(const struct effect_row *row, const struct scene *scene)
+{
+    struct lack out = {0};
+    size_t lacking = 0, count = scene->surface_count > 0 ? scene->surface_count : 1;
+    for (size_t k = 0; k < count; k++) {
+        const struct scene_bodies *bodies = bodies_of(scene, k);
+        bool other = bodies->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC, lacks = false;
+        for (size_t i = 0; row->properties[i] && !lacks; i++) {
+            const struct material_property *property = property_find(row->properties[i]);
+            lacks = isnan(material_value(&bodies->material, property)) ||
+                    (other && isnan(material_value(&bodies->counterface, property)));
+            if (lacks && !out.property)
+                out = (struct lack){row->properties[i], k < scene->surface_count ? scene->surfaces[k].name : NULL,
+                                    isnan(bodies->material.youngs_modulus_Pa)};
+        }
+        lacking += lacks;
     }
-    return NULL;
+    if (lacking == count)
+        out.surface = NULL;
+    return out;
+}
+
+static void say_lack(struct plan_effect *out, const struct lack *lack)
+{
+    char whose[140] = "";
+    struct text shown = {0};
+    if (lack->surface) {
+        text_add_shown(&shown, lack->surface);
+        snprintf(whose, sizeof whose, " of surface '%.100s'", text_string(&shown));
+        text_free(&shown);
+    }
+    if (lack->material && !lack->surface)
+        snprintf(out->reason, sizeof out->reason, "no material is given, so no %s", lack->property);
+    else
+        snprintf(out->reason, sizeof out->reason, "the material%s has no %s", whose, lack->property);
+}
+
+static bool same_bodies(const struct scene *scene)
+{
+    for (size_t i = 1; i < scene->surface_count; i++)
+        if (strcmp(scene->surfaces[i].bodies.material.name, scene->surfaces[0].bodies.material.name) != 0)
+            return false;
+    return true;
 }
 
 static void decide(struct plan *plan, enum effect effect, const struct scene *scene)
 {
     const struct effect_row *row = &effect_rows[effect];
     struct plan_effect *out = &plan->effects[effect];
-    const char *missing = missing_property(row, scene);
+    const struct lack lack = find_lack(row, scene);
     unsigned lacking = row->needs_effects & ~plan->running;
     if (effect == EFFECT_CONVERGENCE && !plan_stacks_scales(plan)) {
         snprintf(out->reason, sizeof out->reason, "a question to the multiscale models, which do not run");
@@ -38,18 +83,26 @@ static void decide(struct plan *plan, enum effect effect, const struct scene *sc
     } else if (!scene->effects_auto) {
         out->runs = scene->effects & EFFECT_BIT(effect);
         snprintf(out->reason, sizeof out->reason, out->runs ? "listed in the scene" : "not listed in the scene");
-    } else if (missing) {
-        snprintf(out->reason, sizeof out->reason, "the material has no %s", missing);
+    } else if (lack.property) {
+        say_lack(out, &lack);
     } else if (lacking) {
         snprintf(out->reason, sizeof out->reason, "builds on an effect that does not run");
     } else {
         out->runs = true;
         const char *key = row->properties[0];
-        if (key)
+        const struct scene_bodies *bodies = bodies_of(scene, 0);
+        struct material_pair pair = scene_pair(bodies);
+        if (key && same_bodies(scene))
             snprintf(out->reason, sizeof out->reason, "the material gives what it needs: %s %.4g", key,
-                     material_value(&scene->material, property_find(key)));
+                     material_value(&bodies->material, property_find(key)));
+        else if (key)
+            snprintf(out->reason, sizeof out->reason, "every surface's material gives what it needs: %s", key);
+        else if (pair.unknown)
+            snprintf(out->reason, sizeof out->reason, "needs no material");
+        else if (same_bodies(scene))
+            snprintf(out->reason, sizeof out->reason, "needs E' alone: %.4g Pa", pair.effective_modulus_Pa);
         else
-            snprintf(out->reason, sizeof out->reason, "needs E' alone: %.4g Pa", plan->pair.effective_modulus_Pa);
+            snprintf(out->reason, sizeof out->reason, "needs E' alone, which every surface's material gives");
     }
     if (out->runs)
         plan->running |= EFFECT_BIT(effect);
@@ -60,7 +113,6 @@ void plan_make(struct plan *out, const struct scene *scene)
     *out = (struct plan){
         .models = scene->models,
         .all_uncertain = !scene->effects_auto,
-        .pair = material_pair(&scene->material, scene->counterface_kind, &scene->counterface),
     };
     for (int e = 0; e < EFFECT_COUNT; e++)
         decide(out, (enum effect)e, scene);

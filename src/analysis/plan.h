@@ -12,11 +12,11 @@ struct plan_effect {
 
 struct plan {
     struct plan_effect effects[EFFECT_COUNT];
-    unsigned running;   /* EFFECT_BITs of those that run */
-    unsigned wanted;    /* QUANTITY_BITs that follow */
-    uint64_t models;    /* MODEL_BITs asked for; a plastic one runs only with plasticity */
-    bool all_uncertain; /* the effect uncertainty was listed: of all models; else of the leading one alone */
-    struct material_pair pair;
+    unsigned running;       /* EFFECT_BITs of those that run */
+    unsigned wanted;        /* QUANTITY_BITs that follow */
+    uint64_t models;        /* MODEL_BITs asked for; a plastic one runs only with plasticity */
+    bool all_uncertain;     /* the effect uncertainty was listed: of all models; else of the leading one alone */
+    size_t operating_place; /* as in struct model_task */
 };
 
 /** Listed effects run (the scene was checked); with `auto` an effect runs where the given properties allow it. */

@@ -337,7 +337,7 @@ static enum status_code mean_curve(struct model_curve *curve, struct repeats_res
         if (mean_point(point, estimates, runs, set, i, status) != STATUS_OK)
             return status->code;
         fill_band(&result->band[i], estimates, model);
-        for (int q = 0; q < QUANTITY_COUNT && i == task->load_count / 2; q++)
+        for (int q = 0; q < QUANTITY_COUNT && i == model_task_operating(task); q++)
             result->middle[q] = estimates[model_shown(model, (enum quantity)q)];
     }
     if (curve->count < task->load_count && all_close(runs))

@@ -155,16 +155,16 @@ struct model_task surface_task(const struct surface_record *record, const struct
     return (struct model_task){
         .spectrum = &record->spectrum,
         .asperities = record->summary.has_asperities ? &record->summary.asperities : NULL,
-        .pair = &plan->pair,
+        .pair = &record->summary.pair,
         .loads = loads,
         .load_count = load_count,
+        .operating_place = plan->operating_place,
         .wanted = plan->wanted,
         .tolerance = scene->tolerance,
         .sinusoid_fit = scene->closure,
         .points = record->points,
         .point_count = record->summary.heights,
-        .hardness_Pa =
-            isnan(scene->hardness_Pa) ? material_hardness_ratio * plan->pair.yield_strength_Pa : scene->hardness_Pa,
+        .hardness_Pa = record->summary.pair.hardness_Pa,
     };
 }
 
@@ -174,7 +174,7 @@ bool surface_extends(const struct surface_summary *summary, const struct scene *
 }
 
 /** Carries the spectrum on below the sampling limit, where that can change anything. */
-static void extend(struct surface_record *record, const struct scene *scene, const struct plan *plan)
+static void extend(struct surface_record *record, const struct scene *scene)
 {
     struct surface_summary *summary = &record->summary;
     double started = clock_seconds();
@@ -182,7 +182,7 @@ static void extend(struct surface_record *record, const struct scene *scene, con
         struct curve_summary *model = &summary->models[m];
         if (!model_rows[m]->stacks_scales || !model->exists || !surface_extends(summary, scene))
             continue;
-        model->extension = convergence_extend(&record->spectrum, &summary->tail, &plan->pair, model_rows[m]->plastic,
+        model->extension = convergence_extend(&record->spectrum, &summary->tail, &summary->pair, model_rows[m]->plastic,
                                               scene->convergence.load);
         model->extended = true;
     }
@@ -228,7 +228,7 @@ static enum status_code run_uncertainty(struct surface_record *record, const str
         if (!curve->exists || !uncertainty_holds(plan, m))
             continue;
         for (size_t i = 0; i < curve->count; i++)
-            for (int q = 0; q < QUANTITY_COUNT && curve->points[i].load == task->loads[task->load_count / 2]; q++)
+            for (int q = 0; q < QUANTITY_COUNT && curve->points[i].load == task->loads[model_task_operating(task)]; q++)
                 summary->models[m].middle[q] = uncertainty_estimate(
                     &all[m], (enum quantity)q,
                     quantity_value(&curve->points[i], model_shown(model_rows[m], (enum quantity)q)));
@@ -242,10 +242,7 @@ static enum status_code run_uncertainty(struct surface_record *record, const str
 
 struct model_task surface_middle_task(const struct model_task *task)
 {
-    struct model_task one = *task;
-    one.loads = task->loads ? &task->loads[task->load_count / 2] : NULL;
-    one.load_count = 1;
-    return one;
+    return model_task_at(task, task->loads ? &task->loads[model_task_operating(task)] : NULL, 1);
 }
 
 /** What area and resistance at the middle load hang on. */
@@ -352,7 +349,7 @@ enum status_code surface_run_models(struct surface_record *record, const struct 
         if (surface_seeks_beta(plan, m) && estimate_beta(record, m, &task, status) != STATUS_OK)
             return status->code;
     if (plan_runs(plan, EFFECT_CONVERGENCE))
-        extend(record, scene, plan);
+        extend(record, scene);
     return STATUS_OK;
 }
 
@@ -415,6 +412,7 @@ enum status_code surface_describe(struct surface_record *out, const struct scene
     struct power_law_scans scans = {0};
     struct hash hash = hash_start();
     summary->scene = surface;
+    summary->pair = scene_pair(&surface->bodies);
     summary->models = calloc(model_count, sizeof *summary->models);
     if (!summary->models)
         return status_memory(status);

@@ -26,7 +26,8 @@ struct effect_bounds {
 };
 
 struct surface_summary {
-    const struct scene_surface *scene; /* name and files */
+    const struct scene_surface *scene; /* name, files, bodies */
+    struct material_pair pair;         /* what the models need of the bodies */
     bool usable;                       /* false: refused, see `refusal` */
     char *refusal;                     /* one line; owned */
     char *notes;                       /* one line a warning; owned, NULL: none */
@@ -96,7 +97,7 @@ MUST_CHECK enum status_code surface_describe(struct surface_record *out, const s
                                              const struct scene_surface *surface,
                                              const struct surface_record *counterface, struct status *status);
 
-/** What the models are asked of a described surface. */
+/** What the models are asked of a described surface at `loads`, P/(A_n E') of its pair. */
 struct model_task surface_task(const struct surface_record *record, const struct scene *scene, const struct plan *plan,
                                const double *loads, size_t load_count);
 

@@ -32,35 +32,35 @@ struct answers {
 /** One set of loads that records are taken through the models at. */
 struct loads {
     double load[UNCERTAINTY_LOADS];
-    size_t count;
+    size_t count, middle; /* `middle`: which of them is the one where the summary stands */
 };
 
-/** First, middle and last of the task's loads, each once, and the middle one alone. */
+/** First, middle (where the summary stands) and last of the task's loads, each once, and the middle one alone. */
 static struct loads record_loads(const struct model_task *task)
 {
-    size_t last = task->load_count - 1, at[UNCERTAINTY_LOADS] = {0, task->load_count / 2, last};
+    size_t last = task->load_count - 1, at[UNCERTAINTY_LOADS] = {0, model_task_operating(task), last};
     struct loads out = {.count = 0};
-    for (int i = 0; i < UNCERTAINTY_LOADS; i++)
+    for (int i = 0; i < UNCERTAINTY_LOADS; i++) {
         if (i == 0 || at[i] != at[i - 1]) {
             out.load[out.count] = task->loads ? task->loads[at[i]] : NAN;
             out.count++;
         }
+        out.middle = i == 1 ? out.count - 1 : out.middle;
+    }
     return out;
 }
 
 static struct loads middle_load(const struct model_task *task)
 {
-    return (struct loads){{task->loads ? task->loads[task->load_count / 2] : NAN}, 1};
+    return (struct loads){{task->loads ? task->loads[model_task_operating(task)] : NAN}, 1, 0};
 }
 
 static struct model_task record_task(const struct model_task *task, const struct spectrum *spectrum,
                                      const struct asperities *asperities, const struct loads *loads)
 {
-    struct model_task own = *task;
+    struct model_task own = model_task_at(task, loads->load, loads->count);
     own.spectrum = spectrum;
     own.asperities = asperities;
-    own.loads = loads->load;
-    own.load_count = loads->count;
     own.points = NULL;
     own.point_count = 0;
     own.wanted &= ~QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT);
@@ -172,7 +172,7 @@ static struct uncertainty conclude(const struct answers *answers, const struct u
 {
     struct loads loads = record_loads(scan->task);
     struct uncertainty out = {.loads = loads.count};
-    size_t middle = loads.count > 2 ? 1 : loads.count - 1;
+    size_t middle = loads.middle;
     bool quartered = scan->points >= LEAST_POINTS;
     for (size_t i = 0; i < loads.count; i++)
         out.ln_load[i] = log(loads.load[i]);

@@ -28,6 +28,9 @@ static const struct {
     {"\xC2\xB7", "*"},     /* middle dot */
     {"\xE2\x8B\x85", "*"}, /* dot operator */
     {"\xC3\x97", "*"},     /* multiplication sign */
+    {"\xC2\xB0", "deg"},   /* degree sign */
+    {"\xE2\x84\x83", "degC"},
+    {"\xE2\x84\x89", "degF"},
     {"\xC2\xA0", " "},     /* no-break space */
     {"\xE2\x80\x89", " "}, /* thin space */
     {"\xE2\x80\xAF", " "}, /* narrow no-break space */
@@ -37,6 +40,7 @@ static const struct {
     {"\xB2", "2"},
     {"\xB3", "3"},
     {"\xB7", "*"},
+    {"\xB0", "deg"},
     {"\xA0", " "},
 };
 
@@ -60,9 +64,17 @@ static const struct unit_row {
     {"m", "metre", true, 1, 0, {[UNIT_METRE] = 1}},
     {"m", "meter", true, 1, 0, {[UNIT_METRE] = 1}},
     {"g", "gram", true, 1, -3, {[UNIT_KILOGRAM] = 1}},
+    {"in", "inch", false, 2.54, -2, {[UNIT_METRE] = 1}},
+    {"uin", "microinch", false, 2.54, -8, {[UNIT_METRE] = 1}},
+    {"mil", "mil", false, 2.54, -5, {[UNIT_METRE] = 1}},
+    {"angstrom", "angstrom", false, 1, -10, {[UNIT_METRE] = 1}},
     {"s", NULL, true, 1, 0, {[UNIT_SECOND] = 1}},
+    {"min", "minute", false, 60, 0, {[UNIT_SECOND] = 1}},
+    {"h", "hour", false, 3600, 0, {[UNIT_SECOND] = 1}},
     {"A", "ampere", true, 1, 0, {[UNIT_AMPERE] = 1}},
     {"K", "kelvin", true, 1, 0, {[UNIT_KELVIN] = 1}},
+    {"degC", NULL, false, 1, 0, {[UNIT_KELVIN] = 1}}, /* in a product a difference: degC/W is K/W */
+    {"degF", NULL, false, 1 / 1.8, 0, {[UNIT_KELVIN] = 1}},
     {"N", "newton", true, 1, 0, {1, 1, -2, 0, 0}},
     {"gf", NULL, false, 9.80665, -3, {1, 1, -2, 0, 0}},
     {"kgf", NULL, false, 9.80665, 0, {1, 1, -2, 0, 0}},
@@ -71,6 +83,7 @@ static const struct unit_row {
     {"bar", "bar", true, 1, 5, {-1, 1, -2, 0, 0}},
     {"psi", NULL, false, 6.894757293168361, 3, {-1, 1, -2, 0, 0}},
     {"atm", NULL, false, 1.01325, 5, {-1, 1, -2, 0, 0}},
+    {"torr", "torr", false, 1.01325e5 / 760, 0, {-1, 1, -2, 0, 0}},
     {"J", "joule", true, 1, 0, {2, 1, -2, 0, 0}},
     {"W", "watt", true, 1, 0, {2, 1, -3, 0, 0}},
     {"V", "volt", true, 1, 0, {2, 1, -3, -1, 0}},
@@ -86,19 +99,55 @@ static const struct unit_row {
 
 static const struct {
     enum unit_quantity quantity;
+    const char *name, *si;
     int power[UNIT_BASES];
     double factor; /* the only one; 0: any */
     const char *known;
 } unit_quantities[] = {
-    {UNIT_NUMBER, {0, 0, 0, 0, 0}, 1, "dimensionless"},
-    {UNIT_PERCENT, {0, 0, 0, 0, 0}, 1e-2, "%"},
-    {UNIT_FORCE, {1, 1, -2, 0, 0}, 0, "N, mN, cN, kN, gf, kgf, lbf"},
-    {UNIT_PRESSURE, {-1, 1, -2, 0, 0}, 0, "Pa, kPa, MPa, GPa, N/mm2, bar, psi"},
-    {UNIT_RESISTANCE, {2, 1, -3, -2, 0}, 0, "ohm (Ω), nohm, uohm (µΩ), mohm (mΩ), kohm"},
-    {UNIT_RESISTANCE_AREA, {4, 1, -3, -2, 0}, 0, "ohm m2 (Ω·m²), ohm mm2, mohm mm2, uohm cm2"},
-    {UNIT_THERMAL_RESISTANCE, {-2, -1, 3, 0, 1}, 0, "K/W, mK/W"},
-    {UNIT_THERMAL_RESISTANCE_AREA, {0, -1, 3, 0, 1}, 0, "K m2/W, K mm2/W, K cm2/W"},
+    {UNIT_NUMBER, "a plain number", "", {0, 0, 0, 0, 0}, 1, "dimensionless"},
+    {UNIT_PERCENT, "a percentage", "", {0, 0, 0, 0, 0}, 1e-2, "%"},
+    {UNIT_FORCE, "a force", "N", {1, 1, -2, 0, 0}, 0, "N, mN, cN, kN, gf, kgf, lbf"},
+    {UNIT_PRESSURE, "a pressure", "Pa", {-1, 1, -2, 0, 0}, 0, "Pa, kPa, MPa, GPa, N/mm2, bar, psi, atm"},
+    {UNIT_RESISTANCE, "a resistance", "ohm", {2, 1, -3, -2, 0}, 0, "ohm (Ω), nohm, uohm (µΩ), mohm (mΩ), kohm"},
+    {UNIT_RESISTANCE_AREA,
+     "a resistance times an area",
+     "ohm m2",
+     {4, 1, -3, -2, 0},
+     0,
+     "ohm m2 (Ω·m²), ohm mm2, mohm mm2, uohm cm2"},
+    {UNIT_THERMAL_RESISTANCE, "a thermal resistance", "K/W", {-2, -1, 3, 0, 1}, 0, "K/W, mK/W"},
+    {UNIT_THERMAL_RESISTANCE_AREA,
+     "a thermal resistance times an area",
+     "K m2/W",
+     {0, -1, 3, 0, 1},
+     0,
+     "K m2/W, K mm2/W, K cm2/W"},
+    {UNIT_DISTANCE, "a length", "m", {1, 0, 0, 0, 0}, 0, "m, mm, um, nm, angstrom, in, uin, mil"},
+    {UNIT_AREA, "an area", "m2", {2, 0, 0, 0, 0}, 0, "m2, cm2, mm2, um2, in2"},
+    {UNIT_TIME, "a time", "s", {0, 0, 1, 0, 0}, 0, "s, ms, min, h"},
+    {UNIT_SPEED, "a speed", "m/s", {1, 0, -1, 0, 0}, 0, "m/s, km/s, mm/us"},
+    {UNIT_TEMPERATURE, "a temperature", "K", {0, 0, 0, 0, 1}, 0, "K, degC (°C), degF"},
+    {UNIT_CURRENT, "a current", "A", {0, 0, 0, 1, 0}, 0, "A, mA, kA"},
+    {UNIT_VOLTAGE, "a voltage", "V", {2, 1, -3, -1, 0}, 0, "V, mV, uV"},
+    {UNIT_DENSITY, "a density", "kg/m3", {-3, 1, 0, 0, 0}, 0, "kg/m3, g/cm3"},
+    {UNIT_SPECIFIC_HEAT, "a specific heat", "J/kg/K", {2, 0, -2, 0, -1}, 0, "J/kg/K, kJ/kg/K, J/g/K"},
+    {UNIT_CONDUCTIVITY, "a thermal conductivity", "W/m/K", {1, 1, -3, 0, -1}, 0, "W/m/K, W/cm/K"},
+    {UNIT_RESISTIVITY, "a resistivity", "ohm m", {3, 1, -3, -2, 0}, 0, "ohm m, uohm cm, ohm mm2/m, nohm m"},
+    {UNIT_CONDUCTANCE, "a thermal conductance", "W/K", {2, 1, -3, 0, -1}, 0, "W/K, mW/K, kW/K"},
+    {UNIT_CONDUCTANCE_AREA,
+     "a thermal conductance by area",
+     "W/m2/K",
+     {0, 1, -3, 0, -1},
+     0,
+     "W/m2/K, kW/m2/K, W/cm2/K"},
+    {UNIT_POWER, "a power", "W", {2, 1, -3, 0, 0}, 0, "W, mW, kW"},
 };
+
+/* Temperatures, and not only differences, when they stand alone: the offset of their zero [K]. */
+static const struct {
+    const char *symbol;
+    double offset;
+} unit_offsets[] = {{"degC", 273.15}, {"degF", 273.15 - 32 / 1.8}};
 
 bool unit_spell(char spelling[UNIT_LENGTH], const char *text, size_t length)
 {
@@ -256,6 +305,9 @@ bool unit_read(struct unit *out, const char *text, size_t length)
         if (!end || *end != '\0')
             return false;
     }
+    for (size_t i = 0; alone && i < COUNT(unit_offsets); i++)
+        product.unit.offset =
+            strcmp(spelling, unit_offsets[i].symbol) == 0 ? unit_offsets[i].offset : product.unit.offset;
     *out = product.unit;
     /* dividing by a power of ten that double holds exactly rounds once */
     out->factor =
@@ -275,7 +327,24 @@ unsigned unit_of(const struct unit *unit, unsigned quantities)
 
 bool unit_equal(const struct unit *a, const struct unit *b)
 {
-    return memcmp(a->power, b->power, sizeof a->power) == 0 && fabs(a->factor - b->factor) <= 1e-12 * fabs(a->factor);
+    return memcmp(a->power, b->power, sizeof a->power) == 0 && a->offset == b->offset &&
+           fabs(a->factor - b->factor) <= 1e-12 * fabs(a->factor);
+}
+
+const char *unit_si(enum unit_quantity quantity)
+{
+    size_t i = 0;
+    for (; unit_quantities[i].quantity != quantity; i++)
+        assert(i + 1 < COUNT(unit_quantities));
+    return unit_quantities[i].si;
+}
+
+const char *unit_quantity_name(enum unit_quantity quantity)
+{
+    size_t i = 0;
+    for (; unit_quantities[i].quantity != quantity; i++)
+        assert(i + 1 < COUNT(unit_quantities));
+    return unit_quantities[i].name;
 }
 
 struct unit_known unit_known(unsigned quantities)

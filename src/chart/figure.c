@@ -190,6 +190,10 @@ static enum status_code write_script(const struct figure_file *out, const struct
     const struct figure_row *row = out->figure->row;
     struct text script = {0};
     const char *number = out->figure->number;
+    const struct results_load_axis axis = results_load_axis(results, results->baseline);
+    char loads_label[UNIT_LENGTH + 16]; /* a unit holds neither quotes nor control characters */
+    snprintf(loads_label, sizeof loads_label, "%s (%s)", results->scene->load.kind == UNIT_FORCE ? "load" : "pressure",
+             axis.unit ? axis.unit : "");
     bool curves = is_sweep(row) || is_direct(row) || row->kind == FIGURE_MODELS || row->kind == FIGURE_SURFACES;
     text_add(&script, "# draws figure %s from %s.csv: gnuplot %s.gp\n", number, number, number);
     if (is_direct(row) || row->kind == FIGURE_MODELS || row->kind == FIGURE_SENSITIVITY ||
@@ -200,7 +204,10 @@ static enum status_code write_script(const struct figure_file *out, const struct
     if (row->kind == FIGURE_PATCHES)
         text_add(&script, " '%.6e'", figure_direct(results)->plan.length_m * 1e6);
     if (curves) { /* the others name their own axes */
-        text_add(&script, " '%s'", is_sweep(row) ? "shortest wavelength included (m)" : quantity_rows[row->x].label);
+        text_add(&script, " '%s'",
+                 is_sweep(row)                          ? "shortest wavelength included (m)"
+                 : axis.unit && row->x == QUANTITY_LOAD ? loads_label
+                                                        : quantity_rows[row->x].label);
         add_y_label(&script, row, results);
         text_add(&script, " '%s%s'", x_is_logarithmic(row) ? "x" : "", y_is_logarithmic(row) ? "y" : "");
     }
@@ -280,8 +287,11 @@ static struct axes axes_of(const struct figure_file *files, size_t count, size_t
     }
     if (!axes.given)
         return axes;
-    if (row->x == QUANTITY_LOAD)
-        join(&axes.x, (struct figure_extent){results->loads[0], results->loads[results->load_count - 1]});
+    if (row->x == QUANTITY_LOAD) {
+        const double *loads = results_loads(results, results->baseline);
+        double scale = results_load_axis(results, results->baseline).scale;
+        join(&axes.x, (struct figure_extent){scale * loads[0], scale * loads[results->load_count - 1]});
+    }
     if (isfinite(floor))
         axes.y.low = fmax(axes.y.low, 0.3 * floor);
     if (files[k].adjusted)

@@ -59,6 +59,7 @@ static void put_part(struct figure_file *out, const struct model_curve *curve, s
                      const struct shown *shown, const char *style)
 {
     enum quantity x = out->figure->row->x;
+    double scale = x == QUANTITY_LOAD ? out->load_scale : 1;
     bool ratio = shown->over != QUANTITY_LOAD, logarithmic = quantity_rows[shown->y].logarithmic && !ratio;
     bool hides = strcmp(style, shown->style) == 0 && !ratio;
     bool before = false; /* the point before was written: a mean of scans is empty from the first full contact on */
@@ -67,7 +68,7 @@ static void put_part(struct figure_file *out, const struct model_curve *curve, s
         figure_hidden_begin(&out->lines, style);
     for (size_t i = from; i < to; i++) {
         const struct contact_point *point = &curve->points[i];
-        double at = quantity_shown(point, x, shown->sigma_m), value = value_shown(point, shown);
+        double at = scale * quantity_shown(point, x, shown->sigma_m), value = value_shown(point, shown);
         if (ratio && isfinite(value)) {
             fprintf(out->file, "%.17g,%.17g\n", at, value);
             reach(&out->ratio, value);
@@ -77,7 +78,7 @@ static void put_part(struct figure_file *out, const struct model_curve *curve, s
                 figure_hidden_keep(&out->lines, at, value);
         } else {
             if (before && (QUANTITY_BIT(shown->y) & QUANTITY_RESISTANCES) && value == 0)
-                fprintf(out->file, "%.17g,0\n", x == QUANTITY_LOAD ? fmin(at, curve->full_load) : at);
+                fprintf(out->file, "%.17g,0\n", x == QUANTITY_LOAD ? fmin(at, scale * curve->full_load) : at);
             before = false;
         }
     }
@@ -115,7 +116,7 @@ static void put_band(struct figure_file *out, const struct surface_record *recor
         const struct repeats_band *band = &record->bands[model][i];
         double low = band->mean[y][0] * scale, high = band->mean[y][1] * scale;
         if (isfinite(low) && isfinite(high) && (!quantity_rows[y].logarithmic || low > 0)) {
-            fprintf(out->file, "%.17g,%.17g,%.17g\n", band->load, low, high);
+            fprintf(out->file, "%.17g,%.17g,%.17g\n", out->load_scale * band->load, low, high);
             reach(&out->y, low);
             reach(&out->y, high);
         }
@@ -130,9 +131,9 @@ static void put_measured(struct figure_file *out, const struct measured *measure
     figure_data_begin_block(out, "meas", "measured");
     for (size_t i = 0; i < measured->count; i++) {
         double value = measured->resistance[i], error = isnan(measured->error[i]) ? 0 : measured->error[i];
-        double low = fmax(value - error, value * 1e-3);
-        fprintf(out->file, "%.17g,%.17g,%.17g,%.17g\n", measured->load[i], value, low, value + error);
-        reach(&out->x, measured->load[i]);
+        double low = fmax(value - error, value * 1e-3), load = out->load_scale * measured->load[i];
+        fprintf(out->file, "%.17g,%.17g,%.17g,%.17g\n", load, value, low, value + error);
+        reach(&out->x, load);
         reach(&out->y, low);
         reach(&out->y, value + error);
         out->floor = fmin(out->floor, low);
@@ -319,7 +320,7 @@ static enum status_code put_probability(struct figure_file *out, const struct su
 {
     size_t m = figure_data_heights_model(&record->summary);
     struct contacting_slopes slopes;
-    double load = results->loads[results->load_count / 2];
+    double load = results_operating_load(results, results->baseline);
     if (m == model_count)
         return STATUS_OK;
     if (contacting_slopes_make(&slopes, record->points, record->summary.heights, persson_energy_factor, status) !=
@@ -351,6 +352,7 @@ static enum status_code put_surfaces(struct figure_file *out, const struct resul
             return status->code;
         const struct figure_row *row = out->figure->row;
         char legend[200], style[24];
+        out->load_scale = results_load_axis(results, results->shown[k]).scale;
         surface_legend(legend, sizeof legend, &record.summary);
         snprintf(style, sizeof style, "s%zu", k + 1);
         if (row->kind == FIGURE_PROFILES) {
@@ -439,13 +441,14 @@ static void put_direct_points(struct figure_file *out, const struct direct_study
             double error, value = scale * direct_study_value(study, pair, (enum direct_study_kind)kind, y, i, &error);
             error = isnan(error) ? 0 : scale * error;
             if (value > 0)
-                fprintf(out->file, "%.17g,%.17g,%.17g,%.17g\n", study->plan.load[i], value,
+                fprintf(out->file, "%.17g,%.17g,%.17g,%.17g\n", out->load_scale * study->plan.load[i], value,
                         fmax(value - error, value * 1e-3), value + error);
         }
     }
 }
 
-static void put_direct(struct figure_file *out, const struct direct_study *study, const struct plan *plan)
+static void put_direct(struct figure_file *out, const struct direct_study *study, const struct plan *plan,
+                       const struct material_pair *pair)
 {
     enum quantity y = out->figure->row->y;
     for (size_t m = 0; m < model_count; m++) {
@@ -459,29 +462,31 @@ static void put_direct(struct figure_file *out, const struct direct_study *study
                       &(struct shown){y, QUANTITY_LOAD, sqrt(study->moments.m0_m2), model_rows[m]->style,
                                       model_rows[m]->label});
     }
-    put_direct_points(out, study, &plan->pair);
+    put_direct_points(out, study, pair);
 }
 
 /** The direct solution's own error as a band round 1: standard error and what the grid leaves. */
-static void put_direct_ratio(struct figure_file *out, const struct direct_study *study, const struct plan *plan)
+static void put_direct_ratio(struct figure_file *out, const struct direct_study *study,
+                             const struct material_pair *pair)
 {
     enum quantity y = out->figure->row->y;
     figure_data_begin_block(out, "dirlb", "error of the direct solution");
     for (size_t i = 0; i < study->plan.loads; i++) {
-        double error, value = direct_study_value(study, &plan->pair, study->leading, y, i, &error);
+        double error, value = direct_study_value(study, pair, study->leading, y, i, &error);
         double share = (isnan(error) ? 0 : error / value) + direct_study_grid_error(study, study->leading, y, i);
         if (value > 0)
-            fprintf(out->file, "%.17g,%.17g,%.17g\n", study->plan.load[i], 1 / (1 + share), 1 + share);
+            fprintf(out->file, "%.17g,%.17g,%.17g\n", out->load_scale * study->plan.load[i], 1 / (1 + share),
+                    1 + share);
     }
     for (size_t m = 0; m < model_count; m++) {
         bool any = false;
         for (size_t i = 0; i < study->plan.loads; i++)
-            any = any || direct_study_ratio(study, &plan->pair, m, y, i) > 0;
+            any = any || direct_study_ratio(study, pair, m, y, i) > 0;
         if (!any)
             continue;
         figure_data_begin_block(out, model_rows[m]->style, model_rows[m]->label);
         for (size_t i = 0; i < study->plan.loads; i++)
-            put_point(out, study->plan.load[i], direct_study_ratio(study, &plan->pair, m, y, i), true, true);
+            put_point(out, out->load_scale * study->plan.load[i], direct_study_ratio(study, pair, m, y, i), true, true);
     }
 }
 
@@ -557,15 +562,18 @@ void figure_data_free(struct figure_file *file)
 enum status_code figure_data_put(struct figure_file *file, const struct results *results,
                                  const struct surface_record *baseline, struct status *status)
 {
+    file->load_scale = results_load_axis(results, results->baseline).scale;
     switch (file->figure->row->kind) {
     case FIGURE_SWEEP:
         put_sweep(file, results);
         break;
     case FIGURE_DIRECT:
-        put_direct(file, figure_direct(results), results->plan);
+        file->load_scale = results_load_axis(results, figure_direct(results)->surface).scale;
+        put_direct(file, figure_direct(results), results->plan, results_pair(results, figure_direct(results)->surface));
         break;
     case FIGURE_DIRECT_RATIO:
-        put_direct_ratio(file, figure_direct(results), results->plan);
+        file->load_scale = results_load_axis(results, figure_direct(results)->surface).scale;
+        put_direct_ratio(file, figure_direct(results), results_pair(results, figure_direct(results)->surface));
         break;
     case FIGURE_PATCHES:
         put_patches(file, figure_direct(results));

@@ -10,6 +10,7 @@ struct figure_file {
     struct text styles;
     const struct figure *figure;
     size_t blocks;
+    double load_scale;                /* of the surface drawn: P/(A_n E') to what the axis of loads stands in */
     double floor;                     /* least resistance up to nearly_full_area; INFINITY: none so far */
     struct figure_extent x, y, ratio; /* ratio: of the panel below */
     bool adjusted;                    /* an adjusted separation stands beside the model's own */

@@ -23,7 +23,7 @@ enum { KEY_X_UNIT = 0x100, KEY_Z_UNIT, KEY_NO_COST };
 
 /* What both take: the directory, and what overrides its scene. */
 static const struct argp_option scene_options[] = {
-    {"material", 'm', "NAME", 0, "a built-in material (default: the scene's, else tin)", 1},
+    {"material", 'm', "NAME", 0, "a built-in material (default: the scene's, else none)", 1},
     {"effects", 'e', "LIST", 0,
      "auto, or some of plasticity,separation,electrical,thermal,scale-dependent,convergence,uncertainty,"
      "direct "
@@ -299,6 +299,8 @@ static void print_plan(const struct scene *scene, const struct prepared *prepare
     for (size_t m = 0; m < model_count; m++)
         printf("%-28s %-8s %s\n", model_rows[m]->label, plan_runs_model(plan, m) ? "run" : "skipped",
                model_rows[m]->valid);
+    if (!results_has_material(&prepared->results))
+        printf("\n%s\n", results_without_material);
     printf("\n%zu surface%s, %zu loads, tolerance %g, closure %s\n", scene->surface_count,
            scene->surface_count == 1 ? "" : "s", prepared->results.load_count, scene->tolerance,
            sinusoid_fits[scene->closure].name);

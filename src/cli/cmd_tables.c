@@ -3,6 +3,7 @@
 #include "material/material.h"
 
 #include <argp.h>
+#include <math.h>
 #include <stdio.h>
 
 static error_t parse(int key, char *value, struct argp_state *state)
@@ -24,6 +25,8 @@ int command_models(int argc, char **argv)
     return command_finish(COMMAND_DONE);
 }
 
+enum { NAME_WIDTH = 22 };
+
 /* Columns of the table as wide as their headings. */
 static int width(size_t property)
 {
@@ -35,18 +38,23 @@ int command_materials(int argc, char **argv)
     static const struct argp argp = {.parser = parse,
                                      .doc = "The built-in materials and where their numbers are from."};
     argp_parse(&argp, argc, argv, 0, NULL, NULL);
-    printf("%-12s", "material");
+    printf("%-*s", NAME_WIDTH, "material");
     for (size_t p = 0; p < material_property_count; p++)
         printf(" %*s", width(p), material_properties[p].key);
     printf("\n");
     for (size_t i = 0; i < material_table_count; i++) {
-        printf("%-12s", material_table[i].name);
-        for (size_t p = 0; p < material_property_count; p++)
-            printf(" %*.6g", width(p), material_value(&material_table[i], &material_properties[p]));
+        printf("%-*s", NAME_WIDTH, material_table[i].name);
+        for (size_t p = 0; p < material_property_count; p++) {
+            double value = material_value(&material_table[i], &material_properties[p]);
+            if (isnan(value))
+                printf(" %*s", width(p), "-");
+            else
+                printf(" %*.6g", width(p), value);
+        }
         printf("\n");
     }
     printf("\nsources\n");
     for (size_t i = 0; i < material_table_count; i++)
-        printf("%-12s %s\n", material_table[i].name, material_table[i].source);
+        printf("%-*s %s\n", NAME_WIDTH, material_table[i].name, material_table[i].source);
     return command_finish(COMMAND_DONE);
 }

@@ -37,7 +37,7 @@ static int unknown_command(const char *name)
     for (int i = 0; i < COMMANDS; i++)
         names[i] = commands[i].name;
     (void)status_fail(&status, STATUS_USAGE, "unknown command '%s'; %s", scene_words_show(name, strlen(name)).text,
-                      scene_words_hint(name, names, COMMANDS).text);
+                      scene_words_hint(name, names, COMMANDS, COMMANDS).text);
     return command_fail(&status);
 }
 

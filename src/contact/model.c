@@ -86,3 +86,17 @@ uint64_t model_evaluations(const struct model_work *work)
 {
     return work->scales + work->nodes + work->scale_dependent_nodes + work->separations + work->searches;
 }
+
+size_t model_task_operating(const struct model_task *task)
+{
+    return task->operating_place > 0 ? task->operating_place - 1 : task->load_count / 2;
+}
+
+struct model_task model_task_at(const struct model_task *task, const double *loads, size_t load_count)
+{
+    struct model_task out = *task;
+    out.loads = loads;
+    out.load_count = load_count;
+    out.operating_place = 0;
+    return out;
+}

@@ -20,7 +20,8 @@ struct model_task {
     const struct material_pair *pair;
     const double *loads; /* P/(A_n E'), ascending */
     size_t load_count;
-    unsigned wanted; /* QUANTITY_BITs */
+    size_t operating_place; /* 1 + the place of the load where the summary stands; 0: the middle */
+    unsigned wanted;        /* QUANTITY_BITs */
     double tolerance;
     enum sinusoid_fit_id sinusoid_fit;
     double hardness_Pa; /* H_d of the softer body; NaN: not known */
@@ -123,6 +124,11 @@ uint64_t model_find(const char *name);
 uint64_t model_defaults(void);
 /** May model `m` of the set `models` run with these EFFECT_BITs: a plastic one needs plasticity. */
 bool model_runs(size_t m, uint64_t models, unsigned effects);
+
+/** The place among its loads of the one where the summary stands. */
+size_t model_task_operating(const struct model_task *task);
+/** `task` at other loads, which have no operating load of their own. */
+struct model_task model_task_at(const struct model_task *task, const double *loads, size_t load_count);
 
 /** Runs a model. A curve any of whose loads, areas or wanted quantities is not finite does not exist: materials and
  * heights may each be possible and still leave the range of double together (JG's exponent 23 S_y/E' of 1e6).

@@ -6,7 +6,8 @@
 #include <strings.h>
 
 const struct electron_metal electron_metals[] = {
-    {"copper", 8.47e28}, {"silver", 5.86e28}, {"gold", 5.90e28}, {"aluminium", 18.1e28}, {"tin", 14.8e28},
+    {"copper", 8.47e28},    {"silver", 5.86e28}, {"gold", 5.90e28},
+    {"aluminium", 18.1e28}, {"tin", 14.8e28},    {"indium", 11.5e28},
 };
 const size_t electron_metal_count = sizeof electron_metals / sizeof electron_metals[0];
 

@@ -3,9 +3,11 @@
 #define MATERIAL_MATERIAL_H
 
 #include "base/status.h"
+#include "base/unit.h"
+#include <stdbool.h>
 #include <stddef.h>
 
-/** One metal. A property that is not known is NaN. */
+/** One metal, or what fills a gap and bears no load: then E is not known. A property that is not known is NaN. */
 struct material {
     char name[64];
     double youngs_modulus_Pa;       /* E */
@@ -16,17 +18,23 @@ struct material {
     double density_kg_per_m3;       /* rho */
     double specific_heat_J_per_kgK; /* c_p, per unit mass */
     double sound_speed_m_per_s;     /* v_s */
-    char source[256];               /* where the numbers are from */
+    char source[400];               /* where the numbers are from */
+    double hardness_Pa;             /* H; NaN: 2.84 S_y */
+    double mean_free_path_m;        /* of what carries the heat; NaN: 3k/(density v_s c_p) */
+    const char *electrons;          /* the metal whose free electrons it has: electron_metal_find(); NULL: not known */
 };
 
 /** One row a property: drives the scene's keys, the `materials` command and the range checks. */
 struct material_property {
-    const char *key;    /* scene key: E_Pa, nu, Sy_Pa, ... */
+    const char *key;    /* in tables and results.json, and a scene key: E_Pa, nu, Sy_Pa, ... */
+    const char *name;   /* the scene key without unit: E, nu, Sy, ...; the same where there is none */
     const char *symbol; /* E, ν, S_y, ... */
     const char *unit;   /* Pa, Ω·m, ... ("" for a ratio) */
     const char *meaning;
     size_t offset;      /* of the double in struct material */
     double least, most; /* allowed range, inclusive */
+    enum unit_quantity quantity;
+    bool optional; /* has something to stand in for it: shown only where it is given */
 };
 
 extern const struct material_property material_properties[];
@@ -34,7 +42,7 @@ extern const size_t material_property_count;
 extern const struct material material_table[];
 extern const size_t material_table_count;
 
-/** The built-in material of that name (case-insensitive), NULL when there is none. */
+/** The built-in material of that name, or other name (CuSn6, C17200; case-insensitive), NULL when there is none. */
 const struct material *material_find(const char *name);
 /** A material with every property NaN and the given name. */
 struct material material_unknown(const char *name);
@@ -48,13 +56,15 @@ enum material_counterface {
 
 /** What the models need of the two bodies together. A quantity whose properties are missing is NaN. */
 struct material_pair {
+    bool unknown;                 /* no material is given: E' stands as 1, so that pressures are P/(A_n E') */
     double effective_modulus_Pa;  /* E': E/(1-nu²), or 1/E' = (1-nu1²)/E1 + (1-nu2²)/E2 */
     double yield_strength_Pa;     /* S_y of the softer body */
     double poisson_ratio;         /* nu of the softer body */
+    double hardness_Pa;           /* H of the softer body: as given, else 2.84 S_y */
     double yield_coefficient;     /* C = 1.295 exp(0.736 nu) */
     double resistivity_ohm_m;     /* (rho1 + rho2)/2 */
     double conductivity_W_per_mK; /* 2 k1 k2/(k1 + k2) */
-    double mean_free_path_m[2];   /* lambda_mfp = 3k/(density v_s c_p) of each side (4.52) */
+    double mean_free_path_m[2];   /* lambda_mfp of each side: as given, else 3k/(density v_s c_p) (4.52) */
     double side_conductivity_W_per_mK[2];
 };
 
@@ -65,5 +75,12 @@ extern const double material_hardness_ratio;
  * the one with the lower yield strength. Source: docs/equations.md, Material; thesis (4.14), (4.52). */
 struct material_pair material_pair(const struct material *material, enum material_counterface kind,
                                    const struct material *other);
+
+/** The pair where no material is given: E' = 1 and all else NaN. What then comes out of the elastic models, which take
+ * and give loads as P/(A_n E'), is right for any material. */
+struct material_pair material_pair_unknown(void);
+
+/** P/A_n [Pa] at P/(A_n E') = load; NaN where no material is given. */
+double material_pair_pressure(const struct material_pair *pair, double load);
 
 #endif

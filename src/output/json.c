@@ -36,10 +36,20 @@ static json_t *string(const char *value)
 static json_t *material_json(const struct material *material, const struct cell_guard *guard)
 {
     json_t *json = json_pack("{s:o}", "name", string(material->name));
-    for (size_t i = 0; i < material_property_count; i++)
-        set(json, guard, material_properties[i].key, material_value(material, &material_properties[i]));
+    for (size_t i = 0; i < material_property_count; i++) {
+        double value = material_value(material, &material_properties[i]);
+        if (!material_properties[i].optional || value > 0)
+            set(json, guard, material_properties[i].key, value);
+    }
     json_object_set_new(json, "source", string(material->source));
     return json;
+}
+
+static json_t *counterface_json(const struct scene_bodies *bodies, const struct cell_guard *guard)
+{
+    if (bodies->counterface_kind == MATERIAL_COUNTERFACE_RIGID)
+        return json_string("rigid");
+    return isnan(bodies->counterface.youngs_modulus_Pa) ? json_null() : material_json(&bodies->counterface, guard);
 }
 
 /** The family of model `m` where all of it was asked for, at its first model; else the name of a single one. */
@@ -61,18 +71,19 @@ static json_t *scene_json(const struct results *results, const struct cell_guard
         json_object_set_new(effects, effect_rows[e].name,
                             json_pack("{s:b, s:s}", "runs", effect->runs, "reason", effect->reason));
     }
-    for (size_t i = 0; i < results->load_count; i++)
-        json_array_append_new(loads, cell_json(guard, "loads_over_AnEp", results->loads[i]));
+    const struct scene_bodies *bodies = &scene->bodies;
+    const struct material_pair pair = scene_pair(bodies);
+    const double *of_all = results_loads(results, results->baseline);
+    for (size_t i = 0; i < results->load_count && !results->loads_apart; i++)
+        json_array_append_new(loads, cell_json(guard, "loads_over_AnEp", of_all[i]));
     for (size_t m = 0; m < model_count; m++)
         add_model_name(models, scene->models, m);
     json_t *json = json_pack("{s:o, s:o, s:o, s:o}", "title", string(scene->title), "models", models, "effects",
-                             effects, "material", material_json(&scene->material, guard));
-    bool elastic = scene->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC;
-    json_object_set_new(json, "counterface",
-                        elastic ? material_json(&scene->counterface, guard) : json_string("rigid"));
+                             effects, "material", pair.unknown ? json_null() : material_json(&bodies->material, guard));
+    json_object_set_new(json, "counterface", counterface_json(bodies, guard));
     set(json, guard, "nominal_area_m2", scene->nominal_area_m2);
     json_object_set_new(json, "loads_over_AnEp", loads);
-    set(json, guard, "effective_modulus_Pa", results->plan->pair.effective_modulus_Pa);
+    set(json, guard, "effective_modulus_Pa", pair.unknown ? NAN : pair.effective_modulus_Pa);
     set(json, guard, "tolerance", scene->tolerance);
     json_object_set_new(json, "level", json_string(level_names[scene->level]));
     json_object_set_new(json, "window", json_string(spectrum_window_names[scene->window]));
@@ -105,8 +116,8 @@ static json_t *scene_json(const struct results *results, const struct cell_guard
     return json;
 }
 
-static json_t *curve_json(const struct model_curve *curve, const struct curve_summary *model, const struct plan *plan,
-                          const struct cell_guard *guard)
+static json_t *curve_json(const struct model_curve *curve, const struct curve_summary *model,
+                          const struct material_pair *pair, const struct plan *plan, const struct cell_guard *guard)
 {
     json_t *json = json_pack("{s:o, s:o, s:o, s:o, s:o, s:I}", "full_contact_load",
                              cell_json(guard, "full_contact_load", model->full_load), "beta",
@@ -118,7 +129,7 @@ static json_t *curve_json(const struct model_curve *curve, const struct curve_su
     json_object_set_new(json, "areas_limited", json_integer((json_int_t)model->clamped));
     set(json, guard, "largest_load_share_clamped_at_radius", model->most_radius_clamped);
     json_t *pressures = json_array(); /* of the real contact */
-    double yields_at = plan->pair.effective_modulus_Pa / plan->pair.yield_strength_Pa;
+    double yields_at = pair->effective_modulus_Pa / pair->yield_strength_Pa;
     for (size_t i = 0; i < curve->count && isfinite(yields_at); i++)
         json_array_append_new(pressures, cell_json(guard, "contact_pressure_over_Sy",
                                                    curve->points[i].load / curve->points[i].area_ratio * yields_at));
@@ -233,7 +244,7 @@ static json_t *surface_json(const struct surface_record *record, const struct sc
         json_array_append_new(files, string(s->scene->files[f]));
     for (size_t m = 0; m < model_count; m++)
         if (s->models[m].exists) {
-            json_t *model = curve_json(&record->curves[m], &s->models[m], plan, guard);
+            json_t *model = curve_json(&record->curves[m], &s->models[m], &s->pair, plan, guard);
             json_t *intervals = intervals_json(&s->models[m], guard);
             if (json_object_size(intervals) > 0)
                 json_object_set(model, "at_middle_load", intervals);
@@ -245,6 +256,11 @@ static json_t *surface_json(const struct surface_record *record, const struct sc
         }
     json_t *json = json_pack("{s:o, s:o, s:s, s:s, s:s}", "surface", string(s->scene->name), "files", files, "sha256",
                              s->hash, "format", s->format, "units", s->units);
+    if (s->scene->bodies.material_given || s->scene->bodies.counterface_given) {
+        json_object_set_new(json, "material", material_json(&s->scene->bodies.material, guard));
+        json_object_set_new(json, "counterface", counterface_json(&s->scene->bodies, guard));
+        set(json, guard, "effective_modulus_Pa", s->pair.effective_modulus_Pa);
+    }
     const struct {
         const char *name;
         double value;
@@ -304,15 +320,16 @@ static json_t *direct_curve_json(const struct direct_study *study, const struct 
     json_t *json =
         json_pack("{s:s, s:I}", "heights", direct_study_heights(study, kind), "seeds", (json_int_t)curve->seeds);
     set(json, guard, "hardness_Pa",
-        kind == DIRECT_STUDY_CAPPED ? study->plan.hardness * results->plan->pair.effective_modulus_Pa : NAN);
+        kind == DIRECT_STUDY_CAPPED ? study->plan.hardness * results_pair(results, study->surface)->effective_modulus_Pa
+                                    : NAN);
     for (int q = -1; q < (int)(sizeof quantities / sizeof *quantities); q++) {
         json_t *values = json_array(), *errors = json_array();
         char error_name[64];
         enum quantity quantity = q < 0 ? QUANTITY_LOAD : quantities[q];
         for (size_t i = 0; i < curve->loads; i++) {
-            double error = NAN,
-                   value = q < 0 ? study->plan.load[i]
-                                 : direct_study_value(study, &results->plan->pair, kind, quantity, i, &error);
+            double error = NAN, value = q < 0 ? study->plan.load[i]
+                                              : direct_study_value(study, results_pair(results, study->surface), kind,
+                                                                   quantity, i, &error);
             json_array_append_new(values, cell_json(guard, quantity_rows[quantity].name, value));
             json_array_append_new(errors, cell_json(guard, quantity_rows[quantity].name, error));
         }
@@ -343,9 +360,9 @@ static json_t *direct_json(const struct direct_study *study, const struct result
             enum quantity quantity = direct_study_quantities[q];
             json_t *values = json_array();
             for (size_t i = 0; i < study->curves[direct_study_kind_of(study, m)].loads; i++)
-                json_array_append_new(
-                    values,
-                    cell_json(&guard, "ratio", direct_study_ratio(study, &results->plan->pair, m, quantity, i)));
+                json_array_append_new(values, cell_json(&guard, "ratio",
+                                                        direct_study_ratio(study, results_pair(results, study->surface),
+                                                                           m, quantity, i)));
             if (results->plan->wanted & QUANTITY_BIT(quantity))
                 json_object_set(model, quantity_rows[quantity].short_symbol, values);
             json_decref(values);

@@ -167,8 +167,7 @@ static void contact_header(struct table *table, unsigned quantities)
     end_row(table);
 }
 
-static void put_contact(struct table *table, const struct surface_record *record, unsigned quantities,
-                        double effective_modulus_Pa)
+static void put_contact(struct table *table, const struct surface_record *record, unsigned quantities)
 {
     double sigma_m = record->summary.asperities.sigma_m;
     for (size_t m = 0; m < model_count; m++)
@@ -184,7 +183,7 @@ static void put_contact(struct table *table, const struct surface_record *record
                 if (row->column)
                     put_number(table, row->column, value);
                 if (q == QUANTITY_LOAD)
-                    put_number(table, "pressure_Pa", value * effective_modulus_Pa);
+                    put_number(table, "pressure_Pa", material_pair_pressure(&record->summary.pair, value));
                 if (row->sigma_column)
                     put_number(table, row->sigma_column, value / sigma_m);
             }
@@ -212,7 +211,7 @@ static enum status_code write_curves(const struct results *results, const char *
         if (rc != STATUS_OK)
             break;
         put_spectrum(&spectrum, &record);
-        put_contact(&contact, &record, quantities, results->plan->pair.effective_modulus_Pa);
+        put_contact(&contact, &record, quantities);
         surface_record_free(&record, false);
     }
     enum status_code first = table_close(&spectrum), second = table_close(&contact);
@@ -416,8 +415,8 @@ static void put_direct(struct table *table, const struct results *results, const
         text_add(&table->row, ",%s", study->plan.side > 0 ? "map" : "law");
         put_number(table, "load_over_AnEp", study->plan.load[i]);
         for (int c = 0; c < DIRECT_COLUMNS; c++) {
-            double error,
-                value = direct_study_value(study, &results->plan->pair, kind, direct_columns[c].quantity, i, &error);
+            double error, value = direct_study_value(study, results_pair(results, study->surface), kind,
+                                                     direct_columns[c].quantity, i, &error);
             if (has_column(results, c))
                 put_number(table, direct_columns[c].column, value);
             if (has_column(results, c) && direct_columns[c].error)
@@ -427,7 +426,9 @@ static void put_direct(struct table *table, const struct results *results, const
         put_number(table, "patches", curve->points[i].patches_per_m2.value * cell_m2);
         text_add(&table->row, ",%zu,%zu,%s", curve->seeds, study->plan.grid, direct_study_heights(study, kind));
         put_number(table, "hardness_Pa",
-                   kind == DIRECT_STUDY_CAPPED ? study->plan.hardness * results->plan->pair.effective_modulus_Pa : NAN);
+                   kind == DIRECT_STUDY_CAPPED
+                       ? study->plan.hardness * results_pair(results, study->surface)->effective_modulus_Pa
+                       : NAN);
         end_row(table);
     }
 }
@@ -475,9 +476,11 @@ static enum status_code write_direct_ratio(const struct results *results, const 
                 for (int c = 0; c < DIRECT_COLUMNS; c++)
                     if (has_column(results, c) && direct_columns[c].ratio)
                         put_number(&table, direct_columns[c].ratio,
-                                   direct_study_ratio(study, &results->plan->pair, m, direct_columns[c].quantity, i));
+                                   direct_study_ratio(study, results_pair(results, study->surface), m,
+                                                      direct_columns[c].quantity, i));
                 if (both)
-                    put_number(&table, "conductance", direct_study_conductance(study, &results->plan->pair, m, i));
+                    put_number(&table, "conductance",
+                               direct_study_conductance(study, results_pair(results, study->surface), m, i));
                 end_row(&table);
             }
         }

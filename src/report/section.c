@@ -123,8 +123,8 @@ void section_cut(struct text *out, const struct section_context *context, const 
 void section_at_middle(struct text *out, const struct section_context *context, enum quantity quantity, double value)
 {
     const struct quantity_row *row = &quantity_rows[quantity];
-    text_add(out, " At P/(Aₙ E′) = ");
-    number_format_power(out, context->comparison->middle_load, 3);
+    text_add(out, " At ");
+    section_at_load(out, context->results, context->results->baseline, context->comparison->middle_load);
     text_add(out, row->over_sigma ? ", the %s is " : ", %s is ", row->over_sigma ? row->short_symbol : row->symbol);
     number_format(out, value, 3);
     text_add(out, "%s%s", row->unit[0] ? " " : "", row->unit);
@@ -252,9 +252,48 @@ const struct contact_point *section_middle(const struct section_context *context
 
 void section_middle_pressure(struct text *out, const struct section_context *context)
 {
-    number_format_between(out, "",
-                          context->comparison->middle_load * context->results->plan->pair.effective_modulus_Pa * 1e-6,
-                          3, " MPa");
+    double load = context->comparison->middle_load, pressure_Pa = material_pair_pressure(section_pair(context), load);
+    bool force = context->results->scene->load.unit_text[0] && context->results->scene->load.kind == UNIT_FORCE;
+    if (isnan(pressure_Pa) || force)
+        section_at_load(out, context->results, context->results->baseline, load);
+    if (!isnan(pressure_Pa))
+        number_format_between(out, force ? " (" : "", pressure_Pa * 1e-6, 3, force ? " MPa)" : " MPa");
+}
+
+void section_load(struct text *out, const struct results *results, size_t surface, double load)
+{
+    struct results_load_axis axis = results_load_axis(results, surface);
+    if (axis.unit)
+        number_format(out, load * axis.scale, 3);
+    else
+        number_format_power(out, load, 3);
+}
+
+void section_load_symbol(struct text *out, const struct results *results)
+{
+    struct results_load_axis axis = results_load_axis(results, results->baseline);
+    if (!axis.unit) {
+        text_add(out, "P/(Aₙ E′)");
+        return;
+    }
+    text_add(out, results->scene->load.kind == UNIT_FORCE ? "load in " : "pressure in ");
+    text_add_markdown(out, axis.unit);
+}
+
+void section_at_load(struct text *out, const struct results *results, size_t surface, double load)
+{
+    struct results_load_axis axis = results_load_axis(results, surface);
+    text_add(out, axis.unit ? "" : "P/(Aₙ E′) = ");
+    section_load(out, results, surface, load);
+    if (axis.unit) {
+        text_add(out, " ");
+        text_add_markdown(out, axis.unit);
+    }
+}
+
+const struct material_pair *section_pair(const struct section_context *context)
+{
+    return results_pair(context->results, context->results->baseline);
 }
 
 bool section_is_valid(const struct surface_summary *summary, size_t model, double load)
@@ -265,15 +304,16 @@ bool section_is_valid(const struct surface_summary *summary, size_t model, doubl
 
 const double section_hardest = 3;
 
-double section_contact_pressure(const struct section_context *context, const struct contact_point *point)
+double section_contact_pressure(const struct section_context *context, size_t surface,
+                                const struct contact_point *point)
 {
-    const struct material_pair *pair = &context->results->plan->pair;
+    const struct material_pair *pair = results_pair(context->results, surface);
     return point->load / point->area_ratio * pair->effective_modulus_Pa / pair->yield_strength_Pa;
 }
 
 bool section_knows_yield(const struct section_context *context)
 {
-    return isfinite(context->results->plan->pair.yield_strength_Pa);
+    return isfinite(section_pair(context)->yield_strength_Pa);
 }
 
 struct comparison_extremes section_models(const struct section_context *context, enum quantity quantity, bool valid)
@@ -353,18 +393,19 @@ void section_cell(struct text *out, double value, int digits)
     number_format(out, value, digits);
 }
 
-void section_load_cell(struct text *out, double load)
+void section_load_cell(struct text *out, const struct section_context *context, size_t index, double load)
 {
     text_add(out, " | ");
-    number_format_power(out, load, 3);
+    section_load(out, context->results, index, load);
 }
 
-void section_threshold_cell(struct text *out, const struct curve_summary *curve, double load)
+void section_threshold_cell(struct text *out, const struct section_context *context, size_t index,
+                            const struct curve_summary *curve, double load)
 {
     if (load <= curve->first_load)
         text_add(out, " | from the first load on");
     else
-        section_load_cell(out, load);
+        section_load_cell(out, context, index, load);
 }
 
 void section_error_cell(struct text *out, double value, double error)

@@ -77,7 +77,8 @@ bool section_computes(const struct section_context *context, enum quantity quant
 size_t section_table_load(const struct results *results, size_t k);
 /** Point of the baseline's curve at the middle load; NULL: the model has none there. */
 const struct contact_point *section_middle(const struct section_context *context, size_t model);
-/** Adds the middle load as a pressure: "15.0 MPa". */
+/** Adds the load where the summary stands as a pressure: "15.0 MPa", "10 N (10 MPa)" where the scene gives forces,
+ * "P/(Aₙ E′) = …" without a material. */
 void section_middle_pressure(struct text *out, const struct section_context *context);
 /** Is a model inside its range of validity on a surface at P/(A_n E') = load? */
 bool section_is_valid(const struct surface_summary *summary, size_t model, double load);
@@ -85,8 +86,17 @@ bool section_is_valid(const struct surface_summary *summary, size_t model, doubl
  * of all; count 0: none has it. The extremes' `_at` are models. */
 struct comparison_extremes section_models(const struct section_context *context, enum quantity quantity, bool valid);
 
-/** Mean pressure of the real contact P/A in units of S_y, NaN where S_y is not known. */
-double section_contact_pressure(const struct section_context *context, const struct contact_point *point);
+/** Adds a load of a surface as charts and tables show it: "3.2·10⁻⁴", or in the scene's unit "10"; as what: "P/(Aₙ
+ * E′)", "load in N"; and both: "P/(Aₙ E′) = 3.2·10⁻⁴", "10 N". */
+void section_load(struct text *out, const struct results *results, size_t surface, double load);
+void section_load_symbol(struct text *out, const struct results *results);
+void section_at_load(struct text *out, const struct results *results, size_t surface, double load);
+/** What the models need of the baseline's bodies. */
+const struct material_pair *section_pair(const struct section_context *context);
+
+/** Mean pressure of the real contact of a surface, P/A, in units of S_y, NaN where S_y is not known. */
+double section_contact_pressure(const struct section_context *context, size_t surface,
+                                const struct contact_point *point);
 /** Is S_y known, so that there is such a number? */
 bool section_knows_yield(const struct section_context *context);
 /** P/A in units of S_y that no metal's contact bears: hardness is about 2.84 S_y (Tabor 1951). */
@@ -108,11 +118,12 @@ void section_interval(struct text *out, const struct estimate *estimate, double 
 void section_factor(struct text *out, const struct estimate *estimate, double half_width);
 /** One more cell of a row. */
 void section_cell(struct text *out, double value, int digits);
-/** The same for a load. */
-void section_load_cell(struct text *out, double load);
+/** The same for a load of surface `index`. */
+void section_load_cell(struct text *out, const struct section_context *context, size_t index, double load);
 /** The same for a load from which something holds on a curve: "from the first load on" where that is all that is known.
  */
-void section_threshold_cell(struct text *out, const struct curve_summary *curve, double load);
+void section_threshold_cell(struct text *out, const struct section_context *context, size_t index,
+                            const struct curve_summary *curve, double load);
 /** The same for a value with its standard error. */
 void section_error_cell(struct text *out, double value, double error);
 

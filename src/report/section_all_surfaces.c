@@ -41,7 +41,7 @@ static void surface_full(struct text *out, const struct section_context *context
     for (size_t m = 0; m < model_count; m++)
         if (plan_runs_model(context->results->plan, m)) {
             const struct curve_summary *model = &section_surface(context, index)->models[m];
-            section_load_cell(out, model->exists ? model->full_load : NAN);
+            section_load_cell(out, context, index, model->exists ? model->full_load : NAN);
         }
 }
 
@@ -199,7 +199,9 @@ static void write(struct text *out, const struct section_context *context)
 {
     text_add(out, "## All surfaces, model by model\n\n");
     shown_text(out, context);
-    text_add(out, "\n\n**Load to full contact**, P/(Aₙ E′) at which A = Aₙ");
+    text_add(out, "\n\n**Load to full contact**, ");
+    section_load_symbol(out, context->results);
+    text_add(out, " at which A = Aₙ");
     full_contact_note(out, context);
     text_add(out, ".\n\n");
     full_table(out, context);

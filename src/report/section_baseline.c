@@ -28,8 +28,12 @@ static void baseline_table(struct text *out, const struct section_context *conte
     const struct results *results = context->results;
     struct text rule = {0};
     bool yields = section_knows_yield(context);
-    text_add(out, "| P/(Aₙ E′) | pressure (MPa) | model | A/Aₙ%s", yields ? " | P/A (S_y)" : "");
-    text_add(&rule, "|---:|---:|---|---:|%s", yields ? "---:|" : "");
+    bool pressure = !section_pair(context)->unknown;
+    const double *loads = results_loads(results, results->baseline);
+    text_add(out, "| ");
+    section_load_symbol(out, results);
+    text_add(out, "%s | model | A/Aₙ%s", pressure ? " | pressure (MPa)" : "", yields ? " | P/A (S_y)" : "");
+    text_add(&rule, "|---:|%s---|---:|%s", pressure ? "---:|" : "", yields ? "---:|" : "");
     for (int q = 0; q < QUANTITY_COUNT; q++)
         if (has_column(context, q)) {
             add_head(out, &quantity_rows[q]);
@@ -40,8 +44,8 @@ static void baseline_table(struct text *out, const struct section_context *conte
     text_free(&rule);
     double sigma_m = context->baseline->summary.asperities.sigma_m;
     for (size_t k = 1; k <= 3; k++) {
-        double load = results->loads[section_table_load(results, k)];
-        if (k > 1 && load == results->loads[section_table_load(results, k - 1)])
+        double load = loads[section_table_load(results, k)];
+        if (k > 1 && load == loads[section_table_load(results, k - 1)])
             continue;
         for (size_t m = 0; m < model_count; m++)
             for (size_t i = 0; i < context->baseline->curves[m].count; i++) {
@@ -49,13 +53,14 @@ static void baseline_table(struct text *out, const struct section_context *conte
                 if (p->load != load)
                     continue;
                 text_add(out, "| ");
-                number_format_power(out, load, 3);
-                section_cell(out, load * results->plan->pair.effective_modulus_Pa * 1e-6, 3);
+                section_load(out, results, results->baseline, load);
+                if (pressure)
+                    section_cell(out, material_pair_pressure(section_pair(context), load) * 1e-6, 3);
                 text_add(out, " | %s", model_rows[m]->label);
                 section_mark(out, context, results->baseline, m);
                 section_cell(out, p->area_ratio, 3);
                 if (yields)
-                    section_cell(out, section_contact_pressure(context, p), 3);
+                    section_cell(out, section_contact_pressure(context, results->baseline, p), 3);
                 for (int q = 0; q < QUANTITY_COUNT; q++)
                     if (has_column(context, q))
                         section_cell(out, quantity_shown(p, (enum quantity)q, sigma_m), 3);
@@ -82,11 +87,11 @@ static void model_table(struct text *out, const struct section_context *context)
         text_add(out, "| %s", model_rows[m]->label);
         section_mark(out, context, context->results->baseline, m);
         section_cell(out, model->area_slope, 3);
-        section_load_cell(out, model->full_load);
+        section_load_cell(out, context, context->results->baseline, model->full_load);
         if (separation)
-            section_load_cell(out, model->closed_load);
+            section_load_cell(out, context, context->results->baseline, model->closed_load);
         if (electrical)
-            section_threshold_cell(out, model, model->elbow_load);
+            section_threshold_cell(out, context, context->results->baseline, model, model->elbow_load);
         if (scale_dependent) {
             text_add(out, " | ");
             number_format_range(out, 100 * model->sd_least, 100 * model->sd_most, 2);
@@ -149,7 +154,7 @@ static void hard_text(struct text *out, const struct section_context *context, s
     const struct model_curve *curve = &context->baseline->curves[m];
     double most = 0, from = NAN, to = NAN;
     for (size_t i = 0; i < curve->count; i++) {
-        double pressure = section_contact_pressure(context, &curve->points[i]);
+        double pressure = section_contact_pressure(context, context->results->baseline, &curve->points[i]);
         if (!(curve->points[i].area_ratio < 1) || !(pressure > section_hardest))
             continue;
         most = fmax(most, pressure);
@@ -161,13 +166,14 @@ static void hard_text(struct text *out, const struct section_context *context, s
     text_add(out, " In %s the mean pressure P/A of the partial contact exceeds 3 S_y, more than any metal's hardness, ",
              model_rows[m]->label);
     if (from < to) {
-        text_add(out, "between P/(Aₙ E′) = ");
-        number_format_power(out, from, 3);
+        text_add(out, "between ");
+        section_at_load(out, context->results, context->results->baseline, from);
         text_add(out, " and ");
+        section_load(out, context->results, context->results->baseline, to);
     } else {
-        text_add(out, "at P/(Aₙ E′) = ");
+        text_add(out, "at ");
+        section_at_load(out, context->results, context->results->baseline, to);
     }
-    number_format_power(out, to, 3);
     number_format_between(out, " (up to ", most, 2, " S_y).");
 }
 
@@ -255,7 +261,7 @@ static void electrical_text(struct text *out, const struct section_context *cont
 static void thermal_text(struct text *out, const struct section_context *context)
 {
     if (isfinite(context->comparison->proportional_error)) {
-        const struct material_pair *pair = &context->results->plan->pair;
+        const struct material_pair *pair = section_pair(context);
         number_format_between(
             out, "TCR is ECR times 1/(ρ k) = ", 1 / (pair->resistivity_ohm_m * pair->conductivity_W_per_mK), 4,
             " K/(W·Ω) in every model, so the curves have the same shape. ");
@@ -334,7 +340,7 @@ static void kinks_of(struct text *out, const struct section_context *context, si
     struct status status = {0};
     size_t low, high, from = 0;
     if (!curve->exists || !find_kink(&low, &high, curve, 0, y) ||
-        multiscale_make(&stack, &context->baseline->spectrum, &results->plan->pair, model_rows[m]->plastic,
+        multiscale_make(&stack, &context->baseline->spectrum, section_pair(context), model_rows[m]->plastic,
                         results->scene->closure, &status) != STATUS_OK)
         return;
     for (; find_kink(&low, &high, curve, from, y); from = high) {

@@ -34,7 +34,7 @@ static void ratio_row(struct text *out, const struct section_context *context, s
     if (!context->baseline->curves[m].exists || m == by)
         return;
     text_add(out, "| ");
-    number_format_power(out, load, 3);
+    section_load(out, context->results, context->results->baseline, load);
     text_add(out, " | %s", model_rows[m]->label);
     section_mark(out, context, context->results->baseline, m);
     text_add(out, " | %s", model_rows[by]->label);
@@ -51,7 +51,9 @@ static void ratio_table(struct text *out, const struct section_context *context)
 {
     const struct results *results = context->results;
     struct text rule = {0};
-    text_add(out, "| P/(Aₙ E′) | model | over");
+    text_add(out, "| ");
+    section_load_symbol(out, results);
+    text_add(out, " | model | over");
     text_add(&rule, "|---:|---|---|");
     for (int q = 0; q < COMPARED; q++)
         if (section_computes(context, compared[q])) {
@@ -61,8 +63,9 @@ static void ratio_table(struct text *out, const struct section_context *context)
     text_add(out, " |\n%s\n", text_string(&rule));
     text_free(&rule);
     for (size_t k = 1; k <= 3; k++) {
-        double load = results->loads[section_table_load(results, k)];
-        if (k > 1 && load == results->loads[section_table_load(results, k - 1)])
+        const double *loads = results_loads(results, results->baseline);
+        double load = loads[section_table_load(results, k)];
+        if (k > 1 && load == loads[section_table_load(results, k - 1)])
             continue;
         for (size_t m = 0; m < model_count; m++)
             ratio_row(out, context, m, load);
@@ -100,8 +103,8 @@ static void heights_caption(struct text *out, const struct section_context *cont
 {
     (void)figure;
     text_add(out, " Gaussian heights lie on one straight line. The line goes through the highest 2·A/Aₙ of them, A the "
-                  "contact at P/(Aₙ E′) = ");
-    number_format_power(out, context->comparison->middle_load, 3);
+                  "contact at ");
+    section_at_load(out, context->results, context->results->baseline, context->comparison->middle_load);
     text_add(out, " in the %s model; dashed: carried on down; none where A/Aₙ is beyond 0.15.",
              model_rows[section_heights_model(context)]->label);
 }

@@ -204,11 +204,11 @@ static enum verdict check_elbow(struct text *out, const struct section_context *
     for (size_t m = 0; m < model_count; m++)
         for (size_t k = 0; k < results->usable_count; k++) {
             const struct curve_summary *curve = curve_of(context, k, m);
+            const double *loads = results_loads(results, results->by_roughness[k]);
             if (!curve || curve->elbow_load <= curve->first_load) /* it may lie anywhere below */
                 continue;
-            curves +=
-                isfinite(curve_summary_elbow_share(curve)) ||
-                (curve->full_load > results->loads[0] && curve->full_load <= results->loads[results->load_count - 1]);
+            curves += isfinite(curve_summary_elbow_share(curve)) ||
+                      (curve->full_load > loads[0] && curve->full_load <= loads[results->load_count - 1]);
             late += curve_summary_elbow_share(curve) > 0.1;
         }
     if (curves == 0) {

@@ -33,7 +33,7 @@ static void each_law(struct text *out, const struct section_context *context, co
 static void conductance_cells(struct text *out, const struct section_context *context, const struct truncation *law,
                               double conductance)
 {
-    const struct material_pair *pair = &context->results->plan->pair;
+    const struct material_pair *pair = section_pair(context);
     const struct truncation_contact contact = {.conductance = conductance};
     if (section_computes(context, QUANTITY_ECR))
         section_cell(out, truncation_resistance(law, &contact, pair->resistivity_ohm_m), 3);
@@ -51,7 +51,7 @@ static void law_row(struct text *out, const struct section_context *context, con
     if (!truncation_press(&contact, &law, ratio))
         correlation = NAN; /* nothing to hold it against */
     text_add(out, "| ");
-    number_format_power(out, task->loads[0], 3);
+    section_load(out, context->results, context->results->baseline, task->loads[0]);
     text_add(out, " | %s", model->label);
     section_cell(out, ratio, 3);
     conductance_cells(out, context, &law, contact.conductance);
@@ -63,10 +63,13 @@ static void law_row(struct text *out, const struct section_context *context, con
 static void table(struct text *out, const struct section_context *context, const struct model_task *task)
 {
     const struct results *results = context->results;
+    const double *loads = results_loads(results, results->baseline);
     const bool shown[] = {section_computes(context, QUANTITY_ECR), section_computes(context, QUANTITY_TCR)};
     static const char *const heads[] = {"ECR·Aₙ (Ω·m²)", "h (W/(m²·K))"};
     struct text rule = {0};
-    text_add(out, "| P/(Aₙ E′) | closed form | P/H");
+    text_add(out, "| ");
+    section_load_symbol(out, results);
+    text_add(out, " | closed form | P/H");
     text_add(&rule, "|---:|---|---:|");
     for (int by = 0; by < 2; by++)
         for (int q = 0; q < 2; q++)
@@ -78,9 +81,9 @@ static void table(struct text *out, const struct section_context *context, const
     text_free(&rule);
     for (size_t k = 1; k <= 3; k++) {
         struct model_task one = *task;
-        one.loads = &results->loads[section_table_load(results, k)];
+        one.loads = &loads[section_table_load(results, k)];
         one.load_count = 1;
-        if (k == 1 || one.loads[0] != results->loads[section_table_load(results, k - 1)])
+        if (k == 1 || one.loads[0] != loads[section_table_load(results, k - 1)])
             each_law(out, context, &one, law_row);
     }
 }
@@ -98,8 +101,8 @@ static void law_line(struct text *out, const struct section_context *context, co
 static void write(struct text *out, const struct section_context *context)
 {
     const struct results *results = context->results;
-    const struct model_task task =
-        surface_task(context->baseline, results->scene, results->plan, results->loads, results->load_count);
+    const struct model_task task = surface_task(context->baseline, results->scene, results->plan,
+                                                results_loads(results, results->baseline), results->load_count);
     text_add(out, "## Correlations in use\n\n");
     section_named(out, "Surface ", results, results->baseline);
     number_format_between(out, ": σ = ", truncation_model_sigma(&task) * 1e6, 4,

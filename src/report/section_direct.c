@@ -88,12 +88,13 @@ static void introduction(struct text *out, const struct section_context *context
              "not the scan's.",
              study->plan.side > 0 ? "'s" : "s'");
     if (study->curves[DIRECT_STUDY_CAPPED].points) {
-        number_format_between(out,
-                              " Elastic-plastic models are held against a solution whose pressure is capped at a "
-                              "hardness of ",
-                              study->plan.hardness * context->results->plan->pair.effective_modulus_Pa * 1e-6, 3,
-                              " MPa, at the loads below it; its area is P over the hardness, whatever the roughness, "
-                              "so there area tests the hardness alone.");
+        number_format_between(
+            out,
+            " Elastic-plastic models are held against a solution whose pressure is capped at a "
+            "hardness of ",
+            study->plan.hardness * results_pair(context->results, study->surface)->effective_modulus_Pa * 1e-6, 3,
+            " MPa, at the loads below it; its area is P over the hardness, whatever the roughness, "
+            "so there area tests the hardness alone.");
     }
     text_add(out, "\n\n");
 }
@@ -121,11 +122,11 @@ static void mark(struct text *out, const struct section_context *context, const 
 static void direct_row(struct text *out, const struct section_context *context, const struct direct_study *study,
                        enum direct_study_kind kind, size_t i, const char *name)
 {
-    const struct material_pair *pair = &context->results->plan->pair;
+    const struct material_pair *pair = results_pair(context->results, study->surface);
     if (!study->curves[kind].points || i >= study->curves[kind].loads)
         return;
     text_add(out, "| ");
-    number_format_power(out, study->plan.load[i], 3);
+    section_load(out, context->results, study->surface, study->plan.load[i]);
     text_add(out, " | %s", name);
     for (int q = 0; q < DIRECT_STUDY_QUANTITIES; q++) {
         double error, value = direct_study_value(study, pair, kind, direct_study_quantities[q], i, &error);
@@ -144,12 +145,12 @@ static void direct_row(struct text *out, const struct section_context *context, 
 static void model_row(struct text *out, const struct section_context *context, const struct direct_study *study,
                       const struct surface_record *scan, size_t m, size_t i)
 {
-    const struct material_pair *pair = &context->results->plan->pair;
+    const struct material_pair *pair = results_pair(context->results, study->surface);
     double as_scanned = NAN;
     if (i >= study->curves[direct_study_kind_of(study, m)].loads)
         return;
     text_add(out, "| ");
-    number_format_power(out, study->plan.load[i], 3);
+    section_load(out, context->results, study->surface, study->plan.load[i]);
     text_add(out, " | %s", model_rows[m]->label);
     mark(out, context, study, m);
     text_add(out, " over it");
@@ -170,7 +171,9 @@ static void table(struct text *out, const struct section_context *context, const
 {
     static const char *const columns[DIRECT_STUDY_QUANTITIES] = {"A/Aₙ", "gap (µm)", "ECR·Aₙ (Ω·m²)"};
     struct text rule = {0};
-    text_add(out, "| P/(Aₙ E′) | ");
+    text_add(out, "| ");
+    section_load_symbol(out, context->results);
+    text_add(out, " | ");
     text_add(&rule, "|---:|---");
     for (int q = 0; q < DIRECT_STUDY_QUANTITIES; q++)
         if (has(context, q)) {
@@ -223,7 +226,7 @@ static void add_distance(struct text *out, const struct direct_study_distance *d
 
 static void sentences(struct text *out, const struct section_context *context, const struct direct_study *study)
 {
-    const struct material_pair *pair = &context->results->plan->pair;
+    const struct material_pair *pair = results_pair(context->results, study->surface);
     for (size_t m = 0; m < model_count; m++) {
         bool first = true;
         for (int q = 0; q < DIRECT_STUDY_QUANTITIES; q++) {
@@ -264,10 +267,10 @@ static void caption(struct text *out, const struct section_context *context, con
     const struct direct_study *study = figure_direct(context->results);
     enum quantity quantity = figure->row->y;
     double error = NAN, load = study->plan.load[study->plan.picture];
-    double value =
-        direct_study_value(study, &context->results->plan->pair, study->leading, quantity, study->plan.picture, &error);
-    text_add(out, " At P/(Aₙ E′) = ");
-    number_format_power(out, load, 3);
+    double value = direct_study_value(study, results_pair(context->results, study->surface), study->leading, quantity,
+                                      study->plan.picture, &error);
+    text_add(out, " At ");
+    section_at_load(out, context->results, study->surface, load);
     if (figure->row->kind == FIGURE_PATCHES) {
         text_add(out, " the first surface touches in %zu patch%s; ", study->patches, study->patches == 1 ? "" : "es");
         number_format_between(out, "the picture is ", study->plan.length_m * 1e6, 3, " µm wide.");
@@ -279,12 +282,12 @@ static void caption(struct text *out, const struct section_context *context, con
         number_format(out, row->over_sigma ? value / sqrt(study->moments.m0_m2) : value, 3);
         text_add(out, "%s%s; error bars: %s.", row->unit[0] ? " " : "", row->unit, error_words(study));
     } else {
-        size_t nearest = direct_study_nearest(study, &context->results->plan->pair, quantity);
+        size_t nearest = direct_study_nearest(study, results_pair(context->results, study->surface), quantity);
         if (nearest < model_count)
-            number_format_between(
-                out, " the nearest elastic model over the whole range has ",
-                direct_study_ratio(study, &context->results->plan->pair, nearest, quantity, study->plan.picture), 3,
-                "");
+            number_format_between(out, " the nearest elastic model over the whole range has ",
+                                  direct_study_ratio(study, results_pair(context->results, study->surface), nearest,
+                                                     quantity, study->plan.picture),
+                                  3, "");
         text_add(out, nearest < model_count ? " (%s)." : "%s no model has a value.",
                  nearest < model_count ? model_rows[nearest]->label : "");
     }

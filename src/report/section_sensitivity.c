@@ -111,8 +111,8 @@ static void caption(struct text *out, const struct section_context *context, con
     const struct sensitivity_curves *curves = context->results->sensitivity;
     const struct scene *scene = context->results->scene;
     (void)figure;
-    text_add(out, " At P/(Aₙ E′) = ");
-    number_format_power(out, context->comparison->middle_load, 3);
+    text_add(out, " At ");
+    section_at_load(out, context->results, context->results->baseline, context->comparison->middle_load);
     if (curves->unsure_m > curves->wavelength_m[SENSITIVITY_WAVELENGTHS - 1] * (1 + 1e-9)) {
         text_add(out, "; shaded: below ");
         number_format(out, curves->unsure_m * 1e6, 3);

@@ -4,38 +4,101 @@
 #include "analysis/direct_study.h"
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
+
+static const struct scene_bodies *bodies_of(const struct results *results, size_t surface)
+{
+    return &results->store->summaries[surface].scene->bodies;
+}
+
+/** Have all usable surfaces bodies of one name? */
+static bool same_bodies(const struct results *results)
+{
+    const struct scene_bodies *first = bodies_of(results, results->by_roughness[0]);
+    for (size_t k = 1; k < results->usable_count; k++) {
+        const struct scene_bodies *other = bodies_of(results, results->by_roughness[k]);
+        if (strcmp(first->material.name, other->material.name) != 0 ||
+            first->counterface_kind != other->counterface_kind ||
+            strcmp(first->counterface.name, other->counterface.name) != 0)
+            return false;
+    }
+    return true;
+}
+
+/** ", of tin", ", of tin and copper". */
+static void of_what(struct text *out, const struct results *results)
+{
+    size_t named = 0;
+    for (size_t i = 0; i < results->store->count; i++) {
+        const char *name = bodies_of(results, i)->material.name;
+        bool known = !results->store->summaries[i].usable || !name[0];
+        for (size_t j = 0; j < i && !known; j++)
+            known = results->store->summaries[j].usable && strcmp(bodies_of(results, j)->material.name, name) == 0;
+        if (known)
+            continue;
+        text_add(out, named++ == 0 ? ", of " : ", ");
+        text_add_markdown(out, name);
+    }
+}
+
+static void load_range(struct text *out, const struct section_context *context)
+{
+    const struct results *results = context->results;
+    const double *loads = results_loads(results, results->baseline);
+    double first = loads[0], last = loads[results->load_count - 1];
+    const struct results_load_axis axis = results_load_axis(results, results->baseline);
+    double modulus_MPa = section_pair(context)->effective_modulus_Pa * 1e-6;
+    if (axis.unit && results->scene->load.kind == UNIT_FORCE) {
+        text_add(out, " at loads of ");
+        number_format_range(out, first * axis.scale, last * axis.scale, 3);
+        text_add(out, " ");
+        text_add_markdown(out, axis.unit);
+    } else if (section_pair(context)->unknown) {
+        text_add(out, " at P/(Aₙ E′) of ");
+        number_format_power(out, first, 3);
+        text_add(out, " to ");
+        number_format_power(out, last, 3);
+    } else {
+        text_add(out, " at nominal pressures of ");
+        number_format_range(out, first * modulus_MPa, last * modulus_MPa, 3);
+        text_add(out, " MPa");
+    }
+}
 
 static void surfaces(struct text *out, const struct section_context *context)
 {
     const struct results *results = context->results;
-    const struct scene *scene = results->scene;
     size_t count = results->usable_count;
-    double modulus_MPa = results->plan->pair.effective_modulus_Pa * 1e-6;
     text_add(out, "- %zu surface%s, Rq ", count, count == 1 ? "" : "s");
     number_format_range(out, section_surface(context, results->by_roughness[0])->roughness.rq_m * 1e6,
                         section_surface(context, results->by_roughness[count - 1])->roughness.rq_m * 1e6, 3);
-    text_add(out, " µm, of ");
-    text_add_markdown(out, scene->material.name);
+    text_add(out, " µm");
+    of_what(out, results);
+    const struct scene_bodies *bodies = same_bodies(results) ? bodies_of(results, results->by_roughness[0]) : NULL;
     if (results->counterface) {
         text_add(out, ", pressed against a rough counterface (Rq ");
         number_format(out, results->counterface->summary.roughness.rq_m * 1e6, 3);
         text_add(out, " µm; the Rq given are of both together)");
-        if (scene->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC) {
+        if (bodies && bodies->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC && bodies->counterface.name[0]) {
             text_add(out, " of ");
-            text_add_markdown(out, scene->counterface.name);
+            text_add_markdown(out, bodies->counterface.name);
         }
-    } else if (scene->counterface_kind == MATERIAL_COUNTERFACE_RIGID) {
+    } else if (!bodies) {
+        text_add(out, ", each pressed against a smooth flat");
+    } else if (bodies->counterface_kind == MATERIAL_COUNTERFACE_RIGID) {
         text_add(out, ", pressed against a rigid flat%s",
                  results->plan->running & (EFFECT_BIT(EFFECT_ELECTRICAL) | EFFECT_BIT(EFFECT_THERMAL))
                      ? " that conducts like it"
                      : "");
     } else {
-        text_add(out, ", pressed against a smooth flat of ");
-        text_add_markdown(out, scene->counterface.name);
+        text_add(out, bodies->counterface.name[0] ? ", pressed against a smooth flat of "
+                                                  : ", pressed against a smooth flat");
+        text_add_markdown(out, bodies->counterface.name);
     }
-    text_add(out, " at nominal pressures of ");
-    number_format_range(out, results->loads[0] * modulus_MPa, results->loads[results->load_count - 1] * modulus_MPa, 3);
-    text_add(out, " MPa.\n");
+    load_range(out, context);
+    text_add(out, ".\n");
+    if (!results_has_material(results))
+        text_add(out, "- %s\n", results_without_material);
 }
 
 /** ", ECR·Aₙ is … Ω·m²" of the leading model over all surfaces. */
@@ -57,9 +120,13 @@ static void at_middle(struct text *out, const struct section_context *context)
         return;
     text_add(out, "- **At ");
     section_middle_pressure(out, context);
-    text_add(out, "** (P/(Aₙ E′) = ");
-    number_format_power(out, study->middle_load, 3);
-    text_add(out, "; %s) the real contact area is ", model_rows[study->leading]->label);
+    text_add(out, "** (");
+    if (!section_pair(context)->unknown && !context->results->loads_apart) {
+        text_add(out, "P/(Aₙ E′) = ");
+        number_format_power(out, study->middle_load, 3);
+        text_add(out, "; ");
+    }
+    text_add(out, "%s) the real contact area is ", model_rows[study->leading]->label);
     number_format_range(out, 100 * extremes[QUANTITY_AREA].least, 100 * extremes[QUANTITY_AREA].most, 3);
     text_add(out, " %% of the nominal one");
     resistance(out, &extremes[QUANTITY_ECR], "ECR", "Ω·m²");
@@ -322,7 +389,7 @@ static void hard(struct text *list, const struct section_context *context, size_
     char what[120], then[60];
     for (size_t k = 0; k < results->usable_count; k++) {
         const struct contact_point *point = &context->comparison->models[m].middle[results->by_roughness[k]];
-        double pressure = section_contact_pressure(context, point);
+        double pressure = section_contact_pressure(context, results->by_roughness[k], point);
         if (!(point->area_ratio < 1) || !(pressure > section_hardest))
             continue;
         count++;
@@ -337,7 +404,7 @@ static void hard(struct text *list, const struct section_context *context, size_
 static void limits(struct text *out, const struct section_context *context)
 {
     const struct results *results = context->results;
-    double load = context->comparison->middle_load, fall = 0;
+    double fall = 0;
     size_t leaks = 0, knees = 0, diverging = 0, lawless = 0;
     struct text list = {0};
     for (size_t m = 0; m < model_count; m++) {
@@ -345,6 +412,7 @@ static void limits(struct text *out, const struct section_context *context)
         char what[120];
         for (size_t k = 0; k < results->usable_count; k++) {
             const struct curve_summary *model = &section_smoothest(context, k)->models[m];
+            double load = results_operating_load(results, results->by_roughness[k]);
             invalid += model->exists && !section_is_valid(section_smoothest(context, k), m, load);
             if (model->extension.area_measured > 0)
                 fall = fmax(fall, 1 - model->extension.area_extended / model->extension.area_measured);
@@ -400,8 +468,8 @@ static void direct_advice(struct text *out, const struct section_context *contex
             solved++;
             continue;
         }
-        direct_study_outline(&outline, section_surface(context, i), results->scene, results->plan, results->loads,
-                             results->load_count);
+        direct_study_outline(&outline, section_surface(context, i), results->scene, results->plan,
+                             results_loads(results, i), results->load_count);
         if (!outline.possible) {
             snprintf(problem, sizeof problem, "%s", outline.problem);
             impossible++;
@@ -508,11 +576,11 @@ static void surface_key(struct text *out, const struct section_context *context,
                 section_interval(out, estimate, scale, 3);
             }
             if (q == QUANTITY_AREA && section_knows_yield(context))
-                section_cell(out, section_contact_pressure(context, point), 3);
+                section_cell(out, section_contact_pressure(context, index, point), 3);
         }
     if (context->comparison->ranking.tested > 0)
         letters_cell(out, &context->comparison->ranking, index);
-    section_load_cell(out, s->models[leading].exists ? s->models[leading].full_load : NAN);
+    section_load_cell(out, context, index, s->models[leading].exists ? s->models[leading].full_load : NAN);
 }
 
 static void key_table(struct text *out, const struct section_context *context)
@@ -536,7 +604,9 @@ static void key_table(struct text *out, const struct section_context *context)
         text_add(out, " | alike");
         text_add(&rule, "---|");
     }
-    text_add(out, " | full contact at P/(Aₙ E′) |\n%s---:|\n", text_string(&rule));
+    text_add(out, " | full contact at ");
+    section_load_symbol(out, context->results);
+    text_add(out, " |\n%s---:|\n", text_string(&rule));
     text_free(&rule);
     section_each_surface(out, context, surface_key);
     if (results_intervals(context->results))
@@ -561,7 +631,7 @@ static void surface_heights(struct text *out, const struct section_context *cont
     section_cell(out, roughness_kurtosis(&s->roughness), 3);
     section_cell(out, 100 * point->area_ratio, 3);
     if (section_knows_yield(context))
-        section_cell(out, section_contact_pressure(context, point), 3);
+        section_cell(out, section_contact_pressure(context, index, point), 3);
     for (int q = QUANTITY_SEPARATION; q <= QUANTITY_TCR; q++)
         if (has_column(context, q))
             section_cell(out, quantity_shown(point, (enum quantity)q, s->asperities.sigma_m), 3);

@@ -55,10 +55,12 @@ static void surface_validity(struct text *out, const struct section_context *con
     section_cell(out, isfinite(s->jump_share) ? 100 * s->jump_share : NAN, 2);
     for (size_t m = 0; m < model_count; m++)
         if (runs(context, m) && model_rows[m]->largest_area > 0)
-            section_threshold_cell(out, &s->models[m], s->models[m].exists ? s->models[m].invalid_area_load : NAN);
+            section_threshold_cell(out, context, index, &s->models[m],
+                                   s->models[m].exists ? s->models[m].invalid_area_load : NAN);
     for (size_t m = 0; m < model_count; m++)
         if (runs(context, m) && model_rows[m]->fitted_to) {
-            section_threshold_cell(out, &s->models[m], s->models[m].exists ? s->models[m].invalid_fit_load : NAN);
+            section_threshold_cell(out, context, index, &s->models[m],
+                                   s->models[m].exists ? s->models[m].invalid_fit_load : NAN);
             share_cell(out, &s->models[m], s->models[m].most_beyond_fit);
             share_cell(out, &s->models[m], s->models[m].most_radius_clamped);
         }

@@ -247,6 +247,8 @@ void report_terminal_table(struct text *out, const struct results *results)
         if (results->store->summaries[i].usable)
             put_marked_name(cell_at(&table, row++, 0), &results->store->summaries[i], results->plan, room);
     widths[0] = widest(&table, 0);
+    if (!results_has_material(results))
+        text_add(out, "%s\n", results_without_material);
     spaces(out, widths[0] + numbers - (int)strlen(above)); /* it stands over the columns of loads, which come last */
     text_add(out, "%s\n", above);
     for (size_t r = 0; r < table.rows; r++)

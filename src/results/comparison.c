@@ -57,12 +57,30 @@ static double resistance(const struct contact_point *point)
     return value > 0 ? value : NAN;
 }
 
-static void compare_neighbours(struct comparison *out, const struct surface_record *smooth,
-                               const struct surface_record *rough, size_t pair, double tolerance)
+/** The same of two surfaces, whose loads may be apart: then points at the same places of their lists. */
+static size_t listed_points(const struct model_curve *a, const double *loads_a, const struct model_curve *b,
+                            const double *loads_b, size_t load_count)
 {
+    if (loads_a == loads_b)
+        return common_points(a, b);
+    size_t count = a->count < b->count ? a->count : b->count;
+    count = count < load_count ? count : load_count;
+    while (count > 0 &&
+           (a->points[count - 1].load != loads_a[count - 1] || b->points[count - 1].load != loads_b[count - 1]))
+        count--; /* a statistical curve closes with a load of its own */
+    return count;
+}
+
+static void compare_neighbours(struct comparison *out, const struct surface_record *smooth,
+                               const struct surface_record *rough, size_t pair, const struct results *results)
+{
+    const double *smooth_loads = results_loads(results, results->by_roughness[pair]);
+    const double *rough_loads = results_loads(results, results->by_roughness[pair + 1]);
+    double tolerance = results->scene->tolerance;
     for (size_t m = 0; m < model_count; m++) {
         const struct model_curve *a = &smooth->curves[m], *b = &rough->curves[m];
-        size_t count = a->exists && b->exists ? common_points(a, b) : 0, used = 0;
+        size_t count = a->exists && b->exists ? listed_points(a, smooth_loads, b, rough_loads, results->load_count) : 0;
+        size_t used = 0;
         double sum = 0;
         for (size_t i = 0; i < count; i++) {
             const struct contact_point *p = &a->points[i], *q = &b->points[i];
@@ -97,9 +115,9 @@ static void compare_laws(struct comparison_plastic *out, const struct model_curv
     count_case(&out->sooner, plastic->full_load, elastic->full_load, tolerance, 0);
 }
 
-static void check_proportion(struct comparison *out, const struct surface_record *record, const struct plan *plan)
+static void check_proportion(struct comparison *out, const struct surface_record *record)
 {
-    double product = plan->pair.resistivity_ohm_m * plan->pair.conductivity_W_per_mK;
+    double product = record->summary.pair.resistivity_ohm_m * record->summary.pair.conductivity_W_per_mK;
     for (size_t m = 0; m < model_count; m++)
         for (size_t i = 0; i < record->curves[m].count; i++) {
             const struct contact_point *point = &record->curves[m].points[i];
@@ -142,12 +160,13 @@ static void widen(struct comparison_extent *extent, double value)
 }
 
 /** Takes the surface's values at every load of the list at which its contact is partial. */
-static void note_extents(struct comparison *out, const struct results *results, const struct surface_record *record)
+static void note_extents(struct comparison *out, const struct results *results, const struct surface_record *record,
+                         const double *loads)
 {
     for (size_t m = 0; m < model_count; m++)
         for (size_t i = 0; i < record->curves[m].count && i < results->load_count; i++) {
             const struct contact_point *point = &record->curves[m].points[i];
-            if (point->load != results->loads[i] || !(point->area_ratio < 1))
+            if (point->load != loads[i] || !(point->area_ratio < 1))
                 continue;
             widen(&out->models[m].extents[i][COMPARISON_AREAS], point->area_ratio);
             widen(&out->models[m].extents[i][COMPARISON_RESISTANCES], resistance(point));
@@ -185,12 +204,12 @@ double comparison_largest_spread(const struct results *results, const struct com
 }
 
 /** Takes the surface's values at the middle load. */
-static void note_middle(struct comparison *out, const struct surface_record *record, size_t index)
+static void note_middle(struct comparison *out, const struct surface_record *record, size_t index, double load)
 {
     for (size_t m = 0; m < model_count; m++)
         for (size_t i = 0; i < record->curves[m].count; i++) {
             const struct contact_point *point = &record->curves[m].points[i];
-            if (point->load != out->middle_load)
+            if (point->load != load)
                 continue;
             out->models[m].middle[index] = *point;
             for (int q = 0; q < QUANTITY_COUNT; q++) {
@@ -220,7 +239,7 @@ static void take_in(struct comparison *out, const struct results *results, const
     double tolerance = results->scene->tolerance, sigma_m = record->summary.asperities.sigma_m;
     size_t index = results->by_roughness[k];
     if (previous)
-        compare_neighbours(out, previous, record, k - 1, tolerance);
+        compare_neighbours(out, previous, record, k - 1, results);
     for (size_t m = 0; m < model_count; m++) {
         size_t elastic = model_index(model_rows[m]->elastic), counterpart = model_index(model_rows[m]->counterpart);
         if (elastic < model_count)
@@ -228,9 +247,9 @@ static void take_in(struct comparison *out, const struct results *results, const
         if (counterpart < model_count)
             out->models[m].gaps[index] = gap_between(&curves[counterpart], &curves[m], sigma_m);
     }
-    check_proportion(out, record, results->plan);
-    note_middle(out, record, index);
-    note_extents(out, results, record);
+    check_proportion(out, record);
+    note_middle(out, record, index, results_operating_load(results, index));
+    note_extents(out, results, record, results_loads(results, index));
 }
 
 /** The arrays of all models, with nothing in them yet; those of the first model own them. */
@@ -384,7 +403,7 @@ static enum status_code rank(struct comparison *out, const struct results *resul
 enum status_code comparison_make(struct comparison *out, const struct results *results, struct status *status)
 {
     *out = (struct comparison){.proportional_error = NAN,
-                               .middle_load = results->loads[results->load_count / 2],
+                               .middle_load = results_operating_load(results, results->baseline),
                                .leading = plan_leading_model(results->plan)};
     if (allocate(out, results, status) != STATUS_OK)
         return status->code;

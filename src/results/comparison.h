@@ -85,7 +85,7 @@ struct comparison {
     struct comparison_ranking ranking;
     struct comparison_model *models; /* model_count of them; owned */
     double proportional_error;       /* largest |TCR/ECR / (1/(rho k)) - 1|; NaN: not both computed */
-    double middle_load;              /* P/(A_n E') at which surfaces and models are compared */
+    double middle_load;              /* where surfaces and models are compared: P/(A_n E') of the baseline surface */
     size_t leading;                  /* the model the summary speaks of: the running one of the greatest precedence */
     struct contact_point *middle;    /* the leading model at the middle load: models[leading].middle */
 };

@@ -55,3 +55,49 @@ bool results_intervals(const struct results *results)
     }
     return false;
 }
+
+const char results_without_material[] =
+    "No material is given, so area and separation against P/(Aₙ E′) are all there is; one (`material: tin`, or "
+    "--material) would add yielding, electrical and thermal resistance, pressures and forces.";
+
+const double *results_loads(const struct results *results, size_t surface)
+{
+    return results->loads + (results->loads_apart ? surface * results->load_count : 0);
+}
+
+size_t results_operating(const struct results *results)
+{
+    size_t place = results->plan->operating_place;
+    return place > 0 ? place - 1 : results->load_count / 2;
+}
+
+double results_operating_load(const struct results *results, size_t surface)
+{
+    return results_loads(results, surface)[results_operating(results)];
+}
+
+const struct material_pair *results_pair(const struct results *results, size_t surface)
+{
+    return &results->store->summaries[surface].pair;
+}
+
+bool results_has_material(const struct results *results)
+{
+    for (size_t i = 0; i < results->store->count; i++)
+        if (!results->store->summaries[i].pair.unknown)
+            return true;
+    return false;
+}
+
+struct results_load_axis results_load_axis(const struct results *results, size_t surface)
+{
+    const struct scene *scene = results->scene;
+    const struct scene_load *load = &scene->load;
+    const struct material_pair *pair = results_pair(results, surface);
+    if (load->unit_text[0])
+        return (struct results_load_axis){load->unit_text,
+                                          scene_load_divisor(scene, load->kind, pair) / load->unit.factor};
+    if (results->loads_apart) /* P/(A_n E') of one is another pressure than of the next */
+        return (struct results_load_axis){"Pa", pair->effective_modulus_Pa};
+    return (struct results_load_axis){NULL, 1};
+}

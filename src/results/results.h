@@ -13,8 +13,9 @@ struct direct_study; /* analysis/direct_study.h */
 struct results {
     const struct scene *scene;
     const struct plan *plan;
-    const double *loads; /* P/(A_n E') */
+    const double *loads; /* P/(A_n E'): of each surface one after another where loads_apart, else of all */
     size_t load_count;
+    bool loads_apart; /* surfaces of different E' share pressures or forces */
     struct surface_store *store;
     struct work predicted, done;
     const struct surface_record *counterface;     /* described; NULL: smooth */
@@ -31,6 +32,26 @@ struct results {
     size_t usable_count;
     size_t baseline; /* index of the surface of the one-surface comparison */
 };
+
+/** The loads of a surface, P/(A_n E') of its own bodies; entry i of all surfaces is one pressure or force where loads
+ * are given so. */
+const double *results_loads(const struct results *results, size_t surface);
+/** The place among them of the one where summary and tables stand, and that load of a surface. */
+size_t results_operating(const struct results *results);
+double results_operating_load(const struct results *results, size_t surface);
+/** What the models need of a surface's bodies. */
+const struct material_pair *results_pair(const struct results *results, size_t surface);
+/** What a report on surfaces of no material says of it: one sentence. */
+extern const char results_without_material[];
+/** Is any surface's material known? */
+bool results_has_material(const struct results *results);
+
+/** What charts and tables over load stand in: the unit the scene gives its loads in, else P/(A_n E'). */
+struct results_load_axis {
+    const char *unit; /* as written, hostile until escaped; NULL: P/(A_n E') */
+    double scale;     /* P/(A_n E') times it is the number to show */
+};
+struct results_load_axis results_load_axis(const struct results *results, size_t surface);
 
 /** Area ratios of one curve of the sweeps by a model that stacks scales: `scene->convergence.scales` values, longest
  * wavelength first. */

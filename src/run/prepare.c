@@ -113,8 +113,8 @@ static void plan_direct(struct plan *plan, struct results *results)
     }
     if (!effect->runs) {
         struct direct_plan outline;
-        direct_study_outline(&outline, &store->summaries[results->baseline], results->scene, plan, results->loads,
-                             results->load_count);
+        direct_study_outline(&outline, &store->summaries[results->baseline], results->scene, plan,
+                             results_loads(results, results->baseline), results->load_count);
         describe_direct(cost, sizeof cost, &outline);
         if (outline.possible)
             snprintf(effect->reason, sizeof effect->reason,
@@ -147,7 +147,8 @@ static enum status_code predict_answers(struct results *results, struct status *
     if (results->usable_count == 0)
         return STATUS_OK;
     enum status_code rc = surface_store_get(&record, results->store, results->baseline, status);
-    struct model_task task = surface_task(&record, results->scene, results->plan, results->loads, results->load_count);
+    struct model_task task = surface_task(&record, results->scene, results->plan,
+                                          results_loads(results, results->baseline), results->load_count);
     for (size_t m = 0; m < model_count && rc == STATUS_OK; m++) {
         struct model_work more;
         if (!plan_runs_model(results->plan, m))
@@ -160,19 +161,48 @@ static enum status_code predict_answers(struct results *results, struct status *
     return rc;
 }
 
+/** The loads of every surface: the same list, or each its own of as many. */
+static enum status_code make_loads(struct prepared *out, const struct scene *scene, struct status *status)
+{
+    struct results *results = &out->results;
+    struct material_pair first = scene_pair(&scene->surfaces[0].bodies);
+    size_t operating, count, surfaces = scene->surface_count;
+    for (size_t i = 1; i < surfaces && scene->load.kind != UNIT_NUMBER; i++)
+        results->loads_apart = results->loads_apart || scene_pair(&scene->surfaces[i].bodies).effective_modulus_Pa !=
+                                                           first.effective_modulus_Pa;
+    if (scene_loads(&out->loads, &results->load_count, &operating, scene, &first, status) != STATUS_OK)
+        return status->code;
+    out->plan.operating_place = operating + 1;
+    if (results->loads_apart) {
+        double *all = reallocarray(out->loads, surfaces * results->load_count, sizeof *all);
+        if (!all)
+            return status_memory(status);
+        out->loads = all;
+    }
+    for (size_t i = 1; i < surfaces && results->loads_apart; i++) {
+        struct material_pair pair = scene_pair(&scene->surfaces[i].bodies);
+        double *own;
+        if (scene_loads(&own, &count, &operating, scene, &pair, status) != STATUS_OK)
+            return status->code;
+        memcpy(out->loads + i * results->load_count, own, results->load_count * sizeof *own);
+        free(own);
+    }
+    results->loads = out->loads;
+    return STATUS_OK;
+}
+
 enum status_code prepare(struct prepared *out, const struct scene *scene, const struct run_options *options,
                          const char *directory, struct status *status)
 {
     *out = (struct prepared){0};
     plan_make(&out->plan, scene);
-    size_t load_count = 0;
-    if (scene_loads(&out->loads, &load_count, scene, out->plan.pair.effective_modulus_Pa, status) != STATUS_OK)
-        return status->code;
-    out->results = (struct results){
-        .scene = scene, .plan = &out->plan, .loads = out->loads, .load_count = load_count, .store = &out->store};
+    out->results = (struct results){.scene = scene, .plan = &out->plan, .store = &out->store};
     if (scene->surface_count == 0)
         return status_fail(status, STATUS_SCAN, "no scan in '%s': put the profilometer's files there",
                            scene->directory);
+    if (make_loads(out, scene, status) != STATUS_OK)
+        return status->code;
+    size_t load_count = out->results.load_count;
     if (read_counterface(out, scene, status) != STATUS_OK)
         return status->code;
     /* measured loads are answered on every scan of the baseline, so a plan too has to keep the scans */
@@ -188,7 +218,8 @@ enum status_code prepare(struct prepared *out, const struct scene *scene, const 
     plan_direct(&out->plan, &out->results);
     if (!scene->measured.file)
         return STATUS_OK;
-    if (measured_read(&out->measured, scene, &out->plan, status) != STATUS_OK)
+    if (measured_read(&out->measured, scene, &out->plan, results_pair(&out->results, out->results.baseline), status) !=
+        STATUS_OK)
         return status->code;
     out->results.measured = &out->measured;
     return predict_answers(&out->results, status);

@@ -52,7 +52,8 @@ static enum status_code run_sweeps(struct run *run, struct status *status)
                 *(s == CONVERGENCE_ALPHA ? &law.alpha : &law.gamma) = value;
                 double *area = run->sweeps + (results_sweep(run->results, (enum convergence_sweep)s, m, v) -
                                               run->results->convergence);
-                convergence_areas(area, &law, &plan->pair, model_rows[m]->plastic, &run->sweep_scales);
+                convergence_areas(area, &law, results_pair(run->results, run->results->baseline),
+                                  model_rows[m]->plastic, &run->sweep_scales);
             }
     return STATUS_OK;
 }
@@ -78,8 +79,8 @@ static enum status_code run_baseline(struct run *run, struct status *status)
     struct surface_record baseline = {0};
     if (surface_store_get(&baseline, results->store, results->baseline, status) != STATUS_OK)
         return status->code;
-    struct model_task task =
-        surface_task(&baseline, results->scene, results->plan, results->loads, results->load_count);
+    struct model_task task = surface_task(&baseline, results->scene, results->plan,
+                                          results_loads(results, results->baseline), results->load_count);
     struct model_task one = surface_middle_task(&task);
     double unsure_m = fmax(sensitivity_cutoff(baseline.summary.spacing_m, results->scene->lambda_s_m),
                            results->scene->tip_radius_m); /* a tip rounds off what is shorter than its radius */
@@ -141,8 +142,9 @@ static enum status_code measure_cost(struct run *run, struct status *status)
 {
     const struct results *results = run->results;
     struct surface_record baseline = {0};
-    const struct benchmark_task task = {&baseline,      results->scene,      results->plan,
-                                        results->loads, results->load_count, figure_direct(results)};
+    const struct benchmark_task task = {&baseline,           results->scene,
+                                        results->plan,       results_loads(results, results->baseline),
+                                        results->load_count, figure_direct(results)};
     enum status_code rc = surface_store_get(&baseline, results->store, results->baseline, status);
     if (rc == STATUS_OK)
         rc = benchmark_measure(&run->benchmark, &task, status);

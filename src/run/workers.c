@@ -54,9 +54,11 @@ enum status_code workers_describe(struct surface_record *record, const struct re
     }
     enum status_code rc = STATUS_OK;
     if (record->summary.usable)
-        rc = effect_bounds_surface(record, scene, results->plan, results->loads, results->load_count, status);
+        rc = effect_bounds_surface(record, scene, results->plan, results_loads(results, index), results->load_count,
+                                   status);
     if (rc == STATUS_OK && record->summary.usable && plan_runs(results->plan, EFFECT_DIRECT))
-        rc = direct_study_plan(record, scene, results->plan, results->loads, results->load_count, status);
+        rc =
+            direct_study_plan(record, scene, results->plan, results_loads(results, index), results->load_count, status);
     if (rc == STATUS_OK)
         rc = surface_store_put(results->store, index, record, status);
     if (rc != STATUS_OK)
@@ -71,8 +73,8 @@ enum status_code workers_model(struct surface_record *record, const struct resul
         return STATUS_OK;
     if (surface_store_get(record, results->store, index, status) != STATUS_OK)
         return status->code;
-    enum status_code rc =
-        surface_run_models(record, results->scene, results->plan, results->loads, results->load_count, status);
+    enum status_code rc = surface_run_models(record, results->scene, results->plan, results_loads(results, index),
+                                             results->load_count, status);
     results->store->summaries[index] = record->summary; /* its texts may have been made anew */
     if (rc != STATUS_OK)
         return rc;

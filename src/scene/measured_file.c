@@ -208,7 +208,9 @@ static struct cell_unit heading_unit(struct string_view cell, unsigned quantitie
         size_t length = string_view_length(behind);
         struct unit any;
         if (strchr(" \t_,:=", *p) &&
-            offer(&out, behind, quantities, length > 1 && unit_read(&any, behind.start, length)))
+            offer(&out, behind, quantities,
+                  length > 1 && unit_read(&any, behind.start, length) &&
+                      !string_view_is_one_of(behind, "in min mil"))) /* words that are units, too */
             return out;
     }
     return out;

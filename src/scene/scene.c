@@ -1,4 +1,5 @@
 #include "scene/scene.h"
+#include "joint/electron.h"
 #include "scene/scene_keys.h"
 #include "scene/scene_listing.h"
 #include "scene/scene_surfaces.h"
@@ -19,12 +20,12 @@ static struct scene default_scene(void)
     return (struct scene){
         .models = model_defaults(),
         .effects_auto = true,
-        .material = *material_find("tin"),
-        .counterface_kind = MATERIAL_COUNTERFACE_RIGID,
-        .counterface = material_unknown(""),
+        .bodies = {.material = material_unknown(""),
+                   .counterface_kind = MATERIAL_COUNTERFACE_RIGID,
+                   .counterface = material_unknown(""),
+                   .hardness_Pa = NAN},
         .nominal_area_m2 = NAN,
-        .load = {.from = 1e-6, .to = 0.1, .points = 121},
-        .hardness_Pa = NAN,
+        .load = {.from = 1e-6, .to = 0.1, .points = 121, .kind = UNIT_NUMBER},
         .tolerance = 1e-6,
         .level = LEVEL_LINE,
         .max_missing = 0.1,
@@ -33,7 +34,7 @@ static struct scene default_scene(void)
         .moments = ROUGHNESS_MOMENTS_DIFFERENCE,
         .closure = SINUSOID_FIT_THESIS,
         .convergence = {.alpha = 0.085, .gamma = 1.5, .load = 1e-3, .scan_length_m = 3e-4, .scales = 4096},
-        .direct = {.hardness_Pa = NAN},
+        .direct = {.hardness_Pa = NAN, .kind = UNIT_NUMBER},
     };
 }
 
@@ -114,7 +115,7 @@ static enum status_code override_effects(struct scene *scene, struct scene_sourc
         size_t effect = scene_words_find(word, length, names, EFFECT_COUNT);
         if (effect == EFFECT_COUNT)
             return status_fail(source->status, STATUS_USAGE, "--effects: unknown effect '%s'; %s", shown.text,
-                               scene_words_hint(shown.text, names, EFFECT_COUNT).text);
+                               scene_words_hint(shown.text, names, EFFECT_COUNT, EFFECT_COUNT).text);
         scene->effects |= EFFECT_BIT(effect);
     }
     scene->effects = scene_keys_with_needed(scene->effects);
@@ -127,12 +128,16 @@ static enum status_code override_values(struct scene *scene, struct scene_source
                                         const struct scene_overrides *overrides)
 {
     const char *word = overrides->material, *names[SCENE_SURFACES_MATERIALS];
-    const struct material *material = word ? material_find(word) : &scene->material;
+    const struct material *material = word ? material_find(word) : &scene->bodies.material;
+    size_t count = scene_surfaces_materials(names, NULL, 0);
     if (!material)
         return status_fail(source->status, STATUS_USAGE, "--material: unknown material '%s'; %s",
-                           scene_words_show(word, strlen(word)).text,
-                           scene_words_hint(word, names, scene_surfaces_materials(names, NULL, 0)).text);
-    scene->material = *material;
+                           scene_words_show(word, strlen(word)).text, scene_words_hint(word, names, count, count).text);
+    if (word && isnan(material->youngs_modulus_Pa))
+        return status_fail(source->status, STATUS_USAGE, "--material: '%s' bears no load; give the material of a body",
+                           material->name);
+    scene->bodies.material = *material;
+    scene->bodies.material_given = scene->bodies.material_given || word;
     double tolerance = overrides->tolerance != 0.0 ? overrides->tolerance : scene->tolerance;
     if (!(tolerance >= SCENE_KEYS_TOLERANCE_LEAST && tolerance <= SCENE_KEYS_TOLERANCE_MOST))
         return status_fail(source->status, STATUS_USAGE, "--tolerance is %g; allowed is %g to %g", tolerance,
@@ -171,25 +176,191 @@ static bool has_property(const struct material *material, const char *key)
     return !isnan(material_value(material, &material_properties[p]));
 }
 
-/* Fails when `body` ("material" or "counterface") lacks a property that an effect asked for by name needs. */
+/* Fails when `body` ("material" or "counterface") of surface `owner` (NULL: the scene) lacks a property that an effect
+ * asked for by name needs. */
 static enum status_code check_effects(const struct scene *scene, struct scene_source *source, const char *body,
-                                      const struct material *material)
+                                      const struct material *material, const char *owner)
 {
+    char whose[140] = "";
+    if (owner)
+        snprintf(whose, sizeof whose, " of surface '%s'", scene_words_show(owner, strlen(owner)).text);
+    bool none = isnan(material->youngs_modulus_Pa);
     for (int i = 0; i < EFFECT_COUNT; i++) {
         if (scene->effects_auto || !(scene->effects & EFFECT_BIT(i)))
             continue;
         for (const char *const *key = effect_rows[i].properties; *key; key++) {
             if (has_property(material, *key))
                 continue;
-            if (source->effect_line[i])
+            if (source->effect_line[i] && none)
                 scene_source_fail(source, source->effect_line[i],
-                                  "effect '%s' needs '%s'; add it to '%s' or leave the effect out", effect_rows[i].name,
-                                  *key, body);
-            return status_fail(source->status, STATUS_SCENE, "--effects: '%s' needs '%s'; add it to '%s' in '%s'",
-                               effect_rows[i].name, *key, body, scene->path);
+                                  "effect '%s' needs a material; add 'material' or leave the effect out",
+                                  effect_rows[i].name);
+            else if (source->effect_line[i])
+                scene_source_fail(source, source->effect_line[i],
+                                  "effect '%s' needs '%s'; add it to '%s'%s or leave the effect out",
+                                  effect_rows[i].name, *key, body, whose);
+            if (none)
+                return status_fail(source->status, STATUS_SCENE,
+                                   "--effects: '%s' needs a material; add --material or 'material' in scene.yaml",
+                                   effect_rows[i].name);
+            return status_fail(source->status, STATUS_SCENE, "--effects: '%s' needs '%s'; add it to '%s'%s in '%s'",
+                               effect_rows[i].name, *key, body, whose, scene->path);
         }
     }
     return STATUS_OK;
+}
+
+/* One body's mean free path, unless it has one. */
+static enum status_code give_mean_free_path(struct material *material, const struct scene *scene,
+                                            struct scene_source *source)
+{
+    if (scene->mean_free_path == SCENE_MEAN_FREE_PATH_THESIS || !isnan(material->mean_free_path_m) ||
+        isnan(material->youngs_modulus_Pa))
+        return STATUS_OK;
+    if (scene->mean_free_path == SCENE_MEAN_FREE_PATH_GIVEN) {
+        material->mean_free_path_m = source->mean_free_path_m;
+        return STATUS_OK;
+    }
+    const struct electron_metal *metal = material->electrons ? electron_metal_find(material->electrons) : NULL;
+    if (metal && material->resistivity_ohm_m > 0) {
+        material->mean_free_path_m = electron_mean_free_path(metal->density_per_m3, material->resistivity_ohm_m);
+        return STATUS_OK;
+    }
+    scene_source_fail(source, source->mean_free_path_line,
+                      "'mean_free_path' is 'electron', which is not known of '%s'; give its length, such as 40 nm",
+                      scene_words_show(material->name, strlen(material->name)).text);
+    return source->status->code;
+}
+
+/* Completes bodies with the scene's, and checks them. `owner`: the surface's name, NULL: the scene's own. */
+static enum status_code complete_bodies(struct scene_bodies *bodies, const struct scene *scene,
+                                        struct scene_source *source, const char *owner)
+{
+    const struct scene_bodies *whole = &scene->bodies;
+    bool own = bodies->material_given || bodies->counterface_given;
+    if (!bodies->material_given)
+        bodies->material = whole->material;
+    if (!bodies->counterface_given) {
+        bodies->counterface_kind = whole->counterface_kind;
+        bodies->counterface_same = whole->counterface_same;
+        bodies->counterface = whole->counterface;
+    }
+    if (!(bodies->hardness_Pa > 0))
+        bodies->hardness_Pa = whole->hardness_Pa;
+    if (bodies->counterface_same)
+        bodies->counterface = bodies->material;
+    bool elastic = bodies->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC;
+    if (isnan(bodies->material.youngs_modulus_Pa) && elastic && !bodies->counterface_same) {
+        scene_source_fail(source, bodies->counterface_line ? bodies->counterface_line : whole->counterface_line,
+                          "'counterface' is '%s', but no material is given to press it on; add 'material'",
+                          scene_words_show(bodies->counterface.name, strlen(bodies->counterface.name)).text);
+        return source->status->code;
+    }
+    const char *named = own ? owner : NULL;
+    if (check_effects(scene, source, "material", &bodies->material, named) != STATUS_OK ||
+        (elastic && check_effects(scene, source, "counterface", &bodies->counterface, named) != STATUS_OK) ||
+        give_mean_free_path(&bodies->material, scene, source) != STATUS_OK)
+        return source->status->code;
+    return elastic ? give_mean_free_path(&bodies->counterface, scene, source) : STATUS_OK;
+}
+
+/* Those of every surface; the scene's own count where a surface uses them. */
+static enum status_code complete_all_bodies(struct scene *scene, struct scene_source *source)
+{
+    bool used = scene->surface_count == 0;
+    for (size_t i = 0; i < scene->surface_count; i++)
+        used = used || !scene->surfaces[i].bodies.material_given;
+    struct scene_bodies whole = scene->bodies;
+    whole.material_given = whole.counterface_given = true;
+    if (used && complete_bodies(&whole, scene, source, NULL) != STATUS_OK)
+        return source->status->code;
+    for (size_t i = 0; i < scene->surface_count; i++)
+        if (complete_bodies(&scene->surfaces[i].bodies, scene, source, scene->surfaces[i].name) != STATUS_OK)
+            return source->status->code;
+    whole.material_given = scene->bodies.material_given;
+    whole.counterface_given = scene->bodies.counterface_given;
+    scene->bodies = whole;
+    if (source->hardness_line > 0 && !scene_has_material(scene))
+        scene_source_fail(source, source->hardness_line, "'hardness' stands without a material; add 'material'");
+    return source->status->code;
+}
+
+/* Can loads of that kind be turned into P/(A_n E') on every surface? */
+static enum status_code check_load_kind(const struct scene *scene, struct scene_source *source, const char *key,
+                                        enum unit_quantity kind, size_t line)
+{
+    const struct scene_bodies *lacking = scene->surface_count == 0 ? &scene->bodies : NULL;
+    for (size_t i = 0; i < scene->surface_count && !lacking; i++)
+        if (isnan(scene->surfaces[i].bodies.material.youngs_modulus_Pa))
+            lacking = &scene->surfaces[i].bodies;
+    if (kind == UNIT_FORCE && isnan(scene->nominal_area_m2))
+        scene_source_fail(source, line, "'%s' is a force, but on which area? add 'nominal_area'", key);
+    else if (kind != UNIT_NUMBER && lacking && isnan(lacking->material.youngs_modulus_Pa))
+        scene_source_fail(source, line,
+                          "'%s' is %s, which without a material is no P/(A_n E'); add 'material', or give P/(A_n E')",
+                          key, unit_quantity_name(kind));
+    return source->status->code;
+}
+
+/* Is E' the same for all surfaces? */
+static bool has_one_modulus(const struct scene *scene)
+{
+    for (size_t i = 1; i < scene->surface_count; i++)
+        if (scene_pair(&scene->surfaces[i].bodies).effective_modulus_Pa !=
+            scene_pair(&scene->surfaces[0].bodies).effective_modulus_Pa)
+            return false;
+    return true;
+}
+
+static const struct scene_bodies *first_bodies(const struct scene *scene)
+{
+    return scene->surface_count > 0 ? &scene->surfaces[0].bodies : &scene->bodies;
+}
+
+/* The operating load in the kind of the others; 0: none. */
+static double operating_load(const struct scene *scene, const struct material_pair *pair)
+{
+    const struct scene_operating *operating = &scene->operating;
+    if (operating->load == 0 || operating->kind == scene->load.kind)
+        return operating->load;
+    return operating->load / scene_load_divisor(scene, operating->kind, pair) *
+           scene_load_divisor(scene, scene->load.kind, pair);
+}
+
+static enum status_code check_operating_load(const struct scene *scene, struct scene_source *source)
+{
+    const struct scene_load *load = &scene->load;
+    const struct scene_operating *operating = &scene->operating;
+    double least = load->from, most = load->to;
+    for (size_t i = 0; load->values && i < load->points; i++) {
+        least = i == 0 ? load->values[i] : fmin(least, load->values[i]);
+        most = i == 0 ? load->values[i] : fmax(most, load->values[i]);
+    }
+    if (operating->load == 0 ||
+        check_load_kind(scene, source, "operating_load", operating->kind, source->operating_line) != STATUS_OK)
+        return source->status->code;
+    if ((operating->kind == UNIT_NUMBER) != (load->kind == UNIT_NUMBER) && !has_one_modulus(scene)) {
+        scene_source_fail(source, source->operating_line,
+                          "'operating_load' is %s and the loads are %s, which differ from material to material; give "
+                          "both alike",
+                          unit_quantity_name(operating->kind),
+                          load->kind == UNIT_NUMBER ? "P/(A_n E')" : unit_quantity_name(load->kind));
+        return source->status->code;
+    }
+    struct material_pair pair = scene_pair(first_bodies(scene));
+    double value = operating_load(scene, &pair);
+    if (!(value >= least && value <= most))
+        scene_source_fail(source, source->operating_line, "'operating_load' is %g%s%s, outside the loads, %g to %g",
+                          value, load->kind == UNIT_NUMBER ? "" : " ", unit_si(load->kind), least, most);
+    return source->status->code;
+}
+
+static enum status_code check_loads(const struct scene *scene, struct scene_source *source)
+{
+    if (check_load_kind(scene, source, "load", scene->load.kind, scene->load.kind_line) != STATUS_OK ||
+        check_load_kind(scene, source, "loads", scene->direct.kind, scene->direct.kind_line) != STATUS_OK)
+        return source->status->code;
+    return check_operating_load(scene, source);
 }
 
 static enum status_code check_baseline(const struct scene *scene, struct scene_source *source)
@@ -212,13 +383,8 @@ static enum status_code complete(struct scene *scene, struct scene_source *sourc
     struct status *status = source->status;
     if (override_values(scene, source, overrides) != STATUS_OK)
         return status->code;
-    scene->counterface_kind = source->counterface_elastic ? MATERIAL_COUNTERFACE_ELASTIC : MATERIAL_COUNTERFACE_RIGID;
-    if (source->counterface_same)
-        scene->counterface = scene->material;
-    if (check_effects(scene, source, "material", &scene->material) != STATUS_OK ||
-        (source->counterface_elastic &&
-         check_effects(scene, source, "counterface", &scene->counterface) != STATUS_OK) ||
-        (scene->surface_count == 0 && scene_listing_read(scene, status) != STATUS_OK) ||
+    if ((scene->surface_count == 0 && scene_listing_read(scene, status) != STATUS_OK) ||
+        complete_all_bodies(scene, source) != STATUS_OK || check_loads(scene, source) != STATUS_OK ||
         override_units(scene, overrides, status) != STATUS_OK || check_baseline(scene, source) != STATUS_OK)
         return status->code;
     if (!scene->title)
@@ -285,24 +451,59 @@ static void fill_decades(double *loads, const struct scene_load *load)
     loads[0] = load->from;
 }
 
-enum status_code scene_loads(double **loads, size_t *count, const struct scene *scene, double effective_modulus_Pa,
-                             struct status *status)
+struct material_pair scene_pair(const struct scene_bodies *bodies)
+{
+    if (isnan(bodies->material.youngs_modulus_Pa))
+        return material_pair_unknown();
+    struct material_pair pair = material_pair(&bodies->material, bodies->counterface_kind, &bodies->counterface);
+    if (bodies->hardness_Pa > 0)
+        pair.hardness_Pa = bodies->hardness_Pa;
+    return pair;
+}
+
+bool scene_has_material(const struct scene *scene)
+{
+    for (size_t i = 0; i < scene->surface_count; i++)
+        if (!isnan(scene->surfaces[i].bodies.material.youngs_modulus_Pa))
+            return true;
+    return !isnan(scene->bodies.material.youngs_modulus_Pa);
+}
+
+double scene_load_divisor(const struct scene *scene, enum unit_quantity kind, const struct material_pair *pair)
+{
+    double modulus_Pa = pair->unknown ? NAN : pair->effective_modulus_Pa;
+    return kind == UNIT_NUMBER ? 1 : kind == UNIT_PRESSURE ? modulus_Pa : modulus_Pa * scene->nominal_area_m2;
+}
+
+enum status_code scene_loads(double **loads, size_t *count, size_t *operating, const struct scene *scene,
+                             const struct material_pair *pair, struct status *status)
 {
     const struct scene_load *load = &scene->load;
-    double *all = malloc(load->points * sizeof *all);
+    double divisor = scene_load_divisor(scene, load->kind, pair), operates = operating_load(scene, pair);
+    size_t points = load->points;
+    double *all = malloc((points + 1) * sizeof *all);
     *loads = all;
     *count = 0;
     if (!all)
         return status_memory(status);
     if (load->values)
-        memcpy(all, load->values, load->points * sizeof *all);
+        memcpy(all, load->values, points * sizeof *all);
     else
         fill_decades(all, load);
-    for (size_t i = 0; load->in_pascal && i < load->points; i++)
-        all[i] /= effective_modulus_Pa;
-    qsort(all, load->points, sizeof *all, compare_doubles);
-    for (size_t i = 0; i < load->points; i++)
+    if (operates > 0)
+        all[points++] = operates;
+    qsort(all, points, sizeof *all, compare_doubles);
+    for (size_t i = 0; i < points; i++)
         if (i == 0 || all[i] != all[*count - 1])
             all[(*count)++] = all[i];
+    *operating = *count / 2;
+    for (size_t i = 0; i < *count; i++)
+        if (operates > 0 && all[i] == operates)
+            *operating = i;
+    for (size_t i = 0; i < *count && load->kind != UNIT_NUMBER; i++) {
+        all[i] /= divisor;
+        if (i > 0 && !(all[i] > all[i - 1])) /* neighbours that rounding made one: as many on every surface */
+            all[i] = nextafter(all[i - 1], INFINITY);
+    }
     return STATUS_OK;
 }

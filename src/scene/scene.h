@@ -12,10 +12,22 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+/** The bodies of a contact, as given; scene_read() completes those of a surface with the scene's. */
+struct scene_bodies {
+    struct material material; /* E NaN: none is given, and loads are P/(A_n E') */
+    bool material_given;
+    enum material_counterface counterface_kind;
+    struct material counterface;
+    bool counterface_given, counterface_same; /* it is whatever the material is */
+    size_t counterface_line;                  /* of the scene; 0: none */
+    double hardness_Pa;                       /* of the softer body; NaN: what material_pair() has */
+};
+
 /** One surface to report: one scan file, or repeated scans of it. */
 struct scene_surface {
-    char *name;   /* as printed; hostile until escaped */
-    char **files; /* file_count paths as given: see scene_file_path() */
+    struct scene_bodies bodies; /* its own, or the scene's */
+    char *name;                 /* as printed; hostile until escaped */
+    char **files;               /* file_count paths as given: see scene_file_path() */
     size_t file_count;
     char x_unit[16]; /* "" when the scene gives none */
     char z_unit[16];
@@ -23,12 +35,22 @@ struct scene_surface {
     char x_column[64], z_column[64]; /* number from 1 or title; "": the file's header decides */
 };
 
-/** Loads as given; scene_loads() turns them into P/(A_n E'). */
+/** Loads as given, in SI; scene_loads() turns them into P/(A_n E'). */
 struct scene_load {
-    double from, to; /* used when values is NULL */
-    size_t points;   /* >= 1 */
-    double *values;  /* count `points`, or NULL */
-    bool in_pascal;  /* else dimensionless P/(A_n E') */
+    double from, to;             /* used when values is NULL */
+    size_t points;               /* >= 1 */
+    double *values;              /* count `points`, or NULL */
+    enum unit_quantity kind;     /* UNIT_NUMBER: P/(A_n E'); UNIT_PRESSURE: P/A_n; UNIT_FORCE: P */
+    struct unit unit;            /* what they were given in */
+    char unit_text[UNIT_LENGTH]; /* the same, as charts and tables over load are to stand in; "": P/(A_n E') */
+    size_t kind_line;            /* of the scene: says the kind; 0: nothing does */
+    size_t plain_line;           /* the last plain number's; 0: there is none */
+};
+
+/** The load at which summary and tables stand; 0: the middle one. */
+struct scene_operating {
+    double load; /* SI */
+    enum unit_quantity kind;
 };
 
 struct scene_convergence {
@@ -38,10 +60,16 @@ struct scene_convergence {
     size_t scales;
 };
 
+/** Which mean free path the scale dependence of TCR takes where a material does not give one. */
+enum scene_mean_free_path {
+    SCENE_MEAN_FREE_PATH_THESIS,   /* 3k/(density v_s c_p), one of phonons (4.52) */
+    SCENE_MEAN_FREE_PATH_ELECTRON, /* of the metal's free electrons */
+    SCENE_MEAN_FREE_PATH_GIVEN     /* the scene's length */
+};
+
 enum scene_measured_quantity { SCENE_MEASURED_ECR, SCENE_MEASURED_TCR, SCENE_MEASURED_QUANTITY_COUNT };
 
-/** What a measured load and, by quantity, a measured resistance may be: enum unit_quantity bits. */
-enum { SCENE_MEASURED_LOADS = UNIT_NUMBER | UNIT_FORCE | UNIT_PRESSURE };
+/** What, by quantity, a measured resistance may be: enum unit_quantity bits. A load may be any of UNIT_LOADS. */
 extern const unsigned scene_measured_resistances[SCENE_MEASURED_QUANTITY_COUNT];
 
 /** Measured contact resistance to hold the models against. */
@@ -63,13 +91,15 @@ enum scene_direct_surfaces { SCENE_DIRECT_BASELINE, SCENE_DIRECT_ALL, SCENE_DIRE
 
 /** How the contact is solved directly; 0 where the program is to choose. */
 struct scene_direct {
-    bool called;        /* for, by the scene's key or the command: it runs whatever `effects` says */
-    size_t grid;        /* points a side */
-    size_t seeds;       /* surfaces synthesised */
-    size_t loads;       /* how many */
-    double *values;     /* `loads` of them, P/(A_n E'), or NULL */
-    double hardness_Pa; /* NaN: the scene's hardness */
-    double budget_s;    /* time of one core that grid and seeds are chosen to fit in; 0: none */
+    bool called;             /* for, by the scene's key or the command: it runs whatever `effects` says */
+    size_t grid;             /* points a side */
+    size_t seeds;            /* surfaces synthesised */
+    size_t loads;            /* how many */
+    double *values;          /* `loads` of them, SI, or NULL */
+    enum unit_quantity kind; /* of `values`: P/(A_n E'), pressure or force */
+    size_t kind_line;        /* of the scene: says it */
+    double hardness_Pa;      /* NaN: the scene's hardness */
+    double budget_s;         /* time of one core that grid and seeds are chosen to fit in; 0: none */
     enum scene_direct_surfaces surfaces;
 };
 
@@ -80,14 +110,13 @@ struct scene {
     uint64_t models;   /* MODEL_BITs asked for */
     bool models_named; /* by the scene, so that they run whatever the surfaces are */
     bool effects_auto;
-    unsigned effects; /* EFFECT_BITs asked for, and those they build on, when !effects_auto */
-    struct material material;
-    enum material_counterface counterface_kind;
-    struct material counterface;
-    double nominal_area_m2; /* NaN: resistances stay per area */
+    unsigned effects;           /* EFFECT_BITs asked for, and those they build on, when !effects_auto */
+    struct scene_bodies bodies; /* of every surface that has none of its own */
+    double nominal_area_m2;     /* NaN: resistances stay per area */
+    enum scene_mean_free_path mean_free_path;
     struct scene_load load;
-    double hardness_Pa; /* of the softer body; NaN: 2.84 times its yield strength */
-    double tolerance;   /* relative */
+    struct scene_operating operating;
+    double tolerance; /* relative */
     enum level level;
     bool level_given;    /* else of a periodic record the mean is taken out */
     double max_missing;  /* share of a profile's points that may be missing */
@@ -136,9 +165,18 @@ void scene_free(struct scene *scene);
 /** Where a surface's file is: `file` if absolute, else below the scene's directory. malloc'ed; NULL: out of memory. */
 char *scene_file_path(const struct scene *scene, const char *file);
 
-/** The scene's loads as P/(A_n E'), ascending, without duplicates: malloc'ed array in *loads, *count of them.
- * effective_modulus_Pa is E'. Errors: STATUS_MEMORY. */
-MUST_CHECK enum status_code scene_loads(double **loads, size_t *count, const struct scene *scene,
-                                        double effective_modulus_Pa, struct status *status);
+/** The pair of bodies of a surface, or of the scene; material_pair_unknown() without a material. */
+struct material_pair scene_pair(const struct scene_bodies *bodies);
+/** Is any material given, of the scene or of a surface? */
+bool scene_has_material(const struct scene *scene);
+
+/** What a load of `kind` is divided by, to be P/(A_n E'); NaN where the nominal area or E' is not known. */
+double scene_load_divisor(const struct scene *scene, enum unit_quantity kind, const struct material_pair *pair);
+
+/** The scene's loads on a pair of bodies as P/(A_n E'), ascending, without duplicates: malloc'ed array in *loads,
+ * *count of them, as many whatever the pair is; *operating is the place of the one where the summary stands. Error:
+ * STATUS_MEMORY. */
+MUST_CHECK enum status_code scene_loads(double **loads, size_t *count, size_t *operating, const struct scene *scene,
+                                        const struct material_pair *pair, struct status *status);
 
 #endif

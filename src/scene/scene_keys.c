@@ -2,12 +2,12 @@
 #include "scene/scene_surfaces.h"
 #include "scene/scene_words.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 static const char *const closure_names[SINUSOID_FIT_COUNT] = {"thesis", "numeric"};
-static const char *const load_unit_names[] = {"dimensionless", "Pa"};
 static const char *const measured_quantity_names[SCENE_MEASURED_QUANTITY_COUNT] = {"ecr", "tcr"};
 const unsigned scene_measured_resistances[SCENE_MEASURED_QUANTITY_COUNT] = {
     [SCENE_MEASURED_ECR] = UNIT_RESISTANCE | UNIT_RESISTANCE_AREA,
@@ -48,7 +48,7 @@ static bool read_set(struct scene_source *source, const struct scene_key *key, c
         for (size_t length; (word = scene_words_next(&rest, &length));) {
             size_t n = scene_words_find(word, length, names, count);
             if (n == count)
-                return scene_source_unknown(source, item, what, names, count);
+                return scene_source_unknown(source, item, what, names, count, count);
             lines[n] = scene_source_line(item);
         }
     }
@@ -101,30 +101,51 @@ static bool read_effects(struct scene_source *source, const struct scene_key *ke
     return true;
 }
 
-/* The items of a list, or one number, into the doubles at key->field. */
-static bool read_numbers(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
-{
-    struct scene_key number = *key;
-    double *numbers = key->field;
-    for (size_t i = 0; i < scene_source_item_count(value); i++) {
-        number.field = &numbers[i];
-        if (!scene_source_number(source, &number, scene_source_item(source, value, i)))
-            return false;
-    }
-    return true;
-}
-
+/* Wavelengths [shortest, longest]. */
 static bool read_fit_band(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
 {
-    const double *band = key->field;
+    double *band = key->field;
     if (scene_source_is(value, key->word))
         return true;
     if (value->type != YAML_SEQUENCE_NODE || scene_source_item_count(value) != 2)
         return scene_source_wrong_type(source, value, key->name, "two wavelengths [shortest, longest] in m");
-    return read_numbers(source, key, value) &&
-           (band[0] < band[1] ||
-            scene_source_fail(source, scene_source_line(value), "'%s' is [%g, %g]; give the shorter wavelength first",
-                              key->name, band[0], band[1]));
+    struct scene_key number = *key;
+    for (size_t i = 0; i < 2; i++) {
+        number.field = &band[i];
+        if (!scene_source_quantity(source, &number, scene_source_item(source, value, i)))
+            return false;
+    }
+    return band[0] < band[1] ||
+           scene_source_fail(source, scene_source_line(value), "'%s' is [%g, %g]; give the shorter wavelength first",
+                             key->name, band[0], band[1]);
+}
+
+/* One load, of the kind and with the unit that those before it in `load` have. */
+static bool read_load_one(struct scene_source *source, const struct scene_key *key, struct scene_load *load,
+                          double *number, const yaml_node_t *value)
+{
+    struct scene_quantity quantity;
+    if (!scene_source_quantity_of(&quantity, source, key, value))
+        return false;
+    if (quantity.has_unit && load->kind_line > 0 && load->kind != quantity.kind)
+        return scene_source_fail(source, scene_source_line(value),
+                                 "'%s' is %s, but %s stands in line %zu; give one kind", key->name,
+                                 unit_quantity_name(quantity.kind), unit_quantity_name(load->kind), load->kind_line);
+    if (quantity.has_unit && load->kind_line == 0) {
+        load->kind = quantity.kind;
+        load->kind_line = scene_source_line(value);
+        load->unit = quantity.unit;
+        strcpy(load->unit_text, quantity.kind == UNIT_NUMBER ? "" : quantity.text);
+    }
+    load->plain_line = quantity.has_unit ? load->plain_line : scene_source_line(value);
+    *number = quantity.value;
+    return true;
+}
+
+static bool read_load_number(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+{
+    double *number = key->field;
+    return read_load_one(source, key, &source->scene->load, number, value);
 }
 
 static bool read_load_values(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
@@ -138,36 +159,86 @@ static bool read_load_values(struct scene_source *source, const struct scene_key
     if (!load->values)
         return scene_source_memory(source);
     load->points = count;
-    return read_numbers(
-        source, &(struct scene_key){key->name, .field = load->values, .least = LOAD_LEAST, .most = LOAD_MOST}, value);
+    for (size_t i = 0; i < count; i++)
+        if (!read_load_one(source, key, load, &load->values[i], scene_source_item(source, value, i)))
+            return false;
+    return true;
+}
+
+/* 'dimensionless', or the unit of loads that are given as plain numbers. */
+static bool read_load_unit(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+{
+    char *text = key->field;
+    struct scene_key short_text = {key->name, scene_source_short_text, text, .most = UNIT_LENGTH};
+    struct unit unit;
+    return scene_source_short_text(source, &short_text, value) &&
+           ((unit_read(&unit, text, strlen(text)) && unit_of(&unit, UNIT_LOADS)) ||
+            scene_source_fail(source, scene_source_line(value), "'%s' is '%s'; understood: %s", key->name,
+                              scene_words_show(text, strlen(text)).text, unit_known(UNIT_LOADS).text));
+}
+
+/* Puts plain loads into `unit:`. Pascals leave the charts over P/(A_n E'), another unit of force or pressure does not.
+ */
+static bool apply_load_unit(struct scene_source *source, struct scene_load *load, const char *text,
+                            const struct scene_key *key)
+{
+    struct unit unit = {.factor = 1};
+    if (key->line > 0)
+        (void)unit_read(&unit, text, strlen(text)); /* read_load_unit() has */
+    enum unit_quantity kind = key->line > 0 ? (enum unit_quantity)unit_of(&unit, UNIT_LOADS) : UNIT_NUMBER;
+    if (load->kind_line > 0 && kind != load->kind && (key->line > 0 || load->plain_line > 0))
+        return scene_source_fail(source, key->line > 0 ? key->line : load->plain_line,
+                                 "a load is %s, but %s stands in line %zu; give one kind", unit_quantity_name(kind),
+                                 unit_quantity_name(load->kind), load->kind_line);
+    if (load->kind_line > 0 && load->plain_line > 0)
+        return scene_source_fail(source, load->plain_line,
+                                 "a load has no unit, but one in line %zu has; give all of them theirs",
+                                 load->kind_line);
+    if (load->kind_line > 0 || key->line == 0)
+        return true;
+    load->kind = kind;
+    load->kind_line = key->line;
+    load->unit = unit;
+    if (kind != UNIT_NUMBER && strcmp(text, "Pa") != 0)
+        strcpy(load->unit_text, text);
+    load->from *= unit.factor;
+    load->to *= unit.factor;
+    for (size_t i = 0; load->values && i < load->points; i++)
+        load->values[i] *= unit.factor;
+    return true;
 }
 
 static bool read_load(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
 {
     struct scene_load *load = key->field;
-    unsigned unit = 0;
+    char unit[UNIT_LENGTH] = "";
     struct scene_key keys[] = {
-        {"from", SCENE_NUMBER(load->from, LOAD_LEAST, LOAD_MOST)},
-        {"to", SCENE_NUMBER(load->to, LOAD_LEAST, LOAD_MOST)},
+        {"from", read_load_number, .field = &load->from, .least = LOAD_LEAST, .most = LOAD_MOST,
+         .quantities = UNIT_LOADS},
+        {"to", read_load_number, .field = &load->to, .least = LOAD_LEAST, .most = LOAD_MOST, .quantities = UNIT_LOADS},
         {"points", SCENE_WHOLE(load->points, 1, LOAD_POINTS_MOST)},
-        {"values", read_load_values, .field = load},
-        {"unit", SCENE_CHOICE(unit, load_unit_names)},
+        {"values", read_load_values, .field = load, .least = LOAD_LEAST, .most = LOAD_MOST, .quantities = UNIT_LOADS},
+        {"unit", read_load_unit, .field = unit},
     };
     if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys)))
         return false;
-    load->in_pascal = unit == 1;
-    if (load->values) {
+    if (load->values)
         for (size_t k = 0; k < 3; k++)
             if (keys[k].line)
                 return scene_source_fail(source, keys[k].line, "'%s' stands beside 'values'; remove one of them",
                                          keys[k].name);
-        return true;
-    }
     size_t from = scene_source_line_of(keys, "from"), to = scene_source_line_of(keys, "to");
-    if (load->in_pascal && !(from && to))
-        return scene_source_fail(source, scene_source_line_of(keys, "unit"),
-                                 "'unit: Pa' leaves the default loads without meaning; "
-                                 "add 'from' and 'to', or 'values'");
+    const struct scene_key *unit_key = &keys[4];
+    if (!load->values && !(from && to) &&
+        (load->kind_line > 0 || (unit_key->line > 0 && strcmp(unit, "dimensionless") != 0)))
+        return scene_source_fail(source, unit_key->line > 0 ? unit_key->line : load->kind_line,
+                                 unit_key->line > 0 ? "'unit: %s' leaves the default loads without meaning; "
+                                                      "add 'from' and 'to', or 'values'"
+                                                    : "a load in %s leaves the default of the other without meaning; "
+                                                      "add 'from' and 'to', or 'values'",
+                                 unit_key->line > 0 ? unit : load->unit_text);
+    if (!apply_load_unit(source, load, unit, unit_key) || load->values)
+        return source->status->code == STATUS_OK;
     if (load->from > load->to)
         return scene_source_fail(source, to ? to : from, "'from' is %g, above 'to', %g; exchange them", load->from,
                                  load->to);
@@ -178,6 +249,38 @@ static bool read_load(struct scene_source *source, const struct scene_key *key, 
     return true;
 }
 
+static bool read_mean_free_path(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+{
+    enum scene_mean_free_path *kind = &source->scene->mean_free_path;
+    struct scene_quantity quantity;
+    source->mean_free_path_line = scene_source_line(value);
+    if (scene_source_is(value, "thesis"))
+        return true;
+    *kind = scene_source_is(value, "electron") ? SCENE_MEAN_FREE_PATH_ELECTRON : SCENE_MEAN_FREE_PATH_GIVEN;
+    if (*kind == SCENE_MEAN_FREE_PATH_ELECTRON)
+        return true;
+    if (value->type == YAML_SCALAR_NODE && isalpha(*value->data.scalar.value)) {
+        static const char *const words[] = {"thesis", "electron"};
+        return scene_source_unknown(source, value, key->name, words, SCENE_COUNT(words), SCENE_COUNT(words));
+    }
+    if (!scene_source_quantity_of(&quantity, source, key, value))
+        return false;
+    source->mean_free_path_m = quantity.value;
+    return true;
+}
+
+/* The load at which the summary stands. */
+static bool read_operating_load(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+{
+    struct scene_operating *operating = key->field;
+    struct scene_quantity quantity;
+    source->operating_line = scene_source_line(value);
+    if (!scene_source_quantity_of(&quantity, source, key, value))
+        return false;
+    *operating = (struct scene_operating){quantity.value, quantity.kind};
+    return true;
+}
+
 static bool read_convergence(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
 {
     struct scene_convergence *convergence = key->field;
@@ -185,7 +288,7 @@ static bool read_convergence(struct scene_source *source, const struct scene_key
         {"alpha", SCENE_NUMBER(convergence->alpha, 1e-12, 1e12)},
         {"gamma", SCENE_NUMBER(convergence->gamma, 0.0, 5.0)},
         {"load", SCENE_NUMBER(convergence->load, LOAD_LEAST, LOAD_MOST)},
-        {"scan_length_m", SCENE_NUMBER(convergence->scan_length_m, 1e-9, 1e3)},
+        {"scan_length", SCENE_QUANTITY(convergence->scan_length_m, UNIT_DISTANCE, 1e-9, 1e3), .alias = "scan_length_m"},
         {"scales", SCENE_WHOLE(convergence->scales, 1, 1e6)},
     };
     return scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys));
@@ -229,45 +332,8 @@ static bool read_measured(struct scene_source *source, const struct scene_key *k
     if (!measured->file)
         return scene_source_fail(source, scene_source_line(value),
                                  "'measured' has no 'file'; name a CSV of load and resistance");
-    return check_unit(source, &keys[2], SCENE_MEASURED_LOADS) &&
+    return check_unit(source, &keys[2], UNIT_LOADS) &&
            check_unit(source, &keys[3], scene_measured_resistances[measured->quantity]);
-}
-
-/* A number, or one with its unit as text: the number in SI goes to key->field. */
-static bool read_with_unit(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
-{
-    static const struct {
-        const char *unit;
-        double factor;
-        bool pressure;
-    } units[] = {{"GPa", 1e9, true}, {"MPa", 1e6, true}, {"Pa", 1, true}, {"s", 1, false}};
-    char text[64];
-    if (value->type != YAML_SCALAR_NODE || value->data.scalar.length >= sizeof text)
-        return scene_source_number(source, key, value);
-    memcpy(text, value->data.scalar.value, value->data.scalar.length);
-    text[value->data.scalar.length] = '\0';
-    yaml_node_t number = *value;
-    double factor = 1, *field = key->field, before = *field;
-    for (size_t u = 0; u < SCENE_COUNT(units); u++) {
-        size_t length = strlen(text), size = strlen(units[u].unit);
-        if (units[u].pressure != (key->choices != NULL) || length <= size ||
-            strcmp(text + length - size, units[u].unit) != 0)
-            continue;
-        for (length -= size; length > 0 && text[length - 1] == ' ';)
-            length--;
-        text[length] = '\0';
-        factor = units[u].factor;
-        number.data.scalar.value = (yaml_char_t *)text;
-        number.data.scalar.length = length;
-        break;
-    }
-    struct scene_key plain = {key->name, .field = field, .least = key->least / factor, .most = key->most / factor,
-                              .word = key->word};
-    *field = NAN;
-    if (!scene_source_number(source, &plain, &number))
-        return false;
-    *field = isnan(*field) ? before : *field * factor;
-    return true;
 }
 
 /* How many, or which. */
@@ -285,9 +351,19 @@ static bool read_direct_loads(struct scene_source *source, const struct scene_ke
     if (!direct->values)
         return scene_source_memory(source);
     direct->loads = count;
-    if (!read_numbers(source, &(struct scene_key){key->name, .field = direct->values, .least = 1e-12, .most = 1e3},
-                      value))
-        return false;
+    const struct scene_key number = {key->name, .least = 1e-100, .most = 1e100, .quantities = UNIT_LOADS};
+    for (size_t i = 0; i < count; i++) {
+        const yaml_node_t *item = scene_source_item(source, value, i);
+        struct scene_quantity quantity;
+        if (!scene_source_quantity_of(&quantity, source, &number, item))
+            return false;
+        if (i > 0 && quantity.kind != direct->kind)
+            return scene_source_fail(source, scene_source_line(item), "'loads' holds %s beside %s; give one kind",
+                                     unit_quantity_name(quantity.kind), unit_quantity_name(direct->kind));
+        direct->kind = quantity.kind;
+        direct->kind_line = scene_source_line(item);
+        direct->values[i] = quantity.value;
+    }
     for (size_t i = 1; i < count; i++)
         if (!(direct->values[i] > direct->values[i - 1]))
             return scene_source_fail(source, scene_source_line(value), "'loads' do not rise; order them, each once");
@@ -297,7 +373,6 @@ static bool read_direct_loads(struct scene_source *source, const struct scene_ke
 static bool read_direct(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
 {
     static const char *const surfaces[SCENE_DIRECT_SURFACES_COUNT] = {"baseline", "all"};
-    static const char *const pressures[] = {"Pa"};
     struct scene_direct *direct = key->field;
     if (scene_source_is(value, "off"))
         return true;
@@ -305,9 +380,8 @@ static bool read_direct(struct scene_source *source, const struct scene_key *key
         {"grid", SCENE_WHOLE(direct->grid, SCENE_DIRECT_GRID_LEAST, SCENE_DIRECT_GRID_MOST)},
         {"seeds", SCENE_WHOLE(direct->seeds, 1, SCENE_DIRECT_SEEDS)},
         {"loads", read_direct_loads, .field = direct},
-        {"hardness", .read = read_with_unit, .field = &direct->hardness_Pa, .least = 1e3, .most = 1e12,
-         .choices = pressures, .word = "auto"},
-        {"budget", .read = read_with_unit, .field = &direct->budget_s, .least = 1e-3, .most = 1e7},
+        {"hardness", SCENE_QUANTITY(direct->hardness_Pa, UNIT_PRESSURE, 1e3, 1e12), .word = "auto"},
+        {"budget", SCENE_QUANTITY(direct->budget_s, UNIT_TIME, 1e-3, 1e7)},
         {"surfaces", SCENE_CHOICE(direct->surfaces, surfaces)},
     };
     direct->called = true;
@@ -332,24 +406,33 @@ bool scene_keys_read(struct scene_source *source, const yaml_node_t *root)
         {"title", scene_source_text, .field = &scene->title},
         {"models", read_models, .field = &scene->models},
         {"effects", read_effects, .field = NULL},
-        {"material", scene_surfaces_material, .field = &scene->material},
-        {"counterface", scene_surfaces_counterface, .field = NULL},
+        {"material", scene_surfaces_body, .field = &scene->bodies},
+        {"counterface", scene_surfaces_counterface, .field = &scene->bodies},
         {"direction", SCENE_CHOICE(scene->direction, scan_direction_names)},
         {"measured", read_measured, .field = &scene->measured},
-        {"nominal_area_m2", SCENE_NUMBER(scene->nominal_area_m2, 1e-18, 1e6), .word = "none"},
-        {"hardness", SCENE_NUMBER(scene->hardness_Pa, 1e3, 1e12)},
+        {"nominal_area", SCENE_QUANTITY(scene->nominal_area_m2, UNIT_AREA, 1e-18, 1e6), .word = "none",
+         .alias = "nominal_area_m2"},
+        {"hardness", SCENE_QUANTITY(scene->bodies.hardness_Pa, UNIT_PRESSURE, 1e3, 1e12), .alias = "hardness_Pa"},
+        {"mean_free_path", read_mean_free_path, .field = NULL, .least = 1e-12, .most = 1e-3,
+         .quantities = UNIT_DISTANCE},
         {"load", read_load, .field = &scene->load},
+        {"operating_load", read_operating_load, .field = &scene->operating, .least = LOAD_LEAST, .most = LOAD_MOST,
+         .quantities = UNIT_LOADS},
         {"tolerance", SCENE_NUMBER(scene->tolerance, SCENE_KEYS_TOLERANCE_LEAST, SCENE_KEYS_TOLERANCE_MOST)},
         {"level", SCENE_CHOICE(scene->level, level_names)},
         {"window", SCENE_CHOICE(scene->window, spectrum_window_names)},
         {"fit", SCENE_CHOICE(scene->fit, power_law_method_names)},
-        {"fit_band_m", read_fit_band, scene->fit_band_m, 1e-12, 1e3, .word = "all"},
+        {"fit_band", read_fit_band, scene->fit_band_m, 1e-12, 1e3, .word = "all", .quantities = UNIT_DISTANCE,
+         .alias = "fit_band_m"},
         {"moments", SCENE_CHOICE(scene->moments, roughness_moments_names)},
         {"closure", SCENE_CHOICE(scene->closure, closure_names)},
-        {"max_missing", SCENE_NUMBER(scene->max_missing, 0.0, 0.9)},
-        {"lambda_s_m", SCENE_NUMBER(scene->lambda_s_m, 1e-12, 1e3), .word = "none"},
-        {"lambda_c_m", SCENE_NUMBER(scene->lambda_c_m, 1e-12, 1e3), .word = "none"},
-        {"tip_radius_m", SCENE_NUMBER(scene->tip_radius_m, 1e-12, 1.0), .word = "none"},
+        {"max_missing", SCENE_QUANTITY(scene->max_missing, UNIT_NUMBER | UNIT_PERCENT, 0.0, 0.9)},
+        {"lambda_s", SCENE_QUANTITY(scene->lambda_s_m, UNIT_DISTANCE, 1e-12, 1e3), .word = "none",
+         .alias = "lambda_s_m"},
+        {"lambda_c", SCENE_QUANTITY(scene->lambda_c_m, UNIT_DISTANCE, 1e-12, 1e3), .word = "none",
+         .alias = "lambda_c_m"},
+        {"tip_radius", SCENE_QUANTITY(scene->tip_radius_m, UNIT_DISTANCE, 1e-12, 1.0), .word = "none",
+         .alias = "tip_radius_m"},
         {"baseline", read_baseline, .field = &scene->baseline},
         {"direct", read_direct, .field = &scene->direct},
         {"convergence", read_convergence, .field = &scene->convergence},
@@ -357,14 +440,15 @@ bool scene_keys_read(struct scene_source *source, const yaml_node_t *root)
     };
     if (!scene_source_mapping(source, root, "scene", keys, SCENE_COUNT(keys)))
         return false;
+    source->hardness_line = scene_source_line_of(keys, "hardness");
     if (scene->direct.called)
         scene->effects |= EFFECT_BIT(EFFECT_DIRECT);
     if (scene->lambda_s_m > 0 && scene->lambda_c_m > 0 && !(scene->lambda_s_m < scene->lambda_c_m))
-        return scene_source_fail(source, scene_source_line_of(keys, "lambda_c_m"),
-                                 "'lambda_c_m' is %g, not above 'lambda_s_m', %g; nothing would be left between them",
+        return scene_source_fail(source, scene_source_line_of(keys, "lambda_c"),
+                                 "'lambda_c' is %g m, not above 'lambda_s', %g m; nothing would be left between them",
                                  scene->lambda_c_m, scene->lambda_s_m);
     scene->level_given = scene_source_line_of(keys, "level") > 0;
-    bool band = scene_source_line_of(keys, "fit_band_m") > 0;
+    bool band = scene_source_line_of(keys, "fit_band") > 0;
     scene->fit_band_given = band && (scene->fit_band_m[0] > 0 || isfinite(scene->fit_band_m[1]));
     if (!band) { /* what the filters leave */
         scene->fit_band_m[0] = scene->lambda_s_m;

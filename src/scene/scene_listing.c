@@ -2,6 +2,7 @@
 #include "base/text.h"
 #include "scan/scan.h"
 #include "scan/sidecar.h"
+#include "scene/scene_files.h"
 #include "scene/scene_surfaces.h"
 
 #include <ctype.h>
@@ -26,8 +27,7 @@ static int compare_numbers(const char **a, const char **b)
     return memcmp(first, second, length);
 }
 
-/* Natural order: runs of digits by value, the rest by bytes; 2 before 10. */
-static int compare_natural(const char *a, const char *b)
+int scene_listing_order(const char *a, const char *b)
 {
     const char *first = a, *second = b;
     while (*first && *second) {
@@ -47,7 +47,7 @@ static int compare_natural(const char *a, const char *b)
 static int compare_surfaces(const void *a, const void *b)
 {
     const struct scene_surface *first = a, *second = b;
-    int order = compare_natural(first->name, second->name);
+    int order = scene_listing_order(first->name, second->name);
     return order ? order : strcmp(first->files[0], second->files[0]);
 }
 
@@ -73,6 +73,8 @@ static enum status_code tell_apart(struct scene *scene, struct status *status)
             for (end = i + 1; end < scene->surface_count && strcmp(all[i].name, all[end].name) == 0;)
                 end++;
             for (size_t j = i; end > i + 1 && j < end; j++) {
+                if (strchr(all[j].files[0], '/')) /* a directory's name is all it has */
+                    continue;
                 free(all[j].name);
                 if (!(all[j].name = scene_surfaces_name(all[j].files[0], true)))
                     return status_memory(status);
@@ -169,7 +171,7 @@ static int compare_others(const void *a, const void *b)
 {
     const struct other *first = a, *second = b;
     int order = strcmp(first->kind, second->kind);
-    return order ? order : compare_natural(first->file, second->file);
+    return order ? order : scene_listing_order(first->file, second->file);
 }
 
 /* "passed over: 2 PNG pictures (a.png, b.png)", a line a kind. */
@@ -223,27 +225,41 @@ static const char *kind_of_other(const char *path, struct status *status)
     return kind;
 }
 
-/* Takes out the files that are no scans: pictures, documents, programs, texts. */
+/* The file's kind, if it is no scan; NULL: it may be one. */
+static const char *kind_of_file(const struct scene *scene, const char *file, struct status *status)
+{
+    char *path = scene_file_path(scene, file);
+    const char *kind = path ? kind_of_other(path, status) : NULL;
+    if (!path)
+        status_memory(status);
+    free(path);
+    return kind;
+}
+
+/* Takes out the files that are no scans: pictures, documents, programs, texts; and surfaces that then have none. */
 static enum status_code drop_others(struct scene *scene, struct status *status)
 {
-    size_t kept = 0, count = 0;
-    struct other *others = calloc(scene->surface_count + 1, sizeof *others);
+    size_t kept = 0, count = 0, files = 0;
+    for (size_t i = 0; i < scene->surface_count; i++)
+        files += scene->surfaces[i].file_count;
+    struct other *others = calloc(files + 1, sizeof *others);
     if (!others)
         return status_memory(status);
     for (size_t i = 0; i < scene->surface_count; i++) {
         struct scene_surface surface = scene->surfaces[i];
-        char *path = scene_file_path(scene, surface.files[0]);
-        const char *kind = path ? kind_of_other(path, status) : NULL;
-        if (!path)
-            status_memory(status);
-        free(path);
-        if (kind) {
-            others[count++] = (struct other){kind, surface.files[0]};
-            surface.files[0] = NULL;
-            scene_surfaces_free(&surface);
-        } else {
-            scene->surfaces[kept++] = surface;
+        size_t left = 0;
+        for (size_t f = 0; f < surface.file_count; f++) {
+            const char *kind = kind_of_file(scene, surface.files[f], status);
+            if (kind)
+                others[count++] = (struct other){kind, surface.files[f]};
+            else
+                surface.files[left++] = surface.files[f];
         }
+        surface.file_count = left;
+        if (left == 0)
+            scene_surfaces_free(&surface);
+        else
+            scene->surfaces[kept++] = surface;
     }
     scene->surface_count = kept;
     if (status->code == STATUS_OK && count > 0)
@@ -252,6 +268,47 @@ static enum status_code drop_others(struct scene *scene, struct status *status)
         free(others[i].file);
     free(others);
     return status->code;
+}
+
+/* A sub-directory is a surface, its files the repeated scans. */
+static enum status_code add_directory(struct scene *scene, int directory, const char *name, struct status *status)
+{
+    struct scene_surface *surface = &scene->surfaces[scene->surface_count++];
+    char *pattern;
+    *surface = (struct scene_surface){.name = strdup(name)};
+    if (!surface->name || asprintf(&pattern, "%s/*", name) < 0)
+        return status_memory(status);
+    enum status_code code = scene_files_match(surface, scene, pattern, status);
+    size_t kept = 0;
+    for (size_t i = 0; i < surface->file_count; i++) {
+        struct stat info;
+        if (fstatat(directory, surface->files[i], &info, 0) == 0 && is_taken(scene, directory, &info))
+            free(surface->files[i]);
+        else
+            surface->files[kept++] = surface->files[i];
+    }
+    surface->file_count = kept;
+    free(pattern);
+    if (kept == 0 && code == STATUS_OK) {
+        scene_surfaces_free(surface);
+        scene->surface_count--;
+    }
+    return code;
+}
+
+/* Those behind the files, so that these alone may be sidecars. */
+static enum status_code add_directories(struct scene *scene, int directory, struct dirent *const *entries, int count,
+                                        struct status *status)
+{
+    enum status_code code = STATUS_OK;
+    for (int i = 0; i < count && code == STATUS_OK; i++) {
+        const char *name = entries[i]->d_name;
+        struct stat info;
+        if (name[0] != '.' && fstatat(directory, name, &info, 0) == 0 && S_ISDIR(info.st_mode) &&
+            scene_files_holds_scans(directory, name))
+            code = add_directory(scene, directory, name, status);
+    }
+    return code;
 }
 
 enum status_code scene_listing_read(struct scene *scene, struct status *status)
@@ -264,18 +321,19 @@ enum status_code scene_listing_read(struct scene *scene, struct status *status)
         code = status_fail(status, STATUS_IO, "cannot list '%s': %s", scene->directory, strerror(errno));
     else if (!(scene->surfaces = calloc((size_t)count + 1, sizeof *scene->surfaces)))
         code = status_memory(status);
-    for (int i = 0; i < count; i++) {
-        if (code == STATUS_OK && is_candidate(scene, directory, entries[i]->d_name))
+    for (int i = 0; i < count && code == STATUS_OK; i++)
+        if (is_candidate(scene, directory, entries[i]->d_name))
             code = add_surface(scene, entries[i]->d_name, status);
-        free(entries[i]);
+    if (code == STATUS_OK) {
+        drop_sidecars(scene);
+        code = add_directories(scene, directory, entries, count, status);
     }
+    for (int i = 0; i < count; i++)
+        free(entries[i]);
     free(entries);
     if (directory >= 0)
         close(directory);
-    if (code != STATUS_OK)
-        return code;
-    drop_sidecars(scene);
-    if (drop_others(scene, status) != STATUS_OK)
-        return status->code;
-    return tell_apart(scene, status);
+    if (code == STATUS_OK)
+        code = drop_others(scene, status);
+    return code == STATUS_OK ? tell_apart(scene, status) : code;
 }

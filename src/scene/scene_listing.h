@@ -5,8 +5,12 @@
 #include "scene/scene.h"
 
 /** Adds to a scene without surfaces one for each regular file of its directory that is not hidden, not
- * scene.yaml, no sidecar, and may be a scan; the rest is told in scene->passed_over; names and order as scene_read()
- * says. Errors: STATUS_IO, STATUS_MEMORY. */
+ * scene.yaml, no sidecar, and may be a scan, and one for each such sub-directory that holds files, which are its
+ * repeated scans; what is passed over is told in scene->passed_over; names and order as scene_read() says. Errors:
+ * STATUS_IO, STATUS_MEMORY. */
 MUST_CHECK enum status_code scene_listing_read(struct scene *scene, struct status *status);
+
+/** Compares names in natural order: runs of digits by value, the rest by bytes; 2 before 10. */
+int scene_listing_order(const char *a, const char *b);
 
 #endif

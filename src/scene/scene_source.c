@@ -163,44 +163,68 @@ bool scene_source_wrong_type(struct scene_source *source, const yaml_node_t *nod
 }
 
 bool scene_source_unknown(struct scene_source *source, const yaml_node_t *node, const char *what,
-                          const char *const *names, size_t count)
+                          const char *const *names, size_t count, size_t all)
 {
     const char *word = (const char *)node->data.scalar.value;
     return scene_source_fail(source, scene_source_line(node), "unknown %s '%s'; %s", what,
                              scene_words_show(word, node->data.scalar.length).text,
-                             scene_words_hint(word, names, count).text);
+                             scene_words_hint(word, names, count, all).text);
+}
+
+/* The names of keys, then their aliases. */
+struct key_names {
+    const char *name[2 * SCENE_KEYS_MOST];
+    const struct scene_key *key[2 * SCENE_KEYS_MOST];
+    size_t count, all;
+};
+
+static struct key_names names_of(const struct scene_key *keys, size_t count)
+{
+    struct key_names out = {.count = count};
+    assert(count <= SCENE_KEYS_MOST);
+    for (size_t k = 0; k < count; k++) {
+        out.key[out.all] = &keys[k];
+        out.name[out.all++] = keys[k].name;
+    }
+    for (size_t k = 0; k < count; k++)
+        if (keys[k].alias) {
+            out.key[out.all] = &keys[k];
+            out.name[out.all++] = keys[k].alias;
+        }
+    return out;
 }
 
 static bool read_pair(struct scene_source *source, const yaml_node_t *name, const yaml_node_t *value, const char *what,
-                      struct scene_key *keys, const char *const *names, size_t count)
+                      struct scene_key *keys, const struct key_names *names)
 {
-    size_t k = find_word(name, names, count), line = scene_source_line(name);
+    size_t n = find_word(name, names->name, names->all), line = scene_source_line(name);
     if (name->type != YAML_SCALAR_NODE)
         return scene_source_fail(source, line, "a key of '%s' is no text; write 'key: value'", what);
-    if (k == count)
-        return scene_source_unknown(source, name, "key", names, count);
-    if (keys[k].line != 0)
-        return scene_source_fail(source, line, "'%s' is given twice, first in line %zu; remove one", keys[k].name,
-                                 keys[k].line);
-    keys[k].line = line;
+    if (n == names->all)
+        return scene_source_unknown(source, name, "key", names->name, names->count, names->all);
+    struct scene_key *key = keys + (names->key[n] - keys), given = *key;
+    given.name = names->name[n];
+    if (key->line != 0)
+        return scene_source_fail(source, line, "'%s' is given twice, first%s in line %zu; remove one", given.name,
+                                 key->given && strcmp(key->given, given.name) != 0 ? " by its other name" : "",
+                                 key->line);
+    key->line = line;
+    key->given = given.name;
     if (is_null(value))
-        return scene_source_fail(source, line, "'%s' has no value; give one or remove the line", keys[k].name);
-    return keys[k].read(source, &keys[k], value);
+        return scene_source_fail(source, line, "'%s' has no value; give one or remove the line", given.name);
+    return key->read(source, &given, value);
 }
 
 bool scene_source_mapping(struct scene_source *source, const yaml_node_t *node, const char *what,
                           struct scene_key *keys, size_t count)
 {
-    const char *names[32];
-    assert(count <= SCENE_COUNT(names));
-    for (size_t k = 0; k < count; k++)
-        names[k] = keys[k].name;
+    const struct key_names names = names_of(keys, count);
     if (node->type != YAML_MAPPING_NODE)
         return scene_source_wrong_type(source, node, what, "'key: value' pairs");
     yaml_document_t *tree = &source->document;
     for (const yaml_node_pair_t *pair = node->data.mapping.pairs.start; pair < node->data.mapping.pairs.top; pair++)
         if (!read_pair(source, yaml_document_get_node(tree, pair->key), yaml_document_get_node(tree, pair->value), what,
-                       keys, names, count))
+                       keys, &names))
             return false;
     return true;
 }
@@ -244,6 +268,34 @@ bool scene_source_number(struct scene_source *source, const struct scene_key *ke
            read_number(source, key, value, "a number such as 1.5e-6", key->field);
 }
 
+bool scene_source_quantity_of(struct scene_quantity *out, struct scene_source *source, const struct scene_key *key,
+                              const yaml_node_t *value)
+{
+    struct string_view text = {0};
+    if (value->type == YAML_SCALAR_NODE)
+        text = (struct string_view){(const char *)value->data.scalar.value,
+                                    (const char *)value->data.scalar.value + value->data.scalar.length};
+    if (!text.start || !scene_quantity_read(out, text, key->quantities))
+        return scene_source_wrong_type(source, value, key->name, scene_quantity_help(key->quantities).text);
+    const char *si = unit_si(out->kind);
+    if (!(out->value >= key->least && out->value <= key->most))
+        return scene_source_fail(source, scene_source_line(value), "'%s' is %s; allowed is %g to %g%s%s", key->name,
+                                 scene_words_show(text.start, string_view_length(text)).text, key->least, key->most,
+                                 *si ? " " : "", si);
+    return true;
+}
+
+bool scene_source_quantity(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+{
+    struct scene_quantity quantity;
+    if (key->word && scene_source_is(value, key->word))
+        return true;
+    if (!scene_source_quantity_of(&quantity, source, key, value))
+        return false;
+    *(double *)key->field = quantity.value;
+    return true;
+}
+
 bool scene_source_whole(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
 {
     static const char expected[] = "a whole number";
@@ -262,7 +314,7 @@ bool scene_source_choice(struct scene_source *source, const struct scene_key *ke
     if (value->type != YAML_SCALAR_NODE)
         return scene_source_wrong_type(source, value, key->name, "one word");
     if (choice == key->choice_count)
-        return scene_source_unknown(source, value, key->name, key->choices, key->choice_count);
+        return scene_source_unknown(source, value, key->name, key->choices, key->choice_count, key->choice_count);
     *(unsigned *)key->field = (unsigned)choice; /* an enum of small constants is unsigned in gcc and clang */
     return true;
 }

@@ -4,6 +4,7 @@
 #define SCENE_SCENE_SOURCE_H
 
 #include "scene/scene.h"
+#include "scene/scene_quantity.h"
 #include <yaml.h>
 
 struct scene_source {
@@ -12,22 +13,28 @@ struct scene_source {
     yaml_document_t document;
     /* What is checked only once the command line has had its say: */
     size_t effect_line[EFFECT_COUNT]; /* where an effect is asked for, 0: not in the file */
-    size_t baseline_line;
-    bool counterface_elastic; /* a second body, not a rigid flat */
-    bool counterface_same;    /* and it is whatever the material is */
-    size_t file_count;        /* of all surfaces so far */
+    size_t baseline_line, operating_line;
+    size_t hardness_line;
+    double mean_free_path_m; /* where the scene gives one */
+    size_t mean_free_path_line;
+    size_t file_count; /* of all surfaces so far */
 };
+
+enum { SCENE_KEYS_MOST = 48 }; /* of one mapping */
 
 /** One key of a mapping: how its value is read and where it goes. */
 struct scene_key {
-    const char *name;
+    const char *name; /* what a reader is given has the one the scene uses, `alias` or this */
     bool (*read)(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
     void *field;
     double least, most;         /* numbers: range, inclusive; short text: `most` is the size of the array */
     const char *const *choices; /* words that the value may be, in the order of their enum */
     size_t choice_count;
-    const char *word; /* numbers: a word that leaves the default, or NULL */
-    size_t line;      /* where the scene gives it, 0: it does not; set by scene_source_mapping() */
+    const char *word;    /* numbers: a word that leaves the default, or NULL */
+    unsigned quantities; /* quantities: what they may be, enum unit_quantity bits */
+    const char *alias;   /* an older name, or NULL: not shown in messages where the other will do */
+    const char *given;   /* the name by which it does; set with `line` */
+    size_t line;         /* where the scene gives it, 0: it does not; set by scene_source_mapping() */
 };
 
 /** Parses `bytes` and calls `read` with the outermost node, unless the text says nothing. Errors: not YAML, nested too
@@ -54,14 +61,20 @@ bool scene_source_fail(struct scene_source *source, size_t line, const char *for
 /** Fails: the value of `what` is not of the type `expected` ("a number"). */
 bool scene_source_wrong_type(struct scene_source *source, const yaml_node_t *node, const char *what,
                              const char *expected);
-/** Fails: the scalar `node` is no known `what` ("effect"). */
+/** Fails: the scalar `node` is no known `what` ("effect"); `names` may go on beyond `count` with names that are near
+ * enough to propose, but not to list, up to `all`. */
 bool scene_source_unknown(struct scene_source *source, const yaml_node_t *node, const char *what,
-                          const char *const *names, size_t count);
+                          const char *const *names, size_t count, size_t all);
 /** Fails: out of memory. */
 bool scene_source_memory(struct scene_source *source);
 
 /** To stand in scene_key.read; the field is a double, a size_t, an enum, a malloc'ed char *, a char array. */
 bool scene_source_number(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
+/** A number in SI or with its unit. */
+bool scene_source_quantity(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
+/** The same, with all there is to know of it. */
+bool scene_source_quantity_of(struct scene_quantity *out, struct scene_source *source, const struct scene_key *key,
+                              const yaml_node_t *value);
 bool scene_source_whole(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
 bool scene_source_choice(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
 bool scene_source_text(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
@@ -70,7 +83,9 @@ bool scene_source_short_text(struct scene_source *source, const struct scene_key
 /* Parts of a key's row. */
 #define SCENE_COUNT(array)                    (sizeof(array) / sizeof *(array))
 #define SCENE_NUMBER(number, lowest, highest) scene_source_number, &(number), .least = (lowest), .most = (highest)
-#define SCENE_WHOLE(number, lowest, highest)  scene_source_whole, &(number), .least = (lowest), .most = (highest)
+#define SCENE_QUANTITY(number, kinds, lowest, highest)                                                                 \
+    scene_source_quantity, &(number), .quantities = (kinds), .least = (lowest), .most = (highest)
+#define SCENE_WHOLE(number, lowest, highest) scene_source_whole, &(number), .least = (lowest), .most = (highest)
 #define SCENE_CHOICE(choice, spellings)                                                                                \
     scene_source_choice, &(choice), .choices = (spellings), .choice_count = SCENE_COUNT(spellings)
 #define SCENE_SHORT_TEXT(array) scene_source_short_text, (array), .most = sizeof(array)

@@ -1,11 +1,14 @@
 #include "scene/scene_surfaces.h"
+#include "scene/scene_files.h"
 #include "scene/scene_words.h"
 
 #include <assert.h>
 #include <errno.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 /* Far beyond any measurement; keeps aliases of long lists from multiplying without end. */
 enum { MOST_FILES = 100000 };
@@ -18,7 +21,8 @@ size_t scene_surfaces_materials(const char *names[SCENE_SURFACES_MATERIALS], con
     for (size_t i = 0; i < word_count; i++)
         names[count++] = words[i];
     for (size_t i = 0; i < material_table_count; i++)
-        names[count++] = material_table[i].name;
+        if (!isnan(material_table[i].youngs_modulus_Pa))
+            names[count++] = material_table[i].name;
     return count;
 }
 
@@ -26,10 +30,13 @@ static bool read_material_name(struct scene_source *source, const struct scene_k
 {
     const char *names[SCENE_SURFACES_MATERIALS], *word = (const char *)value->data.scalar.value;
     const struct material *found = strlen(word) == value->data.scalar.length ? material_find(word) : NULL;
-    if (found)
-        *(struct material *)key->field = *found;
-    return found || scene_source_unknown(source, value, key->name, names,
-                                         scene_surfaces_materials(names, key->choices, key->choice_count));
+    size_t count = scene_surfaces_materials(names, key->choices, key->choice_count);
+    if (!found)
+        return scene_source_unknown(source, value, key->name, names, count, count);
+    *(struct material *)key->field = *found;
+    return !isnan(found->youngs_modulus_Pa) ||
+           scene_source_fail(source, scene_source_line(value),
+                             "'%s' is '%s', which bears no load; give the material of a body", key->name, found->name);
 }
 
 bool scene_surfaces_material(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
@@ -44,15 +51,19 @@ bool scene_surfaces_material(struct scene_source *source, const struct scene_key
     assert(material_property_count < SCENE_COUNT(keys));
     for (size_t i = 0; i < material_property_count; i++) {
         const struct material_property *property = &material_properties[i];
-        keys[1 + i] =
-            (struct scene_key){property->key, scene_source_number, .field = (char *)material + property->offset,
-                               .least = property->least, .most = property->most};
+        keys[1 + i] = (struct scene_key){property->name,
+                                         scene_source_quantity,
+                                         .field = (char *)material + property->offset,
+                                         .least = property->least,
+                                         .most = property->most,
+                                         .quantities = property->quantity,
+                                         .alias = strcmp(property->name, property->key) != 0 ? property->key : NULL};
     }
     *material = material_unknown("custom");
     strcpy(material->source, "given in scene.yaml");
     if (!scene_source_mapping(source, value, key->name, keys, 1 + material_property_count))
         return false;
-    static const char *const required[] = {"E_Pa", "nu"};
+    static const char *const required[] = {"E", "nu"};
     for (size_t i = 0; i < SCENE_COUNT(required); i++)
         if (scene_source_line_of(keys, required[i]) == 0)
             return scene_source_fail(source, scene_source_line(value), "'%s' has no '%s'; add it", key->name,
@@ -77,6 +88,31 @@ static bool check_file(struct scene_source *source, const yaml_node_t *node, con
                                                       "surface file '%s' is no regular file; name a scan", shown.text);
 }
 
+/* Adds what a path names: one file, or those that its pattern matches. */
+static bool add_files(struct scene_source *source, struct scene_surface *surface, const yaml_node_t *node,
+                      const char *file)
+{
+    size_t before = surface->file_count, line = scene_source_line(node);
+    struct scene_words_shown shown = scene_words_show(file, strlen(file));
+    char *path = scene_file_path(source->scene, file);
+    if (!path)
+        return scene_source_memory(source);
+    bool pattern = scene_files_is_pattern(file) && access(path, F_OK) != 0; /* a file may have such a name */
+    free(path);
+    if (!pattern)
+        return scene_files_add(surface, file, source->status) == STATUS_OK && check_file(source, node, file);
+    struct status problem = {0};
+    if (scene_files_match(surface, source->scene, file, &problem) == STATUS_MEMORY)
+        return scene_source_memory(source);
+    if (problem.code != STATUS_OK)
+        return scene_source_fail(source, line, "%s", problem.message);
+    source->file_count += surface->file_count - before;
+    if (source->file_count > MOST_FILES)
+        return scene_source_fail(source, line, "more than %d files in one scene; split it", MOST_FILES);
+    return surface->file_count > before ||
+           scene_source_fail(source, line, "'%s' matches no file; paths start at the scene's directory", shown.text);
+}
+
 bool scene_surfaces_files(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
 {
     struct scene_surface *surface = key->field;
@@ -86,14 +122,13 @@ bool scene_surfaces_files(struct scene_source *source, const struct scene_key *k
         return scene_source_fail(source, line, "'%s' lists none; name one or more scans", key->name);
     if (source->file_count > MOST_FILES)
         return scene_source_fail(source, line, "more than %d files in one scene; split it", MOST_FILES);
-    surface->files = calloc(count, sizeof *surface->files);
-    if (!surface->files)
-        return scene_source_memory(source);
-    surface->file_count = count;
     for (size_t i = 0; i < count; i++) {
+        char *file = NULL;
         const yaml_node_t *item = scene_source_item(source, value, i);
-        struct scene_key file = {.name = key->name, .field = &surface->files[i]};
-        if (!scene_source_text(source, &file, item) || !check_file(source, item, surface->files[i]))
+        bool good = scene_source_text(source, &(struct scene_key){.name = key->name, .field = &file}, item) &&
+                    add_files(source, surface, item, file);
+        free(file);
+        if (!good)
             return false;
     }
     return true;
@@ -137,11 +172,60 @@ static bool read_columns(struct scene_source *source, const struct scene_key *ke
         "column", read_columns, .field = (surface)                                                                     \
     }
 
+/* A word, a material's name or its properties, into struct scene_bodies. */
+static bool read_body(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+{
+    static const char *const words[] = {"rigid", "same"}; /* besides materials */
+    struct scene_bodies *bodies = key->field;
+    struct scene_key material = {key->name, scene_surfaces_material, &bodies->counterface, .choices = words,
+                                 .choice_count = SCENE_COUNT(words)};
+    bodies->counterface_given = true;
+    bodies->counterface_line = scene_source_line(value);
+    if (scene_source_is(value, "rigid"))
+        return true;
+    bodies->counterface_kind = MATERIAL_COUNTERFACE_ELASTIC;
+    bodies->counterface_same = scene_source_is(value, "same");
+    return bodies->counterface_same || scene_surfaces_material(source, &material, value);
+}
+
+bool scene_surfaces_body(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+{
+    struct scene_bodies *bodies = key->field;
+    struct scene_key material = *key;
+    material.field = &bodies->material;
+    bodies->material_given = true;
+    return scene_surfaces_material(source, &material, value);
+}
+
+bool scene_surfaces_counterface(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+{
+    struct scene_surface *surface = &source->scene->counterface_surface;
+    struct scene_bodies *bodies = &source->scene->bodies;
+    if (!scene_source_has(source, value, "surface"))
+        return read_body(source, key, value);
+    struct scene_key keys[] = {{"surface", scene_surfaces_files, .field = surface},
+                               {"material", read_body, .field = bodies},
+                               READING_KEYS(surface)};
+    if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys)))
+        return false;
+    if (scene_source_line_of(keys, "material") == 0) { /* two rough bodies of one material */
+        bodies->counterface_kind = MATERIAL_COUNTERFACE_ELASTIC;
+        bodies->counterface_given = bodies->counterface_same = true;
+    }
+    surface->name = strdup("counterface");
+    return surface->name || scene_source_memory(source);
+}
+
 static bool read_surface(struct scene_source *source, const yaml_node_t *node, struct scene_surface *surface)
 {
-    struct scene_key keys[] = {{"name", scene_source_text, .field = &surface->name},
-                               {"file", scene_surfaces_files, .field = surface},
-                               READING_KEYS(surface)};
+    struct scene_key keys[] = {
+        {"name", scene_source_text, .field = &surface->name},
+        {"file", scene_surfaces_files, .field = surface},
+        {"material", scene_surfaces_body, .field = &surface->bodies},
+        {"counterface", read_body, .field = &surface->bodies},
+        {"hardness", SCENE_QUANTITY(surface->bodies.hardness_Pa, UNIT_PRESSURE, 1e3, 1e12), .alias = "hardness_Pa"},
+        READING_KEYS(surface)};
+    surface->bodies = (struct scene_bodies){.hardness_Pa = NAN};
     if (!scene_source_mapping(source, node, "surfaces", keys, SCENE_COUNT(keys)))
         return false;
     if (scene_source_line_of(keys, "file") == 0)
@@ -199,35 +283,6 @@ bool scene_surfaces_read(struct scene_source *source, const struct scene_key *ke
         if (!read_surface(source, scene_source_item(source, value, i), &scene->surfaces[i]))
             return false;
     return check_names(source, value);
-}
-
-/* A word, a material's name or its properties. */
-static bool read_body(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
-{
-    static const char *const words[] = {"rigid", "same"}; /* besides materials */
-    struct scene_key material = {key->name, scene_surfaces_material, &source->scene->counterface, .choices = words,
-                                 .choice_count = SCENE_COUNT(words)};
-    if (scene_source_is(value, "rigid"))
-        return true;
-    source->counterface_elastic = true;
-    source->counterface_same = scene_source_is(value, "same");
-    return source->counterface_same || scene_surfaces_material(source, &material, value);
-}
-
-bool scene_surfaces_counterface(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
-{
-    struct scene_surface *surface = &source->scene->counterface_surface;
-    if (!scene_source_has(source, value, "surface"))
-        return read_body(source, key, value);
-    struct scene_key keys[] = {{"surface", scene_surfaces_files, .field = surface},
-                               {"material", read_body, .field = NULL},
-                               READING_KEYS(surface)};
-    if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys)))
-        return false;
-    if (scene_source_line_of(keys, "material") == 0)
-        source->counterface_elastic = source->counterface_same = true; /* two rough bodies of one material */
-    surface->name = strdup("counterface");
-    return surface->name || scene_source_memory(source);
 }
 
 char *scene_surfaces_name(const char *file, bool ending)

@@ -15,10 +15,12 @@ bool scene_surfaces_counterface(struct scene_source *source, const struct scene_
 /** A built-in name or a mapping of properties, into a struct material. The key's choices are named in the message about
  * an unknown name. */
 bool scene_surfaces_material(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
+/** The same, into a struct scene_bodies. */
+bool scene_surfaces_body(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
 /** One file or a list of them, each checked to exist, into a struct scene_surface. */
 bool scene_surfaces_files(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
 
-/** The `word_count` words, then the names of the built-in materials; how many all in all. */
+/** The `word_count` words, then the names of the built-in materials of bodies; how many all in all. */
 size_t scene_surfaces_materials(const char *names[SCENE_SURFACES_MATERIALS], const char *const *words,
                                 size_t word_count);
 /** The name of a surface read from `file`: its last component, without the ending unless `ending`; malloc'ed. */

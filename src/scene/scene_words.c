@@ -43,11 +43,11 @@ static size_t edit_distance(const char *a, const char *b)
     return distance[columns];
 }
 
-struct scene_words_hint scene_words_hint(const char *word, const char *const *names, size_t count)
+struct scene_words_hint scene_words_hint(const char *word, const char *const *names, size_t count, size_t all)
 {
     struct scene_words_hint hint = {""};
     size_t nearest = 0, best = LONGEST_WORD + 1;
-    for (size_t i = 0; i < count && strlen(word) <= LONGEST_WORD; i++) {
+    for (size_t i = 0; i < all && strlen(word) <= LONGEST_WORD; i++) {
         size_t distance = edit_distance(word, names[i]);
         if (distance < best) {
             best = distance;

@@ -11,11 +11,12 @@ struct scene_words_shown {
 };
 struct scene_words_shown scene_words_show(const char *text, size_t length);
 
-/** "did you mean 'x'?" when one of the `count` names is near `word`, else "allowed: a, b, c". */
+/** "did you mean 'x'?" when one of the `all` names is near `word`, else "allowed: a, b, c", the first `count` of them.
+ */
 struct scene_words_hint {
-    char text[400];
+    char text[500];
 };
-struct scene_words_hint scene_words_hint(const char *word, const char *const *names, size_t count);
+struct scene_words_hint scene_words_hint(const char *word, const char *const *names, size_t count, size_t all);
 
 /** The next word of a list separated by commas or blanks, advancing `*rest`: its start, or NULL at the end. */
 const char *scene_words_next(const char **rest, size_t *length);

@@ -37,12 +37,13 @@ static int make(void **state)
     record->summary.has_asperities = true;
     scene = (struct scene){.models = model_defaults(),
                            .effects = (1u << EFFECT_COUNT) - 1 - EFFECT_BIT(EFFECT_CONVERGENCE),
-                           .material = *material_find("tin"),
-                           .counterface_kind = MATERIAL_COUNTERFACE_RIGID,
-                           .counterface = material_unknown("rigid"),
-                           .hardness_Pa = NAN,
+                           .bodies = {.material = *material_find("tin"),
+                                      .counterface_kind = MATERIAL_COUNTERFACE_RIGID,
+                                      .counterface = material_unknown("rigid"),
+                                      .hardness_Pa = NAN},
                            .tolerance = 1e-7,
                            .closure = SINUSOID_FIT_THESIS};
+    record->summary.pair = scene_pair(&scene.bodies);
     plan_make(&plan, &scene);
     for (int i = 0; i < LOADS; i++)
         loads[i] = pow(10, -6 + i / 4.0);
@@ -137,8 +138,9 @@ static void test_the_error_itself(void **state)
     struct statistical gw;
     struct contact_point point;
     uint64_t none = 0;
-    assert_int_equal(statistical_make(&gw, surface, &plan.pair, ASPERITY_HERTZ, 0, 1, INFINITY, &none, &status),
-                     STATUS_OK);
+    assert_int_equal(
+        statistical_make(&gw, surface, &record->summary.pair, ASPERITY_HERTZ, 0, 1, INFINITY, &none, &status),
+        STATUS_OK);
     size_t last = LOADS;
     while (loads[last - 1] >= gw.full_load)
         last--;
@@ -202,7 +204,7 @@ static void test_the_cut_off(void **state)
     uint64_t visits = 0;
     double error = 0;
     half.count /= 2;
-    assert_int_equal(multiscale_make(&stack, &half, &plan.pair, false, scene.closure, &status), STATUS_OK);
+    assert_int_equal(multiscale_make(&stack, &half, &record->summary.pair, false, scene.closure, &status), STATUS_OK);
     for (int i = 0; i < LOADS; i++) {
         struct contact_point point;
         multiscale_solve(&point, &stack, &none, 0, loads[i], &visits);

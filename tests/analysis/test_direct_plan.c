@@ -16,6 +16,8 @@ static void fill_loads(void)
 static struct direct_plan_task a_task(const struct scene_direct *direct)
 {
     return (struct direct_plan_task){.direct = direct,
+                                     .divisor = 1,
+                                     .operating = LOADS / 2,
                                      .loads = loads,
                                      .load_count = LOADS,
                                      .length_m = 3e-4,
@@ -213,6 +215,7 @@ static void no_load_is_said(void **state)
     struct direct_plan_task task = a_task(&(struct scene_direct){.grid = 64});
     task.loads = &one;
     task.load_count = 1;
+    task.operating = 0;
     direct_plan_make(&plan, &task);
     assert_false(plan.possible);
     assert_int_equal(plan.solutions, 0);

@@ -96,9 +96,9 @@ static int make(void **state)
     scene = (struct scene){.effects_auto = true, .tolerance = 1e-8, .convergence.load = 1e-3};
     plan = (struct plan){.running = (1u << EFFECT_COUNT) - 1,
                          .wanted = ALL,
-                         .models = MODEL_BIT(ELASTIC) | MODEL_BIT(STACK) | MODEL_BIT(SPHERES),
-                         .pair = {.effective_modulus_Pa = 1e11}};
-    record = (struct surface_record){.summary = {.usable = true, .length_m = 1e-3, .spacing_m = 1e-6}};
+                         .models = MODEL_BIT(ELASTIC) | MODEL_BIT(STACK) | MODEL_BIT(SPHERES)};
+    record = (struct surface_record){
+        .summary = {.usable = true, .length_m = 1e-3, .spacing_m = 1e-6, .pair = {.effective_modulus_Pa = 1e11}}};
     record.summary.models = calloc(model_count, sizeof *record.summary.models);
     assert_non_null(record.summary.models);
     record.spectrum = (struct spectrum){&amplitudes_m[0], 1, 1e-3, false};

@@ -20,10 +20,10 @@ static enum status_code read_csv(struct measured *out, const char *csv, const st
     scene.measured = (struct scene_measured){.file = name, .quantity = said->quantity};
     snprintf(scene.measured.load_unit, UNIT_LENGTH, "%s", said->load_unit);
     snprintf(scene.measured.resistance_unit, UNIT_LENGTH, "%s", said->resistance_unit);
-    plan.pair.effective_modulus_Pa = 1e10;
+    const struct material_pair pair = {.effective_modulus_Pa = 1e10};
     directory_write(&place, name, csv);
     *status = (struct status){0};
-    return measured_read(out, &scene, &plan, status);
+    return measured_read(out, &scene, &plan, &pair, status);
 }
 
 static void units_are_the_models(void **state)
@@ -205,8 +205,8 @@ static void what_is_wrong_is_named(void **state)
         {"load (N),R (mOhm)\n1,2\nload (kN),R (mOhm)\n1,2\n", &silent, "ecr.csv:3: 'kN' as unit of load, but line 1"},
         {"1 N,2 ohm\n1 N,2 mohm\n", &silent, "ecr.csv:2: 'mohm' as unit of resistance, but line 1 says 'ohm'"},
         /* without the area */
-        {"load (N),R (ohm m2)\n1,2\n", &no_area, "measured loads in N need the contact's area; add nominal_area_m2"},
-        {"load (Pa),R (mohm)\n1,2\n", &no_area, "resistances in mohm need the contact's area; add nominal_area_m2"},
+        {"load (N),R (ohm m2)\n1,2\n", &no_area, "measured loads in N need the contact's area; add nominal_area"},
+        {"load (Pa),R (mohm)\n1,2\n", &no_area, "resistances in mohm need the contact's area; add nominal_area"},
     };
     for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
         struct measured measured;
@@ -226,7 +226,7 @@ static void any_bytes_are_read_or_refused(void **state)
     static const char sample[] =
         "\xEF\xBB\xBFLoad (N), \"R [m\xCE\xA9]\";u/%\n# K m2/W (a\n10 kN,4.8 \xB5Ohm ,5e-1\r\n\"9\"\t1";
     static const char marks[] = "\"\n\r,;\t ()[]/_#%^*-+.09eNm\xCE\xA9\xC2\xB5";
-    static const unsigned quantities[MEASURED_COLUMNS] = {SCENE_MEASURED_LOADS, 255, 255};
+    static const unsigned quantities[MEASURED_COLUMNS] = {UNIT_LOADS, 255, 255};
     unsigned long seed = 1;
     size_t taken = 0;
     for (int run = 0; run < 20000; run++) {
@@ -267,7 +267,9 @@ static void only_an_effect_that_runs_is_compared(void **state)
     struct status status = {0};
     struct scene scene = {.directory = place.path, .nominal_area_m2 = NAN};
     scene.measured = (struct scene_measured){.file = name, .quantity = SCENE_MEASURED_TCR};
-    assert_int_equal(measured_read(&measured, &scene, &plan, &status), STATUS_SCENE);
+    assert_int_equal(
+        measured_read(&measured, &scene, &plan, &(struct material_pair){.effective_modulus_Pa = 1e10}, &status),
+        STATUS_SCENE);
     assert_non_null(strstr(status.message, "the effect thermal does not run"));
     measured_free(&measured);
 }

@@ -96,7 +96,8 @@ static void test_plan(void **state)
 {
     const char *place = *state;
     workspace_scan(place, "d/a.csv", 200, 1);
-    workspace_write(place, "d/scene.yaml", "effects: [electrical]\nload: {from: 1e-4, to: 1e-2, points: 7}\n");
+    workspace_write(place, "d/scene.yaml",
+                    "material: tin\neffects: [electrical]\nload: {from: 1e-4, to: 1e-2, points: 7}\n");
     char *before = workspace_digest(place, ".");
     struct process process = expect_exit(place, 0, "plan", "d");
     for (int e = 0; e < EFFECT_COUNT; e++) {
@@ -122,7 +123,8 @@ static void test_plan(void **state)
     expect_part(process.out, "\nplasticity       skipped  ");
     expect_part(process.out, "Sy_Pa");
     process_free(&process);
-    workspace_write(place, "d/scene.yaml", "effects: [electrical]\nload: {from: 1e-4, to: 1e-2, points: 7}\n");
+    workspace_write(place, "d/scene.yaml",
+                    "material: tin\neffects: [electrical]\nload: {from: 1e-4, to: 1e-2, points: 7}\n");
     char *after = workspace_digest(place, ".");
     assert_string_equal(before, after); /* no out/, nothing at all */
     free(before);

@@ -135,14 +135,15 @@ static void report_is_described(void **state)
     workspace_scan(place, "in/flat.csv", 300, 4);
     workspace_write(place, "in/broken.csv", "x [um],z [um]\n0,1\n1,two\n");
     workspace_write(place, "in/ecr.txt", "load_N,ecr_mohm\n1,10\n2,6\n4,3\n");
-    workspace_write(place, "in/scene.yaml",
-                    "effects: [plasticity, separation, electrical, thermal, scale-dependent, convergence]\n"
-                    "load: {from: 1e-6, to: 1e-2, points: 7}\nnominal_area_m2: 1e-6\n"
-                    "convergence: {scales: 64}\ndirect: {grid: 64, seeds: 1, loads: [1e-3, 5e-3]}\ncounterface: "
-                    "{surface: flat.csv, material: copper}\n"
-                    "measured: {file: ecr.txt, quantity: ecr}\n"
-                    "surfaces:\n  - {name: one, file: [a.csv, b.csv]}\n  - {name: two, file: c.csv}\n"
-                    "  - {name: three, file: broken.csv}\n");
+    workspace_write(
+        place, "in/scene.yaml",
+        "material: tin\neffects: [plasticity, separation, electrical, thermal, scale-dependent, convergence]\n"
+        "load: {from: 1e-6, to: 1e-2, points: 7}\nnominal_area_m2: 1e-6\n"
+        "convergence: {scales: 64}\ndirect: {grid: 64, seeds: 1, loads: [1e-3, 5e-3]}\ncounterface: "
+        "{surface: flat.csv, material: copper}\n"
+        "measured: {file: ecr.txt, quantity: ecr}\n"
+        "surfaces:\n  - {name: one, file: [a.csv, b.csv]}\n  - {name: two, file: c.csv}\n"
+        "  - {name: three, file: broken.csv}\n");
     struct process process = expect_exit(place, 1, "report", "in", "-o", "out");
     process_free(&process);
     size_t columns = 0;

@@ -182,7 +182,7 @@ static void test_file_names(void **state)
 {
     const char *place = *state;
     write_hostile_scene(place, NULL);
-    struct process process = expect_exit(place, 0, "report", "d", "--show", "-e", "plasticity,separation");
+    struct process process = expect_exit(place, 0, "report", "d", "--show", "-m", "tin", "-e", "plasticity,separation");
     assert_clean_text(process.out, "stdout");
     assert_clean_text(process.err, "stderr");
     process_free(&process);
@@ -219,7 +219,7 @@ static void test_drawings(void **state)
     const char *place = *state;
     write_hostile_scene(place, "baseline: \"</title></svg><:table>\"\n");
     expect_failure(place, 3, 1, "'baseline' is '</title></svg><:table>', no surface's name", "report", "d");
-    workspace_write(place, "d/scene.yaml", "baseline: \"a|b\"\neffects: [plasticity]\n");
+    workspace_write(place, "d/scene.yaml", "material: tin\nbaseline: \"a|b\"\neffects: [plasticity]\n");
     struct process process = expect_exit(place, 0, "report", "d");
     process_free(&process);
     static const char *const figures[] = {"6-05", "6-10", "6-11", "power-law"};
@@ -268,7 +268,7 @@ static void test_refusals(void **state)
     const char *place = *state;
     workspace_scan(place, "d/good.csv", 100, 1);
     workspace_write(place, "d/bad \x1b[31m\n<b>|\xff.csv", "x [um],z [um]\n0,1\n1,2\n2,<script>\x1b]0;\x07\n");
-    struct process process = expect_exit(place, 1, "report", "d", "-e", "plasticity");
+    struct process process = expect_exit(place, 1, "report", "d", "-m", "tin", "-e", "plasticity");
     assert_clean_text(process.err, "stderr");
     expect_part(process.err, "surface 'bad ?[31m?<b>|?' refused: ");
     process_free(&process);

@@ -6,7 +6,8 @@
 
 static void run_installed(const char *place, const char *program, const char *output)
 {
-    const char *const arguments[] = {program, "report", "--no-cost", "d", "-o", output, "-e", "plasticity", NULL};
+    const char *const arguments[] = {program, "report", "--no-cost", "d",          "-o", output,
+                                     "-m",    "tin",    "-e",        "plasticity", NULL};
     struct process process =
         process_expect(process_end(process_start_list(place, arguments, NULL)), 0, __FILE__, __LINE__);
     process_free(&process);

@@ -31,7 +31,8 @@ static void write_slow_scene(const char *place)
 static void write_report(const char *place)
 {
     workspace_scan(place, "good/a.csv", 200, 1);
-    struct process process = expect_exit(place, 0, "report", "--no-cost", "good", "-o", "out/slow", "-e", "plasticity");
+    struct process process =
+        expect_exit(place, 0, "report", "--no-cost", "good", "-o", "out/slow", "-m", "tin", "-e", "plasticity");
     process_free(&process);
 }
 
@@ -77,7 +78,7 @@ static void test_kill(void **state)
     char *after = workspace_digest(place, "out/slow");
     assert_string_equal(before, after);
     /* what is left behind disturbs no later run */
-    process = expect_exit(place, 0, "report", "--no-cost", "good", "-o", "out/slow", "-e", "plasticity");
+    process = expect_exit(place, 0, "report", "--no-cost", "good", "-o", "out/slow", "-m", "tin", "-e", "plasticity");
     process_free(&process);
     free(after);
     after = workspace_digest(place, "out/slow");

@@ -109,7 +109,7 @@ static void test_units(void **state)
     workspace_write(place, "d/a.csv", "0,1\n1,3\n2,2\n3,5\n4,1\n5,4\n6,2\n7,6\n8,3\n9,1\n10,2\n11,5\n");
     expect_failure(place, 4, 2, "give --x-unit mm --z-unit um", "report", "d");
     struct process process =
-        expect_exit(place, 0, "report", "d", "--x-unit", "um", "--z-unit", "nm", "-e", "plasticity");
+        expect_exit(place, 0, "report", "d", "--x-unit", "um", "--z-unit", "nm", "-m", "tin", "-e", "plasticity");
     process_free(&process);
     char *csv = workspace_read(place, "out/d/data/surfaces.csv");
     assert_near(csv_number(csv, "a", "spacing_m"), 1e-6, 1e-12);
@@ -155,7 +155,7 @@ static void test_terminal(void **state)
     workspace_scan(place, "d/a.csv", 300, 1);
     workspace_scan(place, "d/b.csv", 300, 2);
     assert_int_equal(setenv("COLUMNS", "80", 1), 0);
-    struct process process = expect_exit(place, 0, "report", "d", "--show", "--verbose");
+    struct process process = expect_exit(place, 0, "report", "d", "-m", "tin", "--show", "--verbose");
     assert_int_equal(unsetenv("COLUMNS"), 0);
     static const char *const charts[] = {"Real contact area against load",
                                          "Separation against load",
@@ -195,7 +195,7 @@ static void test_table(void **state)
 {
     const char *place = *state;
     workspace_scan(place, "d/a.csv", 300, 1);
-    workspace_write(place, "d/scene.yaml", "models: [multiscale]\neffects: [electrical]\n");
+    workspace_write(place, "d/scene.yaml", "material: tin\nmodels: [multiscale]\neffects: [electrical]\n");
     struct process process = expect_exit(place, 0, "report", "d");
     expect_part(process.out, " MS el.\n");
     expect_no_part(process.out, "β");
@@ -232,7 +232,7 @@ static bool has_there_and_back(const char *svg, size_t count, size_t turn)
  * GW by that factor. */
 static void test_measured(void **state)
 {
-    static const char scene[] = "nominal_area_m2: 1e-6\neffects: [plasticity, electrical]\n%s";
+    static const char scene[] = "material: tin\nnominal_area_m2: 1e-6\neffects: [plasticity, electrical]\n%s";
     static const size_t order[] = {20, 50, 80, 65, 35, 5};
     enum { POINTS = sizeof order / sizeof *order, TURN = 2 };
     const char *place = *state;

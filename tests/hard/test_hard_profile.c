@@ -211,27 +211,33 @@ static void duplicate_and_unsorted_loads(void **state)
     double given[] = {1e6, 1e-30, 1, 1e-30, 1e6, 1e6, 3e-7, 1, 1e-30 * (1 + 0x1p-52)};
     const double expected[] = {1e-30, 1e-30 * (1 + 0x1p-52), 3e-7, 1, 1e6};
     for (int in_pascal = 0; in_pascal < 2; in_pascal++) {
-        struct scene scene = {.load = {.points = 9, .values = given, .in_pascal = in_pascal}};
+        struct scene scene = {.load = {.points = 9, .values = given, .kind = in_pascal ? UNIT_PRESSURE : UNIT_NUMBER}};
         struct status status = {0};
         double *loads;
-        size_t count;
-        assert_int_equal(scene_loads(&loads, &count, &scene, 4.0, &status), STATUS_OK);
+        size_t count, operating;
+        assert_int_equal(scene_loads(&loads, &count, &operating, &scene,
+                                     &(struct material_pair){.effective_modulus_Pa = 4.0}, &status),
+                         STATUS_OK);
         assert_int_equal(count, 5);
         for (size_t i = 0; i < count; i++)
             assert_true(loads[i] == expected[i] / (in_pascal ? 4 : 1));
         free(loads);
     }
-    struct scene scene = {.load = {.from = 1e-30, .to = 1e6, .points = 1000}};
+    struct scene scene = {.load = {.from = 1e-30, .to = 1e6, .points = 1000, .kind = UNIT_NUMBER}};
     struct status status = {0};
     double *loads;
-    size_t count;
-    assert_int_equal(scene_loads(&loads, &count, &scene, 1, &status), STATUS_OK);
+    size_t count, operating;
+    assert_int_equal(
+        scene_loads(&loads, &count, &operating, &scene, &(struct material_pair){.effective_modulus_Pa = 1}, &status),
+        STATUS_OK);
     assert_true(count == 1000 && loads[0] == 1e-30 && loads[999] == 1e6);
     for (size_t i = 1; i < count; i++)
         assert_true(loads[i] > loads[i - 1]);
     free(loads);
     scene.load.from = scene.load.to; /* a range of one load */
-    assert_int_equal(scene_loads(&loads, &count, &scene, 1, &status), STATUS_OK);
+    assert_int_equal(
+        scene_loads(&loads, &count, &operating, &scene, &(struct material_pair){.effective_modulus_Pa = 1}, &status),
+        STATUS_OK);
     assert_true(count == 1 && loads[0] == 1e6);
     free(loads);
 }

@@ -477,7 +477,8 @@ static void test_the_limits(void **state)
             made_up_surface(&made, i)->models[m].extension.area_extended = 0.4 * (1 - 0.9e-3);
     expect(&section_summary, "- **Limits**: in JG the real contact bears more than 3 S_y, beyond any hardness, "
                              "on 1 of 3 surfaces (up to 6.2 S_y).\n");
-    made.plan.pair.yield_strength_Pa *= 10;
+    for (size_t i = 0; i < MADE_UP_USABLE; i++)
+        made_up_surface(&made, i)->pair.yield_strength_Pa *= 10;
     expect_not(&section_summary, "Limits");
     model_of(2, "multiscale-plastic")->extension.area_extended = 0.4 * (1 - 1.1e-3);
     expect(&section_summary, "would take up to 0.11 % more of the area.\n");
@@ -558,11 +559,14 @@ static void test_the_knee(void **state)
 static void test_two_bodies(void **state)
 {
     (void)state;
-    made.scene.counterface_kind = MATERIAL_COUNTERFACE_ELASTIC;
-    made.scene.counterface = *material_find("copper");
+    for (size_t i = 0; i < MADE_UP_SURFACES; i++) {
+        made.names[i].bodies.counterface_kind = MATERIAL_COUNTERFACE_ELASTIC;
+        made.names[i].bodies.counterface = *material_find("copper");
+    }
     expect(&section_summary, "pressed against a smooth flat of copper");
     expect(&section_material, "| property | symbol | tin | copper | unit |\n|---|---|---:|---:|---|\n");
-    made.scene.counterface = made.scene.material;
+    for (size_t i = 0; i < MADE_UP_SURFACES; i++)
+        made.names[i].bodies.counterface = made.names[i].bodies.material;
     expect(&section_material, "| property | symbol | tin, both bodies | unit |\n");
     plan_switch_off(&made.plan, EFFECT_PLASTICITY);
     expect_not(&section_material, "| S_y |");

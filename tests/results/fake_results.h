@@ -188,10 +188,11 @@ static inline void comparison_of(struct fake *fake, const double areas[SURFACES]
     fake->scene.tolerance = tolerance;
     fake->results.loads = loads;
     fake->results.load_count = LOADS;
-    fake->plan.pair.resistivity_ohm_m = 1e-7;
-    fake->plan.pair.conductivity_W_per_mK = 50; /* 1/(rho k) = 2e5 */
     assert_int_equal(surface_store_open(&fake->store, place.path, SURFACES, &status), STATUS_OK);
     struct surface_summary *own = fake->store.summaries;
+    for (size_t k = 0; k < SURFACES; k++)
+        fake->summaries[k].pair = (struct material_pair){
+            .effective_modulus_Pa = 1e11, .resistivity_ohm_m = 1e-7, .conductivity_W_per_mK = 50}; /* 1/(rho k) = 2e5 */
     for (size_t k = 0; k < SURFACES; k++)
         fake_put_curves(fake, &fake->store, k, areas[k]);
     assert_int_equal(comparison_make(&fake->comparison, &fake->results, &status), STATUS_OK);

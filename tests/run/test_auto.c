@@ -168,7 +168,7 @@ static void law_below_the_sampling_limit_counts(void **state)
     double area[2];
     assert_int_equal(surface_describe(&record, &scene, &scene.surfaces[0], NULL, &status), STATUS_OK);
     for (int plastic = 0; plastic < 2; plastic++)
-        area[plastic] = convergence_extend(&record.spectrum, &record.summary.tail, &prepared.plan.pair, plastic, 1e-2)
+        area[plastic] = convergence_extend(&record.spectrum, &record.summary.tail, &record.summary.pair, plastic, 1e-2)
                             .area_extended;
     surface_record_free(&record, true);
     assert_true(area[1] > 1.01 * area[0]);

@@ -86,8 +86,9 @@ static void test_the_law_made_is_found(void **state)
     write_law(place, "law/periodic.csv", POINTS, 1, 0, 3);
     write_law(place, "law/cut.csv", POINTS, 8, 0.01, 4);
     write_law(place, "thesis/cut.csv", POINTS, 8, 0.01, 4);
-    directory_write(place, "law/scene.yaml", "effects: [electrical]\n");
-    directory_write(place, "thesis/scene.yaml", "effects: [electrical]\nfit: thesis\nwindow: none\nlevel: line\n");
+    directory_write(place, "law/scene.yaml", "material: tin\neffects: [electrical]\n");
+    directory_write(place, "thesis/scene.yaml",
+                    "material: tin\neffects: [electrical]\nfit: thesis\nwindow: none\nlevel: line\n");
     assert_int_equal(pipeline_run(place, "law", "law-out", 1), 0);
     assert_int_equal(pipeline_run(place, "thesis", "thesis-out", 1), 0);
     static const char *const names[] = {"periodic", "cut"};
@@ -128,7 +129,7 @@ static void test_levelling_of_a_periodic_record(void **state)
     mkdir(directory_path(place, "line"), 0777);
     pipeline_scan(place, "mean/a.csv", height_m, POINTS);
     pipeline_scan(place, "line/a.csv", height_m, POINTS);
-    directory_write(place, "line/scene.yaml", "level: line\n");
+    directory_write(place, "line/scene.yaml", "material: tin\nlevel: line\n");
     assert_int_equal(pipeline_run(place, "mean", "mean-out", 1), 0);
     assert_int_equal(pipeline_run(place, "line", "line-out", 1), 0);
     json_t *root, *surface = read_surface(place, "mean-out", "a", &root);
@@ -158,7 +159,8 @@ static void test_the_report_names_windows(void **state)
     write_law(place, "three/a-1.csv", 512, 1, 0, 1);
     write_law(place, "three/a-2.csv", 512, 1, 0, 2);
     write_law(place, "three/a-3.csv", 512, 8, 0.02, 3);
-    directory_write(place, "three/scene.yaml", "surfaces: [{name: a, file: [a-1.csv, a-2.csv, a-3.csv]}]\n");
+    directory_write(place, "three/scene.yaml",
+                    "material: tin\nsurfaces: [{name: a, file: [a-1.csv, a-2.csv, a-3.csv]}]\n");
     assert_int_equal(pipeline_run(place, "three", "three-out", 1), 0);
     expect_in(place, "three-out/report.md", "2 of 3 scans close on themselves");
     expect_in(place, "three-out/report.md", "no window for 2, Hann × √(8/3) for 1");
@@ -179,7 +181,7 @@ static void test_a_window_by_name(void **state)
     for (size_t i = 0; i < POINTS; i++)
         height_m[i] = 1e-6 * cos(2 * M_PI * 32 * (double)i / POINTS);
     pipeline_scan(place, "hann/a.csv", height_m, POINTS);
-    directory_write(place, "hann/scene.yaml", "window: hann\n");
+    directory_write(place, "hann/scene.yaml", "material: tin\nwindow: hann\n");
     assert_int_equal(pipeline_run(place, "hann", "hann-out", 1), 0);
     struct table table = table_read_path(directory_path(place, "hann-out/data/spectrum.csv"));
     assert_near(table_number(&table, 31, "amplitude_m"), 1e-6 * sqrt(2.0 / 3), 1e-5);
@@ -211,7 +213,8 @@ static void test_no_law(void **state)
             height_m[i] += 1e-6 / n * cos(2 * M_PI * n * (double)i / POINTS + n);
     }
     pipeline_scan(place, "none/all-lines.csv", height_m, POINTS);
-    directory_write(place, "none/scene.yaml", "effects: [electrical, convergence]\nconvergence: {scales: 64}\n");
+    directory_write(place, "none/scene.yaml",
+                    "material: tin\neffects: [electrical, convergence]\nconvergence: {scales: 64}\n");
     assert_int_equal(pipeline_run(place, "none", "none-out", 1), 0);
     static const char *const names[] = {"white", "constant", "one-harmonic", "eight-points", "all-lines"};
     for (size_t s = 0; s < sizeof names / sizeof *names; s++) {
@@ -235,8 +238,9 @@ static void test_a_narrow_law(void **state)
     mkdir(directory_path(place, "narrow"), 0777);
     write_law(place, "narrow/a.csv", POINTS, 1, 0, 5);
     write_law(place, "narrow/b.csv", POINTS, 1, 0, 5);
-    directory_write(place, "narrow/scene.yaml",
-                    "effects: [electrical, convergence]\nconvergence: {scales: 64}\nfit_band_m: [5e-6, 4e-5]\n");
+    directory_write(
+        place, "narrow/scene.yaml",
+        "material: tin\neffects: [electrical, convergence]\nconvergence: {scales: 64}\nfit_band_m: [5e-6, 4e-5]\n");
     assert_int_equal(pipeline_run(place, "narrow", "narrow-out", 1), 0);
     json_t *root, *surface = read_surface(place, "narrow-out", "a", &root);
     assert_string_equal(law_class(surface), "narrow");

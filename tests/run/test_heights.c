@@ -24,8 +24,10 @@ static void write_scene(const struct directory *place, const char *in, const cha
 {
     char path[64];
     struct text text = {0};
-    text_add(&text, "level: none\neffects: [separation, electrical]\nload: {from: 1e-6, to: 1e-2, points: 9}\n%s",
-             more);
+    text_add(
+        &text,
+        "material: tin\nlevel: none\neffects: [separation, electrical]\nload: {from: 1e-6, to: 1e-2, points: 9}\n%s",
+        more);
     snprintf(path, sizeof path, "%s/scene.yaml", in);
     directory_write(place, path, text_string(&text));
     text_free(&text);

@@ -25,11 +25,11 @@ static void write_scene(const struct directory *place, const char *in, const cha
 {
     char path[64], text[400];
     snprintf(path, sizeof path, "%s/scene.yaml", in);
-    snprintf(
-        text, sizeof text,
-        "models: [multiscale, statistical, two-band, persson, contacting-slopes, cmy, sridhar-yovanovich]\n"
-        "effects: [plasticity, electrical]\nlevel: line\nwindow: none\nload: {from: 1e-6, to: 1e-3, points: %d}\n%s",
-        LOADS, more);
+    snprintf(text, sizeof text,
+             "models: [multiscale, statistical, two-band, persson, contacting-slopes, cmy, sridhar-yovanovich]\n"
+             "effects: [plasticity, electrical]\nlevel: line\nwindow: none\nload: {from: 1e-6, to: 1e-3, points: "
+             "%d}\n%s",
+             LOADS, *more ? more : "material: tin\n");
     directory_write(place, path, text);
 }
 

@@ -21,8 +21,10 @@ static void scene(const struct directory *place, const char *in, const char *mor
 {
     char path[256];
     struct text text = {0};
-    text_add(&text, "effects: [separation, electrical]\nload: {from: 1e-6, to: 1e-2, points: 9}\n%ssurfaces: [%s]\n",
-             more, surfaces);
+    text_add(
+        &text,
+        "material: tin\neffects: [separation, electrical]\nload: {from: 1e-6, to: 1e-2, points: 9}\n%ssurfaces: [%s]\n",
+        more, surfaces);
     snprintf(path, sizeof path, "%s/scene.yaml", in);
     directory_write(place, path, text_string(&text));
     text_free(&text);
@@ -101,10 +103,11 @@ static void two_rough_bodies_add_their_squares(void **state)
     const struct directory *place = *state;
     mkdir(directory_path(place, "in"), 0777);
     pipeline_rough(place, "in/a.csv", 200, 1, 1);
-    directory_write(place, "in/scene.yaml", "effects: [electrical]\n");
+    directory_write(place, "in/scene.yaml", "material: tin\neffects: [electrical]\n");
     assert_int_equal(pipeline_run(place, "in", "smooth", 1), 0);
     pipeline_rough(place, "in/other.csv", 200, 1, 1);
-    directory_write(place, "in/scene.yaml", "effects: [electrical]\ncounterface: {surface: other.csv}\n");
+    directory_write(place, "in/scene.yaml",
+                    "material: tin\neffects: [electrical]\ncounterface: {surface: other.csv}\n");
     assert_int_equal(pipeline_run(place, "in", "rough", 1), 0);
     struct table smooth = table_read_path(directory_path(place, "smooth/data/spectrum.csv"));
     struct table rough = table_read_path(directory_path(place, "rough/data/spectrum.csv"));

@@ -11,16 +11,17 @@ static void check_defaults(const struct scene *scene)
                                         NAMED("jg") | NAMED("two-band-elastic") | NAMED("two-band-plastic") |
                                         NAMED("contacting-slopes"));
     assert_false(scene->models_named);
-    assert_true(isnan(scene->hardness_Pa)); /* 2.84 S_y */
+    assert_true(isnan(scene->bodies.hardness_Pa)); /* 2.84 S_y */
     assert_true(scene->effects_auto);
-    assert_string_equal(scene->material.name, "tin");
-    assert_int_equal(scene->counterface_kind, MATERIAL_COUNTERFACE_RIGID);
+    assert_true(isnan(scene->bodies.material.youngs_modulus_Pa)); /* none is assumed */
+    assert_int_equal(scene->mean_free_path, SCENE_MEAN_FREE_PATH_THESIS);
+    assert_int_equal(scene->bodies.counterface_kind, MATERIAL_COUNTERFACE_RIGID);
     assert_true(isnan(scene->nominal_area_m2));
     assert_near(scene->load.from, 1e-6, 0);
     assert_near(scene->load.to, 0.1, 0);
     assert_int_equal(scene->load.points, 121);
     assert_null(scene->load.values);
-    assert_false(scene->load.in_pascal);
+    assert_false(scene->load.kind == UNIT_PRESSURE);
     assert_near(scene->tolerance, 1e-6, 0);
     assert_int_equal(scene->level, LEVEL_LINE);
     assert_int_equal(scene->window, SPECTRUM_WINDOW_AUTO);
@@ -104,8 +105,8 @@ static void test_every_key(void **state)
     assert_false(scene.effects_auto);
     assert_int_equal(scene.effects,
                      EFFECT_BIT(EFFECT_ELECTRICAL) | EFFECT_BIT(EFFECT_THERMAL) | EFFECT_BIT(EFFECT_SCALE_DEPENDENT));
-    check_full_material(&scene.material);
-    assert_int_equal(scene.counterface_kind, MATERIAL_COUNTERFACE_RIGID);
+    check_full_material(&scene.bodies.material);
+    assert_int_equal(scene.bodies.counterface_kind, MATERIAL_COUNTERFACE_RIGID);
     assert_near(scene.nominal_area_m2, 1e-6, 0);
     assert_near(scene.load.from, 1e-5, 0);
     assert_near(scene.load.to, 1e-2, 0);
@@ -136,15 +137,17 @@ static void test_two_metals_and_listed_loads(void **state)
     (void)state;
     struct scene scene = scene_directory_read(DATA("connector"), NULL);
     assert_int_equal(scene.effects, EFFECT_BIT(EFFECT_PLASTICITY) | EFFECT_BIT(EFFECT_ELECTRICAL));
-    assert_string_equal(scene.material.name, "bronze");
-    assert_int_equal(scene.counterface_kind, MATERIAL_COUNTERFACE_ELASTIC);
-    assert_string_equal(scene.counterface.name, "gold");
+    assert_string_equal(scene.bodies.material.name, "bronze");
+    assert_int_equal(scene.bodies.counterface_kind, MATERIAL_COUNTERFACE_ELASTIC);
+    assert_string_equal(scene.bodies.counterface.name, "gold");
     assert_int_equal(scene.surface_count, 1);
 
     double *loads;
-    size_t count;
+    size_t count, operating;
     struct status status = {0};
-    assert_int_equal(scene_loads(&loads, &count, &scene, 1e11, &status), STATUS_OK);
+    assert_int_equal(
+        scene_loads(&loads, &count, &operating, &scene, &(struct material_pair){.effective_modulus_Pa = 1e11}, &status),
+        STATUS_OK);
     static const double expected[] = {1e-5, 3e-4, 1e-3}; /* ascending, one of each */
     assert_int_equal(count, 3);
     for (size_t i = 0; i < count; i++)
@@ -157,13 +160,15 @@ static void test_same_metal_and_pressures(void **state)
 {
     (void)state;
     struct scene scene = scene_directory_read(DATA("same"), NULL);
-    assert_int_equal(scene.counterface_kind, MATERIAL_COUNTERFACE_ELASTIC);
-    assert_string_equal(scene.counterface.name, "copper");
-    assert_true(scene.load.in_pascal);
+    assert_int_equal(scene.bodies.counterface_kind, MATERIAL_COUNTERFACE_ELASTIC);
+    assert_string_equal(scene.bodies.counterface.name, "copper");
+    assert_true(scene.load.kind == UNIT_PRESSURE);
     double *loads;
-    size_t count;
+    size_t count, operating;
     struct status status = {0};
-    assert_int_equal(scene_loads(&loads, &count, &scene, 5e10, &status), STATUS_OK);
+    assert_int_equal(
+        scene_loads(&loads, &count, &operating, &scene, &(struct material_pair){.effective_modulus_Pa = 5e10}, &status),
+        STATUS_OK);
     assert_int_equal(count, 5);
     for (size_t i = 0; i < count; i++)
         assert_near(loads[i], pow(10, (double)i) * 1e5 / 5e10, 1e-15);
@@ -172,8 +177,8 @@ static void test_same_metal_and_pressures(void **state)
 
     struct scene_overrides overrides = {.material = "nickel"};
     scene = scene_directory_read(DATA("same"), &overrides);
-    assert_string_equal(scene.material.name, "nickel");
-    assert_string_equal(scene.counterface.name, "nickel"); /* the same as whatever the material is */
+    assert_string_equal(scene.bodies.material.name, "nickel");
+    assert_string_equal(scene.bodies.counterface.name, "nickel"); /* the same as whatever the material is */
     scene_free(&scene);
 }
 
@@ -182,10 +187,10 @@ static void test_a_material_may_know_little(void **state)
     (void)state;
     struct scene scene = scene_directory_read(DATA("elastic"), NULL);
     assert_true(scene.effects_auto);
-    assert_string_equal(scene.material.name, "custom");
-    assert_near(scene.material.youngs_modulus_Pa, 70e9, 0);
-    assert_near(scene.counterface.poisson_ratio, 0.3, 0); /* through the alias */
-    assert_true(isnan(scene.material.yield_strength_Pa) && isnan(scene.material.sound_speed_m_per_s));
+    assert_string_equal(scene.bodies.material.name, "custom");
+    assert_near(scene.bodies.material.youngs_modulus_Pa, 70e9, 0);
+    assert_near(scene.bodies.counterface.poisson_ratio, 0.3, 0); /* through the alias */
+    assert_true(isnan(scene.bodies.material.yield_strength_Pa) && isnan(scene.bodies.material.sound_speed_m_per_s));
     assert_true(isnan(scene.nominal_area_m2));
     assert_true(isinf(scene.fit_band_m[1]));
     scene_free(&scene);
@@ -261,9 +266,11 @@ static void test_default_loads(void **state)
     (void)state;
     struct scene scene = scene_directory_read(DATA("bare"), NULL);
     double *loads;
-    size_t count;
+    size_t count, operating;
     struct status status = {0};
-    assert_int_equal(scene_loads(&loads, &count, &scene, 1e11, &status), STATUS_OK);
+    assert_int_equal(
+        scene_loads(&loads, &count, &operating, &scene, &(struct material_pair){.effective_modulus_Pa = 1e11}, &status),
+        STATUS_OK);
     assert_int_equal(count, 121);
     assert_near(loads[0], 1e-6, 0);
     assert_near(loads[120], 0.1, 0);
@@ -274,7 +281,9 @@ static void test_default_loads(void **state)
     free(loads);
 
     scene.load.from = scene.load.to = 0.3;
-    assert_int_equal(scene_loads(&loads, &count, &scene, 1e11, &status), STATUS_OK);
+    assert_int_equal(
+        scene_loads(&loads, &count, &operating, &scene, &(struct material_pair){.effective_modulus_Pa = 1e11}, &status),
+        STATUS_OK);
     assert_int_equal(count, 1);
     assert_near(loads[0], 0.3, 0);
     free(loads);
@@ -287,7 +296,7 @@ static void test_the_command_line_wins(void **state)
     struct scene_overrides overrides = {
         .material = "Silver", .effects = "plasticity, separation", .tolerance = 1e-3, .x_unit = "nm", .z_unit = "pm"};
     struct scene scene = scene_directory_read(DATA("full"), &overrides);
-    assert_string_equal(scene.material.name, "silver");
+    assert_string_equal(scene.bodies.material.name, "silver");
     assert_int_equal(scene.effects, EFFECT_BIT(EFFECT_PLASTICITY) | EFFECT_BIT(EFFECT_SEPARATION));
     assert_near(scene.tolerance, 1e-3, 0);
     for (size_t i = 0; i < scene.surface_count; i++) {
@@ -303,7 +312,7 @@ static void test_the_command_line_wins(void **state)
     assert_int_equal(scene.effects, 0);
     scene_free(&scene);
 
-    overrides = (struct scene_overrides){.effects = "scale-dependent", .x_unit = "um"};
+    overrides = (struct scene_overrides){.material = "tin", .effects = "scale-dependent", .x_unit = "um"};
     scene = scene_directory_read(DATA("bare"), &overrides);
     assert_int_equal(scene.effects, EFFECT_BIT(EFFECT_SCALE_DEPENDENT) | EFFECT_BIT(EFFECT_THERMAL));
     assert_string_equal(scene.surfaces[0].x_unit, "um");
@@ -324,8 +333,8 @@ static void check_wrong_override(const char *directory, struct scene_overrides o
 static void test_wrong_overrides(void **state)
 {
     (void)state;
-    check_wrong_override(DATA("bare"), (struct scene_overrides){.material = "aluminum"}, STATUS_USAGE,
-                         "--material: unknown material 'aluminum'; did you mean 'aluminium'?");
+    check_wrong_override(DATA("bare"), (struct scene_overrides){.material = "aluminim"}, STATUS_USAGE,
+                         "--material: unknown material 'aluminim'; did you mean 'aluminium'?");
     check_wrong_override(DATA("bare"), (struct scene_overrides){.effects = "thermal,elctrical"}, STATUS_USAGE,
                          "--effects: unknown effect 'elctrical'; did you mean 'electrical'?");
     check_wrong_override(DATA("bare"), (struct scene_overrides){.effects = " ,"}, STATUS_USAGE,
@@ -392,7 +401,7 @@ static void test_numbers_in_another_locale(void **state)
         skip();
     }
     struct scene scene = scene_directory_read(DATA("full"), NULL);
-    assert_near(scene.material.poisson_ratio, 0.34, 0);
+    assert_near(scene.bodies.material.poisson_ratio, 0.34, 0);
     scene_free(&scene);
     setlocale(LC_ALL, "C");
 }

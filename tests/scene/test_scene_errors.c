@@ -46,8 +46,7 @@ static void test_yaml(void **state)
         {"just a text\n", 1, "'scene' is 'just a text'; give 'key: value' pairs"},
         {"- title: a\n", 1, "'scene' is a list; give 'key: value' pairs"},
         {"title: a\n[x, y]: 1\n", 2, "a key of 'scene' is no text; write 'key: value'"},
-        {"&s\ntitle: a\nconvergence: *s\n", 2,
-         "unknown key 'title'; allowed: alpha, gamma, load, scan_length_m, scales"},
+        {"&s\ntitle: a\nconvergence: *s\n", 2, "unknown key 'title'; allowed: alpha, gamma, load, scan_length, scales"},
         {"surfaces: &s [*s]\n", 1, "'surfaces' is a list; give 'key: value' pairs"},
     };
     CHECK_WRONG(rows);
@@ -61,14 +60,12 @@ static void test_keys(void **state)
         {"Level: line\n", 1, "unknown key 'Level'; did you mean 'level'?"},
         {"foo: 1\n", 1,
          "unknown key 'foo'; allowed: title, models, effects, material, counterface, direction, measured, "
-         "nominal_area_m2, hardness, load, tolerance, "
-         "level, window, fit, fit_band_m, moments, closure, max_missing, "
-         "lambda_s_m, lambda_c_m, tip_radius_m, baseline, direct, convergence, surfaces"},
+         "nominal_area, hardness, mean_free_path, load, operating_load, tolerance, level, window, fit, fit_band, "
+         "moments, closure, max_missing, lambda_s, lambda_c, tip_radius, baseline, direct, convergence, surfaces"},
         {"stylus: 2e-6\n", 1,
          "unknown key 'stylus'; allowed: title, models, effects, material, counterface, direction, measured, "
-         "nominal_area_m2, hardness, load, "
-         "tolerance, level, window, fit, fit_band_m, moments, closure, max_missing, "
-         "lambda_s_m, lambda_c_m, tip_radius_m, baseline, direct, convergence, surfaces"},
+         "nominal_area, hardness, mean_free_path, load, operating_load, tolerance, level, window, fit, fit_band, "
+         "moments, closure, max_missing, lambda_s, lambda_c, tip_radius, baseline, direct, convergence, surfaces"},
         {"level: line\ntitle: a\nlevel: mean\n", 3, "'level' is given twice, first in line 1; remove one"},
         {"title: a\ntolerance:\nlevel: line\n", 2, "'tolerance' has no value; give one or remove the line"},
         {"baseline: ~\n", 1, "'baseline' has no value; give one or remove the line"},
@@ -105,13 +102,13 @@ static void test_numbers(void **state)
         {"tolerance: 0\n", 1, "'tolerance' is 0; allowed is 1e-14 to 0.1"},
         {"tolerance: 0.11\n", 1, "'tolerance' is 0.11; allowed is 1e-14 to 0.1"},
         {"max_missing: 0.95\n", 1, "'max_missing' is 0.95; allowed is 0 to 0.9"},
-        {"tip_radius_m: -2e-6\n", 1, "'tip_radius_m' is -2e-6; allowed is 1e-12 to 1"},
-        {"lambda_s_m: 0\n", 1, "'lambda_s_m' is 0; allowed is 1e-12 to 1000"},
+        {"tip_radius_m: -2e-6\n", 1, "'tip_radius_m' is -2e-6; allowed is 1e-12 to 1 m"},
+        {"lambda_s_m: 0\n", 1, "'lambda_s_m' is 0; allowed is 1e-12 to 1000 m"},
         {"lambda_c_m: 8e-6\nlambda_s_m: 8e-6\n", 1,
-         "'lambda_c_m' is 8e-06, not above 'lambda_s_m', 8e-06; nothing would be left between them"},
-        {"nominal_area_m2: -1\n", 1, "'nominal_area_m2' is -1; allowed is 1e-18 to 1e+06"},
-        {"nominal_area_m2: 1e999\n", 1, "'nominal_area_m2' is 1e999; allowed is 1e-18 to 1e+06"},
-        {"nominal_area_m2: 1e-999\n", 1, "'nominal_area_m2' is 1e-999; allowed is 1e-18 to 1e+06"},
+         "'lambda_c' is 8e-06 m, not above 'lambda_s', 8e-06 m; nothing would be left between them"},
+        {"nominal_area_m2: -1\n", 1, "'nominal_area_m2' is -1; allowed is 1e-18 to 1e+06 m2"},
+        {"nominal_area_m2: 1e999\n", 1, "'nominal_area_m2' is 1e999; allowed is 1e-18 to 1e+06 m2"},
+        {"nominal_area_m2: 1e-999\n", 1, "'nominal_area_m2' is 1e-999; allowed is 1e-18 to 1e+06 m2"},
         {"convergence: {gamma: -0.1}\n", 1, "'gamma' is -0.1; allowed is 0 to 5"},
         {"convergence: {scales: 0}\n", 1, "'scales' is 0; allowed is 1 to 1e+06"},
         {"convergence: {scales: 1.5}\n", 1, "'scales' is '1.5'; give a whole number"},
@@ -119,7 +116,7 @@ static void test_numbers(void **state)
         {"fit_band_m: [1e-5]\n", 1, "'fit_band_m' is a list; give two wavelengths [shortest, longest] in m"},
         {"fit_band_m: 1e-5\n", 1, "'fit_band_m' is '1e-5'; give two wavelengths [shortest, longest] in m"},
         {"fit_band_m:\n- 3e-4\n- 8e-6\n", 2, "'fit_band_m' is [0.0003, 8e-06]; give the shorter wavelength first"},
-        {"fit_band_m: [0, 1]\n", 1, "'fit_band_m' is 0; allowed is 1e-12 to 1000"},
+        {"fit_band_m: [0, 1]\n", 1, "'fit_band_m' is 0; allowed is 1e-12 to 1000 m"},
     };
     CHECK_WRONG(rows);
 }
@@ -144,7 +141,7 @@ static void test_choices(void **state)
         {"effects: {thermal: yes}\n", 1, "'effects' is a mapping; give a list of names"},
         {"measured: {file: a.csv,\n load_unit: furlong}\n", 2,
          "'load_unit' is 'furlong'; understood: dimensionless; N, mN, cN, kN, gf, kgf, lbf; Pa, kPa, MPa, GPa, N/mm2, "
-         "bar, psi"},
+         "bar, psi, atm"},
         {"measured:\n  file: a.csv\n  resistance_unit: K/W\n", 3,
          "'resistance_unit' is 'K/W'; understood: ohm (Ω), nohm, uohm (µΩ), mohm (mΩ), kohm; ohm m2 (Ω·m²), ohm mm2, "
          "mohm mm2, uohm cm2"},
@@ -165,12 +162,15 @@ static void test_loads(void **state)
         {"load:\n  from: 1\n", 2, "'from' is 1, above 'to', 0.1; exchange them"},
         {"load: {points: 100001}\n", 1, "'points' is 100001; allowed is 1 to 100000"},
         {"load: {points: 1}\n", 1, "'points' is 1, too few from 1e-06 to 0.1; give 2 or more, or 'values'"},
-        {"load: {unit: bar}\n", 1, "unknown unit 'bar'; allowed: dimensionless, Pa"},
+        {"load: {unit: bar}\n", 1,
+         "'unit: bar' leaves the default loads without meaning; add 'from' and 'to', or 'values'"},
         {"load:\n  unit: Pa\n  from: 1e5\n", 2,
          "'unit: Pa' leaves the default loads without meaning; add 'from' and 'to', or 'values'"},
         {"load: {values: []}\n", 1, "'values' holds 0 loads; allowed is 1 to 100000"},
         {"load:\n  values:\n  - 1e-3\n  - -1e-3\n", 4, "'values' is -1e-3; allowed is 1e-100 to 1e+100"},
-        {"load: {values: [1, [2]]}\n", 1, "'values' is a list; give a number such as 1.5e-6"},
+        {"load: {values: [1, [2]]}\n", 1,
+         "'values' is a list; give a number or one with its unit: N, mN, cN, kN, gf, kgf, lbf; Pa, kPa, MPa, GPa, "
+         "N/mm2, bar, psi, atm"},
         {"load:\n  values: [1e-3]\n  points: 7\n", 3, "'points' stands beside 'values'; remove one of them"},
     };
     CHECK_WRONG(rows);
@@ -183,15 +183,16 @@ static void test_materials(void **state)
         {"material: tim\n", 1, "unknown material 'tim'; did you mean 'tin'?"},
         {"title: a\ncounterface: unobtainium\n", 2,
          "unknown counterface 'unobtainium'; allowed: rigid, same, tin, copper, brass, bronze, gold, silver, nickel, "
-         "aluminium, steel"},
+         "aluminium, steel, hard-gold, beryllium-copper, copper-nickel-silicon, solder, indium"},
         {"counterface: rigit\n", 1, "unknown counterface 'rigit'; did you mean 'rigid'?"},
         {"material: rigid\n", 1,
-         "unknown material 'rigid'; allowed: tin, copper, brass, bronze, gold, silver, nickel, aluminium, steel"},
+         "unknown material 'rigid'; allowed: tin, copper, brass, bronze, gold, silver, nickel, aluminium, steel, "
+         "hard-gold, beryllium-copper, copper-nickel-silicon, solder, indium"},
         {"material: [tin]\n", 1, "'material' is a list; give a name or a mapping of properties"},
-        {"title: a\nmaterial: {}\n", 2, "'material' has no 'E_Pa'; add it"},
+        {"title: a\nmaterial: {}\n", 2, "'material' has no 'E'; add it"},
         {"title: a\nmaterial:\n  E_Pa: 1e9\n", 3, "'material' has no 'nu'; add it"},
-        {"counterface: {nu: 0.3}\n", 1, "'counterface' has no 'E_Pa'; add it"},
-        {"material: {E_Pa: 70, nu: 0.3}\n", 1, "'E_Pa' is 70; allowed is 1e+06 to 1e+13"},
+        {"counterface: {nu: 0.3}\n", 1, "'counterface' has no 'E'; add it"},
+        {"material: {E_Pa: 70, nu: 0.3}\n", 1, "'E_Pa' is 70; allowed is 1e+06 to 1e+13 Pa"},
         {"material: {E_Pa: 70e9, nu: 0.6}\n", 1, "'nu' is 0.6; allowed is 0 to 0.5"},
         {"material: {E_Pa: 70e9, nu: , Sy_Pa: 1e6}\n", 1, "'nu' has no value; give one or remove the line"},
         {"material:\n  E_Pa: 70e9\n  name: 0123456789012345678901234567890123456789012345678901234567890123\n", 3,
@@ -209,13 +210,136 @@ static void test_effects_without_their_property(void **state)
          "effect 'plasticity' needs 'Sy_Pa'; add it to 'material' or leave the effect out"},
         {"effects:\n- separation\n- electrical\n" DULL, 3,
          "effect 'electrical' needs 'resistivity_ohm_m'; add it to 'material' or leave the effect out"},
-        {"effects: [thermal]\ncounterface: {E_Pa: 70e9, nu: 0.3}\n", 1,
+        {"effects: [thermal]\nmaterial: tin\ncounterface: {E_Pa: 70e9, nu: 0.3}\n", 1,
          "effect 'thermal' needs 'conductivity_W_per_mK'; add it to 'counterface' or leave the effect out"},
         {"effects: [separation,\n scale-dependent]\nmaterial: {E_Pa: 70e9, nu: 0.3, conductivity_W_per_mK: 9, "
          "density_kg_per_m3: 9, sound_speed_m_per_s: 9}\n",
          2, "effect 'scale-dependent' needs 'specific_heat_J_per_kgK'; add it to 'material' or leave the effect out"},
         {"effects: [separation,\n scale-dependent]\n" DULL, 2,
          "effect 'thermal' needs 'conductivity_W_per_mK'; add it to 'material' or leave the effect out"},
+    };
+    CHECK_WRONG(rows);
+}
+
+/* Every key with a dimension takes its unit, and no other; it goes by one name. */
+static void test_quantities(void **state)
+{
+    (void)state;
+#define PRESSURES "Pa, kPa, MPa, GPa, N/mm2, bar, psi, atm"
+#define LENGTHS   "a number in m or one with its unit: m, mm, um, nm, angstrom, in, uin, mil"
+    static const struct wrong rows[] = {
+        {"nominal_area: 4 mm\n", 1,
+         "'nominal_area' is '4 mm'; give a number in m2 or one with its unit: m2, cm2, mm2, um2, in2"},
+        {"title: x\nnominal_area: 4 furlongs2\n", 2,
+         "'nominal_area' is '4 furlongs2'; give a number in m2 or one with its unit: m2, cm2, mm2, um2, in2"},
+        {"nominal_area: mm2\n", 1,
+         "'nominal_area' is 'mm2'; give a number in m2 or one with its unit: m2, cm2, mm2, um2, in2"},
+        {"nominal_area: [4 mm2]\n", 1,
+         "'nominal_area' is a list; give a number in m2 or one with its unit: m2, cm2, mm2, um2, in2"},
+        {"nominal_area: 4 1\n", 1,
+         "'nominal_area' is '4 1'; give a number in m2 or one with its unit: m2, cm2, mm2, um2, in2"},
+        {"nominal_area: 0 mm2\n", 1, "'nominal_area' is 0 mm2; allowed is 1e-18 to 1e+06 m2"},
+        {"nominal_area_m2: 1e-6\nnominal_area: 1 mm2\n", 2,
+         "'nominal_area' is given twice, first by its other name in line 1; remove one"},
+        {"nominal_area: 1e-6\n\nnominal_area: 1 mm2\n", 3,
+         "'nominal_area' is given twice, first in line 1; remove one"},
+        {"material: tin\nhardness: 40 mm\n", 2,
+         "'hardness' is '40 mm'; give a number in Pa or one with its unit: " PRESSURES},
+        {"material: tin\nhardness: 40 mPa\n", 2, "'hardness' is 40 mPa; allowed is 1000 to 1e+12 Pa"},
+        {"lambda_s: 8 s\n", 1, "'lambda_s' is '8 s'; give " LENGTHS},
+        {"fit_band: [8 um, 3 mm2]\n", 1, "'fit_band' is '3 mm2'; give " LENGTHS},
+        {"fit_band: [8 mm, 3 um]\n", 1, "'fit_band' is [0.008, 3e-06]; give the shorter wavelength first"},
+        {"max_missing: 95 %\n", 1, "'max_missing' is 95 %; allowed is 0 to 0.9"},
+        {"material: {E: 70 GPa, nu: 0.3, E_Pa: 7e10}\n", 1,
+         "'E_Pa' is given twice, first by its other name in line 1; remove one"},
+        {"material: {E: 70 N, nu: 0.3}\n", 1, "'E' is '70 N'; give a number in Pa or one with its unit: " PRESSURES},
+        {"material:\n  E: 70 GPa\n  nu: 0.3\n  conductivity: 90 W/mK\n", 4,
+         "'conductivity' is '90 W/mK'; give a number in W/m/K or one with its unit: W/m/K, W/cm/K"},
+        {"direct: {budget: 3 m}\n", 1, "'budget' is '3 m'; give a number in s or one with its unit: s, ms, min, h"},
+        {"tolerance: 1 %\n", 1, "'tolerance' is '1 %'; give a number such as 1.5e-6"},
+    };
+    CHECK_WRONG(rows);
+}
+
+static void test_loads_with_units(void **state)
+{
+    (void)state;
+#define AREA "material: tin\nnominal_area: 1 mm2\n"
+    static const struct wrong rows[] = {
+        {"material: tin\nload: {from: 1 N, to: 10 N}\n", 2, "'load' is a force, but on which area? add 'nominal_area'"},
+        {"load: {from: 1 MPa, to: 10 MPa}\n", 1,
+         "'load' is a pressure, which without a material is no P/(A_n E'); add 'material', or give P/(A_n E')"},
+        {AREA "load: {from: 1 N,\n to: 10 MPa}\n", 4,
+         "'to' is a pressure, but a force stands in line 3; give one kind"},
+        {AREA "load: {from: 1 N,\n to: 10}\n", 4,
+         "a load is a plain number, but a force stands in line 3; give one kind"},
+        {AREA "load: {values: [1 N,\n 1 kPa]}\n", 4,
+         "'values' is a pressure, but a force stands in line 3; give one kind"},
+        {AREA "load: {from: 1 N}\n", 3,
+         "a load in N leaves the default of the other without meaning; add 'from' and 'to', or 'values'"},
+        {AREA "load: {from: 1 MPa, to: 10 MPa,\n unit: N}\n", 4,
+         "a load is a force, but a pressure stands in line 3; give one kind"},
+        {AREA "load: {from: 100 N, to: 10 N}\n", 3, "'from' is 100, above 'to', 10; exchange them"},
+        {"load: {unit: mm}\n", 1, "'unit' is 'mm'; understood: dimensionless; N, mN, cN, kN, gf, kgf, lbf; " PRESSURES},
+        {AREA "load: {from: 1 N, to: 10 N}\noperating_load: 20 N\n", 4,
+         "'operating_load' is 20 N, outside the loads, 1 to 10"},
+        {"operating_load: 2e-7\n", 1, "'operating_load' is 2e-07, outside the loads, 1e-06 to 0.1"},
+        {"\noperating_load: 5 N\n", 2, "'operating_load' is a force, but on which area? add 'nominal_area'"},
+        {"\noperating_load: 5 MPa\n", 2,
+         "'operating_load' is a pressure, which without a material is no P/(A_n E'); add 'material', or give P/(A_n "
+         "E')"},
+        {"operating_load: 5 s\n", 1,
+         "'operating_load' is '5 s'; give a number or one with its unit: N, mN, cN, kN, gf, kgf, lbf; " PRESSURES},
+        {AREA "load: {from: 1 N, to: 10 N}\noperating_load: 1e-4\nsurfaces: [{file: a.csv}, {file: b.csv, material: "
+              "copper}]\n",
+         4,
+         "'operating_load' is a plain number and the loads are a force, which differ from material to material; give "
+         "both alike"},
+        {"direct: {loads: [1 MPa, 2 MPa]}\n", 1,
+         "'loads' is a pressure, which without a material is no P/(A_n E'); add 'material', or give P/(A_n E')"},
+        {AREA "direct: {loads: [1e-3, 2 MPa]}\n", 3, "'loads' holds a pressure beside a plain number; give one kind"},
+    };
+    CHECK_WRONG(rows);
+}
+
+/* Nothing is assumed where no material is given. */
+static void test_no_material(void **state)
+{
+    (void)state;
+    static const struct wrong rows[] = {
+        {"effects: [separation,\n electrical]\n", 2,
+         "effect 'electrical' needs a material; add 'material' or leave the effect out"},
+        {"\ncounterface: copper\n", 2,
+         "'counterface' is 'copper', but no material is given to press it on; add 'material'"},
+        {"\nhardness: 40 MPa\n", 2, "'hardness' stands without a material; add 'material'"},
+        {"\nmaterial: galinstan\n", 2, "'material' is 'galinstan', which bears no load; give the material of a body"},
+        {"\nmaterial: nickel\nmean_free_path: electron\n", 3,
+         "'mean_free_path' is 'electron', which is not known of 'nickel'; give its length, such as 40 nm"},
+        {"material: tin\nmean_free_path: electrons\n", 2,
+         "unknown mean_free_path 'electrons'; did you mean 'electron'?"},
+        {"material: tin\nmean_free_path: 40 kg\n", 2, "'mean_free_path' is '40 kg'; give " LENGTHS},
+    };
+    CHECK_WRONG(rows);
+}
+
+/* A surface's own bodies. */
+static void test_materials_of_surfaces(void **state)
+{
+    (void)state;
+    static const struct wrong rows[] = {
+        {"effects: electrical\nsurfaces:\n  - {file: a.csv, material: tin}\n  - {file: b.csv, material: {E: 1 GPa, nu: "
+         "0.3}}\n",
+         1,
+         "effect 'electrical' needs 'resistivity_ohm_m'; add it to 'material' of surface 'b' or leave the effect out"},
+        {"effects: electrical\nsurfaces:\n  - {file: a.csv, material: tin}\n  - {file: b.csv}\n", 1,
+         "effect 'electrical' needs a material; add 'material' or leave the effect out"},
+        {"surfaces:\n  - {file: a.csv, material: tim}\n", 2, "unknown material 'tim'; did you mean 'tin'?"},
+        {"surfaces:\n  - {file: a.csv, hardness: 40 s}\n", 2,
+         "'hardness' is '40 s'; give a number in Pa or one with its unit: " PRESSURES},
+        {"surfaces:\n  - {file: a.csv, counterface: copper}\n", 2,
+         "'counterface' is 'copper', but no material is given to press it on; add 'material'"},
+        {"load: {from: 1 Pa, to: 9 Pa}\nsurfaces:\n  - {file: a.csv, material: tin}\n  - {file: b.csv}\n", 1,
+         "'load' is a pressure, which without a material is no P/(A_n E'); add 'material', or give P/(A_n E')"},
     };
     CHECK_WRONG(rows);
 }
@@ -333,6 +457,10 @@ int main(void)
         cmocka_unit_test(test_loads),
         cmocka_unit_test(test_materials),
         cmocka_unit_test(test_effects_without_their_property),
+        cmocka_unit_test(test_quantities),
+        cmocka_unit_test(test_loads_with_units),
+        cmocka_unit_test(test_no_material),
+        cmocka_unit_test(test_materials_of_surfaces),
         cmocka_unit_test(test_surfaces),
         cmocka_unit_test(test_sizes),
         cmocka_unit_test(test_aliases_do_not_multiply),

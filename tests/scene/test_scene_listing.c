@@ -210,6 +210,81 @@ static void test_many_files(void **state)
     scene_directory_remove(&directory);
 }
 
+static void make_folder(const struct scene_directory *directory, const char *name)
+{
+    char path[512];
+    snprintf(path, sizeof path, "%s/%s", directory->path, name);
+    assert_int_equal(mkdir(path, 0777), 0);
+}
+
+static void assert_files(const struct scene_surface *surface, const char *name, const char *const *files, size_t count)
+{
+    assert_string_equal(surface->name, name);
+    assert_int_equal(surface->file_count, count);
+    for (size_t i = 0; i < count; i++)
+        assert_string_equal(surface->files[i], files[i]);
+}
+
+/* A sub-directory is a surface of its files; one without any, a report and a hidden one are none. */
+static void test_sub_directories(void **state)
+{
+    (void)state;
+    struct scene_directory directory = scene_directory_make();
+    static const char *const folders[] = {"b", "a", ".hidden", "empty", "report", "deep", "deep/er", "only"};
+    static const char *const files[] = {"b/run-10.csv", "b/run-2.csv", "b/.x.csv", "a/x.csv",
+                                        "b.csv",        ".hidden/x",   "report/x", "report/results.json",
+                                        "deep/er/x",    "only/ref.csv"};
+    static const char *const b[] = {"b/run-2.csv", "b/run-10.csv"}, *const a[] = {"a/x.csv"},
+                             *const alone[] = {"b.csv"};
+    for (size_t i = 0; i < COUNT(folders); i++)
+        make_folder(&directory, folders[i]);
+    for (size_t i = 0; i < COUNT(files); i++)
+        scene_directory_add(&directory, files[i]);
+    static const char text[] = "counterface: {surface: only/ref.csv}\n", sidecar[] = "x unit: mm\nz unit: um\n";
+    scene_directory_write(&directory, "scene.yaml", text, strlen(text));
+    scene_directory_write(&directory, "b/run-2.txt", sidecar, strlen(sidecar));
+    struct scene scene = scene_directory_read(directory.path, NULL);
+    assert_int_equal(scene.surface_count, 3);
+    assert_files(&scene.surfaces[0], "a", a, 1);
+    assert_files(&scene.surfaces[1], "b", b, 2);
+    assert_files(&scene.surfaces[2], "b.csv", alone, 1);
+    scene_free(&scene);
+    scene_directory_remove(&directory);
+}
+
+static void test_patterns(void **state)
+{
+    (void)state;
+    struct scene_directory directory = scene_directory_make();
+    static const char *const files[] = {"run-10.csv", "run-9.csv", "run-x.txt", "r/run-1.csv", "[1].csv", ".run-1.csv"};
+    static const char *const runs[] = {"run-9.csv", "run-10.csv"}, *const both[] = {"[1].csv", "r/run-1.csv"};
+    make_folder(&directory, "r");
+    make_folder(&directory, "run-3.csv");
+    for (size_t i = 0; i < COUNT(files); i++)
+        scene_directory_add(&directory, files[i]);
+    static const char good[] = "surfaces:\n  - {name: a, file: \"run-*.csv\"}\n  - {name: b, file: [\"[1].csv\", "
+                               "\"r/*-?.c[st]v\"]}\n";
+    scene_directory_write(&directory, "scene.yaml", good, strlen(good));
+    struct scene scene = scene_directory_read(directory.path, NULL);
+    assert_files(&scene.surfaces[0], "a", runs, 2);
+    assert_files(&scene.surfaces[1], "b", both, 2);
+    scene_free(&scene);
+    static const char *const bad[][2] = {
+        {"surfaces:\n  - {file: a}\n  - {file: \"x*.csv\"}\n", "scene.yaml:2: cannot find surface file 'a'"},
+        {"surfaces:\n  - {file: \"run-*.csv\"}\n  - {name: b,\n     file: \"x*.csv\"}\n",
+         "scene.yaml:4: 'x*.csv' matches no file; paths start at the scene's directory"},
+        {"surfaces:\n  - {file: \"nowhere/*\"}\n", "scene.yaml:2: cannot list '"},
+        {"surfaces:\n  - {file: \"r*/run-1.csv\"}\n", "scene.yaml:2: cannot list '"}};
+    for (size_t i = 0; i < COUNT(bad); i++) {
+        struct status status = {0};
+        scene_directory_write(&directory, "scene.yaml", bad[i][0], strlen(bad[i][0]));
+        assert_int_equal(scene_read(&scene, directory.path, NULL, &status), STATUS_SCENE);
+        assert_non_null(strstr(status.message, bad[i][1]));
+        scene_free(&scene);
+    }
+    scene_directory_remove(&directory);
+}
+
 static void test_no_directory(void **state)
 {
     (void)state;
@@ -235,6 +310,7 @@ int main(void)
         cmocka_unit_test(test_empty_directory),      cmocka_unit_test(test_sidecars),
         cmocka_unit_test(test_columns_and_quantity), cmocka_unit_test(test_many_files),
         cmocka_unit_test(test_files_spoken_for),     cmocka_unit_test(test_no_directory),
+        cmocka_unit_test(test_sub_directories),      cmocka_unit_test(test_patterns),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,131 @@
+#include "scene/scene_files.h"
+
+#include "scan/sidecar.h"
+#include "scene/scene_listing.h"
+#include "scene/scene_words.h"
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <fnmatch.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+bool scene_files_is_pattern(const char *path)
+{
+    return strpbrk(path, "*?[") != NULL;
+}
+
+enum status_code scene_files_add(struct scene_surface *surface, const char *file, struct status *status)
+{
+    char **files = reallocarray(surface->files, surface->file_count + 1, sizeof *files);
+    if (!files)
+        return status_memory(status);
+    surface->files = files;
+    files[surface->file_count] = strdup(file);
+    return files[surface->file_count++] ? STATUS_OK : status_memory(status);
+}
+
+static int compare_paths(const void *a, const void *b)
+{
+    return scene_listing_order(*(char *const *)a, *(char *const *)b);
+}
+
+static bool is_regular(int directory, const char *name)
+{
+    struct stat info;
+    return fstatat(directory, name, &info, 0) == 0 && S_ISREG(info.st_mode);
+}
+
+bool scene_files_holds_scans(int directory, const char *name)
+{
+    struct dirent **entries = NULL;
+    int count = scandirat(directory, name, &entries, NULL, NULL), files = 0;
+    int inside = openat(directory, name, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    bool report = false;
+    for (int i = 0; i < count; i++) {
+        const char *file = entries[i]->d_name;
+        report = report || strcmp(file, "results.json") == 0;
+        files += inside >= 0 && file[0] != '.' && is_regular(inside, file);
+        free(entries[i]);
+    }
+    free(entries);
+    if (inside >= 0)
+        close(inside);
+    return files > 0 && !report;
+}
+
+/* Is files[i] one that only says units of another among them? */
+static bool is_sidecar(const struct scene *scene, char *const *files, size_t count, size_t i)
+{
+    size_t stem;
+    struct sidecar sidecar;
+    if (!sidecar_ending(files[i], &stem))
+        return false;
+    for (size_t k = 0; k < count; k++) {
+        char *path =
+            k != i && sidecar_fits(basename(files[i]), basename(files[k])) ? scene_file_path(scene, files[i]) : NULL;
+        bool is = path && sidecar_read(&sidecar, path);
+        free(path);
+        if (is)
+            return true;
+    }
+    return false;
+}
+
+/* Takes the sidecars out of the files from `first` on. */
+static enum status_code drop_sidecars(struct scene_surface *surface, const struct scene *scene, size_t first,
+                                      struct status *status)
+{
+    char **files = surface->files + first;
+    size_t count = surface->file_count - first, kept = 0, sidecars = 0;
+    bool *is = calloc(count + 1, sizeof *is);
+    if (!is)
+        return status_memory(status);
+    for (size_t i = 0; i < count; i++)
+        sidecars += is[i] = is_sidecar(scene, files, count, i);
+    for (size_t i = 0; i < count; i++)
+        if (is[i] && sidecars < count) /* two that fit each other are none */
+            free(files[i]);
+        else
+            files[kept++] = files[i];
+    surface->file_count = first + kept;
+    free(is);
+    return STATUS_OK;
+}
+
+enum status_code scene_files_match(struct scene_surface *surface, const struct scene *scene, const char *pattern,
+                                   struct status *status)
+{
+    const char *slash = strrchr(pattern, '/'), *name = slash ? slash + 1 : pattern;
+    size_t before = (size_t)(name - pattern), first = surface->file_count;
+    char *folder = strndup(pattern, before);
+    char *path = folder ? scene_file_path(scene, before ? folder : ".") : NULL;
+    struct dirent **entries = NULL;
+    enum status_code code = path ? STATUS_OK : status_memory(status);
+    int count = path ? scandir(path, &entries, NULL, NULL) : 0;
+    int directory = path ? open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC) : -1;
+    if (path && (count < 0 || directory < 0))
+        code = status_fail(status, STATUS_IO, "cannot list '%s': %s", scene_words_show(path, strlen(path)).text,
+                           strerror(errno));
+    for (int i = 0; i < count; i++) {
+        char *file = NULL;
+        if (code == STATUS_OK && fnmatch(name, entries[i]->d_name, FNM_PERIOD) == 0 &&
+            is_regular(directory, entries[i]->d_name))
+            code = asprintf(&file, "%s%s", folder, entries[i]->d_name) < 0 ? status_memory(status)
+                                                                           : scene_files_add(surface, file, status);
+        free(file);
+        free(entries[i]);
+    }
+    free(entries);
+    if (directory >= 0)
+        close(directory);
+    free(path);
+    free(folder);
+    if (code != STATUS_OK || surface->file_count == first)
+        return code;
+    qsort(surface->files + first, surface->file_count - first, sizeof *surface->files, compare_paths);
+    return drop_sidecars(surface, scene, first, status);
+}

@@ -1,0 +1,193 @@
+/* Bodies and loads of each surface, and no material at all, through the whole program. */
+#include "results/results.h"
+#include "run/pipeline.h"
+
+static void write_scene(const struct directory *place, const char *in, const char *text)
+{
+    char path[256];
+    snprintf(path, sizeof path, "%s/scene.yaml", in);
+    directory_write(place, path, text);
+}
+
+static struct table contact_of(const struct directory *place, const char *out)
+{
+    char path[256];
+    snprintf(path, sizeof path, "%s/data/contact.csv", out);
+    return table_read_path(directory_path(place, path));
+}
+
+/* The scans a, b and c in `in`. */
+static void write_scans(const struct directory *place, const char *in)
+{
+    static const char *const names[] = {"a", "b", "c"};
+    for (unsigned i = 0; i < 3; i++) {
+        char path[64];
+        snprintf(path, sizeof path, "%s/%s.csv", in, names[i]);
+        pipeline_rough(place, path, 400, 1, 11 + i);
+    }
+}
+
+#define LOADS "nominal_area: 1 mm2\nload: {from: 0.1 N, to: 100 N, points: 7}\noperating_load: 12 N\n"
+
+/* Surfaces of three pairs of bodies under the same forces are what each is in a report of its own, digit by digit. */
+static void each_surface_has_its_own_bodies(void **state)
+{
+    const struct directory *place = *state;
+    static const char *const own[] = {"material: tin\n", "material: copper\ncounterface: same\n",
+                                      "material: gold\ncounterface: tin\nhardness: 90 MPa\n"};
+    static const char *const names[] = {"a", "b", "c"};
+    mkdir(directory_path(place, "in"), 0777);
+    write_scans(place, "in");
+    write_scene(place, "in",
+                LOADS "material: tin\nsurfaces:\n  - {name: a, file: a.csv}\n"
+                      "  - {name: b, file: b.csv, material: copper, counterface: same}\n"
+                      "  - {name: c, file: c.csv, material: gold, counterface: tin, hardness: 90 MPa}\n");
+    assert_int_equal(pipeline_run(place, "in", "all", 2), 0);
+    struct table all = contact_of(place, "all");
+    size_t compared = 0;
+    for (int s = 0; s < 3; s++) {
+        char text[512], out[16];
+        snprintf(text, sizeof text, LOADS "%ssurfaces: [{name: %s, file: %s.csv}]\n", own[s], names[s], names[s]);
+        snprintf(out, sizeof out, "alone-%d", s);
+        write_scene(place, "in", text);
+        assert_int_equal(pipeline_run(place, "in", out, 1), 0);
+        struct table alone = contact_of(place, out);
+        size_t row = 0;
+        for (size_t r = 0; r < alone.rows; r++, row++, compared++) {
+            while (strcmp(table_text(&all, row, "surface"), names[s]) != 0)
+                row++;
+            for (size_t c = 0; c < alone.columns; c++)
+                assert_string_equal(table_text(&all, row, alone.cell[c]), table_text(&alone, r, alone.cell[c]));
+        }
+        table_free(&alone);
+    }
+    assert_int_equal(compared, all.rows);
+    table_free(&all);
+}
+
+/* The summary stands at the operating load, where every surface has 12 MPa on 1 mm²; charts are over newtons. */
+static void loads_are_shown_as_given(void **state)
+{
+    const struct directory *place = *state;
+    mkdir(directory_path(place, "in"), 0777);
+    write_scans(place, "in");
+    write_scene(place, "in",
+                LOADS "effects: [plasticity, electrical]\nmaterial: tin\nsurfaces:\n  - {name: a, file: a.csv}\n"
+                      "  - {name: b, file: b.csv, material: copper}\n");
+    assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
+    struct table contact = contact_of(place, "out");
+    size_t at_12 = 0;
+    for (size_t r = 0; r < contact.rows; r++)
+        at_12 += fabs(table_number(&contact, r, "pressure_Pa") / 12e6 - 1) < 1e-12 &&
+                 strcmp(table_text(&contact, r, "model"), "multiscale-elastic") == 0;
+    assert_int_equal(at_12, 2);
+    table_free(&contact);
+    struct text report = directory_read(place, "out/report.md");
+    assert_non_null(strstr(text_string(&report), "**At 12.0 N (12.0 MPa)**"));
+    assert_non_null(strstr(text_string(&report), "at loads of 0.100 to 100 N"));
+    assert_non_null(strstr(text_string(&report), "| load in N | pressure (MPa) | model |"));
+    text_free(&report);
+    struct text chart = directory_read(place, "out/figures/6-05.gp");
+    assert_non_null(strstr(text_string(&chart), "'load (N)'"));
+    assert_non_null(strstr(text_string(&chart), "'1.000000e-01 1.000000e+02 "));
+    text_free(&chart);
+    struct text data = directory_read(place, "out/figures/6-11.csv");
+    const char *second = text_string(&data); /* each surface's curve starts at 0.1 N, whatever its E' */
+    for (int k = 0; k < 2; k++) {
+        second = strstr(second, "\"\n") ? strstr(second, "\"\n") + 2 : strchr(second, '\n') + 1;
+        assert_near(strtod(second, NULL), 0.1, 1e-12);
+        second = strstr(second, "\n\n\n");
+        second = second ? second + 3 : "";
+    }
+    text_free(&data);
+}
+
+/* What needs no material is what it is with any: loads are P/(A_n E'). */
+static void without_a_material(void **state)
+{
+    const struct directory *place = *state;
+    static const char loads[] = "load: {from: 1e-5, to: 1e-2, points: 5}\n";
+    char text[128];
+    mkdir(directory_path(place, "in"), 0777);
+    pipeline_rough(place, "in/a.csv", 400, 1, 5);
+    write_scene(place, "in", loads);
+    assert_int_equal(pipeline_run(place, "in", "none", 1), 0);
+    snprintf(text, sizeof text, "material: copper\neffects: [separation]\n%s", loads);
+    write_scene(place, "in", text);
+    assert_int_equal(pipeline_run(place, "in", "some", 1), 0);
+    struct table none = contact_of(place, "none"), some = contact_of(place, "some");
+    size_t compared = 0;
+    for (size_t r = 0; r < none.rows; r++) {
+        assert_string_equal(table_text(&none, r, "pressure_Pa"), "");
+        for (size_t o = 0; o < some.rows; o++) {
+            if (strcmp(table_text(&none, r, "model"), table_text(&some, o, "model")) != 0 ||
+                table_number(&none, r, "load_over_AnEp") != table_number(&some, o, "load_over_AnEp"))
+                continue;
+            assert_near(table_number(&none, r, "area_ratio"), table_number(&some, o, "area_ratio"), 1e-9);
+            if (*table_text(&none, r, "separation_m"))
+                assert_within(table_number(&none, r, "separation_m"), table_number(&some, o, "separation_m"), 1e-13);
+            compared++;
+        }
+    }
+    assert_true(compared >= 15);
+    table_free(&none);
+    table_free(&some);
+    struct text report = directory_read(place, "none/report.md");
+    assert_non_null(strstr(text_string(&report), results_without_material));
+    assert_null(strstr(text_string(&report), "MPa"));
+    assert_null(strstr(text_string(&report), "nan"));
+    text_free(&report);
+    struct text json = directory_read(place, "none/results.json");
+    assert_non_null(strstr(text_string(&json), "\"material\": null"));
+    text_free(&json);
+}
+
+/* The thesis's length is one of phonons, and the report says so; the electrons' is far shorter in tin. */
+static void whose_mean_free_path(void **state)
+{
+    const struct directory *place = *state;
+    static const char *const kinds[] = {"thesis", "electron", "20 nm"};
+    static const double expected_nm[] = {44.2376, 3.94994, 20};
+    mkdir(directory_path(place, "in"), 0777);
+    pipeline_rough(place, "in/a.csv", 400, 1, 5);
+    for (int k = 0; k < 3; k++) {
+        struct scene scene;
+        struct status status = {0};
+        char text[200], directory[4096];
+        snprintf(text, sizeof text, "material: tin\neffects: [scale-dependent]\nmean_free_path: %s\n", kinds[k]);
+        write_scene(place, "in", text);
+        snprintf(directory, sizeof directory, "%s", directory_path(place, "in"));
+        assert_int_equal(scene_read(&scene, directory, &(struct scene_overrides){0}, &status), STATUS_OK);
+        assert_near(scene_pair(&scene.surfaces[0].bodies).mean_free_path_m[0], expected_nm[k] * 1e-9, 1e-5);
+        scene_free(&scene);
+        assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
+        struct text report = directory_read(place, "out/report.md");
+        assert_int_equal(strstr(text_string(&report), "`mean_free_path: electron`") != NULL, k == 0);
+        text_free(&report);
+    }
+}
+
+static int set_up(void **state)
+{
+    static struct directory place;
+    place = directory_make();
+    *state = &place;
+    return 0;
+}
+
+static int tear_down(void **state)
+{
+    directory_remove(*state);
+    return 0;
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(each_surface_has_its_own_bodies, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(loads_are_shown_as_given, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(without_a_material, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(whose_mean_free_path, set_up, tear_down),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
