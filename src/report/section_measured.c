@@ -17,14 +17,17 @@ static void write(struct text *out, const struct section_context *context)
     text_add(out, ", resistances in ");
     text_add_markdown(out, measured->resistance_unit);
     text_add(out, "; the charts join the points in the order in which they were measured.\n\n");
-    text_add(out, "| model | points compared | loads compared | RMS distance (decades) | mean (decades) |\n"
-                  "|---|---:|---|---:|---:|\n");
+    const struct results_load_axis axis = results_load_axis(context->results, context->results->baseline);
+    text_add(out, "| model | points compared | loads compared");
+    text_add(out, axis.unit ? ", " : "");
+    text_add_markdown(out, axis.unit ? axis.unit : "");
+    text_add(out, " | RMS distance (decades) | mean (decades) |\n|---|---:|---|---:|---:|\n");
     for (size_t m = 0; m < model_count; m++) {
         if (!context->baseline->curves[m].exists)
             continue;
         struct measured_distance distance = measured_compare(measured, context->results->answers, m);
         text_add(out, "| %s | %zu of %zu | ", model_rows[m]->label, distance.points, measured->count);
-        number_format_range(out, distance.load[0], distance.load[1], 2);
+        number_format_range(out, axis.scale * distance.load[0], axis.scale * distance.load[1], 2);
         text_add(out, " | ");
         number_format(out, distance.rms_decades, 3);
         text_add(out, " | ");
