@@ -121,6 +121,9 @@ static void loads_are_shown_as_given(void **state)
     assert_non_null(end); /* compared there, not at the baseline's P/(A_n E') */
     assert_null(memmem(row, (size_t)(end - row), "| – | – ", strlen("| – | – ")));
     text_free(&report);
+    struct text json = directory_read(place, "out/results.json");
+    assert_non_null(strstr(text_string(&json), "\"load_unit\": \"N\""));
+    text_free(&json);
     struct text chart = directory_read(place, "out/figures/6-05.gp");
     assert_non_null(strstr(text_string(&chart), "'load (N)'"));
     assert_non_null(strstr(text_string(&chart), "'1.000000e-01 1.000000e+02 "));
