@@ -83,6 +83,12 @@ static json_t *scene_json(const struct results *results, const struct cell_guard
     json_object_set_new(json, "counterface", counterface_json(bodies, guard));
     set(json, guard, "nominal_area_m2", scene->nominal_area_m2);
     json_object_set_new(json, "loads_over_AnEp", loads);
+    if (scene->load.unit_text[0])
+        json_object_set_new(json, "load_unit", string(scene->load.unit_text));
+    if (scene->operating.load > 0)
+        set(json, guard, "operating_load_over_AnEp", results_operating_load(results, results->baseline));
+    if (scene->mean_free_path == SCENE_MEAN_FREE_PATH_ELECTRON)
+        json_object_set_new(json, "mean_free_path", json_string("electron"));
     set(json, guard, "effective_modulus_Pa", pair.unknown ? NAN : pair.effective_modulus_Pa);
     set(json, guard, "tolerance", scene->tolerance);
     json_object_set_new(json, "level", json_string(level_names[scene->level]));

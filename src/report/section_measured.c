@@ -17,8 +17,11 @@ static void write(struct text *out, const struct section_context *context)
     text_add(out, ", resistances in ");
     text_add_markdown(out, measured->resistance_unit);
     text_add(out, "; the charts join the points in the order in which they were measured.\n\n");
-    text_add(out, "| model | points compared | loads compared | RMS distance (decades) | mean (decades) |\n"
-                  "|---|---:|---|---:|---:|\n");
+    const struct results_load_axis axis = results_load_axis(context->results, context->results->baseline);
+    text_add(out, "| model | points compared | loads compared");
+    text_add(out, axis.unit ? ", " : "");
+    text_add_markdown(out, axis.unit ? axis.unit : "");
+    text_add(out, " | RMS distance (decades) | mean (decades) |\n|---|---:|---|---:|---:|\n");
     for (size_t m = 0; m < model_count; m++) {
         if (!context->baseline->curves[m].exists)
             continue;
@@ -26,7 +29,7 @@ static void write(struct text *out, const struct section_context *context)
         text_add(out, "| %s", model_rows[m]->label);
         section_mark(out, context, context->results->baseline, m);
         text_add(out, " | %zu of %zu | ", distance.points, measured->count);
-        number_format_range(out, distance.load[0], distance.load[1], 2);
+        number_format_range(out, axis.scale * distance.load[0], axis.scale * distance.load[1], 2);
         text_add(out, " | ");
         number_format(out, distance.rms_decades, 3);
         text_add(out, " | ");

@@ -38,7 +38,11 @@ static void validity_text(struct text *out, const struct section_context *contex
                  "to yield; the steps are the published model's and are not smoothed. ");
     text_add(out,
              "A jump between the ends of a record leaks amplitude J/(π n) into harmonic n, which looks like γ = 1: the "
-             "share is taken at the short end of the fit band. Loads in the table are P/(Aₙ E′).");
+             "share is taken at the short end of the fit band. Loads in the table are ");
+    const char *unit = results_load_axis(context->results, context->results->baseline).unit;
+    text_add(out, unit ? "in " : "P/(Aₙ E′)");
+    text_add_markdown(out, unit ? unit : "");
+    text_add(out, ".");
 }
 
 /** A share of the load in per cent; 0 where it is too small to matter. */

@@ -141,7 +141,7 @@ static void put_heads(const struct terminal_table *table, const struct plan *pla
 }
 
 static void put_surface(const struct terminal_table *table, size_t row, const struct surface_summary *s,
-                        const struct plan *plan)
+                        const struct plan *plan, double load_scale)
 {
     size_t column = FIRST_COLUMNS;
     put_number(cell_at(table, row, 1), s->roughness.rq_m * 1e6);
@@ -153,7 +153,7 @@ static void put_surface(const struct terminal_table *table, size_t row, const st
             put_beta(cell_at(table, row, column++), &s->models[m]);
     for (size_t m = 0; m < model_count; m++)
         if (has_load(plan, m))
-            put_load(cell_at(table, row, column++), s->models[m].exists ? s->models[m].full_load : NAN);
+            put_load(cell_at(table, row, column++), s->models[m].exists ? load_scale * s->models[m].full_load : NAN);
 }
 
 static void spaces(struct text *out, int count)
@@ -224,7 +224,10 @@ static void legend(struct text *out, const struct results *results)
 
 void report_terminal_table(struct text *out, const struct results *results)
 {
-    static const char above[] = "load to full contact, P/(An E')";
+    const char *unit = results_load_axis(results, results->baseline).unit;
+    struct text above = {0};
+    text_add(&above, "load to full contact, %s", unit ? "" : "P/(An E')");
+    text_add_shown(&above, unit ? unit : "");
     struct terminal_table table = {.rows = results->usable_count + 1, .columns = column_count(results->plan)};
     int *widths = calloc(table.columns, sizeof *widths), numbers = 0;
     size_t row = 1;
@@ -232,13 +235,15 @@ void report_terminal_table(struct text *out, const struct results *results)
     if (!table.cells || !widths) {
         free(table.cells);
         free(widths);
+        text_free(&above);
         out->failed = true;
         return;
     }
     put_heads(&table, results->plan);
     for (size_t i = 0; i < results->store->count; i++)
         if (results->store->summaries[i].usable)
-            put_surface(&table, row++, &results->store->summaries[i], results->plan);
+            put_surface(&table, row++, &results->store->summaries[i], results->plan,
+                        results_load_axis(results, i).scale);
     for (size_t c = 1; c < table.columns; c++)
         numbers += 1 + (widths[c] = widest(&table, c));
     int room = TERMINAL_WIDTH - numbers > TERMINAL_NAME ? TERMINAL_WIDTH - numbers : TERMINAL_NAME;
@@ -249,8 +254,9 @@ void report_terminal_table(struct text *out, const struct results *results)
     widths[0] = widest(&table, 0);
     if (!results_has_material(results))
         text_add(out, "%s\n", results_without_material);
-    spaces(out, widths[0] + numbers - (int)strlen(above)); /* it stands over the columns of loads, which come last */
-    text_add(out, "%s\n", above);
+    spaces(out, widths[0] + numbers - width_of(text_string(&above))); /* over the columns of loads, which come last */
+    text_add(out, "%s\n", text_string(&above));
+    text_free(&above);
     for (size_t r = 0; r < table.rows; r++)
         print_row(out, &table, r, widths);
     legend(out, results);

@@ -202,7 +202,8 @@ static const char *kind_of_other(const char *path, struct status *status)
 {
     enum { BEGINNING = 65536 };
     char *bytes = malloc(BEGINNING + 1);
-    FILE *file = fopen(path, "rb");
+    int descriptor = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC); /* some files of a kernel wait for news */
+    FILE *file = descriptor < 0 ? NULL : fdopen(descriptor, "rb");
     const char *kind = NULL;
     struct text all = {0};
     if (!bytes)

@@ -98,6 +98,19 @@ static void test_plan(void **state)
     workspace_scan(place, "d/a.csv", 200, 1);
     workspace_write(place, "d/scene.yaml",
                     "material: tin\neffects: [electrical]\nload: {from: 1e-4, to: 1e-2, points: 7}\n");
+    struct process none = expect_exit(place, 0, "plan", "d", "--effects", "separation");
+    expect_no_part(none.out, "No material is given");
+    process_free(&none);
+    workspace_write(place, "d/scene.yaml", "load: {from: 1e-4, to: 1e-2, points: 7}\n");
+    none = expect_exit(place, 0, "plan", "d");
+    expect_part(none.out, "\nNo material is given, so area and separation");
+    expect_part(none.out, "no material is given, so no resistivity_ohm_m");
+    process_free(&none);
+    none = expect_exit(place, 0, "report", "d", "--no-cost");
+    expect_part(none.out, "No material is given, so area and separation");
+    process_free(&none);
+    workspace_write(place, "d/scene.yaml",
+                    "material: tin\neffects: [electrical]\nload: {from: 1e-4, to: 1e-2, points: 7}\n");
     char *before = workspace_digest(place, ".");
     struct process process = expect_exit(place, 0, "plan", "d");
     for (int e = 0; e < EFFECT_COUNT; e++) {

@@ -65,6 +65,37 @@ static void each_surface_has_its_own_bodies(void **state)
     table_free(&all);
 }
 
+/* What a surface does not say itself is the scene's. */
+static void bodies_are_completed(void **state)
+{
+    const struct directory *place = *state;
+    const struct material *tin = material_find("tin"), *copper = material_find("copper");
+    struct scene scene;
+    struct status status = {0};
+    char directory[4096];
+    mkdir(directory_path(place, "in"), 0777);
+    write_scans(place, "in");
+    write_scene(place, "in",
+                "material: tin\ncounterface: same\nhardness: 50 MPa\nsurfaces:\n  - {name: a, file: a.csv}\n"
+                "  - {name: b, file: b.csv, material: copper}\n"
+                "  - {name: c, file: c.csv, counterface: rigid, hardness: 90 MPa}\n");
+    snprintf(directory, sizeof directory, "%s", directory_path(place, "in"));
+    assert_int_equal(scene_read(&scene, directory, &(struct scene_overrides){.material = "silver"}, &status),
+                     STATUS_OK); /* the command line's is the scene's */
+    const struct material *silver = material_find("silver");
+    const struct material_pair expected[] = {material_pair(silver, MATERIAL_COUNTERFACE_ELASTIC, silver),
+                                             material_pair(copper, MATERIAL_COUNTERFACE_ELASTIC, copper),
+                                             material_pair(silver, MATERIAL_COUNTERFACE_RIGID, tin)};
+    const double hardness_Pa[] = {50e6, 50e6, 90e6};
+    for (int s = 0; s < 3; s++) {
+        struct material_pair pair = scene_pair(&scene.surfaces[s].bodies);
+        assert_near(pair.effective_modulus_Pa, expected[s].effective_modulus_Pa, 0);
+        assert_near(pair.resistivity_ohm_m, expected[s].resistivity_ohm_m, 0);
+        assert_near(pair.hardness_Pa, hardness_Pa[s], 0);
+    }
+    scene_free(&scene);
+}
+
 /* The summary stands at the operating load, where every surface has 12 MPa on 1 mm²; charts are over newtons. */
 static void loads_are_shown_as_given(void **state)
 {
@@ -86,7 +117,13 @@ static void loads_are_shown_as_given(void **state)
     assert_non_null(strstr(text_string(&report), "**At 12.0 N (12.0 MPa)**"));
     assert_non_null(strstr(text_string(&report), "at loads of 0.100 to 100 N"));
     assert_non_null(strstr(text_string(&report), "| load in N | pressure (MPa) | model |"));
+    const char *row = strstr(text_string(&report), "\n| b "), *end = row ? strchr(row + 1, '\n') : NULL;
+    assert_non_null(end); /* compared there, not at the baseline's P/(A_n E') */
+    assert_null(memmem(row, (size_t)(end - row), "| – | – ", strlen("| – | – ")));
     text_free(&report);
+    struct text json = directory_read(place, "out/results.json");
+    assert_non_null(strstr(text_string(&json), "\"load_unit\": \"N\""));
+    text_free(&json);
     struct text chart = directory_read(place, "out/figures/6-05.gp");
     assert_non_null(strstr(text_string(&chart), "'load (N)'"));
     assert_non_null(strstr(text_string(&chart), "'1.000000e-01 1.000000e+02 "));
@@ -185,6 +222,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(each_surface_has_its_own_bodies, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(bodies_are_completed, set_up, tear_down),
         cmocka_unit_test_setup_teardown(loads_are_shown_as_given, set_up, tear_down),
         cmocka_unit_test_setup_teardown(without_a_material, set_up, tear_down),
         cmocka_unit_test_setup_teardown(whose_mean_free_path, set_up, tear_down),

@@ -58,10 +58,11 @@ static void mutate(struct text *text, uint64_t *seed)
 {
     static const char *const pieces[] = {"[",     "]",   "{",  "}",  ": ", "- ", "\n", "\t",  "&a ", "*a", "<<: ",
                                          "---\n", "|\n", "!!", "\"", "'",  "#",  "%",  "\\0", "\\n", "? ", ", "};
-    static const char *const words[] = {"1",    "0",      "-1",   "1e999", ".inf",   "nan",   "1e-9",  "12",
-                                        "~",    "null",   "same", "auto",  "rigid",  "tin",   "gold",  "thesis",
-                                        "name", "file",   "Pa",   "unit",  "values", "E_Pa",  "load",  "thermal",
-                                        "all",  "[1, 2]", "{}",   "a.csv", "mm",     "title", "level", "statistical"};
+    static const char *const words[] = {
+        "1",      "0",     "-1",      "1e999",   ".inf",     "nan",    "1e-9",  "12",         "~",  "null",
+        "same",   "auto",  "rigid",   "tin",     "gold",     "thesis", "name",  "file",       "Pa", "unit",
+        "values", "E_Pa",  "load",    "thermal", "all",      "[1, 2]", "{}",    "a.csv",      "mm", "4 mm2",
+        "10 N",   "3 MPa", "20 degC", "a*",      "electron", "title",  "level", "statistical"};
     const char *piece = pieces[below(seed, sizeof pieces / sizeof *pieces)];
     const char *fresh = words[below(seed, sizeof words / sizeof *words)];
     struct stretch word = pick_word(text, seed), line = pick_line(text, seed);
