@@ -634,7 +634,7 @@ static struct text hidden_of(double (*exponent)(size_t line, double x), size_t l
     file.file = open_memstream(&bytes, &length);
     assert_non_null(file.file);
     for (size_t i = 0; i < lines; i++) {
-        char style[8];
+        char style[24];
         snprintf(style, sizeof style, "s%zu", i + 1);
         figure_hidden_begin(&file.lines, style);
         for (int x = 1; x <= 20; x++)
