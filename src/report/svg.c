@@ -146,12 +146,9 @@ static void write_attribute(const struct drawing *drawing, const char *name, con
 static unsigned curve_colour(struct drawing *drawing, const char *value)
 {
     struct svg_curves *curves = drawing->curves;
-    unsigned rgb[3];
-    if ((sscanf(value, "rgb(%3u,%3u,%3u)", &rgb[0], &rgb[1], &rgb[2]) != 3 &&
-         sscanf(value, "#%2x%2x%2x", &rgb[0], &rgb[1], &rgb[2]) != 3) ||
-        (rgb[0] == rgb[1] && rgb[1] == rgb[2]) || rgb[0] > 255 || rgb[1] > 255 || rgb[2] > 255)
+    unsigned colour;
+    if (!read_colour(&colour, value) || ((colour >> 16) == (colour & 255) && (colour >> 8 & 255) == (colour & 255)))
         return 0;
-    unsigned colour = rgb[0] << 16 | rgb[1] << 8 | rgb[2];
     for (unsigned i = 0; i < curves->count; i++)
         if (curves->curve[i].colour == colour)
             return i + 1;

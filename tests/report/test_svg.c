@@ -169,10 +169,10 @@ static void curves_by_colour(void **state)
     assert_string_equal(text_string(&curves.curve[0].name), "A &lt; B");
     assert_int_equal(curves.curve[1].colour, 0xd55e00);
     assert_int_equal(curves.curve[1].name.length, 0);
-    assert_non_null(strstr(text_string(&out), "<path stroke=\"rgb(  0, 114, 178)\" class=\"curve1\"/>"));
-    assert_non_null(strstr(text_string(&out), "<path stroke=\"rgb(0,114,178)\" class=\"curve1\"/>"));
-    assert_non_null(strstr(text_string(&out), "<path stroke=\"rgb(9,9,200)\"/>"));
-    assert_non_null(strstr(text_string(&out), "<path stroke=\"rgb(119,119,119)\"/>"));
+    assert_non_null(strstr(text_string(&out), "<path stroke=\"var(--0072b2,#0072b2)\" class=\"curve1\"/>"));
+    assert_non_null(strstr(text_string(&out), "<path stroke=\"var(--0072b2,#0072b2)\" class=\"curve1\"/><use"));
+    assert_non_null(strstr(text_string(&out), "<path stroke=\"var(--0909c8,#0909c8)\"/>"));
+    assert_non_null(strstr(text_string(&out), "<path stroke=\"var(--777777,#777777)\"/>"));
     svg_curves_free(&curves);
     text_free(&svg);
     text_free(&out);

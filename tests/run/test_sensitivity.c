@@ -29,7 +29,7 @@ static void write_scene(const struct directory *place, const char *in, const cha
              "models: [multiscale, statistical, two-band, persson, contacting-slopes, cmy, sridhar-yovanovich]\n"
              "effects: [plasticity, electrical]\nlevel: line\nwindow: none\nload: {from: 1e-6, to: 1e-3, points: "
              "%d}\n%s",
-             LOADS, *more ? more : "material: tin\n");
+             LOADS, more);
     directory_write(place, path, text);
 }
 
@@ -162,7 +162,7 @@ static void smooth_waves_do_not_change(void **state)
         z[i] = 1e-7 * cos(2 * M_PI * 4 * ((double)i + 0.5) / POINTS) +
                2e-8 * cos(2 * M_PI * 10 * ((double)i + 0.5) / POINTS);
     write_scan(place, "wave/a.csv", z, POINTS);
-    write_scene(place, "wave", "");
+    write_scene(place, "wave", "material: tin\n");
     assert_int_equal(pipeline_run(place, "wave", "out-wave", 1), 0);
     struct table table = table_read_path(directory_path(place, "out-wave/data/sensitivity.csv"));
     size_t seen = 0;
@@ -210,9 +210,11 @@ static void the_chart_ends_at_the_whole_spectrum(void **state)
     static const struct {
         const char *scene, *words, *argument;
     } cases[] = {
-        {"moments: spectral\n", NULL, NULL},
-        {"moments: spectral\nlambda_s_m: 4e-6\n", "; shaded: below 4.00 µm, the cut-off λs.", "'4.000000e-06'"},
-        {"moments: spectral\ntip_radius_m: 5e-6\n", "; shaded: below 5.00 µm, the tip's radius.", "'5.000000e-06'"},
+        {"material: tin\nmoments: spectral\n", NULL, NULL},
+        {"material: tin\nmoments: spectral\nlambda_s_m: 4e-6\n", "; shaded: below 4.00 µm, the cut-off λs.",
+         "'4.000000e-06'"},
+        {"material: tin\nmoments: spectral\ntip_radius_m: 5e-6\n", "; shaded: below 5.00 µm, the tip's radius.",
+         "'5.000000e-06'"},
     };
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
         write_scene(place, "in", cases[k].scene);
