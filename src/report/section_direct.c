@@ -3,6 +3,7 @@
 #include "report/section.h"
 
 #include <math.h>
+#include <string.h>
 
 /** Does a quantity that is compared belong to this run? */
 static bool has(const struct section_context *context, int q)
@@ -298,6 +299,22 @@ static bool called_for(const struct section_context *context)
     return plan_runs(context->results->plan, EFFECT_DIRECT);
 }
 
+/** Surfaces that were to be solved and have no answer, each with why. */
+static void not_solved(struct text *out, const struct section_context *context)
+{
+    const struct results *results = context->results;
+    for (size_t i = 0; i < results->store->count; i++) {
+        const struct surface_summary *s = section_surface(context, i);
+        if (!s->usable || !s->direct || s->direct->possible ||
+            strstr(results->plan->effects[EFFECT_DIRECT].reason, s->direct->problem)) /* said already */
+            continue;
+        section_named(out, "Surface ", results, i);
+        text_add(out, " is not solved: ");
+        text_add_markdown(out, s->direct->problem);
+        text_add(out, ".\n\n");
+    }
+}
+
 static void write_direct(struct text *out, const struct section_context *context)
 {
     const struct results *results = context->results;
@@ -305,7 +322,8 @@ static void write_direct(struct text *out, const struct section_context *context
     if (results->direct_count == 0) {
         text_add(out, "There is none: ");
         text_add_markdown(out, results->plan->effects[EFFECT_DIRECT].reason);
-        text_add(out, ".\n");
+        text_add(out, ".\n\n");
+        not_solved(out, context);
         return;
     }
     for (size_t k = 0; k < results->direct_count && k < SECTION_ROWS; k++) {
@@ -323,6 +341,7 @@ static void write_direct(struct text *out, const struct section_context *context
         else
             surface_record_free(&scan, false);
     }
+    not_solved(out, context);
     if (results->scene->direct.budget_s > 0) {
         text_add(out, "The direct solution was ");
         text_add_markdown(out, results->plan->effects[EFFECT_DIRECT].reason);

@@ -123,9 +123,13 @@ static enum status_code run_direct(struct run *run, struct status *status)
                                          !run->options->no_cost && i == results->baseline};
         struct status problem = {0};
         enum status_code rc = direct_study_run(&run->direct[run->direct_count], &task, &problem);
-        if (rc == STATUS_OK)
+        if (rc == STATUS_OK) {
             run->contacts += run->direct[run->direct_count++].solutions;
-        else
+        } else if (rc == STATUS_MODEL) { /* no number then; the models' curves stand */
+            direct_study_free(&run->direct[run->direct_count]);
+            direct_plan_give_up(results->store->summaries[i].direct, problem.message);
+            rc = STATUS_OK;
+        } else
             rc = status_fail(status, rc, "surface '%s', solved directly: %s", record.summary.scene->name,
                              problem.message);
         surface_record_free(&record, false);

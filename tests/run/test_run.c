@@ -188,6 +188,46 @@ static void test_the_baseline_and_the_order_do_not_depend_on_file_names(void **s
     text_free(&report);
 }
 
+static enum status_code fail_to_converge(const struct direct_crew *crew, struct direct_point *out, double *rms_m,
+                                         const struct direct_ensemble_def *def, size_t first, size_t count,
+                                         struct status *status)
+{
+    (void)crew, (void)out, (void)rms_m, (void)def, (void)first, (void)count;
+    return status_fail(status, STATUS_MODEL, "the direct solution does not converge at p/E' = 0.01");
+}
+
+static enum status_code leave_fine_grid(const struct direct_crew *crew, struct direct_point *out,
+                                        const struct direct_ensemble_def *def, struct status *status)
+{
+    (void)crew, (void)out, (void)def, (void)status;
+    return STATUS_OK;
+}
+
+/* A direct solution that does not converge gives no number and takes none of the report away. */
+static void test_no_convergence_leaves_the_report(void **state)
+{
+    struct run_outcome outcome;
+    struct status status = {0};
+    char target[4096];
+    const struct direct_crew crew = {.surfaces = fail_to_converge, .fine = leave_fine_grid};
+    directory_write(*state, "in/scene.yaml",
+                    "material: tin\neffects: [electrical]\nbaseline: b\ndirect: {grid: 64, seeds: 1, loads: 3}\n");
+    snprintf(target, sizeof target, "%s", directory_path(*state, "out"));
+    struct run_options options = options_to(target);
+    options.crew = &crew;
+    assert_int_equal(pipeline_try(&outcome, *state, "in", options, &status), STATUS_OK);
+    run_outcome_free(&outcome);
+    struct text report = directory_read(*state, "out/report.md");
+    assert_non_null(strstr(text_string(&report), "## Against a direct solution\n\nThere is none: "));
+    assert_non_null(strstr(text_string(&report), "does not converge at p/E' = 0.01"));
+    assert_non_null(strstr(text_string(&report), "Surface b in every model\n"));
+    assert_null(strstr(text_string(&report), "figures/direct"));
+    text_free(&report);
+    char path[4096];
+    snprintf(path, sizeof path, "%s", directory_path(*state, "out/data/direct.csv"));
+    assert_int_equal(access(path, F_OK), -1);
+}
+
 int main(void)
 {
 #define TEST(function) cmocka_unit_test_setup_teardown(function, place_setup, place_teardown)
@@ -196,6 +236,7 @@ int main(void)
         TEST(test_a_refused_scan_does_not_stop_the_others),
         TEST(test_a_run_that_fails_leaves_the_report_before),
         TEST(test_a_signal_halfway_stops_the_run),
+        TEST(test_no_convergence_leaves_the_report),
         TEST(test_the_baseline_and_the_order_do_not_depend_on_file_names),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
