@@ -233,6 +233,29 @@ static enum status_code solve(struct maker *maker, enum direct_study_kind kind, 
     return STATUS_OK;
 }
 
+/** Two or three surfaces tell next to nothing of their own scatter: where that is less, it is taken as the relative one
+ * of the leading kind at that load, whose surfaces have the same spectrum. The area under a hardness is p̄/H on all. */
+static void borrow_scatter(struct direct_study *study, enum direct_study_kind kind)
+{
+    enum { FEW = 4 };
+    const struct direct_study_curve *leading = &study->curves[study->leading];
+    struct direct_study_curve *curve = &study->curves[kind];
+    if (!curve->points || kind == study->leading || curve->seeds >= FEW || leading->seeds <= curve->seeds)
+        return;
+    for (size_t i = 0; i < curve->loads; i++) {
+        const struct direct_ensemble_point *from = &leading->points[i];
+        struct direct_ensemble_point *to = &curve->points[i];
+        const struct direct_mean *const known[] = {&from->area_ratio, &from->gap_m, &from->constriction_m};
+        struct direct_mean *const few[] = {&to->area_ratio, &to->gap_m, &to->constriction_m};
+        for (size_t q = kind == DIRECT_STUDY_CAPPED ? 1 : 0; q < sizeof few / sizeof *few; q++) {
+            double share =
+                known[q]->standard_error / known[q]->value * sqrt((double)leading->seeds / (double)curve->seeds);
+            if (few[q]->value > 0 && share > 0)
+                few[q]->standard_error = fmax(few[q]->standard_error, share * few[q]->value);
+        }
+    }
+}
+
 /** Heights of the first surface. */
 static enum status_code first_surface(double *height_m, const struct maker *maker, struct status *status)
 {
@@ -414,6 +437,8 @@ static enum status_code run(struct maker *maker, struct status *status)
         if ((kind == DIRECT_STUDY_CAPPED || kind == (int)study->leading || study->plan.heights) &&
             solve(maker, (enum direct_study_kind)kind, status) != STATUS_OK)
             return status->code;
+    for (int kind = 0; kind < DIRECT_STUDY_KINDS && study->plan.side == 0; kind++)
+        borrow_scatter(study, (enum direct_study_kind)kind);
     double *height_m = malloc(study->plan.grid * study->plan.grid * sizeof *height_m);
     enum status_code rc = height_m ? first_surface(height_m, maker, status) : status_memory(status);
     if (rc == STATUS_OK)

@@ -202,9 +202,12 @@ static void table(struct text *out, const struct section_context *context, const
              "instead of the surface's rows. Conductance: −½(ρ₁+ρ₂)E′ dḡ/dp̄ of an elastic model's own gap over its "
              "own ECR, 1 in a consistent model (Barber). ± is %s.",
              error_words(study));
+    if (study->plan.side == 0 && study->curves[study->leading].seeds == 1)
+        text_add(out, " Where it is missing a single surface was solved, which has no scatter to tell.");
     for (int kind = 0; kind < DIRECT_STUDY_KINDS; kind++)
-        if (study->plan.side == 0 && study->curves[kind].points && study->curves[kind].seeds == 1) {
-            text_add(out, " Where it is missing a single surface was solved, which has no scatter to tell.");
+        if (study->plan.side == 0 && study->curves[kind].points && study->curves[kind].seeds < 4 &&
+            study->curves[kind].seeds < study->curves[study->leading].seeds) {
+            text_add(out, " Of fewer than four surfaces it is at least the relative scatter of the first kind.");
             break;
         }
     text_add(out, "\n");

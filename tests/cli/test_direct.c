@@ -317,6 +317,39 @@ static void test_resolution(void **state)
     free(page);
 }
 
+/* Two surfaces beside six: an error no less than the scatter of the six says; of the capped area none is borrowed. */
+static void test_few_surfaces(void **state)
+{
+    const char *place = *state;
+    write_profile(place, EFFECTS "direct: {grid: 64, seeds: 5, loads: [1e-3, 2e-3, 4e-3], hardness: 400 MPa}\n");
+    report(place, "out", "2");
+    struct table t = data(place, "out/data/direct.csv");
+    static const char *const columns[][2] = {
+        {"gap_m", "gap_stderr"}, {"ecr_ohm_m2", "ecr_stderr"}, {"area_ratio", "area_stderr"}};
+    size_t compared = 0, alike = 0, bare = 0;
+    for (size_t i = 0; i < t.rows; i++)
+        for (size_t k = 0; k < t.rows; k++) {
+            double few = table_number(&t, i, "seeds"), many = table_number(&t, k, "seeds");
+            if (many != 5 || few != 2 || table_number(&t, i, "load_over_AnEp") != table_number(&t, k, "load_over_AnEp"))
+                continue;
+            bool capped = *table_text(&t, i, "hardness_Pa") != '\0';
+            for (int c = 0; c < 3; c++) {
+                double own = table_number(&t, i, columns[c][1]) / table_number(&t, i, columns[c][0]),
+                       borrowed =
+                           table_number(&t, k, columns[c][1]) / table_number(&t, k, columns[c][0]) * sqrt(5 / 2.0);
+                if (capped && c == 2) {
+                    bare += own < borrowed;
+                    continue;
+                }
+                assert_true(own >= borrowed * (1 - 1e-12));
+                alike += own <= borrowed * (1 + 1e-12);
+                compared++;
+            }
+        }
+    assert_true(compared >= 10 && alike > 0 && alike < compared && bare > 0);
+    table_free(&t);
+}
+
 /* A model has its own colour and marker where its error stands over its time, as it has in every other chart. */
 static void test_cost_colours(void **state)
 {
@@ -454,11 +487,11 @@ static void test_stopped(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        workspace_test(test_files),      workspace_test(test_marks),      workspace_test(test_numbers),
-        workspace_test(test_same_bytes), workspace_test(test_off),        workspace_test(test_budget),
-        workspace_test(test_called_for), workspace_test(test_map),        workspace_test(test_key),
-        workspace_test(test_impossible), workspace_test(test_resolution), workspace_test(test_cost_colours),
-        workspace_test(test_stopped),
+        workspace_test(test_files),        workspace_test(test_marks),      workspace_test(test_numbers),
+        workspace_test(test_same_bytes),   workspace_test(test_off),        workspace_test(test_budget),
+        workspace_test(test_called_for),   workspace_test(test_map),        workspace_test(test_key),
+        workspace_test(test_impossible),   workspace_test(test_resolution), workspace_test(test_few_surfaces),
+        workspace_test(test_cost_colours), workspace_test(test_stopped),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
