@@ -9,6 +9,7 @@
 const double answers_least_spots = 10;
 
 static const struct repeat_set alone; /* one scan */
+static const struct answer no_answer = {.load = NAN, .low = NAN, .high = NAN, .spots_per_m2 = NAN};
 
 /** Share by which a number may miss its target where the curve ends without a full contact. */
 static const double end_slack = 0.01;
@@ -77,7 +78,7 @@ static enum status_code solve(struct answer *out, struct landmarks_model *model,
     struct model_curve curve = {.points = points};
     double ends[2] = {first, last};
     bool found;
-    *out = (struct answer){.load = last, .low = NAN, .high = NAN, .spots_per_m2 = NAN};
+    *out = no_answer;
     if (landmarks_find(ends, &found, &value, &searched, status) != STATUS_OK)
         return status->code;
     size_t count = found && ends[1] > ends[0] ? 2 : 1; /* else the list has one load */
@@ -125,7 +126,7 @@ static enum status_code solve_runs(struct answer *out, const struct landmarks_mo
     size_t *scan = malloc(all * sizeof *scan), count = 0;
     struct repeats_grouping of = {set, scan, 0};
     enum status_code rc = load && scan ? STATUS_OK : status_memory(status);
-    *out = (struct answer){.load = NAN, .low = NAN, .high = NAN, .spots_per_m2 = NAN};
+    *out = no_answer;
     for (size_t r = 0; r < all && rc == STATUS_OK; r++) {
         struct asperities asperities;
         struct answer one;
@@ -194,7 +195,7 @@ static enum status_code answer_target(struct answer *out, const struct surface_r
         QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(target->row->quantity);
     struct landmarks_model model = {row, *task, quantities, &record->repeats};
     bool several = repeats_several(&record->repeats, row);
-    *out = (struct answer){.load = NAN, .low = NAN, .high = NAN, .spots_per_m2 = NAN};
+    *out = no_answer;
     model.task.wanted &= quantities;
     if (!record->curves[m].exists || !(row->quantities & task->wanted & QUANTITY_BIT(target->row->quantity)))
         return STATUS_OK;
@@ -248,6 +249,8 @@ enum status_code answers_find(struct surface_record *record, const struct scene 
         return status_memory(status);
     if (scene->limit_count > 0 && !(summary->limits = calloc(scene->limit_count, sizeof *summary->limits)))
         return status_memory(status);
+    for (size_t i = 0; i < scene->target_count * model_count; i++)
+        summary->answers[i] = no_answer;
     for (size_t m = 0; m < model_count && scene->target_count > 0; m++) {
         double started = clock_seconds();
         if (!plan_runs_model(plan, m))

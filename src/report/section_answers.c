@@ -156,12 +156,14 @@ static void target_sentence(const struct page *page, size_t target)
     text_add(page->out, " (%s).\n", model_rows[leading]->label);
 }
 
-/** The running model of the greatest precedence that says how many spots there are; model_count: none. */
+/** The running model of the greatest precedence that says how many spots there are, within its validity; model_count:
+ * none. */
 static size_t spot_model(const struct results *results, size_t surface, size_t target)
 {
     size_t found = model_count;
     for (size_t m = 0; m < model_count; m++)
-        if (isfinite(answer_of(results, surface, target, m)->spots_per_m2) && plan_runs_model(results->plan, m) &&
+        if (isfinite(answer_of(results, surface, target, m)->spots_per_m2) &&
+            !answer_of(results, surface, target, m)->invalid &&
             (found == model_count || model_rows[m]->precedence > model_rows[found]->precedence))
             found = m;
     return found;

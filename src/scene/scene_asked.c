@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { ASKED_MOST = 32, ROWS = 5 };
+enum { ASKED_MOST = 32 };
 
 /* A quantity of the models that can be asked for needs its row here. */
 const struct scene_asked_row scene_asked_rows[] = {
@@ -15,7 +15,7 @@ const struct scene_asked_row scene_asked_rows[] = {
     {"area", "A/Aₙ", 0, UNIT_NUMBER | UNIT_PERCENT, QUANTITY_AREA, false, true, 1e-12, 1},
     {"temperature", "T", 0, UNIT_TEMPERATURE, QUANTITY_COUNT, false, true, 0, 1e5},
 };
-_Static_assert(SCENE_COUNT(scene_asked_rows) == ROWS, "one key a row");
+enum { ROWS = SCENE_COUNT(scene_asked_rows) };
 
 /* What is being read into: targets, or limits. */
 struct list {
