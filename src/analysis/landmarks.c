@@ -19,6 +19,7 @@ typedef double excess_function(const struct search *search, const struct contact
 struct search {
     excess_function *excess;
     const struct model_row *row;
+    const struct landmarks_value *value;
     double half_step; /* of ln P: it looks at the loads that much before and after; 0: at the load */
     double low, high, excess_low, excess_high; /* NaN: not known yet */
     double trials[TRIALS];
@@ -48,6 +49,17 @@ static double slope_excess(const struct search *search, const struct contact_poi
     if (!before || !(before->ecr_ohm_m2 > 0) || !after || !(after->ecr_ohm_m2 > 0))
         return INFINITY; /* complete */
     return log(before->ecr_ohm_m2 / after->ecr_ohm_m2) - curve_summary_elbow_slope * 2 * search->half_step;
+}
+
+static double value_excess(const struct search *search, const struct contact_point *before,
+                           const struct contact_point *after)
+{
+    const struct landmarks_value *sought = search->value;
+    double value = before ? quantity_value(before, sought->quantity) : NAN, ratio = log(value / sought->value);
+    (void)after;
+    if (before && sought->shift)
+        ratio += sought->shift(log(before->load), sought->context);
+    return isnan(value) ? INFINITY : sought->rises ? ratio : -ratio;
 }
 
 enum status_code landmarks_run_model(struct model_curve *out, const double *loads, size_t count, void *context,
@@ -226,6 +238,27 @@ enum status_code landmarks_solve(struct curve_summary *summary, const struct mod
     for (size_t s = 0; s < count; s++)
         if (searches[s].found)
             *results[s] = fmax(exp(searches[s].high), curve->points[0].load);
+    return STATUS_OK;
+}
+
+enum status_code landmarks_find(double ends[2], bool *found, const struct landmarks_value *value,
+                                const struct landmarks_curve *searched, struct status *status)
+{
+    struct search search = {.excess = value_excess,
+                            .value = value,
+                            .low = log(ends[0]),
+                            .high = log(ends[1]),
+                            .excess_low = NAN,
+                            .excess_high = NAN};
+    if (solve(&search, 1, searched, status) != STATUS_OK)
+        return status->code;
+    *found = search.found;
+    if (search.found && isnan(search.excess_low)) {
+        ends[1] = ends[0];
+    } else if (search.found) {
+        ends[0] = fmax(exp(search.low), ends[0]);
+        ends[1] = fmin(fmax(exp(search.high), ends[0]), ends[1]);
+    }
     return STATUS_OK;
 }
 

@@ -36,6 +36,22 @@ MUST_CHECK enum status_code landmarks_solve(struct curve_summary *summary, const
                                             const struct model_row *row, const struct landmarks_curve *searched,
                                             struct status *status);
 
+/** A value that a quantity passes as the load rises. */
+struct landmarks_value {
+    enum quantity quantity;
+    double value; /* above 0 */
+    bool rises;   /* the quantity does; else it falls */
+    /** Added to the quantity's logarithm, as one end of its interval is; NULL: nothing. */
+    double (*shift)(double ln_load, const void *context);
+    const void *context;
+};
+/** Where it does, between the loads ends[0] and ends[1]: *found is false where it is not passed up to ends[1], and
+ * ends[] are then as they were; else they are narrowed to within the tolerance, ends[1] being the first load known to
+ * be beyond, or both the first load where it has been passed there. Loads at which the curve has no such number count
+ * as beyond. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code landmarks_find(double ends[2], bool *found, const struct landmarks_value *value,
+                                           const struct landmarks_curve *searched, struct status *status);
+
 /** The other estimate of beta (4.54), which brings delta_ADJ closest to the multiscale H in the mean square: the mean
  * of 4 (H - delta/2)/sigma over ln P, from `from` to `to` = P/(A_n E'), below the full contact of the adjusted model.
  * By Gauss and Legendre's 12, 24 and 48 loads, until two agree to the tolerance (of the greater of 1 and beta): where

@@ -128,21 +128,20 @@ struct model_task repeats_task(struct asperities *asperities, const struct repea
     struct model_task own = *task;
     struct status none = {0};
     own.spectrum = &part->spectrum;
-    own.points = NULL; /* a whole scan's: see run_task() */
+    own.points = NULL; /* a whole scan's: see repeats_run_task() */
     own.point_count = 0;
     own.asperities = roughness_asperities(asperities, &part->roughness, &none) == STATUS_OK ? asperities : NULL;
     return own;
 }
 
-/** Runs of a model: one a part, or of one that uses heights one a scan. */
-static size_t run_count(const struct repeat_set *set, const struct model_row *model)
+size_t repeats_runs(const struct repeat_set *set, const struct model_row *model)
 {
     return model->uses_heights ? set->scan_count : set->count;
 }
 
 bool repeats_several(const struct repeat_set *set, const struct model_row *model)
 {
-    return set->count > 1 && run_count(set, model) > 1;
+    return set->count > 1 && repeats_runs(set, model) > 1;
 }
 
 /** The spectrum of a whole scan; NULL where it was cut, or is a map. */
@@ -158,10 +157,10 @@ static const struct spectrum *whole_spectrum(const struct repeat_set *set, size_
     return parts == 1 ? found : NULL;
 }
 
-/** Task of run r, and the scan it is of. A model that uses heights takes them of whole scans; where such a one has no
- * spectrum of its own, with that of all. */
-static struct model_task run_task(struct asperities *asperities, size_t *scan, const struct repeat_set *set, size_t r,
-                                  const struct model_row *model, const struct model_task *task)
+/* A model that uses heights takes them of whole scans; where such a one has no spectrum of its own, with that of all.
+ */
+struct model_task repeats_run_task(struct asperities *asperities, size_t *scan, const struct repeat_set *set, size_t r,
+                                   const struct model_row *model, const struct model_task *task)
 {
     if (!model->uses_heights) {
         *scan = set->parts[r].scan;
@@ -180,10 +179,10 @@ struct model_work repeats_work(const struct repeat_set *set, const struct model_
                                const struct model_task *task)
 {
     struct model_work sum = {0};
-    for (size_t r = 0; r < run_count(set, model); r++) {
+    for (size_t r = 0; r < repeats_runs(set, model); r++) {
         struct asperities asperities;
         size_t scan;
-        struct model_task own = run_task(&asperities, &scan, set, r, model, task);
+        struct model_task own = repeats_run_task(&asperities, &scan, set, r, model, task);
         struct model_work work = model->work(model, &own);
         model_work_add(&sum, &work);
     }
@@ -211,7 +210,7 @@ static enum status_code run_all(struct runs *out, struct model_curve *curve, str
                                 const struct repeat_set *set, const struct model_row *model,
                                 const struct model_task *task, struct status *status)
 {
-    size_t all = run_count(set, model), room = task->load_count + 1;
+    size_t all = repeats_runs(set, model), room = task->load_count + 1;
     *out = (struct runs){.curves = calloc(all, sizeof *out->curves),
                          .points = calloc(all * room, sizeof *out->points),
                          .scan = calloc(all, sizeof *out->scan),
@@ -221,7 +220,7 @@ static enum status_code run_all(struct runs *out, struct model_curve *curve, str
     for (size_t r = 0; r < all; r++) {
         struct asperities asperities;
         struct model_curve *own = &out->curves[out->count];
-        struct model_task alone = run_task(&asperities, &out->scan[out->count], set, r, model, task);
+        struct model_task alone = repeats_run_task(&asperities, &out->scan[out->count], set, r, model, task);
         *own = (struct model_curve){.points = out->points + out->count * room};
         if (model_run(own, model, &alone, status) != STATUS_OK)
             return status->code;

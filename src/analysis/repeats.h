@@ -96,6 +96,12 @@ struct repeats_result {
     size_t left_out; /* parts on which the model has no solution */
 };
 
+/** Runs of a model: one a part, or of one that uses heights one a scan; and task of run r, with the scan it is of.
+ * `asperities` is where its own go. */
+size_t repeats_runs(const struct repeat_set *set, const struct model_row *model);
+struct model_task repeats_run_task(struct asperities *asperities, size_t *scan, const struct repeat_set *set, size_t r,
+                                   const struct model_row *model, const struct model_task *task);
+
 /** Has a model several runs on these scans? One that uses heights takes a map as a whole. */
 bool repeats_several(const struct repeat_set *set, const struct model_row *model);
 

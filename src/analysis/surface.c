@@ -350,7 +350,7 @@ enum status_code surface_run_models(struct surface_record *record, const struct 
             return status->code;
     if (plan_runs(plan, EFFECT_CONVERGENCE))
         extend(record, scene);
-    return STATUS_OK;
+    return answers_find(record, scene, plan, &task, status);
 }
 
 /** Heights stay where a model that was asked for uses them, or unasked where they are not Gaussian; two rough bodies
@@ -454,7 +454,11 @@ void surface_summary_free(struct surface_summary *summary)
     free(summary->notes);
     free(summary->models);
     free(summary->direct);
+    free(summary->answers);
+    free(summary->limits);
     summary->direct = NULL;
+    summary->answers = NULL;
+    summary->limits = NULL;
     summary->refusal = summary->notes = NULL;
     summary->models = NULL;
 }

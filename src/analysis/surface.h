@@ -2,6 +2,7 @@
 #ifndef ANALYSIS_SURFACE_H
 #define ANALYSIS_SURFACE_H
 
+#include "analysis/answers.h"
 #include "analysis/curve_summary.h"
 #include "analysis/direct_plan.h"
 #include "analysis/plan.h"
@@ -56,6 +57,8 @@ struct surface_summary {
     size_t harmonics;
     struct effect_bounds bound;
     struct curve_summary *models; /* model_count of them; owned like the texts */
+    struct answer *answers;       /* [target][model]; owned, NULL: the scene has no targets */
+    struct limit_check *limits;   /* one a limit of the scene; the same */
     size_t heights;               /* points kept in surface_record.points */
     size_t map_side;              /* points along the square that a map offers; 0: profiles */
     double map_dy_m;              /* from row to row of it */

@@ -51,7 +51,7 @@ struct work work_predict(const struct surface_summary *surfaces, size_t count, c
         for (size_t m = 0; m < model_count; m++) {
             if (!plan_runs_model(plan, m))
                 continue;
-            struct model_work searches = {.searches = surface_seeks_beta(plan, m) ? 2 : 1};
+            struct model_work searches = {.searches = (surface_seeks_beta(plan, m) ? 2 : 1) + scene->target_count};
             model_work_add(share_of(&work, m), &searches);
             model_work_add(share_of(&work, m),
                            &surfaces[i].models[m].bounds.work[plan_runs(plan, EFFECT_SCALE_DEPENDENT)]);

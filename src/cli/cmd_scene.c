@@ -16,10 +16,10 @@ struct arguments {
     const char *directory;
     struct scene_overrides overrides;
     struct run_options run;
-    bool show, verbose;
+    bool show, verbose, check;
 };
 
-enum { KEY_X_UNIT = 0x100, KEY_Z_UNIT, KEY_NO_COST };
+enum { KEY_X_UNIT = 0x100, KEY_Z_UNIT, KEY_NO_COST, KEY_CHECK };
 
 /* What both take: the directory, and what overrides its scene. */
 static const struct argp_option scene_options[] = {
@@ -88,6 +88,8 @@ static const struct argp_option report_options[] = {
     {"jobs", 'j', "N", 0, "threads, 1 to 64 (default: one a processor)", 0},
     {"show", 's', 0, 0, "also draw the main charts as text (default: not)", 0},
     {"no-cost", KEY_NO_COST, 0, 0, "leave out the section on what accuracy costs in time (default: not)", 0},
+    {"check", KEY_CHECK, 0, 0, "end with exit status 5 where a surface misses one of the scene's limits (default: not)",
+     0},
     {"verbose", 'v', 0, 0, "end with where the time went (default: not)", 0},
     {0},
 };
@@ -113,6 +115,9 @@ static error_t parse_report(int key, char *value, struct argp_state *state)
         return 0;
     case KEY_NO_COST:
         arguments->run.no_cost = true;
+        return 0;
+    case KEY_CHECK:
+        arguments->check = true;
         return 0;
     case 'v':
         arguments->verbose = true;
@@ -208,9 +213,14 @@ static int report(struct arguments *arguments, struct scene *scene, struct statu
         exit_status = command_fail(status);
     } else {
         fputs(text_string(&outcome.charts), stdout);
-        printf("%s\n%s\n", text_string(&outcome.table), outcome.path);
+        printf("%s%s%s\n%s\n", text_string(&outcome.table), outcome.answers.length > 0 ? "\n" : "",
+               text_string(&outcome.answers), outcome.path);
         if (outcome.refused > 0)
             exit_status = COMMAND_REFUSED;
+        if (arguments->check && outcome.missed_count > 0) {
+            fputs(text_string(&outcome.missed), stderr);
+            exit_status = COMMAND_MISSED; /* the refused are named too, but this is what was asked */
+        }
         const struct run_times *times = &outcome.times;
         double models = times->convergence + times->direct;
         for (size_t m = 0; m < model_count; m++)
@@ -230,6 +240,14 @@ static int report(struct arguments *arguments, struct scene *scene, struct statu
     return exit_status;
 }
 
+/** A check of nothing must not pass. */
+static int fail_no_limits(struct status *status)
+{
+    (void)status_fail(status, STATUS_USAGE,
+                      "--check: the scene has no 'limits' to check; add them, or leave --check out");
+    return command_fail(status);
+}
+
 static int run(int argc, char **argv, const struct argp *argp, bool direct)
 {
     struct arguments arguments = {.overrides.direct = direct};
@@ -239,6 +257,8 @@ static int run(int argc, char **argv, const struct argp *argp, bool direct)
     int exit_status;
     if (scene_read(&scene, arguments.directory, &arguments.overrides, &status) != STATUS_OK)
         exit_status = command_fail(&status);
+    else if (arguments.check && scene.limit_count == 0)
+        exit_status = fail_no_limits(&status);
     else
         exit_status = report(&arguments, &scene, &status);
     scene_free(&scene);
@@ -304,6 +324,9 @@ static void print_plan(const struct scene *scene, const struct prepared *prepare
     printf("\n%zu surface%s, %zu loads, tolerance %g, closure %s\n", scene->surface_count,
            scene->surface_count == 1 ? "" : "s", prepared->results.load_count, scene->tolerance,
            sinusoid_fits[scene->closure].name);
+    if (scene->target_count > 0)
+        printf("%zu target%s: a search each on every model's curve of each surface, counted in the evaluations above\n",
+               scene->target_count, scene->target_count == 1 ? "" : "s");
     print_heights(&prepared->store);
 }
 

@@ -13,6 +13,7 @@ enum command_exit {
     COMMAND_USAGE = 2,
     COMMAND_SCENE = 3,
     COMMAND_NOTHING = 4, /* nothing could be reported */
+    COMMAND_MISSED = 5,  /* report --check: a report was written, but a surface misses a limit */
 };
 
 struct command_row {

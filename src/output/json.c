@@ -402,6 +402,68 @@ static json_t *work_json(const struct results *results)
     return json;
 }
 
+/** What one model says of one target. */
+static json_t *answer_json(const struct results *results, size_t surface, size_t m, size_t t, struct status *status)
+{
+    const struct scene_asked *target = &results->scene->targets[t];
+    const struct surface_summary *s = &results->store->summaries[surface];
+    const struct answer *answer = &s->answers[t * model_count + m];
+    const struct cell_guard guard = {s->scene->name, status};
+    bool met = answer->kind == ANSWER_LOAD || answer->kind == ANSWER_LIGHTEST;
+    double area_m2 = results->scene->nominal_area_m2, interval[2] = {answer->low, answer->high};
+    struct text note = {0}, asked = {0};
+    text_add(&asked, "%s %s", target->row->name, target->text);
+    answers_note(&note, answer, area_m2, 1);
+    json_t *json = json_pack("{s:o, s:s, s:o, s:o}", "surface", string(s->scene->name), "model", model_rows[m]->name,
+                             "target", string(text_string(&asked)), "note", string(text_string(&note)));
+    set(json, &guard, "load_N", met ? answer->load * scene_load_divisor(results->scene, UNIT_FORCE, &s->pair) : NAN);
+    set(json, &guard, "load_over_AnEp", met ? answer->load : NAN);
+    json_object_set_new(json, "interval_95", pair_json("interval_95", interval, &guard));
+    set(json, &guard, "spots", answers_spots(answer, area_m2));
+    text_free(&note);
+    text_free(&asked);
+    return json;
+}
+
+static json_t *answers_json(const struct results *results, struct status *status)
+{
+    json_t *answers = json_array();
+    for (size_t i = 0; i < results->store->count; i++)
+        for (size_t m = 0; m < model_count && results->store->summaries[i].usable; m++)
+            for (size_t t = 0; t < results->scene->target_count && plan_runs_model(results->plan, m); t++)
+                json_array_append_new(answers, answer_json(results, i, m, t, status));
+    return answers;
+}
+
+/** How every surface stands to every limit, by the leading model. */
+static json_t *limits_json(const struct results *results, struct status *status)
+{
+    static const char *const verdicts[] = {[LIMIT_NO_VALUE] = "no value",
+                                           [LIMIT_MET] = "meets",
+                                           [LIMIT_MISSED] = "misses",
+                                           [LIMIT_CANNOT_TELL] = "cannot tell"};
+    json_t *limits = json_array();
+    for (size_t i = 0; i < results->store->count; i++)
+        for (size_t l = 0; l < results->scene->limit_count && results->store->summaries[i].usable; l++) {
+            const struct surface_summary *s = &results->store->summaries[i];
+            const struct scene_asked *limit = &results->scene->limits[l];
+            const struct limit_check *check = &s->limits[l];
+            const struct cell_guard guard = {s->scene->name, status};
+            const double interval[2] = {check->low, check->high};
+            struct text asked = {0};
+            text_add(&asked, "%s %s %s", limit->row->name, limit->is_most ? "most" : "least", limit->text);
+            json_t *json =
+                json_pack("{s:o, s:s, s:o, s:s, s:s}", "surface", string(s->scene->name), "model",
+                          model_rows[plan_leading_model(results->plan)]->name, "limit", string(text_string(&asked)),
+                          "verdict", verdicts[check->verdict], "quantity", quantity_rows[limit->row->quantity].name);
+            set(json, &guard, "value", check->value);
+            json_object_set_new(json, "interval_95", pair_json("interval_95", interval, &guard));
+            json_array_append_new(limits, json);
+            text_free(&asked);
+        }
+    return limits;
+}
+
 /** Prints one value; takes it over. */
 static bool print(FILE *file, json_t *json)
 {
@@ -447,6 +509,16 @@ enum status_code json_write(const struct results *results, const char *directory
     if (results->scene->passed_over) {
         fputs("\"passed_over\": ", file);
         ok = ok && print(file, lines_json(results->scene->passed_over));
+        fputs(",\n", file);
+    }
+    if (results->scene->target_count > 0 && ok) {
+        fputs("\"answers\": ", file);
+        ok = print(file, answers_json(results, status));
+        fputs(",\n", file);
+    }
+    if (results->scene->limit_count > 0 && ok) {
+        fputs("\"limits\": ", file);
+        ok = print(file, limits_json(results, status));
         fputs(",\n", file);
     }
     for (size_t k = 0; k < results->direct_count && ok; k++) {

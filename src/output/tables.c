@@ -388,6 +388,45 @@ static enum status_code write_sensitivity(const struct results *results, const c
     return table_close(&table);
 }
 
+static void put_answer(struct table *table, const struct results *results, size_t surface, size_t m, size_t t)
+{
+    const struct scene_asked *target = &results->scene->targets[t];
+    const struct surface_summary *s = &results->store->summaries[surface];
+    const struct answer *answer = &s->answers[t * model_count + m];
+    bool met = answer->kind == ANSWER_LOAD || answer->kind == ANSWER_LIGHTEST;
+    double force_N = scene_load_divisor(results->scene, UNIT_FORCE, &s->pair),
+           area_m2 = results->scene->nominal_area_m2;
+    struct text asked = {0}, note = {0};
+    put_surface(table, s);
+    text_add(&asked, "%s %s", target->row->name, target->text);
+    answers_note(&note, answer, area_m2, 1);
+    text_add(&table->row, ",%s,", model_rows[m]->name);
+    text_add_csv(&table->row, text_string(&asked));
+    put_number(table, "load_N", met ? answer->load * force_N : NAN);
+    put_number(table, "load_over_AnEp", met ? answer->load : NAN);
+    put_number(table, "low", answer->low);
+    put_number(table, "high", answer->high);
+    text_add_bytes(&table->row, ",", 1);
+    text_add_csv(&table->row, text_string(&note));
+    end_row(table);
+    text_free(&asked);
+    text_free(&note);
+}
+
+static enum status_code write_answers(const struct results *results, const char *directory, struct status *status)
+{
+    struct table table;
+    if (table_open(&table, directory, "answers.csv", status) != STATUS_OK)
+        return status->code;
+    text_add(&table.row, "surface,model,target,load_N,load_over_AnEp,low,high,note");
+    end_row(&table);
+    for (size_t i = 0; i < results->store->count; i++)
+        for (size_t m = 0; m < model_count && results->store->summaries[i].usable; m++)
+            for (size_t t = 0; t < results->scene->target_count && plan_runs_model(results->plan, m); t++)
+                put_answer(&table, results, i, m, t);
+    return table_close(&table);
+}
+
 /** What direct.csv says of each quantity: value and error. */
 static const struct {
     enum quantity quantity;
@@ -494,6 +533,8 @@ enum status_code tables_write(const struct results *results, const char *directo
         rc = write_curves(results, directory, status);
     if (rc == STATUS_OK)
         rc = write_sensitivity(results, directory, status);
+    if (rc == STATUS_OK && results->scene->target_count > 0)
+        rc = write_answers(results, directory, status);
     if (rc == STATUS_OK && results->convergence)
         rc = write_convergence(results, directory, status);
     if (rc == STATUS_OK && results->direct)

@@ -16,4 +16,9 @@ void report_markdown(struct text *out, const struct section_context *context);
 /** The compact table for a terminal: surface, Rq, alpha, gamma, beta, load to full contact of each model. */
 void report_terminal_table(struct text *out, const struct results *results);
 
+/** The targets' and limits' sentences for a terminal, a line each; nothing where the scene has none. */
+void report_terminal_answers(struct text *out, const struct results *results);
+/** Names each surface that misses a limit, a line each, and returns how many lines those are. */
+size_t report_missed_limits(struct text *out, const struct results *results);
+
 #endif

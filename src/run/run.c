@@ -237,6 +237,8 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
     if (report_write(run->results, &run->figures, staging, options->templates, status) != STATUS_OK)
         return status->code;
     report_terminal_table(&out->table, run->results);
+    report_terminal_answers(&out->answers, run->results);
+    out->missed_count = report_missed_limits(&out->missed, run->results);
     out->times.report = lap(&last);
     return stopped(run) ? status->code : output_commit(&run->output, status);
 }
@@ -296,6 +298,8 @@ void run_outcome_free(struct run_outcome *outcome)
 {
     text_free(&outcome->messages);
     text_free(&outcome->table);
+    text_free(&outcome->answers);
+    text_free(&outcome->missed);
     text_free(&outcome->charts);
     text_free(&outcome->work);
     free(outcome->path);

@@ -31,6 +31,9 @@ struct run_outcome {
     size_t surfaces, refused;
     struct text messages;     /* one line a refused surface and a warning */
     struct text table;        /* the compact table for a terminal */
+    struct text answers;      /* to the scene's targets and limits, a line each */
+    struct text missed;       /* one line a surface and limit that it misses */
+    size_t missed_count;      /* of those */
     struct text charts;       /* when terminal_size was given */
     char *path;               /* of report.html */
     struct text work;         /* predicted against done, effect by effect */

@@ -1,5 +1,6 @@
 #include "scene/scene.h"
 #include "joint/electron.h"
+#include "scene/scene_asked.h"
 #include "scene/scene_keys.h"
 #include "scene/scene_listing.h"
 #include "scene/scene_surfaces.h"
@@ -385,7 +386,8 @@ static enum status_code complete(struct scene *scene, struct scene_source *sourc
         return status->code;
     if ((scene->surface_count == 0 && scene_listing_read(scene, status) != STATUS_OK) ||
         complete_all_bodies(scene, source) != STATUS_OK || check_loads(scene, source) != STATUS_OK ||
-        override_units(scene, overrides, status) != STATUS_OK || check_baseline(scene, source) != STATUS_OK)
+        scene_asked_complete(scene, source) != STATUS_OK || override_units(scene, overrides, status) != STATUS_OK ||
+        check_baseline(scene, source) != STATUS_OK)
         return status->code;
     if (!scene->title)
         scene->title = directory_title(scene->directory);
@@ -414,6 +416,8 @@ void scene_free(struct scene *scene)
     free(scene->surfaces);
     scene_surfaces_free(&scene->counterface_surface);
     free(scene->measured.file);
+    free(scene->targets);
+    free(scene->limits);
     free(scene->load.values);
     free(scene->direct.values);
     free(scene->baseline);

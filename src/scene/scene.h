@@ -103,6 +103,35 @@ struct scene_direct {
     enum scene_direct_surfaces surfaces;
 };
 
+/** A number that a target or a limit may be given in: one row each. */
+struct scene_asked_row {
+    const char *name;         /* the scene's key */
+    const char *symbol;       /* in running text */
+    unsigned total, per_area; /* enum unit_quantity bits: of the whole contact (0: not so), and as the models have it */
+    enum quantity quantity;   /* that the models compute; QUANTITY_COUNT: none does */
+    bool reciprocal;          /* it is 1/quantity */
+    bool rises;               /* the quantity does, with the load; else it falls */
+    double least, most;       /* SI */
+};
+extern const struct scene_asked_row scene_asked_rows[];
+
+/** A target or a limit. */
+struct scene_asked {
+    const struct scene_asked_row *row;
+    double value;                /* of row->quantity, as the models have it */
+    double factor;               /* of what the scene gives it in: value = factor times the number, or its inverse */
+    bool is_most;                /* a limit: not to be exceeded, as the scene says it */
+    bool is_upper;               /* the same of row->quantity */
+    enum unit_quantity kind;     /* of the number */
+    struct unit unit;            /* as given */
+    char unit_text[UNIT_LENGTH]; /* the same as written, or SI */
+    char text[UNIT_LENGTH + 16]; /* "1 mohm" */
+    size_t line;
+};
+
+/** A value of row->quantity in the unit of the scene. */
+double scene_asked_shown(const struct scene_asked *asked, double value);
+
 struct scene {
     char *directory; /* DIR as given */
     char *path;      /* of scene.yaml, NULL when there is none */
@@ -135,6 +164,8 @@ struct scene {
     enum scan_direction direction;            /* of the profiles taken from an areal map */
     struct scene_surface counterface_surface; /* file_count 0: the counterface is smooth */
     struct scene_measured measured;
+    struct scene_asked *targets, *limits; /* NULL: none */
+    size_t target_count, limit_count;
     struct scene_surface *surfaces;
     size_t surface_count;
     char *passed_over; /* files of the directory that are no scans, a line a kind; NULL: none */

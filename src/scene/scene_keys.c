@@ -1,4 +1,5 @@
 #include "scene/scene_keys.h"
+#include "scene/scene_asked.h"
 #include "scene/scene_surfaces.h"
 #include "scene/scene_words.h"
 
@@ -418,6 +419,8 @@ bool scene_keys_read(struct scene_source *source, const yaml_node_t *root)
         {"load", read_load, .field = &scene->load},
         {"operating_load", read_operating_load, .field = &scene->operating, .least = LOAD_LEAST, .most = LOAD_MOST,
          .quantities = UNIT_LOADS},
+        {"targets", scene_asked_targets, .field = NULL},
+        {"limits", scene_asked_limits, .field = NULL},
         {"tolerance", SCENE_NUMBER(scene->tolerance, SCENE_KEYS_TOLERANCE_LEAST, SCENE_KEYS_TOLERANCE_MOST)},
         {"level", SCENE_CHOICE(scene->level, level_names)},
         {"window", SCENE_CHOICE(scene->window, spectrum_window_names)},

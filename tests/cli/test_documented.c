@@ -125,9 +125,9 @@ static size_t check_sections(const char *document, const char *place)
 static void report_is_described(void **state)
 {
     const char *place = *state;
-    static const char *const tables[] = {"surfaces.csv",     "spectrum.csv",   "contact.csv", "convergence.csv",
-                                         "cost.csv",         "spread.csv",     "bands.csv",   "direct.csv",
-                                         "direct_ratio.csv", "sensitivity.csv"};
+    static const char *const tables[] = {"surfaces.csv",     "spectrum.csv",    "contact.csv", "convergence.csv",
+                                         "cost.csv",         "spread.csv",      "bands.csv",   "direct.csv",
+                                         "direct_ratio.csv", "sensitivity.csv", "answers.csv"};
     char *document = read_document();
     workspace_scan(place, "in/a.csv", 300, 1);
     workspace_scan(place, "in/b.csv", 300, 2);
@@ -142,6 +142,7 @@ static void report_is_described(void **state)
         "convergence: {scales: 64}\ndirect: {grid: 64, seeds: 1, loads: [1e-3, 5e-3]}\ncounterface: "
         "{surface: flat.csv, material: copper}\n"
         "measured: {file: ecr.txt, quantity: ecr}\n"
+        "targets: [{ecr: 1 mohm}]\nlimits: {ecr: {most: 1 mohm}}\n"
         "surfaces:\n  - {name: one, file: [a.csv, b.csv]}\n  - {name: two, file: c.csv}\n"
         "  - {name: three, file: broken.csv}\n");
     struct process process = expect_exit(place, 1, "report", "in", "-o", "out");
@@ -164,7 +165,7 @@ static void report_is_described(void **state)
     assert_non_null(strstr(report, "\n## What the answers hang on: cut-off, scan length, hardness\n"));
     free(report);
     check_sections(document, place);
-    assert_int_equal(sections + 1, 16); /* all but the title's */
+    assert_int_equal(sections + 1, 17); /* all but the title's */
     free(document);
 }
 

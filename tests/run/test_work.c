@@ -207,10 +207,27 @@ static int tear_down(void **state)
     return nftw(directory, remove_entry, 16, FTW_DEPTH | FTW_PHYS);
 }
 
+/** A target is a search on every model's curve of each surface, and nothing else; no target is none. */
+static void targets_are_searches(void **state)
+{
+    (void)state;
+    static const char without[] = FILES "models: [gw, jg, cmy]\neffects: [plasticity, electrical]\n";
+    struct work none = work_of(without, NULL), two;
+    two = work_of(FILES "models: [gw, jg, cmy]\neffects: [plasticity, electrical]\n"
+                        "targets: [{ecr: 1e-9 ohm m2}, {area: 1 %}]\nlimits: {area: {least: 1 %}}\n",
+                  NULL);
+    assert_int_equal(two.elastic.searches, none.elastic.searches + 2 * 2 * 1);
+    assert_int_equal(two.plastic.searches, none.plastic.searches + 2 * 2 * 2);
+    two.elastic.searches = none.elastic.searches;
+    two.plastic.searches = none.plastic.searches;
+    assert_same(&two, &none);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(each_effect_removes_its_own_work),
+        cmocka_unit_test(targets_are_searches),
         cmocka_unit_test(families_remove_their_own_work),
         cmocka_unit_test(auto_skips_what_cannot_matter),
     };

@@ -406,6 +406,56 @@ static void test_numbers_in_another_locale(void **state)
     setlocale(LC_ALL, "C");
 }
 
+static void test_targets_and_limits(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "material: tin\ntargets: [{ecr: 1 mohm}, {ecr: 3e-9 ohm m2}, {tcr: 0.5 K/W, area: 5 %}, {conductance: 10 "
+        "kW/m2/K}]\n"
+        "limits:\n  conductance: {least: 1e4}\n  area: {most: 0.2, least: 1 %}\n  ecr: {most: 2 mohm}\n"
+        "nominal_area: 2 mm2\n";
+    struct scene_directory directory = scene_directory_make();
+    scene_directory_add(&directory, "a.csv");
+    scene_directory_write(&directory, "scene.yaml", text, strlen(text));
+    struct scene scene = scene_directory_read(directory.path, NULL);
+    static const struct {
+        const char *name, *text;
+        double value, shown; /* as the models have it, as the scene does */
+        enum quantity quantity;
+    } targets[] = {
+        {"ecr", "1 mohm", 2e-9, 1, QUANTITY_ECR},
+        {"ecr", "3e-09 ohm m2", 3e-9, 3e-9, QUANTITY_ECR},
+        {"tcr", "0.5 K/W", 1e-6, 0.5, QUANTITY_TCR},
+        {"area", "5 %", 0.05, 5, QUANTITY_AREA},
+        {"conductance", "10 kW/m2/K", 1e-4, 10, QUANTITY_TCR},
+    };
+    assert_int_equal(scene.target_count, 5);
+    for (size_t t = 0; t < 5; t++) {
+        assert_string_equal(scene.targets[t].row->name, targets[t].name);
+        assert_string_equal(scene.targets[t].text, targets[t].text);
+        assert_int_equal(scene.targets[t].row->quantity, targets[t].quantity);
+        assert_near(scene.targets[t].value, targets[t].value, 1e-15);
+        assert_near(scene_asked_shown(&scene.targets[t], targets[t].value), targets[t].shown, 1e-14);
+    }
+    static const struct {
+        const char *name;
+        double value;
+        bool is_most, is_upper;
+    } limits[] = {{"conductance", 1e-4, false, true},
+                  {"area", 0.2, true, true},
+                  {"area", 0.01, false, false},
+                  {"ecr", 4e-9, true, true}};
+    assert_int_equal(scene.limit_count, 4);
+    for (size_t l = 0; l < 4; l++) {
+        assert_string_equal(scene.limits[l].row->name, limits[l].name);
+        assert_near(scene.limits[l].value, limits[l].value, 1e-15);
+        assert_int_equal(scene.limits[l].is_most, limits[l].is_most);
+        assert_int_equal(scene.limits[l].is_upper, limits[l].is_upper);
+    }
+    scene_free(&scene);
+    scene_directory_remove(&directory);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -418,6 +468,7 @@ int main(void)
         cmocka_unit_test(test_spellings_that_are_allowed),
         cmocka_unit_test(test_absolute_file),
         cmocka_unit_test(test_filters_bound_the_fit),
+        cmocka_unit_test(test_targets_and_limits),
         cmocka_unit_test(test_default_loads),
         cmocka_unit_test(test_the_command_line_wins),
         cmocka_unit_test(test_wrong_overrides),

@@ -60,12 +60,16 @@ static void test_keys(void **state)
         {"Level: line\n", 1, "unknown key 'Level'; did you mean 'level'?"},
         {"foo: 1\n", 1,
          "unknown key 'foo'; allowed: title, models, effects, material, counterface, direction, measured, "
-         "nominal_area, hardness, mean_free_path, load, operating_load, tolerance, level, window, fit, fit_band, "
-         "moments, closure, max_missing, lambda_s, lambda_c, tip_radius, baseline, direct, convergence, surfaces"},
+         "nominal_area, hardness, mean_free_path, load, operating_load, targets, limits, tolerance, level, window, "
+         "fit, "
+         "fit_band, moments, closure, max_missing, lambda_s, lambda_c, tip_radius, baseline, direct, convergence, "
+         "surfaces"},
         {"stylus: 2e-6\n", 1,
          "unknown key 'stylus'; allowed: title, models, effects, material, counterface, direction, measured, "
-         "nominal_area, hardness, mean_free_path, load, operating_load, tolerance, level, window, fit, fit_band, "
-         "moments, closure, max_missing, lambda_s, lambda_c, tip_radius, baseline, direct, convergence, surfaces"},
+         "nominal_area, hardness, mean_free_path, load, operating_load, targets, limits, tolerance, level, window, "
+         "fit, "
+         "fit_band, moments, closure, max_missing, lambda_s, lambda_c, tip_radius, baseline, direct, convergence, "
+         "surfaces"},
         {"level: line\ntitle: a\nlevel: mean\n", 3, "'level' is given twice, first in line 1; remove one"},
         {"title: a\ntolerance:\nlevel: line\n", 2, "'tolerance' has no value; give one or remove the line"},
         {"baseline: ~\n", 1, "'baseline' has no value; give one or remove the line"},
@@ -447,6 +451,45 @@ static void test_scene_that_is_no_file(void **state)
     scene_directory_remove(&directory);
 }
 
+/* Targets and limits: what is asked, in which unit, and whether the models will compute it. */
+static void test_asked(void **state)
+{
+    (void)state;
+    static const struct wrong rows[] = {
+        {"targets: []\n", 1, "'targets' names none; remove the line, or give one such as {ecr: 1 mohm}"},
+        {"targets: 5\n", 1, "'targets' is '5'; give 'key: value' pairs"},
+        {"targets:\n- {erc: 1 mohm}\n", 2, "unknown key 'erc'; allowed: ecr, tcr, conductance, area, temperature"},
+        {"targets: [{foo: 1}]\n", 1, "unknown key 'foo'; allowed: ecr, tcr, conductance, area, temperature"},
+        {"targets: [{area: 60 degC}]\n", 1, "'area' is '60 degC'; give a number or one with its unit: %"},
+        {"targets: [{area: 110 %}]\n", 1, "'area' is 110 %; allowed is 1e-12 to 1"},
+        {"targets: [{ecr: 0}]\n", 1, "'ecr' is 0; allowed is 1e-30 to 1e+30 ohm"},
+        {"targets: [{conductance: 5 K/W}]\n", 1,
+         "'conductance' is '5 K/W'; give a number in W/m2/K or one with its unit: W/m2/K, kW/m2/K, W/cm2/K"},
+        {"targets: [{temperature: 60 degC}]\n", 1,
+         "'temperature' is what a current heats the spots to, and a scene has no 'current' yet; leave it out"},
+        {"material: tin\ntargets:\n  - ecr: 1 mohm\n", 3,
+         "'ecr' is a resistance, but on which area? add 'nominal_area', or give it times an area (ohm m2)"},
+        {"material: tin\ntargets: [{tcr: 0.5 K/W}]\n", 2,
+         "'tcr' is a thermal resistance, but on which area? add 'nominal_area', or give it times an area (K m2/W)"},
+        {"material: tin\neffects: [thermal]\ntargets: [{ecr: 1e-9 ohm m2}]\n", 3,
+         "'ecr' needs the effect 'electrical', which is not listed; add it or leave 'ecr' out"},
+        {"targets: [{ecr: 1e-9 ohm m2}]\n", 1, "'ecr' needs a material; add 'material' or leave 'ecr' out"},
+        {"material: {E: 41 GPa, nu: 0.36}\ntargets: [{conductance: 1e4}]\n", 2,
+         "'conductance' needs 'conductivity_W_per_mK' of surface 'a'; add it to the material or leave 'conductance' "
+         "out"},
+        {"targets: [{area: 5 %}, {area: 5 %}]\n", 1, "'area' is asked to be 5 % twice; remove one"},
+        {"limits: {}\n", 1, "'limits' names none; remove the line, or give one such as ecr: {most: 2 mohm}"},
+        {"limits: [ecr]\n", 1, "'limits' is a list; give 'key: value' pairs"},
+        {"limits:\n  ecr: 2 mohm\n", 2, "'ecr' is '2 mohm'; give 'key: value' pairs"},
+        {"limits:\n  area: {}\n", 2, "'area' has no limit; give 'most' or 'least'"},
+        {"limits:\n  area: {max: 1}\n", 2, "unknown key 'max'; allowed: most, least"},
+        {"limits:\n  area: {most: 2}\n", 2, "'most' is 2; allowed is 1e-12 to 1"},
+        {"limits:\n  ecr:\n    most: 2 mohm\nmaterial: tin\n", 3,
+         "'ecr' is a resistance, but on which area? add 'nominal_area', or give it times an area (ohm m2)"},
+    };
+    CHECK_WRONG(rows);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -454,6 +497,7 @@ int main(void)
         cmocka_unit_test(test_keys),
         cmocka_unit_test(test_numbers),
         cmocka_unit_test(test_choices),
+        cmocka_unit_test(test_asked),
         cmocka_unit_test(test_loads),
         cmocka_unit_test(test_materials),
         cmocka_unit_test(test_effects_without_their_property),

@@ -1,0 +1,298 @@
+#include "analysis/answers.h"
+
+#include "analysis/landmarks.h"
+#include "analysis/surface.h"
+#include "base/clock.h"
+#include <math.h>
+#include <stdlib.h>
+
+const double answers_least_spots = 10;
+
+static const struct repeat_set alone; /* one scan */
+static const struct answer no_answer = {.load = NAN, .low = NAN, .high = NAN, .spots_per_m2 = NAN};
+
+/** Share by which a number may miss its target where the curve ends without a full contact. */
+static const double end_slack = 0.01;
+
+static const struct contact_point *point_at(const struct model_curve *curve, double load)
+{
+    for (size_t i = 0; i < curve->count; i++)
+        if (curve->points[i].load == load)
+            return &curve->points[i];
+    return NULL;
+}
+
+static bool is_invalid(const struct contact_point *point, const struct model_row *row)
+{
+    return point && ((row->largest_area > 0 && point->area_ratio > row->largest_area) ||
+                     point->beyond_fit > curve_summary_beyond_fit_share);
+}
+
+/** Is what lies between two loads, of which nothing is known at the upper one, the target? It is where the contact
+ * becomes complete, or where the curve's end is the target to within a hundredth. */
+static bool ends_there(const struct model_curve *curve, const struct contact_point *before,
+                       const struct contact_point *after, const struct scene_asked *target)
+{
+    if (!after && curve->exists && isfinite(curve->full_load))
+        return true;
+    double value = before ? quantity_value(before, target->row->quantity) : NAN;
+    return fabs(log(value / target->value)) < end_slack;
+}
+
+/** One end of the band about a curve. */
+struct band_end {
+    const struct model_curve *curve;
+    const struct repeats_band *band;
+    size_t count;
+    enum quantity quantity;
+    int side;
+};
+
+/** ln of the end over the curve, straight in ln P between the loads that have it; at the ends that of the last one. */
+static double band_shift(double ln_load, const void *context)
+{
+    const struct band_end *end = context;
+    double before = NAN, ln_before = NAN;
+    for (size_t i = 0; i < end->count && i < end->curve->count; i++) {
+        double value = quantity_value(&end->curve->points[i], end->quantity), ln_own = log(end->band[i].load);
+        double shift = log(end->band[i].mean[end->quantity][end->side] / value);
+        if (end->curve->points[i].load != end->band[i].load || !isfinite(shift))
+            continue;
+        if (ln_own >= ln_load)
+            return isnan(before) ? shift : before + (shift - before) * (ln_load - ln_before) / (ln_own - ln_before);
+        before = shift;
+        ln_before = ln_own;
+    }
+    return before;
+}
+
+/** A target on one curve: of one scan, or the mean of several; or on an end of its band (NULL: the curve itself). */
+static enum status_code solve(struct answer *out, struct landmarks_model *model, const struct scene_asked *target,
+                              const struct band_end *end, struct status *status)
+{
+    const struct landmarks_value value = {target->row->quantity, target->value, target->row->rises,
+                                          end ? band_shift : NULL, end};
+    const struct landmarks_curve searched = {landmarks_run_model, model, model->task.tolerance};
+    const double first = model->task.loads[0], last = model->task.loads[model->task.load_count - 1];
+    struct contact_point points[3];
+    struct model_curve curve = {.points = points};
+    double ends[2] = {first, last};
+    bool found;
+    *out = no_answer;
+    if (landmarks_find(ends, &found, &value, &searched, status) != STATUS_OK)
+        return status->code;
+    size_t count = found && ends[1] > ends[0] ? 2 : 1; /* else the list has one load */
+    const double *loads = found ? ends : &last;
+    if (landmarks_run_model(&curve, loads, count, model, status) != STATUS_OK)
+        return status->code;
+    const struct contact_point *after = point_at(&curve, loads[count - 1]), *before = point_at(&curve, loads[0]);
+    double there = after ? quantity_value(after, value.quantity) : NAN;
+    bool passed = found || (first == last && (value.rises ? there >= value.value : there <= value.value));
+    out->load = loads[count - 1];
+    out->invalid = is_invalid(after, model->row);
+    if (!passed) {
+        out->kind = isnan(there) ? ANSWER_NONE : ANSWER_NOT_REACHED;
+    } else if (out->load == first) {
+        out->kind = isnan(there) && !ends_there(&curve, NULL, after, target) ? ANSWER_NONE : ANSWER_LIGHTEST;
+    } else if (!isnan(there) || ends_there(&curve, before, after, target)) {
+        out->kind = ANSWER_LOAD;
+    } else {
+        out->kind = ANSWER_NOT_REACHED;
+        out->load = ends[0];
+    }
+    return STATUS_OK;
+}
+
+/** The spots of one scan at the answer's load. */
+static enum status_code count_spots(struct answer *out, const struct model_row *row, const struct model_task *task,
+                                    struct status *status)
+{
+    struct contact_spots spots = {NAN, NAN};
+    struct model_task one = model_task_at(task, &out->load, 1);
+    bool there = row->spots && (out->kind == ANSWER_LOAD || out->kind == ANSWER_LIGHTEST);
+    if (there && row->spots(&spots, row, &one, status) != STATUS_OK)
+        return status->code;
+    out->spots_per_m2 = spots.density_per_m2;
+    return STATUS_OK;
+}
+
+/** A target on every scan alone. The answer has no load where some of them does not meet it between the loads. */
+static enum status_code solve_runs(struct answer *out, const struct landmarks_model *model,
+                                   const struct scene_asked *target, struct status *status)
+{
+    const struct repeat_set *set = model->repeats;
+    size_t all = repeats_runs(set, model->row), invalid = 0;
+    double *load = malloc(all * sizeof *load), spots_per_m2 = 0;
+    size_t *scan = malloc(all * sizeof *scan), count = 0;
+    struct repeats_grouping of = {set, scan, 0};
+    enum status_code rc = load && scan ? STATUS_OK : status_memory(status);
+    *out = no_answer;
+    for (size_t r = 0; r < all && rc == STATUS_OK; r++) {
+        struct asperities asperities;
+        struct answer one;
+        size_t own;
+        struct landmarks_model run = *model;
+        run.task = repeats_run_task(&asperities, &own, set, r, model->row, &model->task);
+        run.repeats = &alone;
+        rc = solve(&one, &run, target, NULL, status);
+        if (rc == STATUS_OK)
+            rc = count_spots(&one, model->row, &run.task, status);
+        if (rc != STATUS_OK || one.kind == ANSWER_NONE)
+            continue; /* on which the model has no solution: its curve is of the others too */
+        out->runs++;
+        out->unsolved += one.kind != ANSWER_LOAD;
+        invalid += one.invalid;
+        spots_per_m2 += one.spots_per_m2;
+        scan[count] = own;
+        load[count++] = one.load;
+    }
+    of.count = count;
+    if (rc == STATUS_OK && out->runs > 0 && out->unsolved == 0) {
+        struct estimate estimate;
+        rc = repeats_estimate_grouped(&estimate, load, &of, true, status);
+        out->kind = ANSWER_LOAD;
+        out->load = estimate_value(&estimate);
+        out->low = estimate_end(&estimate, 0);
+        out->high = estimate_end(&estimate, 1);
+        out->spots_per_m2 = spots_per_m2 / (double)out->runs;
+        out->invalid = 2 * invalid >= out->runs;
+    }
+    free(load);
+    free(scan);
+    return rc;
+}
+
+/** The loads at which the ends of the band of one scan pass the target. */
+static enum status_code solve_band(struct answer *out, const struct surface_record *record,
+                                   struct landmarks_model *model, const struct scene_asked *target,
+                                   struct status *status)
+{
+    size_t m = model_index(model->row);
+    for (int side = 0; side < 2; side++) {
+        const struct band_end end = {&record->curves[m], record->bands[m], record->band_count, target->row->quantity,
+                                     side};
+        bool sooner = side == target->row->rises; /* that end gets there at the lighter load */
+        struct answer one;
+        if (isnan(band_shift(log(out->load), &end)))
+            return STATUS_OK;
+        if (solve(&one, model, target, &end, status) != STATUS_OK)
+            return status->code;
+        double load = one.kind == ANSWER_LOAD ? one.load : NAN;
+        if (sooner)
+            out->low = isnan(load) ? NAN : fmin(load, out->load);
+        else
+            out->high = isnan(load) ? NAN : fmax(load, out->load);
+    }
+    return STATUS_OK;
+}
+
+static enum status_code answer_target(struct answer *out, const struct surface_record *record, size_t m,
+                                      const struct scene_asked *target, const struct model_task *task,
+                                      struct status *status)
+{
+    const struct model_row *row = model_rows[m];
+    const unsigned quantities =
+        QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(target->row->quantity);
+    struct landmarks_model model = {row, *task, quantities, &record->repeats};
+    bool several = repeats_several(&record->repeats, row);
+    *out = no_answer;
+    model.task.wanted &= quantities;
+    if (!record->curves[m].exists || !(row->quantities & task->wanted & QUANTITY_BIT(target->row->quantity)))
+        return STATUS_OK;
+    if (several && solve_runs(out, &model, target, status) != STATUS_OK)
+        return status->code;
+    if (several && out->kind == ANSWER_LOAD)
+        return STATUS_OK;
+    size_t runs = out->runs, unsolved = out->unsolved;
+    if (solve(out, &model, target, NULL, status) != STATUS_OK ||
+        (!several && count_spots(out, row, &model.task, status) != STATUS_OK))
+        return status->code;
+    out->runs = runs;
+    out->unsolved = unsolved;
+    bool banded = !several && record->bands[m] && out->kind == ANSWER_LOAD;
+    return banded ? solve_band(out, record, &model, target, status) : STATUS_OK;
+}
+
+enum limit_verdict answers_judge(const struct limit_check *check, const struct scene_asked *limit)
+{
+    if (isnan(check->value))
+        return LIMIT_NO_VALUE;
+    bool known = !isnan(check->low) && !isnan(check->high);
+    double low = known ? check->low : check->value, high = known ? check->high : check->value;
+    if (limit->is_upper ? high <= limit->value : low >= limit->value)
+        return LIMIT_MET;
+    return (limit->is_upper ? low > limit->value : high < limit->value) ? LIMIT_MISSED : LIMIT_CANNOT_TELL;
+}
+
+static struct limit_check check_limit(const struct surface_record *record, size_t leading,
+                                      const struct scene_asked *limit, double load)
+{
+    enum quantity quantity = limit->row->quantity;
+    const struct estimate *estimate = &record->summary.models[leading].middle[quantity];
+    const struct contact_point *point =
+        record->curves[leading].exists ? point_at(&record->curves[leading], load) : NULL;
+    struct limit_check out = {.value = point ? quantity_value(point, quantity) : NAN, .low = NAN, .high = NAN};
+    if (estimate->count > 0) {
+        out.low = estimate_end(estimate, 0);
+        out.high = estimate_end(estimate, 1);
+    }
+    out.verdict = answers_judge(&out, limit);
+    return out;
+}
+
+enum status_code answers_find(struct surface_record *record, const struct scene *scene, const struct plan *plan,
+                              const struct model_task *task, struct status *status)
+{
+    struct surface_summary *summary = &record->summary;
+    if (scene->target_count > 0 &&
+        !(summary->answers = calloc(scene->target_count * model_count, sizeof *summary->answers)))
+        return status_memory(status);
+    if (scene->limit_count > 0 && !(summary->limits = calloc(scene->limit_count, sizeof *summary->limits)))
+        return status_memory(status);
+    for (size_t i = 0; i < scene->target_count * model_count; i++)
+        summary->answers[i] = no_answer;
+    for (size_t m = 0; m < model_count && scene->target_count > 0; m++) {
+        double started = clock_seconds();
+        if (!plan_runs_model(plan, m))
+            continue;
+        for (size_t t = 0; t < scene->target_count; t++)
+            if (answer_target(&summary->answers[t * model_count + m], record, m, &scene->targets[t], task, status) !=
+                STATUS_OK)
+                return status->code;
+        summary->models[m].work.searches += scene->target_count;
+        summary->models[m].seconds += clock_seconds() - started;
+    }
+    for (size_t l = 0; l < scene->limit_count; l++)
+        summary->limits[l] =
+            check_limit(record, plan_leading_model(plan), &scene->limits[l], task->loads[model_task_operating(task)]);
+    return STATUS_OK;
+}
+
+double answers_spots(const struct answer *answer, double nominal_area_m2)
+{
+    return answer->spots_per_m2 * nominal_area_m2;
+}
+
+void answers_note(struct text *out, const struct answer *answer, double nominal_area_m2, double load_scale)
+{
+    const char *before = "";
+    double spots = answers_spots(answer, nominal_area_m2);
+    if (answer->kind == ANSWER_NONE)
+        text_add(out, "no value");
+    if (answer->kind == ANSWER_LIGHTEST)
+        text_add(out, "already at the lightest load");
+    if (answer->kind == ANSWER_NOT_REACHED)
+        text_add(out, "not reached up to %.3g", answer->load * load_scale);
+    before = answer->kind == ANSWER_LOAD ? "" : "; ";
+    if (answer->unsolved > 0) {
+        text_add(out, "%sno interval: %zu of %zu scans do not meet it between the loads", before, answer->unsolved,
+                 answer->runs);
+        before = "; ";
+    }
+    if (answer->invalid && answer->kind != ANSWER_NONE) {
+        text_add(out, "%sbeyond the model's validity", before);
+        before = "; ";
+    }
+    if (spots < answers_least_spots)
+        text_add(out, "%stoo few spots for statistics (%.2g)", before, spots);
+}

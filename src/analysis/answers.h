@@ -1,0 +1,57 @@
+/* Answers to a scene's questions on one surface: the load that each target takes, by every model, and whether the
+ * limits hold at the operating load. */
+#ifndef ANALYSIS_ANSWERS_H
+#define ANALYSIS_ANSWERS_H
+
+#include "analysis/plan.h"
+#include "base/text.h"
+
+struct surface_record; /* analysis/surface.h */
+
+enum answer_kind {
+    ANSWER_NONE,       /* the model has no such number */
+    ANSWER_LOAD,       /* the target is met at `load` */
+    ANSWER_LIGHTEST,   /* it is met at the first load already, which is `load` */
+    ANSWER_NOT_REACHED /* it is not met up to `load`, the last at which the model has the number */
+};
+
+/** What a model says of a target. Loads are P/(A_n E'). */
+struct answer {
+    enum answer_kind kind;
+    double load;
+    double low, high;      /* 95 % interval of the surface's load; NaN: not known */
+    double spots_per_m2;   /* at that load; NaN: not known */
+    bool invalid;          /* beyond the model's range of validity there */
+    size_t runs, unsolved; /* scans run alone (0: one), and those that do not meet it between the loads */
+};
+
+enum limit_verdict { LIMIT_NO_VALUE, LIMIT_MET, LIMIT_MISSED, LIMIT_CANNOT_TELL };
+
+/** A limit at the operating load, by the leading model; numbers of its row's quantity. */
+struct limit_check {
+    double value;
+    double low, high; /* 95 % interval; NaN: not known, and the value alone decides */
+    enum limit_verdict verdict;
+};
+
+/** Spots below which a contact is no matter for statistics. */
+extern const double answers_least_spots;
+
+/** Fills record->summary.answers and .limits, once all models and intervals are there, and adds a search a target to
+ * each model's work. Each target is solved on the model itself to the tolerance of `task`. Several scans: on every scan
+ * alone, the geometric mean and the t interval of ln P; where some scan does not meet it between the loads, on the
+ * surface's curve, without interval. One scan: the interval is where the ends of the quantity's band pass the target,
+ * the model times the band's factor, which goes straight in ln P between the loads. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code answers_find(struct surface_record *record, const struct scene *scene,
+                                         const struct plan *plan, const struct model_task *task, struct status *status);
+
+/** Spots in the nominal area; NaN: not known. */
+double answers_spots(const struct answer *answer, double nominal_area_m2);
+/** "not reached up to 0.1; beyond the model's validity; too few spots for statistics (9.1)": nothing, or what goes with
+ * the answer's load, which stands in units of 1/`load_scale`. */
+void answers_note(struct text *out, const struct answer *answer, double nominal_area_m2, double load_scale);
+
+/** Does an interval (or the value, where none is known) keep within a limit? */
+enum limit_verdict answers_judge(const struct limit_check *check, const struct scene_asked *limit);
+
+#endif

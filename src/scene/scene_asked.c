@@ -1,0 +1,203 @@
+#include "scene/scene_asked.h"
+#include "scene/scene_words.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { ASKED_MOST = 32 };
+
+/* A quantity of the models that can be asked for needs its row here. */
+const struct scene_asked_row scene_asked_rows[] = {
+    {"ecr", "ECR", UNIT_RESISTANCE, UNIT_RESISTANCE_AREA, QUANTITY_ECR, false, false, 1e-30, 1e30},
+    {"tcr", "TCR", UNIT_THERMAL_RESISTANCE, UNIT_THERMAL_RESISTANCE_AREA, QUANTITY_TCR, false, false, 1e-30, 1e30},
+    {"conductance", "h", 0, UNIT_CONDUCTANCE_AREA, QUANTITY_TCR, true, false, 1e-30, 1e30},
+    {"area", "A/Aₙ", 0, UNIT_NUMBER | UNIT_PERCENT, QUANTITY_AREA, false, true, 1e-12, 1},
+    {"temperature", "T", 0, UNIT_TEMPERATURE, QUANTITY_COUNT, false, true, 0, 1e5},
+};
+enum { ROWS = SCENE_COUNT(scene_asked_rows) };
+
+/* What is being read into: targets, or limits. */
+struct list {
+    struct scene_asked *items;
+    size_t *count;
+    bool is_limit, is_most;
+    const struct scene_asked_row *row; /* of a limit */
+};
+
+static const struct scene_asked_row *row_named(const char *name)
+{
+    const struct scene_asked_row *row = scene_asked_rows;
+    while (strcmp(row->name, name) != 0)
+        row++;
+    return row;
+}
+
+static bool read_value(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+{
+    const struct list *list = key->field;
+    const struct scene_asked_row *row = list->row ? list->row : row_named(key->name);
+    struct scene_quantity quantity;
+    if (row->quantity == QUANTITY_COUNT)
+        return scene_source_fail(source, scene_source_line(value),
+                                 "'%s' is what a current heats the spots to, and a scene has no 'current' yet; leave "
+                                 "it out",
+                                 row->name);
+    if (!scene_source_quantity_of(&quantity, source, key, value))
+        return false;
+    if (*list->count == ASKED_MOST)
+        return scene_source_fail(source, scene_source_line(value), "more than %d %s; leave some out", ASKED_MOST,
+                                 list->is_limit ? "limits" : "targets");
+    struct scene_asked *asked = &list->items[*list->count];
+    *asked = (struct scene_asked){.row = row,
+                                  .is_most = list->is_most,
+                                  .kind = quantity.kind,
+                                  .unit = quantity.unit,
+                                  .value = quantity.value,
+                                  .line = scene_source_line(value)};
+    const char *si = unit_si(quantity.kind);
+    snprintf(asked->unit_text, sizeof asked->unit_text, "%s", quantity.has_unit ? quantity.text : si);
+    snprintf(asked->text, sizeof asked->text, "%.6g%s%s", quantity.value / quantity.unit.factor,
+             asked->unit_text[0] ? " " : "", asked->unit_text);
+    for (size_t i = 0; i < *list->count; i++)
+        if (list->items[i].row == row && list->items[i].is_most == list->is_most &&
+            strcmp(list->items[i].text, asked->text) == 0)
+            return scene_source_fail(source, asked->line, "'%s' is asked to be %s twice; remove one", row->name,
+                                     asked->text);
+    ++*list->count;
+    return true;
+}
+
+static bool read_ends(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+{
+    const struct scene_asked_row *row = row_named(key->name);
+    struct list ends[2] = {*(struct list *)key->field, *(struct list *)key->field};
+    struct scene_key keys[2];
+    for (int k = 0; k < 2; k++) {
+        ends[k].row = row;
+        ends[k].is_most = k == 0;
+        keys[k] =
+            (struct scene_key){k == 0 ? "most" : "least", read_value,        .field = &ends[k],
+                               .least = row->least,       .most = row->most, .quantities = row->total | row->per_area};
+    }
+    if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys)))
+        return false;
+    return keys[0].line > 0 || keys[1].line > 0 ||
+           scene_source_fail(source, scene_source_line(value), "'%s' has no limit; give 'most' or 'least'", key->name);
+}
+
+static bool read_rows(struct scene_source *source, const yaml_node_t *node, const char *what, struct list *list)
+{
+    struct scene_key keys[ROWS];
+    for (size_t r = 0; r < ROWS; r++) {
+        const struct scene_asked_row *row = &scene_asked_rows[r];
+        keys[r] = (struct scene_key){row->name,         list->is_limit ? read_ends : read_value,
+                                     .field = list,     .least = row->least,
+                                     .most = row->most, .quantities = row->total | row->per_area};
+    }
+    return scene_source_mapping(source, node, what, keys, ROWS);
+}
+
+static struct scene_asked *room(struct scene_source *source)
+{
+    struct scene_asked *items = calloc(ASKED_MOST, sizeof *items);
+    if (!items)
+        (void)scene_source_memory(source);
+    return items;
+}
+
+bool scene_asked_targets(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+{
+    struct scene *scene = source->scene;
+    scene->targets = room(source);
+    struct list list = {.items = scene->targets, .count = &scene->target_count};
+    for (size_t i = 0; scene->targets && i < scene_source_item_count(value); i++)
+        if (!read_rows(source, scene_source_item(source, value, i), key->name, &list))
+            return false;
+    return scene->targets &&
+           (scene->target_count > 0 ||
+            scene_source_fail(source, scene_source_line(value),
+                              "'%s' names none; remove the line, or give one such as {ecr: 1 mohm}", key->name));
+}
+
+bool scene_asked_limits(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+{
+    struct scene *scene = source->scene;
+    scene->limits = room(source);
+    struct list list = {.items = scene->limits, .count = &scene->limit_count, .is_limit = true};
+    return scene->limits && read_rows(source, value, key->name, &list) &&
+           (scene->limit_count > 0 ||
+            scene_source_fail(source, scene_source_line(value),
+                              "'%s' names none; remove the line, or give one such as ecr: {most: 2 mohm}", key->name));
+}
+
+/* Does the surface's material, or the scene's where there is no surface, give what an effect needs? */
+static const char *lacks(const struct scene_bodies *bodies, const struct effect_row *effect)
+{
+    for (const char *const *key = effect->properties; *key; key++)
+        for (size_t p = 0; p < material_property_count; p++)
+            if (strcmp(material_properties[p].key, *key) == 0 &&
+                (isnan(material_value(&bodies->material, &material_properties[p])) ||
+                 (bodies->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC &&
+                  isnan(material_value(&bodies->counterface, &material_properties[p])))))
+                return *key;
+    return NULL;
+}
+
+/* Will the models compute it on every surface? */
+static bool check_effects(const struct scene *scene, struct scene_source *source, const struct scene_asked *asked)
+{
+    const unsigned needed = quantity_rows[asked->row->quantity].effect;
+    for (int e = 0; e < EFFECT_COUNT; e++) {
+        if (!(needed & EFFECT_BIT(e)))
+            continue;
+        if (!scene->effects_auto && !(scene->effects & EFFECT_BIT(e)))
+            return scene_source_fail(source, asked->line,
+                                     "'%s' needs the effect '%s', which is not listed; add it or leave '%s' out",
+                                     asked->row->name, effect_rows[e].name, asked->row->name);
+        for (size_t i = 0; i < scene->surface_count; i++) {
+            const struct scene_surface *surface = &scene->surfaces[i];
+            const char *property = lacks(&surface->bodies, &effect_rows[e]);
+            if (property && isnan(surface->bodies.material.youngs_modulus_Pa))
+                return scene_source_fail(source, asked->line, "'%s' needs a material; add 'material' or leave '%s' out",
+                                         asked->row->name, asked->row->name);
+            if (property)
+                return scene_source_fail(source, asked->line,
+                                         "'%s' needs '%s' of surface '%s'; add it to the material or leave '%s' out",
+                                         asked->row->name, property,
+                                         scene_words_show(surface->name, strlen(surface->name)).text, asked->row->name);
+        }
+    }
+    return true;
+}
+
+static bool complete(const struct scene *scene, struct scene_source *source, struct scene_asked *asked)
+{
+    bool total = asked->kind & asked->row->total;
+    if (total && isnan(scene->nominal_area_m2))
+        return scene_source_fail(
+            source, asked->line, "'%s' is %s, but on which area? add 'nominal_area', or give it times an area (%s)",
+            asked->row->name, unit_quantity_name(asked->kind), unit_si((enum unit_quantity)asked->row->per_area));
+    asked->factor = asked->unit.factor * (total ? scene->nominal_area_m2 : 1);
+    asked->value *= total ? scene->nominal_area_m2 : 1;
+    if (asked->row->reciprocal)
+        asked->value = 1 / asked->value;
+    asked->is_upper = asked->is_most != asked->row->reciprocal;
+    return check_effects(scene, source, asked);
+}
+
+enum status_code scene_asked_complete(struct scene *scene, struct scene_source *source)
+{
+    for (size_t t = 0; t < scene->target_count; t++)
+        if (!complete(scene, source, &scene->targets[t]))
+            return source->status->code;
+    for (size_t l = 0; l < scene->limit_count; l++)
+        if (!complete(scene, source, &scene->limits[l]))
+            return source->status->code;
+    return STATUS_OK;
+}
+
+double scene_asked_shown(const struct scene_asked *asked, double value)
+{
+    return (asked->row->reciprocal ? 1 / value : value) / asked->factor;
+}

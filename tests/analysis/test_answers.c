@@ -1,0 +1,387 @@
+/* Loads for a target: against reference forces, the model itself, scans solved one by one here, and bands. Limits. */
+#include "analysis/answers.h"
+#include "analysis/surface.h"
+#include "support.h"
+
+enum { HARMONICS = 60, LOADS = 121, SCANS = 3, TARGETS_MOST = 8 };
+
+/* A tin surface; with `scans` of them, of its own heights each. */
+struct fixture {
+    double amplitude_m[SCANS][HARMONICS], loads[LOADS];
+    struct repeat parts[SCANS];
+    struct repeats_scan scans[SCANS];
+    struct surface_record record;
+    struct model_task task;
+    struct scene scene;
+    struct scene_asked targets[TARGETS_MOST];
+    struct plan plan;
+};
+
+static void make(struct fixture *f, size_t scans)
+{
+    *f = (struct fixture){.scene = {.targets = f->targets, .nominal_area_m2 = 1e-6}};
+    struct surface_summary *summary = &f->record.summary;
+    summary->pair = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
+    summary->models = calloc(model_count, sizeof *summary->models);
+    f->record.curves = calloc(model_count, sizeof *f->record.curves);
+    f->record.bands = calloc(model_count, sizeof *f->record.bands);
+    assert_true(summary->models && f->record.curves && f->record.bands);
+    f->plan = (struct plan){.models = UINT64_MAX, .running = (1u << EFFECT_COUNT) - 1};
+    for (size_t s = 0; s < SCANS; s++) {
+        double size = 1 + 0.3 * (double)(s * s);
+        struct repeat *part = &f->parts[s];
+        for (int n = 1; n <= HARMONICS; n++)
+            f->amplitude_m[s][n - 1] = 3e-7 * size * pow(n, -1.4 - 0.15 * (double)s) * (1 + 0.5 * sin(7.0 * n));
+        part->scan = s;
+        part->spectrum = (struct spectrum){.amplitude_m = f->amplitude_m[s], .count = HARMONICS, .length_m = 3e-4};
+        part->roughness = (struct roughness){.m0_m2 = 4e-14 * size * size, .m2 = 2e-3 * size * size, .m4_per_m2 = 5e8};
+        f->scans[s] = (struct repeats_scan){.weight = 1};
+    }
+    summary->asperities =
+        (struct asperities){.density_per_m2 = 1e10, .radius_m = 8e-6, .sigma_s_m = 2e-7, .sigma_m = 2.1e-7};
+    if (scans > 1)
+        f->record.repeats =
+            (struct repeat_set){.parts = f->parts, .count = scans, .scans = f->scans, .scan_count = scans};
+    for (size_t i = 0; i < LOADS; i++)
+        f->loads[i] = 1e-9 * pow(1e7, (double)i / (LOADS - 1));
+    f->task = (struct model_task){.spectrum = &f->parts[0].spectrum,
+                                  .asperities = &summary->asperities,
+                                  .pair = &summary->pair,
+                                  .loads = f->loads,
+                                  .load_count = LOADS,
+                                  .wanted = quantity_wanted((1u << EFFECT_COUNT) - 1),
+                                  .tolerance = 1e-10,
+                                  .hardness_Pa = 2.8 * summary->pair.yield_strength_Pa};
+    for (size_t m = 0; m < model_count; m++)
+        f->record.curves[m].exists = !model_rows[m]->uses_heights;
+}
+
+static void drop(struct fixture *f)
+{
+    surface_summary_free(&f->record.summary);
+    free(f->record.curves);
+    for (size_t m = 0; m < model_count; m++)
+        free(f->record.bands[m]);
+    free(f->record.bands);
+}
+
+/* Adds a target; `value` of the row's quantity. */
+static size_t ask(struct fixture *f, const char *name, double value)
+{
+    const struct scene_asked_row *row = scene_asked_rows;
+    while (strcmp(row->name, name) != 0)
+        row++;
+    assert_true(f->scene.target_count < TARGETS_MOST);
+    f->targets[f->scene.target_count] = (struct scene_asked){.row = row, .value = value};
+    return f->scene.target_count++;
+}
+
+static void find(struct fixture *f)
+{
+    struct status status = {0};
+    free(f->record.summary.answers);
+    free(f->record.summary.limits);
+    f->record.summary.limits = NULL;
+    assert_int_equal(answers_find(&f->record, &f->scene, &f->plan, &f->task, &status), STATUS_OK);
+}
+
+static const struct answer *answer(const struct fixture *f, size_t target, const char *model)
+{
+    return &f->record.summary.answers[target * model_count + model_named(model)];
+}
+
+/* A quantity of a model at one load, straight from its row; beyond full contact that of full contact. */
+static double value_at(const struct model_task *task, const char *model, double load, enum quantity quantity)
+{
+    struct contact_point points[2];
+    struct model_curve curve = {.points = points};
+    struct model_task one = model_task_at(task, &load, 1);
+    struct status status = {0};
+    assert_int_equal(model_run(&curve, model_rows[model_named(model)], &one, &status), STATUS_OK);
+    return curve.count > 0 ? quantity_value(&points[0], quantity) : NAN;
+}
+
+/* The load at which a falling quantity is `value`, by plain bisection. */
+static double bisect(const struct model_task *task, const char *model, enum quantity quantity, double value)
+{
+    double low = log(1e-9), high = log(1e-2);
+    for (int i = 0; i < 60; i++) {
+        double middle = (low + high) / 2;
+        *(value_at(task, model, exp(middle), quantity) > value ? &low : &high) = middle;
+    }
+    return exp(high);
+}
+
+/* Force, spots and their size that bring tin's resistance, or its conductance, to a value. */
+static void the_reference_forces(void **state)
+{
+    (void)state;
+    struct table table = table_read("golden/models/answers_tin_cmy.csv");
+    struct fixture f;
+    double wave_m = sqrt(2 * 4e-13);
+    make(&f, 1);
+    /* one wave of m0 = 4e-13 and m2 = 2.5e-3 */
+    f.parts[0].spectrum = (struct spectrum){&wave_m, 1, 2 * M_PI * sqrt(4e-13 / 2.5e-3), false};
+    f.task.tolerance = 1e-13;
+    for (size_t i = 0; i < table.rows; i++) {
+        double area_m2 = table_number(&table, i, "nominal_area_m2"), target_ohm = table_number(&table, i, "target_ohm");
+        f.scene.target_count = 0;
+        size_t ecr = ask(&f, "ecr", target_ohm * area_m2),
+               h = ask(&f, "conductance", 1 / table_number(&table, i, "h_W_per_m2K"));
+        find(&f);
+        double to_N = f.record.summary.pair.effective_modulus_Pa * area_m2;
+        assert_int_equal(answer(&f, ecr, "cmy")->kind, ANSWER_LOAD);
+        assert_near(answer(&f, ecr, "cmy")->load * to_N, table_number(&table, i, "force_N"), 1e-10);
+        assert_near(answer(&f, h, "cmy")->load * to_N, table_number(&table, i, "force_N"), 1e-10);
+        double spots = answers_spots(answer(&f, ecr, "cmy"), area_m2);
+        assert_near(spots, table_number(&table, i, "spots"), 1e-10);
+        struct text note = {0};
+        answers_note(&note, answer(&f, ecr, "cmy"), area_m2, 1);
+        if (target_ohm == 1e-3) {
+            assert_within(answer(&f, ecr, "cmy")->load * to_N, 40.5e-3, 0.05e-3);
+            assert_string_equal(text_string(&note), "too few spots for statistics (9.1)");
+        } else if (target_ohm == 3e-4) { /* 26 spots */
+            assert_string_equal(text_string(&note), "");
+        }
+        text_free(&note);
+    }
+    drop(&f);
+    table_free(&table);
+}
+
+/* The quantity at the load found is the target, in every model. */
+static void the_target_is_met(void **state)
+{
+    (void)state;
+    struct fixture f;
+    size_t met = 0;
+    for (size_t m = 0; m < model_count; m++) {
+        const char *model = model_rows[m]->name;
+        if (model_rows[m]->uses_heights)
+            continue;
+        make(&f, 1);
+        double loads[] = {2.1e-8, 3.3e-6, 8.7e-5};
+        for (int i = 0; i < 3; i++) {
+            double ecr = value_at(&f.task, model, loads[i], QUANTITY_ECR);
+            double tcr = value_at(&f.task, model, loads[i], QUANTITY_TCR);
+            double area = value_at(&f.task, model, loads[i], QUANTITY_AREA);
+            f.scene.target_count = 0;
+            const struct {
+                size_t target;
+                double value;
+                enum quantity quantity;
+            } asked[] = {{ask(&f, "ecr", ecr), ecr, QUANTITY_ECR},
+                         {ask(&f, "tcr", tcr), tcr, QUANTITY_TCR},
+                         {ask(&f, "conductance", tcr), tcr, QUANTITY_TCR},
+                         {ask(&f, "area", area), area, QUANTITY_AREA}};
+            find(&f);
+            for (int k = 0; k < 4; k++) {
+                const struct answer *found = answer(&f, asked[k].target, model);
+                if (!(asked[k].value > 0) || (k == 3 && area >= 1))
+                    continue; /* the contact is complete */
+                if (found->kind != ANSWER_LOAD)
+                    fail_msg("%s has no load for target %d", model, k);
+                assert_near(value_at(&f.task, model, found->load, asked[k].quantity), asked[k].value, 1e-8);
+                assert_near(found->load, loads[i], 1e-7);
+                assert_true(isnan(found->low) && isnan(found->high));
+                met++;
+            }
+        }
+        drop(&f);
+    }
+    assert_true(met > 80);
+}
+
+/* What is met at the first load, what never is, and what a model does not have. */
+static void no_load_within_the_list(void **state)
+{
+    (void)state;
+    struct fixture f;
+    struct text note = {0};
+    make(&f, 1);
+    double first = value_at(&f.task, "gw", f.loads[0], QUANTITY_ECR);
+    size_t light = ask(&f, "ecr", first * 1.01), far = ask(&f, "area", 0.9), just = ask(&f, "ecr", first * 0.99);
+    f.record.curves[model_named("jg")].exists = false;
+    find(&f);
+    assert_int_equal(answer(&f, light, "gw")->kind, ANSWER_LIGHTEST);
+    assert_true(answer(&f, light, "gw")->load == f.loads[0]);
+    assert_int_equal(answer(&f, just, "gw")->kind, ANSWER_LOAD);
+    assert_int_equal(answer(&f, far, "two-band-elastic")->kind, ANSWER_NOT_REACHED);
+    assert_true(answer(&f, far, "two-band-elastic")->load == f.loads[LOADS - 1]);
+    assert_int_equal(answer(&f, far, "jg")->kind, ANSWER_NONE);
+    answers_note(&note, answer(&f, far, "two-band-elastic"), NAN, 10);
+    assert_string_equal(text_string(&note), "not reached up to 0.1");
+    text_free(&note);
+    answers_note(&note, answer(&f, light, "gw"), NAN, 1);
+    assert_string_equal(text_string(&note), "already at the lightest load");
+    text_free(&note);
+    answers_note(&note, answer(&f, far, "jg"), NAN, 1);
+    assert_string_equal(text_string(&note), "no value");
+    text_free(&note);
+    f.task.load_count = 1; /* one load: met there, or not */
+    find(&f);
+    assert_int_equal(answer(&f, light, "gw")->kind, ANSWER_LIGHTEST);
+    assert_int_equal(answer(&f, just, "gw")->kind, ANSWER_NOT_REACHED);
+    drop(&f);
+}
+
+/* Beyond a model's range of validity the load has its mark: just above A/A_n = 0.1 of GW, not just below. */
+static void the_mark(void **state)
+{
+    (void)state;
+    struct fixture f;
+    make(&f, 1);
+    size_t below = ask(&f, "area", 0.0999), above = ask(&f, "area", 0.1001);
+    for (size_t i = 0; i < LOADS; i++)
+        f.loads[i] = 1e-9 * pow(1e10, (double)i / (LOADS - 1));
+    find(&f);
+    assert_int_equal(answer(&f, above, "gw")->kind, ANSWER_LOAD);
+    assert_false(answer(&f, below, "gw")->invalid);
+    assert_true(answer(&f, above, "gw")->invalid);
+    drop(&f);
+}
+
+/* Every scan alone, by bisection here: the geometric mean, and t(2) = 4.302653 standard errors of ln P. */
+static void intervals_of_scans(void **state)
+{
+    (void)state;
+    static const char *const models[] = {"multiscale-elastic", "two-band-elastic", "two-band-plastic", "cmy", "gw"};
+    struct fixture f;
+    make(&f, SCANS);
+    double ecr = value_at(&f.task, "cmy", 1e-6, QUANTITY_ECR);
+    size_t target = ask(&f, "ecr", ecr);
+    find(&f);
+    for (size_t k = 0; k < sizeof models / sizeof *models; k++) {
+        double x[SCANS], mean = 0, square = 0;
+        for (size_t s = 0; s < SCANS; s++) {
+            struct asperities asperities;
+            struct model_task own = repeats_task(&asperities, &f.parts[s], &f.task);
+            x[s] = log(bisect(&own, models[k], QUANTITY_ECR, ecr));
+            mean += x[s] / SCANS;
+        }
+        for (size_t s = 0; s < SCANS; s++)
+            square += (x[s] - mean) * (x[s] - mean);
+        double half = 4.302652729911275 * sqrt(square / (SCANS - 1) / SCANS);
+        const struct answer *found = answer(&f, target, models[k]);
+        assert_int_equal(found->kind, ANSWER_LOAD);
+        assert_int_equal(found->runs, SCANS);
+        assert_int_equal(found->unsolved, 0);
+        assert_true(half > 0.01);
+        assert_near(found->load, exp(mean), 1e-9);
+        assert_near(found->low, exp(mean - half), 1e-8);
+        assert_near(found->high, exp(mean + half), 1e-8);
+    }
+    drop(&f);
+}
+
+/* A scan that does not get there within the loads leaves the load to the surface's curve, without interval. */
+static void a_scan_without_a_load(void **state)
+{
+    (void)state;
+    struct fixture f;
+    struct text note = {0};
+    make(&f, SCANS);
+    f.task.load_count = 80; /* short of the law's end */
+    struct asperities asperities;
+    double at_end = 0; /* the greatest, which one scan alone has */
+    for (size_t s = 0; s < SCANS; s++) {
+        struct model_task own = repeats_task(&asperities, &f.parts[s], &f.task);
+        at_end = fmax(at_end, value_at(&own, "cmy", f.loads[f.task.load_count - 1], QUANTITY_ECR));
+    }
+    size_t target = ask(&f, "ecr", at_end * 0.99);
+    find(&f);
+    const struct answer *found = answer(&f, target, "cmy");
+    assert_int_equal(found->kind, ANSWER_LOAD);
+    assert_int_equal(found->unsolved, 1);
+    assert_true(isnan(found->low) && isnan(found->high));
+    double ln = 0;
+    for (size_t s = 0; s < SCANS; s++) {
+        struct model_task own = repeats_task(&asperities, &f.parts[s], &f.task);
+        ln += log(value_at(&own, "cmy", found->load, QUANTITY_ECR)) / SCANS;
+    }
+    assert_near(exp(ln), at_end * 0.99, 1e-8);
+    answers_note(&note, found, NAN, 1);
+    assert_string_equal(text_string(&note), "no interval: 1 of 3 scans do not meet it between the loads");
+    text_free(&note);
+    drop(&f);
+}
+
+/* One scan: where the ends of its band pass the target. A band of a factor exp(0.2) either way. */
+static void intervals_of_a_band(void **state)
+{
+    (void)state;
+    struct fixture f;
+    make(&f, 1);
+    size_t m = model_named("cmy");
+    static struct contact_point points[LOADS];
+    f.record.band_count = LOADS;
+    f.record.curves[m].points = points;
+    f.record.curves[m].count = LOADS;
+    f.record.bands[m] = repeats_band_make(f.loads, LOADS);
+    assert_non_null(f.record.bands[m]);
+    static const enum quantity held[] = {QUANTITY_ECR, QUANTITY_AREA};
+    for (size_t i = 0; i < LOADS; i++) {
+        points[i] = (struct contact_point){.load = f.loads[i]};
+        points[i].area_ratio = value_at(&f.task, "cmy", f.loads[i], QUANTITY_AREA);
+        points[i].ecr_ohm_m2 = value_at(&f.task, "cmy", f.loads[i], QUANTITY_ECR);
+        for (int k = 0; k < 2; k++)
+            for (int side = 0; side < 2; side++)
+                f.record.bands[m][i].mean[held[k]][side] =
+                    value_at(&f.task, "cmy", f.loads[i], held[k]) * exp(side ? 0.2 : -0.2);
+    }
+    double ecr = value_at(&f.task, "cmy", 1.23e-6, QUANTITY_ECR),
+           area = value_at(&f.task, "cmy", 1.23e-6, QUANTITY_AREA);
+    size_t resistance = ask(&f, "ecr", ecr), share = ask(&f, "area", area);
+    size_t light = ask(&f, "ecr", 1.1 * value_at(&f.task, "cmy", f.loads[1], QUANTITY_ECR));
+    find(&f);
+    const struct answer *of_ecr = answer(&f, resistance, "cmy"), *of_area = answer(&f, share, "cmy");
+    assert_near(of_ecr->load, 1.23e-6, 1e-9);
+    assert_near(of_ecr->low, bisect(&f.task, "cmy", QUANTITY_ECR, ecr * exp(0.2)), 1e-9);
+    assert_near(of_ecr->high, bisect(&f.task, "cmy", QUANTITY_ECR, ecr * exp(-0.2)), 1e-9);
+    assert_near(of_area->low, 1.23e-6 * exp(-0.2), 1e-9); /* the area is P/H */
+    assert_near(of_area->high, 1.23e-6 * exp(0.2), 1e-9);
+    assert_true(isnan(answer(&f, light, "cmy")->low)); /* below the first load */
+    assert_true(answer(&f, light, "cmy")->high > answer(&f, light, "cmy")->load);
+    drop(&f);
+}
+
+/* A limit that the interval straddles cannot be told; without one the value decides. */
+static void limits(void **state)
+{
+    (void)state;
+    static const struct {
+        double value, low, high;
+        bool is_upper;
+        enum limit_verdict verdict;
+    } rows[] = {
+        {0.9, NAN, NAN, true, LIMIT_MET},
+        {1.1, NAN, NAN, true, LIMIT_MISSED},
+        {1.1, NAN, NAN, false, LIMIT_MET},
+        {0.9, NAN, NAN, false, LIMIT_MISSED},
+        {0.9, 0.8, 0.99, true, LIMIT_MET},
+        {0.9, 0.8, 1.01, true, LIMIT_CANNOT_TELL},
+        {1.1, 0.99, 1.2, true, LIMIT_CANNOT_TELL},
+        {1.1, 1.01, 1.2, true, LIMIT_MISSED},
+        {0.9, 0.8, 0.99, false, LIMIT_MISSED},
+        {1.1, 0.99, 1.2, false, LIMIT_CANNOT_TELL},
+        {1.1, 1.01, 1.2, false, LIMIT_MET},
+        {NAN, NAN, NAN, true, LIMIT_NO_VALUE},
+        {0, NAN, NAN, true, LIMIT_MET}, /* complete contact */
+    };
+    const struct scene_asked up = {.value = 1, .is_upper = true}, down = {.value = 1};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        struct limit_check check = {rows[i].value, rows[i].low, rows[i].high, LIMIT_NO_VALUE};
+        assert_int_equal(answers_judge(&check, rows[i].is_upper ? &up : &down), rows[i].verdict);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_reference_forces),    cmocka_unit_test(the_target_is_met),
+        cmocka_unit_test(no_load_within_the_list), cmocka_unit_test(the_mark),
+        cmocka_unit_test(intervals_of_scans),      cmocka_unit_test(a_scan_without_a_load),
+        cmocka_unit_test(intervals_of_a_band),     cmocka_unit_test(limits),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,124 @@
+/* Targets and limits on the command line: what they write, what they end with, and that without them there is nothing.
+ */
+#include "cli/process.h"
+
+#include <stdio.h>
+
+#define SCENE "material: tin\nnominal_area: 1 mm2\nload: {from: 1e-7, to: 1e-2, points: 31}\n"
+
+static void scans(const char *place)
+{
+    workspace_scan(place, "in/a.csv", 300, 1);
+    workspace_scan(place, "in/b.csv", 300, 2);
+}
+
+/** Runs a scene; the result is to be freed. */
+static struct process run_scene(const char *place, int status, const char *text, const char *check)
+{
+    workspace_write(place, "in/scene.yaml", text);
+    return check ? expect_exit(place, status, "report", "in", "-o", "out", "--no-cost", check)
+                 : expect_exit(place, status, "report", "in", "-o", "out", "--no-cost");
+}
+
+static void no_key_no_trace(void **state)
+{
+    const char *place = *state;
+    scans(place);
+    struct process run = run_scene(place, 0, SCENE, NULL);
+    char *report = workspace_read(place, "out/report.md"), *results = workspace_read(place, "out/results.json");
+    assert_false(workspace_has(place, "out/data/answers.csv"));
+    expect_no_part(report, "## Answers");
+    expect_no_part(results, "\"answers\"");
+    expect_no_part(results, "\"limits\"");
+    expect_no_part(run.out, "takes");
+    free(report);
+    free(results);
+    process_free(&run);
+}
+
+static void targets_are_answered(void **state)
+{
+    const char *place = *state;
+    scans(place);
+    struct process run = run_scene(place, 0, SCENE "targets: [{ecr: 0.1 mohm}, {area: 5 %}]\n", NULL);
+    expect_part(run.out, "\nECR ≤ 0.1 mohm takes ");
+    expect_part(run.out, "\nA/Aₙ ≥ 5 % takes ");
+    expect_part(run.out, " on surface 'a', the ");
+    expect_part(run.err, ", as predicted;");
+    process_free(&run);
+    char *report = workspace_read(place, "out/report.md"), *results = workspace_read(place, "out/results.json");
+    expect_part(report, "\n## Answers\n\n- **ECR ≤ 0\\.1 mohm** takes ");
+    expect_part(report, "\n| A/Aₙ ≥ 5 % | ");
+    expect_part(results, "\"answers\": [");
+    expect_no_part(results, "\"limits\"");
+    char path[4096];
+    snprintf(path, sizeof path, "%s/out/data/answers.csv", place);
+    struct table table = table_read_path(path);
+    size_t intervals = 0;
+    for (size_t i = 0; i < table.rows; i++) { /* force = P/(A_n E') times E' times 1 mm², of all models alike */
+        double load = table_number(&table, i, "load_over_AnEp");
+        if (strlen(table_text(&table, i, "load_N")) == 0)
+            continue;
+        assert_near(table_number(&table, i, "load_N") / load,
+                    table_number(&table, 0, "load_N") / table_number(&table, 0, "load_over_AnEp"), 1e-14);
+        if (strlen(table_text(&table, i, "low")) == 0 || strlen(table_text(&table, i, "high")) == 0)
+            continue;
+        assert_true(table_number(&table, i, "low") <= load && load <= table_number(&table, i, "high"));
+        intervals++;
+    }
+    assert_true(table.rows >= 24 && intervals > 0); /* of the leading model, by simulated records */
+    table_free(&table);
+    free(report);
+    free(results);
+    run = expect_exit(place, 0, "plan", "in");
+    expect_part(run.out, "\n2 targets: ");
+    process_free(&run);
+}
+
+static void a_missed_limit_ends_with_5(void **state)
+{
+    const char *place = *state;
+    scans(place);
+    static const char missed[] =
+        SCENE "operating_load: 10 N\nlimits: {conductance: {least: 1e12 W/m2/K}, area: {least: 1e-9}}\n";
+    struct process run = run_scene(place, 5, missed, "--check");
+    expect_part(run.err, "surface 'a' misses the limit h ≥ 1e+12 W/m2/K: ");
+    expect_part(run.err, "surface 'b' misses the limit h ≥ 1e+12 W/m2/K: ");
+    expect_no_part(run.err, "A/Aₙ");
+    expect_part(run.out, "limit A/Aₙ ≥ 1e-09: 2 of 2 surfaces meet it, 0 miss it.\n");
+    process_free(&run);
+    char *report = workspace_read(place, "out/report.md");
+    expect_part(report, "| ✗ **misses**: ");
+    expect_part(report, "| ✓ meets: ");
+    expect_part(report, "Limits at the operating load (");
+    free(report);
+    run = run_scene(place, 0, missed, NULL); /* nobody asked for the check */
+    expect_no_part(run.err, "misses");
+    process_free(&run);
+    workspace_write(place, "in/c.csv", "x [um],z [um]\n0,1\n1,two\n");
+    run = run_scene(place, 5, missed, "--check"); /* before 1, of a refused scan */
+    expect_part(run.err, "refused");
+    process_free(&run);
+    run = run_scene(place, 1, SCENE "limits: {area: {least: 1e-9}}\n", "--check");
+    process_free(&run);
+}
+
+static void a_check_of_nothing_is_refused(void **state)
+{
+    const char *place = *state;
+    scans(place);
+    workspace_write(place, "in/scene.yaml", SCENE);
+    expect_failure(place, 2, 1, "--check: the scene has no 'limits' to check", "report", "in", "-o", "out", "--check");
+    assert_false(workspace_has(place, "out"));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        workspace_test(no_key_no_trace),
+        workspace_test(targets_are_answered),
+        workspace_test(a_missed_limit_ends_with_5),
+        workspace_test(a_check_of_nothing_is_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,127 @@
+/* What the report says of targets and limits, on results whose answers are put in by hand. */
+#include "made_up_results.h"
+#include "report/report.h"
+#include "support.h"
+
+static struct made_up made;
+static struct scene_asked targets[1], limits[2];
+
+static const struct scene_asked_row *row_named(const char *name)
+{
+    const struct scene_asked_row *row = scene_asked_rows;
+    while (strcmp(row->name, name) != 0)
+        row++;
+    return row;
+}
+
+static void put(size_t surface, const char *model, struct answer answer)
+{
+    made_up_surface(&made, surface)->answers[made_up_model(model)] = answer;
+}
+
+static void check(size_t surface, size_t limit, double value, double low, double high)
+{
+    struct limit_check *out = &made_up_surface(&made, surface)->limits[limit];
+    *out = (struct limit_check){value, low, high, LIMIT_NO_VALUE};
+    out->verdict = answers_judge(out, &limits[limit]);
+}
+
+/* E' is 1e11 Pa and A_n 1 mm², so that P/(A_n E') = 1e-6 is 0.1 N. */
+static int setup(void **state)
+{
+    (void)state;
+    made_up_make(&made, NULL);
+    made.scene.load.unit_text[0] = '\0';
+    targets[0] = (struct scene_asked){
+        .row = row_named("ecr"), .value = 1e-9, .factor = 1e-9, .text = "1 mo|hm", .unit_text = "mo|hm"};
+    limits[0] = (struct scene_asked){.row = row_named("ecr"),
+                                     .value = 2e-9,
+                                     .factor = 1e-9,
+                                     .is_most = true,
+                                     .is_upper = true,
+                                     .text = "2 mohm",
+                                     .unit_text = "mohm"};
+    limits[1] = (struct scene_asked){.row = row_named("conductance"),
+                                     .value = 1e-4,
+                                     .factor = 1e3,
+                                     .is_upper = true,
+                                     .text = "10 kW/m2/K",
+                                     .unit_text = "kW/m2/K"};
+    made.scene.targets = targets;
+    made.scene.target_count = 1;
+    made.scene.limits = limits;
+    made.scene.limit_count = 2;
+    for (size_t i = 0; i < MADE_UP_SURFACES; i++) {
+        struct surface_summary *summary = made_up_surface(&made, i);
+        summary->answers = calloc(model_count, sizeof *summary->answers);
+        summary->limits = calloc(2, sizeof *summary->limits);
+        assert_true(summary->answers && summary->limits);
+        for (size_t m = 0; m < model_count; m++)
+            summary->answers[m] = (struct answer){ANSWER_NONE, NAN, NAN, NAN, NAN, false, 0, 0};
+    }
+    put(1, "multiscale-plastic", (struct answer){ANSWER_LOAD, 1e-6, 0.8e-6, 1.3e-6, NAN, false, 0, 0});
+    put(1, "gw", (struct answer){ANSWER_LOAD, 5e-6, NAN, NAN, 3e7, false, 0, 0});
+    put(1, "multiscale-elastic", (struct answer){ANSWER_LOAD, 2e-6, NAN, NAN, NAN, false, 0, 0});
+    put(1, "jg", (struct answer){ANSWER_LOAD, 9e-6, NAN, NAN, 5e6, true, 0, 0});
+    put(0, "multiscale-plastic", (struct answer){ANSWER_NOT_REACHED, 1e-2, NAN, NAN, NAN, false, 0, 0});
+    put(0, "gw", (struct answer){ANSWER_NONE, NAN, NAN, NAN, NAN, false, 0, 0});
+    put(2, "multiscale-plastic", (struct answer){ANSWER_LOAD, 4e-6, NAN, NAN, NAN, true, 0, 0});
+    put(2, "gw", (struct answer){ANSWER_LOAD, 6e-6, NAN, NAN, 7e6, false, 0, 0});
+    check(0, 0, 1.5e-9, 1e-9, 2.5e-9);
+    check(1, 0, 1e-9, NAN, NAN);
+    check(2, 0, 3e-9, 2.5e-9, 3.5e-9);
+    check(0, 1, NAN, NAN, NAN);
+    check(1, 1, 0.5e-4, 0.4e-4, 0.8e-4);
+    check(2, 1, 2e-4, 1.6e-4, 2.5e-4);
+    return 0;
+}
+
+static int teardown(void **state)
+{
+    (void)state;
+    made.scene.target_count = made.scene.limit_count = 0;
+    made_up_free(&made);
+    return 0;
+}
+
+static void expect(const struct text *text, const char *part)
+{
+    if (!strstr(text_string(text), part))
+        fail_msg("'%s' is not in\n%s", part, text_string(text));
+}
+
+static void the_section(void **state)
+{
+    (void)state;
+    struct text text = made_up_section(&made, &section_answers);
+    expect(&text, "## Answers\n\n- **ECR ≤ 1 mo\\|hm** takes 0.100 N (0.0800…0.130) on surface alpha, the best, and "
+                  "0.400 N on surface gamma, the worst (beyond the model's validity); not reached within the loads on "
+                  "1 of 3 surfaces (multiscale elastic-plastic).\n");
+    expect(&text, "- Limit **ECR ≤ 2 mohm**: 1 of 3 surfaces meet it, 1 miss it, of 1 the interval straddles it.\n");
+    expect(&text, "- Limit **h ≥ 10 kW/m2/K**: 1 of 3 surfaces meet it, 1 miss it, 1 have no value.\n");
+    expect(&text, "\n| alpha | 0.100 (0.0800…0.130) | 0.200 (multiscale elastic) to 0.500 (GW) | 30 (GW) |  |\n");
+    expect(&text, "\n| beta | – | – | – | not reached up to 1e+03 |\n");
+    expect(&text,
+           "\n| gamma | 0.400 | 0.600 (GW) | 7.0 (GW): **too few for statistics** | beyond the model's validity |\n");
+    expect(&text, "\n| beta | ? cannot tell: 1.50 mohm (1.00…2.50) | – no value |\n");
+    expect(&text, "\n| alpha | ✓ meets: 1.00 mohm | ✓ meets: 20.0 kW/m2/K (12.5…25.0) |\n");
+    expect(&text, "\n| gamma | ✗ **misses**: 3.00 mohm (2.50…3.50) | ✗ **misses**: 5.00 kW/m2/K (4.00…6.25) |\n");
+    text_free(&text);
+}
+
+static void the_lines_of_a_check(void **state)
+{
+    (void)state;
+    struct text text = {0};
+    assert_int_equal(report_missed_limits(&text, &made.results), 2);
+    assert_string_equal(text_string(&text), "surface 'gamma' misses the limit ECR ≤ 2 mohm: 3.00 mohm (2.50…3.50)\n"
+                                            "surface 'gamma' misses the limit h ≥ 10 kW/m2/K: 5.00 kW/m2/K "
+                                            "(4.00…6.25)\n");
+    text_free(&text);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(the_section), cmocka_unit_test(the_lines_of_a_check)};
+    return cmocka_run_group_tests(tests, setup, teardown);
+}
