@@ -21,7 +21,8 @@ static const struct {
     enum part part;
     const struct section *section;
 } sections[] = {
-    {PART_FIRST_PAGE, &section_summary},      {PART_CHAPTER, &section_surfaces},
+    {PART_FIRST_PAGE, &section_summary},      {PART_FIRST_PAGE, &section_deciding},
+    {PART_FIRST_PAGE, &section_doubts},       {PART_CHAPTER, &section_surfaces},
     {PART_CHAPTER, &section_material},        {PART_CHAPTER, &section_convergence},
     {PART_CHAPTER, &section_baseline},        {PART_CHAPTER, &section_beyond_thesis},
     {PART_CHAPTER, &section_all_surfaces},    {PART_TRUST, &section_direct},
@@ -63,7 +64,8 @@ void report_markdown(struct text *out, const struct section_context *context)
     enum part part = PART_FIRST_PAGE;
     for (size_t i = 0; i < sizeof sections / sizeof *sections; i++) {
         const struct section *section = sections[i].section;
-        if (section->called_for && !section->called_for(context))
+        if ((context->brief && sections[i].part != PART_FIRST_PAGE) ||
+            (section->called_for && !section->called_for(context)))
             continue;
         text_add(out, "%s%s", out->length > 0 ? "\n\n" : "",
                  sections[i].part != part ? part_starts[sections[i].part] : "");
@@ -73,13 +75,13 @@ void report_markdown(struct text *out, const struct section_context *context)
     squeeze(out);
 }
 
-enum status_code report_write(const struct results *results, const struct figure_list *figures, const char *directory,
-                              const char *templates, struct status *status)
+enum status_code report_write(const struct results *results, const struct figure_list *figures, bool brief,
+                              const char *directory, const char *templates, struct status *status)
 {
     struct comparison comparison = {0};
     struct surface_record baseline = {0};
     struct text markdown = {0}, html = {0};
-    const struct section_context context = {results, &comparison, &baseline, figures};
+    const struct section_context context = {results, &comparison, &baseline, figures, brief};
     enum status_code rc = comparison_make(&comparison, results, status);
     if (rc == STATUS_OK)
         rc = surface_store_get(&baseline, results->store, results->baseline, status);
