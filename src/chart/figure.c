@@ -99,7 +99,7 @@ static bool decides(const struct figure *figure, const struct results *results)
     bool electrical = results->plan->wanted & QUANTITY_BIT(QUANTITY_ECR); /* TCR is in proportion, and has no ratio */
     if (figure->row->kind == FIGURE_DIRECT_RATIO)
         return figure->row->y == (electrical ? QUANTITY_ECR : QUANTITY_AREA);
-    return figure->row->kind == FIGURE_SURFACES && figure->row->x == QUANTITY_LOAD && figure->row->y == criterion &&
+    return figure->row->kind == FIGURE_SURFACES && figure->row->y == criterion &&
            figure->model == plan_leading_model(results->plan);
 }
 

@@ -312,6 +312,19 @@ static void test_what_limits_the_answer(void **state)
         "| resistivity | off by 5 % | ×÷ 1.05 | the resistivity of the part |\n");
 }
 
+/* A model outside its range of validity is no choice; an elastic leading model is held against elastic ones. */
+static void test_models_that_are_no_choice(void **state)
+{
+    (void)state;
+    static const char row[] = "| choice of model | the farthest valid one of the same material law | × ";
+    for (size_t i = 0; i < MADE_UP_USABLE; i++)
+        model_of(i, "jg")->invalid_area_load = i == 2 ? NAN : 1e-4;
+    expect(&section_doubts, "law | × 2.50 |"); /* of gamma alone */
+    model_of(2, "jg")->invalid_fit_load = 1e-5;
+    expect_not(&section_doubts, row);
+    expect(&section_doubts, "\n| place of the scans");
+}
+
 static void make_of(const char *first, const char *second, unsigned effects)
 {
     made_up_free(&made);
@@ -628,6 +641,7 @@ int main(void)
         section_test(test_tables_are_whole),
         section_test(test_the_first_page_alone),
         section_test(test_what_limits_the_answer),
+        section_test(test_models_that_are_no_choice),
         section_test(test_what_the_sections_say),
         section_test(test_the_best_by_area),
         section_test(test_the_best_by_heat),

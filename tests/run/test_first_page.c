@@ -136,6 +136,37 @@ static void test_points_say_their_numbers(void **state)
     text_free(&page);
 }
 
+/* Where the surface was solved directly, the model's distance from that counts, and its chart stands on the page. */
+static void test_against_the_direct_solution(void **state)
+{
+    const struct directory *place = *state;
+    mkdir(directory_path(place, "one"), 0777);
+    pipeline_rough(place, "one/a.csv", 160, 0.3, 1);
+    directory_write(place, "one/scene.yaml",
+                    "models: [two-band]\nmaterial: tin\nload: {from: 1e-6, to: 1e-2, points: 9}\n"
+                    "effects: [plasticity, electrical, direct]\ndirect: {grid: 64, seeds: 2, loads: 5}\n");
+    assert_int_equal(pipeline_run(place, "one", "direct", 1), 0);
+    struct text page = directory_read(place, "direct/report.md");
+    struct table table = table_read_path(directory_path(place, "direct/data/direct_ratio.csv"));
+    double sum = 0;
+    size_t loads = 0;
+    for (size_t row = 0; row < table.rows; row++)
+        if (strcmp(table_text(&table, row, "model"), leading) == 0 && *table_text(&table, row, "ecr")) {
+            sum += fabs(log(table_number(&table, row, "ecr")));
+            loads++;
+        }
+    assert_true(loads >= 2);
+    const char *rule = strstr(text_string(&page), "\n---\n"),
+               *surfaces = strstr(text_string(&page), "](figures/ecr-load-two-band-plastic.svg)"),
+               *ratio = strstr(text_string(&page), "](figures/direct-ratio-ecr.svg)");
+    assert_true(rule && surfaces && ratio && surfaces < ratio && ratio < rule);
+    double expected = exp(sum / (double)loads);
+    assert_near(shown(&page, "| model | against the direct solution, mean of its loads | "), expected, 0.006);
+    assert_null(strstr(text_string(&page), "| choice of model |"));
+    table_free(&table);
+    text_free(&page);
+}
+
 static size_t count_figures(const struct directory *place, const char *folder)
 {
     size_t count = 0;
@@ -192,6 +223,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_factors_are_those_of_the_data),
         cmocka_unit_test(test_brief),
+        cmocka_unit_test(test_against_the_direct_solution),
         cmocka_unit_test(test_points_say_their_numbers),
     };
     return cmocka_run_group_tests(tests, place_setup, place_teardown);
