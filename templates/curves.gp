@@ -143,6 +143,10 @@ hue(i) = colour(word(style_words, i))
 # Of what lies under L of N lines, dashes take up N - L parts of N, so that all N show in turn.
 covers(w) = int(w[strlen(w) - 1:strlen(w) - 1])
 together(w) = int(w[strlen(w):*])
+# A few points a curve say their numbers when they are pointed at; names stay out of it, as gnuplot does not escape them there.
+unseen(i) = '#ff' . hue(i)[2:7]
+spoken(i) = int(most(1, ceil(ROWS[i] / 4.0)))
+tip(x, y) = sprintf('%.4g, %.4g', x, y)
 command = 'plot NaN notitle'
 if (text_mode) {
     if (strlen(solid)) { command = command . \
@@ -172,6 +176,12 @@ if (text_mode) {
     if (strlen(in_points)) { command = command . \
         ', for [i in in_points] data index int(i) - 1 using 1:2 with points pt alone(word(style_words, int(i))) ' . \
         'ps (outside(word(style_words, int(i))) ? 0.6 : 1.1) lw 1.3 lc rgb hue(int(i)) notitle' }
+    if (strlen(solid)) { command = command . \
+        ', for [i in solid] data index int(i) - 1 every spoken(int(i))::spoken(int(i)) / 2 using 1:2:(tip($1, $2)) ' . \
+        'with labels hypertext point pt 11 ps 1.4 lc rgb unseen(int(i)) notitle' }
+    if (strlen(in_points . measured)) { command = command . \
+        ', for [i in in_points . measured] data index int(i) - 1 every int(most(1, ceil(ROWS[int(i)] / 10.0))) using 1:2:(tip($1, $2)) ' . \
+        'with labels hypertext point pt 11 ps 1.4 lc rgb unseen(int(i)) notitle' }
     if (strlen(entries)) { command = command . \
         ', for [i in entries] keyentry with linespoints lw width(word(style_words, int(i))) lc rgb hue(int(i)) ' . \
         'pt key_shape(int(i)) ps key_point(int(i)) title LEGEND[int(i)]' }

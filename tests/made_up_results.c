@@ -368,7 +368,7 @@ void made_up_make_of(struct made_up *made, uint64_t models, unsigned effects,
         make_sweeps(made);
     for (size_t i = 0; i < MADE_UP_SURFACES; i++)
         make_surface(made, i, change);
-    made->context = (struct section_context){&made->results, &made->comparison, &made->baseline, &made->figures};
+    made->context = (struct section_context){&made->results, &made->comparison, &made->baseline, &made->figures, false};
     made_up_again(made);
 }
 

@@ -54,6 +54,11 @@ struct curve_validity curve_summary_validity(const struct model_curve *curve, co
     return valid;
 }
 
+bool curve_summary_is_valid(const struct curve_summary *model, double load)
+{
+    return !(model->invalid_area_load <= load) && !(model->invalid_fit_load <= load);
+}
+
 double curve_summary_elbow_share(const struct curve_summary *model)
 {
     return model->elbow_load > model->first_load ? model->elbow_load / model->full_load : NAN;

@@ -54,6 +54,9 @@ struct curve_validity {
 };
 struct curve_validity curve_summary_validity(const struct model_curve *curve, const struct model_row *row);
 
+/** Is the model inside its range of validity there, as far as the curve's summary tells? */
+bool curve_summary_is_valid(const struct curve_summary *model, double load);
+
 /** The elbow as a share of the load to full contact; NaN: none, or at the first load or below. */
 double curve_summary_elbow_share(const struct curve_summary *model);
 

@@ -92,6 +92,17 @@ static struct figure figure_of(const struct figure_row *row, size_t model)
     return figure;
 }
 
+/** Is it of the answer that the report is asked for? */
+static bool decides(const struct figure *figure, const struct results *results)
+{
+    enum quantity criterion = results_criterion(results);
+    bool electrical = results->plan->wanted & QUANTITY_BIT(QUANTITY_ECR); /* TCR is in proportion, and has no ratio */
+    if (figure->row->kind == FIGURE_DIRECT_RATIO)
+        return figure->row->y == (electrical ? QUANTITY_ECR : QUANTITY_AREA);
+    return figure->row->kind == FIGURE_SURFACES && figure->row->y == criterion &&
+           figure->model == plan_leading_model(results->plan);
+}
+
 /** The thesis's models in its own order, then the others in the table's. */
 static int compare_figures(const void *a, const void *b)
 {
@@ -120,7 +131,20 @@ enum status_code figure_list_make(struct figure_list *out, const struct results 
                 out->figures[out->count++] = figure_of(row, m);
         qsort(out->figures + first, out->count - first, sizeof *out->figures, compare_figures);
     }
+    for (size_t i = 0; i < out->count; i++)
+        out->figures[i].decides = decides(&out->figures[i], results);
     return STATUS_OK;
+}
+
+void figure_list_keep_deciding(struct figure_list *list)
+{
+    size_t kept = 0;
+    for (size_t i = 0; i < list->count; i++)
+        if (list->figures[i].decides) {
+            list->figures[kept] = list->figures[i];
+            list->figures[kept++].terminal = list->figures[i].row->kind == FIGURE_SURFACES;
+        }
+    list->count = kept;
 }
 
 void figure_list_free(struct figure_list *list)

@@ -48,6 +48,8 @@ struct figure {
     char number[64]; /* the file's name: "6-05" */
     char title[128];
     bool terminal;
+    bool decides; /* one of the first page's: the criterion of all surfaces in the leading model, and its ratio to the
+                     direct solution */
 };
 
 /** Ending of its file: ".svg", or ".png" for a picture. */
@@ -64,6 +66,8 @@ struct figure_list {
 
 MUST_CHECK enum status_code figure_list_make(struct figure_list *out, const struct results *results,
                                              struct status *status);
+/** Leaves the first page's figures alone. */
+void figure_list_keep_deciding(struct figure_list *list);
 void figure_list_free(struct figure_list *list);
 
 /** Writes OUT/figures/NUMBER.csv and NUMBER.gp of every figure, models.gp, and the templates they call.

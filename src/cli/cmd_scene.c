@@ -19,7 +19,7 @@ struct arguments {
     bool show, verbose, check;
 };
 
-enum { KEY_X_UNIT = 0x100, KEY_Z_UNIT, KEY_NO_COST, KEY_CHECK };
+enum { KEY_X_UNIT = 0x100, KEY_Z_UNIT, KEY_NO_COST, KEY_CHECK, KEY_BRIEF };
 
 /* What both take: the directory, and what overrides its scene. */
 static const struct argp_option scene_options[] = {
@@ -90,9 +90,31 @@ static const struct argp_option report_options[] = {
     {"no-cost", KEY_NO_COST, 0, 0, "leave out the section on what accuracy costs in time (default: not)", 0},
     {"check", KEY_CHECK, 0, 0, "end with exit status 5 where a surface misses one of the scene's limits (default: not)",
      0},
+    {"brief", KEY_BRIEF, 0, 0, "write the report's first page alone; data and results.json as ever (default: not)", 0},
     {"verbose", 'v', 0, 0, "end with where the time went (default: not)", 0},
     {0},
 };
+
+static const struct argp_option plan_options[] = {
+    {"brief", KEY_BRIEF, 0, 0, "of `report --brief` (default: not)", 0},
+    {0},
+};
+
+static error_t parse_plan(int key, char *value, struct argp_state *state)
+{
+    struct arguments *arguments = state->input;
+    (void)value;
+    switch (key) {
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = arguments;
+        return 0;
+    case KEY_BRIEF:
+        arguments->run.brief = true;
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
 
 static error_t parse_report(int key, char *value, struct argp_state *state)
 {
@@ -118,6 +140,9 @@ static error_t parse_report(int key, char *value, struct argp_state *state)
         return 0;
     case KEY_CHECK:
         arguments->check = true;
+        return 0;
+    case KEY_BRIEF:
+        arguments->run.brief = true;
         return 0;
     case 'v':
         arguments->verbose = true;
@@ -308,7 +333,7 @@ static void print_heights(const struct surface_store *store)
     }
 }
 
-static void print_plan(const struct scene *scene, const struct prepared *prepared)
+static void print_plan(const struct scene *scene, const struct prepared *prepared, bool brief)
 {
     const struct plan *plan = &prepared->plan;
     struct text table = {0};
@@ -327,12 +352,17 @@ static void print_plan(const struct scene *scene, const struct prepared *prepare
     if (scene->target_count > 0)
         printf("%zu target%s: a search each on every model's curve of each surface, counted in the evaluations above\n",
                scene->target_count, scene->target_count == 1 ? "" : "s");
+    if (brief)
+        puts("brief: the report is its first page alone, and no other figures are drawn; all of the above runs, for "
+             "data/ and results.json");
     print_heights(&prepared->store);
 }
 
 int command_plan(int argc, char **argv)
 {
     static const struct argp argp = {
+        .options = plan_options,
+        .parser = parse_plan,
         .args_doc = "DIR",
         .doc = "Says what `report DIR` would simulate, why, and at which cost. Reads the scans and runs no model.",
         .children = scene_child};
@@ -352,7 +382,7 @@ int command_plan(int argc, char **argv)
     if (rc == STATUS_OK && refused == scene.surface_count)
         rc = status_fail(&status, STATUS_SCAN, "no readable scan in '%s'", scene.directory);
     if (rc == STATUS_OK)
-        print_plan(&scene, &prepared);
+        print_plan(&scene, &prepared, arguments.run.brief);
     int exit_status = rc != STATUS_OK ? command_fail(&status) : refused > 0 ? COMMAND_REFUSED : COMMAND_DONE;
     text_free(&messages);
     prepared_free(&prepared);

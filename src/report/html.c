@@ -327,7 +327,7 @@ static enum status_code read_figure(struct text *out, struct text *path, struct 
 static enum status_code add_tools(struct page *page, const char *name, const struct text *drawing,
                                   const struct svg_curves *curves)
 {
-    struct text *out = &page->figures, path = {0}, numbers = {0}, data = {0};
+    struct text *out = &page->figures, path = {0}, numbers = {0}, data = {0}, plain = {0};
     bool picture = ends_with(name, picture_extension);
     text_add(&numbers, "%.*s.csv", (int)(strrchr(name, '.') - name), name);
     enum status_code code = read_figure(&data, &path, page, text_string(&numbers));
@@ -335,11 +335,15 @@ static enum status_code add_tools(struct page *page, const char *name, const str
     add_switches(out, curves);
     if (code == STATUS_OK)
         add_download(out, "Data", text_string(&numbers), "text/csv", &data);
-    add_download(out, "Picture", name, picture ? "image/png" : "image/svg+xml", drawing);
+    if (!picture)
+        svg_plain(&plain, drawing);
+    add_download(out, "Picture", name, picture ? "image/png" : "image/svg+xml", picture ? drawing : &plain);
     text_add(out, "</div>\n");
     text_free(&path);
     text_free(&numbers);
     text_free(&data);
+    out->failed |= plain.failed;
+    text_free(&plain);
     return code;
 }
 

@@ -4,12 +4,34 @@
 #include "report/section.h"
 #include <string.h>
 
+/** The parts of the report, in reading order. */
+enum part { PART_FIRST_PAGE, PART_CHAPTER, PART_TRUST, PART_APPENDICES };
+
+/** What goes before the first section of a part: a rule ends the first page (printed, it ends the sheet), and what
+ * follows a second heading of the first level is folded (html.c). */
+static const char *const part_starts[] = {
+    [PART_FIRST_PAGE] = "",
+    [PART_CHAPTER] = "---\n\n",
+    [PART_TRUST] = "",
+    [PART_APPENDICES] = "# Appendices\n\n",
+};
+
 /* A section needs its row here, in reading order, and its file. */
-static const struct section *const sections[] = {
-    &section_summary,  &section_answers,       &section_surfaces,     &section_material, &section_convergence,
-    &section_baseline, &section_beyond_thesis, &section_correlations, &section_direct,   &section_all_surfaces,
-    &section_checks,   &section_sensitivity,   &section_repeats,      &section_measured, &section_validity,
-    &section_cost,     &section_computed,      &section_methods,      &section_sources,
+static const struct {
+    enum part part;
+    const struct section *section;
+} sections[] = {
+    {PART_FIRST_PAGE, &section_summary},    {PART_FIRST_PAGE, &section_answers},
+    {PART_FIRST_PAGE, &section_deciding},   {PART_FIRST_PAGE, &section_doubts},
+    {PART_CHAPTER, &section_surfaces},      {PART_CHAPTER, &section_material},
+    {PART_CHAPTER, &section_convergence},   {PART_CHAPTER, &section_baseline},
+    {PART_CHAPTER, &section_beyond_thesis}, {PART_CHAPTER, &section_all_surfaces},
+    {PART_TRUST, &section_direct},          {PART_TRUST, &section_validity},
+    {PART_TRUST, &section_sensitivity},     {PART_TRUST, &section_repeats},
+    {PART_TRUST, &section_measured},        {PART_APPENDICES, &section_checks},
+    {PART_APPENDICES, &section_cost},       {PART_APPENDICES, &section_correlations},
+    {PART_APPENDICES, &section_computed},   {PART_APPENDICES, &section_methods},
+    {PART_APPENDICES, &section_sources},
 };
 
 static enum status_code write_file(const char *directory, const char *name, const struct text *content,
@@ -40,22 +62,27 @@ static void squeeze(struct text *markdown)
 
 void report_markdown(struct text *out, const struct section_context *context)
 {
-    for (size_t i = 0; i < sizeof sections / sizeof *sections; i++)
-        if (!sections[i]->called_for || sections[i]->called_for(context)) {
-            if (out->length > 0)
-                text_add(out, "\n\n");
-            sections[i]->write(out, context);
-        }
+    enum part part = PART_FIRST_PAGE;
+    for (size_t i = 0; i < sizeof sections / sizeof *sections; i++) {
+        const struct section *section = sections[i].section;
+        if ((context->brief && sections[i].part != PART_FIRST_PAGE) ||
+            (section->called_for && !section->called_for(context)))
+            continue;
+        text_add(out, "%s%s", out->length > 0 ? "\n\n" : "",
+                 sections[i].part != part ? part_starts[sections[i].part] : "");
+        part = sections[i].part;
+        section->write(out, context);
+    }
     squeeze(out);
 }
 
-enum status_code report_write(const struct results *results, const struct figure_list *figures, const char *directory,
-                              const char *templates, struct status *status)
+enum status_code report_write(const struct results *results, const struct figure_list *figures, bool brief,
+                              const char *directory, const char *templates, struct status *status)
 {
     struct comparison comparison = {0};
     struct surface_record baseline = {0};
     struct text markdown = {0}, html = {0};
-    const struct section_context context = {results, &comparison, &baseline, figures};
+    const struct section_context context = {results, &comparison, &baseline, figures, brief};
     enum status_code rc = comparison_make(&comparison, results, status);
     if (rc == STATUS_OK)
         rc = surface_store_get(&baseline, results->store, results->baseline, status);

@@ -5,8 +5,9 @@
 #include "base/text.h"
 #include "chart/figure.h"
 
-/** Writes report.md and report.html into `directory`, whose `figures` are drawn. Errors: STATUS_IO, STATUS_MEMORY. */
-MUST_CHECK enum status_code report_write(const struct results *results, const struct figure_list *figures,
+/** Writes report.md and report.html into `directory`, whose `figures` are drawn; brief: the first page alone. Errors:
+ * STATUS_IO, STATUS_MEMORY. */
+MUST_CHECK enum status_code report_write(const struct results *results, const struct figure_list *figures, bool brief,
                                          const char *directory, const char *templates, struct status *status);
 
 struct section_context;

@@ -73,15 +73,37 @@ static void figure_marks(struct text *out, const struct section_context *context
     text_add(out, any ? "." : "");
 }
 
+const char *const section_first_page[SECTION_FIRST_PLACES] = {"first page", "first page, direct"};
+
+static bool is_numbered(const struct figure *figure)
+{
+    return figure->row->number > 0 && figure->number[0] == '6';
+}
+
+static const char *place_of(const struct section_context *context, const struct figure *figure)
+{
+    if (!figure->decides || (is_numbered(figure) && !context->brief))
+        return figure->row->section;
+    return section_first_page[figure->row->kind == FIGURE_SURFACES ? SECTION_FIRST_SURFACES : SECTION_FIRST_DIRECT];
+}
+
+bool section_has_figures(const struct section_context *context, const char *place)
+{
+    for (size_t i = 0; i < context->figures->count; i++)
+        if (strcmp(place_of(context, &context->figures->figures[i]), place) == 0)
+            return true;
+    return false;
+}
+
 void section_figures(struct text *out, const struct section_context *context, const char *place,
                      section_caption *caption)
 {
     for (size_t i = 0; i < context->figures->count; i++) {
         const struct figure *figure = &context->figures->figures[i];
-        if (strcmp(figure->row->section, place) != 0)
+        if (strcmp(place_of(context, figure), place) != 0)
             continue;
         text_add(out, "![");
-        if (figure->row->number > 0 && figure->number[0] == '6')
+        if (is_numbered(figure))
             text_add(out, "Figure %s. ", figure->number);
         text_add(out, "%s", figure->title);
         if (figure->row->kind == FIGURE_MODELS || figure->row->kind == FIGURE_SENSITIVITY ||
@@ -298,8 +320,7 @@ const struct material_pair *section_pair(const struct section_context *context)
 
 bool section_is_valid(const struct surface_summary *summary, size_t model, double load)
 {
-    const struct curve_summary *curve = &summary->models[model];
-    return !(curve->invalid_area_load <= load) && !(curve->invalid_fit_load <= load);
+    return curve_summary_is_valid(&summary->models[model], load);
 }
 
 const double section_hardest = 3;

@@ -13,6 +13,7 @@ struct section_context {
     const struct comparison *comparison;
     const struct surface_record *baseline;
     const struct figure_list *figures;
+    bool brief; /* the first page alone */
 };
 
 struct section {
@@ -25,17 +26,25 @@ struct section {
 
 extern const struct section section_summary, section_surfaces, section_material, section_convergence, section_baseline,
     section_beyond_thesis, section_correlations, section_direct, section_all_surfaces, section_checks,
-    section_sensitivity, section_repeats, section_measured, section_validity, section_cost, section_computed,
-    section_methods, section_sources, section_answers;
+    section_sensitivity, section_deciding, section_doubts, section_repeats, section_measured, section_validity,
+    section_cost, section_computed, section_methods, section_sources, section_answers;
 
 /** Surfaces that a table or list of the report shows at most; data/ and results.json have all. */
 enum { SECTION_ROWS = 100 };
 
 /** What a figure shows, in one sentence with its numbers, behind its title. */
 typedef void section_caption(struct text *out, const struct section_context *context, const struct figure *figure);
+/** Places of the figures that decide, on the first page: of all surfaces, and against the direct solution. A numbered
+ * one stays in chapter 6, unless the report is brief. */
+enum section_first_page { SECTION_FIRST_SURFACES, SECTION_FIRST_DIRECT, SECTION_FIRST_PLACES };
+extern const char *const section_first_page[SECTION_FIRST_PLACES];
+/** Are there figures whose row names this place? */
+bool section_has_figures(const struct section_context *context, const char *place);
 /** Adds the figures whose row names this place, each with its title and caption (NULL: the title alone). */
 void section_figures(struct text *out, const struct section_context *context, const char *place,
                      section_caption *caption);
+/** Captions of the figures of all surfaces, and of those of the direct solution. */
+section_caption section_all_surfaces_caption, section_direct_caption;
 /** Says of the baseline's own separations how far they go on below where their chart is cut: " Cut at −0.5 σ: …". */
 void section_cut(struct text *out, const struct section_context *context, const struct figure *figure);
 /** " At P/(Aₙ E′) = 3.16·10⁻⁴, A/Aₙ is 0.18": the start of a caption that speaks of the middle load. */

@@ -173,7 +173,7 @@ static void left_at_full(struct text *out, const struct section_context *context
     }
 }
 
-static void caption(struct text *out, const struct section_context *context, const struct figure *figure)
+void section_all_surfaces_caption(struct text *out, const struct section_context *context, const struct figure *figure)
 {
     if (figure->row->x == QUANTITY_AREA)
         left_at_full(out, context, figure->model);
@@ -206,10 +206,12 @@ static void write(struct text *out, const struct section_context *context)
     text_add(out, ".\n\n");
     full_table(out, context);
     for (size_t p = 0; p < sizeof parts / sizeof *parts; p++) {
-        if (!section_computes(context, parts[p].quantity))
+        bool any = section_has_figures(context, parts[p].place) ||
+                   (parts[p].with_beta && section_computes(context, QUANTITY_ADJUSTED));
+        if (!section_computes(context, parts[p].quantity) || !any)
             continue;
         text_add(out, "\n### %s\n\n", parts[p].heading);
-        section_figures(out, context, parts[p].place, caption);
+        section_figures(out, context, parts[p].place, section_all_surfaces_caption);
         if (!parts[p].with_beta || !section_computes(context, QUANTITY_ADJUSTED))
             continue;
         text_add(out, "**Table 6.3.** β of the adjusted separation (4.54): the value that makes it 0 where A = Aₙ, and "

@@ -266,7 +266,7 @@ static void sentences(struct text *out, const struct section_context *context, c
     text_add(out, any ? ".\n\n" : "\n");
 }
 
-static void caption(struct text *out, const struct section_context *context, const struct figure *figure)
+void section_direct_caption(struct text *out, const struct section_context *context, const struct figure *figure)
 {
     const struct direct_study *study = figure_direct(context->results);
     enum quantity quantity = figure->row->y;
@@ -340,7 +340,7 @@ static void write_direct(struct text *out, const struct section_context *context
         sentences(out, context, study);
         table(out, context, study, baseline ? context->baseline : &scan);
         if (baseline)
-            section_figures(out, context, "direct", caption);
+            section_figures(out, context, "direct", section_direct_caption);
         else
             surface_record_free(&scan, false);
     }

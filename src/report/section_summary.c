@@ -101,46 +101,79 @@ static void surfaces(struct text *out, const struct section_context *context)
         text_add(out, "- %s\n", results_without_material);
 }
 
-/** ", ECR·Aₙ is … Ω·m²" of the leading model over all surfaces. */
-static void resistance(struct text *out, const struct comparison_extremes *extremes, const char *name, const char *unit)
+/** "; TCR·Aₙ is … K·m²/W" of the leading model over all surfaces; nothing where it has none. */
+static void range(struct text *out, const struct comparison_extremes *extremes, enum quantity quantity)
 {
+    const struct quantity_row *row = &quantity_rows[quantity];
+    bool area = quantity == QUANTITY_AREA;
     if (extremes->count == 0)
         return;
-    text_add(out, "; %s·Aₙ is ", name);
-    number_format_range(out, extremes->least, extremes->most, 3);
-    text_add(out, " %s", unit);
+    text_add(out, area ? "; the real contact area is " : "; %s is ", row->symbol);
+    number_format_range(out, (area ? 100 : 1) * extremes->least, (area ? 100 : 1) * extremes->most, 3);
+    text_add(out, area ? " %% of the nominal one" : " %s", row->unit);
 }
 
-static void at_middle(struct text *out, const struct section_context *context)
+/** "1.50·10⁻¹⁰ Ω·m² (95 % 9.57·10⁻¹¹…2.35·10⁻¹⁰; surface beta)" */
+static void answer(struct text *out, const struct section_context *context, enum quantity quantity, double value,
+                   size_t surface)
+{
+    size_t leading = context->comparison->leading;
+    const struct estimate *estimate = &section_surface(context, surface)->models[leading].middle[quantity];
+    double scale = quantity == QUANTITY_AREA ? 100 : 1;
+    bool interval = estimate->count > 0 && isfinite(estimate->half_width);
+    number_format(out, scale * value, 3);
+    text_add(out, " %s (", quantity == QUANTITY_AREA ? "%" : quantity_rows[quantity].unit);
+    if (interval) {
+        number_format_between(out, "95 % ", scale * estimate_end(estimate, 0), 3, "…");
+        number_format_between(out, "", scale * estimate_end(estimate, 1), 3, "; ");
+    }
+    section_named(out, "surface ", context->results, surface);
+    section_mark(out, context, surface, leading);
+    text_add(out, ")");
+}
+
+/** What the leading model says at the operating load: the resistance asked for, else the area, of the only surface or
+ * from the least to the most, with the intervals. */
+static void lead_leading(struct text *out, const struct section_context *context)
 {
     const struct comparison *study = context->comparison;
     const struct comparison_extremes *extremes = study->models[study->leading].extremes;
+    enum quantity quantity = results_criterion(context->results);
     double nominal_m2 = context->results->scene->nominal_area_m2;
-    if (extremes[QUANTITY_AREA].count == 0)
+    if (extremes[quantity].count == 0)
+        quantity = QUANTITY_AREA;
+    if (extremes[quantity].count == 0)
         return;
-    text_add(out, "- **At ");
+    text_add(out, "**At ");
     section_middle_pressure(out, context);
-    text_add(out, "** (");
+    text_add(out, " %s is ", quantity == QUANTITY_AREA ? "the real contact area" : quantity_rows[quantity].symbol);
+    answer(out, context, quantity, extremes[quantity].least, extremes[quantity].least_at);
+    if (extremes[quantity].count > 1) {
+        text_add(out, " to ");
+        answer(out, context, quantity, extremes[quantity].most, extremes[quantity].most_at);
+    }
+    text_add(out, "**%s, by %s", quantity == QUANTITY_AREA ? " of the nominal one" : "",
+             model_rows[study->leading]->label);
     if (!section_pair(context)->unknown && !context->results->loads_apart) {
-        text_add(out, "P/(Aₙ E′) = ");
+        text_add(out, " at P/(Aₙ E′) = ");
         number_format_power(out, study->middle_load, 3);
-        text_add(out, "; ");
     }
-    text_add(out, "%s) the real contact area is ", model_rows[study->leading]->label);
-    number_format_range(out, 100 * extremes[QUANTITY_AREA].least, 100 * extremes[QUANTITY_AREA].most, 3);
-    text_add(out, " %% of the nominal one");
-    resistance(out, &extremes[QUANTITY_ECR], "ECR", "Ω·m²");
-    if (extremes[QUANTITY_ECR].count > 0 && isfinite(nominal_m2)) {
-        text_add(out, " (");
-        number_format_range(out, extremes[QUANTITY_ECR].least / nominal_m2, extremes[QUANTITY_ECR].most / nominal_m2,
-                            3);
-        text_add(out, " Ω on ");
+    if (quantity == QUANTITY_ECR && isfinite(nominal_m2)) {
+        text_add(out, "; on ");
         number_format_given(out, nominal_m2 * 1e6);
-        text_add(out, " mm²)");
+        text_add(out, " mm² ");
+        number_format_range(out, extremes[quantity].least / nominal_m2, extremes[quantity].most / nominal_m2, 3);
+        text_add(out, " Ω");
     }
-    resistance(out, &extremes[QUANTITY_TCR], "TCR", "K·m²/W");
-    text_add(out, ".\n");
+    static const enum quantity others[] = {QUANTITY_AREA, QUANTITY_TCR};
+    for (size_t k = 0; k < sizeof others / sizeof *others; k++)
+        if (others[k] != quantity)
+            range(out, &extremes[others[k]], others[k]);
+    text_add(out, ".\n\n");
 }
+
+/* What the report says first: each writes a paragraph, or nothing. */
+static void (*const leads[])(struct text *out, const struct section_context *context) = {lead_leading};
 
 /** " (×0.71, 95 % 0.60…0.84, p = 0.003, 3 and 3 scans)": of the better place i over the worse j. */
 static void pair_text(struct text *out, const struct section_context *context, size_t i, size_t j)
@@ -529,10 +562,11 @@ static void heights(struct text *out, const struct section_context *context)
 static void summary(struct text *out, const struct section_context *context)
 {
     size_t refused = context->results->store->count - context->results->usable_count;
+    for (size_t k = 0; k < sizeof leads / sizeof *leads; k++)
+        leads[k](out, context);
     surfaces(out, context);
-    heights(out, context);
-    at_middle(out, context);
     ranking_text(out, context);
+    heights(out, context);
     model_spread(out, context);
     agreement(out, context);
     limits(out, context);
@@ -543,17 +577,30 @@ static void summary(struct text *out, const struct section_context *context)
 
 static bool has_column(const struct section_context *context, int q)
 {
-    bool shown = q == QUANTITY_AREA || q == QUANTITY_SEPARATION || q == QUANTITY_ECR || q == QUANTITY_TCR;
-    return shown && section_computes(context, (enum quantity)q);
+    bool form = q == QUANTITY_ADJUSTED || q == QUANTITY_TCR_SCALE_DEPENDENT; /* of a column that is there */
+    return q != QUANTITY_LOAD && !form && section_computes(context, (enum quantity)q);
 }
 
-/** The letters of the groups that a surface is in. */
-static void letters_cell(struct text *out, const struct comparison_ranking *ranking, size_t index)
+/** How many times the best one's answer a surface's is, with Welch's p, and the letters of the groups that it is in. */
+static void ranking_cells(struct text *out, const struct comparison_ranking *ranking, size_t index)
 {
     char letters[RANKING_LETTERS + 1] = "–";
-    for (size_t i = 0; i < ranking->count; i++)
-        if (ranking->surface[i] == index)
-            ranking_groups_letters(letters, &ranking->groups, i);
+    size_t i = 0;
+    while (i < ranking->count && ranking->surface[i] != index)
+        i++;
+    text_add(out, " | ");
+    if (i == ranking->count) {
+        text_add(out, "–");
+    } else if (i == 0) {
+        text_add(out, "1");
+    } else {
+        const struct comparison_pair *pair = comparison_pair_of(ranking, 0, i);
+        number_format(out, 1 / pair->ratio, 3);
+        if (pair->test == COMPARISON_WELCH)
+            text_add(out, pair->p < 1e-4 ? " (p < 0.0001)" : " (p = %.2g)", pair->p);
+    }
+    if (i < ranking->count)
+        ranking_groups_letters(letters, &ranking->groups, i);
     text_add(out, " | %s", letters);
 }
 
@@ -579,7 +626,7 @@ static void surface_key(struct text *out, const struct section_context *context,
                 section_cell(out, section_contact_pressure(context, index, point), 3);
         }
     if (context->comparison->ranking.tested > 0)
-        letters_cell(out, &context->comparison->ranking, index);
+        ranking_cells(out, &context->comparison->ranking, index);
     section_load_cell(out, context, index, s->models[leading].exists ? s->models[leading].full_load : NAN);
 }
 
@@ -601,8 +648,8 @@ static void key_table(struct text *out, const struct section_context *context)
         }
     const struct comparison_ranking *ranking = &context->comparison->ranking;
     if (ranking->tested > 0) {
-        text_add(out, " | alike");
-        text_add(&rule, "---|");
+        text_add(out, " | over the best | alike");
+        text_add(&rule, "---:|---|");
     }
     text_add(out, " | full contact at ");
     section_load_symbol(out, context->results);

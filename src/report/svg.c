@@ -51,7 +51,11 @@ struct drawing {
     size_t before; /* length of `out` before the drawing */
     const char *label;
     unsigned number;
-    unsigned depth;  /* kept elements that are open */
+    unsigned depth; /* kept elements that are open */
+    struct {
+        size_t start, inside; /* length of `out` before and behind its tag */
+        bool named;           /* it has an id */
+    } open[SVG_DEPTH + 1];
     unsigned texts;  /* those of them whose text shows */
     unsigned hidden; /* the outermost open element that is left out, and all open inside it */
     bool in_title;
@@ -243,6 +247,7 @@ static void XMLCALL on_start(void *user, const XML_Char *name, const XML_Char **
 {
     struct drawing *drawing = user;
     const XML_Char **all = attributes;
+    size_t start = drawing->out->length;
     if (drawing->depth == 0)
         write_root(drawing, name, attributes);
     else if (!is_kept(drawing, name, attributes)) {
@@ -257,6 +262,9 @@ static void XMLCALL on_start(void *user, const XML_Char *name, const XML_Char **
         write_hypertext(drawing, all);
     }
     enter_plot(drawing, name, find_attribute(all, "id"));
+    drawing->open[drawing->depth].start = start;
+    drawing->open[drawing->depth].inside = drawing->out->length;
+    drawing->open[drawing->depth].named = find_attribute(all, "id") != NULL;
     drawing->texts += listed(text_elements, name);
     drawing->in_title = strcmp(name, "title") == 0;
     if (++drawing->depth > SVG_DEPTH)
@@ -273,12 +281,17 @@ static void XMLCALL on_end(void *user, const XML_Char *name)
         drawing->hidden--;
         return;
     }
-    if (XML_GetCurrentByteCount(drawing->parser) == 0 && !drawing->titled) { /* of <name/>, just begun */
+    drawing->depth--;
+    bool short_form = XML_GetCurrentByteCount(drawing->parser) == 0; /* <name/> */
+    bool empty = out->length == drawing->open[drawing->depth].inside && !drawing->open[drawing->depth].named;
+    if (empty && !short_form && drawing->depth > 0 && strcmp(name, "g") == 0) { /* gnuplot leaves many */
+        out->length = drawing->open[drawing->depth].start;
+        text_add_bytes(out, "", 0);
+    } else if (short_form && !drawing->titled) { /* just begun */
         out->length--;
         text_add(out, "/>");
     } else
         text_add(out, "</%s>", name);
-    drawing->depth--;
     drawing->plot -= drawing->plot > 0;
     drawing->in_plot_title = false;
     drawing->texts -= listed(text_elements, name);
@@ -312,6 +325,37 @@ static void add_repaired(struct text *out, const struct text *svg)
         text_add(out, "]]&gt;");
     }
     text_add_bytes(out, at, (size_t)(end - at));
+}
+
+/** Takes a group off the end of `out` that was just closed with nothing in it. */
+static void drop_empty(struct text *out)
+{
+    static const char close[] = "</g>\n";
+    size_t end = out->length - strlen(close);
+    const char *start = memrchr(out->data, '<', end);
+    if (!start || strncmp(start, "<g ", 3) != 0 || out->data[end - 1] != '\n' || out->data[end - 2] != '>')
+        return;
+    out->length = (size_t)(start - out->data);
+    text_add_bytes(out, "", 0);
+}
+
+void svg_plain(struct text *out, const struct text *svg)
+{
+    static const char group[] = "\t<g onmousemove=\"gnuplot_svg.showHypertext(", close[] = "</g>\n";
+    const char *line = text_string(svg), *end = line + svg->length;
+    bool speaks = svg->length > 0 && strstr(line, group) != NULL;
+    while (line < end) {
+        const char *next = memchr(line, '\n', (size_t)(end - line)), *closed;
+        next = next ? next + 1 : end;
+        if (speaks && strncmp(line, group, strlen(group)) == 0 && (closed = strstr(line, close))) {
+            line = closed + strlen(close);
+            continue;
+        }
+        text_add_bytes(out, line, (size_t)(next - line));
+        if (speaks && strncmp(line, close, strlen(close)) == 0 && !out->failed && out->length > 2 * strlen(close))
+            drop_empty(out);
+        line = next;
+    }
 }
 
 enum status_code svg_inline(struct text *out, const struct text *svg, const char *path, unsigned number,

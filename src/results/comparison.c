@@ -362,10 +362,7 @@ const struct comparison_pair *comparison_pair_of(const struct comparison_ranking
 static enum status_code rank(struct comparison *out, const struct results *results, struct status *status)
 {
     struct comparison_ranking *ranking = &out->ranking;
-    unsigned computed = plan_quantities(results->plan);
-    enum quantity by = computed & QUANTITY_BIT(QUANTITY_ECR)   ? QUANTITY_ECR
-                       : computed & QUANTITY_BIT(QUANTITY_TCR) ? QUANTITY_TCR
-                                                               : QUANTITY_AREA;
+    enum quantity by = results_criterion(results);
     ranking->criterion = by;
     size_t surfaces = out->models[out->leading].extremes[by].count;
     if (surfaces == 0 || surfaces > COMPARISON_RANKED_MOST)

@@ -101,3 +101,11 @@ struct results_load_axis results_load_axis(const struct results *results, size_t
         return (struct results_load_axis){"Pa", pair->effective_modulus_Pa};
     return (struct results_load_axis){NULL, 1};
 }
+
+enum quantity results_criterion(const struct results *results)
+{
+    unsigned computed = plan_quantities(results->plan);
+    return computed & QUANTITY_BIT(QUANTITY_ECR)   ? QUANTITY_ECR
+           : computed & QUANTITY_BIT(QUANTITY_TCR) ? QUANTITY_TCR
+                                                   : QUANTITY_AREA;
+}

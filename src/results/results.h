@@ -39,6 +39,8 @@ const double *results_loads(const struct results *results, size_t surface);
 /** The place among them of the one where summary and tables stand, and that load of a surface. */
 size_t results_operating(const struct results *results);
 double results_operating_load(const struct results *results, size_t surface);
+/** What surfaces are held against each other by: ECR where the run computes it, else TCR, else the area. */
+enum quantity results_criterion(const struct results *results);
 /** What the models need of a surface's bodies. */
 const struct material_pair *results_pair(const struct results *results, size_t surface);
 /** What a report on surfaces of no material says of it: one sentence. */

@@ -226,15 +226,18 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
     if (json_write(run->results, staging, status) != STATUS_OK || stopped(run))
         return status->code;
     out->times.tables = lap(&last);
-    if (figure_list_make(&run->figures, run->results, status) != STATUS_OK ||
-        figure_write_all(&run->figures, run->results, staging, options->templates, status) != STATUS_OK || stopped(run))
+    if (figure_list_make(&run->figures, run->results, status) != STATUS_OK)
+        return status->code;
+    if (options->brief)
+        figure_list_keep_deciding(&run->figures);
+    if (figure_write_all(&run->figures, run->results, staging, options->templates, status) != STATUS_OK || stopped(run))
         return status->code;
     out->times.figures = lap(&last);
     if (figure_draw_all(&run->figures, staging, options->terminal_size, &out->charts, &out->times.gnuplot, status) !=
         STATUS_OK)
         return status->code;
     last = clock_seconds();
-    if (report_write(run->results, &run->figures, staging, options->templates, status) != STATUS_OK)
+    if (report_write(run->results, &run->figures, options->brief, staging, options->templates, status) != STATUS_OK)
         return status->code;
     report_terminal_table(&out->table, run->results);
     report_terminal_answers(&out->answers, run->results);

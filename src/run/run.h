@@ -14,6 +14,7 @@ struct run_options {
     const char *templates;             /* directory of the templates */
     const char *terminal_size;         /* "columns,rows" to draw the main charts as text, NULL: not */
     bool no_cost;                      /* leave out what accuracy costs */
+    bool brief;                        /* the report's first page, with its figures, alone */
     unsigned jobs;                     /* threads; 0: one a processor */
     const struct direct_crew *crew;    /* other processes for the direct solution; NULL: none */
     const volatile sig_atomic_t *stop; /* becomes non-zero when the run is to end early; NULL: never */

@@ -160,6 +160,19 @@ static void assert_well_formed(const char *text)
     assert_true(elements > 5);
 }
 
+/* Pieces that are to be seen: those whose points only speak when they are pointed at stay out. */
+static size_t pieces_of(const char *svg)
+{
+    static const char start[] = "<g id=\"gnuplot_plot_";
+    size_t pieces = 0;
+    for (const char *at = strstr(svg, start), *next; at; at = next) {
+        const char *speaks = strstr(at, "showHypertext");
+        next = strstr(at + 1, start);
+        pieces += !speaks || (next && speaks > next);
+    }
+    return pieces;
+}
+
 /* Each sample with how many pieces gnuplot draws: one for the frame (a panel has its own), lines solid and dashed,
  * markers, legend entries. */
 static const struct sample {
@@ -207,9 +220,9 @@ static void test_every_template_draws_an_svg(void **state)
         snprintf(name, sizeof name, "%s.svg", samples[i].name);
         struct text svg = read_file(*state, name);
         assert_well_formed(text_string(&svg));
-        if (count(svg.data, "<g id=\"gnuplot_plot_") != samples[i].pieces || !strstr(svg.data, samples[i].legend))
-            fail_msg("%s: %zu pieces, expected %zu with '%s'", name, count(svg.data, "<g id=\"gnuplot_plot_"),
-                     samples[i].pieces, samples[i].legend);
+        if (pieces_of(svg.data) != samples[i].pieces || !strstr(svg.data, samples[i].legend))
+            fail_msg("%s: %zu pieces, expected %zu with '%s'", name, pieces_of(svg.data), samples[i].pieces,
+                     samples[i].legend);
         assert_non_null(strstr(svg.data, "a title"));
         assert_in_range(svg.length, 10000, 130000);
         text_free(&svg);
@@ -266,7 +279,7 @@ static void test_eight_curves_stay_small(void **state)
     text_free(&data);
     run_well(*state, "call 'curves.gp' 'eight.csv' 'eight.svg' '' 'load' 'area' 'xy' 's1 s2 s3 s4 s5 s6 s7 s8'");
     struct text svg = read_file(*state, "eight.svg");
-    assert_int_equal(count(text_string(&svg), "<g id=\"gnuplot_plot_"), 1 + 8 + 8);
+    assert_int_equal(pieces_of(text_string(&svg)), 1 + 8 + 8);
     assert_in_range(svg.length, 20000, 60000);
     text_free(&svg);
 }
@@ -290,7 +303,7 @@ static void test_empty_blocks_and_single_points_are_drawn_silently(void **state)
         text_free(&chart);
     }
     struct text few = read_file(*state, "few.svg");
-    assert_int_equal(count(text_string(&few), "<g id=\"gnuplot_plot_"), 1 + 1 + 1 + 2);
+    assert_int_equal(pieces_of(text_string(&few)), 1 + 1 + 1 + 2);
     assert_null(strstr(few.data, "no data in range"));
     text_free(&few);
 }
@@ -304,8 +317,8 @@ static struct text draw_curves(const struct place *place, const char *data, cons
     snprintf(command, sizeof command, "load 'models.gp'\ncall 'curves.gp' 'data.csv' 'data.svg' '' %s", arguments);
     run_well(place, command);
     struct text svg = read_file(place, "data.svg");
-    if (count(text_string(&svg), "<g id=\"gnuplot_plot_") != pieces)
-        fail_msg("%s: %zu pieces, expected %zu", arguments, count(svg.data, "<g id=\"gnuplot_plot_"), pieces);
+    if (pieces_of(text_string(&svg)) != pieces)
+        fail_msg("%s: %zu pieces, expected %zu", arguments, pieces_of(svg.data), pieces);
     return svg;
 }
 

@@ -391,7 +391,7 @@ static void test_marks(void **state)
     report(place, "out", "2");
     char *page = workspace_read(place, "out/report.md"), *section = strstr(page, "\n## Against a direct solution");
     assert_non_null(section);
-    strstr(section, "\n## All surfaces")[0] = '\0';
+    strstr(section, "\n## Where the models may")[0] = '\0';
     expect_part(section, "| multiscale elastic\u00a0‡ over it |");
     expect_part(section, "| two-band elastic\u00a0‡ over it |");
     expect_part(section, "- **two-band elastic**\u00a0‡: ");
@@ -407,7 +407,7 @@ static void test_marks(void **state)
     page = workspace_read(place, "out/report.md");
     section = strstr(page, "\n## Against a direct solution");
     assert_non_null(section);
-    strstr(section, "\n## All surfaces")[0] = '\0';
+    strstr(section, "\n## Where the models may")[0] = '\0';
     expect_part(section, "so the models are held against Gaussian surfaces.");
     expect_no_part(section, "‡");
     free(page);

@@ -207,9 +207,10 @@ static void test_everything(void **state)
                              "### Electrical contact resistance\n### Thermal contact resistance\n## Two bands\n"
                              "## All surfaces, model by model\n### Area against load\n### Separation against load\n"
                              "### Separation against area\n### ECR against load\n### TCR against load\n"
-                             "## The findings of chapter 6, checked on these surfaces\n"
+                             "## Where the models may be trusted\n"
                              "## What the answers hang on: cut-off, scan length, hardness\n"
-                             "## Where the models may be trusted\n## What was computed\n## Models and sources\n");
+                             "# Appendices\n## The findings of chapter 6, checked on these surfaces\n"
+                             "## What was computed\n## Models and sources\n");
     assert_tidy(*state, &report);
     text_free(&report);
 }
@@ -222,9 +223,10 @@ static void test_what_did_not_run_is_not_spoken_of(void **state)
     assert_headings(&report, "# in\n## The surfaces\n## Material and load\n## Surface x in every model\n"
                              "### Real contact area\n### Electrical contact resistance\n"
                              "## All surfaces, model by model\n### Area against load\n### ECR against load\n"
-                             "## The findings of chapter 6, checked on these surfaces\n"
+                             "## Where the models may be trusted\n"
                              "## What the answers hang on: cut-off, scan length, hardness\n"
-                             "## Where the models may be trusted\n## What was computed\n## Models and sources\n");
+                             "# Appendices\n## The findings of chapter 6, checked on these surfaces\n"
+                             "## What was computed\n## Models and sources\n");
     assert_tidy(*state, &report);
     *strstr(report.data, "## What was computed") = '\0'; /* which says what was skipped and why */
     static const char *const others[] = {"TCR", "ultiscale", "JG", "β", "Smoother surfaces"};
@@ -261,10 +263,11 @@ static void test_repeats_and_measurements(void **state)
     assert_headings(&report, "# in\n## The surfaces\n## Material and load\n## Surface both in every model\n"
                              "### Real contact area\n### Electrical contact resistance\n"
                              "## All surfaces, model by model\n### Area against load\n### ECR against load\n"
-                             "## The findings of chapter 6, checked on these surfaces\n"
+                             "## Where the models may be trusted\n"
                              "## What the answers hang on: cut-off, scan length, hardness\n"
                              "## How sure the numbers are\n## Measured contact resistance\n"
-                             "## Where the models may be trusted\n## What was computed\n## Models and sources\n");
+                             "# Appendices\n## The findings of chapter 6, checked on these surfaces\n"
+                             "## What was computed\n## Models and sources\n");
     assert_tidy(*state, &report);
     text_free(&report);
 }

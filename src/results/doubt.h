@@ -1,0 +1,34 @@
+/* What the leading model's answer hangs on, one thing changed at a time, and what to measure to be surer. */
+#ifndef RESULTS_DOUBT_H
+#define RESULTS_DOUBT_H
+
+#include "results/comparison.h"
+
+/** A thing that is not known well: one row each in doubt.c. */
+struct doubt_row {
+    const char *what;    /* "scan length" */
+    const char *changed; /* how far: "halved" */
+    const char *next;    /* what to measure to know it better */
+    bool either_way;     /* the answer may be off by the factor or by its inverse */
+    /** Answer changed / answer as it is, of surface `surface` in the leading model at its operating load, by
+     * `quantity`, the run's criterion; either way: 1 and up. NaN: no number. */
+    double (*factor)(const struct results *results, const struct comparison *comparison, enum quantity quantity,
+                     size_t surface);
+};
+
+struct doubt {
+    const struct doubt_row *row;
+    double factor;  /* of all usable surfaces' the farthest from 1 */
+    size_t surface; /* whose it is */
+    bool alike;     /* every surface that has a number has this one */
+};
+
+enum { DOUBTS_MOST = 12 };
+
+/** Fills `out` with those that have a number, the largest |ln factor| first, and returns how many. */
+size_t doubts_rank(struct doubt out[DOUBTS_MOST], const struct results *results, const struct comparison *comparison);
+
+/** What resistivity and conductivity are taken to be known within: 0.05. */
+extern const double doubt_tolerance;
+
+#endif

@@ -1,0 +1,230 @@
+/* The first page against the data of the same report: what limits the answer, recomputed, and the page by itself. */
+#include "run/pipeline.h"
+
+#include <dirent.h>
+
+static int place_setup(void **state)
+{
+    static struct directory place;
+    place = directory_make();
+    mkdir(directory_path(&place, "in"), 0777);
+    pipeline_rough(&place, "in/a.csv", 160, 0.1, 1);
+    pipeline_rough(&place, "in/b.csv", 160, 0.3, 2);
+    directory_write(&place, "in/scene.yaml",
+                    "models: [two-band, multiscale]\nmaterial: tin\nload: {from: 1e-6, to: 1e-2, points: 9}\n"
+                    "effects: [plasticity, electrical, uncertainty]\n");
+    *state = &place;
+    return 0;
+}
+
+static int place_teardown(void **state)
+{
+    directory_remove(*state);
+    return 0;
+}
+
+static const char leading[] = "two-band-plastic";
+
+/** The number of the factor in the row of what limits the answer; fails where there is none. */
+static double shown(const struct text *page, const char *row)
+{
+    const char *at = strstr(text_string(page), row);
+    double factor = NAN;
+    if (!at)
+        fail_msg("no '%s' in\n%s", row, text_string(page));
+    at += strlen(row);
+    assert_int_equal(sscanf(at + strcspn(at, "0123456789"), "%lf", &factor), 1);
+    return factor;
+}
+
+/** Farthest from 1 over the surfaces of a factor in sensitivity.csv. */
+static double farthest(const struct directory *place, const char *change)
+{
+    struct table table = table_read_path(directory_path(place, "out/data/sensitivity.csv"));
+    double factor = 1;
+    for (size_t row = 0; row < table.rows; row++)
+        if (strcmp(table_text(&table, row, "model"), leading) == 0 &&
+            strcmp(table_text(&table, row, "change"), change) == 0 &&
+            fabs(log(table_number(&table, row, "ecr_factor"))) > fabs(log(factor)))
+            factor = table_number(&table, row, "ecr_factor");
+    table_free(&table);
+    return factor;
+}
+
+/** The widest 95 % interval of the mean at the middle load in spread.csv, as a factor either way. */
+static double widest(const struct directory *place)
+{
+    struct table table = table_read_path(directory_path(place, "out/data/spread.csv"));
+    double factor = 1;
+    for (size_t row = 0; row < table.rows; row++)
+        if (strcmp(table_text(&table, row, "quantity"), "ecr_ohm_m2_at_middle_load_two-band-plastic") == 0)
+            factor = fmax(factor, table_number(&table, row, "mean_high_95") / table_number(&table, row, "mean"));
+    table_free(&table);
+    return factor;
+}
+
+/** ECR at the middle load in contact.csv. */
+static double resistance(const struct directory *place, const char *surface, const char *model)
+{
+    struct table table = table_read_path(directory_path(place, "out/data/contact.csv"));
+    double value = NAN;
+    for (size_t row = 0; row < table.rows; row++)
+        if (strcmp(table_text(&table, row, "surface"), surface) == 0 &&
+            strcmp(table_text(&table, row, "model"), model) == 0 &&
+            fabs(table_number(&table, row, "load_over_AnEp") / 1e-4 - 1) < 1e-9)
+            value = table_number(&table, row, "ecr_ohm_m2");
+    table_free(&table);
+    return value;
+}
+
+static void test_factors_are_those_of_the_data(void **state)
+{
+    const struct directory *place = *state;
+    assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
+    struct text page = directory_read(place, "out/report.md");
+    assert_near(shown(&page, "| scan length | halved | "), farthest(place, "scan /2"), 0.006);
+    assert_near(shown(&page, "| bandwidth | cut-off doubled | "), farthest(place, "cut-off x2"), 0.006);
+    assert_near(shown(&page, "| hardness | raised by 10 % | "), farthest(place, "hardness x1.1"), 0.006);
+    assert_near(shown(&page, "| place of the scans | 95 % of the mean | "), widest(place), 0.006);
+    assert_true(widest(place) > 1.01);
+    assert_near(shown(&page, "| resistivity | off by 5 % | "), 1.05, 1e-12);
+    double most = 1; /* the only other plastic model */
+    for (const char *surface = "a"; surface; surface = *surface == 'a' ? "b" : NULL) {
+        double ratio = resistance(place, surface, "multiscale-plastic") / resistance(place, surface, leading);
+        most = fabs(log(ratio)) > fabs(log(most)) ? ratio : most;
+    }
+    assert_near(shown(&page, "| choice of model | the farthest valid one of the same material law | "), most, 0.006);
+    *strstr(page.data, "\n---\n") = '\0';
+    double before = INFINITY; /* the most first */
+    size_t rows = 0;
+    for (const char *cell = strstr(text_string(&page), "| what |"); (cell = strstr(cell, "| ×")); cell++, rows++) {
+        double factor = strtod(cell + strcspn(cell, "0123456789"), NULL);
+        assert_true(fabs(log(factor)) <= before);
+        before = fabs(log(factor));
+    }
+    assert_int_equal(rows, 6);
+    text_free(&page);
+}
+
+/* A chart's points say the numbers of contact.csv, and the picture to take away has none of gnuplot's calls. */
+static void test_points_say_their_numbers(void **state)
+{
+    const struct directory *place = *state;
+    assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
+    struct text page = directory_read(place, "out/report.html");
+    struct table table = table_read_path(directory_path(place, "out/data/contact.csv"));
+    const char *chart = strstr(text_string(&page), "<svg "),
+               *end = strstr(chart, "</svg>"); /* the first: all surfaces */
+    size_t said = 0, in_chart = 0;
+    for (size_t row = 0; row < table.rows; row++) {
+        char words[80];
+        if (strcmp(table_text(&table, row, "model"), leading) != 0 || !*table_text(&table, row, "ecr_ohm_m2"))
+            continue;
+        snprintf(words, sizeof words, "<title>%.4g, %.4g</title><use ", table_number(&table, row, "load_over_AnEp"),
+                 table_number(&table, row, "ecr_ohm_m2"));
+        const char *at = memmem(chart, (size_t)(end - chart), words, strlen(words));
+        said += at != NULL;
+        if (at)
+            assert_non_null(strstr(at, "class=\"curve"));
+    }
+    for (const char *at = chart; (at = strstr(at, "</title><use ")) && at < end; at++)
+        in_chart++;
+    assert_in_range(said, 2 * 3, 2 * 5);
+    assert_int_equal(said, in_chart);
+    assert_null(strstr(text_string(&page), "showHypertext"));
+    table_free(&table);
+    text_free(&page);
+}
+
+/* Where the surface was solved directly, the model's distance from that counts, and its chart stands on the page. */
+static void test_against_the_direct_solution(void **state)
+{
+    const struct directory *place = *state;
+    mkdir(directory_path(place, "one"), 0777);
+    pipeline_rough(place, "one/a.csv", 160, 0.3, 1);
+    directory_write(place, "one/scene.yaml",
+                    "models: [two-band]\nmaterial: tin\nload: {from: 1e-6, to: 1e-2, points: 9}\n"
+                    "effects: [plasticity, electrical, direct]\ndirect: {grid: 64, seeds: 2, loads: 5}\n");
+    assert_int_equal(pipeline_run(place, "one", "direct", 1), 0);
+    struct text page = directory_read(place, "direct/report.md");
+    struct table table = table_read_path(directory_path(place, "direct/data/direct_ratio.csv"));
+    double sum = 0;
+    size_t loads = 0;
+    for (size_t row = 0; row < table.rows; row++)
+        if (strcmp(table_text(&table, row, "model"), leading) == 0 && *table_text(&table, row, "ecr")) {
+            sum += fabs(log(table_number(&table, row, "ecr")));
+            loads++;
+        }
+    assert_true(loads >= 2);
+    const char *rule = strstr(text_string(&page), "\n---\n"),
+               *surfaces = strstr(text_string(&page), "](figures/ecr-load-two-band-plastic.svg)"),
+               *ratio = strstr(text_string(&page), "](figures/direct-ratio-ecr.svg)");
+    assert_true(rule && surfaces && ratio && surfaces < ratio && ratio < rule);
+    double expected = exp(sum / (double)loads);
+    assert_near(shown(&page, "| model | against the direct solution, mean of its loads | "), expected, 0.006);
+    assert_null(strstr(text_string(&page), "| choice of model |"));
+    table_free(&table);
+    text_free(&page);
+}
+
+static size_t count_figures(const struct directory *place, const char *folder)
+{
+    size_t count = 0;
+    DIR *figures = opendir(directory_path(place, folder));
+    assert_non_null(figures);
+    for (const struct dirent *entry; (entry = readdir(figures));)
+        count += strstr(entry->d_name, ".svg") != NULL;
+    closedir(figures);
+    return count;
+}
+
+/* Brief: the page up to the rule, byte by byte, its figure alone, and the same data. */
+static void test_brief(void **state)
+{
+    const struct directory *place = *state;
+    struct run_outcome outcome;
+    struct status status = {0};
+    char target[4096];
+    snprintf(target, sizeof target, "%s", directory_path(place, "brief"));
+    assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
+    struct run_options options = {
+        .output = target, .templates = PROJECT_SOURCE "/templates", .no_cost = true, .brief = true, .jobs = 1};
+    assert_int_equal(pipeline_try(&outcome, place, "in", options, &status), STATUS_OK);
+    run_outcome_free(&outcome);
+    struct text whole = directory_read(place, "out/report.md"), brief = directory_read(place, "brief/report.md");
+    const char *rule = strstr(text_string(&whole), "\n---\n");
+    assert_non_null(rule);
+    assert_int_equal(brief.length, (size_t)(rule - whole.data));
+    assert_memory_equal(brief.data, whole.data, brief.length);
+    assert_non_null(strstr(brief.data, "](figures/ecr-load-two-band-plastic.svg)"));
+    assert_int_equal(count_figures(place, "brief/figures"), 1);
+    assert_true(count_figures(place, "out/figures") > 8);
+    static const char *const same[] = {"data/contact.csv", "data/sensitivity.csv", "data/spread.csv", "results.json"};
+    for (size_t i = 0; i < sizeof same / sizeof *same; i++) {
+        char name[2][64];
+        snprintf(name[0], sizeof name[0], "out/%s", same[i]);
+        snprintf(name[1], sizeof name[1], "brief/%s", same[i]);
+        struct text a = directory_read(place, name[0]), b = directory_read(place, name[1]);
+        assert_int_equal(a.length, b.length);
+        assert_memory_equal(a.data, b.data, a.length);
+        text_free(&a);
+        text_free(&b);
+    }
+    text_free(&whole);
+    text_free(&brief);
+    struct text page = directory_read(place, "brief/report.html");
+    assert_non_null(strstr(text_string(&page), "What limits this answer"));
+    assert_null(strstr(text_string(&page), "<details class=\"folded\">"));
+    text_free(&page);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_factors_are_those_of_the_data),
+        cmocka_unit_test(test_brief),
+        cmocka_unit_test(test_against_the_direct_solution),
+        cmocka_unit_test(test_points_say_their_numbers),
+    };
+    return cmocka_run_group_tests(tests, place_setup, place_teardown);
+}
