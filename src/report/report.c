@@ -6,10 +6,10 @@
 
 /* A section needs its row here, in reading order, and its file. */
 static const struct section *const sections[] = {
-    &section_summary,       &section_surfaces,     &section_material, &section_convergence,  &section_baseline,
-    &section_beyond_thesis, &section_correlations, &section_direct,   &section_all_surfaces, &section_checks,
-    &section_sensitivity,   &section_repeats,      &section_measured, &section_validity,     &section_cost,
-    &section_computed,      &section_methods,      &section_sources,
+    &section_summary,       &section_surfaces,     &section_material, &section_convergence, &section_baseline,
+    &section_beyond_thesis, &section_correlations, &section_joint,    &section_direct,      &section_all_surfaces,
+    &section_checks,        &section_sensitivity,  &section_repeats,  &section_measured,    &section_validity,
+    &section_cost,          &section_computed,     &section_methods,  &section_sources,
 };
 
 static enum status_code write_file(const char *directory, const char *name, const struct text *content,
