@@ -7,7 +7,7 @@
 # get no legend entry. meas: measured points, dirl, diro, dirp: directly solved ones (rows x,y,low,high), joined in their
 # order. A row whose y is 0 on a logarithmic axis ends its curve at the chart's lower edge. AXES: 'A B C D [E F]': the x axis
 # holds A to B, the y axis C to D, that of the panel below E to F.
-# UNSURE: left of this x the chart is shaded.
+# UNSURE: left of this x the chart is shaded. below_label, set before: what the panel below shows.
 data = ARG1; output = ARG2; title_text = ARG3; x_label = ARG4; y_label = ARG5; logarithmic = ARG6; style_words = ARG7
 axes = ARGC > 7 ? ARG8 : ''
 unsure = ARGC > 8 ? ARG9 + 0.0 : 0
@@ -219,7 +219,8 @@ if (lower_panel) {
     call 'axis.gp' 'y' (wide_range ? 'log' : 'tight') '0.06' '4'
     unset xzeroaxis
     set ylabel 'ratio'
-    set label 1 'scale-dependent / plain' at graph 0, graph 1 offset 0, 0.7 left noenhanced textcolor rgb ink
+    if (!exists('below_label')) { below_label = 'scale-dependent / plain' }
+    set label 1 below_label at graph 0, graph 1 offset 0, 0.7 left noenhanced textcolor rgb ink
     command = 'plot 1 lt 1 lw 0.7 lc rgb quiet notitle'
     if (strlen(below_dashed)) { command = command . \
         ', for [i in below_dashed] data index int(i) - 1 using 1:2 with lines dt (7,4) lw 1.3 lc rgb hue(int(i)) notitle' }

@@ -58,6 +58,9 @@ static void make_curve(struct surface_record *record, size_t index, size_t m, co
                                                   .ecr_ohm_m2 = ecr,
                                                   .tcr_K_m2_per_W = 2e5 * ecr,
                                                   .tcr_sd_K_m2_per_W = 1.02 * 2e5 * ecr};
+        for (int q = 0; q < QUANTITY_COUNT; q++) /* any number that goes down as the area goes up */
+            if (quantity_rows[q].from)
+                *(double *)((char *)&curve->points[i] + quantity_rows[q].offset) = 3e12 * ecr;
         keep_wanted(&curve->points[i], wanted);
     }
     keep_wanted(&curve->full, wanted);

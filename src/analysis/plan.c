@@ -80,6 +80,11 @@ static void decide(struct plan *plan, enum effect effect, const struct scene *sc
         snprintf(out->reason, sizeof out->reason, "a question to the multiscale models, which do not run");
     } else if (effect == EFFECT_DIRECT) { /* seconds where the rest takes milliseconds: never unasked */
         out->runs = scene->direct.called;
+    } else if (row->key && !(scene->called & EFFECT_BIT(effect))) {
+        snprintf(out->reason, sizeof out->reason, "the scene has no '%s'", row->key);
+    } else if (row->key && !scene->effects_auto) {
+        out->runs = true;
+        snprintf(out->reason, sizeof out->reason, "the scene has '%s'", row->key);
     } else if (!scene->effects_auto) {
         out->runs = scene->effects & EFFECT_BIT(effect);
         snprintf(out->reason, sizeof out->reason, out->runs ? "listed in the scene" : "not listed in the scene");
@@ -92,7 +97,9 @@ static void decide(struct plan *plan, enum effect effect, const struct scene *sc
         const char *key = row->properties[0];
         const struct scene_bodies *bodies = bodies_of(scene, 0);
         struct material_pair pair = scene_pair(bodies);
-        if (key && same_bodies(scene))
+        if (row->key)
+            snprintf(out->reason, sizeof out->reason, "the scene has '%s'", row->key);
+        else if (key && same_bodies(scene))
             snprintf(out->reason, sizeof out->reason, "the material gives what it needs: %s %.4g", key,
                      material_value(&bodies->material, property_find(key)));
         else if (key)
@@ -141,7 +148,7 @@ unsigned plan_quantities(const struct plan *plan)
     unsigned computed = 0;
     for (size_t m = 0; m < model_count; m++)
         if (plan_runs_model(plan, m))
-            computed |= model_rows[m]->quantities;
+            computed |= quantity_with_made(model_rows[m]->quantities);
     return computed & plan->wanted;
 }
 

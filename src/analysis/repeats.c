@@ -264,11 +264,17 @@ static enum status_code mean_number(double *mean, struct estimate *estimate, con
 static enum status_code mean_point(struct contact_point *out, struct estimate *estimates, const struct runs *runs,
                                    const struct repeat_set *set, size_t at, struct status *status)
 {
+    quantity_empty_made(out);
     static const size_t shares[] = {offsetof(struct contact_point, beyond_fit),
                                     offsetof(struct contact_point, radius_clamped)};
     struct estimate unused;
     for (int q = QUANTITY_AREA; q < QUANTITY_COUNT + 2; q++) {
         bool quantity = q < QUANTITY_COUNT;
+        if (quantity && quantity_rows[q].from) { /* of the mean curve: joint_apply() */
+            if (estimates)
+                estimates[q] = estimate_none;
+            continue;
+        }
         size_t offset = quantity ? quantity_rows[q].offset : shares[q - QUANTITY_COUNT];
         bool logarithmic = quantity && quantity_rows[q].logarithmic;
         double mean = NAN;

@@ -104,7 +104,7 @@ static enum status_code solve_one(struct contact_point *out, const struct model_
 {
     struct contact_point points[2] = {{0}};
     struct model_curve curve = {.points = points};
-    *out = (struct contact_point){NAN, NAN, NAN, NAN, NAN, NAN, NAN, 0, 0};
+    *out = quantity_nothing();
     if (model_run(&curve, model, task, status) != STATUS_OK)
         return status->code;
     if (curve.exists && curve.count > 0 && points[0].load == task->loads[0])
@@ -230,7 +230,7 @@ enum status_code sensitivity_curves_make(struct sensitivity_curves *out, const s
             struct asperities asperities;
             struct model_task own = variant_task(&asperities, &cut, task);
             struct model_work work = {0};
-            *point = (struct contact_point){NAN, NAN, NAN, NAN, NAN, NAN, NAN, 0, 0};
+            *point = quantity_nothing();
             if ((models & MODEL_BIT(m)) && !model_rows[m]->uses_heights)
                 rc = solve_one(point, model_rows[m], &own, &work, status);
         }

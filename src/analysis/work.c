@@ -129,6 +129,10 @@ static uint64_t share(const struct work *work, const struct plan *plan, enum eff
     case EFFECT_DIRECT:
         *seconds = work->contact_seconds;
         return work->contacts;
+    case EFFECT_GAP: /* a formula a point of the curves */
+    case EFFECT_FILM:
+    case EFFECT_PLATING:
+    case EFFECT_HEATING:
     case EFFECT_COUNT:
         break;
     }
@@ -174,6 +178,14 @@ static void add_method(struct work_row *row, enum effect effect, const struct pl
         break;
     case EFFECT_DIRECT:
         snprintf(row->method, size, "boundary elements; evaluations are contacts solved");
+        break;
+    case EFFECT_GAP:
+        snprintf(row->method, size, "an integral over the gaps at every point of the curves");
+        break;
+    case EFFECT_FILM:
+    case EFFECT_PLATING:
+    case EFFECT_HEATING:
+        snprintf(row->method, size, "a formula at every point of the curves");
         break;
     case EFFECT_SEPARATION:
     case EFFECT_ELECTRICAL:

@@ -223,6 +223,8 @@ static enum status_code write_script(const struct figure_file *out, const struct
     if (is_direct(row) || row->kind == FIGURE_MODELS || row->kind == FIGURE_SENSITIVITY ||
         (row->kind == FIGURE_BENCHMARK && row->chart >= BENCHMARK_DIRECT_AREA))
         text_add(&script, "load 'models.gp'\n");
+    if (row->below != QUANTITY_LOAD)
+        text_add(&script, "below_label = '%s'\n", row->below_label);
     text_add(&script, "call '%s' '%s.csv' ('%s' . (exists('dumb_size') ? '.txt' : '%s')) '%s'", templates[row->kind],
              number, number, figure_extension(row), out->figure->title);
     if (row->kind == FIGURE_PATCHES)

@@ -29,7 +29,8 @@ struct figure_row {
     const char *title;   /* of FIGURE_SURFACES: made from x, y and the model */
     bool terminal;       /* drawn by report --show (of FIGURE_SURFACES: the first) */
     enum quantity x, y;
-    enum quantity below; /* over y, in a panel below where it was computed; QUANTITY_LOAD: no such panel */
+    enum quantity below;     /* over y, in a panel below where it was computed; QUANTITY_LOAD: no such panel */
+    const char *below_label; /* what that panel shows */
     enum convergence_sweep sweep;
     enum benchmark_chart chart;
     bool beyond_thesis; /* FIGURE_MODELS: every model, not the thesis's alone */

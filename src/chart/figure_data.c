@@ -62,6 +62,7 @@ static void put_part(struct figure_file *out, const struct model_curve *curve, s
     double scale = x == QUANTITY_LOAD ? out->load_scale : 1;
     bool ratio = shown->over != QUANTITY_LOAD, logarithmic = quantity_rows[shown->y].logarithmic && !ratio;
     bool hides = strcmp(style, shown->style) == 0 && !ratio;
+    bool conductance = out->figure->row->y == QUANTITY_JOINT;
     bool before = false; /* the point before was written: a mean of scans is empty from the first full contact on */
     figure_data_begin_block(out, style, shown->legend);
     if (hides)
@@ -69,6 +70,8 @@ static void put_part(struct figure_file *out, const struct model_curve *curve, s
     for (size_t i = from; i < to; i++) {
         const struct contact_point *point = &curve->points[i];
         double at = scale * quantity_shown(point, x, shown->sigma_m), value = value_shown(point, shown);
+        if (conductance && point->area_ratio > nearly_full_area)
+            continue; /* it has no bound there */
         if (ratio && isfinite(value)) {
             fprintf(out->file, "%.17g,%.17g\n", at, value);
             reach(&out->ratio, value);
@@ -160,23 +163,24 @@ static void put_ratio(struct figure_file *out, const struct surface_record *reco
 {
     enum quantity below = out->figure->row->below;
     char ratio_style[32];
-    if (below == QUANTITY_LOAD || !(model_rows[m]->quantities & wanted & QUANTITY_BIT(below)))
+    if (below == QUANTITY_LOAD || !(quantity_with_made(model_rows[m]->quantities) & wanted & QUANTITY_BIT(below)))
         return;
     snprintf(ratio_style, sizeof ratio_style, "%sS", style);
     put_curve(out, &record->curves[m], model_rows[m],
               &(struct shown){below, out->figure->row->y, NAN, ratio_style, legend});
 }
 
-/** The charts of chapter 6 show the thesis's models, and others where none of those has a curve. */
+/** The charts of chapter 6 show the thesis's models, and others where none of those has a curve; the rest shows all. */
 static void put_models(struct figure_file *out, const struct surface_record *record, unsigned wanted)
 {
     enum quantity y = out->figure->row->y;
     bool thesis = false;
-    for (size_t m = 0; m < model_count && !out->figure->row->beyond_thesis; m++)
+    for (size_t m = 0; m < model_count && out->figure->row->number > 0; m++)
         thesis = thesis || (record->curves[m].exists && model_rows[m]->thesis_place > 0);
     for (size_t m = 0; m < model_count; m++) {
         const struct model_row *model = model_rows[m];
-        if (!record->curves[m].exists || !(model->quantities & QUANTITY_BIT(y)) || (model->thesis_place == 0 && thesis))
+        if (!record->curves[m].exists || !(quantity_with_made(model->quantities) & QUANTITY_BIT(y)) ||
+            (model->thesis_place == 0 && thesis))
             continue;
         if (model_shown(model, y) == y)
             put_band(out, record, m, model->style);

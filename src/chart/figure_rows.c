@@ -3,10 +3,17 @@
 
 const double figure_lowest_separation = -0.5;
 
+static const char scale_dependence[] = "scale-dependent / plain";
+
 #define MODELS(first, where, words, in_terminal, across, up, under)                                                    \
     {                                                                                                                  \
         .number = (first), .kind = FIGURE_MODELS, .section = (where), .title = (words), .terminal = (in_terminal),     \
-        .x = (across), .y = (up), .below = (under)                                                                     \
+        .x = (across), .y = (up), .below = (under), .below_label = scale_dependence                                    \
+    }
+#define JOINT(file, words, up, ...)                                                                                    \
+    {                                                                                                                  \
+        .name = (file), .kind = FIGURE_MODELS, .section = "joint", .title = (words), .x = QUANTITY_LOAD, .y = (up),    \
+        __VA_ARGS__                                                                                                    \
     }
 #define BEYOND(file, words, up)                                                                                        \
     {                                                                                                                  \
@@ -16,7 +23,7 @@ const double figure_lowest_separation = -0.5;
 #define SURFACES(first, file, where, in_terminal, across, up, under)                                                   \
     {                                                                                                                  \
         .number = (first), .name = (file), .kind = FIGURE_SURFACES, .section = (where), .terminal = (in_terminal),     \
-        .x = (across), .y = (up), .below = (under)                                                                     \
+        .x = (across), .y = (up), .below = (under), .below_label = scale_dependence                                    \
     }
 #define SWEEP(first, parameter, words, what)                                                                           \
     {                                                                                                                  \
@@ -54,6 +61,11 @@ const struct figure_row figure_rows[] = {
     BEYOND("models-area", "Area against load, every model", QUANTITY_AREA),
     BEYOND("models-separation", "Separation against load, every model", QUANTITY_SEPARATION),
     BEYOND("models-ecr", "ECR against load, every model", QUANTITY_ECR),
+    JOINT("joint-conductance", "Joint conductance against load", QUANTITY_JOINT, .below = QUANTITY_GAP,
+          .below_label = "share of what fills the gaps"),
+    JOINT("joint-gap", "Gap conductance against load", QUANTITY_GAP, .below = QUANTITY_LOAD),
+    JOINT("joint-ecr", "ECR with film and plating against load", QUANTITY_JOINT_ECR, .below = QUANTITY_LOAD),
+    JOINT("joint-temperature", "Contact temperature against load", QUANTITY_TEMPERATURE, .below = QUANTITY_LOAD),
     DIRECT("direct-area", FIGURE_DIRECT, "Area against load, models and direct solution", true, QUANTITY_AREA),
     DIRECT("direct-gap", FIGURE_DIRECT, "Separation against load, models and direct solution", false,
            QUANTITY_SEPARATION),

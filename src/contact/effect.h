@@ -14,6 +14,10 @@ enum effect {
     EFFECT_CONVERGENCE,
     EFFECT_UNCERTAINTY,
     EFFECT_DIRECT,
+    EFFECT_GAP,
+    EFFECT_FILM,
+    EFFECT_PLATING,
+    EFFECT_HEATING,
     EFFECT_COUNT
 };
 
@@ -25,6 +29,7 @@ struct effect_row {
     const char *adds;          /* what the report gains */
     const char *properties[5]; /* material keys it needs besides E_Pa and nu, NULL-terminated */
     unsigned needs_effects;    /* effects it builds on (bits) */
+    const char *key;           /* of the scene, that calls for it, and without which it does not run; NULL: none */
 };
 
 extern const struct effect_row effect_rows[EFFECT_COUNT];

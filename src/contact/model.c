@@ -52,6 +52,9 @@ enum status_code model_run(struct model_curve *curve, const struct model_row *ro
 {
     if (row->run(curve, row, task, status) != STATUS_OK)
         return status->code;
+    for (size_t i = 0; i < curve->count; i++)
+        quantity_empty_made(&curve->points[i]);
+    quantity_empty_made(&curve->full);
     /* a model that knows of no full contact says nothing of it */
     bool full = curve->exists && !(isnan(curve->full_load) && isnan(curve->full.area_ratio));
     bool finite = !full || is_finite(&curve->full, row, task->wanted);

@@ -56,7 +56,7 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
     for (size_t i = 0; i < task->load_count; i++)
         solve(&curve->points[curve->count++], &slopes, &persson, task, task->loads[i]);
     /* the lowest point touches last, at a load that is not known */
-    curve->full = (struct contact_point){NAN, NAN, NAN, NAN, NAN, NAN, NAN, 0, 0};
+    curve->full = quantity_nothing();
     curve->full_load = curve->closed_load = curve->beta = NAN;
     curve->exists = true;
     persson_free(&persson);

@@ -39,7 +39,7 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
             point->tcr_K_m2_per_W = at.constriction_m / task->pair->conductivity_W_per_mK;
     }
     /* complete only in the limit of an infinite load: there is no point of full contact */
-    curve->full = (struct contact_point){NAN, NAN, NAN, NAN, NAN, NAN, NAN, 0, 0};
+    curve->full = quantity_nothing();
     curve->full_load = curve->closed_load = curve->beta = NAN;
     curve->work = work(row, task);
     persson_free(&persson);

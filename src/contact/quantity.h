@@ -14,8 +14,16 @@ struct contact_point {
     double ecr_ohm_m2;        /* ECR A_n */
     double tcr_K_m2_per_W;    /* TCR A_n */
     double tcr_sd_K_m2_per_W; /* the same, scale-dependent */
-    double beyond_fit;        /* share of the load on asperities beyond the law's fitted range, 0...1 (JG), else 0 */
-    double radius_clamped;    /* share of the load on asperities whose a/R is clamped to 1 (JG), else 0 */
+    double gap_W_per_m2K;     /* h_g: of what fills the gaps */
+    double joint_W_per_m2K;   /* h_j = 1/(TCR A_n) + h_g */
+    double spots_per_m2;      /* of contact_spots, or of equal spots with the model's area and resistance */
+    double spot_radius_m;
+    double plating_factor;   /* resistance of a spot with its plating over that without */
+    double joint_ecr_ohm_m2; /* ECR A_n with plating and film */
+    double contact_voltage_V;
+    double contact_temperature_K; /* the hottest place */
+    double beyond_fit;     /* share of the load on asperities beyond the law's fitted range, 0...1 (JG), else 0 */
+    double radius_clamped; /* share of the load on asperities whose a/R is clamped to 1 (JG), else 0 */
 };
 
 /** The spots that make up a contact at one load, each as round; NaN: the model has no answer there. Both depend on how
@@ -33,6 +41,14 @@ enum quantity {
     QUANTITY_ECR,
     QUANTITY_TCR,
     QUANTITY_TCR_SCALE_DEPENDENT,
+    QUANTITY_GAP,
+    QUANTITY_JOINT,
+    QUANTITY_SPOT_DENSITY,
+    QUANTITY_SPOT_RADIUS,
+    QUANTITY_PLATING_FACTOR,
+    QUANTITY_JOINT_ECR,
+    QUANTITY_VOLTAGE,
+    QUANTITY_TEMPERATURE,
     QUANTITY_COUNT
 };
 
@@ -54,7 +70,8 @@ struct quantity_row {
     const char *title;        /* as a chart's title begins: "Separation" */
     const char *unit;         /* as printed, "" for a ratio; lengths are printed as multiples of sigma */
     const char *label;        /* of a chart's axis */
-    unsigned effect;          /* EFFECT_BIT that it belongs to; 0: every run has it */
+    unsigned effect;          /* EFFECT_BITs that it belongs to, any of them; 0: every run has it */
+    unsigned from;            /* QUANTITY_BITs that it is made of once a model has run; 0: the model computes it */
     bool logarithmic;         /* axis, and how it is averaged */
     bool over_sigma;          /* a length that is shown divided by sigma */
     size_t offset;            /* of its double in struct contact_point */
@@ -68,5 +85,12 @@ double quantity_value(const struct contact_point *point, enum quantity quantity)
 double quantity_shown(const struct contact_point *point, enum quantity quantity, double sigma_m);
 /** QUANTITY_BITs of all quantities that a set of EFFECT_BITs calls for. */
 unsigned quantity_wanted(unsigned effects);
+/** QUANTITY_BITs `computed` by a model, with those that are made of them. */
+unsigned quantity_with_made(unsigned computed);
+
+/** A point of which nothing is known: every quantity NaN, the shares 0. */
+struct contact_point quantity_nothing(void);
+/** Makes NaN of what is made of a model's quantities. */
+void quantity_empty_made(struct contact_point *point);
 
 #endif

@@ -61,7 +61,7 @@ enum status_code truncation_model_run(struct model_curve *curve, const struct mo
         };
     }
     curve->exists = curve->count > 0;
-    curve->full = (struct contact_point){NAN, NAN, NAN, NAN, NAN, NAN, NAN, 0, 0};
+    curve->full = quantity_nothing();
     curve->full_load = curve->closed_load = curve->beta = NAN;
     return STATUS_OK;
 }

@@ -206,6 +206,7 @@ struct material_pair material_pair(const struct material *material, enum materia
         .conductivity_W_per_mK = k1 * (2.0 * k2 / (k1 + k2)), /* exactly k when both are k */
         .mean_free_path_m = {mean_free_path_m(material), mean_free_path_m(second)},
         .side_conductivity_W_per_mK = {k1, k2},
+        .side_resistivity_ohm_m = {material->resistivity_ohm_m, second->resistivity_ohm_m},
     };
 }
 

@@ -66,6 +66,7 @@ struct material_pair {
     double conductivity_W_per_mK; /* 2 k1 k2/(k1 + k2) */
     double mean_free_path_m[2];   /* lambda_mfp of each side: as given, else 3k/(density v_s c_p) (4.52) */
     double side_conductivity_W_per_mK[2];
+    double side_resistivity_ohm_m[2];
 };
 
 /** Hardness over yield strength of a metal that is not hardened: Tabor 1951; Jackson and Green 2005 (H_G at a -> 0). */

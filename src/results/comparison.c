@@ -255,7 +255,6 @@ static void take_in(struct comparison *out, const struct results *results, const
 /** The arrays of all models, with nothing in them yet; those of the first model own them. */
 static enum status_code allocate(struct comparison *out, const struct results *results, struct status *status)
 {
-    static const struct contact_point nowhere = {NAN, NAN, NAN, NAN, NAN, NAN, NAN, 0, 0};
     size_t surfaces = results->store->count, loads = results->load_count;
     struct comparison_model *first = out->models = calloc(model_count, sizeof *out->models);
     if (!first)
@@ -267,7 +266,7 @@ static enum status_code allocate(struct comparison *out, const struct results *r
     if (!first->middle || !first->gaps || !first->steps || !first->extents)
         return status_memory(status);
     for (size_t i = 0; i < model_count * surfaces; i++) {
-        first->middle[i] = nowhere;
+        first->middle[i] = quantity_nothing();
         first->gaps[i] = (struct comparison_gap){NAN, NAN, NAN, NAN};
         first->steps[i] = NAN;
     }

@@ -36,6 +36,7 @@ static struct scene default_scene(void)
         .closure = SINUSOID_FIT_THESIS,
         .convergence = {.alpha = 0.085, .gamma = 1.5, .load = 1e-3, .scan_length_m = 3e-4, .scales = 4096},
         .direct = {.hardness_Pa = NAN, .kind = UNIT_NUMBER},
+        .joint = joint_default(),
     };
 }
 
@@ -125,6 +126,41 @@ static enum status_code override_effects(struct scene *scene, struct scene_sourc
                                         "--effects names none; give 'auto' or names such as 'electrical,thermal'");
 }
 
+/* Effects run that a key calls for, unless the command line lists others; none runs without its key. */
+static enum status_code call_effects(struct scene *scene, struct scene_source *source, bool listed)
+{
+    for (int i = 0; i < EFFECT_COUNT; i++) {
+        const struct effect_row *row = &effect_rows[i];
+        unsigned bit = EFFECT_BIT(i);
+        if (!row->key)
+            continue;
+        if (source->call_line[i] == 0 && (scene->effects & bit)) {
+            if (source->effect_line[i] > 0)
+                scene_source_fail(source, source->effect_line[i],
+                                  "effect '%s' needs '%s'; add that key or leave the effect out", row->name, row->key);
+            else
+                (void)status_fail(source->status, STATUS_SCENE,
+                                  "--effects: '%s' needs '%s' in scene.yaml; add that key or leave the effect out",
+                                  row->name, row->key);
+            return source->status->code;
+        }
+        if (source->call_line[i] == 0 || (listed && !scene->effects_auto && !(scene->effects & bit)))
+            continue;
+        scene->called |= bit;
+        if (!scene->effects_auto && !(scene->effects & bit)) {
+            scene->effects |= scene_keys_with_needed(bit);
+            source->effect_line[i] = source->call_line[i];
+        }
+        for (int needed = 0; needed < EFFECT_COUNT; needed++)
+            if ((row->needs_effects & EFFECT_BIT(needed)) && source->effect_line[needed] == 0)
+                source->effect_line[needed] = source->effect_line[i];
+    }
+    if ((scene->called & EFFECT_BIT(EFFECT_HEATING)) && isnan(scene->nominal_area_m2))
+        scene_source_fail(source, source->call_line[EFFECT_HEATING],
+                          "'current' flows through which area? add 'nominal_area'");
+    return source->status->code;
+}
+
 static enum status_code override_values(struct scene *scene, struct scene_source *source,
                                         const struct scene_overrides *overrides)
 {
@@ -149,7 +185,7 @@ static enum status_code override_values(struct scene *scene, struct scene_source
     if (overrides->effects) /* as they are listed there */
         scene->direct.called = scene->effects_auto ? scene->direct.called : scene->effects & EFFECT_BIT(EFFECT_DIRECT);
     scene->direct.called = scene->direct.called || overrides->direct || (scene->effects & EFFECT_BIT(EFFECT_DIRECT));
-    return STATUS_OK;
+    return call_effects(scene, source, overrides->effects);
 }
 
 static enum status_code override_units(struct scene *scene, const struct scene_overrides *overrides,

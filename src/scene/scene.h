@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "base/unit.h"
 #include "contact/model.h"
+#include "joint/joint.h"
 #include "material/material.h"
 #include "profile/level.h"
 #include "scan/scan.h"
@@ -140,6 +141,8 @@ struct scene {
     bool models_named; /* by the scene, so that they run whatever the surfaces are */
     bool effects_auto;
     unsigned effects;           /* EFFECT_BITs asked for, and those they build on, when !effects_auto */
+    unsigned called;            /* EFFECT_BITs whose key the scene gives (effect_row.key): they run */
+    struct joint joint;         /* what those keys say */
     struct scene_bodies bodies; /* of every surface that has none of its own */
     double nominal_area_m2;     /* NaN: resistances stay per area */
     enum scene_mean_free_path mean_free_path;

@@ -1,5 +1,6 @@
 #include "scene/scene_keys.h"
 #include "scene/scene_asked.h"
+#include "scene/scene_joint.h"
 #include "scene/scene_surfaces.h"
 #include "scene/scene_words.h"
 
@@ -438,6 +439,10 @@ bool scene_keys_read(struct scene_source *source, const yaml_node_t *root)
          .alias = "tip_radius_m"},
         {"baseline", read_baseline, .field = &scene->baseline},
         {"direct", read_direct, .field = &scene->direct},
+        {"gap", scene_joint_gap, .field = &scene->joint},
+        {"film", SCENE_QUANTITY(scene->joint.film_ohm_m2, UNIT_RESISTANCE_AREA, 0.0, 1e6)},
+        {"plating", scene_joint_plating, .field = &scene->joint},
+        {"current", SCENE_QUANTITY(scene->joint.current_A, UNIT_CURRENT, 1e-12, 1e9)},
         {"convergence", read_convergence, .field = &scene->convergence},
         {"surfaces", scene_surfaces_read, .field = NULL},
     };
@@ -446,6 +451,8 @@ bool scene_keys_read(struct scene_source *source, const yaml_node_t *root)
     source->hardness_line = scene_source_line_of(keys, "hardness");
     if (scene->direct.called)
         scene->effects |= EFFECT_BIT(EFFECT_DIRECT);
+    for (int i = 0; i < EFFECT_COUNT; i++)
+        source->call_line[i] = effect_rows[i].key ? scene_source_line_of(keys, effect_rows[i].key) : 0;
     if (scene->lambda_s_m > 0 && scene->lambda_c_m > 0 && !(scene->lambda_s_m < scene->lambda_c_m))
         return scene_source_fail(source, scene_source_line_of(keys, "lambda_c"),
                                  "'lambda_c' is %g m, not above 'lambda_s', %g m; nothing would be left between them",

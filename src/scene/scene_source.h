@@ -13,6 +13,7 @@ struct scene_source {
     yaml_document_t document;
     /* What is checked only once the command line has had its say: */
     size_t effect_line[EFFECT_COUNT]; /* where an effect is asked for, 0: not in the file */
+    size_t call_line[EFFECT_COUNT];   /* where the key is given that calls for it, 0: it is not */
     size_t baseline_line, operating_line;
     size_t hardness_line;
     double mean_free_path_m; /* where the scene gives one */

@@ -112,7 +112,7 @@ static struct drawing *read_drawing(const struct directory *place, const char *n
 
 /* The four models of the thesis, in the order of its charts of all surfaces. */
 static const char *const thesis_models[4] = {"multiscale-plastic", "multiscale-elastic", "jg", "gw"};
-enum { ALL_EFFECTS = (1u << EFFECT_COUNT) - 1, ALL_MODELS = 15 };
+enum { ALL_EFFECTS = (1u << EFFECT_GAP) - 1, ALL_MODELS = 15 }; /* those of the joint: tests/run/test_joint_report.c */
 
 /* Those of the thesis's models whose bits are set in `which`, as a plan has them. */
 static uint64_t models_of(unsigned which)

@@ -62,13 +62,17 @@ static void test_keys(void **state)
          "unknown key 'foo'; allowed: title, models, effects, material, counterface, direction, measured, "
          "nominal_area, hardness, mean_free_path, load, operating_load, targets, limits, tolerance, level, window, "
          "fit, "
-         "fit_band, moments, closure, max_missing, lambda_s, lambda_c, tip_radius, baseline, direct, convergence, "
+         "fit_band, moments, closure, max_missing, lambda_s, lambda_c, tip_radius, baseline, direct, gap, film, "
+         "plating, current, "
+         "convergence, "
          "surfaces"},
         {"stylus: 2e-6\n", 1,
          "unknown key 'stylus'; allowed: title, models, effects, material, counterface, direction, measured, "
          "nominal_area, hardness, mean_free_path, load, operating_load, targets, limits, tolerance, level, window, "
          "fit, "
-         "fit_band, moments, closure, max_missing, lambda_s, lambda_c, tip_radius, baseline, direct, convergence, "
+         "fit_band, moments, closure, max_missing, lambda_s, lambda_c, tip_radius, baseline, direct, gap, film, "
+         "plating, current, "
+         "convergence, "
          "surfaces"},
         {"level: line\ntitle: a\nlevel: mean\n", 3, "'level' is given twice, first in line 1; remove one"},
         {"title: a\ntolerance:\nlevel: line\n", 2, "'tolerance' has no value; give one or remove the line"},
@@ -141,7 +145,7 @@ static void test_choices(void **state)
         {"effects:\n  - thermal\n  - electric\n", 3, "unknown effect 'electric'; did you mean 'electrical'?"},
         {"effects: [auto]\n", 1,
          "unknown effect 'auto'; allowed: plasticity, separation, electrical, thermal, scale-dependent, convergence, "
-         "uncertainty, direct"},
+         "uncertainty, direct, gap, film, plating, heating"},
         {"effects: {thermal: yes}\n", 1, "'effects' is a mapping; give a list of names"},
         {"measured: {file: a.csv,\n load_unit: furlong}\n", 2,
          "'load_unit' is 'furlong'; understood: dimensionless; N, mN, cN, kN, gf, kgf, lbf; Pa, kPa, MPa, GPa, N/mm2, "
@@ -225,12 +229,51 @@ static void test_effects_without_their_property(void **state)
     CHECK_WRONG(rows);
 }
 
+#define PRESSURES "Pa, kPa, MPa, GPa, N/mm2, bar, psi, atm"
+
+/* Effects that a key calls for, and what such a key may say. */
+static void test_joint(void **state)
+{
+    (void)state;
+    static const struct wrong rows[] = {
+        {"material: tin\neffects: [separation, gap]\n", 2,
+         "effect 'gap' needs 'gap'; add that key or leave the effect out"},
+        {"effects:\n- electrical\n- film\nmaterial: tin\n", 3,
+         "effect 'film' needs 'film'; add that key or leave the effect out"},
+        {"material: tin\neffects: plating\n", 2,
+         "effect 'plating' needs 'plating'; add that key or leave the effect out"},
+        {"material: tin\neffects: heating\n", 2,
+         "effect 'heating' needs 'current'; add that key or leave the effect out"},
+        {"material: tin\ncurrent: 5 A\n", 2, "'current' flows through which area? add 'nominal_area'"},
+        {"effects: [electrical]\nfilm: 0\nmaterial: {E_Pa: 70e9, nu: 0.3, resistivity_ohm_m: 1e-7}\n"
+         "gap: {gas: air}\n",
+         4, "effect 'thermal' needs 'conductivity_W_per_mK'; add it to 'material' or leave the effect out"},
+        {"effects: [separation]\nfilm: 0\n", 2,
+         "effect 'electrical' needs a material; add 'material' or leave the effect out"},
+        {"gap: {gas: xenon}\n", 1, "unknown gas 'xenon'; allowed: air, nitrogen, helium, argon, vacuum"},
+        {"gap: {gas: air,\n pressure: 5 mm}\n", 2,
+         "'pressure' is '5 mm'; give a number in Pa or one with its unit: " PRESSURES},
+        {"gap: {accommodation: 1.2}\n", 1, "'accommodation' is 1.2; allowed is 0.001 to 1"},
+        {"gap: {conductivity: 0.8 W/m/K,\n gas: air}\n", 2,
+         "'gas' stands beside 'conductivity', which is of what fills the gaps; remove one"},
+        {"gap: air\n", 1, "'gap' is 'air'; give 'key: value' pairs"},
+        {"film: 1 ohm\n", 1,
+         "'film' is '1 ohm'; give a number in ohm m2 or one with its unit: ohm m2 (Ω·m²), ohm mm2, mohm mm2, "
+         "uohm cm2"},
+        {"film: -1\n", 1, "'film' is -1; allowed is 0 to 1e+06 ohm m2"},
+        {"title: a\nplating: {thickness: 1 um}\n", 2, "'plating' has no 'resistivity'; add it"},
+        {"plating: {resistivity: 2e-8}\n", 1, "'plating' has no 'thickness'; add it"},
+        {"plating: {thickness: 1 um, resistivity: 2e-8, sides: two}\n", 1, "unknown sides 'two'; allowed: one, both"},
+        {"current: 0\n", 1, "'current' is 0; allowed is 1e-12 to 1e+09 A"},
+    };
+    CHECK_WRONG(rows);
+}
+
 /* Every key with a dimension takes its unit, and no other; it goes by one name. */
 static void test_quantities(void **state)
 {
     (void)state;
-#define PRESSURES "Pa, kPa, MPa, GPa, N/mm2, bar, psi, atm"
-#define LENGTHS   "a number in m or one with its unit: m, mm, um, nm, angstrom, in, uin, mil"
+#define LENGTHS "a number in m or one with its unit: m, mm, um, nm, angstrom, in, uin, mil"
     static const struct wrong rows[] = {
         {"nominal_area: 4 mm\n", 1,
          "'nominal_area' is '4 mm'; give a number in m2 or one with its unit: m2, cm2, mm2, um2, in2"},
@@ -501,6 +544,7 @@ int main(void)
         cmocka_unit_test(test_loads),
         cmocka_unit_test(test_materials),
         cmocka_unit_test(test_effects_without_their_property),
+        cmocka_unit_test(test_joint),
         cmocka_unit_test(test_quantities),
         cmocka_unit_test(test_loads_with_units),
         cmocka_unit_test(test_no_material),

@@ -1,0 +1,110 @@
+#include "joint/joint.h"
+
+#include "joint/film.h"
+#include "joint/heating.h"
+#include "joint/plating.h"
+
+#include <math.h>
+
+const double joint_independent_area = 0.1;
+
+struct joint joint_default(void)
+{
+    return (struct joint){.fill = JOINT_GAS,
+                          .gas = &gas_table[0],
+                          .pressure_Pa = gas_table_pressure_Pa,
+                          .accommodation = gas_accommodation,
+                          .conductivity_W_per_mK = NAN,
+                          .temperature_K = gas_table_temperature_K,
+                          .film_ohm_m2 = NAN,
+                          .plating_thickness_m = NAN,
+                          .plating_ohm_m = NAN,
+                          .current_A = NAN};
+}
+
+static bool runs(const struct joint_task *task, enum effect effect)
+{
+    return task->effects & EFFECT_BIT(effect);
+}
+
+static double finite_or_nan(double value)
+{
+    return isfinite(value) ? value : NAN;
+}
+
+double joint_gap_conductance(const struct joint_task *task, double separation_m, double area_ratio)
+{
+    const struct joint *joint = task->joint;
+    double open = fmax(1 - area_ratio, 0);
+    if (isnan(separation_m))
+        return NAN;
+    if (joint->fill == JOINT_VACUUM)
+        return 0;
+    if (joint->fill == JOINT_MEDIUM)
+        return separation_m > 0 ? open * joint->conductivity_W_per_mK / separation_m : NAN;
+    double jump_m = gas_jump_length(joint->gas, joint->temperature_K, joint->pressure_Pa, joint->accommodation,
+                                    joint->accommodation);
+    return gas_conductance(joint->gas, task->sigma_m, separation_m, jump_m, area_ratio, task->tolerance);
+}
+
+struct contact_spots joint_equal_spots(double area_ratio, double ecr_ohm_m2, double resistivity_ohm_m)
+{
+    double radius_m = 2 * area_ratio * ecr_ohm_m2 / (M_PI * resistivity_ohm_m);
+    double density_per_m2 = area_ratio / (M_PI * radius_m * radius_m);
+    if (!(area_ratio < joint_independent_area && radius_m > 0 && isfinite(density_per_m2)))
+        return (struct contact_spots){NAN, NAN};
+    return (struct contact_spots){density_per_m2, radius_m};
+}
+
+double joint_plating(const struct joint_task *task, double radius_m)
+{
+    const struct joint *joint = task->joint;
+    const double *bare = task->pair->side_resistivity_ohm_m;
+    double thickness = joint->plating_thickness_m / radius_m, plated = 0;
+    for (int side = 0; side < 2; side++)
+        plated += side == 0 || joint->both_plated
+                      ? joint->plating_ohm_m * plating_factor(thickness, joint->plating_ohm_m, bare[side])
+                      : bare[side];
+    return plated / (bare[0] + bare[1]);
+}
+
+/** Spots, plating and film of one point. */
+static void add_spots(struct contact_point *point, const struct contact_spots *own, const struct joint_task *task)
+{
+    const struct contact_spots spots =
+        own ? *own : joint_equal_spots(point->area_ratio, point->ecr_ohm_m2, task->pair->resistivity_ohm_m);
+    double ecr_ohm_m2 = point->ecr_ohm_m2;
+    point->spots_per_m2 = finite_or_nan(spots.density_per_m2);
+    point->spot_radius_m = finite_or_nan(spots.radius_m);
+    if (runs(task, EFFECT_PLATING)) {
+        bool independent = point->area_ratio < joint_independent_area && spots.radius_m > 0;
+        point->plating_factor = independent ? joint_plating(task, spots.radius_m) : NAN;
+        ecr_ohm_m2 *= point->plating_factor;
+    }
+    if (runs(task, EFFECT_FILM))
+        ecr_ohm_m2 = film_resistance(ecr_ohm_m2, task->joint->film_ohm_m2, point->area_ratio);
+    if (runs(task, EFFECT_PLATING) || runs(task, EFFECT_FILM))
+        point->joint_ecr_ohm_m2 = finite_or_nan(ecr_ohm_m2);
+    if (runs(task, EFFECT_HEATING)) {
+        double ambient_K = task->joint->temperature_K;
+        point->contact_voltage_V = finite_or_nan(task->joint->current_A * (ecr_ohm_m2 / task->nominal_area_m2));
+        point->contact_temperature_K = finite_or_nan(ambient_K + heating_rise(point->contact_voltage_V, ambient_K));
+    }
+}
+
+void joint_apply(struct contact_point *points, const struct contact_spots *spots, size_t count,
+                 const struct joint_task *task)
+{
+    const unsigned on_spots = EFFECT_BIT(EFFECT_FILM) | EFFECT_BIT(EFFECT_PLATING) | EFFECT_BIT(EFFECT_HEATING);
+    for (size_t i = 0; i < count; i++) {
+        struct contact_point *point = &points[i];
+        quantity_empty_made(point);
+        if (runs(task, EFFECT_GAP)) {
+            double gap = joint_gap_conductance(task, point->separation_m, point->area_ratio);
+            point->gap_W_per_m2K = finite_or_nan(gap);
+            point->joint_W_per_m2K = finite_or_nan(1 / point->tcr_K_m2_per_W + gap);
+        }
+        if (task->effects & on_spots)
+            add_spots(point, spots ? &spots[i] : NULL, task);
+    }
+}

@@ -1,0 +1,60 @@
+/* What lies in and around the spots of a contact, added to a model's curve point by point (equations: gas in the gaps,
+ * films, platings, heating). */
+#ifndef JOINT_JOINT_H
+#define JOINT_JOINT_H
+
+#include "contact/quantity.h"
+#include "joint/gas.h"
+#include "material/material.h"
+
+enum joint_fill {
+    JOINT_VACUUM,
+    JOINT_GAS,   /* with its temperature jump */
+    JOINT_MEDIUM /* grease: conducts to the walls */
+};
+
+/** A joint; a member counts when its effect is called for. */
+struct joint {
+    enum joint_fill fill;
+    const struct gas *gas;
+    double pressure_Pa, accommodation;
+    double conductivity_W_per_mK; /* of a medium */
+    double temperature_K;         /* of the joint */
+    double film_ohm_m2;
+    double plating_thickness_m, plating_ohm_m;
+    bool both_plated; /* else the first body, which is the surface's */
+    double current_A;
+};
+
+/** 300 K, at which the table of gases holds. */
+struct joint joint_default(void);
+
+/** A/A_n up to which spots count as independent, and so have a radius and a plating factor. */
+extern const double joint_independent_area;
+
+struct joint_task {
+    const struct joint *joint;
+    const struct material_pair *pair;
+    double sigma_m;
+    double nominal_area_m2;
+    unsigned effects; /* EFFECT_BITs that run */
+    double tolerance; /* relative, of the integral over the gaps */
+};
+
+/** h_g [W/m²/K] where the planes are `separation_m` apart; NaN without a separation, or where a medium's gap closes. */
+double joint_gap_conductance(const struct joint_task *task, double separation_m, double area_ratio);
+
+/** Spots, all alike, that have the model's area and resistance between them: n pi a² = A/A_n and n 2a/rho = 1/(ECR
+ * A_n), so a = 2 (A/A_n)(ECR A_n)/(pi rho). NaN beyond joint_independent_area. */
+struct contact_spots joint_equal_spots(double area_ratio, double ecr_ohm_m2, double resistivity_ohm_m);
+
+/** Resistance of a spot of radius a with its plating over that without: (rho_p F_1 + rho_2)/(rho_1 + rho_2), F_1 the
+ * plating_factor() of the plated side; with both plated (rho_p F_1 + rho_p F_2)/(rho_1 + rho_2). */
+double joint_plating(const struct joint_task *task, double radius_m);
+
+/** Fills what the effects call for: quantities that are made of the model's (quantity_row.from). `spots`: the model's,
+ * one a point; NULL: it has none, so equal ones. What is not finite is NaN. */
+void joint_apply(struct contact_point *points, const struct contact_spots *spots, size_t count,
+                 const struct joint_task *task);
+
+#endif
