@@ -306,7 +306,13 @@ static void a_scan_without_a_load(void **state)
     drop(&f);
 }
 
-/* One scan: where the ends of its band pass the target. A band of a factor exp(0.2) either way. */
+/* ln of a band's end over its curve: it widens with the load, straight in ln P. */
+static double widening(double load)
+{
+    return 0.2 + 0.02 * log(load / 1e-9);
+}
+
+/* One scan: where the ends of its band pass the target. */
 static void intervals_of_a_band(void **state)
 {
     (void)state;
@@ -326,8 +332,8 @@ static void intervals_of_a_band(void **state)
         points[i].ecr_ohm_m2 = value_at(&f.task, "cmy", f.loads[i], QUANTITY_ECR);
         for (int k = 0; k < 2; k++)
             for (int side = 0; side < 2; side++)
-                f.record.bands[m][i].mean[held[k]][side] =
-                    value_at(&f.task, "cmy", f.loads[i], held[k]) * exp(side ? 0.2 : -0.2);
+                f.record.bands[m][i].mean[held[k]][side] = value_at(&f.task, "cmy", f.loads[i], held[k]) *
+                                                           exp(side ? widening(f.loads[i]) : -widening(f.loads[i]));
     }
     double ecr = value_at(&f.task, "cmy", 1.23e-6, QUANTITY_ECR),
            area = value_at(&f.task, "cmy", 1.23e-6, QUANTITY_AREA);
@@ -336,10 +342,10 @@ static void intervals_of_a_band(void **state)
     find(&f);
     const struct answer *of_ecr = answer(&f, resistance, "cmy"), *of_area = answer(&f, share, "cmy");
     assert_near(of_ecr->load, 1.23e-6, 1e-9);
-    assert_near(of_ecr->low, bisect(&f.task, "cmy", QUANTITY_ECR, ecr * exp(0.2)), 1e-9);
-    assert_near(of_ecr->high, bisect(&f.task, "cmy", QUANTITY_ECR, ecr * exp(-0.2)), 1e-9);
-    assert_near(of_area->low, 1.23e-6 * exp(-0.2), 1e-9); /* the area is P/H */
-    assert_near(of_area->high, 1.23e-6 * exp(0.2), 1e-9);
+    assert_near(value_at(&f.task, "cmy", of_ecr->low, QUANTITY_ECR) * exp(-widening(of_ecr->low)), ecr, 1e-8);
+    assert_near(value_at(&f.task, "cmy", of_ecr->high, QUANTITY_ECR) * exp(widening(of_ecr->high)), ecr, 1e-8);
+    assert_near(of_area->low * exp(widening(of_area->low)), 1.23e-6, 1e-9); /* the area is P/H */
+    assert_near(of_area->high * exp(-widening(of_area->high)), 1.23e-6, 1e-9);
     assert_true(isnan(answer(&f, light, "cmy")->low)); /* below the first load */
     assert_true(answer(&f, light, "cmy")->high > answer(&f, light, "cmy")->load);
     drop(&f);
