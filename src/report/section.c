@@ -80,9 +80,9 @@ static bool is_numbered(const struct figure *figure)
     return figure->row->number > 0 && figure->number[0] == '6';
 }
 
-static const char *place_of(const struct section_context *context, const struct figure *figure)
+static const char *place_of(const struct figure *figure)
 {
-    if (!figure->decides || (is_numbered(figure) && !context->brief))
+    if (!figure->decides)
         return figure->row->section;
     return section_first_page[figure->row->kind == FIGURE_SURFACES ? SECTION_FIRST_SURFACES : SECTION_FIRST_DIRECT];
 }
@@ -90,7 +90,7 @@ static const char *place_of(const struct section_context *context, const struct 
 bool section_has_figures(const struct section_context *context, const char *place)
 {
     for (size_t i = 0; i < context->figures->count; i++)
-        if (strcmp(place_of(context, &context->figures->figures[i]), place) == 0)
+        if (strcmp(place_of(&context->figures->figures[i]), place) == 0)
             return true;
     return false;
 }
@@ -100,7 +100,7 @@ void section_figures(struct text *out, const struct section_context *context, co
 {
     for (size_t i = 0; i < context->figures->count; i++) {
         const struct figure *figure = &context->figures->figures[i];
-        if (strcmp(place_of(context, figure), place) != 0)
+        if (strcmp(place_of(figure), place) != 0)
             continue;
         text_add(out, "![");
         if (is_numbered(figure))
@@ -117,6 +117,12 @@ void section_figures(struct text *out, const struct section_context *context, co
             caption(out, context, figure);
         figure_marks(out, context, figure);
         text_add(out, "](figures/%s%s)\n\n", figure->number, figure_extension(figure->row));
+    }
+    for (size_t i = 0; i < context->figures->count; i++) {
+        const struct figure *figure = &context->figures->figures[i];
+        if (figure->decides && strcmp(figure->row->section, place) == 0)
+            text_add(out, "%s%s: see the first page.\n\n", is_numbered(figure) ? "Figure " : "",
+                     is_numbered(figure) ? figure->number : figure->title);
     }
 }
 

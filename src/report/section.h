@@ -34,13 +34,13 @@ enum { SECTION_ROWS = 100 };
 
 /** What a figure shows, in one sentence with its numbers, behind its title. */
 typedef void section_caption(struct text *out, const struct section_context *context, const struct figure *figure);
-/** Places of the figures that decide, on the first page: of all surfaces, and against the direct solution. A numbered
- * one stays in chapter 6, unless the report is brief. */
+/** Places of the figures that decide, on the first page: of all surfaces, and against the direct solution. */
 enum section_first_page { SECTION_FIRST_SURFACES, SECTION_FIRST_DIRECT, SECTION_FIRST_PLACES };
 extern const char *const section_first_page[SECTION_FIRST_PLACES];
 /** Are there figures whose row names this place? */
 bool section_has_figures(const struct section_context *context, const char *place);
-/** Adds the figures whose row names this place, each with its title and caption (NULL: the title alone). */
+/** Adds the figures whose row names this place, each with its title and caption (NULL: the title alone),
+ * and says which of them the first page has. */
 void section_figures(struct text *out, const struct section_context *context, const char *place,
                      section_caption *caption);
 /** Captions of the figures of all surfaces, and of those of the direct solution. */

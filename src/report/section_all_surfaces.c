@@ -206,9 +206,7 @@ static void write(struct text *out, const struct section_context *context)
     text_add(out, ".\n\n");
     full_table(out, context);
     for (size_t p = 0; p < sizeof parts / sizeof *parts; p++) {
-        bool any = section_has_figures(context, parts[p].place) ||
-                   (parts[p].with_beta && section_computes(context, QUANTITY_ADJUSTED));
-        if (!section_computes(context, parts[p].quantity) || !any)
+        if (!section_computes(context, parts[p].quantity))
             continue;
         text_add(out, "\n### %s\n\n", parts[p].heading);
         section_figures(out, context, parts[p].place, section_all_surfaces_caption);

@@ -92,6 +92,37 @@ static void test_tables(void **state)
     process_free(&materials);
 }
 
+/* The first page alone, by both commands that report, and plan says so. */
+static void test_brief(void **state)
+{
+    const char *place = *state;
+    workspace_scan(place, "d/a.csv", 200, 1);
+    workspace_write(place, "d/scene.yaml",
+                    "material: tin\neffects: [electrical]\nload: {from: 1e-4, to: 1e-2, points: 7}\n"
+                    "direct: {grid: 32, seeds: 1, loads: 3}\n");
+    struct process process = expect_exit(place, 0, "plan", "d");
+    expect_no_part(process.out, "first page");
+    process_free(&process);
+    process = expect_exit(place, 0, "plan", "d", "--brief");
+    expect_part(process.out, "\nbrief: the report is its first page alone, and no other figures are drawn");
+    process_free(&process);
+    static const char *const reporting[] = {"report", "direct"};
+    for (int c = 0; c < 2; c++) {
+        process = expect_exit(place, 0, reporting[c], "d", "--brief", "--no-cost", "--show", "-o", reporting[c]);
+        expect_part(process.out, "ECR against load, two-band elastic\n"); /* the page's chart, as text */
+        process_free(&process);
+        char path[64];
+        snprintf(path, sizeof path, "%s/report.md", reporting[c]);
+        char *page = workspace_read(place, path);
+        expect_part(page, "**What limits this answer**");
+        expect_no_part(page, "\n## ");
+        free(page);
+    }
+    assert_true(workspace_has(place, "direct/data/direct.csv"));
+    assert_true(workspace_has(place, "direct/figures/direct-ratio-ecr.svg"));
+    assert_false(workspace_has(place, "direct/figures/direct-ecr.svg"));
+}
+
 static void test_plan(void **state)
 {
     const char *place = *state;
@@ -293,9 +324,9 @@ static void test_synth_refuses(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        workspace_test(test_help),  workspace_test(test_usage),         workspace_test(test_tables),
-        workspace_test(test_plan),  workspace_test(test_inspect),       workspace_test(test_inspect_json),
-        workspace_test(test_synth), workspace_test(test_synth_refuses),
+        workspace_test(test_help),         workspace_test(test_usage), workspace_test(test_tables),
+        workspace_test(test_plan),         workspace_test(test_brief), workspace_test(test_inspect),
+        workspace_test(test_inspect_json), workspace_test(test_synth), workspace_test(test_synth_refuses),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
