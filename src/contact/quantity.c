@@ -47,8 +47,8 @@ const struct quantity_row quantity_rows[QUANTITY_COUNT] = {
                           "contact voltage (V)", EFFECT_BIT(EFFECT_HEATING), SPOTS, true, false,
                           FIELD(contact_voltage_V)},
     [QUANTITY_TEMPERATURE] = {"contact_temperature_K", "contact_temperature_K", NULL, "T_max", "T_max",
-                              "Contact temperature", "K", "hottest place T_max (K)", EFFECT_BIT(EFFECT_HEATING), SPOTS,
-                              true, false, FIELD(contact_temperature_K)},
+                              "Contact temperature", "K", "temperature of the hottest place (K)",
+                              EFFECT_BIT(EFFECT_HEATING), SPOTS, true, false, FIELD(contact_temperature_K)},
 };
 
 double quantity_value(const struct contact_point *point, enum quantity quantity)

@@ -62,6 +62,36 @@ static void add_model_name(json_t *names, uint64_t models, size_t m)
         json_array_append_new(names, json_string(whole ? row->family : row->name));
 }
 
+/** What the scene says lies in and around the spots, of the effects that run. */
+static json_t *joint_json(const struct results *results, const struct cell_guard *guard)
+{
+    const struct joint *joint = &results->scene->joint;
+    json_t *json = json_object();
+    if (plan_runs(results->plan, EFFECT_GAP)) {
+        const char *names[] = {
+            [JOINT_VACUUM] = "vacuum", [JOINT_GAS] = joint->gas ? joint->gas->name : "", [JOINT_MEDIUM] = "medium"};
+        json_object_set_new(json, "gap", json_string(names[joint->fill]));
+    }
+    if (plan_runs(results->plan, EFFECT_GAP) && joint->fill == JOINT_GAS) {
+        set(json, guard, "gap_pressure_Pa", joint->pressure_Pa);
+        set(json, guard, "accommodation", joint->accommodation);
+    }
+    if (plan_runs(results->plan, EFFECT_GAP) && joint->fill == JOINT_MEDIUM)
+        set(json, guard, "gap_conductivity_W_per_mK", joint->conductivity_W_per_mK);
+    if (plan_runs(results->plan, EFFECT_GAP) || plan_runs(results->plan, EFFECT_HEATING))
+        set(json, guard, "temperature_K", joint->temperature_K);
+    if (plan_runs(results->plan, EFFECT_FILM))
+        set(json, guard, "film_ohm_m2", joint->film_ohm_m2);
+    if (plan_runs(results->plan, EFFECT_PLATING)) {
+        set(json, guard, "plating_thickness_m", joint->plating_thickness_m);
+        set(json, guard, "plating_resistivity_ohm_m", joint->plating_ohm_m);
+        json_object_set_new(json, "plated_sides", json_integer(joint->both_plated ? 2 : 1));
+    }
+    if (plan_runs(results->plan, EFFECT_HEATING))
+        set(json, guard, "current_A", joint->current_A);
+    return json;
+}
+
 static json_t *scene_json(const struct results *results, const struct cell_guard *guard)
 {
     const struct scene *scene = results->scene;
@@ -87,6 +117,8 @@ static json_t *scene_json(const struct results *results, const struct cell_guard
         json_object_set_new(json, "load_unit", string(scene->load.unit_text));
     if (scene->operating.load > 0)
         set(json, guard, "operating_load_over_AnEp", results_operating_load(results, results->baseline));
+    if (scene->called & results->plan->running)
+        json_object_set_new(json, "joint", joint_json(results, guard));
     if (scene->mean_free_path == SCENE_MEAN_FREE_PATH_ELECTRON)
         json_object_set_new(json, "mean_free_path", json_string("electron"));
     set(json, guard, "effective_modulus_Pa", pair.unknown ? NAN : pair.effective_modulus_Pa);

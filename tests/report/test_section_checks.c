@@ -486,7 +486,7 @@ static void test_the_table_leaves_out_what_did_not_run(void **state)
     struct fake fake;
     make_fake(&fake);
     const uint64_t all = fake.plan.models;
-    for (unsigned running = 0; running < 1u << EFFECT_COUNT; running++)
+    for (unsigned running = 0; running < 1u << EFFECT_GAP; running++) /* those of the joint are not of chapter 6 */
         for (size_t f = 0; f < 3; f++)
             for (size_t surfaces = 1; surfaces <= SURFACES; surfaces++) {
                 bool scales = f != 1, asperities = f != 0;
