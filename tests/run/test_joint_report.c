@@ -244,6 +244,9 @@ static void sentences(void **state)
         {"material: tin\nnominal_area: 1 mm2\ncurrent: 1 MA\n", "**its metal softens or melts** on 2 of 2 surfaces"},
         {"material: tin\nnominal_area: 1 mm2\ncurrent: 1 MA\n", " | melts |"},
         {"material: copper\ncounterface: tin\nnominal_area: 1 mm2\ncurrent: 1 uA\n", " | stays hard |"},
+        {"material: copper\ncounterface: {E: 50 GPa, nu: 0.3, Sy: 1 MPa, resistivity: 1e-7}\nnominal_area: 1 mm2\n"
+         "current: 1 uA\n",
+         "not of this metal"},
         {"material: tin\ngap: {conductivity: 5000 W/m/K}\n", "**the finish matters more than the load**"},
         {"material: tin\ngap: {gas: air, pressure: 1 Pa}\n", "**the load matters more than what fills the gaps**"},
         {"material: tin\nplating: {thickness: 2 um, resistivity: 1e-8}\n", "The plating **helps**"},
