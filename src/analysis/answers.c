@@ -1,5 +1,6 @@
 #include "analysis/answers.h"
 
+#include "analysis/joined.h"
 #include "analysis/landmarks.h"
 #include "analysis/surface.h"
 #include "base/clock.h"
@@ -66,14 +67,31 @@ static double band_shift(double ln_load, const void *context)
     return before;
 }
 
+/** The curve that is searched, with what lies in the joint. */
+struct search {
+    struct landmarks_model model;
+    struct joint_task joint;
+};
+
+static enum status_code run_search(struct model_curve *out, const double *loads, size_t count, void *context,
+                                   struct status *status)
+{
+    struct search *search = context;
+    const struct model_task task = model_task_at(&search->model.task, loads, count);
+    if (landmarks_run_model(out, loads, count, &search->model, status) != STATUS_OK)
+        return status->code;
+    return joined_curve(out, search->model.row, &task, &search->joint, status);
+}
+
 /** A target on one curve: of one scan, or the mean of several; or on an end of its band (NULL: the curve itself). */
-static enum status_code solve(struct answer *out, struct landmarks_model *model, const struct scene_asked *target,
+static enum status_code solve(struct answer *out, struct search *search, const struct scene_asked *target,
                               const struct band_end *end, struct status *status)
 {
     const struct landmarks_value value = {target->row->quantity, target->value, target->row->rises,
                                           end ? band_shift : NULL, end};
-    const struct landmarks_curve searched = {landmarks_run_model, model, model->task.tolerance};
-    const double first = model->task.loads[0], last = model->task.loads[model->task.load_count - 1];
+    const struct landmarks_curve searched = {run_search, search, search->model.task.tolerance};
+    const double first = search->model.task.loads[0],
+                 last = search->model.task.loads[search->model.task.load_count - 1];
     struct contact_point points[3];
     struct model_curve curve = {.points = points};
     double ends[2] = {first, last};
@@ -83,13 +101,13 @@ static enum status_code solve(struct answer *out, struct landmarks_model *model,
         return status->code;
     size_t count = found && ends[1] > ends[0] ? 2 : 1; /* else the list has one load */
     const double *loads = found ? ends : &last;
-    if (landmarks_run_model(&curve, loads, count, model, status) != STATUS_OK)
+    if (run_search(&curve, loads, count, search, status) != STATUS_OK)
         return status->code;
     const struct contact_point *after = point_at(&curve, loads[count - 1]), *before = point_at(&curve, loads[0]);
     double there = after ? quantity_value(after, value.quantity) : NAN;
     bool passed = found || (first == last && (value.rises ? there >= value.value : there <= value.value));
     out->load = loads[count - 1];
-    out->invalid = is_invalid(after, model->row);
+    out->invalid = is_invalid(after, search->model.row);
     if (!passed) {
         out->kind = isnan(there) ? ANSWER_NONE : ANSWER_NOT_REACHED;
     } else if (out->load == first) {
@@ -117,9 +135,10 @@ static enum status_code count_spots(struct answer *out, const struct model_row *
 }
 
 /** A target on every scan alone. The answer has no load where some of them does not meet it between the loads. */
-static enum status_code solve_runs(struct answer *out, const struct landmarks_model *model,
-                                   const struct scene_asked *target, struct status *status)
+static enum status_code solve_runs(struct answer *out, const struct search *search, const struct scene_asked *target,
+                                   struct status *status)
 {
+    const struct landmarks_model *model = &search->model;
     const struct repeat_set *set = model->repeats;
     size_t all = repeats_runs(set, model->row), invalid = 0;
     double *load = malloc(all * sizeof *load), spots_per_m2 = 0;
@@ -131,12 +150,12 @@ static enum status_code solve_runs(struct answer *out, const struct landmarks_mo
         struct asperities asperities;
         struct answer one;
         size_t own;
-        struct landmarks_model run = *model;
-        run.task = repeats_run_task(&asperities, &own, set, r, model->row, &model->task);
-        run.repeats = &alone;
+        struct search run = *search;
+        run.model.task = repeats_run_task(&asperities, &own, set, r, model->row, &model->task);
+        run.model.repeats = &alone;
         rc = solve(&one, &run, target, NULL, status);
         if (rc == STATUS_OK)
-            rc = count_spots(&one, model->row, &run.task, status);
+            rc = count_spots(&one, model->row, &run.model.task, status);
         if (rc != STATUS_OK || one.kind == ANSWER_NONE)
             continue; /* on which the model has no solution: its curve is of the others too */
         out->runs++;
@@ -163,11 +182,10 @@ static enum status_code solve_runs(struct answer *out, const struct landmarks_mo
 }
 
 /** The loads at which the ends of the band of one scan pass the target. */
-static enum status_code solve_band(struct answer *out, const struct surface_record *record,
-                                   struct landmarks_model *model, const struct scene_asked *target,
-                                   struct status *status)
+static enum status_code solve_band(struct answer *out, const struct surface_record *record, struct search *search,
+                                   const struct scene_asked *target, struct status *status)
 {
-    size_t m = model_index(model->row);
+    size_t m = model_index(search->model.row);
     for (int side = 0; side < 2; side++) {
         const struct band_end end = {&record->curves[m], record->bands[m], record->band_count, target->row->quantity,
                                      side};
@@ -175,7 +193,7 @@ static enum status_code solve_band(struct answer *out, const struct surface_reco
         struct answer one;
         if (isnan(band_shift(log(out->load), &end)))
             return STATUS_OK;
-        if (solve(&one, model, target, &end, status) != STATUS_OK)
+        if (solve(&one, search, target, &end, status) != STATUS_OK)
             return status->code;
         double load = one.kind == ANSWER_LOAD ? one.load : NAN;
         if (sooner)
@@ -188,29 +206,31 @@ static enum status_code solve_band(struct answer *out, const struct surface_reco
 
 static enum status_code answer_target(struct answer *out, const struct surface_record *record, size_t m,
                                       const struct scene_asked *target, const struct model_task *task,
-                                      struct status *status)
+                                      const struct joint_task *joint, struct status *status)
 {
     const struct model_row *row = model_rows[m];
-    const unsigned quantities =
-        QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(target->row->quantity);
-    struct landmarks_model model = {row, *task, quantities, &record->repeats};
+    const unsigned from = quantity_rows[target->row->quantity].from,
+                   needed = from ? from : QUANTITY_BIT(target->row->quantity),
+                   quantities = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | needed;
+    struct search search = {{row, *task, quantities, &record->repeats}, *joint};
     bool several = repeats_several(&record->repeats, row);
     *out = no_answer;
-    model.task.wanted &= quantities;
-    if (!record->curves[m].exists || !(row->quantities & task->wanted & QUANTITY_BIT(target->row->quantity)))
+    search.joint.effects = from ? joint->effects : 0;
+    search.model.task.wanted &= quantities;
+    if (!record->curves[m].exists || (row->quantities & task->wanted & needed) != needed)
         return STATUS_OK;
-    if (several && solve_runs(out, &model, target, status) != STATUS_OK)
+    if (several && solve_runs(out, &search, target, status) != STATUS_OK)
         return status->code;
     if (several && out->kind == ANSWER_LOAD)
         return STATUS_OK;
     size_t runs = out->runs, unsolved = out->unsolved;
-    if (solve(out, &model, target, NULL, status) != STATUS_OK ||
-        (!several && count_spots(out, row, &model.task, status) != STATUS_OK))
+    if (solve(out, &search, target, NULL, status) != STATUS_OK ||
+        (!several && count_spots(out, row, &search.model.task, status) != STATUS_OK))
         return status->code;
     out->runs = runs;
     out->unsolved = unsolved;
     bool banded = !several && record->bands[m] && out->kind == ANSWER_LOAD;
-    return banded ? solve_band(out, record, &model, target, status) : STATUS_OK;
+    return banded ? solve_band(out, record, &search, target, status) : STATUS_OK;
 }
 
 enum limit_verdict answers_judge(const struct limit_check *check, const struct scene_asked *limit)
@@ -244,6 +264,7 @@ enum status_code answers_find(struct surface_record *record, const struct scene 
                               const struct model_task *task, struct status *status)
 {
     struct surface_summary *summary = &record->summary;
+    const struct joint_task joint = surface_joint(record, scene, plan, task);
     if (scene->target_count > 0 &&
         !(summary->answers = calloc(scene->target_count * model_count, sizeof *summary->answers)))
         return status_memory(status);
@@ -256,8 +277,8 @@ enum status_code answers_find(struct surface_record *record, const struct scene 
         if (!plan_runs_model(plan, m))
             continue;
         for (size_t t = 0; t < scene->target_count; t++)
-            if (answer_target(&summary->answers[t * model_count + m], record, m, &scene->targets[t], task, status) !=
-                STATUS_OK)
+            if (answer_target(&summary->answers[t * model_count + m], record, m, &scene->targets[t], task, &joint,
+                              status) != STATUS_OK)
                 return status->code;
         summary->models[m].work.searches += scene->target_count;
         summary->models[m].seconds += clock_seconds() - started;

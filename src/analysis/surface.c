@@ -1,5 +1,7 @@
 #include "analysis/surface.h"
 
+#include "analysis/joined.h"
+
 #include "analysis/gather.h"
 #include "analysis/landmarks.h"
 #include "base/clock.h"
@@ -297,33 +299,11 @@ static enum status_code estimate_beta(struct surface_record *record, size_t m, c
                                   record->summary.asperities.sigma_m, status);
 }
 
-enum { ON_SPOTS = EFFECT_BIT(EFFECT_FILM) | EFFECT_BIT(EFFECT_PLATING) | EFFECT_BIT(EFFECT_HEATING) };
-
-/** Adds what lies in and around the spots. Of several scans it is made from their mean curve, and their mean surface's
- * spots. */
-static enum status_code add_joint(struct surface_record *record, size_t m, const struct model_task *task,
-                                  const struct scene *scene, const struct plan *plan, struct status *status)
+struct joint_task surface_joint(const struct surface_record *record, const struct scene *scene, const struct plan *plan,
+                                const struct model_task *task)
 {
-    struct model_curve *curve = &record->curves[m];
-    const struct joint_task joint = {&scene->joint,          task->pair,    record->summary.asperities.sigma_m,
-                                     scene->nominal_area_m2, plan->running, task->tolerance};
-    struct contact_spots *spots = NULL;
-    enum status_code rc = STATUS_OK;
-    if (!curve->exists || !(plan->running & (ON_SPOTS | EFFECT_BIT(EFFECT_GAP))))
-        return STATUS_OK;
-    if (model_rows[m]->spots && (plan->running & ON_SPOTS)) {
-        spots = calloc(task->load_count + 1, sizeof *spots);
-        if (!spots)
-            return status_memory(status);
-        rc = model_rows[m]->spots(spots, model_rows[m], task, status);
-        for (size_t i = 0; i < curve->count; i++)
-            if (i >= task->load_count || curve->points[i].load != task->loads[i]) /* full contact */
-                spots[i] = (struct contact_spots){NAN, NAN};
-    }
-    if (rc == STATUS_OK)
-        joint_apply(curve->points, spots, curve->count, &joint);
-    free(spots);
-    return rc;
+    return (struct joint_task){&scene->joint,          task->pair,    record->summary.asperities.sigma_m,
+                               scene->nominal_area_m2, plan->running, task->tolerance};
 }
 
 static enum status_code run_model(struct surface_record *record, size_t m, const struct model_task *task,
@@ -340,7 +320,8 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
     if (several ? run_repeats(record, m, task, &result, status) != STATUS_OK
                 : model_run(curve, model_rows[m], task, status) != STATUS_OK)
         return status->code;
-    if (add_joint(record, m, task, scene, plan, status) != STATUS_OK)
+    const struct joint_task joint = surface_joint(record, scene, plan, task);
+    if (joined_curve(curve, model_rows[m], task, &joint, status) != STATUS_OK) /* of several scans, the mean curve's */
         return status->code;
     if (curve->exists) {
         curve_summary_make(model, curve, model_rows[m], record->summary.asperities.sigma_m);

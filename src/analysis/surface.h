@@ -104,6 +104,10 @@ MUST_CHECK enum status_code surface_describe(struct surface_record *out, const s
 struct model_task surface_task(const struct surface_record *record, const struct scene *scene, const struct plan *plan,
                                const double *loads, size_t load_count);
 
+/** What lies in the joint of a surface whose models are asked `task`. */
+struct joint_task surface_joint(const struct surface_record *record, const struct scene *scene, const struct plan *plan,
+                                const struct model_task *task);
+
 /** The same at the middle load alone. */
 struct model_task surface_middle_task(const struct model_task *task);
 

@@ -29,6 +29,9 @@ extern const struct section section_summary, section_surfaces, section_material,
     section_sensitivity, section_deciding, section_doubts, section_repeats, section_measured, section_validity,
     section_cost, section_computed, section_methods, section_sources, section_answers;
 
+/** A list item a target and a limit of the scene, in one sentence each: what the report says first. */
+void section_answers_lead(struct text *out, const struct section_context *context);
+
 /** Surfaces that a table or list of the report shows at most; data/ and results.json have all. */
 enum { SECTION_ROWS = 100 };
 

@@ -390,11 +390,18 @@ static bool called_for(const struct section_context *context)
     return context->results->scene->target_count > 0 || context->results->scene->limit_count > 0;
 }
 
+void section_answers_lead(struct text *out, const struct section_context *context)
+{
+    const struct page page = {out, context->results, true};
+    sentences(&page);
+    if (called_for(context))
+        text_add(out, "\n");
+}
+
 static void write(struct text *out, const struct section_context *context)
 {
     const struct page page = {out, context->results, true};
     text_add(out, "## Answers\n\n");
-    sentences(&page);
     for (size_t t = 0; t < scene_of(&page)->target_count; t++)
         target_table(context, &page, t);
     if (scene_of(&page)->limit_count > 0)

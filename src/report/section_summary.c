@@ -173,7 +173,8 @@ static void lead_leading(struct text *out, const struct section_context *context
 }
 
 /* What the report says first: each writes a paragraph, or nothing. */
-static void (*const leads[])(struct text *out, const struct section_context *context) = {lead_leading};
+static void (*const leads[])(struct text *out, const struct section_context *context) = {section_answers_lead,
+                                                                                         lead_leading};
 
 /** " (×0.71, 95 % 0.60…0.84, p = 0.003, 3 and 3 scans)": of the better place i over the worse j. */
 static void pair_text(struct text *out, const struct section_context *context, size_t i, size_t j)
@@ -578,7 +579,9 @@ static void summary(struct text *out, const struct section_context *context)
 static bool has_column(const struct section_context *context, int q)
 {
     bool form = q == QUANTITY_ADJUSTED || q == QUANTITY_TCR_SCALE_DEPENDENT; /* of a column that is there */
-    return q != QUANTITY_LOAD && !form && section_computes(context, (enum quantity)q);
+    bool part = q == QUANTITY_GAP || q == QUANTITY_SPOT_RADIUS || q == QUANTITY_PLATING_FACTOR || q == QUANTITY_VOLTAGE;
+    return q != QUANTITY_LOAD && !form && !part && /* parts stand where the joint is spoken of */
+           section_computes(context, (enum quantity)q);
 }
 
 /** How many times the best one's answer a surface's is, with Welch's p, and the letters of the groups that it is in. */

@@ -17,6 +17,20 @@ const struct scene_asked_row scene_asked_rows[] = {
 };
 enum { ROWS = SCENE_COUNT(scene_asked_rows) };
 
+/* What takes the row's place where the scene calls for one of these effects: the number of the whole joint. */
+static const struct {
+    unsigned effects;
+    struct scene_asked_row row;
+} joint_rows[] = {
+    {EFFECT_BIT(EFFECT_FILM) | EFFECT_BIT(EFFECT_PLATING),
+     {"ecr", "ECR with film and plating", UNIT_RESISTANCE, UNIT_RESISTANCE_AREA, QUANTITY_JOINT_ECR, false, false,
+      1e-30, 1e30}},
+    {EFFECT_BIT(EFFECT_GAP),
+     {"conductance", "h_j", 0, UNIT_CONDUCTANCE_AREA, QUANTITY_JOINT, false, true, 1e-30, 1e30}},
+    {EFFECT_BIT(EFFECT_HEATING),
+     {"temperature", "T_max", 0, UNIT_TEMPERATURE, QUANTITY_TEMPERATURE, false, false, 0, 1e5}},
+};
+
 /* What is being read into: targets, or limits. */
 struct list {
     struct scene_asked *items;
@@ -38,11 +52,6 @@ static bool read_value(struct scene_source *source, const struct scene_key *key,
     const struct list *list = key->field;
     const struct scene_asked_row *row = list->row ? list->row : row_named(key->name);
     struct scene_quantity quantity;
-    if (row->quantity == QUANTITY_COUNT)
-        return scene_source_fail(source, scene_source_line(value),
-                                 "'%s' is what a current heats the spots to, and a scene has no 'current' yet; leave "
-                                 "it out",
-                                 row->name);
     if (!scene_source_quantity_of(&quantity, source, key, value))
         return false;
     if (*list->count == ASKED_MOST)
@@ -57,8 +66,9 @@ static bool read_value(struct scene_source *source, const struct scene_key *key,
                                   .line = scene_source_line(value)};
     const char *si = unit_si(quantity.kind);
     snprintf(asked->unit_text, sizeof asked->unit_text, "%s", quantity.has_unit ? quantity.text : si);
-    snprintf(asked->text, sizeof asked->text, "%.6g%s%s", quantity.value / quantity.unit.factor,
-             asked->unit_text[0] ? " " : "", asked->unit_text);
+    snprintf(asked->text, sizeof asked->text, "%.6g%s%s",
+             (quantity.value - quantity.unit.offset) / quantity.unit.factor, asked->unit_text[0] ? " " : "",
+             asked->unit_text);
     for (size_t i = 0; i < *list->count; i++)
         if (list->items[i].row == row && list->items[i].is_most == list->is_most &&
             strcmp(list->items[i].text, asked->text) == 0)
@@ -147,7 +157,8 @@ static const char *lacks(const struct scene_bodies *bodies, const struct effect_
 /* Will the models compute it on every surface? */
 static bool check_effects(const struct scene *scene, struct scene_source *source, const struct scene_asked *asked)
 {
-    const unsigned needed = quantity_rows[asked->row->quantity].effect;
+    const struct quantity_row *quantity = &quantity_rows[asked->row->quantity];
+    const unsigned needed = quantity->from ? quantity->effect & scene->called : quantity->effect;
     for (int e = 0; e < EFFECT_COUNT; e++) {
         if (!(needed & EFFECT_BIT(e)))
             continue;
@@ -174,6 +185,13 @@ static bool check_effects(const struct scene *scene, struct scene_source *source
 static bool complete(const struct scene *scene, struct scene_source *source, struct scene_asked *asked)
 {
     bool total = asked->kind & asked->row->total;
+    for (size_t r = 0; r < SCENE_COUNT(joint_rows); r++)
+        if ((scene->called & joint_rows[r].effects) && strcmp(joint_rows[r].row.name, asked->row->name) == 0)
+            asked->row = &joint_rows[r].row;
+    if (asked->row->quantity == QUANTITY_COUNT)
+        return scene_source_fail(source, asked->line,
+                                 "'%s' is what a current heats the spots to; add 'current' or leave it out",
+                                 asked->row->name);
     if (total && isnan(scene->nominal_area_m2))
         return scene_source_fail(
             source, asked->line, "'%s' is %s, but on which area? add 'nominal_area', or give it times an area (%s)",
@@ -199,5 +217,5 @@ enum status_code scene_asked_complete(struct scene *scene, struct scene_source *
 
 double scene_asked_shown(const struct scene_asked *asked, double value)
 {
-    return (asked->row->reciprocal ? 1 / value : value) / asked->factor;
+    return ((asked->row->reciprocal ? 1 / value : value) - asked->unit.offset) / asked->factor;
 }

@@ -5,6 +5,9 @@
 #include <stdio.h>
 
 #define SCENE "material: tin\nnominal_area: 1 mm2\nload: {from: 1e-7, to: 1e-2, points: 31}\n"
+#define JOINT                                                                                                          \
+    "material: tin\nnominal_area: 1 mm2\nfilm: 1e-12 ohm m2\ncurrent: 5 A\n"                                           \
+    "gap: {gas: air, pressure: 1 atm}\nmodels: [two-band, statistical, cmy]\n"
 
 static void scans(const char *place)
 {
@@ -47,7 +50,8 @@ static void targets_are_answered(void **state)
     expect_part(run.err, ", as predicted;");
     process_free(&run);
     char *report = workspace_read(place, "out/report.md"), *results = workspace_read(place, "out/results.json");
-    expect_part(report, "\n## Answers\n\n- **ECR ≤ 0\\.1 mohm** takes ");
+    expect_part(report, "\n\n- **ECR ≤ 0\\.1 mohm** takes "); /* the first thing said */
+    expect_part(report, "\n## Answers\n\n|");
     expect_part(report, "\n| A/Aₙ ≥ 5 % | ");
     expect_part(results, "\"answers\": [");
     expect_no_part(results, "\"limits\"");
@@ -112,11 +116,66 @@ static void a_check_of_nothing_is_refused(void **state)
     assert_false(workspace_has(place, "out"));
 }
 
+/** The number of a model at the one load of a report. */
+static double at_load(const char *place, const char *model, double load, const char *column)
+{
+    char scene[700], path[4096];
+    snprintf(scene, sizeof scene, JOINT "load: {values: [%.17g]}\n", load);
+    workspace_write(place, "in/scene.yaml", scene);
+    struct process run = expect_exit(place, 0, "report", "in", "-o", "one", "--no-cost");
+    process_free(&run);
+    snprintf(path, sizeof path, "%s/one/data/contact.csv", place);
+    struct table table = table_read_path(path);
+    double value = NAN;
+    for (size_t i = 0; i < table.rows; i++)
+        if (!strcmp(table_text(&table, i, "model"), model) && table_number(&table, i, "load_over_AnEp") == load)
+            value = table_number(&table, i, column);
+    table_free(&table);
+    return value;
+}
+
+/** With a film, a gas and a current, targets are of the whole joint: at the load of an answer a report has just that.
+ */
+static void targets_of_a_joint(void **state)
+{
+    const char *place = *state;
+    static const struct {
+        const char *target, *column;
+        double value;
+    } asked[] = {{"ecr 0.2 mohm", "joint_ecr_ohm_m2", 0.2e-9},
+                 {"conductance 3e5 W/m2/K", "joint_W_per_m2K", 3e5},
+                 {"temperature 30 degC", "contact_temperature_K", 303.15}};
+    size_t answered = 0;
+    char path[4096];
+    workspace_scan(place, "in/a.csv", 300, 1);
+    struct process run =
+        run_scene(place, 0,
+                  JOINT "load: {from: 1e-7, to: 1e-2, points: 31}\n"
+                        "targets: [{ecr: 0.2 mohm}, {conductance: 3e5 W/m2/K}, {temperature: 30 degC}]\n",
+                  NULL);
+    expect_part(run.out, "ECR with film and plating ≤ 0.2 mohm takes ");
+    expect_part(run.out, "T_max ≤ 30 degC takes ");
+    process_free(&run);
+    snprintf(path, sizeof path, "%s/out/data/answers.csv", place);
+    struct table table = table_read_path(path);
+    for (size_t i = 0; i < table.rows; i++)
+        for (size_t a = 0; a < sizeof asked / sizeof *asked; a++)
+            if (!strcmp(table_text(&table, i, "target"), asked[a].target) && !*table_text(&table, i, "note")) {
+                double load = table_number(&table, i, "load_over_AnEp");
+                assert_near(at_load(place, table_text(&table, i, "model"), load, asked[a].column), asked[a].value,
+                            1e-4);
+                answered++;
+            }
+    assert_true(answered >= 8);
+    table_free(&table);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         workspace_test(no_key_no_trace),
         workspace_test(targets_are_answered),
+        workspace_test(targets_of_a_joint),
         workspace_test(a_missed_limit_ends_with_5),
         workspace_test(a_check_of_nothing_is_refused),
     };

@@ -93,12 +93,14 @@ static void expect(const struct text *text, const char *part)
 static void the_section(void **state)
 {
     (void)state;
-    struct text text = made_up_section(&made, &section_answers);
-    expect(&text, "## Answers\n\n- **ECR ≤ 1 mo\\|hm** takes 0.100 N (0.0800…0.130) on surface alpha, the best, and "
+    struct text text = made_up_section(&made, &section_answers), lead = {0};
+    section_answers_lead(&lead, &made.context);
+    expect(&text, "## Answers\n");
+    expect(&lead, "- **ECR ≤ 1 mo\\|hm** takes 0.100 N (0.0800…0.130) on surface alpha, the best, and "
                   "0.400 N on surface gamma, the worst (beyond the model's validity); not reached within the loads on "
                   "1 of 3 surfaces (multiscale elastic-plastic).\n");
-    expect(&text, "- Limit **ECR ≤ 2 mohm**: 1 of 3 surfaces meet it, 1 miss it, of 1 the interval straddles it.\n");
-    expect(&text, "- Limit **h ≥ 10 kW/m2/K**: 1 of 3 surfaces meet it, 1 miss it, 1 have no value.\n");
+    expect(&lead, "- Limit **ECR ≤ 2 mohm**: 1 of 3 surfaces meet it, 1 miss it, of 1 the interval straddles it.\n");
+    expect(&lead, "- Limit **h ≥ 10 kW/m2/K**: 1 of 3 surfaces meet it, 1 miss it, 1 have no value.\n");
     expect(&text, "\n| alpha | 0.100 (0.0800…0.130) | 0.200 (multiscale elastic) to 0.500 (GW) | 30 (GW) |  |\n");
     expect(&text, "\n| beta | – | – | – | not reached up to 1e+03 |\n");
     expect(&text,
@@ -106,6 +108,7 @@ static void the_section(void **state)
     expect(&text, "\n| beta | ? cannot tell: 1.50 mohm (1.00…2.50) | – no value |\n");
     expect(&text, "\n| alpha | ✓ meets: 1.00 mohm | ✓ meets: 20.0 kW/m2/K (12.5…25.0) |\n");
     expect(&text, "\n| gamma | ✗ **misses**: 3.00 mohm (2.50…3.50) | ✗ **misses**: 5.00 kW/m2/K (4.00…6.25) |\n");
+    text_free(&lead);
     text_free(&text);
 }
 

@@ -509,7 +509,7 @@ static void test_asked(void **state)
         {"targets: [{conductance: 5 K/W}]\n", 1,
          "'conductance' is '5 K/W'; give a number in W/m2/K or one with its unit: W/m2/K, kW/m2/K, W/cm2/K"},
         {"targets: [{temperature: 60 degC}]\n", 1,
-         "'temperature' is what a current heats the spots to, and a scene has no 'current' yet; leave it out"},
+         "'temperature' is what a current heats the spots to; add 'current' or leave it out"},
         {"material: tin\ntargets:\n  - ecr: 1 mohm\n", 3,
          "'ecr' is a resistance, but on which area? add 'nominal_area', or give it times an area (ohm m2)"},
         {"material: tin\ntargets: [{tcr: 0.5 K/W}]\n", 2,

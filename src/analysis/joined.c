@@ -1,0 +1,33 @@
+#include "analysis/joined.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+const unsigned joined_on_spots = EFFECT_BIT(EFFECT_FILM) | EFFECT_BIT(EFFECT_PLATING) | EFFECT_BIT(EFFECT_HEATING);
+
+bool joined_adds(const struct joint_task *joint)
+{
+    return joint->effects & (joined_on_spots | EFFECT_BIT(EFFECT_GAP));
+}
+
+enum status_code joined_curve(struct model_curve *curve, const struct model_row *row, const struct model_task *task,
+                              const struct joint_task *joint, struct status *status)
+{
+    struct contact_spots *spots = NULL;
+    enum status_code rc = STATUS_OK;
+    if (!curve->exists || !joined_adds(joint))
+        return STATUS_OK;
+    if (row->spots && (joint->effects & joined_on_spots)) {
+        spots = calloc(task->load_count + 1, sizeof *spots);
+        if (!spots)
+            return status_memory(status);
+        rc = row->spots(spots, row, task, status);
+        for (size_t i = 0; i < curve->count; i++)
+            if (i >= task->load_count || curve->points[i].load != task->loads[i]) /* full contact */
+                spots[i] = (struct contact_spots){NAN, NAN};
+    }
+    if (rc == STATUS_OK)
+        joint_apply(curve->points, spots, curve->count, joint);
+    free(spots);
+    return rc;
+}
