@@ -47,7 +47,32 @@ struct band_end {
     size_t count;
     enum quantity quantity;
     int side;
+    const struct joint_task *joint; /* NULL: the quantity is the model's own */
+    int resistance_side;            /* of the band of the resistances that it is made of */
 };
+
+/** A number of the joint with these ECR and TCR (NaN: the model's), area and gap as they are. */
+static double made_with(const struct contact_point *point, const double resistance[2], enum quantity quantity,
+                        const struct joint_task *joint)
+{
+    struct contact_point at = *point;
+    at.ecr_ohm_m2 = isnan(resistance[0]) ? at.ecr_ohm_m2 : resistance[0];
+    at.tcr_K_m2_per_W = isnan(resistance[1]) ? at.tcr_K_m2_per_W : resistance[1];
+    joint_apply(&at, NULL, 1, joint);
+    return quantity_value(&at, quantity);
+}
+
+/** The number at one end of the band at load i. */
+static double at_end(const struct band_end *end, size_t i)
+{
+    const struct repeats_band *band = &end->band[i];
+    if (!end->joint)
+        return band->mean[end->quantity][end->side];
+    const double resistance[2] = {band->mean[QUANTITY_ECR][end->resistance_side],
+                                  band->mean[QUANTITY_TCR][end->resistance_side]};
+    bool known = !isnan(resistance[quantity_rows[end->quantity].from & QUANTITY_BIT(QUANTITY_ECR) ? 0 : 1]);
+    return known ? made_with(&end->curve->points[i], resistance, end->quantity, end->joint) : NAN;
+}
 
 /** ln of the end over the curve, straight in ln P between the loads that have it; at the ends that of the last one. */
 static double band_shift(double ln_load, const void *context)
@@ -56,7 +81,7 @@ static double band_shift(double ln_load, const void *context)
     double before = NAN, ln_before = NAN;
     for (size_t i = 0; i < end->count && i < end->curve->count; i++) {
         double value = quantity_value(&end->curve->points[i], end->quantity), ln_own = log(end->band[i].load);
-        double shift = log(end->band[i].mean[end->quantity][end->side] / value);
+        double shift = log(at_end(end, i) / value);
         if (end->curve->points[i].load != end->band[i].load || !isfinite(shift))
             continue;
         if (ln_own >= ln_load)
@@ -187,8 +212,14 @@ static enum status_code solve_band(struct answer *out, const struct surface_reco
 {
     size_t m = model_index(search->model.row);
     for (int side = 0; side < 2; side++) {
-        const struct band_end end = {&record->curves[m], record->bands[m], record->band_count, target->row->quantity,
-                                     side};
+        const bool made = quantity_rows[target->row->quantity].from;
+        const struct band_end end = {&record->curves[m],
+                                     record->bands[m],
+                                     record->band_count,
+                                     target->row->quantity,
+                                     side,
+                                     made ? &search->joint : NULL,
+                                     target->row->rises ? !side : side};
         bool sooner = side == target->row->rises; /* that end gets there at the lighter load */
         struct answer one;
         if (isnan(band_shift(log(out->load), &end)))
@@ -244,8 +275,19 @@ enum limit_verdict answers_judge(const struct limit_check *check, const struct s
     return (limit->is_upper ? low > limit->value : high < limit->value) ? LIMIT_MISSED : LIMIT_CANNOT_TELL;
 }
 
+/** A number of the joint, with the model's resistances at one end of their intervals. NaN where none is known. */
+static double made_at_end(const struct curve_summary *model, const struct contact_point *point, int side,
+                          enum quantity quantity, const struct joint_task *joint)
+{
+    const struct estimate *ecr = &model->middle[QUANTITY_ECR], *tcr = &model->middle[QUANTITY_TCR];
+    const double ends[2] = {ecr->count > 0 ? estimate_end(ecr, side) : NAN,
+                            tcr->count > 0 ? estimate_end(tcr, side) : NAN};
+    bool known = !isnan(ends[quantity_rows[quantity].from & QUANTITY_BIT(QUANTITY_ECR) ? 0 : 1]);
+    return known ? made_with(point, ends, quantity, joint) : NAN;
+}
+
 static struct limit_check check_limit(const struct surface_record *record, size_t leading,
-                                      const struct scene_asked *limit, double load)
+                                      const struct scene_asked *limit, const struct joint_task *joint, double load)
 {
     enum quantity quantity = limit->row->quantity;
     const struct estimate *estimate = &record->summary.models[leading].middle[quantity];
@@ -255,6 +297,12 @@ static struct limit_check check_limit(const struct surface_record *record, size_
     if (estimate->count > 0) {
         out.low = estimate_end(estimate, 0);
         out.high = estimate_end(estimate, 1);
+    } else if (point && quantity_rows[quantity].from) {
+        double ends[2];
+        for (int side = 0; side < 2; side++)
+            ends[side] = made_at_end(&record->summary.models[leading], point, side, quantity, joint);
+        out.low = fmin(ends[0], ends[1]);
+        out.high = fmax(ends[0], ends[1]);
     }
     out.verdict = answers_judge(&out, limit);
     return out;
@@ -284,8 +332,8 @@ enum status_code answers_find(struct surface_record *record, const struct scene 
         summary->models[m].seconds += clock_seconds() - started;
     }
     for (size_t l = 0; l < scene->limit_count; l++)
-        summary->limits[l] =
-            check_limit(record, plan_leading_model(plan), &scene->limits[l], task->loads[model_task_operating(task)]);
+        summary->limits[l] = check_limit(record, plan_leading_model(plan), &scene->limits[l], &joint,
+                                         task->loads[model_task_operating(task)]);
     return STATUS_OK;
 }
 

@@ -1,5 +1,7 @@
 #include "analysis/measured.h"
 
+#include "analysis/joined.h"
+
 #include "scene/measured_file.h"
 #include <math.h>
 #include <stdlib.h>
@@ -138,9 +140,16 @@ void measured_free(struct measured *measured)
     *measured = (struct measured){0};
 }
 
+/** What the models themselves are asked. */
 static enum quantity quantity_of(const struct measured *measured)
 {
     return measured->thermal ? QUANTITY_TCR : QUANTITY_ECR;
+}
+
+enum quantity measured_quantity(const struct measured *measured, unsigned effects)
+{
+    bool covered = effects & (EFFECT_BIT(EFFECT_FILM) | EFFECT_BIT(EFFECT_PLATING));
+    return covered && !measured->thermal ? QUANTITY_JOINT_ECR : quantity_of(measured);
 }
 
 static int compare_numbers(const void *a, const void *b)
@@ -217,8 +226,10 @@ static enum status_code run_model(struct model_curve *curve, const struct model_
 }
 
 enum status_code measured_answer(struct measured_answers *out, const struct measured *measured, uint64_t models,
-                                 const struct model_task *task, const struct repeat_set *scans, struct status *status)
+                                 const struct model_task *task, const struct joint_task *joint,
+                                 const struct repeat_set *scans, struct status *status)
 {
+    const enum quantity quantity = measured_quantity(measured, joint->effects);
     double *loads = calloc(measured->count, sizeof *loads);
     struct contact_point *points = malloc((measured->count + 1) * sizeof *points);
     *out = (struct measured_answers){.resistance = malloc(model_count * measured->count * sizeof *out->resistance),
@@ -231,9 +242,11 @@ enum status_code measured_answer(struct measured_answers *out, const struct meas
         struct model_curve curve = {.points = points};
         if ((models & MODEL_BIT(m)) && answers(measured, m, count))
             rc = run_model(&curve, model_rows[m], &asked, scans, status);
+        if (rc == STATUS_OK && quantity_rows[quantity].from)
+            rc = joined_curve(&curve, model_rows[m], &asked, joint, status);
         out->work[m] = curve.work;
         for (size_t i = 0; i < measured->count; i++)
-            out->resistance[m * measured->count + i] = resistance_at(&curve, measured->load[i], quantity_of(measured));
+            out->resistance[m * measured->count + i] = resistance_at(&curve, measured->load[i], quantity);
     }
     free(loads);
     free(points);

@@ -6,6 +6,7 @@
 #include "analysis/repeats.h"
 #include "base/unit.h"
 #include "contact/model.h"
+#include "joint/joint.h"
 
 /** Points in the models' units, in the order in which they were measured (loading, then unloading). Owned:
  * measured_free(). */
@@ -29,11 +30,15 @@ struct measured_answers {
 MUST_CHECK enum status_code measured_work(struct model_work *out, const struct measured *measured, size_t m,
                                           const struct model_task *task, const struct repeat_set *scans,
                                           struct status *status);
-/** Runs the set `models` at the measured loads themselves, on every scan as the surface's curve. Error: STATUS_MEMORY.
- */
+/** The models' quantity that measurements are held against with these EFFECT_BITs: the resistance with film and plating
+ * where these are called for. */
+enum quantity measured_quantity(const struct measured *measured, unsigned effects);
+/** Runs the set `models` at the measured loads themselves, on every scan as the surface's curve, with what lies in the
+ * joint. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code measured_answer(struct measured_answers *out, const struct measured *measured,
                                             uint64_t models, const struct model_task *task,
-                                            const struct repeat_set *scans, struct status *status);
+                                            const struct joint_task *joint, const struct repeat_set *scans,
+                                            struct status *status);
 void measured_answers_free(struct measured_answers *answers);
 
 /** How far a model is from the measurements, over the loads that it answers. */

@@ -127,9 +127,9 @@ static void put_band(struct figure_file *out, const struct surface_record *recor
 }
 
 /** What was measured, with its error where one is given. */
-static void put_measured(struct figure_file *out, const struct measured *measured)
+static void put_measured(struct figure_file *out, const struct measured *measured, unsigned effects)
 {
-    if (!measured || out->figure->row->y != (measured->thermal ? QUANTITY_TCR : QUANTITY_ECR))
+    if (!measured || out->figure->row->y != measured_quantity(measured, effects))
         return;
     figure_data_begin_block(out, "meas", "measured");
     for (size_t i = 0; i < measured->count; i++) {
@@ -590,7 +590,7 @@ enum status_code figure_data_put(struct figure_file *file, const struct results 
         break;
     case FIGURE_MODELS:
         put_models(file, baseline, results->plan->wanted);
-        put_measured(file, results->measured);
+        put_measured(file, results->measured, results->plan->running);
         break;
     case FIGURE_SURFACES:
     case FIGURE_PROFILES:

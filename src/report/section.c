@@ -329,7 +329,13 @@ bool section_is_valid(const struct surface_summary *summary, size_t model, doubl
     return curve_summary_is_valid(&summary->models[model], load);
 }
 
-const double section_hardest = 3;
+static const double hardest = 3; /* yield strengths */
+
+double section_hardest(const struct section_context *context, size_t surface)
+{
+    const struct material_pair *pair = results_pair(context->results, surface);
+    return fmax(hardest, hardest / material_hardness_ratio * pair->hardness_Pa / pair->yield_strength_Pa);
+}
 
 double section_contact_pressure(const struct section_context *context, size_t surface,
                                 const struct contact_point *point)

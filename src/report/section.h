@@ -111,8 +111,9 @@ double section_contact_pressure(const struct section_context *context, size_t su
                                 const struct contact_point *point);
 /** Is S_y known, so that there is such a number? */
 bool section_knows_yield(const struct section_context *context);
-/** P/A in units of S_y that no metal's contact bears: hardness is about 2.84 S_y (Tabor 1951). */
-extern const double section_hardest;
+/** P/A in units of S_y of a surface that no metal's contact bears: 3, as hardness is about 2.84 S_y (Tabor 1951), or as
+ * much above a hardness that is given and greater. */
+double section_hardest(const struct section_context *context, size_t surface);
 
 /** Range of a number over all usable surfaces in one model; false when no surface has a finite one. */
 bool section_range(double *least, double *most, const struct section_context *context, size_t model,

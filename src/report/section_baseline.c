@@ -155,7 +155,7 @@ static void hard_text(struct text *out, const struct section_context *context, s
     double most = 0, from = NAN, to = NAN;
     for (size_t i = 0; i < curve->count; i++) {
         double pressure = section_contact_pressure(context, context->results->baseline, &curve->points[i]);
-        if (!(curve->points[i].area_ratio < 1) || !(pressure > section_hardest))
+        if (!(curve->points[i].area_ratio < 1) || !(pressure > section_hardest(context, context->results->baseline)))
             continue;
         most = fmax(most, pressure);
         from = fmin(from, curve->points[i].load); /* of a number and NaN, the number */
@@ -163,8 +163,9 @@ static void hard_text(struct text *out, const struct section_context *context, s
     }
     if (isnan(from))
         return;
-    text_add(out, " In %s the mean pressure P/A of the partial contact exceeds 3 S_y, more than any metal's hardness, ",
-             model_rows[m]->label);
+    text_add(out,
+             " In %s the mean pressure P/A of the partial contact exceeds %.2g S_y, more than any metal's hardness, ",
+             model_rows[m]->label, section_hardest(context, context->results->baseline));
     if (from < to) {
         text_add(out, "between ");
         section_at_load(out, context->results, context->results->baseline, from);

@@ -378,7 +378,8 @@ static void agreement(struct text *out, const struct section_context *context)
         return;
     const struct measured_answers *answers = context->results->answers;
     struct measured_ranking rank = measured_rank(measured, answers);
-    text_add(out, "- **Measured %s** (%zu point%s): ", measured->thermal ? "TCR" : "ECR", measured->count,
+    text_add(out, "- **Measured %s** (%zu point%s): ",
+             quantity_rows[measured_quantity(measured, context->results->plan->running)].short_symbol, measured->count,
              measured->count == 1 ? "" : "s");
     if (rank.nearest == model_count) {
         text_add(out, "no measured load lies within those of the models; widen `load` in the scene.\n");
@@ -424,13 +425,13 @@ static void hard(struct text *list, const struct section_context *context, size_
     for (size_t k = 0; k < results->usable_count; k++) {
         const struct contact_point *point = &context->comparison->models[m].middle[results->by_roughness[k]];
         double pressure = section_contact_pressure(context, results->by_roughness[k], point);
-        if (!(point->area_ratio < 1) || !(pressure > section_hardest))
+        if (!(point->area_ratio < 1) || !(pressure > section_hardest(context, results->by_roughness[k])))
             continue;
         count++;
         most = fmax(most, pressure);
     }
-    snprintf(what, sizeof what, "in %s the real contact bears more than 3 S_y, beyond any hardness,",
-             model_rows[m]->label);
+    snprintf(what, sizeof what, "in %s the real contact bears more than %.2g S_y, beyond any hardness,",
+             model_rows[m]->label, section_hardest(context, results->baseline));
     snprintf(then, sizeof then, " (up to %.2g S_y)", most);
     limit(list, context, count, what, then);
 }

@@ -93,7 +93,8 @@ static enum status_code run_baseline(struct run *run, struct status *status)
         results->sensitivity = &run->sensitivity;
     }
     if (rc == STATUS_OK && results->measured) {
-        rc = measured_answer(&run->answers, results->measured, models, &task, &baseline.repeats, status);
+        const struct joint_task joint = surface_joint(&baseline, results->scene, results->plan, &task);
+        rc = measured_answer(&run->answers, results->measured, models, &task, &joint, &baseline.repeats, status);
         results->answers = &run->answers;
     }
     surface_record_free(&baseline, false);

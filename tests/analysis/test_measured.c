@@ -367,8 +367,9 @@ static void models_answer_at_the_measured_loads(void **state)
     for (int thermal = 0; thermal < 2; thermal++) {
         struct measured measured = {.count = POINTS, .load = loads, .resistance = resistances, .thermal = thermal};
         struct measured_answers answers;
+        const struct joint_task no_joint = {.pair = task.pair};
         struct status status = {0};
-        assert_int_equal(measured_answer(&answers, &measured, models, &task, &one_scan, &status), STATUS_OK);
+        assert_int_equal(measured_answer(&answers, &measured, models, &task, &no_joint, &one_scan, &status), STATUS_OK);
         for (size_t m = 0; m < model_count; m++) {
             struct model_work work;
             assert_int_equal(measured_work(&work, &measured, m, &task, &one_scan, &status), STATUS_OK);
