@@ -11,10 +11,11 @@ synth --lambda-s 8um --seed 1 --alpha 0.085 --gamma 1.5 --rq 0.34um --scatter 0.
 synth --lambda-s 8um --seed 1 --alpha 0.037 --gamma 1.4 --rq 1.05um --scatter 0.4053 --length 0.67mm --points 2680 -o chapter6/surface-3.csv
 synth --lambda-s 8um --seed 4 --alpha 0.006 --gamma 1.0 --rq 5.82um --scatter 0.0678 --length 1.07mm --points 4280 -o chapter6/surface-4.csv
 
-# connector: contact surfaces of a pin, smooth to worn
-synth --lambda-s 2.5um --seed 11 --alpha 0.06 --gamma 1.55 --rq 0.25um --scatter 0.28 --length 0.40mm --points 1600 -o connector/as-plated.csv
-synth --lambda-s 2.5um --seed 12 --alpha 0.10 --gamma 1.55 --rq 0.45um --scatter 0.28 --length 0.40mm --points 1600 -o connector/as-stamped.csv
-synth --lambda-s 2.5um --seed 14 --alpha 0.02 --gamma 1.35 --rq 0.65um --scatter 0.28 --length 0.40mm --points 1600 -o connector/worn.csv
+# connector: contact surfaces as plated and worn, three scans of each
+for n in 1 2 3; do
+    synth --lambda-s 2.5um --seed 1$n --alpha 0.06 --gamma 1.55 --scatter 0.28 --length 0.40mm --points 1600 -o connector/as-plated-$n.csv
+    synth --lambda-s 2.5um --seed 2$n --alpha 0.02 --gamma 1.35 --scatter 0.28 --length 0.40mm --points 1600 -o connector/worn-$n.csv
+done
 
 # thermal-interface: the two sides of a bare metal joint
 synth --lambda-s 8um --seed 21 --alpha 0.03 --gamma 1.40 --rq 0.80um --scatter 0.28 --length 0.60mm --points 1200 -o thermal-interface/cold-plate.csv

@@ -82,7 +82,7 @@ static void put_load(const struct page *page, const struct answer *answer, size_
     number_format_between(page->out, "", answer->high * scale, 3, ")");
 }
 
-/** Usable surfaces whose leading model answers a target so; the best and the worst of those that meet it. */
+/** Usable surfaces whose leading model answers a target so; the least and the most of those that meet it. */
 struct tally {
     size_t met, not_reached, none, best, worst;
     bool alike; /* those two loads are, to the tolerance */
@@ -116,7 +116,7 @@ static struct tally count_answers(const struct results *results, size_t target, 
     return out;
 }
 
-/** "0.0405 N on surface 1, the best"; of several that are alike with their number. */
+/** "0.0405 N on surface 1, the least"; of several that are alike with their number. */
 static void put_met(const struct page *page, size_t target, size_t surface, const char *which, size_t alike)
 {
     const struct answer *answer = answer_of(page->results, surface, target, plan_leading_model(page->results->plan));
@@ -143,10 +143,10 @@ static void target_sentence(const struct page *page, size_t target)
     } else {
         text_add(page->out, "takes ");
         bool two = tally.met > 1 && !tally.alike;
-        put_met(page, target, tally.best, two ? ", the best" : "", two ? 1 : tally.met);
+        put_met(page, target, tally.best, two ? ", the least" : "", two ? 1 : tally.met);
         text_add(page->out, two ? ", and " : "");
         if (two)
-            put_met(page, target, tally.worst, ", the worst", 1);
+            put_met(page, target, tally.worst, ", the most", 1);
         if (tally.not_reached > 0)
             text_add(page->out, "; not reached within the loads on %zu of %zu surfaces", tally.not_reached,
                      page->results->usable_count);

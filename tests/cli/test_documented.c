@@ -169,8 +169,30 @@ static void report_is_described(void **state)
     free(document);
 }
 
+/** What docs/tutorial.md quotes, a line behind "> ", stands in the report that it speaks of. */
+static void tutorial_quotes_the_report(void **state)
+{
+    const char *place = *state;
+    char *document = workspace_read(PROJECT_SOURCE, "docs/tutorial.md");
+    struct process process =
+        expect_exit(place, 0, "report", PROJECT_SOURCE "/surfaces/connector", "-o", "out", "--no-cost", "--check");
+    process_free(&process);
+    char *report = workspace_read(place, "out/report.md");
+    size_t quotes = 0;
+    for (char *at = strtok(document, "\n"); at; at = strtok(NULL, "\n")) {
+        if (strncmp(at, "> ", 2) != 0)
+            continue;
+        if (!strstr(report, at + 2))
+            fail_msg("docs/tutorial.md quotes '%s', which the report does not say", at + 2);
+        quotes++;
+    }
+    assert_true(quotes >= 5);
+    free(document);
+    free(report);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {workspace_test(report_is_described)};
+    const struct CMUnitTest tests[] = {workspace_test(report_is_described), workspace_test(tutorial_quotes_the_report)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

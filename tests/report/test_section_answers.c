@@ -96,8 +96,8 @@ static void the_section(void **state)
     struct text text = made_up_section(&made, &section_answers), lead = {0};
     section_answers_lead(&lead, &made.context);
     expect(&text, "## Answers\n");
-    expect(&lead, "- **ECR ≤ 1 mo\\|hm** takes 0.100 N (0.0800…0.130) on surface alpha, the best, and "
-                  "0.400 N on surface gamma, the worst (beyond the model's validity); not reached within the loads on "
+    expect(&lead, "- **ECR ≤ 1 mo\\|hm** takes 0.100 N (0.0800…0.130) on surface alpha, the least, and "
+                  "0.400 N on surface gamma, the most (beyond the model's validity); not reached within the loads on "
                   "1 of 3 surfaces (multiscale elastic-plastic).\n");
     expect(&lead, "- Limit **ECR ≤ 2 mohm**: 1 of 3 surfaces meet it, 1 miss it, of 1 the interval straddles it.\n");
     expect(&lead, "- Limit **h ≥ 10 kW/m2/K**: 1 of 3 surfaces meet it, 1 miss it, 1 have no value.\n");
