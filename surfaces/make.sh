@@ -12,10 +12,12 @@ synth --lambda-s 8um --seed 1 --alpha 0.037 --gamma 1.4 --rq 1.05um --scatter 0.
 synth --lambda-s 8um --seed 4 --alpha 0.006 --gamma 1.0 --rq 5.82um --scatter 0.0678 --length 1.07mm --points 4280 -o chapter6/surface-4.csv
 
 # connector: contact surfaces as plated and worn, three scans of each
-for n in 1 2 3; do
-    synth --lambda-s 2.5um --seed 1$n --alpha 0.06 --gamma 1.55 --scatter 0.28 --length 0.40mm --points 1600 -o connector/as-plated-$n.csv
-    synth --lambda-s 2.5um --seed 2$n --alpha 0.02 --gamma 1.35 --scatter 0.28 --length 0.40mm --points 1600 -o connector/worn-$n.csv
-done
+synth --lambda-s 2.5um --seed 11 --alpha 0.06 --gamma 1.55 --scatter 0.28 --length 0.40mm --points 1600 -o connector/as-plated-1.csv
+synth --lambda-s 2.5um --seed 12 --alpha 0.06 --gamma 1.55 --scatter 0.28 --length 0.40mm --points 1600 -o connector/as-plated-2.csv
+synth --lambda-s 2.5um --seed 13 --alpha 0.06 --gamma 1.55 --scatter 0.28 --length 0.40mm --points 1600 -o connector/as-plated-3.csv
+synth --lambda-s 2.5um --seed 21 --alpha 0.02 --gamma 1.35 --scatter 0.28 --length 0.40mm --points 1600 -o connector/worn-1.csv
+synth --lambda-s 2.5um --seed 22 --alpha 0.02 --gamma 1.35 --scatter 0.28 --length 0.40mm --points 1600 -o connector/worn-2.csv
+synth --lambda-s 2.5um --seed 23 --alpha 0.02 --gamma 1.35 --scatter 0.28 --length 0.40mm --points 1600 -o connector/worn-3.csv
 
 # thermal-interface: the two sides of a bare metal joint
 synth --lambda-s 8um --seed 21 --alpha 0.03 --gamma 1.40 --rq 0.80um --scatter 0.28 --length 0.60mm --points 1200 -o thermal-interface/cold-plate.csv

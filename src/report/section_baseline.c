@@ -8,7 +8,8 @@
 /** Heads of the table's columns beyond area: the quantities of this run, and ohms where the nominal area is known. */
 static bool has_column(const struct section_context *context, int q)
 {
-    return q > QUANTITY_AREA && !quantity_rows[q].from && section_computes(context, (enum quantity)q);
+    return q > QUANTITY_AREA && q < QUANTITY_COUNT && !quantity_rows[q].from &&
+           section_computes(context, (enum quantity)q);
 }
 
 static bool has_ohms(const struct section_context *context)
