@@ -216,10 +216,31 @@ static int enter_block(MD_BLOCKTYPE type, void *detail, void *user)
     return 0;
 }
 
+/* What a cell that begins with a mark says of a limit; page.html has colours for it, beside the mark's words. */
+static const struct {
+    const char *mark, *start;
+} verdicts[] = {
+    {"✓", "<span class=\"met\">"},
+    {"✗", "<span class=\"missed\">"},
+    {"? ", "<span class=\"untold\">"},
+};
+
+static void end_cell(struct page *page)
+{
+    for (size_t i = 0; i < sizeof verdicts / sizeof *verdicts; i++)
+        if (strncmp(text_string(&page->words), verdicts[i].mark, strlen(verdicts[i].mark)) == 0) {
+            end_line(page, verdicts[i].start, "</span></td>\n");
+            return;
+        }
+    end_line(page, "", "</td>\n");
+}
+
 static int leave_block(MD_BLOCKTYPE type, void *detail, void *user)
 {
     struct page *page = user;
-    if (type == MD_BLOCK_P)
+    if (type == MD_BLOCK_TD)
+        end_cell(page);
+    else if (type == MD_BLOCK_P)
         end_paragraph(page);
     else if (type == MD_BLOCK_H)
         end_heading(page, ((const MD_BLOCK_H_DETAIL *)detail)->level);

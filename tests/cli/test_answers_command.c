@@ -2,7 +2,9 @@
  */
 #include "cli/process.h"
 
+#include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 #define SCENE "material: tin\nnominal_area: 1 mm2\nload: {from: 1e-7, to: 1e-2, points: 31}\n"
 #define JOINT                                                                                                          \
@@ -116,6 +118,78 @@ static void a_check_of_nothing_is_refused(void **state)
     assert_false(workspace_has(place, "out"));
 }
 
+/** Reads "0.396" or "3.05·10⁻⁴"; returns what follows. */
+static const char *read_shown(double *out, const char *at)
+{
+    static const char *const digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    char *end;
+    int power = 0, sign = 1;
+    *out = strtod(at, &end);
+    if (strncmp(end, "·10", strlen("·10")) != 0)
+        return end;
+    at = end + strlen("·10");
+    if (strncmp(at, "⁻", strlen("⁻")) == 0) {
+        sign = -1;
+        at += strlen("⁻");
+    }
+    for (int d = 0; d < 10; d++)
+        if (strncmp(at, digits[d], strlen(digits[d])) == 0) {
+            power = 10 * power + d;
+            at += strlen(digits[d]);
+            d = -1;
+        }
+    *out *= pow(10, sign * power);
+    return at;
+}
+
+/** "0.396 (0.119…1.32)": the numbers of a cell. */
+static bool numbers_of(const char *cell, double number[3])
+{
+    const char *at = read_shown(&number[0], cell);
+    if (strncmp(at, " (", 2) != 0)
+        return false;
+    at = read_shown(&number[1], at + 2);
+    return strncmp(at, "…", strlen("…")) == 0 && *read_shown(&number[2], at + strlen("…")) == ')';
+}
+
+/** What the report's table of a target says is in answers.csv, rounded: load and interval, in the loads' unit. */
+static void the_table_is_of_the_data(void **state)
+{
+    const char *place = *state;
+    scans(place);
+    workspace_scan(place, "in/c.csv", 300, 3);
+    struct process run = run_scene(place, 0,
+                                   "material: tin\nnominal_area: 1 mm2\nload: {from: 0.01 N, to: 1 kN, points: 31}\n"
+                                   "effects: [plasticity, electrical, uncertainty]\ntargets: [{ecr: 0.1 mohm}]\n"
+                                   "surfaces: [{name: a, file: [a.csv, b.csv]}, {name: c, file: c.csv}]\n",
+                                   NULL);
+    process_free(&run);
+    char path[4096], *report = workspace_read(place, "out/report.md"),
+                     *table_text_at = strstr(report, "\n## Answers\n");
+    assert_non_null(table_text_at);
+    snprintf(path, sizeof path, "%s/out/data/answers.csv", place);
+    struct table table = table_read_path(path);
+    size_t compared = 0;
+    for (size_t i = 0; i < table.rows; i++) {
+        if (strcmp(table_text(&table, i, "model"), "two-band-plastic") != 0)
+            continue;
+        char start[40];
+        snprintf(start, sizeof start, "\n| %s", table_text(&table, i, "surface"));
+        const char *cell = strstr(table_text_at, start);
+        assert_non_null(cell);
+        double shown[3], scale = table_number(&table, i, "load_N") / table_number(&table, i, "load_over_AnEp");
+        if (!numbers_of(strchr(cell + 3, '|') + 1, shown))
+            fail_msg("no number with an interval: %.80s", cell);
+        assert_near(shown[0], table_number(&table, i, "load_N"), 6e-3);
+        assert_near(shown[1], scale * table_number(&table, i, "low"), 6e-3);
+        assert_near(shown[2], scale * table_number(&table, i, "high"), 6e-3);
+        compared++;
+    }
+    assert_int_equal(compared, 2);
+    table_free(&table);
+    free(report);
+}
+
 /** The number of a model at the one load of a report. */
 static double at_load(const char *place, const char *model, double load, const char *column)
 {
@@ -179,6 +253,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         workspace_test(no_key_no_trace),
         workspace_test(targets_are_answered),
+        workspace_test(the_table_is_of_the_data),
         workspace_test(targets_of_a_joint),
         workspace_test(a_missed_limit_ends_with_5),
         workspace_test(a_check_of_nothing_is_refused),

@@ -252,6 +252,19 @@ static void folded_sections(void **state)
     text_free(&page);
 }
 
+/* Cells that judge have a class for their colour, and keep mark and words; others have none. */
+static void verdicts(void **state)
+{
+    (void)state;
+    struct text page = rendered("| a | b |\n|---|---:|\n| ✓ meets: 1 | ✗ **misses**: 2 |\n| ? cannot tell | what? |\n");
+    const char *body = body_of(&page);
+    assert_non_null(strstr(body, "<td><span class=\"met\">✓ meets: 1</span></td>"));
+    assert_non_null(strstr(body, "<span class=\"missed\">✗ <strong>misses</strong>: 2</span></td>"));
+    assert_non_null(strstr(body, "<td><span class=\"untold\">? cannot tell</span></td>"));
+    assert_non_null(strstr(body, ">what?</td>"));
+    text_free(&page);
+}
+
 /* What a reader can do with a chart: hide a curve, take the numbers or the picture away. */
 static void tools_of_a_chart(void **state)
 {
@@ -375,6 +388,7 @@ int main(void)
         cmocka_unit_test(links),
         cmocka_unit_test(nothing_from_outside),
         cmocka_unit_test(folded_sections),
+        cmocka_unit_test(verdicts),
         cmocka_unit_test(tools_of_a_chart),
         cmocka_unit_test(title_is_escaped),
         cmocka_unit_test(failures),
