@@ -1,4 +1,5 @@
 /* A grid shared by a team gives what one process gives, and an error or a stop on one rank ends all. */
+#include "direct_points.h"
 #include "direct_support.h"
 #include "thread_team.h"
 
@@ -49,25 +50,6 @@ static struct direct_ensemble_def def_of(const double *scale, double hardness)
                                         .threads = 1};
 }
 
-static void expect_same(const struct direct_point *found, const struct direct_point *expected)
-{
-    for (size_t i = 0; i < LOADS; i++) {
-        const struct direct_quantities *a = &found[i].quantities, *b = &expected[i].quantities;
-        assert_int_equal(found[i].exists, expected[i].exists);
-        if (!expected[i].exists)
-            continue;
-        assert_int_equal(a->contact_points, b->contact_points);
-        assert_int_equal(a->perimeter_faces, b->perimeter_faces);
-        assert_int_equal(a->capped_points, b->capped_points);
-        assert_int_equal(found[i].patches, expected[i].patches);
-        assert_int_equal(found[i].largest_patch, expected[i].largest_patch);
-        assert_near(a->area_ratio, b->area_ratio, 1e-12);
-        assert_near(a->gap_m, b->gap_m, 1e-9);
-        assert_near(a->plane_gap_m, b->plane_gap_m, 1e-9);
-        assert_near(found[i].constriction_m, expected[i].constriction_m, 1e-9);
-    }
-}
-
 /** By teams of all sizes as by one process. */
 static void compare(const struct direct_ensemble_def *def, size_t times)
 {
@@ -93,7 +75,7 @@ static void compare(const struct direct_ensemble_def *def, size_t times)
             assert_int_equal(found->status[rank].code, STATUS_OK);
             assert_near(found->rms_m[rank], contact.rms_m, 1e-12);
             assert_memory_equal(&found->rms_m[rank], &found->rms_m[0], sizeof(double));
-            expect_same(found->points[rank], expected);
+            expect_same(found->points[rank], expected, LOADS);
         }
         free(found);
     }
@@ -152,7 +134,7 @@ static void of_heights(void **state)
         memset(there, 2, sizeof there);
         thread_team_run(sizes[s], solve_one, found);
         assert_int_equal(found->status[0].code, STATUS_OK);
-        expect_same(found->points[0], expected);
+        expect_same(found->points[0], expected, LOADS);
         assert_memory_equal(there, touching, sizeof there);
         free(found);
     }

@@ -1,6 +1,7 @@
 /* What ranks solve for the first of them is what it would solve alone. Run by mpirun; how many ranks it should find is
  * the argument. */
 #include "direct/direct_ensemble.h"
+#include "direct_points.h"
 #include "ranks/ranks.h"
 #include "support.h"
 
@@ -20,24 +21,6 @@ static struct direct_spectrum spectrum_of_law(void)
     law.alpha = 0.1 / sqrt(slope);
     assert_int_equal(direct_spectrum_of_law(&spectrum, &law, &status), STATUS_OK);
     return spectrum;
-}
-
-static void expect_same(const struct direct_point *found, const struct direct_point *expected, size_t count)
-{
-    for (size_t i = 0; i < count; i++) {
-        const struct direct_quantities *a = &found[i].quantities, *b = &expected[i].quantities;
-        assert_int_equal(found[i].exists, expected[i].exists);
-        if (!expected[i].exists)
-            continue;
-        assert_int_equal(a->contact_points, b->contact_points);
-        assert_int_equal(a->perimeter_faces, b->perimeter_faces);
-        assert_int_equal(a->capped_points, b->capped_points);
-        assert_int_equal(found[i].patches, expected[i].patches);
-        assert_int_equal(found[i].largest_patch, expected[i].largest_patch);
-        assert_near(a->gap_m, b->gap_m, 1e-9);
-        assert_near(a->plane_gap_m, b->plane_gap_m, 1e-9);
-        assert_near(found[i].constriction_m, expected[i].constriction_m, 1e-9);
-    }
 }
 
 static void expect_number(double found, double expected)
