@@ -152,11 +152,14 @@ static error_t parse_report(int key, char *value, struct argp_state *state)
     }
 }
 
-static const struct direct_crew *others; /* of the program over several processes; argp leads past main() */
+/* Of the program over several processes; argp leads past main(). */
+static const struct direct_crew *contact_crew;
+static const struct workers_crew *surface_crew;
 
-void command_use_crew(const struct direct_crew *crew)
+void command_use_crews(const struct direct_crew *contacts, const struct workers_crew *surfaces)
 {
-    others = crew;
+    contact_crew = contacts;
+    surface_crew = surfaces;
 }
 
 static volatile sig_atomic_t stop; /* a signal handler can reach nothing but a global */
@@ -227,7 +230,9 @@ static int report(struct arguments *arguments, struct scene *scene, struct statu
     }
     arguments->run.templates = text_string(&templates);
     arguments->run.terminal_size = arguments->show ? size : NULL;
-    arguments->run.crew = others;
+    arguments->run.crew = contact_crew;
+    arguments->run.workers = surface_crew;
+    arguments->run.overrides = &arguments->overrides;
     arguments->run.stop = &stop;
     arguments->run.progress = isatty(STDERR_FILENO) ? progress : NULL;
     catch_signals();

@@ -5,6 +5,7 @@
 #include "base/status.h"
 #include "base/text.h"
 #include "direct/direct_crew.h"
+#include "run/workers.h"
 
 /** Exit statuses of every command (documented in the README). */
 enum command_exit {
@@ -34,8 +35,9 @@ int command_synth(int argc, char **argv);
 int command_models(int argc, char **argv);
 int command_materials(int argc, char **argv);
 
-/** From now on other processes solve the contacts of `report` and `direct`; NULL: none. */
-void command_use_crew(const struct direct_crew *crew);
+/** From now on other processes take their share of `report` and `direct`: of the contacts solved directly, and of the
+ * surfaces; NULL: none. */
+void command_use_crews(const struct direct_crew *contacts, const struct workers_crew *surfaces);
 
 /** Prints "roughcontact: `what``message`" as one line on stderr; what a terminal might act upon comes out as '?'. */
 void command_complain(const char *what, const char *message);

@@ -11,8 +11,9 @@ static const char option[] = "--ranks-per-grid";
 static void print_help(void)
 {
     fputs("Usage: mpirun -n RANKS roughcontact-mpi [--ranks-per-grid N] COMMAND [OPTION...]\n"
-          "The commands of roughcontact, with direct solutions shared by the ranks: surfaces by groups of N of them\n"
-          "(default: as many as there are for a surface), a map and the finer grid by all.\n\n",
+          "The commands of roughcontact, with the surfaces of a report dealt out to the ranks, and direct solutions\n"
+          "shared by them: seeds by groups of N of them (default: as many as there are for a seed), a map and the\n"
+          "finer grid by all.\n\n",
           stdout);
 }
 
@@ -49,6 +50,6 @@ int main(int argc, char **argv)
     }
     if (argc > 1 && (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 || strcmp(argv[1], "help") == 0))
         print_help();
-    command_use_crew(ranks_crew(&options));
+    command_use_crews(ranks_crew(&options), ranks_workers());
     return command_main(argc, argv);
 }

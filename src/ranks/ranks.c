@@ -1,6 +1,7 @@
 #include "ranks/ranks.h"
 
 #include "direct/direct_shared.h"
+#include "ranks/ranks_surfaces.h"
 #include "ranks/ranks_team.h"
 
 #include <assert.h>
@@ -9,18 +10,18 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 /** Rows that a rank must have of a grid it shares: with fewer, it would do little but wait for the others. */
 enum { ROWS_LEAST = 32 };
 
 /** What the first rank asks for. Ranks run the same program, so it goes as it lies in memory; arrays follow. */
 struct order {
-    enum { ORDER_END, ORDER_SURFACES, ORDER_FINE, ORDER_HEIGHTS } kind;
+    enum { ORDER_END, ORDER_SURFACES, ORDER_FINE, ORDER_HEIGHTS, ORDER_TASK } kind;
     struct direct_ensemble_def def; /* its pointers mean nothing to others; of heights: n, length_m and ladder */
     struct direct_spectrum spectrum;
     size_t first, count; /* surfaces */
     size_t ranks_per_grid;
+    struct ranks_task task; /* of ORDER_TASK, which needs nothing else */
 };
 
 /** The arrays of an order. */
@@ -32,22 +33,6 @@ static MPI_Comm world;
 static struct direct_team everyone; /* a team of all ranks; scratch NULL: not made yet */
 static size_t ranks_per_grid;
 static volatile sig_atomic_t stop; /* a signal handler can reach nothing but a global */
-
-/* Waiting without keeping a processor busy, which another process may have use for. */
-static void nap_until(MPI_Request *request)
-{
-    static const struct timespec nap = {0, 500000};
-    int done = 0;
-    while (MPI_Test(request, &done, MPI_STATUS_IGNORE), !done)
-        nanosleep(&nap, NULL);
-}
-
-static void wait_for_all(void)
-{
-    MPI_Request request;
-    MPI_Ibarrier(world, &request);
-    nap_until(&request);
-}
 
 void ranks_begin(int *argc, char ***argv)
 {
@@ -185,7 +170,7 @@ static enum status_code carry_out(const struct order *order, const struct desk *
         (void)status_memory(status);
     if (direct_team_agree(&everyone, status) == STATUS_OK)
         (void)solve_order(own, &rms_m, desk, &share, order, status);
-    wait_for_all();
+    ranks_wait_for_all(world);
     if (direct_team_agree(&everyone, status) == STATUS_OK)
         collect(desk->out, own, &share, loads);
     if (desk->rms_m)
@@ -261,6 +246,7 @@ void ranks_serve(void)
     struct sigaction action = {.sa_handler = ask_to_stop, .sa_flags = (int)SA_RESETHAND};
     for (int i = 0; i < 3; i++)
         sigaction(signals[i], &action, NULL);
+    struct ranks_surfaces surfaces = {0};
     make_everyone();
     for (;;) {
         static const struct desk nothing;
@@ -269,15 +255,20 @@ void ranks_serve(void)
         struct status status = {0}; /* the first rank has the same, and says it */
         MPI_Request request;
         MPI_Ibcast(&order, sizeof order, MPI_BYTE, 0, world, &request);
-        nap_until(&request);
+        ranks_wait(&request);
         if (order.kind == ORDER_END)
             break;
+        if (order.kind == ORDER_TASK) {
+            ranks_surfaces_follow(&surfaces, &everyone, world, &order.task, &stop);
+            continue;
+        }
         if (take_arrays(&arrays, &order, &status) == STATUS_OK)
             (void)carry_out(&order, &nothing, &status);
         free(arrays.load);
         free(arrays.weight_m2);
         free(arrays.given_m);
     }
+    ranks_surfaces_free(&surfaces);
     ranks_team_free(&everyone);
     MPI_Comm_free(&world);
     MPI_Finalize();
@@ -335,5 +326,23 @@ const struct direct_crew *ranks_crew(const struct ranks_options *options)
     static const struct direct_crew crew = {NULL, surfaces, fine, heights};
     make_everyone();
     ranks_per_grid = options->ranks_per_grid;
+    return everyone.size > 1 ? &crew : NULL;
+}
+
+static enum status_code run_task(const struct workers_crew *crew, const struct results *results, enum workers_task task,
+                                 const struct run_options *options, struct status *status)
+{
+    struct order order = {.kind = ORDER_TASK, .task = ranks_surfaces_task(results, task, options)};
+    MPI_Request request;
+    (void)crew;
+    MPI_Ibcast(&order, sizeof order, MPI_BYTE, 0, world, &request);
+    MPI_Wait(&request, MPI_STATUS_IGNORE);
+    return ranks_surfaces_lead(&everyone, world, &order.task, results, options, status);
+}
+
+const struct workers_crew *ranks_workers(void)
+{
+    static const struct workers_crew crew = {run_task};
+    make_everyone();
     return everyone.size > 1 ? &crew : NULL;
 }

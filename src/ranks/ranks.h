@@ -1,8 +1,10 @@
-/* The direct solution over MPI's ranks. The first rank runs the program; the others wait for what it has to solve. */
+/* The program over MPI's ranks. The first rank runs it; the others wait for surfaces to describe, to run the models on
+ * and to solve. */
 #ifndef RANKS_H
 #define RANKS_H
 
 #include "direct/direct_crew.h"
+#include "run/workers.h"
 #include <stdbool.h>
 
 struct ranks_options {
@@ -14,8 +16,10 @@ void ranks_begin(int *argc, char ***argv);
 bool ranks_is_first(void);
 /** Of the first rank: the others as a crew; NULL: there are none. */
 const struct direct_crew *ranks_crew(const struct ranks_options *options);
-/** Of the others: solves what the first rank asks for until that calls ranks_end(). SIGINT, SIGTERM and SIGHUP end what
- * is being solved. */
+/** The same for the surfaces of a report. */
+const struct workers_crew *ranks_workers(void);
+/** Of the others: does what the first rank asks for until that calls ranks_end(). SIGINT, SIGTERM and SIGHUP end what
+ * is being done. */
 void ranks_serve(void);
 /** Of the first rank: lets the others go, and ends MPI on all. May be registered with atexit(). */
 void ranks_end(void);

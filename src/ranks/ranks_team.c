@@ -2,6 +2,7 @@
 
 #include <fftw3-mpi.h>
 #include <stdlib.h>
+#include <time.h>
 
 /* MPI counts with an int: what is longer goes in pieces. */
 enum { PIECE = 1 << 30 };
@@ -27,6 +28,21 @@ void ranks_receive(void *data, size_t bytes, int from, MPI_Comm communicator)
 {
     for (size_t done = 0; done < bytes; done += PIECE)
         MPI_Recv((char *)data + done, piece_of(bytes - done), MPI_BYTE, from, 0, communicator, MPI_STATUS_IGNORE);
+}
+
+void ranks_wait(MPI_Request *request)
+{
+    static const struct timespec nap = {0, 500000};
+    int done = 0;
+    while (MPI_Test(request, &done, MPI_STATUS_IGNORE), !done)
+        nanosleep(&nap, NULL);
+}
+
+void ranks_wait_for_all(MPI_Comm communicator)
+{
+    MPI_Request request;
+    MPI_Ibarrier(communicator, &request);
+    ranks_wait(&request);
 }
 
 static MPI_Comm communicator_of(const struct direct_team *team)

@@ -191,8 +191,8 @@ static enum status_code make_loads(struct prepared *out, const struct scene *sce
     return STATUS_OK;
 }
 
-enum status_code prepare(struct prepared *out, const struct scene *scene, const struct run_options *options,
-                         const char *directory, struct status *status)
+enum status_code prepare_begin(struct prepared *out, const struct scene *scene, const char *directory,
+                               struct status *status)
 {
     *out = (struct prepared){0};
     plan_make(&out->plan, scene);
@@ -202,14 +202,20 @@ enum status_code prepare(struct prepared *out, const struct scene *scene, const 
                            scene->directory);
     if (make_loads(out, scene, status) != STATUS_OK)
         return status->code;
-    size_t load_count = out->results.load_count;
     if (read_counterface(out, scene, status) != STATUS_OK)
         return status->code;
     /* measured loads are answered on every scan of the baseline, so a plan too has to keep the scans */
     const char *place = directory ? directory : scene->measured.file ? "" : NULL;
-    if (surface_store_open(&out->store, place, scene->surface_count, status) != STATUS_OK ||
-        workers_run(&out->results, workers_describe, options, status) != STATUS_OK)
+    return surface_store_open(&out->store, place, scene->surface_count, status);
+}
+
+enum status_code prepare(struct prepared *out, const struct scene *scene, const struct run_options *options,
+                         const char *directory, struct status *status)
+{
+    if (prepare_begin(out, scene, directory, status) != STATUS_OK ||
+        workers_run(&out->results, WORKERS_DESCRIBE, options, status) != STATUS_OK)
         return status->code;
+    size_t load_count = out->results.load_count;
     effect_bounds_heights(&out->plan, scene, out->store.summaries, out->store.count);
     effect_bounds_plan(&out->plan, scene, out->store.summaries, out->store.count, load_count);
     if (rank_surfaces(&out->results, status) != STATUS_OK)

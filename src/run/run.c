@@ -177,7 +177,7 @@ static enum status_code evaluate(struct run *run, struct run_outcome *out, struc
     if (rc == STATUS_OK && run->results->usable_count == 0)
         rc = status_fail(status, STATUS_SCAN, "no readable scan in '%s'", run->scene->directory);
     if (rc == STATUS_OK)
-        rc = workers_run(run->results, workers_model, run->options, status);
+        rc = workers_run(run->results, WORKERS_MODEL, run->options, status);
     if (rc == STATUS_OK) { /* once more: the models may have something to say */
         text_free(&out->messages);
         prepare_messages(&out->messages, run->scene, &prepared->store);

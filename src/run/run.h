@@ -9,15 +9,19 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+struct workers_crew; /* run/workers.h */
+
 struct run_options {
-    const char *output;                /* OUT, NULL: out/<name of DIR> */
-    const char *templates;             /* directory of the templates */
-    const char *terminal_size;         /* "columns,rows" to draw the main charts as text, NULL: not */
-    bool no_cost;                      /* leave out what accuracy costs */
-    bool brief;                        /* the report's first page, with its figures, alone */
-    unsigned jobs;                     /* threads; 0: one a processor */
-    const struct direct_crew *crew;    /* other processes for the direct solution; NULL: none */
-    const volatile sig_atomic_t *stop; /* becomes non-zero when the run is to end early; NULL: never */
+    const char *output;                      /* OUT, NULL: out/<name of DIR> */
+    const char *templates;                   /* directory of the templates */
+    const char *terminal_size;               /* "columns,rows" to draw the main charts as text, NULL: not */
+    bool no_cost;                            /* leave out what accuracy costs */
+    bool brief;                              /* the report's first page, with its figures, alone */
+    unsigned jobs;                           /* threads; 0: one a processor */
+    const struct direct_crew *crew;          /* other processes for the direct solution; NULL: none */
+    const struct workers_crew *workers;      /* and for the surfaces; NULL: none */
+    const struct scene_overrides *overrides; /* what the scene was read with, which those need */
+    const volatile sig_atomic_t *stop;       /* becomes non-zero when the run is to end early; NULL: never */
     void (*progress)(size_t done, size_t total,
                      const char *name); /* NULL: none; called from several threads, one at a time */
 };

@@ -9,13 +9,17 @@
 
 enum { WORKERS_MOST = 64 };
 
+/** A task on one surface; `record` is zeroed, and freed afterwards. */
+typedef enum status_code task_function(struct surface_record *record, const struct results *results, size_t index,
+                                       struct status *status);
+
 /** What the threads share; `lock` guards next, done and status. */
 struct pool {
     const struct results *results;
     const struct run_options *options;
-    workers_task *task;
+    task_function *task;
     pthread_mutex_t lock;
-    size_t next, done;
+    size_t next, step, done, count; /* the latter two of surfaces done, and to be done */
     struct status status;
 };
 
@@ -26,8 +30,10 @@ static bool take(struct pool *pool, size_t *index)
     if (pool->options->stop && *pool->options->stop)
         (void)status_fail(&pool->status, STATUS_INTERRUPTED, "stopped");
     bool more = pool->status.code == STATUS_OK && pool->next < pool->results->store->count;
-    if (more)
-        *index = pool->next++;
+    if (more) {
+        *index = pool->next;
+        pool->next += pool->step;
+    }
     pthread_mutex_unlock(&pool->lock);
     return more;
 }
@@ -40,12 +46,12 @@ static void finish(struct pool *pool, size_t index, const struct status *problem
         (void)status_fail(&pool->status, problem->code, "%s", problem->message);
     pool->done++;
     if (pool->options->progress)
-        pool->options->progress(pool->done, pool->results->store->count, scene->surfaces[index].name);
+        pool->options->progress(pool->done, pool->count, scene->surfaces[index].name);
     pthread_mutex_unlock(&pool->lock);
 }
 
-enum status_code workers_describe(struct surface_record *record, const struct results *results, size_t index,
-                                  struct status *status)
+static enum status_code describe(struct surface_record *record, const struct results *results, size_t index,
+                                 struct status *status)
 {
     const struct scene *scene = results->scene;
     if (surface_describe(record, scene, &scene->surfaces[index], results->counterface, status) != STATUS_OK) {
@@ -66,8 +72,8 @@ enum status_code workers_describe(struct surface_record *record, const struct re
     return rc;
 }
 
-enum status_code workers_model(struct surface_record *record, const struct results *results, size_t index,
-                               struct status *status)
+static enum status_code run_models(struct surface_record *record, const struct results *results, size_t index,
+                                   struct status *status)
 {
     if (!results->store->summaries[index].usable)
         return STATUS_OK;
@@ -98,15 +104,23 @@ static void *run_tasks(void *context)
     return record ? NULL : context;
 }
 
-enum status_code workers_run(const struct results *results, workers_task *task, const struct run_options *options,
-                             struct status *status)
+enum status_code workers_share(const struct results *results, enum workers_task task, size_t first, size_t step,
+                               const struct run_options *options, struct status *status)
 {
-    struct pool pool = {.results = results, .options = options, .task = task, .lock = PTHREAD_MUTEX_INITIALIZER};
+    static task_function *const tasks[WORKERS_TASKS] = {[WORKERS_DESCRIBE] = describe, [WORKERS_MODEL] = run_models};
+    size_t all = results->store->count;
+    struct pool pool = {.results = results,
+                        .options = options,
+                        .task = tasks[task],
+                        .lock = PTHREAD_MUTEX_INITIALIZER,
+                        .next = first,
+                        .step = step,
+                        .count = first < all ? (all - first + step - 1) / step : 0};
     pthread_t threads[WORKERS_MOST];
     long processors = sysconf(_SC_NPROCESSORS_ONLN);
     size_t wanted = options->jobs ? options->jobs : processors > 0 ? (size_t)processors : 1, started = 0;
-    if (wanted > results->store->count)
-        wanted = results->store->count;
+    if (wanted > pool.count)
+        wanted = pool.count;
     if (wanted > WORKERS_MOST)
         wanted = WORKERS_MOST;
     while (started + 1 < wanted && pthread_create(&threads[started], NULL, run_tasks, &pool) == 0)
@@ -119,4 +133,11 @@ enum status_code workers_run(const struct results *results, workers_task *task, 
     if (pool.status.code != STATUS_OK)
         return status_fail(status, pool.status.code, "%s", pool.status.message);
     return STATUS_OK;
+}
+
+enum status_code workers_run(const struct results *results, enum workers_task task, const struct run_options *options,
+                             struct status *status)
+{
+    const struct workers_crew *crew = options->workers;
+    return crew ? crew->run(crew, results, task, options, status) : workers_share(results, task, 0, 1, options, status);
 }

@@ -69,6 +69,90 @@ static void same_report(void **state)
     process_free(&run);
 }
 
+/** Surfaces of every kind: one scan, several, one file for two, one that is refused; targets, limits, a measurement of
+ * the baseline, whose scans are kept for it. */
+static void write_many(const char *place, const char *more)
+{
+    char name[16], scene[1024];
+    for (unsigned i = 0; i < 7; i++) {
+        snprintf(name, sizeof name, "d/%u.csv", i);
+        workspace_scan(place, name, 300 + 50 * i, i + 1);
+    }
+    workspace_write(place, "d/text.csv", "no,unit\n1,2\n");
+    workspace_write(place, "d/ecr.txt", "# load [N]\tresistance [mohm]\n1\t3\n3\t1.2\n10\t0.4\n");
+    snprintf(scene, sizeof scene,
+             "material: tin\nnominal_area: 1 mm2\nbaseline: three\n"
+             "targets: [{ecr: 1 mohm}]\nlimits: {ecr: {most: 2 mohm}}\n"
+             "measured: {file: ecr.txt, quantity: ecr}\n"
+             "surfaces: [{name: three, file: ['0.csv', '1.csv', '2.csv']}, {name: refused, file: text.csv},\n"
+             "  {name: one, file: 3.csv}, {name: two, file: ['4.csv', '5.csv']},\n"
+             "  {name: copper, file: 6.csv, material: copper}, {name: again, file: 3.csv}]\n%s",
+             more);
+    workspace_write(place, "d/scene.yaml", scene);
+}
+
+/** Every file of the report has the bytes that one process writes, and so have the messages. */
+static void same_bytes(void **state)
+{
+    const char *place = *state;
+    write_many(place, "");
+    struct process one = expect_exit(place, 1, "report", "d", "-o", "plain", "--no-cost", "--tolerance", "1e-7");
+    char *reference = workspace_digest(place, "plain");
+    static const char *const ranks[] = {"2", "3", "8"}; /* the last are more than surfaces */
+    for (size_t k = 0; k < 3; k++) {
+        struct process run =
+            expect_ranks(place, 1, ranks[k], "report", "d", "-o", "shared", "--no-cost", "--tolerance", "1e-7");
+        char *digest = workspace_digest(place, "shared");
+        assert_string_equal(digest, reference);
+        expect_part(run.err, "'refused' refused: text.csv");
+        expect_part(run.err, ", as predicted;");
+        assert_int_equal(strlen(run.out) - strlen("shared"), strlen(one.out) - strlen("plain"));
+        free(digest);
+        process_free(&run);
+    }
+    free(reference);
+    process_free(&one);
+}
+
+/** What the first process decides with all surfaces in view holds when others run their models: here, that there is no
+ * cap without the effect plasticity. */
+static void planned_together(void **state)
+{
+    const char *place = *state;
+    write_many(place, "effects: [electrical]\ndirect: {grid: 64, seeds: 4, surfaces: all, hardness: 100 MPa, "
+                      "loads: [1e-4, 1e-3]}\n");
+    struct process run = expect_exit(place, 1, "report", "d", "-o", "plain", "--no-cost");
+    process_free(&run);
+    run = expect_ranks(place, 1, "3", "report", "d", "-o", "shared", "--no-cost");
+    expect_part(run.err, ", as predicted;");
+    expect_same(place, "plain", "shared");
+    process_free(&run);
+}
+
+/** A process that does not see the files of the first one ends the run with its message. */
+static void other_files(void **state)
+{
+    const char *place = *state;
+    write_many(place, "");
+    workspace_scan(place, "fewer/d/0.csv", 300, 1);
+    static const char *const wdir[] = {"nowhere", "fewer"}, *const message[] = {"cannot open directory 'd'",
+                                                                                "all have to see the same files"};
+    static const int status[] = {4, 4};
+    workspace_folder(place, "nowhere");
+    for (size_t k = 0; k < 2; k++) {
+        struct process run = process_end(
+            process_start_list(place,
+                               (const char *const[]){MPIEXEC, "-q", "-n", "1", PROGRAM_MPI, "report", "d", ":", "-n",
+                                                     "1", "-wdir", wdir[k], PROGRAM_MPI, "report", "d", NULL},
+                               NULL));
+        process_expect(run, status[k], __FILE__, __LINE__);
+        expect_part(run.err, message[k]);
+        assert_false(workspace_has(place, "out/d/report.md"));
+        assert_int_equal(workspace_count(place, ".roughcontact-"), 0);
+        process_free(&run);
+    }
+}
+
 /** How many lines of `text` begin with "roughcontact: ". */
 static size_t complaints(const char *text)
 {
@@ -123,6 +207,8 @@ static void stopped(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {workspace_test(same_report), workspace_test(errors), workspace_test(stopped)};
+    const struct CMUnitTest tests[] = {workspace_test(same_report),      workspace_test(same_bytes),
+                                       workspace_test(planned_together), workspace_test(other_files),
+                                       workspace_test(errors),           workspace_test(stopped)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

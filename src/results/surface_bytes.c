@@ -1,0 +1,188 @@
+#include "results/surface_bytes.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/** An array of nothing may be NULL, which fwrite() must not be given. */
+static bool put_array(FILE *file, const void *array, size_t size, size_t count)
+{
+    return count == 0 || fwrite(array, size, count, file) == count;
+}
+
+bool surface_bytes_put(FILE *file, const struct surface_record *record)
+{
+    bool ok = put_array(file, record, sizeof *record, 1);
+    ok = ok && put_array(file, record->spectrum.amplitude_m, sizeof(double), record->spectrum.count);
+    ok = ok && put_array(file, record->tapered.amplitude_m, sizeof(double), record->tapered.count);
+    ok = ok && put_array(file, record->curves, sizeof *record->curves, record->curves ? model_count : 0);
+    ok = ok && put_array(file, record->bands, sizeof *record->bands, record->bands ? model_count : 0);
+    for (size_t m = 0; record->curves && m < model_count; m++) {
+        ok = ok && put_array(file, record->curves[m].points, sizeof(struct contact_point), record->curves[m].count);
+        ok = ok &&
+             put_array(file, record->bands[m], sizeof(struct repeats_band), record->bands[m] ? record->band_count : 0);
+    }
+    for (int v = 0; v < SENSITIVITY_VARIANTS; v++) {
+        const struct spectrum *changed = &record->sensitivity.variants[v].spectrum;
+        ok = ok && put_array(file, changed->amplitude_m, sizeof(double), changed->count);
+    }
+    ok = ok && put_array(file, record->points, sizeof *record->points, record->summary.heights);
+    ok = ok && put_array(file, record->direct_m, sizeof(double), record->direct_count);
+    const struct repeat_set *set = &record->repeats;
+    ok = ok && put_array(file, record->height_m, sizeof(double), record->height_m ? record->summary.single_points : 0);
+    ok = ok && put_array(file, set->scans, sizeof *set->scans, set->scan_count);
+    ok = ok && put_array(file, set->parts, sizeof *set->parts, set->count);
+    for (size_t p = 0; p < set->count; p++)
+        ok = ok && put_array(file, set->parts[p].spectrum.amplitude_m, sizeof(double), set->parts[p].spectrum.count);
+    return ok;
+}
+
+/** The next array of the file, malloc'ed; NULL for one of nothing. */
+static void *get_array(FILE *file, size_t size, size_t count, bool *ok)
+{
+    if (count == 0 || !*ok)
+        return NULL;
+    void *array = malloc(size * count);
+    if (array && fread(array, size, count, file) == count)
+        return array;
+    free(array);
+    *ok = false;
+    return NULL;
+}
+
+/** The scans run alone; set->count and set->scan_count are already there. */
+static void get_repeats(struct repeat_set *set, FILE *file, bool *ok)
+{
+    size_t count = set->count;
+    set->scans = get_array(file, sizeof *set->scans, set->scan_count, ok);
+    set->parts = get_array(file, sizeof *set->parts, count, ok);
+    set->capacity = set->parts ? count : 0;
+    for (set->count = 0; set->count < count && set->parts; set->count++) {
+        struct repeat *part = &set->parts[set->count];
+        part->spectrum.amplitude_m = get_array(file, sizeof(double), part->spectrum.count, ok);
+        part->height_m = NULL;
+    }
+}
+
+bool surface_bytes_get(struct surface_record *out, FILE *file, const struct surface_summary *summary)
+{
+    bool ok = fread(out, sizeof *out, 1, file) == 1;
+    if (!ok)
+        memset(out, 0, sizeof *out);
+    out->summary = *summary;
+    out->spectrum.amplitude_m = get_array(file, sizeof(double), out->spectrum.count, &ok);
+    out->tapered.amplitude_m = get_array(file, sizeof(double), out->tapered.count, &ok);
+    out->curves = get_array(file, sizeof *out->curves, out->curves ? model_count : 0, &ok);
+    out->bands = get_array(file, sizeof *out->bands, out->bands ? model_count : 0, &ok);
+    for (size_t m = 0; out->curves && m < model_count; m++) {
+        out->curves[m].points = get_array(file, sizeof(struct contact_point), out->curves[m].count, &ok);
+        if (out->bands && out->bands[m])
+            out->bands[m] = get_array(file, sizeof(struct repeats_band), out->band_count, &ok);
+    }
+    for (int v = 0; v < SENSITIVITY_VARIANTS; v++) {
+        struct spectrum *changed = &out->sensitivity.variants[v].spectrum;
+        changed->amplitude_m = get_array(file, sizeof(double), changed->count, &ok);
+    }
+    out->points = get_array(file, sizeof *out->points, out->summary.heights, &ok);
+    out->direct_m = get_array(file, sizeof(double), out->direct_count, &ok);
+    out->height_m = get_array(file, sizeof(double), out->height_m ? out->summary.single_points : 0, &ok);
+    get_repeats(&out->repeats, file, &ok);
+    return ok;
+}
+
+/** A text with its length, which is 0 for none and counts the NUL else. */
+static bool put_text(FILE *file, const char *text)
+{
+    size_t size = text ? strlen(text) + 1 : 0;
+    return put_array(file, &size, sizeof size, 1) && put_array(file, text, 1, size);
+}
+
+static char *get_text(FILE *file, bool *ok)
+{
+    size_t size = 0;
+    *ok = *ok && fread(&size, sizeof size, 1, file) == 1;
+    return get_array(file, 1, size, ok);
+}
+
+/** Which file of the surface each of the scans is: names belong to the scene, of which every process has its own. */
+static bool put_scan_files(FILE *file, const struct repeat_set *set, const struct scene_surface *surface)
+{
+    bool ok = true;
+    for (size_t s = 0; s < set->scan_count; s++) {
+        size_t which = 0;
+        while (which < surface->file_count && surface->files[which] != set->scans[s].file)
+            which++;
+        ok = ok && put_array(file, &which, sizeof which, 1);
+    }
+    return ok;
+}
+
+static bool get_scan_files(struct repeat_set *set, FILE *file, const struct scene_surface *surface)
+{
+    bool ok = true;
+    for (size_t s = 0; s < set->scan_count && ok; s++) {
+        size_t which;
+        ok = fread(&which, sizeof which, 1, file) == 1 && which < surface->file_count;
+        set->scans[s].file = ok ? surface->files[which] : NULL;
+    }
+    return ok;
+}
+
+static bool put_summary(FILE *file, const struct surface_summary *summary, const struct scene *scene)
+{
+    bool ok = put_array(file, summary, sizeof *summary, 1);
+    ok = ok && put_text(file, summary->refusal) && put_text(file, summary->notes);
+    ok = ok && put_array(file, summary->models, sizeof *summary->models, summary->models ? model_count : 0);
+    ok = ok && put_array(file, summary->direct, sizeof *summary->direct, summary->direct ? 1 : 0);
+    ok = ok && put_array(file, summary->answers, sizeof *summary->answers,
+                         summary->answers ? scene->target_count * model_count : 0);
+    return ok && put_array(file, summary->limits, sizeof *summary->limits, summary->limits ? scene->limit_count : 0);
+}
+
+static bool get_summary(struct surface_summary *out, FILE *file, const struct scene *scene, size_t index)
+{
+    bool ok = fread(out, sizeof *out, 1, file) == 1;
+    if (!ok)
+        *out = (struct surface_summary){0};
+    out->scene = &scene->surfaces[index];
+    out->refusal = get_text(file, &ok);
+    out->notes = get_text(file, &ok);
+    out->models = get_array(file, sizeof *out->models, out->models ? model_count : 0, &ok);
+    out->direct = get_array(file, sizeof *out->direct, out->direct ? 1 : 0, &ok);
+    out->answers = get_array(file, sizeof *out->answers, out->answers ? scene->target_count * model_count : 0, &ok);
+    out->limits = get_array(file, sizeof *out->limits, out->limits ? scene->limit_count : 0, &ok);
+    return ok;
+}
+
+enum status_code surface_bytes_pack(char **bytes, size_t *size, const struct surface_record *record,
+                                    const struct scene *scene, struct status *status)
+{
+    *bytes = NULL;
+    FILE *file = open_memstream(bytes, size);
+    bool ok = file && put_summary(file, &record->summary, scene);
+    if (ok && record->summary.usable)
+        ok = surface_bytes_put(file, record) && put_scan_files(file, &record->repeats, record->summary.scene);
+    if (file && fclose(file) != 0)
+        ok = false;
+    if (ok)
+        return STATUS_OK;
+    free(*bytes);
+    *bytes = NULL;
+    return status_memory(status);
+}
+
+enum status_code surface_bytes_unpack(struct surface_record *out, char *bytes, size_t size, const struct scene *scene,
+                                      size_t index, struct status *status)
+{
+    struct surface_summary summary = {0};
+    FILE *file = fmemopen(bytes, size, "rb");
+    bool ok = file && get_summary(&summary, file, scene, index);
+    *out = (struct surface_record){.summary = summary};
+    if (ok && summary.usable)
+        ok = surface_bytes_get(out, file, &summary) && get_scan_files(&out->repeats, file, summary.scene);
+    if (file)
+        fclose(file);
+    if (ok)
+        return STATUS_OK;
+    surface_record_free(out, true);
+    return status_memory(status);
+}
