@@ -71,7 +71,7 @@ static void same_report(void **state)
 
 /** Surfaces of every kind: one scan, several, one file for two, one that is refused; targets, limits, a measurement of
  * the baseline, whose scans are kept for it. */
-static void write_many(const char *place, const char *more)
+static void write_many(const char *place, const char *material, const char *other, const char *more)
 {
     char name[16], scene[1024];
     for (unsigned i = 0; i < 7; i++) {
@@ -81,13 +81,13 @@ static void write_many(const char *place, const char *more)
     workspace_write(place, "d/text.csv", "no,unit\n1,2\n");
     workspace_write(place, "d/ecr.txt", "# load [N]\tresistance [mohm]\n1\t3\n3\t1.2\n10\t0.4\n");
     snprintf(scene, sizeof scene,
-             "material: tin\nnominal_area: 1 mm2\nbaseline: three\n"
+             "material: %s\nnominal_area: 1 mm2\nbaseline: two\n"
              "targets: [{ecr: 1 mohm}]\nlimits: {ecr: {most: 2 mohm}}\n"
              "measured: {file: ecr.txt, quantity: ecr}\n"
              "surfaces: [{name: three, file: ['0.csv', '1.csv', '2.csv']}, {name: refused, file: text.csv},\n"
              "  {name: one, file: 3.csv}, {name: two, file: ['4.csv', '5.csv']},\n"
-             "  {name: copper, file: 6.csv, material: copper}, {name: again, file: 3.csv}]\n%s",
-             more);
+             "  {name: other, file: 6.csv, material: %s}, {name: again, file: 3.csv}]\n%s",
+             material, other, more);
     workspace_write(place, "d/scene.yaml", scene);
 }
 
@@ -95,7 +95,7 @@ static void write_many(const char *place, const char *more)
 static void same_bytes(void **state)
 {
     const char *place = *state;
-    write_many(place, "");
+    write_many(place, "tin", "copper", "");
     struct process one = expect_exit(place, 1, "report", "d", "-o", "plain", "--no-cost", "--tolerance", "1e-7");
     char *reference = workspace_digest(place, "plain");
     static const char *const ranks[] = {"2", "3", "8"}; /* the last are more than surfaces */
@@ -114,13 +114,15 @@ static void same_bytes(void **state)
     process_free(&one);
 }
 
-/** What the first process decides with all surfaces in view holds when others run their models: here, that there is no
- * cap without the effect plasticity. */
+/** What the first process decides with all surfaces in view holds when others run their models: here, that nothing
+ * yields, and so nothing is capped either. */
 static void planned_together(void **state)
 {
     const char *place = *state;
-    write_many(place, "effects: [electrical]\ndirect: {grid: 64, seeds: 4, surfaces: all, hardness: 100 MPa, "
-                      "loads: [1e-4, 1e-3]}\n");
+    static const char stiff[] = "{E: 1 GPa, nu: 0.3, Sy: 50 GPa, resistivity: 1e-7 ohm m}";
+    write_many(place, stiff, stiff,
+               "direct: {grid: 64, seeds: 4, surfaces: all, hardness: 1 MPa, "
+               "loads: [1e-4, 1e-3]}\n");
     struct process run = expect_exit(place, 1, "report", "d", "-o", "plain", "--no-cost");
     process_free(&run);
     run = expect_ranks(place, 1, "3", "report", "d", "-o", "shared", "--no-cost");
@@ -133,7 +135,7 @@ static void planned_together(void **state)
 static void other_files(void **state)
 {
     const char *place = *state;
-    write_many(place, "");
+    write_many(place, "tin", "copper", "");
     workspace_scan(place, "fewer/d/0.csv", 300, 1);
     static const char *const wdir[] = {"nowhere", "fewer"}, *const message[] = {"cannot open directory 'd'",
                                                                                 "all have to see the same files"};
