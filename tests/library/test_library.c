@@ -5,6 +5,7 @@
 
 #include <jansson.h>
 #include <stdio.h>
+#include <sys/stat.h>
 
 static struct roughcontact_scan *read_scan(const char *place, const char *path)
 {
@@ -240,6 +241,16 @@ static void report_and_library_agree(void **state)
 
     roughcontact_run_options_init(&how, sizeof how);
     compare(*state, "effects: [separation]", NULL, &how);
+
+    /* uneven x, points missing, a record that does not close on itself */
+    char uneven[32768] = "x [um],z [um]\n";
+    for (int i = 0, length = (int)strlen(uneven); i < 600; i++)
+        length += snprintf(uneven + length, sizeof uneven - (size_t)length, i % 50 == 7 ? "%.4f,NaN\n" : "%.4f,%.6f\n",
+                           0.5 * i + 0.1 * sin(i), 1e-3 * i + sin(0.2 * i) + 0.3 * sin(1.1 * i * i));
+    workspace_write(*state, "d/a.csv", uneven);
+    how.material = tin;
+    compare(*state, "material: tin\neffects: [plasticity, separation, electrical, thermal, scale-dependent]", NULL,
+            &how);
     roughcontact_material_free(tin);
     roughcontact_material_free(copper);
 }
@@ -543,6 +554,31 @@ static void a_map_needs_a_row(void **state)
     roughcontact_scan_free(scan);
 }
 
+/** No reader knows these bytes: the program asks Gwyddion, where it is installed; the library starts no program. */
+static void no_program_is_started(void **state)
+{
+    struct roughcontact_status status;
+    struct roughcontact_scan *scan;
+    char path[512], folder[512], *before = strdup(getenv("PATH"));
+    workspace_write(*state, "bin/gwyddion", "#!/bin/sh\necho >>\"$MARK\"\nexit 1\n");
+    workspace_write(*state, "foreign.bin", "\x01\x02\x80\xff\x03 binary \x01\x02\x80\xff");
+    snprintf(path, sizeof path, "%s/bin/gwyddion", (const char *)*state);
+    assert_int_equal(chmod(path, 0755), 0);
+    snprintf(folder, sizeof folder, "%s/bin:%s", (const char *)*state, before);
+    snprintf(path, sizeof path, "%s/mark", (const char *)*state);
+    setenv("PATH", folder, 1);
+    setenv("MARK", path, 1);
+    snprintf(path, sizeof path, "%s/foreign.bin", (const char *)*state);
+    assert_int_equal(roughcontact_scan_read_file(&scan, path, NULL, &status), ROUGHCONTACT_SCAN);
+    assert_false(workspace_has(*state, "mark"));
+    struct process process = process_run(*state, "inspect", "foreign.bin");
+    assert_true(workspace_has(*state, "mark")); /* as it does where it may */
+    process_free(&process);
+    setenv("PATH", before, 1);
+    unsetenv("MARK");
+    free(before);
+}
+
 /** Loads in Pa are those over E' times E'. */
 static void loads_may_be_pressures(void **state)
 {
@@ -654,7 +690,8 @@ int main(void)
         workspace_test(filtered_parameters_agree), workspace_test(bytes_are_as_the_file),
         workspace_test(units_are_not_guessed),     workspace_test(faults_are_errors),
         cmocka_unit_test(a_map_needs_a_row),       workspace_test(loads_may_be_pressures),
-        workspace_test(validity_is_told),          workspace_test(options_may_grow),
+        workspace_test(validity_is_told),          workspace_test(no_program_is_started),
+        workspace_test(options_may_grow),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
