@@ -190,10 +190,18 @@ static void report_and_library_agree(void **state)
     compare(*state, "material: tin\neffects: [plasticity, separation, electrical, thermal, scale-dependent]", NULL,
             &how);
 
+    struct roughcontact_surface_options options;
+    roughcontact_surface_options_init(&options, sizeof options);
+    options.lambda_s_m = 4e-6; /* no wave below twice that is fitted */
+    options.max_missing = 0;
+    compare(*state,
+            "material: tin\nlambda_s: 4 um\nmax_missing: 0\n"
+            "effects: [plasticity, separation, electrical, thermal, scale-dependent]",
+            &options, &how);
+
     how.counterface = copper;
     how.hardness_Pa = 55e6;
     how.tolerance = 1e-4;
-    struct roughcontact_surface_options options;
     roughcontact_surface_options_init(&options, sizeof options);
     options.level = ROUGHCONTACT_LEVEL_PARABOLA;
     options.window = ROUGHCONTACT_WINDOW_NONE;
