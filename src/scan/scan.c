@@ -382,7 +382,7 @@ enum status_code scan_read_beside(struct scan *out, const struct scan_bytes *fil
         free(found);
         found = NULL;
     }
-    if (code == STATUS_SCAN && is_foreign_scan(file) && gwyddion_exists())
+    if (code == STATUS_SCAN && !options->no_programs && is_foreign_scan(file) && gwyddion_exists())
         return read_converted(out, file, path, options, &problem, status);
     if (!found) {
         *status = code == STATUS_OK ? *status : problem;

@@ -51,6 +51,7 @@ struct scan_options {
     const char *x_column, *z_column; /* of a table of text: a number, from 1, or a title; else the header decides */
     size_t entry;                  /* of an archive of several scans: 0 the first, then next_entry of the one before */
     const struct sidecar *sidecar; /* set by scan_read_beside() */
+    bool no_programs;              /* no other program is asked to convert what no reader knows */
 };
 
 /** The bytes of a file in memory; `bytes[length]` is readable and 0. */

@@ -1,8 +1,48 @@
-/* An installed program finds its templates where it was installed, also after its prefix has moved. */
+/* An installed tree: the program finds its templates there, and others the library, also after the tree has moved; and
+ * it can be taken out again. */
 #include "cli/process.h"
 
 #include <stdio.h>
 #include <unistd.h>
+
+/** Installs the build into `prefix` of the workspace, and returns its whole path. */
+static char *install(const char *place, const char *prefix)
+{
+    char *path;
+    assert_true(asprintf(&path, "%s/%s", place, prefix) > 0);
+    const char *const command[] = {CMAKE_PROGRAM, "--install", BUILD_DIRECTORY, "--prefix", path, NULL};
+    struct process process =
+        process_expect(process_end(process_start_list(place, command, NULL)), 0, __FILE__, __LINE__);
+    process_free(&process);
+    return path;
+}
+
+static int unlink_in(const char *place, const char *path)
+{
+    char full[512];
+    snprintf(full, sizeof full, "%s/%s", place, path);
+    return unlink(full);
+}
+
+/** Does a shell's command line succeed? */
+static bool can_run(const char *place, const char *line)
+{
+    const char *const command[] = {"sh", "-c", line, NULL};
+    struct process process = process_end(process_start_list(place, command, NULL));
+    int status = process.status;
+    process_free(&process);
+    return status == 0;
+}
+
+/** Runs a shell's command line, which must succeed; its stdout, to be freed. */
+static char *shell(const char *place, const char *line)
+{
+    const char *const command[] = {"sh", "-ec", line, NULL};
+    struct process process =
+        process_expect(process_end(process_start_list(place, command, NULL)), 0, __FILE__, __LINE__);
+    free(process.err);
+    return process.out;
+}
 
 static void run_installed(const char *place, const char *program, const char *output)
 {
@@ -16,14 +56,9 @@ static void run_installed(const char *place, const char *program, const char *ou
 static void test_install(void **state)
 {
     const char *place = *state;
-    char *prefix, *moved, *program, *links;
-    assert_true(asprintf(&prefix, "%s/first", place) > 0);
+    char *prefix = install(place, "first"), *moved, *program, *links;
     assert_true(asprintf(&moved, "%s/moved here", place) > 0);
     assert_true(asprintf(&links, "%s/roughcontact", place) > 0);
-    const char *const install[] = {CMAKE_PROGRAM, "--install", BUILD_DIRECTORY, "--prefix", prefix, NULL};
-    struct process process =
-        process_expect(process_end(process_start_list(place, install, NULL)), 0, __FILE__, __LINE__);
-    process_free(&process);
     assert_true(workspace_has(place, "first/share/roughcontact/templates/page.html"));
 
     workspace_scan(place, "d/a.csv", 200, 1);
@@ -63,8 +98,125 @@ static void test_install(void **state)
     free(prefix);
 }
 
+/** The numbers of the examples' table are the program's. */
+static void expect_table(const char *place, const char *printed)
+{
+    struct process process = expect_exit(place, 0, "report", "d", "-o", "out", "--no-cost", "--brief");
+    process_free(&process);
+    char path[512], line[128];
+    snprintf(path, sizeof path, "%s/out/data/contact.csv", place);
+    struct table table = table_read_path(path);
+    for (size_t row = 0; row < table.rows; row++) {
+        const char *ecr = table_text(&table, row, "ecr_ohm_m2"), *tcr = table_text(&table, row, "tcr_K_m2_per_W");
+        snprintf(line, sizeof line, "%-12.5g %-12.5g %-12.5g %.5g\n", table_number(&table, row, "pressure_Pa"),
+                 table_number(&table, row, "area_ratio"), *ecr ? strtod(ecr, NULL) : NAN,
+                 *tcr ? strtod(tcr, NULL) : NAN);
+        expect_part(printed, line);
+    }
+    assert_int_equal(table.rows, 5);
+    table_free(&table);
+}
+
+/** Both examples, built through pkg-config and run in an installed tree that was moved. */
+static void test_examples(void **state)
+{
+    const char *place = *state;
+    char *prefix = install(place, "first"), *moved, *text;
+    assert_true(asprintf(&moved, "%s/moved", place) > 0);
+    assert_int_equal(rename(prefix, moved), 0);
+    workspace_scan(place, "d/a.csv", 900, 6);
+    workspace_write(place, "d/scene.yaml",
+                    "material: tin\nmodels: [two-band-plastic]\neffects: [plasticity, electrical, thermal]\n"
+                    "load: {values: [1e-6, 1e-5, 1e-4, 1e-3, 1e-2]}\n");
+    workspace_write(place, "bare.csv", "0,1\n1,2\n2,1\n");
+
+    setenv("PKG_CONFIG_PATH", "moved/" LIBRARY_FOLDER "/pkgconfig", 1);
+    free(shell(place, C_COMPILER " -Wall -Wextra -Werror " SANITIZE_OPTIONS
+                                 " -o contact moved/share/roughcontact/examples/contact.c"
+                                 " $(pkg-config --cflags --libs roughcontact)"));
+    text = shell(place, "pkg-config --modversion roughcontact");
+    struct process version = expect_exit(place, 0, "--version");
+    text[strcspn(text, "\n")] = '\0';
+    expect_part(version.out, text);
+    process_free(&version);
+    free(text);
+    unsetenv("PKG_CONFIG_PATH");
+
+    setenv("LD_LIBRARY_PATH", "moved/" LIBRARY_FOLDER, 1);
+    char *of_c = shell(place, "./contact d/a.csv");
+    expect_table(place, of_c);
+    text = shell(place, "! ./contact bare.csv 2>&1");
+    expect_part(text, "bare.csv: ");
+    expect_part(text, "unit");
+    free(text);
+    if (*SANITIZE_OPTIONS || !can_run(place, "python3 -c 'import ctypes'")) {
+        print_message("no Python here that could load the library\n");
+    } else {
+        char *of_python = shell(place, "python3 moved/share/roughcontact/examples/contact.py d/a.csv");
+        assert_string_equal(of_python, of_c);
+        free(of_python);
+        text = shell(place, "! python3 moved/share/roughcontact/examples/contact.py bare.csv 2>&1");
+        expect_part(text, "bare.csv: ");
+        free(text);
+    }
+    unsetenv("LD_LIBRARY_PATH");
+    free(of_c);
+    free(moved);
+    free(prefix);
+}
+
+/** Takes out what the installation before put, as the target `uninstall` does. */
+static struct process uninstall(const char *place)
+{
+    const char *const command[] = {CMAKE_PROGRAM,
+                                   "-D",
+                                   "MANIFEST=" BUILD_DIRECTORY "/install_manifest.txt",
+                                   "-D",
+                                   "RECORD=" BUILD_DIRECTORY "/install_folders.txt",
+                                   "-P",
+                                   PROJECT_SOURCE "/cmake/uninstall.cmake",
+                                   NULL};
+    return process_end(process_start_list(place, command, NULL));
+}
+
+/** What an installation put goes, and the folders it made; what was there before, or came later, stays. */
+static void test_uninstall(void **state)
+{
+    const char *place = *state;
+    workspace_folder(place, "new");
+    free(install(place, "new/made/by it"));
+    struct process process = process_expect(uninstall(place), 0, __FILE__, __LINE__);
+    process_free(&process);
+    assert_true(workspace_has(place, "new"));
+    assert_false(workspace_has(place, "new/made"));
+    process = uninstall(place); /* nothing is left to take out */
+    assert_int_equal(process.status, 1);
+    expect_part(process.err, "nothing to uninstall");
+    process_free(&process);
+
+    workspace_folder(place, "shared/bin"); /* empty before, and so again */
+    workspace_folder(place, "shared/share/doc");
+    workspace_write(place, "shared/include/other.h", "");
+    free(install(place, "shared"));
+    workspace_write(place, "shared/share/roughcontact/surfaces/mine.csv", "");
+    workspace_write(place, "shared/share/roughcontact/templates/.hidden", "");
+    char *digest = workspace_digest(place, "shared/include/other.h");
+    assert_int_equal(unlink_in(place, "shared/share/roughcontact/templates/page.html"), 0); /* gone already */
+    process = process_expect(uninstall(place), 0, __FILE__, __LINE__);
+    process_free(&process);
+    char *left = shell(place, "cd shared && find . | LC_ALL=C sort | tr '\\n' ' '"), *again;
+    assert_string_equal(left, ". ./bin ./include ./include/other.h ./share ./share/doc ./share/roughcontact "
+                              "./share/roughcontact/surfaces ./share/roughcontact/surfaces/mine.csv "
+                              "./share/roughcontact/templates ./share/roughcontact/templates/.hidden ");
+    assert_string_equal(again = workspace_digest(place, "shared/include/other.h"), digest);
+    free(again);
+    free(left);
+    free(digest);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {workspace_test(test_install)};
+    const struct CMUnitTest tests[] = {workspace_test(test_install), workspace_test(test_examples),
+                                       workspace_test(test_uninstall)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,68 @@
+"""What a scan says of its surface, as contact.c does: python3 contact.py scan.csv [um]"""
+import ctypes
+import sys
+from ctypes import byref, c_char_p, c_double, c_int, c_size_t, c_void_p, sizeof
+
+
+class Status(ctypes.Structure):
+    _fields_ = [("code", c_int), ("message", ctypes.c_char * 1024)]
+
+
+class ScanOptions(ctypes.Structure):
+    _fields_ = [("size", c_size_t), ("x_unit", c_char_p), ("z_unit", c_char_p), ("quantity", c_int),
+                ("x_column", c_char_p), ("z_column", c_char_p), ("entry", c_size_t)]
+
+
+class RunOptions(ctypes.Structure):
+    _fields_ = [("size", c_size_t), ("material", c_void_p), ("counterface", c_void_p), ("hardness_Pa", c_double),
+                ("tolerance", c_double), ("load", c_int)]
+
+
+class Point(ctypes.Structure):
+    _fields_ = [("exists", c_int), ("valid", c_int)] + [(name, c_double) for name in (
+        "load", "pressure_Pa", "area_ratio", "separation_m", "adjusted_m", "ecr_ohm_m2", "tcr_K_m2_per_W")]
+
+
+class PowerLaw(ctypes.Structure):
+    _fields_ = [("law", c_int), ("alpha", c_double), ("gamma", c_double), ("gamma_error", c_double)]
+
+
+library = ctypes.CDLL("libroughcontact.so.0")
+library.roughcontact_surface_roughness.restype = ctypes.POINTER(c_double)  # rq_m comes first
+library.roughcontact_surface_power_law.restype = ctypes.POINTER(PowerLaw)
+library.roughcontact_curve_point.restype = ctypes.POINTER(Point)
+library.roughcontact_curve_point.argtypes = [c_void_p, c_size_t]
+for name in ("surface_roughness", "surface_power_law", "scan_free", "surface_free", "material_free", "curve_free"):
+    getattr(library, "roughcontact_" + name).argtypes = [c_void_p]
+
+
+def make(function, *arguments):
+    """The handle that a function of the library makes, or an exception with its message."""
+    handle, status = c_void_p(), Status()
+    if getattr(library, "roughcontact_" + function)(byref(handle), *arguments, byref(status)) != 0:
+        sys.exit(status.message.decode())
+    return handle
+
+
+units, how = ScanOptions(), RunOptions()
+library.roughcontact_scan_options_init(byref(units), c_size_t(sizeof(units)))
+library.roughcontact_run_options_init(byref(how), c_size_t(sizeof(how)))
+units.x_unit = units.z_unit = sys.argv[2].encode() if len(sys.argv) > 2 else None  # where the file names none
+loads = (c_double * 5)(1e-6, 1e-5, 1e-4, 1e-3, 1e-2)  # P/(A_n E')
+
+scan = make("scan_read_file", sys.argv[1].encode(), byref(units))
+surface = make("surface_make", scan, None)
+how.material = make("material_new", b"tin")
+curve = make("run", surface, b"two-band-plastic", loads, c_size_t(len(loads)), byref(how))
+
+law = library.roughcontact_surface_power_law(surface)[0]
+print("Rq %.6g um, gamma %.4g +- %.2g"
+      % (library.roughcontact_surface_roughness(surface)[0] * 1e6, law.gamma, law.gamma_error))
+print("%-12s %-12s %-12s %s" % ("P/A_n (Pa)", "A/A_n", "ECR (ohm m2)", "TCR (K m2/W)"))
+for i in range(len(loads)):
+    point = library.roughcontact_curve_point(curve, i)[0]
+    print("%-12.5g %-12.5g %-12.5g %.5g%s" % (point.pressure_Pa, point.area_ratio, point.ecr_ohm_m2,
+                                              point.tcr_K_m2_per_W, "" if point.valid else "  beyond the model's range"))
+
+for kind, handle in (("curve", curve), ("material", how.material), ("surface", surface), ("scan", scan)):
+    getattr(library, "roughcontact_" + kind + "_free")(handle)

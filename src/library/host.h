@@ -1,0 +1,20 @@
+/* What the program that uses the library may have set for its threads, put aside while a call lasts. */
+#ifndef LIBRARY_HOST_H
+#define LIBRARY_HOST_H
+
+#include <fenv.h>
+#include <locale.h>
+
+struct host {
+    locale_t locale;
+    fenv_t environment;
+};
+
+/** Locale C, round to nearest without traps, no GSL error handler, in this thread: decimal points stay points, numbers
+ * come out to the last bit as they do in the program, and an error of GSL's does not end the host. Errors of GSL in
+ * other threads go to the host's handler as before. May be nested. */
+void host_put_aside(struct host *out);
+/** Gives back what was put aside. */
+void host_give_back(const struct host *host);
+
+#endif

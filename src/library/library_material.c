@@ -1,0 +1,72 @@
+#include "library/library.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char *roughcontact_material_name(size_t i)
+{
+    return i < material_table_count ? material_table[i].name : NULL;
+}
+
+const char *roughcontact_material_key(size_t i)
+{
+    return i < material_property_count ? material_properties[i].key : NULL;
+}
+
+static const struct material_property *find_property(const char *key)
+{
+    for (size_t i = 0; key && i < material_property_count; i++)
+        if (strcmp(material_properties[i].key, key) == 0)
+            return &material_properties[i];
+    return NULL;
+}
+
+int roughcontact_material_new(struct roughcontact_material **out, const char *name, struct roughcontact_status *status)
+{
+    struct host host;
+    struct status problem = {0};
+    host_put_aside(&host);
+    const struct material *found = name ? material_find(name) : NULL;
+    *out = NULL;
+    if (name && !found)
+        (void)status_fail(&problem, STATUS_USAGE,
+                          "unknown material '%.60s'; roughcontact_material_name() has those that are known", name);
+    else if (!(*out = malloc(sizeof **out)))
+        (void)status_memory(&problem);
+    else
+        (*out)->material = found ? *found : material_unknown("");
+    return library_end(&host, &problem, status);
+}
+
+int roughcontact_material_set(struct roughcontact_material *material, const char *key, double value,
+                              struct roughcontact_status *status)
+{
+    struct host host;
+    struct status problem = {0};
+    const struct material_property *property = find_property(key);
+    host_put_aside(&host);
+    if (!material)
+        (void)status_fail(&problem, STATUS_USAGE, "no material is given");
+    else if (!property)
+        (void)status_fail(&problem, STATUS_USAGE,
+                          "no property is called '%.60s'; roughcontact_material_key() has those that are known",
+                          key ? key : "");
+    else if (!(value >= property->least && value <= property->most))
+        (void)status_fail(&problem, STATUS_USAGE, "%s is %g; allowed is %g to %g", key, value, property->least,
+                          property->most);
+    else
+        memcpy((char *)&material->material + property->offset, &value, sizeof value);
+    return library_end(&host, &problem, status);
+}
+
+double roughcontact_material_get(const struct roughcontact_material *material, const char *key)
+{
+    const struct material_property *property = find_property(key);
+    return material && property ? material_value(&material->material, property) : NAN;
+}
+
+void roughcontact_material_free(struct roughcontact_material *material)
+{
+    free(material);
+}

@@ -1,0 +1,101 @@
+/* The Debian packages: made, looked over by lintian where that is installed, unpacked, and the program run from there.
+ */
+#include "cli/process.h"
+
+#include <stdio.h>
+#include <unistd.h>
+
+static bool is_there(const char *place, const char *program)
+{
+    const char *const command[] = {"sh", "-c", "command -v \"$0\"", program, NULL};
+    struct process process = process_end(process_start_list(place, command, NULL));
+    int status = process.status;
+    process_free(&process);
+    return status == 0;
+}
+
+/** Runs a shell's command line, which must succeed; its stdout, to be freed. */
+static char *shell(const char *place, const char *line)
+{
+    const char *const command[] = {"sh", "-ec", line, NULL};
+    struct process process =
+        process_expect(process_end(process_start_list(place, command, NULL)), 0, __FILE__, __LINE__);
+    free(process.err);
+    return process.out;
+}
+
+static void test_package(void **state)
+{
+    static const char *const needed[] = {CPACK_PROGRAM, "dpkg-deb", "dpkg-shlibdeps", "file", "readelf", "strip"};
+    const char *place = *state;
+    for (size_t i = 0; i < sizeof needed / sizeof *needed; i++)
+        if (!is_there(place, needed[i])) {
+            print_message("no packages without %s\n", needed[i]);
+            skip();
+        }
+    if (*SANITIZE_OPTIONS) {
+        print_message("no packages of a program with sanitizers\n");
+        skip();
+    }
+    const char *const pack[] = {
+        CPACK_PROGRAM, "-G", "DEB", "-B", "packages", "--config", BUILD_DIRECTORY "/CPackConfig.cmake", NULL};
+    struct process process = process_expect(process_end(process_start_list(place, pack, NULL)), 0, __FILE__, __LINE__);
+    process_free(&process);
+
+    /* what each depends on, and holds */
+    char *text = shell(place, "dpkg-deb -f packages/roughcontact_*.deb");
+    expect_part(text, "Package: roughcontact\n");
+    expect_part(text, "gnuplot-nox | gnuplot");
+    expect_part(text, "libzip4");
+    expect_part(text, "libgsl27");
+    free(text);
+    text = shell(place, "dpkg-deb -f packages/libroughcontact0_*.deb Depends");
+    expect_part(text, "libgsl27");
+    expect_part(text, "libzip4");
+    expect_no_part(text, "gnuplot"); /* which the library has no use for */
+    expect_no_part(text, "libyaml");
+    free(text);
+    text = shell(place, "dpkg-deb -f packages/libroughcontact-dev_*.deb Depends");
+    expect_part(text, "libroughcontact0 (= ");
+    free(text);
+    text = shell(place, "for p in packages/*.deb; do dpkg-deb -x $p root; done; cd root && find usr -type f | sort");
+    expect_part(text, "usr/bin/roughcontact\n");
+    expect_part(text, "usr/include/roughcontact.h\n");
+    expect_part(text, "/pkgconfig/roughcontact.pc\n");
+    expect_part(text, "/libroughcontact.so.0.");
+    expect_part(text, "usr/share/doc/roughcontact/copyright\n");
+    expect_part(text, "usr/share/doc/roughcontact/changelog.gz\n");
+    expect_part(text, "usr/share/doc/libroughcontact0/changelog.gz\n");
+    expect_part(text, "usr/share/roughcontact/templates/page.html\n");
+    expect_part(text, "usr/share/roughcontact/surfaces/chapter6/scene.yaml\n");
+    free(text);
+
+    /* the main job, from there, is what it is from the build */
+    char *program;
+    assert_true(asprintf(&program, "%s/root/usr/bin/roughcontact", place) > 0);
+    workspace_scan(place, "d/a.csv", 300, 1);
+    process = expect_exit(place, 0, "report", "d", "-o", "built", "--no-cost");
+    process_free(&process);
+    const char *const report[] = {program, "report", "d", "-o", "unpacked", "--no-cost", NULL};
+    process = process_expect(process_end(process_start_list(place, report, NULL)), 0, __FILE__, __LINE__);
+    process_free(&process);
+    char *one = workspace_digest(place, "built"), *two = workspace_digest(place, "unpacked");
+    assert_string_equal(one, two);
+    free(one);
+    free(two);
+    free(program);
+
+    if (!is_there(place, "lintian")) {
+        print_message("not looked over: there is no lintian\n");
+        return;
+    }
+    text = shell(place, "lintian --fail-on none packages/*.deb");
+    expect_no_part(text, "E: ");
+    free(text);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {workspace_test(test_package)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
