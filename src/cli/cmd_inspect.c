@@ -1,5 +1,6 @@
 #include "chart/gnuplot.h"
 #include "cli/command.h"
+#include "cli/command_json.h"
 #include "cli/inspection.h"
 #include "scene/scene.h"
 
@@ -229,8 +230,8 @@ static void refuse(struct outcome *outcome, const struct arguments *arguments, c
     outcome->scans++;
     outcome->refused++;
     if (arguments->json)
-        json_array_append_new(
-            outcome->all, json_pack("{s:o, s:o}", "file", inspection_text(path), "error", inspection_text(message)));
+        json_array_append_new(outcome->all, json_pack("{s:o, s:o}", "file", command_json_text(path), "error",
+                                                      command_json_text(message)));
     else
         command_complain("", message);
 }
@@ -241,7 +242,7 @@ static void show(struct outcome *outcome, const struct arguments *arguments, con
     struct status chart = {0};
     outcome->scans++;
     if (arguments->json) {
-        json_t *json = json_pack("{s:o}", "file", inspection_text(path));
+        json_t *json = json_pack("{s:o}", "file", command_json_text(path));
         inspection_add_json(json, inspection);
         json_array_append_new(outcome->all, json);
         return;

@@ -414,8 +414,8 @@ int command_plan(int argc, char **argv)
         print_plan(&scene, &prepared, arguments.run.brief);
     int exit_status = rc != STATUS_OK ? command_fail(&status) : refused > 0 ? COMMAND_REFUSED : COMMAND_DONE;
     if (arguments.json)
-        scene_json_print_plan(rc == STATUS_OK ? &prepared : NULL, arguments.directory, text_string(&messages),
-                              exit_status, status.message);
+        scene_json_print_plan(rc == STATUS_OK ? &prepared : NULL, arguments.directory, arguments.run.brief,
+                              text_string(&messages), exit_status, status.message);
     text_free(&messages);
     prepared_free(&prepared);
     scene_free(&scene);

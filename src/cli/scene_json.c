@@ -114,14 +114,15 @@ static void add_effects(json_t *json, const struct prepared *prepared)
                         json_real(bytes + rows[EFFECT_CONVERGENCE + 1].bytes + rows[EFFECT_DIRECT + 1].bytes));
 }
 
-void scene_json_print_plan(const struct prepared *prepared, const char *directory, const char *messages,
+void scene_json_print_plan(const struct prepared *prepared, const char *directory, bool brief, const char *messages,
                            int exit_status, const char *error)
 {
     json_t *json = begin(directory, messages, exit_status, prepared ? NULL : error);
     json_t *models = json_array();
     for (size_t m = 0; m < model_count && prepared; m++)
-        json_array_append_new(models, json_pack("{s:s, s:b, s:s}", "model", model_rows[m]->name, "runs",
-                                                plan_runs_model(&prepared->plan, m), "valid", model_rows[m]->valid));
+        json_array_append_new(models, json_pack("{s:s, s:s, s:b, s:s}", "model", model_rows[m]->name, "label",
+                                                model_rows[m]->label, "runs", plan_runs_model(&prepared->plan, m),
+                                                "valid", model_rows[m]->valid));
     if (prepared) {
         const struct results *results = &prepared->results;
         const struct scene *scene = results->scene;
@@ -133,6 +134,7 @@ void scene_json_print_plan(const struct prepared *prepared, const char *director
         json_object_set_new(json, "targets", json_integer((json_int_t)scene->target_count));
         json_object_set_new(json, "tolerance", json_real(scene->tolerance));
         json_object_set_new(json, "closure", json_string(sinusoid_fits[scene->closure].name));
+        json_object_set_new(json, "brief", json_boolean(brief));
     }
     json_decref(models);
     print(json);

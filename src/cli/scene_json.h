@@ -9,8 +9,9 @@
 void scene_json_print_report(const struct run_outcome *outcome, const char *directory, int exit_status,
                              const char *error);
 
-/** The plan: `prepared` NULL where there is none, and `error` says why. */
-void scene_json_print_plan(const struct prepared *prepared, const char *directory, const char *messages,
+/** The plan of a whole report, or of its first page (`brief`): `prepared` NULL where there is none, and `error` says
+ * why. */
+void scene_json_print_plan(const struct prepared *prepared, const char *directory, bool brief, const char *messages,
                            int exit_status, const char *error);
 
 #endif

@@ -212,6 +212,7 @@ static void test_plan(void **state)
     assert_near(number_of(json, "tolerance"), 1e-6, 0);
     assert_string_equal(text_of(json, "closure"), "thesis");
     assert_true(json_is_true(json_object_get(json, "material_known")));
+    assert_true(json_is_false(json_object_get(json, "brief")));
     assert_int_equal(number_of(json, "exit_status"), 1);
     const json_t *surfaces = json_object_get(json, "surfaces");
     assert_int_equal(json_array_size(surfaces), 3);

@@ -77,11 +77,15 @@ static void manual_has_everything(void **state)
     }
     assert_true(options > 40);
     scene_each_key(check_key, &manual);
+    char *commands = workspace_read(PROJECT_SOURCE, "docs/commands.md");
     for (size_t i = 0; i < command_status_count; i++) {
-        char status[32];
+        char status[96];
         snprintf(status, sizeof status, ".TP\n\\fB%zu\\fR\n", i);
         expect_part(manual, status);
+        snprintf(status, sizeof status, "\n| %zu | %s |\n", i, command_statuses[i]);
+        expect_part(commands, status);
     }
+    free(commands);
     static const char *const chapters[] = {"NAME",        "SYNOPSIS", "DESCRIPTION", "COMMANDS", "SCENE",
                                            "EXIT STATUS", "FILES",    "ENVIRONMENT", "EXAMPLES", "SEE ALSO"};
     for (size_t i = 0; i < sizeof chapters / sizeof *chapters; i++)
