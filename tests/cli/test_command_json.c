@@ -369,6 +369,7 @@ static void test_hostile_name(void **state)
     assert_string_equal(text_of(json_array_get(json_object_get(json, "surfaces"), 0), "surface"), "a?[31m?\"");
     json_decref(json);
     json = run_json(place, 0, "plan", "d");
+    assert_string_equal(text_of(json_array_get(json_object_get(json, "surfaces"), 0), "surface"), "a?[31m?\"");
     json_decref(json);
 }
 
