@@ -53,22 +53,26 @@ static json_t *work_json(const struct run_outcome *outcome)
                      times_json(&outcome->times));
 }
 
+/** The path of results.json, beside the page. */
+static json_t *results_json(const char *page)
+{
+    struct text path = {0};
+    text_add(&path, "%.*s/results.json", (int)(strrchr(page, '/') - page), page);
+    json_t *json = command_json_text(text_string(&path));
+    text_free(&path);
+    return json;
+}
+
 void scene_json_print_report(const struct run_outcome *outcome, const char *directory, int exit_status,
                              const char *error)
 {
     json_t *json = begin(directory, outcome ? text_string(&outcome->messages) : "", exit_status, error);
-    bool written = outcome && !error;
-    struct text data = {0};
-    if (written) { /* beside the page */
-        const char *slash = strrchr(outcome->path, '/');
-        text_add(&data, "%.*s/results.json", (int)(slash - outcome->path), outcome->path);
-    }
-    json_object_set_new(json, "report", command_json_optional(written ? outcome->path : NULL));
-    json_object_set_new(json, "results", command_json_optional(written ? text_string(&data) : NULL));
-    text_free(&data);
+    const char *path = outcome && !error ? outcome->path : NULL;
+    json_object_set_new(json, "report", command_json_optional(path));
+    json_object_set_new(json, "results", path ? results_json(path) : json_null());
     if (outcome && outcome->outline)
         json_object_update(json, outcome->outline);
-    if (written)
+    if (outcome && !error)
         json_object_set_new(json, "work", work_json(outcome));
     print(json);
 }

@@ -248,13 +248,11 @@ static double number_of(const char *name, const struct contact_point *point, con
 static enum status_code press(struct contact_point *point, struct contact_spots *spots, const struct model_row *row,
                               const struct model_task *task, struct status *status)
 {
-    struct contact_point points[2];
+    struct contact_point points[2] = {quantity_nothing()};
     struct model_curve curve = {.points = points};
-    *point = quantity_nothing();
     if (model_run(&curve, row, task, status) != STATUS_OK)
         return status->code;
-    if (curve.exists && curve.count > 0)
-        *point = points[0];
+    *point = curve.exists && curve.count > 0 ? points[0] : quantity_nothing();
     return row->spots ? row->spots(spots, row, task, status) : STATUS_OK;
 }
 
