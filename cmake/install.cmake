@@ -10,6 +10,9 @@ install(TARGETS ${programs} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONEN
 install(DIRECTORY templates DESTINATION share/roughcontact COMPONENT program)
 install(DIRECTORY surfaces DESTINATION share/roughcontact COMPONENT program PATTERN make.sh EXCLUDE)
 
+install(FILES docs/roughcontact.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
+install(FILES docs/roughcontact.bash DESTINATION share/bash-completion/completions RENAME roughcontact COMPONENT program)
+
 install(TARGETS libroughcontact LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library
         NAMELINK_COMPONENT development)
 install(FILES src/library/roughcontact.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)

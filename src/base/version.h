@@ -4,4 +4,7 @@
 
 const char *version_string(void);
 
+/** Compiler and kind of build: "GCC 12.2.0, Release". */
+const char *version_build(void);
+
 #endif

@@ -1,5 +1,6 @@
 #include "chart/gnuplot.h"
 #include "cli/command.h"
+#include "cli/command_json.h"
 #include "cli/inspection.h"
 #include "scene/scene.h"
 
@@ -43,13 +44,13 @@ static const struct argp_option options[] = {
     {"chart", KEY_CHART, 0, 0, "draw the charts even when the output is no terminal (default: only on one)", 0},
     {"x-unit", KEY_X_UNIT, "UNIT", 0, "unit of x where the file names none (default: such a file is refused)", 0},
     {"z-unit", KEY_Z_UNIT, "UNIT", 0, "unit of z where the file names none (default: such a file is refused)", 0},
-    {"quantity", KEY_QUANTITY, "NAME", 0, "height or slope, which is integrated to heights (default: height)", 0},
+    {"quantity", KEY_QUANTITY, "QUANTITY", 0, "height or slope, which is integrated to heights (default: height)", 0},
     {"column", KEY_COLUMN, "Z|X,Z", 0, "columns by number or title (default: the first two that can be x and z)", 0},
-    {"level", KEY_LEVEL, "NAME", 0,
+    {"level", KEY_LEVEL, "LEVEL", 0,
      "none, mean, line, parabola, circle or robust (default: line, mean of a periodic record; maps: plane)", 0},
     {"lambda-s", KEY_LAMBDA_S, "METRES", 0, "cut-off of a Gaussian low-pass (default: none; profiles only)", 0},
     {"lambda-c", KEY_LAMBDA_C, "METRES", 0, "cut-off of a high-pass: R beside P parameters (default: none)", 0},
-    {"fit", KEY_FIT, "NAME", 0, "power law: auto, in the band found, or thesis, all harmonics (default: auto)", 0},
+    {"fit", KEY_FIT, "FIT", 0, "power law: auto, in the band found, or thesis, all harmonics (default: auto)", 0},
     {0},
 };
 
@@ -229,8 +230,8 @@ static void refuse(struct outcome *outcome, const struct arguments *arguments, c
     outcome->scans++;
     outcome->refused++;
     if (arguments->json)
-        json_array_append_new(
-            outcome->all, json_pack("{s:o, s:o}", "file", inspection_text(path), "error", inspection_text(message)));
+        json_array_append_new(outcome->all, json_pack("{s:o, s:o}", "file", command_json_text(path), "error",
+                                                      command_json_text(message)));
     else
         command_complain("", message);
 }
@@ -241,7 +242,7 @@ static void show(struct outcome *outcome, const struct arguments *arguments, con
     struct status chart = {0};
     outcome->scans++;
     if (arguments->json) {
-        json_t *json = json_pack("{s:o}", "file", inspection_text(path));
+        json_t *json = json_pack("{s:o}", "file", command_json_text(path));
         inspection_add_json(json, inspection);
         json_array_append_new(outcome->all, json);
         return;
@@ -327,16 +328,17 @@ static void inspect_directory(struct outcome *outcome, const struct arguments *a
     scene_free(&scene);
 }
 
+const struct argp command_inspect_argp = {
+    .options = options,
+    .parser = parse,
+    .args_doc = "FILE|DIR|-...",
+    .doc = "Says what is in each scan: format, points, spacing, units, roughness, power law. Of a directory, the "
+           "scans that a report on it would read; - is standard input. An archive (zip) may hold several scans."};
+
 int command_inspect(int argc, char **argv)
 {
-    static const struct argp argp = {
-        .options = options,
-        .parser = parse,
-        .args_doc = "FILE|DIR|-...",
-        .doc = "Says what is in each scan: format, points, spacing, units, roughness, power law. Of a directory, the "
-               "scans that a report on it would read; - is standard input. An archive (zip) may hold several scans."};
     struct arguments arguments = {.how = profile_defaults};
-    argp_parse(&argp, argc, argv, 0, NULL, &arguments);
+    command_parse(&command_inspect_argp, argc, argv, &arguments);
     struct outcome outcome = {.all = json_array()};
     for (int i = 0; i < arguments.file_count; i++) {
         const char *path = arguments.files[i];

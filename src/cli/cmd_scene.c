@@ -1,6 +1,7 @@
 /* The commands on a scene, `report` and `plan`. */
 #include "base/program.h"
 #include "cli/command.h"
+#include "cli/scene_json.h"
 #include "run/prepare.h"
 #include "run/run.h"
 
@@ -16,17 +17,17 @@ struct arguments {
     const char *directory;
     struct scene_overrides overrides;
     struct run_options run;
-    bool show, verbose, check;
+    bool show, verbose, check, json;
 };
 
-enum { KEY_X_UNIT = 0x100, KEY_Z_UNIT, KEY_NO_COST, KEY_CHECK, KEY_BRIEF };
+enum { KEY_X_UNIT = 0x100, KEY_Z_UNIT, KEY_NO_COST, KEY_CHECK, KEY_BRIEF, KEY_JSON };
 
 /* What both take: the directory, and what overrides its scene. */
 static const struct argp_option scene_options[] = {
-    {"material", 'm', "NAME", 0, "a built-in material (default: the scene's, else none)", 1},
-    {"effects", 'e', "LIST", 0,
-     "auto, or some of plasticity,separation,electrical,thermal,scale-dependent,convergence,uncertainty,"
-     "direct,gap,film,plating,heating "
+    {"material", 'm', "MATERIAL", 0, "a built-in material (default: the scene's, else none)", 1},
+    {"effects", 'e', "EFFECTS", 0,
+     "auto, or some of plasticity, separation, electrical, thermal, scale-dependent, convergence, uncertainty, direct, "
+     "gap, film, plating, heating, with commas "
      "(default: the scene's, else auto)",
      1},
     {"tolerance", 't', "REL", 0, "relative tolerance of every number, 1e-14 to 0.1 (default: the scene's, else 1e-6)",
@@ -91,12 +92,14 @@ static const struct argp_option report_options[] = {
     {"check", KEY_CHECK, 0, 0, "end with exit status 5 where a surface misses one of the scene's limits (default: not)",
      0},
     {"brief", KEY_BRIEF, 0, 0, "write the report's first page alone; data and results.json as ever (default: not)", 0},
+    {"json", KEY_JSON, 0, 0, "print what came out as one object, for scripts (default: a table)", 0},
     {"verbose", 'v', 0, 0, "end with where the time went (default: not)", 0},
     {0},
 };
 
 static const struct argp_option plan_options[] = {
     {"brief", KEY_BRIEF, 0, 0, "of `report --brief` (default: not)", 0},
+    {"json", KEY_JSON, 0, 0, "print the plan as one object (default: tables)", 0},
     {0},
 };
 
@@ -110,6 +113,9 @@ static error_t parse_plan(int key, char *value, struct argp_state *state)
         return 0;
     case KEY_BRIEF:
         arguments->run.brief = true;
+        return 0;
+    case KEY_JSON:
+        arguments->json = true;
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -143,6 +149,13 @@ static error_t parse_report(int key, char *value, struct argp_state *state)
         return 0;
     case KEY_BRIEF:
         arguments->run.brief = true;
+        return 0;
+    case KEY_JSON:
+        arguments->json = true;
+        return 0;
+    case ARGP_KEY_END:
+        if (arguments->json && arguments->show)
+            argp_error(state, "--show draws where --json prints; give one of them");
         return 0;
     case 'v':
         arguments->verbose = true;
@@ -216,6 +229,15 @@ static void catch_signals(void)
         sigaction(signals[i], &action, NULL);
 }
 
+/** Prints the message, also as JSON where that is asked for, and returns the exit status. */
+static int fail(const struct arguments *arguments, const struct run_outcome *outcome, const struct status *status)
+{
+    int exit_status = command_fail(status);
+    if (arguments->json)
+        scene_json_print_report(outcome, arguments->directory, exit_status, status->message);
+    return exit_status;
+}
+
 static int report(struct arguments *arguments, struct scene *scene, struct status *status)
 {
     struct text templates = {0};
@@ -226,13 +248,14 @@ static int report(struct arguments *arguments, struct scene *scene, struct statu
     snprintf(size, sizeof size, "%d,%d", columns, rows > 34 ? 34 : rows - 1);
     if (command_templates(&templates, status) != STATUS_OK) {
         text_free(&templates);
-        return command_fail(status);
+        return fail(arguments, NULL, status);
     }
     arguments->run.templates = text_string(&templates);
     arguments->run.terminal_size = arguments->show ? size : NULL;
     arguments->run.crew = contact_crew;
     arguments->run.workers = surface_crew;
     arguments->run.overrides = &arguments->overrides;
+    arguments->run.outline = arguments->json;
     arguments->run.stop = &stop;
     arguments->run.progress = isatty(STDERR_FILENO) ? progress : NULL;
     catch_signals();
@@ -240,11 +263,12 @@ static int report(struct arguments *arguments, struct scene *scene, struct statu
     if (rc != STATUS_INTERRUPTED)
         fputs(text_string(&outcome.messages), stderr);
     if (rc != STATUS_OK) {
-        exit_status = command_fail(status);
+        exit_status = fail(arguments, &outcome, status);
     } else {
         fputs(text_string(&outcome.charts), stdout);
-        printf("%s%s%s\n%s\n", text_string(&outcome.table), outcome.answers.length > 0 ? "\n" : "",
-               text_string(&outcome.answers), outcome.path);
+        if (!arguments->json)
+            printf("%s%s%s\n%s\n", text_string(&outcome.table), outcome.answers.length > 0 ? "\n" : "",
+                   text_string(&outcome.answers), outcome.path);
         if (outcome.refused > 0)
             exit_status = COMMAND_REFUSED;
         if (arguments->check && outcome.missed_count > 0) {
@@ -264,6 +288,8 @@ static int report(struct arguments *arguments, struct scene *scene, struct statu
             fputs("roughcontact: the evaluations done are not those predicted; please report this\n", stderr);
         if (arguments->verbose)
             print_times(&outcome.times);
+        if (arguments->json)
+            scene_json_print_report(&outcome, arguments->directory, exit_status, NULL);
     }
     run_outcome_free(&outcome);
     text_free(&templates);
@@ -271,11 +297,11 @@ static int report(struct arguments *arguments, struct scene *scene, struct statu
 }
 
 /** A check of nothing must not pass. */
-static int fail_no_limits(struct status *status)
+static int fail_no_limits(const struct arguments *arguments, struct status *status)
 {
     (void)status_fail(status, STATUS_USAGE,
                       "--check: the scene has no 'limits' to check; add them, or leave --check out");
-    return command_fail(status);
+    return fail(arguments, NULL, status);
 }
 
 static int run(int argc, char **argv, const struct argp *argp, bool direct)
@@ -283,40 +309,42 @@ static int run(int argc, char **argv, const struct argp *argp, bool direct)
     struct arguments arguments = {.overrides.direct = direct};
     struct status status = {0};
     struct scene scene = {0};
-    argp_parse(argp, argc, argv, 0, NULL, &arguments);
+    command_parse(argp, argc, argv, &arguments);
     int exit_status;
     if (scene_read(&scene, arguments.directory, &arguments.overrides, &status) != STATUS_OK)
-        exit_status = command_fail(&status);
+        exit_status = fail(&arguments, NULL, &status);
     else if (arguments.check && scene.limit_count == 0)
-        exit_status = fail_no_limits(&status);
+        exit_status = fail_no_limits(&arguments, &status);
     else
         exit_status = report(&arguments, &scene, &status);
     scene_free(&scene);
     return command_finish(exit_status);
 }
 
+const struct argp command_direct_argp = {
+    .options = report_options,
+    .parser = parse_report,
+    .args_doc = "DIR",
+    .doc = "Writes the report, with a direct numerical solution of the contact beside the models (the scene's "
+           "`direct:` says how; `plan` says what it costs).",
+    .children = scene_child};
+
 int command_direct(int argc, char **argv)
 {
-    static const struct argp argp = {
-        .options = report_options,
-        .parser = parse_report,
-        .args_doc = "DIR",
-        .doc = "Writes the report, with a direct numerical solution of the contact beside the models (the scene's "
-               "`direct:` says how; `plan` says what it costs).",
-        .children = scene_child};
-    return run(argc, argv, &argp, true);
+    return run(argc, argv, &command_direct_argp, true);
 }
+
+const struct argp command_report_argp = {
+    .options = report_options,
+    .parser = parse_report,
+    .args_doc = "DIR",
+    .doc = "Reads the scans in DIR (with DIR/scene.yaml, if there is one), runs the contact models and writes "
+           "report.md, report.html, figures, data and results.json.",
+    .children = scene_child};
 
 int command_report(int argc, char **argv)
 {
-    static const struct argp argp = {
-        .options = report_options,
-        .parser = parse_report,
-        .args_doc = "DIR",
-        .doc = "Reads the scans in DIR (with DIR/scene.yaml, if there is one), runs the contact models and writes "
-               "report.md, report.html, figures, data and results.json.",
-        .children = scene_child};
-    return run(argc, argv, &argp, false);
+    return run(argc, argv, &command_report_argp, false);
 }
 
 /** The surfaces whose heights the models may take for what they are not. */
@@ -363,20 +391,21 @@ static void print_plan(const struct scene *scene, const struct prepared *prepare
     print_heights(&prepared->store);
 }
 
+const struct argp command_plan_argp = {
+    .options = plan_options,
+    .parser = parse_plan,
+    .args_doc = "DIR",
+    .doc = "Says what `report DIR` would simulate, why, and at which cost. Reads the scans and runs no model.",
+    .children = scene_child};
+
 int command_plan(int argc, char **argv)
 {
-    static const struct argp argp = {
-        .options = plan_options,
-        .parser = parse_plan,
-        .args_doc = "DIR",
-        .doc = "Says what `report DIR` would simulate, why, and at which cost. Reads the scans and runs no model.",
-        .children = scene_child};
     struct arguments arguments = {0};
     struct status status = {0};
     struct scene scene = {0};
     struct prepared prepared = {0};
     struct text messages = {0};
-    argp_parse(&argp, argc, argv, 0, NULL, &arguments);
+    command_parse(&command_plan_argp, argc, argv, &arguments);
     enum status_code rc = scene_read(&scene, arguments.directory, &arguments.overrides, &status);
     arguments.run.stop = &stop;
     catch_signals();
@@ -386,9 +415,12 @@ int command_plan(int argc, char **argv)
     fputs(text_string(&messages), stderr);
     if (rc == STATUS_OK && refused == scene.surface_count)
         rc = status_fail(&status, STATUS_SCAN, "no readable scan in '%s'", scene.directory);
-    if (rc == STATUS_OK)
+    if (rc == STATUS_OK && !arguments.json)
         print_plan(&scene, &prepared, arguments.run.brief);
     int exit_status = rc != STATUS_OK ? command_fail(&status) : refused > 0 ? COMMAND_REFUSED : COMMAND_DONE;
+    if (arguments.json)
+        scene_json_print_plan(rc == STATUS_OK ? &prepared : NULL, arguments.directory, arguments.run.brief,
+                              text_string(&messages), exit_status, status.message);
     text_free(&messages);
     prepared_free(&prepared);
     scene_free(&scene);

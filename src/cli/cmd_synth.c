@@ -90,8 +90,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
         arguments->output = value;
         return 0;
     case ARGP_KEY_ARG:
-        argp_error(state, "no argument is taken, but there is '%s'", value);
-        return 0;
+        return command_no_argument(value, state);
     default:
         return ARGP_ERR_UNKNOWN;
     }
@@ -116,18 +115,18 @@ static enum status_code write_scan(const struct arguments *arguments, const doub
     return rc;
 }
 
+const struct argp command_synth_argp = {
+    .options = options,
+    .parser = parse,
+    .doc = "Writes a scan whose harmonics obey amplitude = alpha lambda^gamma about which they scatter, with random "
+           "phases. The power law fitted above --lambda-s gives alpha, gamma and the scatter back; the profile is "
+           "level."};
+
 int command_synth(int argc, char **argv)
 {
-    static const struct argp argp = {
-        .options = options,
-        .parser = parse,
-        .doc =
-            "Writes a scan whose harmonics obey amplitude = alpha lambda^gamma about which they scatter, with random "
-            "phases. The power law fitted above --lambda-s gives alpha, gamma and the scatter back; the profile is "
-            "level."};
     struct arguments arguments = {.def = synth_def_default()};
     struct status status = {0};
-    argp_parse(&argp, argc, argv, 0, NULL, &arguments);
+    command_parse(&command_synth_argp, argc, argv, &arguments);
     double *height_m = calloc(arguments.def.points + 1, sizeof *height_m);
     enum status_code rc = height_m ? synth_profile(height_m, &arguments.def, &status) : status_memory(&status);
     if (rc == STATUS_OK)

@@ -39,6 +39,38 @@ enum status_code command_templates(struct text *out, struct status *status)
     return STATUS_OK;
 }
 
+enum { KEY_USAGE = 0x1000 };
+
+static const struct argp_option common_options[] = {
+    {"help", 'h', 0, 0, "print this help", -1},
+    {"usage", KEY_USAGE, 0, 0, "print the options alone", -1},
+    {0},
+};
+
+static error_t parse_common(int key, char *value, struct argp_state *state)
+{
+    (void)value;
+    if (key != 'h' && key != KEY_USAGE)
+        return ARGP_ERR_UNKNOWN;
+    argp_state_help(state, stdout, (key == 'h' ? ARGP_HELP_STD_HELP : ARGP_HELP_USAGE) & ~(unsigned)ARGP_HELP_EXIT_OK);
+    exit(command_finish(COMMAND_DONE));
+}
+
+const struct argp command_common_argp = {.options = common_options, .parser = parse_common};
+
+void command_parse(const struct argp *argp, int argc, char **argv, void *input)
+{
+    const struct argp_child children[] = {{argp, 0, NULL, 0}, {&command_common_argp, 0, NULL, 0}, {0}};
+    const struct argp whole = {.children = children}; /* which hands its input to the first child */
+    argp_parse(&whole, argc, argv, ARGP_NO_HELP, NULL, input);
+}
+
+error_t command_no_argument(const char *value, struct argp_state *state)
+{
+    argp_error(state, "no argument is taken, but there is '%s'", value);
+    return 0;
+}
+
 static int from_environment(const char *name, int otherwise)
 {
     const char *value = getenv(name);

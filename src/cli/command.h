@@ -5,24 +5,36 @@
 #include "base/status.h"
 #include "base/text.h"
 #include "direct/direct_crew.h"
+<<<<<<< HEAD
 #include "run/workers.h"
+=======
+#include <argp.h>
+#include <stdbool.h>
+>>>>>>> w-commands
 
-/** Exit statuses of every command (documented in the README). */
+/** Exit statuses of every command (documented in the README; command_statuses says them). */
 enum command_exit {
     COMMAND_DONE = 0,
-    COMMAND_REFUSED = 1, /* a report was written, but some scan was refused */
+    COMMAND_REFUSED = 1, /* a report was written, but some scan was refused; self-test: a number is off */
     COMMAND_USAGE = 2,
     COMMAND_SCENE = 3,
     COMMAND_NOTHING = 4, /* nothing could be reported */
     COMMAND_MISSED = 5,  /* report --check: a report was written, but a surface misses a limit */
 };
 
+/** What each of them means, `command_status_count` of them, in the order of their numbers. */
+extern const char *const command_statuses[];
+extern const size_t command_status_count;
+
 struct command_row {
     const char *name;
     const char *arguments;
     const char *summary;
     int (*run)(int argc, char **argv); /* argv[0] is "roughcontact NAME" */
+    const struct argp *argp;           /* its options: of --help, of the manual and of the completion */
 };
+extern const struct command_row command_rows[];
+extern const size_t command_count;
 
 /** All of the program but main(): picks the command and returns the exit status. */
 int command_main(int argc, char **argv);
@@ -34,6 +46,34 @@ int command_inspect(int argc, char **argv);
 int command_synth(int argc, char **argv);
 int command_models(int argc, char **argv);
 int command_materials(int argc, char **argv);
+int command_self_test(int argc, char **argv);
+int command_help(int argc, char **argv);
+
+extern const struct argp command_report_argp, command_direct_argp, command_plan_argp, command_inspect_argp,
+    command_synth_argp, command_models_argp, command_materials_argp, command_self_test_argp, command_help_argp;
+
+/** What every command takes besides: -h and --help, which are the same, and --usage. */
+extern const struct argp command_common_argp;
+
+/** Reads the command line, to the end of the program where it is wrong (COMMAND_USAGE) or asks for help. */
+void command_parse(const struct argp *argp, int argc, char **argv, void *input);
+/** For ARGP_KEY_ARG of a command that takes none: fails. */
+error_t command_no_argument(const char *value, struct argp_state *state);
+/** The list of commands, as --help prints it. */
+void command_list(FILE *stream);
+/** Runs one of the commands with the help it has about itself. */
+int command_run_help(const struct command_row *row);
+/** The row of that name; NULL: none, and `status` says which there are. */
+const struct command_row *command_find(const char *name, struct status *status);
+
+/** The manual page, in roff for man(1), and the completion for bash: from the rows, their options and the scene's keys.
+ */
+void command_manual(struct text *out);
+void command_completion(struct text *out);
+/** Does the completion know what the word that stands for a value in --help ("MATERIAL") may be? */
+bool command_completes(const char *word);
+/** Version and what the program is made of, a line each. */
+void command_version(struct text *out);
 
 /** From now on other processes take their share of `report` and `direct`: of the contacts solved directly, and of the
  * surfaces; NULL: none. */

@@ -1,4 +1,3 @@
-#include "base/version.h"
 #include "cli/command.h"
 #include "scene/scene_words.h"
 
@@ -7,38 +6,75 @@
 #include <stdio.h>
 #include <string.h>
 
-static const struct command_row commands[] = {
-    {"report", "DIR [-o OUT]", "read the scans in DIR, run the models, write the report", command_report},
-    {"direct", "DIR [-o OUT]", "the report, with a direct solution beside the models", command_direct},
-    {"plan", "DIR", "what would be simulated and why; runs nothing", command_plan},
-    {"inspect", "FILE|DIR...", "what is in a scan: format, spacing, roughness, power law", command_inspect},
-    {"synth", "[-o FILE]", "write a scan that obeys a given power law", command_synth},
-    {"models", "", "the models, their sources and where they are valid", command_models},
-    {"materials", "", "the built-in materials and where their numbers are from", command_materials},
+const struct command_row command_rows[] = {
+    {"report", "DIR [-o OUT]", "read the scans in DIR, run the models, write the report", command_report,
+     &command_report_argp},
+    {"direct", "DIR [-o OUT]", "the report, with a direct solution beside the models", command_direct,
+     &command_direct_argp},
+    {"plan", "DIR", "what would be simulated and why; runs nothing", command_plan, &command_plan_argp},
+    {"inspect", "FILE|DIR...", "what is in a scan: format, spacing, roughness, power law", command_inspect,
+     &command_inspect_argp},
+    {"synth", "[-o FILE]", "write a scan that obeys a given power law", command_synth, &command_synth_argp},
+    {"models", "", "the models, their sources and where they are valid", command_models, &command_models_argp},
+    {"materials", "", "the built-in materials and where their numbers are from", command_materials,
+     &command_materials_argp},
+    {"self-test", "", "does this build compute correctly here?", command_self_test, &command_self_test_argp},
+    {"help", "[COMMAND]", "this list, or what COMMAND takes", command_help, &command_help_argp},
 };
-enum { COMMANDS = sizeof commands / sizeof commands[0] };
+const size_t command_count = sizeof command_rows / sizeof command_rows[0];
+enum { COMMANDS = sizeof command_rows / sizeof command_rows[0] };
 
-static void print_help(FILE *stream)
+const char *const command_statuses[] = {
+    [COMMAND_DONE] = "done",
+    [COMMAND_REFUSED] = "report written but some scan was refused",
+    [COMMAND_USAGE] = "usage",
+    [COMMAND_SCENE] = "scene invalid",
+    [COMMAND_NOTHING] = "nothing could be reported",
+    [COMMAND_MISSED] = "report --check: a limit is missed",
+};
+const size_t command_status_count = sizeof command_statuses / sizeof command_statuses[0];
+
+void command_list(FILE *stream)
 {
     fputs("Usage: roughcontact COMMAND [OPTION...]\n"
           "Contact of measured rough surfaces: area, separation, electrical and thermal resistance against load.\n\n",
           stream);
     for (int i = 0; i < COMMANDS; i++)
-        fprintf(stream, "  roughcontact %-9s %-13s %s\n", commands[i].name, commands[i].arguments, commands[i].summary);
-    fputs("\nEvery command has --help. Exit status: 0 done; 1 report written but some scan was refused; 2 usage;\n"
-          "3 scene invalid; 4 nothing could be reported.\n",
-          stream);
+        fprintf(stream, "  roughcontact %-9s %-13s %s\n", command_rows[i].name, command_rows[i].arguments,
+                command_rows[i].summary);
+    fputs("\nEvery command has --help (-h); --version names the libraries. Exit status:", stream);
+    for (size_t i = 0; i < command_status_count; i++)
+        fprintf(stream, "%s%zu %s%s", i % 3 == 0 ? "\n" : " ", i, command_statuses[i],
+                i + 1 < command_status_count ? ";" : ".\n");
+    fputs("self-test ends with 1 where a number is off.\n", stream);
 }
 
-static int unknown_command(const char *name)
+const struct command_row *command_find(const char *name, struct status *status)
 {
     const char *names[COMMANDS];
-    struct status status = {0};
     for (int i = 0; i < COMMANDS; i++)
-        names[i] = commands[i].name;
-    (void)status_fail(&status, STATUS_USAGE, "unknown command '%s'; %s", scene_words_show(name, strlen(name)).text,
+        names[i] = command_rows[i].name;
+    for (int i = 0; i < COMMANDS; i++)
+        if (strcmp(name, names[i]) == 0)
+            return &command_rows[i];
+    (void)status_fail(status, STATUS_USAGE, "unknown command '%s'; %s", scene_words_show(name, strlen(name)).text,
                       scene_words_hint(name, names, COMMANDS, COMMANDS).text);
-    return command_fail(&status);
+    return NULL;
+}
+
+static int run(const struct command_row *row, int argc, char **argv)
+{
+    char invoked[64];
+    snprintf(invoked, sizeof invoked, "roughcontact %s", row->name);
+    argv[0] = invoked;
+    return row->run(argc, argv);
+}
+
+int command_run_help(const struct command_row *row)
+{
+    char option[] = "--help";
+    char *argv[] = {NULL, option, NULL};
+    return run(row, 2, argv);
 }
 
 int command_main(int argc, char **argv)
@@ -46,23 +82,22 @@ int command_main(int argc, char **argv)
     gsl_set_error_handler_off();
     argp_err_exit_status = COMMAND_USAGE;
     const char *name = argc > 1 ? argv[1] : "";
-    if (strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0 || strcmp(name, "help") == 0) {
-        print_help(stdout);
+    struct status status = {0};
+    if (argc <= 1) {
+        command_list(stderr);
+        return COMMAND_USAGE;
+    }
+    if (strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0) {
+        command_list(stdout);
         return command_finish(COMMAND_DONE);
     }
     if (strcmp(name, "--version") == 0 || strcmp(name, "-V") == 0) {
-        printf("roughcontact %s\n", version_string());
+        struct text version = {0};
+        command_version(&version);
+        fputs(text_string(&version), stdout);
+        text_free(&version);
         return command_finish(COMMAND_DONE);
     }
-    for (int i = 0; i < COMMANDS; i++)
-        if (strcmp(name, commands[i].name) == 0) {
-            char invoked[64];
-            snprintf(invoked, sizeof invoked, "roughcontact %s", name);
-            argv[1] = invoked;
-            return commands[i].run(argc - 1, argv + 1);
-        }
-    if (argc > 1)
-        return unknown_command(name);
-    print_help(stderr);
-    return COMMAND_USAGE;
+    const struct command_row *row = command_find(name, &status);
+    return row ? run(row, argc - 1, argv + 1) : command_fail(&status);
 }

@@ -1,5 +1,6 @@
 #include "cli/inspection.h"
 #include "base/text.h"
+#include "cli/command_json.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -126,24 +127,9 @@ static const char *warning_at(const struct inspection *inspection, size_t i)
     return i < inspection->profile.note_count ? inspection->profile.notes[i] : NULL;
 }
 
-static json_t *real(double value)
-{
-    return isfinite(value) ? json_real(value) : json_null();
-}
-
-/** Text as it may be shown: JSON is UTF-8, a file name need not be. */
-json_t *inspection_text(const char *value)
-{
-    struct text shown = {0};
-    text_add_shown(&shown, value);
-    json_t *json = json_string(text_string(&shown));
-    text_free(&shown);
-    return json;
-}
-
 static void add_real(json_t *object, const char *key, double value)
 {
-    json_object_set_new(object, key, real(value));
+    json_object_set_new(object, key, command_json_number(value));
 }
 
 static void add_parameters(json_t *object, const struct parameters *parameters)
@@ -155,7 +141,7 @@ static void add_parameters(json_t *object, const struct parameters *parameters)
         add_real(object, key, parameters->value[p]);
     }
     for (size_t i = 0; i < PARAMETERS_CURVE; i++)
-        json_array_append_new(curve, real(parameters->material_ratio_m[i]));
+        json_array_append_new(curve, command_json_number(parameters->material_ratio_m[i]));
     snprintf(key, sizeof key, "%c_evaluation_length_m", parameters->letter);
     add_real(object, key, parameters->evaluation_length_m);
     snprintf(key, sizeof key, "%c_sampling_lengths", parameters->letter);
@@ -169,11 +155,12 @@ void inspection_add_json(json_t *object, const struct inspection *inspection)
     const struct profile_options *options = &inspection->options;
     const struct scan *scan = &inspection->scan;
     const struct roughness *r = &inspection->roughness;
-    json_t *said = json_pack("{s:s, s:s, s:I, s:o, s:o, s:s, s:s, s:I}", "format", scan->format, "kind",
-                             scan->kind == SCAN_AREAL ? "areal" : "profile", "points",
-                             (json_int_t)(scan->nx * scan->ny), "spacing_m", real(inspection_spacing_m(inspection)),
-                             "length_m", real(inspection_length_m(inspection)), "x_unit", scan->x_unit, "z_unit",
-                             scan->z_unit, "missing", (json_int_t)scan->missing);
+    json_t *said =
+        json_pack("{s:s, s:s, s:I, s:o, s:o, s:s, s:s, s:I}", "format", scan->format, "kind",
+                  scan->kind == SCAN_AREAL ? "areal" : "profile", "points", (json_int_t)(scan->nx * scan->ny),
+                  "spacing_m", command_json_number(inspection_spacing_m(inspection)), "length_m",
+                  command_json_number(inspection_length_m(inspection)), "x_unit", scan->x_unit, "z_unit", scan->z_unit,
+                  "missing", (json_int_t)scan->missing);
     json_object_update(object, said);
     json_decref(said);
     add_real(object, "rq_m", r->rq_m);
@@ -186,7 +173,7 @@ void inspection_add_json(json_t *object, const struct inspection *inspection)
     json_t *warnings = json_array();
     const char *warning;
     for (size_t w = 0; (warning = warning_at(inspection, w)); w++)
-        json_array_append_new(warnings, inspection_text(warning));
+        json_array_append_new(warnings, command_json_text(warning));
     json_object_set_new(object, "warnings", warnings);
     if (scan->kind == SCAN_AREAL) {
         json_object_set_new(object, "nx", json_integer((json_int_t)scan->nx));

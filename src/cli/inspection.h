@@ -38,8 +38,6 @@ void inspection_free(struct inspection *inspection);
 double inspection_spacing_m(const struct inspection *inspection);
 double inspection_length_m(const struct inspection *inspection);
 
-/** `hostile` as it may be shown: JSON is UTF-8, a file name need not be. */
-json_t *inspection_text(const char *hostile);
 /** Adds what was found out to an object. */
 void inspection_add_json(json_t *object, const struct inspection *inspection);
 /** Prints the same as lines of text. */

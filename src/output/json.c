@@ -496,6 +496,62 @@ static json_t *limits_json(const struct results *results, struct status *status)
     return limits;
 }
 
+/** A surface as the terminal's table has it. */
+static json_t *outline_surface_json(const struct surface_summary *s, const struct plan *plan, bool complete,
+                                    const struct cell_guard *guard)
+{
+    json_t *files = json_array(), *models = json_object();
+    for (size_t f = 0; f < s->scene->file_count; f++)
+        json_array_append_new(files, string(s->scene->files[f]));
+    json_t *json =
+        json_pack("{s:o, s:o, s:b, s:o, s:o}", "surface", string(s->scene->name), "files", files, "usable", s->usable,
+                  "refused", s->refusal ? string(s->refusal) : json_null(), "notes", lines_json(s->notes));
+    for (size_t m = 0; m < model_count && complete && s->usable; m++) {
+        json_t *model = json_object();
+        set(model, guard, "full_contact_load", s->models[m].full_load);
+        set(model, guard, "beta", s->models[m].beta);
+        if (plan_runs_model(plan, m) && s->models[m].exists)
+            json_object_set(models, model_rows[m]->name, model);
+        json_decref(model);
+    }
+    if (s->usable) {
+        set(json, guard, "rq_m", s->roughness.rq_m);
+        set(json, guard, "alpha_SI", power_law_holds(&s->power_law) ? s->power_law.alpha : NAN);
+        set(json, guard, "gamma", power_law_holds(&s->power_law) ? s->power_law.gamma : NAN);
+        json_object_set_new(json, "heights", json_string(height_verdicts[s->height_law.verdict].name));
+    }
+    if (complete && s->usable)
+        json_object_set(json, "models", models);
+    json_decref(models);
+    return json;
+}
+
+json_t *json_outline(const struct results *results, bool complete)
+{
+    struct status ignored = {0}; /* json_write() has said it */
+    json_t *surfaces = json_array(), *json = json_object();
+    for (size_t i = 0; i < results->store->count; i++) {
+        const struct surface_summary *s = &results->store->summaries[i];
+        const struct cell_guard guard = {s->scene ? s->scene->name : NULL, &ignored};
+        if (s->scene) /* else the run ended before it came to it */
+            json_array_append_new(surfaces, outline_surface_json(s, results->plan, complete, &guard));
+    }
+    json_object_set_new(json, "surfaces", surfaces);
+    if (!complete)
+        return json;
+    json_t *limits = limits_json(results, &ignored), *missed = json_array(), *limit;
+    size_t index;
+    json_array_foreach(limits, index, limit)
+    {
+        if (strcmp(json_string_value(json_object_get(limit, "verdict")), "misses") == 0)
+            json_array_append(missed, limit);
+    }
+    json_object_set_new(json, "answers", answers_json(results, &ignored));
+    json_object_set_new(json, "limits", limits);
+    json_object_set_new(json, "missed_limits", missed);
+    return json;
+}
+
 /** Prints one value; takes it over. */
 static bool print(FILE *file, json_t *json)
 {

@@ -7,4 +7,9 @@
 /** Writes results.json into `directory`. Errors: STATUS_IO, STATUS_MEMORY, STATUS_NUMBER. */
 MUST_CHECK enum status_code json_write(const struct results *results, const char *directory, struct status *status);
 
+/** In short, for a script, keys as in results.json: `surfaces` (those refused with why), and of a run that is
+ * `complete` the numbers of the terminal's table, `answers`, `limits` and the `missed_limits` among them. To be
+ * released with json_decref(); NULL: out of memory. */
+struct json_t *json_outline(const struct results *results, bool complete);
+
 #endif

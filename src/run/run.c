@@ -9,6 +9,7 @@
 #include "report/report.h"
 #include "run/prepare.h"
 #include "run/workers.h"
+#include <jansson.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -284,6 +285,8 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
     }
     if (rc == STATUS_OK && asprintf(&out->path, "%s/report.html", run.output.target) < 0)
         rc = status_memory(status);
+    if (options->outline && run.results)
+        out->outline = json_outline(run.results, rc == STATUS_OK);
     prepared_free(&run.prepared);
     output_abandon(&run.output);
     free(run.sweeps);
@@ -306,6 +309,7 @@ void run_outcome_free(struct run_outcome *outcome)
     text_free(&outcome->missed);
     text_free(&outcome->charts);
     text_free(&outcome->work);
+    json_decref(outcome->outline);
     free(outcome->path);
     free(outcome->times.models);
 }

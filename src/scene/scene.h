@@ -196,6 +196,10 @@ MUST_CHECK enum status_code scene_read(struct scene *out, const char *directory,
                                        const struct scene_overrides *overrides, struct status *status);
 void scene_free(struct scene *scene);
 
+/** Calls `each` for the outermost keys of scene.yaml in the order of their table: the name, what the row knows of its
+ * value ("thesis | numeric", "1e-14 to 0.1"; "" where `about` says it), and what it means. */
+void scene_each_key(void (*each)(const char *name, const char *value, const char *about, void *context), void *context);
+
 /** Where a surface's file is: `file` if absolute, else below the scene's directory. malloc'ed; NULL: out of memory. */
 char *scene_file_path(const struct scene *scene, const char *file);
 

@@ -10,7 +10,8 @@
 #include <jansson.h>
 #include <stdio.h>
 
-static const char *const commands[] = {"report", "direct", "plan", "inspect", "synth", "models", "materials"};
+static const char *const commands[] = {"report", "direct",    "plan",      "inspect", "synth",
+                                       "models", "materials", "self-test", "help"};
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
 static void test_help(void **state)
@@ -21,7 +22,9 @@ static void test_help(void **state)
         struct process process = expect_exit(place, 0, spellings[i]);
         for (size_t c = 0; c < COMMANDS; c++)
             expect_part(process.out, commands[c]);
-        expect_part(process.out, "Exit status: 0 done; 1 report written but some scan was refused; 2 usage;");
+        expect_part(process.out,
+                    "Exit status:\n0 done; 1 report written but some scan was refused; 2 usage;\n"
+                    "3 scene invalid; 4 nothing could be reported; 5 report --check: a limit is missed.\n");
         assert_string_equal(process.err, "");
         process_free(&process);
     }
@@ -30,18 +33,24 @@ static void test_help(void **state)
         snprintf(usage, sizeof usage, "Usage: roughcontact %s", commands[c]);
         struct process process = expect_exit(place, 0, commands[c], "--help");
         expect_part(process.out, usage);
-        if (c < 5) /* the tables have no options */
+        if (strcmp(commands[c], "help") != 0)
             expect_part(process.out, "(default");
         assert_string_equal(process.err, "");
+        const char *const same[][2] = {{commands[c], "-h"}, {"help", commands[c]}};
+        for (size_t i = 0; i < 2; i++) {
+            struct process again = expect_exit(place, 0, same[i][0], same[i][1]);
+            assert_string_equal(again.out, process.out);
+            process_free(&again);
+        }
+        process_free(&process);
+        process = expect_exit(place, 0, commands[c], "--usage");
+        expect_part(process.out, usage);
         process_free(&process);
     }
-    struct process process = expect_exit(place, 0, "--version");
-    char version[64];
-    snprintf(version, sizeof version, "roughcontact %s\n", version_string());
-    assert_string_equal(process.out, version);
-    process_free(&process);
+    expect_failure(place, 2, 1, "unknown command 'materals'; did you mean 'materials'?", "help", "materals");
+    expect_failure(place, 2, 3, "one command at a time: 'plan' is too many", "help", "report", "plan");
     struct process help = expect_exit(place, 0, "report", "--help");
-    const char *effects = strstr(help.out, "--effects=LIST"), *end = effects ? strstr(effects, "-m, ") : NULL;
+    const char *effects = strstr(help.out, "--effects=EFFECTS"), *end = effects ? strstr(effects, "-m, ") : NULL;
     assert_non_null(end);
     char *list = strndup(effects, (size_t)(end - effects));
     for (int e = 0; e < EFFECT_COUNT; e++)
@@ -50,12 +59,39 @@ static void test_help(void **state)
     process_free(&help);
 }
 
+/* The version alone in the first line; then what the program is made of, each with a number. */
+static void test_version(void **state)
+{
+    const char *place = *state;
+    static const char *const parts[] = {"FFTW", "GSL",  "libyaml", "jansson", "libzip", "expat",
+                                        "zlib", "md4c", "libmd",   "glibc",   "gnuplot"};
+    struct process process = expect_exit(place, 0, "--version"), again = expect_exit(place, 0, "-V");
+    char version[64];
+    snprintf(version, sizeof version, "roughcontact %s\nbuilt by ", version_string());
+    assert_memory_equal(process.out, version, strlen(version));
+    assert_string_equal(process.out, again.out);
+    size_t lines = 0;
+    for (char *line = strtok(process.out, "\n"); line; line = strtok(NULL, "\n"), lines++) {
+        if (lines < 2)
+            continue;
+        size_t length = strlen(parts[lines - 2]);
+        assert_memory_equal(line, parts[lines - 2], length);
+        assert_int_equal(line[length], ' ');
+        if (strcmp(parts[lines - 2], "gnuplot") != 0)
+            assert_true(strpbrk(line + length, "0123456789") != NULL);
+    }
+    assert_int_equal(lines, 2 + sizeof parts / sizeof *parts);
+    process_free(&process);
+    process_free(&again);
+}
+
 static void test_usage(void **state)
 {
     const char *place = *state;
     expect_failure(place, 2, 1, "unknown command 'reprot'; did you mean 'report'?", "reprot", "d");
     expect_failure(place, 2, 1,
-                   "unknown command '--bogus'; allowed: report, direct, plan, inspect, synth, models, materials",
+                   "unknown command '--bogus'; allowed: report, direct, plan, inspect, synth, models, materials, "
+                   "self-test, help",
                    "--bogus");
     expect_failure(place, 2, 1, "unknown command 'a?b'",
                    "a\x1b"
@@ -324,9 +360,10 @@ static void test_synth_refuses(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        workspace_test(test_help),         workspace_test(test_usage), workspace_test(test_tables),
-        workspace_test(test_plan),         workspace_test(test_brief), workspace_test(test_inspect),
-        workspace_test(test_inspect_json), workspace_test(test_synth), workspace_test(test_synth_refuses),
+        workspace_test(test_help),          workspace_test(test_version),      workspace_test(test_usage),
+        workspace_test(test_tables),        workspace_test(test_plan),         workspace_test(test_brief),
+        workspace_test(test_inspect),       workspace_test(test_inspect_json), workspace_test(test_synth),
+        workspace_test(test_synth_refuses),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,422 @@
+/* --json: one value on standard output and nothing else, which says what the text says; docs/commands.md has its keys.
+ */
+#include "cli/process.h"
+#include "contact/effect.h"
+#include "contact/model.h"
+#include "material/material.h"
+
+#include <inttypes.h>
+#include <jansson.h>
+#include <stdio.h>
+
+static const char *const scene = "material: tin\neffects: [plasticity, electrical]\nnominal_area: 1 mm2\n"
+                                 "load: {from: 1e-7, to: 1e-5, points: 7}\nmodels: [multiscale, two-band]\n"
+                                 "targets: [{ecr: 1 uohm}, {area: 5 %}]\n"
+                                 "limits: {ecr: {most: 1e-12 mohm}, area: {least: 1e-9}}\n";
+
+/** Parses all of it: what follows the value is an error too. */
+static json_t *parse(const char *text)
+{
+    json_error_t error;
+    json_t *json = json_loads(text, 0, &error);
+    if (!json)
+        fail_msg("no JSON: %s, line %d", error.text, error.line);
+    return json;
+}
+
+static json_t *run_json(const char *place, int status, const char *command, const char *directory)
+{
+    struct process process = directory ? expect_exit(place, status, command, directory, "--json")
+                                       : expect_exit(place, status, command, "--json");
+    json_t *json = parse(process.out);
+    process_free(&process);
+    return json;
+}
+
+static const char *text_of(const json_t *json, const char *key)
+{
+    const char *text = json_string_value(json_object_get(json, key));
+    if (!text)
+        fail_msg("no text '%s'", key);
+    return text;
+}
+
+static double number_of(const json_t *json, const char *key)
+{
+    const json_t *number = json_object_get(json, key);
+    if (!json_is_number(number))
+        fail_msg("no number '%s'", key);
+    return json_number_value(number);
+}
+
+/** The object of the array whose `key` is `name`. */
+static json_t *find(const json_t *array, const char *key, const char *name)
+{
+    size_t index;
+    json_t *item;
+    json_array_foreach(array, index, item) if (strcmp(text_of(item, key), name) == 0) return item;
+    fail_msg("nothing is called '%s'", name);
+    return NULL;
+}
+
+/** Names of models, effects and materials' properties are keys or texts of their own. */
+static bool is_row_name(const char *key)
+{
+    for (size_t m = 0; m < model_count; m++)
+        if (strcmp(key, model_rows[m]->name) == 0)
+            return true;
+    for (size_t p = 0; p < material_property_count; p++)
+        if (strcmp(key, material_properties[p].key) == 0)
+            return true;
+    return false;
+}
+
+static size_t check_described(const char *document, json_t *json)
+{
+    size_t keys = 0, index;
+    const char *key;
+    json_t *value;
+    json_object_foreach(json, key, value)
+    {
+        char quoted[96];
+        snprintf(quoted, sizeof quoted, "`%s`", key);
+        if (!is_row_name(key))
+            expect_part(document, quoted);
+        keys += 1 + check_described(document, value);
+    }
+    if (json_is_array(json))
+        json_array_foreach(json, index, value) keys += check_described(document, value);
+    return keys;
+}
+
+static void expect_described(json_t *json)
+{
+    char *document = workspace_read(PROJECT_SOURCE, "docs/commands.md");
+    assert_true(check_described(document, json) > 0);
+    free(document);
+}
+
+static void test_models(void **state)
+{
+    const char *place = *state;
+    json_t *json = run_json(place, 0, "models", NULL);
+    struct process text = expect_exit(place, 0, "models");
+    assert_int_equal(json_array_size(json), model_count);
+    for (size_t m = 0; m < model_count; m++) {
+        static const char *const said[] = {"model", "label", "equations", "assumes", "valid", "source"};
+        const json_t *row = json_array_get(json, m);
+        assert_string_equal(text_of(row, "model"), model_rows[m]->name);
+        for (size_t i = 0; i < sizeof said / sizeof *said; i++)
+            expect_part(text.out, text_of(row, said[i]));
+        assert_int_equal(json_is_true(json_object_get(row, "plastic")), model_rows[m]->plastic);
+        assert_int_equal(json_is_true(json_object_get(row, "by_default")), model_rows[m]->by_default);
+        assert_string_equal(text_of(row, "method"), model_rows[m]->method);
+        assert_true(json_array_size(json_object_get(row, "quantities")) >= 2);
+        assert_int_equal(json_is_null(json_object_get(row, "largest_valid_area_ratio")),
+                         !(model_rows[m]->largest_area > 0));
+    }
+    expect_described(json);
+    json_decref(json);
+    process_free(&text);
+}
+
+static void test_materials(void **state)
+{
+    const char *place = *state;
+    json_t *json = run_json(place, 0, "materials", NULL);
+    struct process text = expect_exit(place, 0, "materials");
+    char *line = strchr(text.out, '\n');
+    assert_int_equal(json_array_size(json), material_table_count);
+    for (size_t i = 0; i < material_table_count; i++) {
+        const json_t *row = json_array_get(json, i);
+        char name[64];
+        int at = 0;
+        line++;
+        assert_int_equal(sscanf(line, "%63s%n", name, &at), 1);
+        assert_string_equal(text_of(row, "material"), name);
+        for (size_t p = 0; p < material_property_count; p++) {
+            const json_t *number = json_object_get(row, material_properties[p].key);
+            double value;
+            int length = 0;
+            assert_non_null(number);
+            if (json_is_null(number)) {
+                assert_int_equal(sscanf(line + at, " -%n", &length), 0);
+            } else {
+                assert_int_equal(sscanf(line + at, "%lf%n", &value, &length), 1);
+                assert_near(json_number_value(number), value, 1e-5);
+                assert_near(json_number_value(number), material_value(&material_table[i], &material_properties[p]), 0);
+            }
+            assert_true(length > 0);
+            at += length;
+        }
+        expect_part(text.out, text_of(row, "source"));
+        line = strchr(line, '\n');
+    }
+    expect_described(json);
+    json_decref(json);
+    process_free(&text);
+}
+
+/** Two surfaces, one file of which cannot be read. */
+static void make_scans(const char *place, bool broken)
+{
+    workspace_scan(place, "d/a.csv", 300, 1);
+    workspace_scan(place, "d/b.csv", 300, 2);
+    if (broken)
+        workspace_write(place, "d/broken.csv", "x [um],z [um]\n0,1\n1,two\n");
+    workspace_write(place, "d/scene.yaml", scene);
+}
+
+static void test_plan(void **state)
+{
+    const char *place = *state;
+    make_scans(place, true);
+    struct process process = expect_exit(place, 1, "plan", "d", "--json"), text = expect_exit(place, 1, "plan", "d");
+    json_t *json = parse(process.out);
+    assert_string_equal(process.err, text.err);
+    const json_t *effects = json_object_get(json, "effects"), *row;
+    size_t index;
+    uint64_t evaluations = 0;
+    double seconds = 0;
+    assert_int_equal(json_array_size(effects), EFFECT_COUNT + 1);
+    json_array_foreach(effects, index, row)
+    {
+        char start[64], runs[16];
+        uint64_t said;
+        double said_seconds, said_MB;
+        snprintf(start, sizeof start, "\n%-16s ", text_of(row, "effect"));
+        const char *line = strstr(text.out, start);
+        assert_non_null(line);
+        assert_int_equal(
+            sscanf(line + strlen(start), "%15s %" SCNu64 " %lf %lf MB", runs, &said, &said_seconds, &said_MB), 4);
+        assert_int_equal(strcmp(runs, "run") == 0, json_is_true(json_object_get(row, "runs")));
+        assert_int_equal(said, json_integer_value(json_object_get(row, "evaluations")));
+        assert_within(number_of(row, "seconds"), said_seconds, 0.51e-4);
+        assert_within(number_of(row, "memory_bytes"), said_MB * 1e6, 0.51e5);
+        expect_part(line, text_of(row, "reason"));
+        expect_part(line, text_of(row, "method"));
+        evaluations += said;
+        seconds += number_of(row, "seconds");
+    }
+    assert_int_equal(json_integer_value(json_object_get(json, "evaluations")), evaluations);
+    assert_near(number_of(json, "seconds"), seconds, 1e-9);
+    for (size_t m = 0; m < model_count; m++) {
+        const json_t *model = find(json_object_get(json, "models"), "model", model_rows[m]->name);
+        char line[64];
+        snprintf(line, sizeof line, "\n%-28s %-8s ", model_rows[m]->label,
+                 json_is_true(json_object_get(model, "runs")) ? "run" : "skipped");
+        expect_part(text.out, line);
+    }
+    assert_int_equal(json_integer_value(json_object_get(json, "loads")), 7);
+    assert_int_equal(json_integer_value(json_object_get(json, "targets")), 2);
+    assert_near(number_of(json, "tolerance"), 1e-6, 0);
+    assert_string_equal(text_of(json, "closure"), "thesis");
+    assert_true(json_is_true(json_object_get(json, "material_known")));
+    assert_true(json_is_false(json_object_get(json, "brief")));
+    assert_int_equal(number_of(json, "exit_status"), 1);
+    const json_t *surfaces = json_object_get(json, "surfaces");
+    assert_int_equal(json_array_size(surfaces), 3);
+    assert_true(json_is_true(json_object_get(find(surfaces, "surface", "a"), "usable")));
+    expect_part(text.err, text_of(find(surfaces, "surface", "broken"), "refused"));
+    expect_described(json);
+    json_decref(json);
+    struct process again = expect_exit(place, 1, "plan", "d", "--json");
+    assert_string_equal(process.out, again.out);
+    process_free(&again);
+    process_free(&process);
+    process_free(&text);
+}
+
+/** The terminal's number, three significant digits, behind the surface's name and mark. */
+static void check_text(const char *text, const char *surface, double rq_m)
+{
+    char start[32];
+    snprintf(start, sizeof start, "\n%s ", surface);
+    const char *line = strstr(text, start);
+    assert_non_null(line);
+    line += strlen(start);
+    assert_near(rq_m * 1e6, strtod(line + strcspn(line, "0123456789"), NULL), 6e-3);
+}
+
+static void test_report(void **state)
+{
+    const char *place = *state;
+    make_scans(place, true);
+    struct process process = expect_exit(place, 1, "report", "d", "-o", "out", "--json", "--no-cost"),
+                   text = expect_exit(place, 1, "report", "d", "-o", "text", "--no-cost");
+    json_t *json = parse(process.out);
+    char *written = workspace_read(place, "out/results.json");
+    json_t *results = parse(written);
+    free(written);
+    assert_string_equal(text_of(json, "report"), "out/report.html");
+    assert_string_equal(text_of(json, "results"), "out/results.json");
+    assert_true(json_is_null(json_object_get(json, "error")));
+    assert_int_equal(number_of(json, "exit_status"), 1);
+    assert_string_equal(text_of(json, "exit_reason"), "report written but some scan was refused");
+    assert_true(json_equal(json_object_get(json, "answers"), json_object_get(results, "answers")));
+    assert_true(json_equal(json_object_get(json, "limits"), json_object_get(results, "limits")));
+    assert_int_equal(json_array_size(json_object_get(json, "missed_limits")), 2);
+    static const char *const names[] = {"a", "b"};
+    for (size_t i = 0; i < 2; i++) {
+        const json_t *surface = find(json_object_get(json, "surfaces"), "surface", names[i]);
+        const json_t *full = find(json_object_get(results, "surfaces"), "surface", names[i]);
+        assert_near(number_of(surface, "rq_m"), number_of(full, "rq_m"), 0);
+        check_text(text.out, names[i], number_of(surface, "rq_m"));
+        json_t *models = json_object_get(surface, "models"), *model;
+        const char *name;
+        assert_int_equal(json_object_size(models), 4);
+        json_object_foreach(models, name, model)
+        {
+            const json_t *same = json_object_get(json_object_get(full, "models"), name);
+            assert_true(
+                json_equal(json_object_get(model, "full_contact_load"), json_object_get(same, "full_contact_load")));
+            assert_true(json_equal(json_object_get(model, "beta"), json_object_get(same, "beta")));
+        }
+        const json_t *missed = find(json_object_get(json, "missed_limits"), "surface", names[i]);
+        assert_string_equal(text_of(missed, "verdict"), "misses");
+        assert_string_equal(text_of(missed, "limit"), "ecr most 1e-12 mohm");
+    }
+    const json_t *broken = find(json_object_get(json, "surfaces"), "surface", "broken");
+    assert_true(json_is_false(json_object_get(broken, "usable")));
+    expect_part(process.err, text_of(broken, "refused"));
+    expect_part(process.err, json_string_value(json_array_get(json_object_get(json, "messages"), 0)));
+    const json_t *work = json_object_get(json, "work");
+    char said[64];
+    snprintf(said, sizeof said, "models: %" JSON_INTEGER_FORMAT " evaluations, as predicted",
+             json_integer_value(json_object_get(work, "evaluations")));
+    expect_part(text.err, said);
+    assert_true(json_is_true(json_object_get(work, "as_predicted")));
+    assert_true(number_of(json_object_get(work, "taken_s"), "total") > 0);
+    expect_described(json);
+    /* again the same, but for the times */
+    struct process again = expect_exit(place, 1, "report", "d", "-o", "out", "--json", "--no-cost");
+    json_t *second = parse(again.out);
+    json_object_del(json_object_get(json, "work"), "taken_s");
+    json_object_del(json_object_get(second, "work"), "taken_s");
+    assert_true(json_equal(json, second));
+    process_free(&again);
+    again = expect_exit(place, 5, "report", "d", "-o", "out", "--json", "--no-cost", "--check");
+    json_t *checked = parse(again.out);
+    assert_int_equal(number_of(checked, "exit_status"), 5);
+    assert_string_equal(text_of(checked, "exit_reason"), "report --check: a limit is missed");
+    json_decref(checked);
+    json_decref(second);
+    json_decref(results);
+    json_decref(json);
+    process_free(&again);
+    process_free(&process);
+    process_free(&text);
+}
+
+static void test_direct(void **state)
+{
+    const char *place = *state;
+    workspace_scan(place, "d/a.csv", 200, 1);
+    workspace_write(place, "d/scene.yaml",
+                    "material: tin\neffects: [electrical]\nload: {from: 1e-4, to: 1e-2, points: 7}\n"
+                    "direct: {grid: 32, seeds: 1, loads: 3}\n");
+    json_t *json = run_json(place, 0, "direct", "d");
+    assert_string_equal(text_of(json, "report"), "out/d/report.html");
+    assert_int_equal(json_array_size(json_object_get(json, "answers")), 0);
+    expect_described(json);
+    json_decref(json);
+}
+
+/** A command that fails says so in JSON too, and on standard error as ever. */
+static void test_failures(void **state)
+{
+    const char *place = *state;
+    static const char *const commands[] = {"report", "direct", "plan"};
+    static const struct {
+        const char *directory, *message;
+        int status;
+    } wrong[] = {{"nowhere", "cannot open directory 'nowhere'", 4},
+                 {"bad", "bad/scene.yaml:1: unknown key 'x'", 3},
+                 {"none", "no readable scan in 'none'", 4}};
+    workspace_scan(place, "bad/a.csv", 100, 1);
+    workspace_write(place, "bad/scene.yaml", "x: 1\n");
+    workspace_write(place, "none/broken.csv", "x [um],z [um]\n0,1\n1,two\n");
+    for (size_t c = 0; c < sizeof commands / sizeof *commands; c++)
+        for (size_t w = 0; w < sizeof wrong / sizeof *wrong; w++) {
+            struct process process = expect_exit(place, wrong[w].status, commands[c], wrong[w].directory, "--json");
+            json_t *json = parse(process.out);
+            expect_part(process.err, wrong[w].message);
+            expect_part(text_of(json, "error"), wrong[w].message);
+            assert_string_equal(text_of(json, "directory"), wrong[w].directory);
+            assert_int_equal(number_of(json, "exit_status"), wrong[w].status);
+            expect_described(json);
+            if (w == 2 && c < 2)
+                expect_part(text_of(find(json_object_get(json, "surfaces"), "surface", "broken"), "refused"), "two");
+            json_decref(json);
+            process_free(&process);
+        }
+    workspace_write(place, "bad/scene.yaml", "material: tin\n");
+    struct process process = expect_exit(place, 2, "report", "bad", "--json", "--check");
+    json_t *json = parse(process.out);
+    expect_part(text_of(json, "error"), "--check: the scene has no 'limits' to check");
+    json_decref(json);
+    process_free(&process);
+    expect_failure(place, 2, 3, "--show draws where --json prints", "report", "bad", "--json", "--show");
+    assert_false(workspace_has(place, "out"));
+}
+
+/** A name that no terminal and no JSON may have. */
+static void test_hostile_name(void **state)
+{
+    const char *place = *state;
+    workspace_scan(place, "d/a\x1b[31m\xff\".csv", 200, 1);
+    json_t *json = run_json(place, 0, "report", "d");
+    assert_string_equal(text_of(json_array_get(json_object_get(json, "surfaces"), 0), "surface"), "a?[31m?\"");
+    json_decref(json);
+    json = run_json(place, 0, "plan", "d");
+    assert_string_equal(text_of(json_array_get(json_object_get(json, "surfaces"), 0), "surface"), "a?[31m?\"");
+    json_decref(json);
+}
+
+/** From anywhere, of the program alone, writing nothing; in text and in JSON the same. */
+static void test_self_test(void **state)
+{
+    const char *place = *state;
+    char *before = workspace_digest(place, ".");
+    struct process text = expect_exit(place, 0, "self-test"), verbose = expect_exit(place, 0, "self-test", "--verbose");
+    json_t *json = run_json(place, 0, "self-test", NULL), *group;
+    char *after = workspace_digest(place, ".");
+    assert_string_equal(before, after);
+    size_t index, numbers = 0;
+    assert_true(json_is_true(json_object_get(json, "right")));
+    assert_string_equal(text_of(json, "models_not_covered"), "");
+    json_array_foreach(json_object_get(json, "groups"), index, group)
+    {
+        char line[64];
+        size_t count = json_array_size(json_object_get(group, "numbers"));
+        snprintf(line, sizeof line, "%-12s %3zu numbers  right", text_of(group, "group"), count);
+        expect_part(text.out, line);
+        expect_part(verbose.out, line);
+        expect_part(verbose.out, text_of(json_array_get(json_object_get(group, "numbers"), 0), "quantity"));
+        assert_true(number_of(group, "largest_error_over_tolerance") <= 1);
+        numbers += count;
+    }
+    char last[96];
+    snprintf(last, sizeof last, "\n%zu numbers: this build computes correctly here\n", numbers);
+    expect_part(text.out, last);
+    assert_int_equal(number_of(json, "numbers"), numbers);
+    assert_int_equal(number_of(json, "wrong"), 0);
+    expect_no_part(verbose.out, "WRONG");
+    expect_described(json);
+    expect_failure(place, 2, 3, "roughcontact self-test: no argument is taken", "self-test", "x");
+    json_decref(json);
+    free(before);
+    free(after);
+    process_free(&text);
+    process_free(&verbose);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        workspace_test(test_models),       workspace_test(test_materials), workspace_test(test_plan),
+        workspace_test(test_report),       workspace_test(test_direct),    workspace_test(test_failures),
+        workspace_test(test_hostile_name), workspace_test(test_self_test),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
