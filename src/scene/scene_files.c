@@ -1,5 +1,6 @@
 #include "scene/scene_files.h"
 
+#include "base/limits.h"
 #include "scan/sidecar.h"
 #include "scene/scene_listing.h"
 #include "scene/scene_words.h"
@@ -110,6 +111,9 @@ enum status_code scene_files_match(struct scene_surface *surface, const struct s
     if (path && (count < 0 || directory < 0))
         code = status_fail(status, STATUS_IO, "cannot list '%s': %s", scene_words_show(path, strlen(path)).text,
                            strerror(errno));
+    if (count > 0 && (size_t)count > limit_most(LIMIT_FILES))
+        code = status_fail(status, STATUS_SCENE, "%d files in '%s'%s", count, scene_words_show(path, strlen(path)).text,
+                           limit_words(LIMIT_FILES).text);
     for (int i = 0; i < count; i++) {
         char *file = NULL;
         if (code == STATUS_OK && fnmatch(name, entries[i]->d_name, FNM_PERIOD) == 0 &&

@@ -127,7 +127,7 @@ static void test_x3p_refusals(void **state)
     assert_main_refused(MAIN("SUR", GRID CZ, MATRIX("3", "2", "4") LINK),
                         "3 x 2 x 4 points are no surface of one layer");
     assert_main_refused(MAIN("PRF", GRID CZ, MATRIX("3", "2", "1") LINK), "3 x 2 x 1 points are no profile");
-    assert_main_refused(MAIN("SUR", GRID CZ, MATRIX("1000000", "1000000", "1") LINK), "the file ends after 6");
+    assert_main_refused(MAIN("SUR", GRID CZ, MATRIX("10000", "10000", "1") LINK), "the file ends after 6");
     assert_main_refused(MAIN("SUR", GRID CZ, MATRIX("x", "2", "1") LINK), "main.xml, line 2: text where a number");
     assert_main_refused(MAIN("SUR", GRID CZ, MATRIX("3", "2", "1") "<DataList><Datum>x</Datum></DataList>"),
                         "a <Datum> that is no number");
