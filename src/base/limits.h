@@ -26,7 +26,9 @@
     X(LINE_BYTES, 2097152, "bytes", "line", "a line of a text", "give every row of points a line of its own")          \
     X(HEADER_BYTES, 4194304, "bytes", "header", "what stands above the first row of numbers of a text", "shorten it")  \
     X(XML_BYTES, 67108864, "bytes", "xml", "main.xml of an X3P file", "store the points in a binary file")             \
-    X(XML_ELEMENTS, 4000000, "elements", "elements", "elements of main.xml", "store the points in a binary file")      \
+    X(XML_ELEMENTS, 1000000, "items", "elements", "elements and attributes of main.xml",                               \
+      "store the points in a binary file")                                                                             \
+    X(XML_TAG_BYTES, 1048576, "bytes", "tag", "a tag or comment of main.xml", "export the scan again")                 \
     X(XML_DEPTH, 64, "elements", "depth", "elements of main.xml within one another", "export the scan again")
 
 enum limit {

@@ -151,12 +151,19 @@ static struct string_view text_of(const struct scan_bytes *file)
     return text;
 }
 
-/* Room for one row more; the first guess is as many rows as fit when all are as long as the first. */
-static bool reserve(struct table *table, size_t *capacity, size_t line_length)
+static size_t most_rows(const struct table *table)
+{
+    size_t cells = limit_most(LIMIT_CELLS) / table->columns, points = limit_most(LIMIT_POINTS);
+    return cells < points ? cells : points;
+}
+
+/* Room for one row more, `most` in all; the first guess is as many rows as fit when all are as long as the first. */
+static bool reserve(struct table *table, size_t *capacity, size_t most, size_t line_length)
 {
     if (table->rows < *capacity)
         return true;
     size_t rows = *capacity ? 2 * *capacity : string_view_length(table->text) / (line_length + 1) + 16;
+    rows = rows < most ? rows : most;
     double *cell = reallocarray(table->cell, rows, table->columns * sizeof *cell);
     if (!cell)
         return false;
@@ -209,7 +216,7 @@ static enum status_code fail_line(const struct table *table, size_t number, stru
 /* The rows from `lines` on; the first is there already known to be one. */
 static enum status_code read_rows(struct table *table, struct lines lines, struct status *status)
 {
-    size_t capacity = 0, blank = 0, most = limit_most(LIMIT_CELLS) / table->columns;
+    size_t capacity = 0, blank = 0, most = most_rows(table);
     unsigned decimal = 0;
     for (struct string_view line; lines_next(&lines, &line);) {
         if (string_view_length(line) > limit_most(LIMIT_LINE_BYTES))
@@ -225,8 +232,9 @@ static enum status_code read_rows(struct table *table, struct lines lines, struc
             return scan_fail(status, table->file, blank,
                              "a blank line among the heights; remove it, or fill in the height");
         if (table->rows >= most)
-            return scan_fail(status, table->file, lines.number, "too many numbers%s", limit_words(LIMIT_CELLS).text);
-        if (!reserve(table, &capacity, string_view_length(line)))
+            return scan_fail(status, table->file, lines.number, "too many rows%s",
+                             limit_words(most == limit_most(LIMIT_POINTS) ? LIMIT_POINTS : LIMIT_CELLS).text);
+        if (!reserve(table, &capacity, most, string_view_length(line)))
             return status_memory(status);
         struct row row = {.cell = table->cell + table->rows * table->columns, .room = table->columns};
         if (!read_row(&row, table->delimiter == ' ' ? content : line, table->delimiter) || row.count != table->columns)

@@ -50,10 +50,10 @@ enum { X3P_PATH = 256, X3P_TEXT = 256 };
 struct parse {
     struct main_xml *out;
     XML_Parser parser;
-    char path[X3P_PATH]; /* names of the open elements, each after a '/' */
-    size_t hidden;       /* open elements deeper than `path` has room for */
-    size_t depth, elements;
-    char text[X3P_TEXT]; /* of the innermost element */
+    char path[X3P_PATH];    /* names of the open elements, each after a '/' */
+    size_t hidden;          /* open elements deeper than `path` has room for */
+    size_t depth, elements; /* open ones; all, with attributes */
+    char text[X3P_TEXT];    /* of the innermost element */
     size_t length;
     char problem[200]; /* why parsing was stopped; "": it was not */
     bool memory;       /* an allocation failed */
@@ -75,11 +75,12 @@ static void XMLCALL on_start(void *user, const XML_Char *name, const XML_Char **
 {
     (void)attributes;
     struct parse *parse = user;
+    parse->elements += 1 + (size_t)XML_GetSpecifiedAttributeCount(parse->parser) / 2;
     if (++parse->depth > limit_most(LIMIT_XML_DEPTH)) {
         stop_at(parse, "elements within elements", LIMIT_XML_DEPTH);
         return;
     }
-    if (++parse->elements > limit_most(LIMIT_XML_ELEMENTS)) {
+    if (parse->elements > limit_most(LIMIT_XML_ELEMENTS)) {
         stop_at(parse, "too many elements", LIMIT_XML_ELEMENTS);
         return;
     }
@@ -221,8 +222,18 @@ static enum status_code read_xml(struct main_xml *out, const struct text *xml, c
     XML_SetElementHandler(parse.parser, on_start, on_end);
     XML_SetCharacterDataHandler(parse.parser, on_text);
     XML_SetEntityDeclHandler(parse.parser, on_entity);
-    /* in one piece, so that no token is scanned twice: LIMIT_XML_BYTES is an int */
-    enum XML_Status good = XML_Parse(parse.parser, text_string(xml), (int)xml->length, XML_TRUE);
+    /* in pieces, so that no tag is read whole that is too long */
+    enum { PIECE = 65536 };
+    enum XML_Status good = XML_STATUS_OK;
+    for (size_t at = 0; good == XML_STATUS_OK && at <= xml->length; at += PIECE) {
+        size_t left = xml->length - at, piece = left < PIECE ? left : PIECE;
+        good = XML_Parse(parse.parser, text_string(xml) + at, (int)piece, piece == left);
+        if (good == XML_STATUS_OK &&
+            at > (size_t)XML_GetCurrentByteIndex(parse.parser) + limit_most(LIMIT_XML_TAG_BYTES)) {
+            stop_at(&parse, "too long a tag", LIMIT_XML_TAG_BYTES);
+            good = XML_STATUS_ERROR;
+        }
+    }
     if (parse.memory)
         status_memory(status);
     else if (good != XML_STATUS_OK)
