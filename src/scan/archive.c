@@ -2,6 +2,7 @@
 #include "base/limits.h"
 #include "scan/bytes.h"
 
+#include <iconv.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -83,6 +84,34 @@ static void take_extra_64(struct archive_entry *entry, struct bytes extra)
     }
 }
 
+enum { UTF8_MOST = 3 }; /* bytes a character of DOS takes */
+
+static bool is_utf8(const char *string)
+{
+    for (size_t length; *string; string += length) {
+        length = (unsigned char)*string < 0x80 ? 1 : text_character(string);
+        if (length == 0)
+            return false;
+    }
+    return true;
+}
+
+/* A name, NUL-terminated, in UTF-8; what is not is in the code page of DOS, as always was the custom. Returns its end.
+ */
+static char *put_name(char *to, const char *from, size_t length)
+{
+    memcpy(to, from, length);
+    to[length] = '\0';
+    iconv_t convert = is_utf8(to) ? (iconv_t)-1 : iconv_open("UTF-8", "CP437");
+    if (convert == (iconv_t)-1)
+        return to + length + 1;
+    size_t left = length, room = UTF8_MOST * length;
+    (void)iconv(convert, &(char *){(char *)from}, &left, &to, &room);
+    iconv_close(convert);
+    *to = '\0';
+    return to + 1;
+}
+
 /* One entry of the central directory; its name goes to *names, which moves on. */
 static bool take_entry(struct archive_entry *entry, struct bytes *bytes, char **names)
 {
@@ -108,9 +137,7 @@ static bool take_entry(struct archive_entry *entry, struct bytes *bytes, char **
         return false;
     take_extra_64(entry, extras);
     entry->name = *names;
-    memcpy(*names, from, name);
-    (*names)[name] = '\0';
-    *names += name + 1;
+    *names = put_name(*names, from, name);
     return true;
 }
 
@@ -180,7 +207,7 @@ enum status_code archive_open(struct archive *out, const struct scan_bytes *file
     size_t left = bytes_left(&bytes),
            most = out->count * (UINT16_MAX + 1); /* an entry is longer than its name and NUL */
     out->entries = calloc(out->count + 1, sizeof *out->entries);
-    char *names = out->names = malloc((left < most ? left : most) + 1);
+    char *names = out->names = malloc(UTF8_MOST * (left < most ? left : most) + 1);
     if (!out->entries || !out->names)
         return status_memory(status);
     for (size_t i = 0; i < out->count; i++)
