@@ -251,7 +251,7 @@ static bool inflate_entry(char *to, size_t size, struct bytes packed, bool begun
     if (inflateInit2(&stream, -MAX_WBITS) != Z_OK)
         return false;
     size_t left = bytes_left(&packed), room = size;
-    char end; /* the stream's end may come behind its last byte */
+    char end = 0; /* the stream's end may come behind its last byte */
     int code = Z_OK;
     while (code == Z_OK && (room > 0 || !begun)) {
         uInt in = left < UINT32_MAX ? (uInt)left : UINT32_MAX, to_fill = room < UINT32_MAX ? (uInt)room : UINT32_MAX;

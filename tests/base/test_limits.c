@@ -276,7 +276,7 @@ static void test_gzip(void **state)
 static struct text archive_of(size_t members, size_t bytes_each)
 {
     struct packed all[SMALL_MEMBERS + 1];
-    char names[SMALL_MEMBERS + 1][8];
+    char names[SMALL_MEMBERS + 1][32];
     assert_true(members <= SMALL_MEMBERS + 1);
     for (size_t i = 0; i < members; i++) {
         struct text text = long_heights(bytes_each);
