@@ -397,10 +397,16 @@ static void test_texts(void **state)
     expect_refused(place, &text, limit_message(LIMIT_HEADER_BYTES));
 }
 
-/* Standard input that never ends. */
+/* A file larger than may be, of which nothing is read; and standard input that never ends. */
 static void test_endless_input(void **state)
 {
     const char *place = *state;
+    workspace_write(place, "large.csv", "1 2\n");
+    char path[4096];
+    snprintf(path, sizeof path, "%s/large.csv", place);
+    assert_int_equal(truncate(path, (off_t)limit_most(LIMIT_FILE_BYTES) + 1), 0);
+    process_expect_failure(RUN(place, "inspect", "large.csv"), 4, 1, limit_message(LIMIT_FILE_BYTES), __FILE__,
+                           __LINE__);
     if (memory == RLIM_INFINITY) {
         print_message("skipped: no limit of the memory here\n");
         skip();

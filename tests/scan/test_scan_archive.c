@@ -277,6 +277,10 @@ static void test_entries(void **state)
             check_member(member, damaged);
         }
         member = pack("a.csv", table, sizeof table - 1, deflated);
+        member.size -= 1;
+        member.crc = (uint32_t)crc32(0, (const Bytef *)table, (uInt)member.size);
+        check_member(member, damaged);
+        member = pack("a.csv", table, sizeof table - 1, deflated);
         member.crc ^= 0x10000;
         check_member(member, damaged);
         member = pack("a.csv", table, sizeof table - 1, deflated);
