@@ -1,13 +1,16 @@
 #include "base/text.h"
+#include "base/limits.h"
 
 #include <ctype.h>
 #include <errno.h>
+#include <fcntl.h>
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 static bool text_reserve(struct text *text, size_t extra)
 {
@@ -159,9 +162,11 @@ void text_free(struct text *text)
 enum status_code text_read_stream(struct text *text, FILE *file, const char *name, struct status *status)
 {
     struct stat info;
-    if (fstat(fileno(file), &info) == 0 && S_ISREG(info.st_mode))
+    size_t most = limit_most(LIMIT_FILE_BYTES);
+    bool known = fstat(fileno(file), &info) == 0 && S_ISREG(info.st_mode), large = known && (size_t)info.st_size > most;
+    if (known && !large)
         text_reserve(text, (size_t)info.st_size + 1);
-    for (;;) {
+    while (!large) {
         if (!text_reserve(text, 65536))
             return status_memory(status);
         size_t got = fread(text->data + text->length, 1, text->capacity - text->length - 1, file);
@@ -169,7 +174,10 @@ enum status_code text_read_stream(struct text *text, FILE *file, const char *nam
         text->data[text->length] = '\0';
         if (got == 0)
             break;
+        large = text->length > most;
     }
+    if (large)
+        return status_fail(status, STATUS_IO, "'%.440s' is too large%s", name, limit_words(LIMIT_FILE_BYTES).text);
     if (ferror(file))
         return status_fail(status, STATUS_IO, "cannot read '%s': %s", name, strerror(errno));
     return STATUS_OK;
@@ -177,9 +185,21 @@ enum status_code text_read_stream(struct text *text, FILE *file, const char *nam
 
 enum status_code text_read_file(struct text *text, const char *path, struct status *status)
 {
-    FILE *file = fopen(path, "rb");
-    if (!file)
+    struct stat info = {0};
+    int descriptor = open(path, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC); /* a pipe would keep it waiting */
+    if (descriptor < 0 && !(errno == ENXIO && stat(path, &info) == 0))
         return status_fail(status, STATUS_IO, "cannot open '%s': %s", path, strerror(errno));
+    if (descriptor < 0 || fstat(descriptor, &info) != 0 || !S_ISREG(info.st_mode)) {
+        if (descriptor >= 0)
+            close(descriptor);
+        return status_fail(status, STATUS_IO, "'%.440s' is %s", path,
+                           S_ISDIR(info.st_mode) ? "a directory, no file" : "no regular file");
+    }
+    FILE *file = fdopen(descriptor, "rb");
+    if (!file) {
+        close(descriptor);
+        return status_fail(status, STATUS_IO, "cannot open '%s': %s", path, strerror(errno));
+    }
     enum status_code code = text_read_stream(text, file, path, status);
     fclose(file);
     return code;

@@ -31,9 +31,11 @@ void text_add_csv(struct text *text, const char *string);
 const char *text_string(const struct text *text);
 void text_free(struct text *text);
 
-/** Reads all that is left of `file`, which messages call `name`. Error: STATUS_IO with name and reason. */
+/** Reads all that is left of `file`, which messages call `name`, up to LIMIT_FILE_BYTES. Error: STATUS_IO with name and
+ * reason. */
 MUST_CHECK enum status_code text_read_stream(struct text *text, FILE *file, const char *name, struct status *status);
-/** Reads a whole file (any size, NUL allowed) into `text`. Error: STATUS_IO with path and reason. */
+/** Reads a whole regular file (NUL allowed) into `text`; a pipe, a device or a directory is refused, and never waited
+ * for. Error: STATUS_IO with path and reason. */
 MUST_CHECK enum status_code text_read_file(struct text *text, const char *path, struct status *status);
 /** Writes `length` bytes to a new file at `path` and checks that they arrived. Error: STATUS_IO. */
 MUST_CHECK enum status_code text_write_file(const char *path, const char *bytes, size_t length, struct status *status);

@@ -1,3 +1,4 @@
+#include "base/limits.h"
 #include "chart/gnuplot.h"
 #include "cli/command.h"
 #include "cli/command_json.h"
@@ -19,7 +20,7 @@ struct arguments {
     char x_column[64];
     struct profile_options how;
     enum power_law_method fit;
-    bool json, chart, no_chart;
+    bool json, chart, no_chart, limits;
     char **files;
     int file_count;
 };
@@ -35,7 +36,8 @@ enum {
     KEY_LAMBDA_C,
     KEY_QUANTITY,
     KEY_COLUMN,
-    KEY_FIT
+    KEY_FIT,
+    KEY_LIMITS
 };
 
 static const struct argp_option options[] = {
@@ -51,6 +53,7 @@ static const struct argp_option options[] = {
     {"lambda-s", KEY_LAMBDA_S, "METRES", 0, "cut-off of a Gaussian low-pass (default: none; profiles only)", 0},
     {"lambda-c", KEY_LAMBDA_C, "METRES", 0, "cut-off of a high-pass: R beside P parameters (default: none)", 0},
     {"fit", KEY_FIT, "FIT", 0, "power law: auto, in the band found, or thesis, all harmonics (default: auto)", 0},
+    {"limits", KEY_LIMITS, 0, 0, "print what a file may hold at most, and end (default: inspect files)", 0},
     {0},
 };
 
@@ -104,6 +107,9 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case KEY_NO_CHART:
         arguments->no_chart = true;
         return 0;
+    case KEY_LIMITS:
+        arguments->limits = true;
+        return 0;
     case KEY_CHART:
         arguments->chart = true;
         return 0;
@@ -141,7 +147,8 @@ static error_t parse(int key, char *value, struct argp_state *state)
         arguments->file_count = state->argc - state->next;
         return 0;
     case ARGP_KEY_NO_ARGS:
-        argp_error(state, "which file?");
+        if (!arguments->limits)
+            argp_error(state, "which file?");
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -334,11 +341,34 @@ const struct argp command_inspect_argp = {
     .args_doc = "FILE|DIR|-...",
     .doc = "Says what is in each scan: format, points, spacing, units, roughness, power law. Of a directory, the "
            "scans that a report on it would read; - is standard input. An archive (zip) may hold several scans."};
+/** What files may hold, as docs/limits.md has it. */
+static void print_limits(bool as_json)
+{
+    json_t *all = json_array();
+    for (size_t i = 0; i < LIMIT_COUNT; i++) {
+        const struct limit_row *row = &limit_rows[i];
+        if (as_json)
+            json_array_append_new(all, json_pack("{s:s, s:I, s:s, s:s, s:s}", "name", row->name, "most",
+                                                 (json_int_t)row->most, "unit", row->unit, "meaning", row->meaning,
+                                                 "remedy", row->remedy));
+        else
+            printf("%-11s at most %10zu %-9s %s; beyond: %s\n", row->name, row->most, row->unit, row->meaning,
+                   row->remedy);
+    }
+    if (as_json)
+        json_dumpf(all, stdout, JSON_INDENT(1));
+    fputs(as_json ? "\n" : "", stdout);
+    json_decref(all);
+}
 
 int command_inspect(int argc, char **argv)
 {
     struct arguments arguments = {.how = profile_defaults};
     command_parse(&command_inspect_argp, argc, argv, &arguments);
+    if (arguments.limits) {
+        print_limits(arguments.json);
+        return command_finish(COMMAND_DONE);
+    }
     struct outcome outcome = {.all = json_array()};
     for (int i = 0; i < arguments.file_count; i++) {
         const char *path = arguments.files[i];

@@ -1,4 +1,5 @@
 #include "scan/reader.h"
+#include "base/limits.h"
 #include "scan/number.h"
 #include "scan/sidecar.h"
 
@@ -154,14 +155,23 @@ void scan_set_units(struct scan *out, const char *x_unit, const char *z_unit)
     snprintf(out->z_unit, sizeof out->z_unit, "%s", z_unit);
 }
 
-enum status_code scan_reserve(struct scan *out, size_t nx, size_t ny, size_t room, const struct scan_bytes *file,
-                              struct status *status)
+enum status_code scan_check_points(size_t nx, size_t ny, const struct scan_bytes *file, struct status *status)
 {
     if (nx == 0 || ny == 0)
         return scan_fail(status, file, 0, "the header says %zu x %zu points: nothing measured", nx, ny);
-    if (ny > room / nx)
+    if (ny > limit_most(LIMIT_POINTS) / nx)
+        return scan_fail(status, file, 0, "%zu x %zu points%s", nx, ny, limit_words(LIMIT_POINTS).text);
+    return STATUS_OK;
+}
+
+enum status_code scan_reserve(struct scan *out, size_t nx, size_t ny, size_t room, const struct scan_bytes *file,
+                              struct status *status)
+{
+    if (nx > 0 && ny > room / nx)
         return scan_fail(status, file, 0, "the header says %zu x %zu points, the file ends after %zu; copy it again",
                          nx, ny, room);
+    if (scan_check_points(nx, ny, file, status) != STATUS_OK)
+        return status->code;
     out->z_m = malloc(nx * ny * sizeof *out->z_m);
     if (!out->z_m)
         return status_memory(status);

@@ -42,8 +42,14 @@ MUST_CHECK enum status_code scan_units(struct scan *out, const char *x_named, co
 /** Sets the unit of both axes where the format fixes it. */
 void scan_set_units(struct scan *out, const char *x_unit, const char *z_unit);
 
+/** Are ny rows of nx points within LIMIT_POINTS? To be asked before anything is unpacked for them. Error: STATUS_SCAN.
+ */
+MUST_CHECK enum status_code scan_check_points(size_t nx, size_t ny, const struct scan_bytes *file,
+                                              struct status *status);
+
 /** Room for ny rows of nx heights, which the caller fills; kind areal when ny > 1. `room` is the largest number of
- * points that the bytes left can hold: a header that claims more is an error before anything is allocated. */
+ * points that the bytes left can hold: a header that claims more, or more than LIMIT_POINTS, is an error before
+ * anything is allocated. */
 MUST_CHECK enum status_code scan_reserve(struct scan *out, size_t nx, size_t ny, size_t room,
                                          const struct scan_bytes *file, struct status *status);
 

@@ -1,4 +1,5 @@
 #include "scan/scan.h"
+#include "base/limits.h"
 #include "base/text.h"
 #include "scan/foreign.h"
 #include "scan/gwyddion.h"
@@ -12,7 +13,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 static const struct scan_reader readers[] = {
 #define SCAN_ROW(prefix, name) {name, scan_##prefix##_sniff, scan_##prefix##_read},
@@ -270,7 +270,7 @@ static enum status_code read_any(struct scan *out, const struct scan_bytes *file
     if (!reader)
         return fail_binary(file, status);
     if (inner && scan_reader_unpacks(reader))
-        return scan_fail(status, file, 0, "a packed file within a packed file; unpack it");
+        return scan_fail(status, file, 0, "a packed file within a packed file%s", limit_words(LIMIT_PACKED_DEPTH).text);
     out->format = reader->name;
     if (reader->read(out, file, options, status) == STATUS_OK || status->code != STATUS_SCAN)
         return status->code;
@@ -403,11 +403,6 @@ enum status_code scan_read(struct scan *out, const char *path, const struct scan
                            struct status *status)
 {
     *out = (struct scan){.ny = 1};
-    struct stat info;
-    /* opening a pipe would wait for ever, and the size of a directory means nothing */
-    if (stat(path, &info) == 0 && !S_ISREG(info.st_mode))
-        return status_fail(status, STATUS_IO, "'%.440s' is %s, not a scan file", path,
-                           S_ISDIR(info.st_mode) ? "a directory" : "no regular file");
     struct text text = {0};
     enum status_code code = text_read_file(&text, path, status);
     if (code == STATUS_OK) {

@@ -1,5 +1,7 @@
 /* Any other format, packed by gzip (RFC 1952). */
-#include "scan/archive.h"
+#include "base/limits.h"
+#include "base/text.h"
+#include "scan/reader.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -17,6 +19,7 @@ static enum status_code unpack(struct text *text, const struct scan_bytes *file,
     const char *end = file->bytes + file->length;
     int code = inflateInit2(&stream, 16 + MAX_WBITS); /* gzip's header */
     bool ended = false;
+    size_t most = limit_most(LIMIT_UNPACKED_BYTES);
     if (code != Z_OK)
         return status_memory(status);
     while (code == Z_OK || (code == Z_STREAM_END && (const char *)stream.next_in < end)) {
@@ -30,15 +33,15 @@ static enum status_code unpack(struct text *text, const struct scan_bytes *file,
         code = inflate(&stream, Z_NO_FLUSH);
         text_add_bytes(text, (const char *)piece, sizeof piece - stream.avail_out);
         ended = code == Z_STREAM_END;
-        if (text->failed || text->length > ARCHIVE_MOST_BYTES || (left == 0 && stream.avail_out > 0))
+        if (text->failed || text->length > most || (left == 0 && stream.avail_out > 0))
             break;
     }
     inflateEnd(&stream);
     if (text->failed || code == Z_MEM_ERROR)
         return status_memory(status);
-    if (text->length > ARCHIVE_MOST_BYTES)
-        return scan_fail(status, file, 0, "it unpacks to more than %d MiB; unpack it, and cut it down",
-                         ARCHIVE_MOST_BYTES >> 20);
+    if (text->length > most)
+        return scan_fail(status, file, 0, "it unpacks to more than %zu bytes%s", most,
+                         limit_words(LIMIT_UNPACKED_BYTES).text);
     if (!ended)
         return scan_fail(status, file, 0, "damaged or cut off within the gzip data; copy the file again");
     return STATUS_OK;

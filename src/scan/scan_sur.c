@@ -1,5 +1,6 @@
 /* Digital Surf SUR (surfaces) and PRO (profiles): a header of 512 bytes, remarks, and 16 or 32-bit integers, perhaps
  * compressed by zlib in several streams. z = integer x step + offset in the unit of the step. */
+#include "base/limits.h"
 #include "scan/bytes.h"
 #include "scan/reader.h"
 
@@ -9,7 +10,7 @@
 #include <zlib.h>
 
 static const char plain[] = "DIGITAL SURF", compressed[] = "DSCOMPRESSED";
-enum { SUR_PROFILE = 1, SUR_SURFACE = 2, SUR_HEADER = 512, SUR_UNIT = 16, SUR_STREAMS = 64, SUR_DEFLATE = 1040 };
+enum { SUR_PROFILE = 1, SUR_SURFACE = 2, SUR_HEADER = 512, SUR_UNIT = 16, SUR_STREAMS = 64 };
 
 struct sur_header {
     int format, objects, kind, special, bits;
@@ -56,13 +57,13 @@ static bool read_header(struct sur_header *header, struct bytes *bytes)
     return !bytes->overrun;
 }
 
-/* Inflates the streams behind `bytes`: their number, the two sizes (inflated, deflated) of each, the streams. Deflate
- * makes nothing smaller than a 1032nd, so the file's own size bounds what is allocated. */
-static enum status_code inflate_streams(char **data, size_t *size, struct bytes *bytes, const struct scan_bytes *file,
-                                        struct status *status)
+/* Inflates the streams behind `bytes`: their number, the two sizes (inflated, deflated) of each, the streams. What the
+ * heights take, `most` bytes, and the file's own size bound what is allocated. */
+static enum status_code inflate_streams(char **data, size_t *size, struct bytes *bytes, size_t most,
+                                        const struct scan_bytes *file, struct status *status)
 {
     uint32_t streams = bytes_u32(bytes), length[SUR_STREAMS][2] = {{0}};
-    size_t total = 0, room = bytes_left(bytes) * SUR_DEFLATE;
+    size_t total = 0, room = bytes_left(bytes) * limit_most(LIMIT_UNPACKED_RATIO);
     if (streams == 0 || streams > SUR_STREAMS)
         return scan_fail(status, file, 0, "%u compressed streams: the file is damaged", streams);
     for (uint32_t i = 0; i < streams; i++) {
@@ -72,6 +73,9 @@ static enum status_code inflate_streams(char **data, size_t *size, struct bytes 
     }
     if (bytes->overrun || total > room)
         return scan_fail(status, file, 0, "compressed streams longer than the file can hold; copy it again");
+    if (total > most)
+        return scan_fail(status, file, 0, "compressed streams of %zu bytes, where the heights take %zu; copy it again",
+                         total, most);
     *data = malloc(total + 1);
     if (!*data)
         return status_memory(status);
@@ -87,13 +91,23 @@ static enum status_code inflate_streams(char **data, size_t *size, struct bytes 
     return STATUS_OK;
 }
 
+static enum bytes_type type_of(const struct sur_header *header)
+{
+    return header->bits == 16 ? BYTES_I16 : BYTES_I32;
+}
+
+static size_t rows_of(const struct sur_header *header)
+{
+    return header->kind == SUR_PROFILE ? 1 : header->ny;
+}
+
 static enum status_code take_heights(struct scan *out, const struct sur_header *header, struct bytes bytes,
                                      const struct scan_bytes *file, const struct scan_options *options,
                                      struct status *status)
 {
     double x_m, z_m;
-    enum bytes_type type = header->bits == 16 ? BYTES_I16 : BYTES_I32;
-    size_t ny = header->kind == SUR_PROFILE ? 1 : header->ny;
+    enum bytes_type type = type_of(header);
+    size_t ny = rows_of(header);
     if (scan_units(out, header->unit[0], header->unit[2], &x_m, &z_m, file, options, status) != STATUS_OK ||
         scan_reserve(out, header->nx, ny, bytes_left(&bytes) / bytes_size(type), file, status) != STATUS_OK)
         return status->code;
@@ -127,9 +141,11 @@ enum status_code scan_sur_read(struct scan *out, const struct scan_bytes *file, 
     bytes_skip(&bytes, header.remarks);
     if (string_view_starts(scan_view(file), plain))
         return take_heights(out, &header, bytes, file, options, status);
+    if (scan_check_points(header.nx, rows_of(&header), file, status) != STATUS_OK)
+        return status->code;
     char *data = NULL;
-    size_t size = 0;
-    enum status_code code = inflate_streams(&data, &size, &bytes, file, status);
+    size_t size = 0, most = header.nx * rows_of(&header) * bytes_size(type_of(&header));
+    enum status_code code = inflate_streams(&data, &size, &bytes, most, file, status);
     if (code == STATUS_OK)
         code = take_heights(out, &header, (struct bytes){data, data + size, false}, file, options, status);
     free(data);

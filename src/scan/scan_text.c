@@ -1,5 +1,6 @@
 /* Text scans: x and z, perhaps with an index or other columns beside them; heights below a line that names the spacing;
  * and maps: x y z lists on a grid, and matrices of heights with their pixel size. */
+#include "base/limits.h"
 #include "scan/number.h"
 #include "scan/reader.h"
 #include "scan/sidecar.h"
@@ -11,8 +12,7 @@
 enum {
     TEXT_SNIFF = 4096,
     TEXT_POINTS = 3,
-    TEXT_MOST_COLUMNS = 8, /* of numbers beside x; more are a map */
-    TEXT_COLUMNS = 65536   /* wider than any areal map; bounds the first row, whose width nothing else bounds */
+    TEXT_MOST_COLUMNS = 8 /* of numbers beside x; more are a map */
 };
 
 /* The numbers of a text file: rows of one or more columns, with whatever lines stand above them. */
@@ -151,12 +151,19 @@ static struct string_view text_of(const struct scan_bytes *file)
     return text;
 }
 
-/* Room for one row more; the first guess is as many rows as fit when all are as long as the first. */
-static bool reserve(struct table *table, size_t *capacity, size_t line_length)
+static size_t most_rows(const struct table *table)
+{
+    size_t cells = limit_most(LIMIT_CELLS) / table->columns, points = limit_most(LIMIT_POINTS);
+    return cells < points ? cells : points;
+}
+
+/* Room for one row more, `most` in all; the first guess is as many rows as fit when all are as long as the first. */
+static bool reserve(struct table *table, size_t *capacity, size_t most, size_t line_length)
 {
     if (table->rows < *capacity)
         return true;
     size_t rows = *capacity ? 2 * *capacity : string_view_length(table->text) / (line_length + 1) + 16;
+    rows = rows < most ? rows : most;
     double *cell = reallocarray(table->cell, rows, table->columns * sizeof *cell);
     if (!cell)
         return false;
@@ -199,12 +206,21 @@ static bool is_blank(const struct table *table, struct string_view content)
     return content.start == content.end;
 }
 
+static enum status_code fail_line(const struct table *table, size_t number, struct string_view line,
+                                  struct status *status)
+{
+    return scan_fail(status, table->file, number, "a line of %zu bytes%s", string_view_length(line),
+                     limit_words(LIMIT_LINE_BYTES).text);
+}
+
 /* The rows from `lines` on; the first is there already known to be one. */
 static enum status_code read_rows(struct table *table, struct lines lines, struct status *status)
 {
-    size_t capacity = 0, blank = 0;
+    size_t capacity = 0, blank = 0, most = most_rows(table);
     unsigned decimal = 0;
     for (struct string_view line; lines_next(&lines, &line);) {
+        if (string_view_length(line) > limit_most(LIMIT_LINE_BYTES))
+            return fail_line(table, lines.number, line, status);
         struct string_view content = string_view_trim(line);
         if (is_blank(table, content)) {
             blank = blank ? blank : lines.number;
@@ -215,7 +231,10 @@ static enum status_code read_rows(struct table *table, struct lines lines, struc
         if (blank && table->columns == 1)
             return scan_fail(status, table->file, blank,
                              "a blank line among the heights; remove it, or fill in the height");
-        if (!reserve(table, &capacity, string_view_length(line)))
+        if (table->rows >= most)
+            return scan_fail(status, table->file, lines.number, "too many rows%s",
+                             limit_words(most == limit_most(LIMIT_POINTS) ? LIMIT_POINTS : LIMIT_CELLS).text);
+        if (!reserve(table, &capacity, most, string_view_length(line)))
             return status_memory(status);
         struct row row = {.cell = table->cell + table->rows * table->columns, .room = table->columns};
         if (!read_row(&row, table->delimiter == ' ' ? content : line, table->delimiter) || row.count != table->columns)
@@ -275,6 +294,12 @@ static enum status_code check_count(const struct table *table, struct status *st
                      table->rows);
 }
 
+/* Is `line` of `text`, which is no row of numbers yet, farther down than a header goes? */
+static bool is_too_deep(struct string_view text, struct string_view line)
+{
+    return (size_t)(line.start - text.start) > limit_most(LIMIT_HEADER_BYTES);
+}
+
 /* Finds the first line that is a row of numbers and reads from there to the end; comments and, with two columns or
  * more, blank lines are passed over. */
 static enum status_code read_table(struct table *table, struct status *status)
@@ -286,6 +311,11 @@ static enum status_code read_table(struct table *table, struct status *status)
            skipped = table->options && table->options->sidecar ? table->options->sidecar->header.lines : 0;
     for (struct string_view line; lines_next(&lines, &line); before = lines) {
         bool comment;
+        if (string_view_length(line) > limit_most(LIMIT_LINE_BYTES))
+            return fail_line(table, lines.number, line, status);
+        if (is_too_deep(table->text, line))
+            return scan_fail(status, table->file, lines.number, "no line of numbers so far: not a scan%s",
+                             limit_words(LIMIT_HEADER_BYTES).text);
         struct string_view content = text_header_uncomment(line, &comment);
         if (comment || content.start == content.end || lines.number <= skipped)
             continue;
@@ -302,9 +332,9 @@ static enum status_code read_table(struct table *table, struct status *status)
         struct row row = {0};
         if (above_line > 0 && above_line == lines.number - 1 && is_damaged_row(table, above, &row))
             return fail_row(table, &row, above_line, status);
-        if (table->columns > TEXT_COLUMNS)
-            return scan_fail(status, table->file, lines.number, "%zu columns; at most %d can be read", table->columns,
-                             TEXT_COLUMNS);
+        if (table->columns > limit_most(LIMIT_COLUMNS))
+            return scan_fail(status, table->file, lines.number, "%zu columns%s", table->columns,
+                             limit_words(LIMIT_COLUMNS).text);
         table->first_line = lines.number;
         table->preamble = (struct string_view){table->text.start, before.next};
         table->header = text_header_read(table->preamble, table->delimiter, table->columns);
@@ -316,11 +346,13 @@ static enum status_code read_table(struct table *table, struct status *status)
 bool scan_text_has_numbers(const struct scan_bytes *file)
 {
     size_t columns;
-    struct lines lines = lines_begin(text_of(file));
-    for (struct string_view line; lines_next(&lines, &line);) {
+    struct string_view text = text_of(file);
+    struct lines lines = lines_begin(text);
+    for (struct string_view line; lines_next(&lines, &line) && !is_too_deep(text, line);) {
         bool comment;
         struct string_view content = text_header_uncomment(line, &comment);
-        if (!comment && content.start < content.end && find_delimiter(line, &columns))
+        if (!comment && content.start < content.end && string_view_length(line) <= limit_most(LIMIT_LINE_BYTES) &&
+            find_delimiter(line, &columns))
             return true;
     }
     return false;

@@ -1,5 +1,6 @@
 /* ISO 25178-72 X3P: a zip archive with main.xml (perhaps in a folder) and the points, all in metres, in main.xml or in
  * a binary file. Stored axes (kind A) lie side by side, point by point; a value is stored x increment + offset. */
+#include "base/limits.h"
 #include "scan/archive.h"
 #include "scan/bytes.h"
 #include "scan/number.h"
@@ -7,6 +8,7 @@
 #include <expat.h>
 #include <math.h>
 #include <md5.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -48,17 +50,24 @@ enum { X3P_PATH = 256, X3P_TEXT = 256 };
 struct parse {
     struct main_xml *out;
     XML_Parser parser;
-    char path[X3P_PATH]; /* names of the open elements, each after a '/' */
-    size_t hidden;       /* open elements deeper than `path` has room for */
-    char text[X3P_TEXT]; /* of the innermost element */
+    char path[X3P_PATH];    /* names of the open elements, each after a '/' */
+    size_t hidden;          /* open elements deeper than `path` has room for */
+    size_t depth, elements; /* open ones; all, with attributes */
+    char text[X3P_TEXT];    /* of the innermost element */
     size_t length;
-    const char *problem; /* NULL, or why parsing was stopped */
-    bool memory;         /* an allocation failed */
+    char problem[200]; /* why parsing was stopped; "": it was not */
+    bool memory;       /* an allocation failed */
 };
 
 static void stop(struct parse *parse, const char *problem)
 {
-    parse->problem = problem;
+    snprintf(parse->problem, sizeof parse->problem, "%s", problem);
+    XML_StopParser(parse->parser, XML_FALSE);
+}
+
+static void stop_at(struct parse *parse, const char *what, enum limit limit)
+{
+    snprintf(parse->problem, sizeof parse->problem, "%s%s", what, limit_words(limit).text);
     XML_StopParser(parse->parser, XML_FALSE);
 }
 
@@ -66,6 +75,15 @@ static void XMLCALL on_start(void *user, const XML_Char *name, const XML_Char **
 {
     (void)attributes;
     struct parse *parse = user;
+    parse->elements += 1 + (size_t)XML_GetSpecifiedAttributeCount(parse->parser) / 2;
+    if (++parse->depth > limit_most(LIMIT_XML_DEPTH)) {
+        stop_at(parse, "elements within elements", LIMIT_XML_DEPTH);
+        return;
+    }
+    if (parse->elements > limit_most(LIMIT_XML_ELEMENTS)) {
+        stop_at(parse, "too many elements", LIMIT_XML_ELEMENTS);
+        return;
+    }
     const char *colon = strrchr(name, ':'); /* the prefix of the name space is the writer's choice */
     size_t used = strlen(parse->path);
     name = colon ? colon + 1 : name;
@@ -168,6 +186,7 @@ static void XMLCALL on_end(void *user, const XML_Char *name)
     while (text.end > text.start && text.end[-1] == '\n')
         text = string_view_trim((struct string_view){text.start, text.end - 1});
     parse->length = 0;
+    parse->depth--;
     if (parse->hidden > 0) {
         parse->hidden--;
         return;
@@ -203,18 +222,24 @@ static enum status_code read_xml(struct main_xml *out, const struct text *xml, c
     XML_SetElementHandler(parse.parser, on_start, on_end);
     XML_SetCharacterDataHandler(parse.parser, on_text);
     XML_SetEntityDeclHandler(parse.parser, on_entity);
-    /* in pieces: the length is an int */
+    /* in pieces, so that no tag is read whole that is too long */
+    enum { PIECE = 65536 };
     enum XML_Status good = XML_STATUS_OK;
-    for (size_t at = 0; good == XML_STATUS_OK && at <= xml->length; at += 1 << 20) {
-        size_t left = xml->length - at, piece = left < 1 << 20 ? left : 1 << 20;
+    for (size_t at = 0; good == XML_STATUS_OK && at <= xml->length; at += PIECE) {
+        size_t left = xml->length - at, piece = left < PIECE ? left : PIECE;
         good = XML_Parse(parse.parser, text_string(xml) + at, (int)piece, piece == left);
+        if (good == XML_STATUS_OK &&
+            at > (size_t)XML_GetCurrentByteIndex(parse.parser) + limit_most(LIMIT_XML_TAG_BYTES)) {
+            stop_at(&parse, "too long a tag", LIMIT_XML_TAG_BYTES);
+            good = XML_STATUS_ERROR;
+        }
     }
     if (parse.memory)
         status_memory(status);
     else if (good != XML_STATUS_OK)
-        scan_fail(status, file, 0, "main.xml, line %lu: %s; export the scan again",
-                  (unsigned long)XML_GetCurrentLineNumber(parse.parser),
-                  parse.problem ? parse.problem : XML_ErrorString(XML_GetErrorCode(parse.parser)));
+        scan_fail(status, file, 0, "main.xml, line %lu: %s%s", (unsigned long)XML_GetCurrentLineNumber(parse.parser),
+                  *parse.problem ? parse.problem : XML_ErrorString(XML_GetErrorCode(parse.parser)),
+                  strstr(parse.problem, "; ") ? "" : "; export the scan again");
     XML_ParserFree(parse.parser);
     return status->code;
 }
@@ -224,18 +249,20 @@ static bool stored(const struct x3p_axis *axis)
     return axis->kind == 'A';
 }
 
-/* Unpacks the file a link in main.xml names, which is relative to main.xml. */
-static enum status_code read_link(struct text *text, const struct x3p *x3p, const char *link,
+/* Unpacks up to `most` bytes of the file a link in main.xml names, which is relative to main.xml; *whole: that is all.
+ */
+static enum status_code read_link(struct text *text, bool *whole, const struct x3p *x3p, const char *link, size_t most,
                                   const struct scan_bytes *file, struct status *status)
 {
     char path[512];
     snprintf(path, sizeof path, "%s%s", x3p->folder, link);
-    size_t index = archive_find(&x3p->archive, path, false), count = archive_count(&x3p->archive);
+    size_t index = archive_find(&x3p->archive, path, false), count = x3p->archive.count;
     if (index == count)
         index = archive_find(&x3p->archive, link, false);
     if (index == count)
         return scan_fail(status, file, 0, "no '%.80s' in the archive, which main.xml names", link);
-    return archive_read(text, &x3p->archive, index, status);
+    *whole = x3p->archive.entries[index].size <= most;
+    return archive_read(text, &x3p->archive, index, most, status);
 }
 
 static void compare_md5(struct scan *out, const struct text *text, const char *expected, const char *what)
@@ -251,17 +278,19 @@ static enum status_code open_main(struct x3p *x3p, const struct scan_bytes *file
 {
     if (archive_open(&x3p->archive, file, status) != STATUS_OK)
         return status->code;
-    size_t index = archive_find(&x3p->archive, "main.xml", true), count = archive_count(&x3p->archive);
+    size_t index = archive_find(&x3p->archive, "main.xml", true), count = x3p->archive.count;
     if (index == count)
         return scan_fail(status, file, 0, "no main.xml in the archive");
-    const char *name = archive_name(&x3p->archive, index), *slash = strrchr(name, '/');
+    if (x3p->archive.entries[index].size > limit_most(LIMIT_XML_BYTES))
+        return scan_fail(status, file, 0, "main.xml is too large%s", limit_words(LIMIT_XML_BYTES).text);
+    const char *name = x3p->archive.entries[index].name, *slash = strrchr(name, '/');
     scan_copy(x3p->folder, sizeof x3p->folder, (struct string_view){name, slash ? slash + 1 : name});
-    if (archive_read(&x3p->main, &x3p->archive, index, status) != STATUS_OK ||
+    if (archive_read(&x3p->main, &x3p->archive, index, SIZE_MAX, status) != STATUS_OK ||
         read_xml(&x3p->xml, &x3p->main, file, status) != STATUS_OK)
         return status->code;
     struct text sum = {0};
     index = archive_find(&x3p->archive, "md5checksum.hex", true);
-    if (index < count && archive_read(&sum, &x3p->archive, index, status) == STATUS_OK)
+    if (index < count && archive_read(&sum, &x3p->archive, index, X3P_TEXT, status) == STATUS_OK)
         compare_md5(out, &x3p->main, text_string(&sum), "main.xml");
     text_free(&sum);
     return status->code;
@@ -286,7 +315,7 @@ static enum status_code read_size(const struct main_xml *xml, size_t *nx, size_t
         return scan_fail(status, file, 0, "positions stored point by point: only surfaces on a grid can be read");
     *nx = (size_t)x;
     *ny = (size_t)y;
-    return STATUS_OK;
+    return scan_check_points(*nx, *ny, file, status);
 }
 
 /* The type that a letter of X3P stands for. */
@@ -306,20 +335,33 @@ static double scaled(const struct x3p_axis *axis, double value)
     return isfinite(result) ? result : NAN;
 }
 
+/* The types of the stored axes, and the bytes a point takes. */
+static enum status_code find_types(enum bytes_type type[3], size_t *size, const struct x3p_axis axis[3],
+                                   const struct scan_bytes *file, struct status *status)
+{
+    *size = 0;
+    for (size_t i = 0; i < 3; i++) {
+        if (!find_type(axis[i].type, &type[i]))
+            return scan_fail(status, file, 0, "data type '%c' is none of ISO 25178-72", axis[i].type);
+        *size += stored(&axis[i]) ? bytes_size(type[i]) : 0;
+    }
+    return STATUS_OK;
+}
+
 /* The points, in the file that main.xml names or, where it names none, in main.xml itself. */
-static enum status_code read_values(struct scan *out, const struct x3p *x3p, size_t nx, size_t ny,
+static enum status_code read_values(struct scan *out, struct x3p *x3p, size_t nx, size_t ny,
                                     const struct scan_bytes *file, struct status *status)
 {
     const struct main_xml *xml = &x3p->xml;
     const struct x3p_axis *axis = xml->axis;
     enum bytes_type type[3];
-    bool listed = !*xml->data_link;
-    size_t size = 0;
-    for (size_t i = 0; i < 3 && !listed; i++) {
-        if (!find_type(axis[i].type, &type[i]))
-            return scan_fail(status, file, 0, "data type '%c' is none of ISO 25178-72", axis[i].type);
-        size += stored(&axis[i]) ? bytes_size(type[i]) : 0;
-    }
+    bool listed = !*xml->data_link, whole = false;
+    size_t size = 1;
+    if (!listed && (find_types(type, &size, axis, file, status) != STATUS_OK ||
+                    read_link(&x3p->points, &whole, x3p, xml->data_link, nx * ny * size, file, status) != STATUS_OK))
+        return status->code;
+    if (whole)
+        compare_md5(out, &x3p->points, xml->data_md5, xml->data_link);
     struct bytes bytes = {text_string(&x3p->points), text_string(&x3p->points) + x3p->points.length, false};
     size_t room = listed ? xml->datum_count : bytes_left(&bytes) / size;
     if ((stored(&axis[0]) ? scan_reserve_x(out, nx, room, file, status)
@@ -334,6 +376,7 @@ static enum status_code read_values(struct scan *out, const struct x3p *x3p, siz
         if (out->x_m)
             out->x_m[i] = scaled(&axis[0], value[0]);
     }
+    text_free(&x3p->points);
     return STATUS_OK;
 }
 
@@ -343,9 +386,10 @@ static enum status_code read_valid(struct scan *out, struct x3p *x3p, const stru
 {
     if (!*x3p->xml.valid_link)
         return STATUS_OK;
-    if (read_link(&x3p->valid, x3p, x3p->xml.valid_link, file, status) != STATUS_OK)
-        return status->code;
+    bool whole;
     size_t points = out->nx * out->ny;
+    if (read_link(&x3p->valid, &whole, x3p, x3p->xml.valid_link, points, file, status) != STATUS_OK)
+        return status->code;
     if (x3p->valid.length < (points + 7) / 8)
         return scan_fail(status, file, 0, "'%.80s' holds fewer bits than there are points", x3p->xml.valid_link);
     for (size_t i = 0; i < points; i++)
@@ -360,11 +404,6 @@ static enum status_code read_points(struct scan *out, struct x3p *x3p, const str
     size_t nx = 0, ny = 0;
     if (open_main(x3p, file, out, status) != STATUS_OK || read_size(&x3p->xml, &nx, &ny, file, status) != STATUS_OK)
         return status->code;
-    if (*x3p->xml.data_link) {
-        if (read_link(&x3p->points, x3p, x3p->xml.data_link, file, status) != STATUS_OK)
-            return status->code;
-        compare_md5(out, &x3p->points, x3p->xml.data_md5, x3p->xml.data_link);
-    }
     if (read_values(out, x3p, nx, ny, file, status) != STATUS_OK)
         return status->code;
     out->dx_m = x3p->xml.axis[0].increment;

@@ -1,18 +1,20 @@
 /* A zip archive that holds scans, as some instruments pack theirs: every entry that a reader knows by its content is
  * one; text only where nothing else is there, and where it has a row of numbers. options->entry says where the search
  * starts: entry i is at i, and at i + the number of entries when texts are sought. */
+#include "base/limits.h"
 #include "scan/archive.h"
 #include "scan/foreign.h"
 
 #include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
-enum { ZIP_ENTRIES = 1000, ZIP_NAMED = 5 };
+enum { ZIP_NAMED = 5, ZIP_BEGINNING = 65536 };
 
 enum entry_kind { ENTRY_OTHER, ENTRY_TEXT, ENTRY_SCAN };
 
-/* An entry, unpacked. Owned: entry_free(). */
+/* An entry, unpacked or its first bytes. Owned: entry_free(). */
 struct entry {
     struct text text;
     char path[512]; /* for messages: archive(entry) */
@@ -38,45 +40,68 @@ static bool is_hidden(const char *name)
     return (slash ? slash[1] : *name) == '.' || strncmp(name, "__MACOSX/", 9) == 0;
 }
 
-static enum entry_kind kind_of(const struct scan_bytes *file)
+static enum entry_kind kind_of(const struct scan_bytes *file, bool whole)
 {
     const struct scan_reader *reader = scan_reader_find(file);
     if (!reader || scan_reader_unpacks(reader)) /* no archives within archives */
         return ENTRY_OTHER;
     if (reader->read != scan_text_read)
         return ENTRY_SCAN;
-    return scan_is_other(file, true) ? ENTRY_OTHER : ENTRY_TEXT;
+    return scan_is_other(file, whole) ? ENTRY_OTHER : ENTRY_TEXT;
 }
 
-/* Unpacks entry `index` and tells its kind. Error: damaged, or a measurement in a format that is not read. */
-static enum status_code load(struct entry *out, const struct archive *archive, size_t index, struct status *status)
+/* Unpacks entry `index`, up to `most` bytes. */
+static enum status_code unpack(struct entry *out, const struct archive *archive, size_t index, size_t most,
+                               struct status *status)
 {
-    const char *name = archive_name(archive, index);
-    *out = (struct entry){.empty = !name || *name == '\0' || name[strlen(name) - 1] == '/' || is_hidden(name)};
-    if (out->empty)
-        return STATUS_OK;
+    const char *name = archive->entries[index].name;
+    *out = (struct entry){.empty = archive->entries[index].size == 0 || *name == '\0' ||
+                                   name[strlen(name) - 1] == '/' || is_hidden(name)};
     snprintf(out->path, sizeof out->path, "%.300s(%.200s)", archive->file->path, name);
-    if (archive_read(&out->text, archive, index, status) != STATUS_OK)
+    if (!out->empty && archive_read(&out->text, archive, index, most, status) != STATUS_OK)
         return status->code;
-    out->file = (struct scan_bytes){text_string(&out->text), out->text.length, name};
-    out->empty = out->file.length == 0;
-    const struct foreign *foreign = out->empty ? NULL : foreign_find(&out->file);
-    out->kind = foreign || out->empty ? ENTRY_OTHER : kind_of(&out->file);
-    out->file.path = out->path;
+    out->file = (struct scan_bytes){text_string(&out->text), out->text.length, out->path};
+    return STATUS_OK;
+}
+
+/* Do the first bytes of an entry not tell what it is? */
+static bool is_doubtful(const struct scan_bytes *file)
+{
+    return scan_tells_at_end(file) || (scan_text_sniff(file) && !scan_text_has_numbers(file));
+}
+
+/* Tells the kind of entry `index`, as a rule by its beginning. Error: damaged, or a measurement in a format that is not
+ * read. */
+static enum status_code look_at(struct entry *out, const struct archive *archive, size_t index, struct status *status)
+{
+    if (unpack(out, archive, index, ZIP_BEGINNING, status) != STATUS_OK || out->empty)
+        return status->code;
+    bool whole = out->text.length == archive->entries[index].size;
+    if (!whole && is_doubtful(&out->file)) {
+        entry_free(out);
+        if (unpack(out, archive, index, SIZE_MAX, status) != STATUS_OK)
+            return status->code;
+        whole = true;
+    }
+    struct scan_bytes named = out->file;
+    named.path = archive->entries[index].name;
+    const struct foreign *foreign = foreign_find(&named);
+    out->kind = foreign ? ENTRY_OTHER : kind_of(&named, whole);
     return foreign && foreign->kind == FOREIGN_SCAN ? scan_fail_foreign(&out->file, foreign, status) : STATUS_OK;
 }
 
 static enum status_code fail_text(const struct archive *archive, size_t index, struct status *status)
 {
     char path[512];
-    snprintf(path, sizeof path, "%.300s(%.200s)", archive->file->path, archive_name(archive, index));
+    snprintf(path, sizeof path, "%.300s(%.200s)", archive->file->path, archive->entries[index].name);
     const struct scan_bytes entry = {"", 0, path};
     return scan_fail(status, &entry, 0, "no line of numbers in it: not a scan");
 }
 
 /* What is in an archive, all in all. */
 struct survey {
-    size_t scans, texts, others, bytes;
+    enum entry_kind *kinds; /* of each entry; NULL: nobody looked yet */
+    size_t scans, texts, others;
     char names[120];   /* of the first others */
     char text[64];     /* name of the first text */
     size_t first_text; /* without numbers; SIZE_MAX: none */
@@ -91,88 +116,80 @@ static void note_other(struct survey *survey, const char *name)
 
 static enum status_code look(struct survey *out, const struct archive *archive, struct status *status)
 {
-    *out = (struct survey){.first_text = SIZE_MAX};
-    for (size_t i = 0; i < archive_count(archive); i++) {
+    *out = (struct survey){.kinds = calloc(archive->count + 1, sizeof *out->kinds), .first_text = SIZE_MAX};
+    if (!out->kinds)
+        return status_memory(status);
+    for (size_t i = 0; i < archive->count && status->code == STATUS_OK; i++) {
         struct entry entry;
-        enum status_code code = load(&entry, archive, i, status);
-        out->scans += entry.kind == ENTRY_SCAN ? 1 : 0;
-        if (entry.kind == ENTRY_TEXT && out->texts++ == 0)
-            snprintf(out->text, sizeof out->text, "%.60s", archive_name(archive, i));
-        out->bytes += entry.text.length;
-        if (code == STATUS_OK && entry.kind == ENTRY_OTHER && !entry.empty) {
-            note_other(out, archive_name(archive, i));
+        const char *name = archive->entries[i].name;
+        if (look_at(&entry, archive, i, status) == STATUS_OK && entry.kind == ENTRY_OTHER && !entry.empty) {
+            note_other(out, name);
             if (out->first_text == SIZE_MAX && scan_text_sniff(&entry.file))
                 out->first_text = i;
         }
-        entry_free(&entry);
-        if (code != STATUS_OK)
-            return code;
-        if (out->bytes > ARCHIVE_MOST_BYTES)
-            return scan_fail(status, archive->file, 0,
-                             "the archive unpacks to more than %d MiB; unpack it, or split it",
-                             ARCHIVE_MOST_BYTES >> 20);
-    }
-    return STATUS_OK;
-}
-
-/* Moves *at to the next scan from there on, and leaves it unpacked in `entry`; false when there is none. */
-static bool seek(struct entry *entry, size_t *at, const struct archive *archive, struct status *status)
-{
-    size_t count = archive_count(archive);
-    bool first_pass = *at > 0 && *at <= count; /* and a scan was found in it: no texts */
-    for (; *at < (first_pass ? count : 2 * count); ++*at) {
-        if (load(entry, archive, *at % count, status) == STATUS_OK &&
-            entry->kind == (*at < count ? ENTRY_SCAN : ENTRY_TEXT))
-            return true;
-        entry_free(entry);
-        if (status->code != STATUS_OK)
-            return false;
-    }
-    return false;
-}
-
-static enum status_code read_scan(struct scan *out, const struct archive *archive, const struct scan_options *options,
-                                  struct status *status)
-{
-    size_t at = options->entry;
-    struct entry entry;
-    if (!seek(&entry, &at, archive, status))
-        return status->code != STATUS_OK ? status->code
-                                         : scan_fail(status, archive->file, 0, "no scan in this zip archive");
-    enum status_code code = scan_read_inner(out, &entry.file, options, status);
-    snprintf(out->part, sizeof out->part, "%.100s", archive_name(archive, at % archive_count(archive)));
-    scan_printable(out->part);
-    entry_free(&entry);
-    at++;
-    if (code == STATUS_OK && seek(&entry, &at, archive, status)) {
-        out->next_entry = at;
+        out->kinds[i] = entry.kind;
+        out->scans += entry.kind == ENTRY_SCAN ? 1 : 0;
+        if (entry.kind == ENTRY_TEXT && out->texts++ == 0)
+            snprintf(out->text, sizeof out->text, "%.60s", name);
         entry_free(&entry);
     }
     return status->code;
 }
 
-static enum status_code read_archive(struct scan *out, const struct archive *archive,
+/* Moves *at to the next scan from there on; false when there is none, or on an error. */
+static bool seek(size_t *at, const struct archive *archive, const struct survey *survey, struct status *status)
+{
+    size_t count = archive->count;
+    bool first_pass = *at > 0 && *at <= count; /* and a scan was found in it: no texts */
+    for (; *at < (first_pass ? count : 2 * count); ++*at) {
+        struct entry entry = {.kind = survey->kinds ? survey->kinds[*at % count] : ENTRY_OTHER};
+        if (!survey->kinds && look_at(&entry, archive, *at % count, status) != STATUS_OK)
+            return entry_free(&entry), false;
+        entry_free(&entry);
+        if (entry.kind == (*at < count ? ENTRY_SCAN : ENTRY_TEXT))
+            return true;
+    }
+    return false;
+}
+
+static enum status_code read_scan(struct scan *out, const struct archive *archive, const struct survey *survey,
+                                  const struct scan_options *options, struct status *status)
+{
+    size_t at = options->entry;
+    if (!seek(&at, archive, survey, status))
+        return status->code != STATUS_OK ? status->code
+                                         : scan_fail(status, archive->file, 0, "no scan in this zip archive");
+    struct entry entry;
+    size_t index = at % archive->count;
+    enum status_code code = unpack(&entry, archive, index, SIZE_MAX, status);
+    if (code == STATUS_OK)
+        code = scan_read_inner(out, &entry.file, options, status);
+    snprintf(out->part, sizeof out->part, "%.100s", archive->entries[index].name);
+    scan_printable(out->part);
+    entry_free(&entry);
+    at++;
+    if (code == STATUS_OK && seek(&at, archive, survey, status))
+        out->next_entry = at;
+    return status->code;
+}
+
+static enum status_code read_archive(struct scan *out, struct survey *survey, const struct archive *archive,
                                      const struct scan_options *options, struct status *status)
 {
-    struct survey survey = {.scans = 0};
-    size_t count = archive_count(archive);
-    if (count > ZIP_ENTRIES)
-        return scan_fail(status, archive->file, 0, "%zu files in the archive; at most %d: unpack it, or split it",
-                         count, ZIP_ENTRIES);
     bool first = options->entry == 0;
-    if (first && look(&survey, archive, status) != STATUS_OK)
+    if (first && look(survey, archive, status) != STATUS_OK)
         return status->code;
-    if (first && survey.scans == 0 && survey.texts == 0 && survey.first_text != SIZE_MAX)
-        return fail_text(archive, survey.first_text, status);
-    if (read_scan(out, archive, options, status) != STATUS_OK)
+    if (first && survey->scans == 0 && survey->texts == 0 && survey->first_text != SIZE_MAX)
+        return fail_text(archive, survey->first_text, status);
+    if (read_scan(out, archive, survey, options, status) != STATUS_OK)
         return status->code;
-    if (survey.scans > 0 && survey.texts > 0)
-        scan_warn(out, "%zu text%s in the archive (%s%s) passed over beside its %zu other scan%s", survey.texts,
-                  survey.texts == 1 ? "" : "s", survey.text, survey.texts == 1 ? "" : ", ...", survey.scans,
-                  survey.scans == 1 ? "" : "s");
-    if (survey.others > 0)
-        scan_warn(out, "passed over in the archive, no scan%s: %s%s", survey.others == 1 ? "" : "s", survey.names,
-                  survey.others > ZIP_NAMED ? ", ..." : "");
+    if (survey->scans > 0 && survey->texts > 0)
+        scan_warn(out, "%zu text%s in the archive (%s%s) passed over beside its %zu other scan%s", survey->texts,
+                  survey->texts == 1 ? "" : "s", survey->text, survey->texts == 1 ? "" : ", ...", survey->scans,
+                  survey->scans == 1 ? "" : "s");
+    if (survey->others > 0)
+        scan_warn(out, "passed over in the archive, no scan%s: %s%s", survey->others == 1 ? "" : "s", survey->names,
+                  survey->others > ZIP_NAMED ? ", ..." : "");
     return STATUS_OK;
 }
 
@@ -180,9 +197,11 @@ enum status_code scan_zip_read(struct scan *out, const struct scan_bytes *file, 
                                struct status *status)
 {
     struct archive archive;
+    struct survey survey = {.kinds = NULL};
     enum status_code code = archive_open(&archive, file, status);
     if (code == STATUS_OK)
-        code = read_archive(out, &archive, options, status);
+        code = read_archive(out, &survey, &archive, options, status);
+    free(survey.kinds);
     archive_close(&archive);
     return code;
 }

@@ -1,5 +1,6 @@
 #include "scene/scene_files.h"
 
+#include "base/limits.h"
 #include "scan/sidecar.h"
 #include "scene/scene_listing.h"
 #include "scene/scene_words.h"
@@ -57,35 +58,69 @@ bool scene_files_holds_scans(int directory, const char *name)
     return files > 0 && !report;
 }
 
-/* Is files[i] one that only says units of another among them? */
-static bool is_sidecar(const struct scene *scene, char *const *files, size_t count, size_t i)
+static int compare_bytes(const void *a, const void *b)
+{
+    return strcmp(*(char *const *)a, *(char *const *)b);
+}
+
+/* The first of the `count` files in `order`, which is that of strcmp(), whose first `length` characters do not come
+ * before those of `name`. */
+static size_t find_first(char *const *order, size_t count, const char *name, size_t length)
+{
+    size_t low = 0, high = count;
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        if (strncmp(order[middle], name, length) < 0)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* Is there a file that `file`, whose name has an ending of sidecars, may be beside: `a` or `a.csv` of `a.txt`? */
+static bool has_scan(char *const *order, size_t count, const char *file)
+{
+    size_t stem = (size_t)(strrchr(file, '.') - file), at = find_first(order, count, file, stem);
+    bool bare = at < count && strncmp(order[at], file, stem) == 0 && order[at][stem] == '\0';
+    at = find_first(order, count, file, stem + 1); /* the dot too */
+    while (!bare && at < count && strncmp(order[at], file, stem + 1) == 0 &&
+           !sidecar_fits(basename(file), basename(order[at])))
+        at++;
+    return bare || (at < count && strncmp(order[at], file, stem + 1) == 0);
+}
+
+/* Is it one that only says units of another among them? */
+static bool is_sidecar(const struct scene *scene, char *const *order, size_t count, const char *file)
 {
     size_t stem;
     struct sidecar sidecar;
-    if (!sidecar_ending(files[i], &stem))
+    if (!sidecar_ending(basename(file), &stem) || !has_scan(order, count, file))
         return false;
-    for (size_t k = 0; k < count; k++) {
-        char *path =
-            k != i && sidecar_fits(basename(files[i]), basename(files[k])) ? scene_file_path(scene, files[i]) : NULL;
-        bool is = path && sidecar_read(&sidecar, path);
-        free(path);
-        if (is)
-            return true;
-    }
-    return false;
+    char *path = scene_file_path(scene, file);
+    bool is = path && sidecar_read(&sidecar, path);
+    free(path);
+    return is;
 }
 
 /* Takes the sidecars out of the files from `first` on. */
 static enum status_code drop_sidecars(struct scene_surface *surface, const struct scene *scene, size_t first,
                                       struct status *status)
 {
-    char **files = surface->files + first;
+    char **files = surface->files + first, **order;
     size_t count = surface->file_count - first, kept = 0, sidecars = 0;
     bool *is = calloc(count + 1, sizeof *is);
-    if (!is)
+    order = malloc((count + 1) * sizeof *order);
+    if (!is || !order) {
+        free(is);
+        free(order);
         return status_memory(status);
+    }
+    memcpy(order, files, count * sizeof *order);
+    qsort(order, count, sizeof *order, compare_bytes);
     for (size_t i = 0; i < count; i++)
-        sidecars += is[i] = is_sidecar(scene, files, count, i);
+        sidecars += is[i] = is_sidecar(scene, order, count, files[i]);
+    free(order);
     for (size_t i = 0; i < count; i++)
         if (is[i] && sidecars < count) /* two that fit each other are none */
             free(files[i]);
@@ -110,6 +145,9 @@ enum status_code scene_files_match(struct scene_surface *surface, const struct s
     if (path && (count < 0 || directory < 0))
         code = status_fail(status, STATUS_IO, "cannot list '%s': %s", scene_words_show(path, strlen(path)).text,
                            strerror(errno));
+    if (count > 0 && (size_t)count > limit_most(LIMIT_FILES))
+        code = status_fail(status, STATUS_SCENE, "%d files in '%s'%s", count, scene_words_show(path, strlen(path)).text,
+                           limit_words(LIMIT_FILES).text);
     for (int i = 0; i < count; i++) {
         char *file = NULL;
         if (code == STATUS_OK && fnmatch(name, entries[i]->d_name, FNM_PERIOD) == 0 &&

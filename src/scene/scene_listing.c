@@ -1,4 +1,5 @@
 #include "scene/scene_listing.h"
+#include "base/limits.h"
 #include "base/text.h"
 #include "scan/scan.h"
 #include "scan/sidecar.h"
@@ -320,6 +321,9 @@ enum status_code scene_listing_read(struct scene *scene, struct status *status)
     enum status_code code = STATUS_OK;
     if (count < 0)
         code = status_fail(status, STATUS_IO, "cannot list '%s': %s", scene->directory, strerror(errno));
+    else if ((size_t)count > limit_most(LIMIT_FILES))
+        code = status_fail(status, STATUS_SCENE, "%d files in '%s'%s", count, scene->directory,
+                           limit_words(LIMIT_FILES).text);
     else if (!(scene->surfaces = calloc((size_t)count + 1, sizeof *scene->surfaces)))
         code = status_memory(status);
     for (int i = 0; i < count && code == STATUS_OK; i++)

@@ -1,4 +1,5 @@
 #include "scene/scene_surfaces.h"
+#include "base/limits.h"
 #include "scene/scene_files.h"
 #include "scene/scene_words.h"
 
@@ -9,9 +10,6 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-/* Far beyond any measurement; keeps aliases of long lists from multiplying without end. */
-enum { MOST_FILES = 100000 };
 
 size_t scene_surfaces_materials(const char *names[SCENE_SURFACES_MATERIALS], const char *const *words,
                                 size_t word_count)
@@ -107,8 +105,9 @@ static bool add_files(struct scene_source *source, struct scene_surface *surface
     if (problem.code != STATUS_OK)
         return scene_source_fail(source, line, "%s", problem.message);
     source->file_count += surface->file_count - before;
-    if (source->file_count > MOST_FILES)
-        return scene_source_fail(source, line, "more than %d files in one scene; split it", MOST_FILES);
+    if (source->file_count > limit_most(LIMIT_SCENE_FILES)) /* aliases of long lists multiply */
+        return scene_source_fail(source, line, "more than %zu files in one scene; split it",
+                                 limit_most(LIMIT_SCENE_FILES));
     return surface->file_count > before ||
            scene_source_fail(source, line, "'%s' matches no file; paths start at the scene's directory", shown.text);
 }
@@ -120,8 +119,9 @@ bool scene_surfaces_files(struct scene_source *source, const struct scene_key *k
     source->file_count += count;
     if (count == 0)
         return scene_source_fail(source, line, "'%s' lists none; name one or more scans", key->name);
-    if (source->file_count > MOST_FILES)
-        return scene_source_fail(source, line, "more than %d files in one scene; split it", MOST_FILES);
+    if (source->file_count > limit_most(LIMIT_SCENE_FILES)) /* aliases of long lists multiply */
+        return scene_source_fail(source, line, "more than %zu files in one scene; split it",
+                                 limit_most(LIMIT_SCENE_FILES));
     for (size_t i = 0; i < count; i++) {
         char *file = NULL;
         const yaml_node_t *item = scene_source_item(source, value, i);

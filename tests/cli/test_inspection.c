@@ -215,6 +215,68 @@ static void test_options(void **state)
     expect_failure(place, 4, 1, "a.csv: lambda_c_m is 1, longer than the scan", "inspect", "--lambda-c", "1", "a.csv");
 }
 
+/* Runs `inspect` with a file as standard input. */
+static struct process inspect_input(const char *place, const char *words)
+{
+    char command[4096];
+    snprintf(command, sizeof command, "exec '%s' inspect %s", PROGRAM, words);
+    const char *const arguments[] = {"/bin/sh", "-c", command, NULL};
+    return process_end(process_start_list(place, arguments, NULL));
+}
+
+/* Fails unless `first` and `second` are the same but for "file". */
+static void expect_same(const char *first, const char *second)
+{
+    const char *one = strstr(first, "\"format\""), *other = strstr(second, "\"format\"");
+    assert_non_null(one);
+    assert_non_null(other);
+    assert_string_equal(one, other);
+}
+
+/* - is standard input, plain or packed; it says what it says of the file. */
+static void test_standard_input(void **state)
+{
+    const char *place = *state;
+    workspace_scan(place, "d/a.csv", 400, 1);
+    const char *const gzip[] = {"gzip", "-k", "d/a.csv", NULL};
+    struct process packed = process_expect(process_end(process_start_list(place, gzip, NULL)), 0, __FILE__, __LINE__);
+    struct process file = expect_exit(place, 0, "inspect", "--json", "d/a.csv");
+    expect_part(file.out, "\"file\": \"d/a.csv\"");
+    static const char *const inputs[] = {"--json - <d/a.csv", "--json - <d/a.csv.gz"};
+    for (size_t i = 0; i < 2; i++) {
+        struct process input = process_expect(inspect_input(place, inputs[i]), 0, __FILE__, __LINE__);
+        expect_part(input.out, "\"file\": \"-\"");
+        expect_same(input.out, file.out);
+        process_free(&input);
+    }
+    process_free(&file);
+    process_free(&packed);
+    process_expect_failure(inspect_input(place, "- </dev/null"), 4, 1, "-: the file is empty", __FILE__, __LINE__);
+    process_expect_failure(inspect_input(place, "- <d"), 4, 1, "cannot read '-': Is a directory", __FILE__, __LINE__);
+    process_expect_failure(inspect_input(place, "- <&-"), 4, 1, "cannot read '-': ", __FILE__, __LINE__);
+}
+
+/* The scans of a directory and of its folders, as `inspect` of each says it. */
+static void test_a_directory(void **state)
+{
+    const char *place = *state;
+    workspace_scan(place, "d/a.csv", 400, 1);
+    workspace_scan(place, "d/s/b.csv", 500, 2);
+    workspace_write(place, "d/notes.txt", "nothing\n");
+    struct process all = expect_exit(place, 0, "inspect", "--no-chart", "d");
+    struct process one = expect_exit(place, 0, "inspect", "--no-chart", "d/a.csv", "d/s/b.csv");
+    assert_string_equal(all.out, one.out);
+    expect_part(all.err, "passed over, no scan: 1 x text without a row of numbers (notes.txt)");
+    assert_string_equal(one.err, "");
+    process_free(&all);
+    process_free(&one);
+    workspace_write(place, "d/bad.csv", "nothing\n");
+    all = expect_exit(place, 1, "inspect", "--json", "d");
+    expect_part(all.out, "\"file\": \"d/s/b.csv\"");
+    expect_part(all.out, "no line of numbers in it: not a scan");
+    process_free(&all);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -222,6 +284,8 @@ int main(void)
         cmocka_unit_test(test_roughness_profile),
         workspace_test(test_a_map_on_the_command_line),
         workspace_test(test_options),
+        workspace_test(test_standard_input),
+        workspace_test(test_a_directory),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

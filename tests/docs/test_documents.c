@@ -1,4 +1,5 @@
 /* The documents against the program: what they name exists, and what exists is named. */
+#include "base/limits.h"
 #include "contact/model.h"
 #include "material/material.h"
 #include "scan/reader.h"
@@ -14,7 +15,7 @@ enum { NAME = 96, EQUATIONS = 55, ROOMS = 32, NAMES_MOST = 16 };
 
 static const char *const documents[] = {"README.md",        "docs/equations.md",    "docs/formats.md",
                                         "docs/report.md",   "docs/CONTRIBUTING.md", "docs/mpi.md",
-                                        "docs/tutorial.md", "docs/commands.md"};
+                                        "docs/tutorial.md", "docs/commands.md",     "docs/limits.md"};
 
 /** A file of the project as text, NULL where there is none. To be freed. */
 static char *read_project(const char *path)
@@ -341,6 +342,26 @@ static void tables_are_described(void **state)
     free(report);
 }
 
+/** docs/limits.md has the rows of the table, all of them, in order, and no others. */
+static void limits_are_stated(void **state)
+{
+    (void)state;
+    char *text = read_document("docs/limits.md"), *line = strstr(text, "|---|");
+    assert_non_null(line);
+    line = strchr(line, '\n') + 1;
+    for (size_t i = 0; i < LIMIT_COUNT; i++) {
+        const struct limit_row *row = &limit_rows[i];
+        char expected[512];
+        snprintf(expected, sizeof expected, "| `%s` | %zu %s | %s | %s |\n", row->name, row->most, row->unit,
+                 row->meaning, row->remedy);
+        if (strncmp(line, expected, strlen(expected)) != 0)
+            fail_msg("docs/limits.md should have here:\n%sbut has:\n%.200s", expected, line);
+        line += strlen(expected);
+    }
+    assert_int_equal(*line, '\n');
+    free(text);
+}
+
 /** The rooms of src/ as docs/CONTRIBUTING.md orders them, which the README repeats. */
 struct rooms {
     char name[ROOMS][NAME];
@@ -424,13 +445,10 @@ static void rooms_use_only_those_before(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(places_exist),
-        cmocka_unit_test(functions_carry_their_numbers),
-        cmocka_unit_test(equations_are_complete),
-        cmocka_unit_test(paths_exist),
-        cmocka_unit_test(links_lead_somewhere),
-        cmocka_unit_test(tables_are_described),
-        cmocka_unit_test(rooms_use_only_those_before),
+        cmocka_unit_test(places_exist),           cmocka_unit_test(functions_carry_their_numbers),
+        cmocka_unit_test(equations_are_complete), cmocka_unit_test(paths_exist),
+        cmocka_unit_test(links_lead_somewhere),   cmocka_unit_test(tables_are_described),
+        cmocka_unit_test(limits_are_stated),      cmocka_unit_test(rooms_use_only_those_before),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -127,7 +127,7 @@ static void test_x3p_refusals(void **state)
     assert_main_refused(MAIN("SUR", GRID CZ, MATRIX("3", "2", "4") LINK),
                         "3 x 2 x 4 points are no surface of one layer");
     assert_main_refused(MAIN("PRF", GRID CZ, MATRIX("3", "2", "1") LINK), "3 x 2 x 1 points are no profile");
-    assert_main_refused(MAIN("SUR", GRID CZ, MATRIX("1000000", "1000000", "1") LINK), "the file ends after 6");
+    assert_main_refused(MAIN("SUR", GRID CZ, MATRIX("10000", "10000", "1") LINK), "the file ends after 6");
     assert_main_refused(MAIN("SUR", GRID CZ, MATRIX("x", "2", "1") LINK), "main.xml, line 2: text where a number");
     assert_main_refused(MAIN("SUR", GRID CZ, MATRIX("3", "2", "1") "<DataList><Datum>x</Datum></DataList>"),
                         "a <Datum> that is no number");
@@ -246,12 +246,121 @@ static void test_bomb(void **state)
     free(zeros);
 }
 
+static const char table[] = "x [um],z [um]\n0,0.5\n0.5,-1.25\n1,2.75\n1.5,0.125\n2,8\n2.5,-3.5\n";
+
+/* Reads the archive of one member, changed by the caller; frees both. NULL: it has to be read. */
+static void check_member(struct packed member, const char *refused)
+{
+    struct text text = zip_of(&member, 1);
+    if (refused)
+        assert_refused_bytes(text.data, text.length, &no_units, refused);
+    else
+        assert_sample(&text, "text", SCAN_PROFILE, SAMPLE_POINTS, &no_units);
+    text_free(&text);
+    text_free(&member.bytes);
+}
+
+/* What headers say of an entry against what it is. */
+static void test_entries(void **state)
+{
+    (void)state;
+    static const char damaged[] = "'a.csv' in the archive is damaged; copy the file again";
+    for (int deflated = 0; deflated < 2; deflated++) {
+        struct packed member = pack("a.csv", table, sizeof table - 1, deflated);
+        check_member(member, NULL);
+        member = pack("a.csv", table, sizeof table - 1, deflated);
+        member.zip64 = true;
+        check_member(member, NULL);
+        for (int shorter = 0; shorter < 2; shorter++) {
+            member = pack("a.csv", table, sizeof table - 1, deflated);
+            member.size += shorter ? (size_t)-1 : 1;
+            check_member(member, damaged);
+        }
+        member = pack("a.csv", table, sizeof table - 1, deflated);
+        member.size -= 1;
+        member.crc = (uint32_t)crc32(0, (const Bytef *)table, (uInt)member.size);
+        check_member(member, damaged);
+        member = pack("a.csv", table, sizeof table - 1, deflated);
+        member.crc ^= 0x10000;
+        check_member(member, damaged);
+        member = pack("a.csv", table, sizeof table - 1, deflated);
+        member.flags = 1;
+        check_member(member, "'a.csv' in the archive is encrypted; unpack it");
+        member = pack("a.csv", table, sizeof table - 1, deflated);
+        member.method = 12;
+        check_member(member, "packed by method 12, and only deflate is read; unpack it");
+        member = pack("a.csv", table, sizeof table - 1, deflated);
+        struct text text = zip_of(&member, 1);
+        text.data[0] = 'Q'; /* no local header: and no archive by its first bytes */
+        assert_refused_bytes(text.data, text.length, &no_units, "is a binary file of no known format");
+        text.data[0] = 'P';
+        put_field(&text, "a comment", 9);
+        text.data[text.length - 9 - 2] = 9; /* is part of the archive */
+        assert_sample(&text, "text", SCAN_PROFILE, SAMPLE_POINTS, &no_units);
+        text_free(&text);
+        text_free(&member.bytes);
+    }
+}
+
+/* Names are UTF-8, or in the code page of DOS. */
+static void test_names(void **state)
+{
+    (void)state;
+    static const char *const names[][2] = {
+        {"gr\x81n.csv", "grün.csv"}, {"gr\xc3\xbcn.csv", "grün.csv"}, {"\xe4\x31.csv", "\xce\xa3\x31.csv"}};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        struct packed member = pack(names[i][0], table, sizeof table - 1, true);
+        struct text text = zip_of(&member, 1);
+        struct scan scan;
+        struct status status = {0};
+        assert_int_equal(read_bytes(&scan, text.data, text.length, &no_units, &status), STATUS_OK);
+        assert_string_equal(scan.part, names[i][1]);
+        scan_free(&scan);
+        text_free(&text);
+        text_free(&member.bytes);
+    }
+}
+
+/* Entries longer than what is looked at first: a scan, one that is damaged near its end, and words without numbers. */
+static void test_long_entries(void **state)
+{
+    (void)state;
+    struct text words = {0}, rows = {0};
+    text_add(&rows, "%s", table);
+    while (rows.length < 100000)
+        text_add(&rows, "\n");
+    while (words.length < 100000)
+        text_add(&words, "words\n");
+    for (int damage = 0; damage < 2; damage++) {
+        struct packed members[2] = {pack("words.txt", words.data, words.length, true),
+                                    pack("a.csv", rows.data, rows.length, false)};
+        members[1].bytes.data[90000] = damage ? '7' : '\n';
+        struct text text = zip_of(members, 2);
+        if (damage)
+            assert_refused_bytes(text.data, text.length, &no_units, "'a.csv' in the archive is damaged");
+        else
+            assert_sample(&text, "text", SCAN_PROFILE, SAMPLE_POINTS, &no_units);
+        text_free(&text);
+        text_free(&members[0].bytes);
+        text_free(&members[1].bytes);
+    }
+    text_free(&words);
+    text_free(&rows);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_x3p),       cmocka_unit_test(test_x3p_list),        cmocka_unit_test(test_x3p_refusals),
-        cmocka_unit_test(test_checksums), cmocka_unit_test(test_inner_mutations), cmocka_unit_test(test_zip),
+        cmocka_unit_test(test_x3p),
+        cmocka_unit_test(test_x3p_list),
+        cmocka_unit_test(test_x3p_refusals),
+        cmocka_unit_test(test_checksums),
+        cmocka_unit_test(test_inner_mutations),
+        cmocka_unit_test(test_zip),
         cmocka_unit_test(test_bomb),
+        cmocka_unit_test(test_entries),
+        cmocka_unit_test(test_names),
+        cmocka_unit_test(test_long_entries),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

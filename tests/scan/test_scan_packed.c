@@ -96,7 +96,7 @@ static void test_refusals(void **state)
     for (size_t i = 0; i < 1001; i++)
         many[i] = (struct member){"a.csv", csv, sizeof csv - 1};
     text = zip(many, true);
-    assert_refused_bytes(text.data, text.length, &no_units, "1001 files in the archive; at most 1000");
+    assert_refused_bytes(text.data, text.length, &no_units, "1001 files in the archive; at most 1000 files: unpack it");
     text_free(&text);
 }
 
@@ -114,7 +114,7 @@ static void test_gzip(void **state)
     }
     assert_refused_bytes(text.data, text.length - 1, &no_units, "damaged or cut off within the gzip data");
     struct text twice = gzip(text.data, text.length);
-    assert_refused_bytes(twice.data, twice.length, &no_units, "a packed file within a packed file; unpack it");
+    assert_refused_bytes(twice.data, twice.length, &no_units, "a packed file within a packed file; at most 1 level: unpack it");
     text_free(&twice);
     text_free(&text);
     /* members one after another are one file */

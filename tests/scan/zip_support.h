@@ -12,45 +12,94 @@ struct member {
     size_t length;
 };
 
-/* A zip archive of the members up to the first without a name, stored or deflated. */
-static inline struct text zip(const struct member *members, bool deflated)
+/* A member as it lies in an archive: what its headers say need not be true. */
+struct packed {
+    const char *name;
+    struct text bytes;
+    unsigned method, flags; /* 0 stored, 8 deflated */
+    uint32_t crc;
+    size_t size; /* unpacked */
+    size_t at;   /* of its local header; SIZE_MAX: its own, which is written */
+    bool zip64;  /* the directory has its sizes and place in the extra field */
+};
+
+/* `length` bytes, deflated; `window` as zlib has it: -15 raw, 31 gzip. */
+static inline struct text deflated_bytes(const char *bytes, size_t length, int window)
+{
+    uLong room = compressBound(length) + 64;
+    struct text text = {.data = malloc(room), .capacity = room};
+    z_stream stream = {.next_in = (Bytef *)(uintptr_t)bytes,
+                       .avail_in = (uInt)length,
+                       .next_out = (Bytef *)text.data,
+                       .avail_out = (uInt)room};
+    assert_non_null(text.data);
+    assert_int_equal(deflateInit2(&stream, 9, Z_DEFLATED, window, 8, Z_DEFAULT_STRATEGY), Z_OK);
+    assert_int_equal(deflate(&stream, Z_FINISH), Z_STREAM_END);
+    text.length = stream.total_out;
+    deflateEnd(&stream);
+    return text;
+}
+
+/* One gzip member of these bytes. */
+static inline struct text gzip(const char *bytes, size_t length)
+{
+    return deflated_bytes(bytes, length, 16 + MAX_WBITS);
+}
+
+/* The member of an archive that holds these bytes; its `bytes` are to be freed. */
+static inline struct packed pack(const char *name, const char *bytes, size_t length, bool deflated)
+{
+    struct packed packed = {.name = name, .size = length, .at = SIZE_MAX, .method = deflated ? 8 : 0};
+    packed.crc = (uint32_t)crc32(0, (const Bytef *)bytes, (uInt)length);
+    if (deflated)
+        packed.bytes = deflated_bytes(bytes, length, -MAX_WBITS);
+    else
+        text_add_bytes(&packed.bytes, bytes, length);
+    return packed;
+}
+
+/* What local header and directory share, from the flags to the length of the name. */
+static inline void put_common(struct text *text, const struct packed *member, bool zip64)
+{
+    put_bytes(text, member->flags, 2);
+    put_bytes(text, member->method, 2);
+    put_bytes(text, 0, 4);
+    put_bytes(text, member->crc, 4);
+    put_bytes(text, zip64 ? UINT32_MAX : member->bytes.length, 4);
+    put_bytes(text, zip64 ? UINT32_MAX : member->size, 4);
+    put_bytes(text, strlen(member->name), 2);
+}
+
+/* An archive of these members. */
+static inline struct text zip_of(const struct packed *members, size_t count)
 {
     struct text text = {0}, directory = {0};
-    size_t count = 0;
-    for (; members[count].name; count++) {
-        const struct member *member = &members[count];
-        Bytef packed[8192];
-        z_stream stream = {.next_in = (Bytef *)(uintptr_t)member->bytes,
-                           .avail_in = (uInt)member->length,
-                           .next_out = packed,
-                           .avail_out = sizeof packed};
-        assert_int_equal(deflateInit2(&stream, 9, Z_DEFLATED, -15, 8, Z_DEFAULT_STRATEGY), Z_OK);
-        assert_int_equal(deflate(&stream, Z_FINISH), Z_STREAM_END);
-        size_t size = deflated ? stream.total_out : member->length, offset = text.length;
-        deflateEnd(&stream);
-        struct text common = {0}; /* what local header and directory share */
-        put_bytes(&common, deflated ? 8 : 0, 2);
-        put_bytes(&common, 0, 4);
-        put_bytes(&common, crc32(0, (const Bytef *)member->bytes, (uInt)member->length), 4);
-        put_bytes(&common, size, 4);
-        put_bytes(&common, member->length, 4);
-        put_bytes(&common, strlen(member->name), 2);
-        put_bytes(&common, 0, 2);
-        put_bytes(&text, 0x04034b50, 4);
-        put_bytes(&text, 20, 2);
-        put_bytes(&text, 0, 2);
-        put_copy(&text, &common);
-        put_field(&text, member->name, strlen(member->name));
-        text_add_bytes(&text, deflated ? (const char *)packed : member->bytes, size);
+    for (size_t i = 0; i < count; i++) {
+        const struct packed *member = &members[i];
+        size_t at = member->at == SIZE_MAX ? text.length : member->at;
+        if (member->at == SIZE_MAX) {
+            put_bytes(&text, 0x04034b50, 4);
+            put_bytes(&text, 20, 2);
+            put_common(&text, member, false);
+            put_bytes(&text, 0, 2);
+            put_field(&text, member->name, strlen(member->name));
+            put_copy(&text, &member->bytes);
+        }
         put_bytes(&directory, 0x02014b50, 4);
         put_bytes(&directory, 20, 2);
         put_bytes(&directory, 20, 2);
-        put_bytes(&directory, 0, 2);
-        put_copy(&directory, &common);
+        put_common(&directory, member, member->zip64);
+        put_bytes(&directory, member->zip64 ? 28 : 0, 2);
         put_bytes(&directory, 0, 10);
-        put_bytes(&directory, offset, 4);
+        put_bytes(&directory, member->zip64 ? UINT32_MAX : at, 4);
         put_field(&directory, member->name, strlen(member->name));
-        text_free(&common);
+        if (member->zip64) {
+            put_bytes(&directory, 1, 2);
+            put_bytes(&directory, 24, 2);
+            put_bytes(&directory, member->size, 8);
+            put_bytes(&directory, member->bytes.length, 8);
+            put_bytes(&directory, at, 8);
+        }
     }
     size_t start = text.length;
     put_copy(&text, &directory);
@@ -65,19 +114,19 @@ static inline struct text zip(const struct member *members, bool deflated)
     return text;
 }
 
-/* One gzip member of these bytes. */
-static inline struct text gzip(const char *bytes, size_t length)
+/* A zip archive of the members up to the first without a name, stored or deflated. */
+static inline struct text zip(const struct member *members, bool deflated)
 {
-    struct text text = {0};
-    uLong room = compressBound(length) + 64;
-    Bytef *packed = malloc(room);
-    z_stream stream = {
-        .next_in = (Bytef *)(uintptr_t)bytes, .avail_in = (uInt)length, .next_out = packed, .avail_out = (uInt)room};
+    size_t count = 0;
+    while (members[count].name)
+        count++;
+    struct packed *packed = calloc(count + 1, sizeof *packed);
     assert_non_null(packed);
-    assert_int_equal(deflateInit2(&stream, 9, Z_DEFLATED, 16 + MAX_WBITS, 8, Z_DEFAULT_STRATEGY), Z_OK);
-    assert_int_equal(deflate(&stream, Z_FINISH), Z_STREAM_END);
-    text_add_bytes(&text, (const char *)packed, stream.total_out);
-    deflateEnd(&stream);
+    for (size_t i = 0; i < count; i++)
+        packed[i] = pack(members[i].name, members[i].bytes, members[i].length, deflated);
+    struct text text = zip_of(packed, count);
+    for (size_t i = 0; i < count; i++)
+        text_free(&packed[i].bytes);
     free(packed);
     return text;
 }

@@ -1,3 +1,4 @@
+#include "scene/scene_files.h"
 #include "scene_directory.h"
 
 static void check_names(const char *const *files, size_t count, const char *const (*expected)[2], size_t surfaces)
@@ -128,6 +129,38 @@ static void test_files_spoken_for(void **state)
 
 /* Files that only say units of a scan beside them are no surfaces; alone they are passed over, with numbers in them
  * they are surfaces. */
+/* In a folder, too: of names with an ending and without, among others that begin alike. */
+static void test_sidecars_in_a_folder(void **state)
+{
+    (void)state;
+    static const char *const scans[] = {"s/a", "s/a-1.csv", "s/a.csv", "s/b.csv", "s/b.c.csv", "s/ab.csv"};
+    static const char *const sidecars[] = {"s/a.txt", "s/b.csv.hdr", "s/b.txt"};
+    static const char text[] = "x unit: mm\nz unit: um\n";
+    for (size_t lone = 0; lone < COUNT(scans); lone++) { /* in turn one scan alone is there */
+        struct scene_directory directory = scene_directory_make();
+        static const bool beside[COUNT(scans)][COUNT(sidecars)] = {{true}, {false}, {true}, {false, true, true}};
+        char folder[512];
+        snprintf(folder, sizeof folder, "%s/s", directory.path);
+        assert_int_equal(mkdir(folder, 0777), 0);
+        scene_directory_add(&directory, scans[lone]);
+        size_t expected = 1;
+        for (size_t k = 0; k < COUNT(sidecars); k++) {
+            scene_directory_write(&directory, sidecars[k], text, sizeof text - 1);
+            expected += beside[lone][k] ? 0 : 1;
+        }
+        struct scene_surface surface = {.name = NULL};
+        struct scene scene = {.directory = directory.path};
+        struct status status = {0};
+        assert_int_equal(scene_files_match(&surface, &scene, "s/*", &status), STATUS_OK);
+        if (surface.file_count != expected)
+            fail_msg("%zu files with %s, not %zu", surface.file_count, scans[lone], expected);
+        for (size_t i = 0; i < surface.file_count; i++)
+            free(surface.files[i]);
+        free(surface.files);
+        scene_directory_remove(&directory);
+    }
+}
+
 static void test_sidecars(void **state)
 {
     (void)state;
@@ -305,12 +338,19 @@ static void test_no_directory(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_natural_order),        cmocka_unit_test(test_same_stems_keep_their_endings),
-        cmocka_unit_test(test_hostile_names),        cmocka_unit_test(test_what_is_no_scan),
-        cmocka_unit_test(test_empty_directory),      cmocka_unit_test(test_sidecars),
-        cmocka_unit_test(test_columns_and_quantity), cmocka_unit_test(test_many_files),
-        cmocka_unit_test(test_files_spoken_for),     cmocka_unit_test(test_no_directory),
-        cmocka_unit_test(test_sub_directories),      cmocka_unit_test(test_patterns),
+        cmocka_unit_test(test_natural_order),
+        cmocka_unit_test(test_same_stems_keep_their_endings),
+        cmocka_unit_test(test_hostile_names),
+        cmocka_unit_test(test_what_is_no_scan),
+        cmocka_unit_test(test_empty_directory),
+        cmocka_unit_test(test_sidecars),
+        cmocka_unit_test(test_sidecars_in_a_folder),
+        cmocka_unit_test(test_columns_and_quantity),
+        cmocka_unit_test(test_many_files),
+        cmocka_unit_test(test_files_spoken_for),
+        cmocka_unit_test(test_no_directory),
+        cmocka_unit_test(test_sub_directories),
+        cmocka_unit_test(test_patterns),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,69 @@
+/* What a file may ask of the program at most, so that nothing from outside exhausts memory or time: one table, used by
+ * the code, printed by `inspect --limits`, stated in docs/limits.md. */
+#ifndef BASE_LIMITS_H
+#define BASE_LIMITS_H
+
+#include <stddef.h>
+#include <stdio.h>
+
+/* Name in the code, value, unit, name as printed, what it bounds, what to do where it is passed. Beyond each the file
+ * is refused. */
+#define LIMITS(X)                                                                                                      \
+    X(FILES, 1000000, "files", "files", "entries of one directory that is listed",                                     \
+      "spread them over several directories")                                                                          \
+    X(SCENE_FILES, 100000, "files", "scene-files", "files that one scene names", "split it")                           \
+    X(FILE_BYTES, 2147483648, "bytes", "file", "a file, or standard input", "cut it down")                             \
+    X(UNPACKED_BYTES, 2147483648, "bytes", "unpacked", "all that one file on disk unpacks to",                         \
+      "unpack it, or split it")                                                                                        \
+    X(UNPACKED_RATIO, 1040, "times", "ratio", "what is packed against its packed size; deflate itself reaches 1032",   \
+      "copy the file again")                                                                                           \
+    X(MEMBERS, 1000, "files", "members", "files in an archive (zip, X3P)", "unpack it, or split it")                   \
+    X(PACKED_DEPTH, 1, "level", "packed", "files packed within files", "unpack it")                                    \
+    X(POINTS, 100000000, "points", "points", "points of a profile or a map", "cut it into parts, or thin it")          \
+    X(CELLS, 300000000, "numbers", "numbers", "numbers in all columns of a text",                                      \
+      "keep the columns of the scan alone, or thin it")                                                                \
+    X(COLUMNS, 65536, "columns", "columns", "columns of a text", "cut the map into parts")                             \
+    X(LINE_BYTES, 2097152, "bytes", "line", "a line of a text", "give every row of points a line of its own")          \
+    X(HEADER_BYTES, 4194304, "bytes", "header", "what stands above the first row of numbers of a text", "shorten it")  \
+    X(XML_BYTES, 67108864, "bytes", "xml", "main.xml of an X3P file", "store the points in a binary file")             \
+    X(XML_ELEMENTS, 1000000, "items", "elements", "elements and attributes of main.xml",                               \
+      "store the points in a binary file")                                                                             \
+    X(XML_TAG_BYTES, 1048576, "bytes", "tag", "a tag or comment of main.xml", "export the scan again")                 \
+    X(XML_DEPTH, 64, "elements", "depth", "elements of main.xml within one another", "export the scan again")
+
+enum limit {
+#define LIMIT_ENUM(key, most, unit, name, meaning, remedy) LIMIT_##key,
+    LIMITS(LIMIT_ENUM)
+#undef LIMIT_ENUM
+        LIMIT_COUNT
+};
+
+struct limit_row {
+    const char *name;    /* as printed, one word */
+    size_t most;         /* allowed; beyond, the file is refused */
+    const char *unit;    /* of `most` */
+    const char *meaning; /* what is counted */
+    const char *remedy;  /* what to do where there is more */
+};
+
+extern const struct limit_row limit_rows[LIMIT_COUNT];
+
+/** How much of it is allowed. */
+static inline size_t limit_most(enum limit limit)
+{
+    return limit_rows[limit].most;
+}
+
+/** How a message ends that said how much there is: "; at most 1000 files: unpack it, or split it". */
+struct limit_words {
+    char text[160];
+};
+static inline struct limit_words limit_words(enum limit limit)
+{
+    const struct limit_row *row = &limit_rows[limit];
+    struct limit_words words;
+    snprintf(words.text, sizeof words.text, "; at most %zu %s: %s", row->most, row->unit, row->remedy);
+    return words;
+}
+
+#endif

@@ -1,0 +1,393 @@
+/* Every row of the table of limits, with values so small that files at a limit and just beyond it are made in memory:
+ * the first are read, the others refused with the limit and what to do. The table here takes the place of the program's
+ * own in this test. */
+#include "base/limits.h"
+#include "scan/zip_support.h"
+#include "scene/scene_directory.h"
+
+#include <dirent.h>
+
+enum {
+    SMALL_FILES = 5,
+    SMALL_SCENE_FILES = 4,
+    SMALL_FILE_BYTES = 3000,
+    SMALL_UNPACKED_BYTES = 500000,
+    SMALL_UNPACKED_RATIO = 1040,
+    SMALL_MEMBERS = 4,
+    SMALL_PACKED_DEPTH = 1,
+    SMALL_POINTS = 12,
+    SMALL_CELLS = 40,
+    SMALL_COLUMNS = 10,
+    SMALL_LINE_BYTES = 200,
+    SMALL_HEADER_BYTES = 300,
+    SMALL_XML_BYTES = 400000,
+    SMALL_XML_ELEMENTS = 40,
+    SMALL_XML_TAG_BYTES = 100000,
+    SMALL_XML_DEPTH = 8
+};
+
+const struct limit_row limit_rows[LIMIT_COUNT] = {
+#define LIMIT_ROW(key, most, unit, name, meaning, remedy) {name, SMALL_##key, unit, meaning, remedy},
+    LIMITS(LIMIT_ROW)
+#undef LIMIT_ROW
+};
+
+static bool met[LIMIT_COUNT];
+static const struct scan_options um = {.x_unit = "um", .z_unit = "um"};
+
+static void expect_limit(const char *message, enum limit limit)
+{
+    if (!strstr(message, limit_words(limit).text) || strchr(message, '\n'))
+        fail_msg("'%s' should end with '%s'", message, limit_words(limit).text);
+    met[limit] = true;
+}
+
+/* Frees the text. */
+static void expect_refused(struct text *text, enum limit limit)
+{
+    struct scan scan;
+    struct status status = {0};
+    assert_false(text->failed);
+    assert_int_equal(read_bytes(&scan, text_string(text), text->length, &um, &status), STATUS_SCAN);
+    expect_limit(status.message, limit);
+    assert_null(scan.z_m);
+    scan_free(&scan);
+    text_free(text);
+}
+
+static void expect_read(struct text *text, size_t nx, size_t ny)
+{
+    struct scan scan;
+    struct status status = {0};
+    if (read_bytes(&scan, text_string(text), text->length, &um, &status) != STATUS_OK)
+        fail_msg("refused: %s", status.message);
+    assert_sound(&scan);
+    assert_int_equal(scan.nx, nx);
+    assert_int_equal(scan.ny, ny);
+    scan_free(&scan);
+    text_free(text);
+}
+
+/* Rows of x, z and what else there is, after `above` bytes of comments. */
+static struct text table(size_t rows, size_t columns, size_t above)
+{
+    struct text text = {0};
+    for (size_t line; above > 0; above -= line) {
+        line = above < 100 ? above : 100;
+        text_add(&text, "#%*s\n", (int)line - 2, "");
+    }
+    for (size_t row = 0; row < rows; row++)
+        for (size_t i = 0; i < columns; i++)
+            text_add(&text, "%zu%c", row * (i + 1) % 9 + (i == 0 ? row * 9 : 0), i + 1 < columns ? ' ' : '\n');
+    return text;
+}
+
+static void test_texts(void **state)
+{
+    (void)state;
+    struct text text = table(SMALL_POINTS, 2, 0);
+    expect_read(&text, SMALL_POINTS, 1);
+    text = table(SMALL_POINTS + 1, 2, 0);
+    expect_refused(&text, LIMIT_POINTS);
+    text = table(SMALL_CELLS / 5, 5, 0);
+    expect_read(&text, SMALL_CELLS / 5, 1);
+    text = table(SMALL_CELLS / 5 + 1, 5, 0);
+    expect_refused(&text, LIMIT_CELLS);
+    text = table(4, SMALL_COLUMNS, 0);
+    expect_read(&text, 4, 1);
+    text = table(3, SMALL_COLUMNS + 1, 0);
+    expect_refused(&text, LIMIT_COLUMNS);
+    text = table(4, 2, SMALL_HEADER_BYTES);
+    expect_read(&text, 4, 1);
+    text = table(4, 2, SMALL_HEADER_BYTES + 100);
+    expect_refused(&text, LIMIT_HEADER_BYTES);
+}
+
+/* A row in any place, and a line above the rows. */
+static void test_lines(void **state)
+{
+    (void)state;
+    for (size_t place = 0; place < 3; place++)
+        for (size_t over = 0; over < 2; over++) {
+            struct text text = {0};
+            text_add(&text, "%s", place == 2 ? "0 1\n1 2\n2 1\n" : "");
+            text_add(&text, place == 1 ? "#%*s\n" : "3%*s\n", SMALL_LINE_BYTES - 1 + (int)over, "1");
+            text_add(&text, "%s", place < 2 ? "4 1\n5 2\n6 1\n" : "");
+            if (over)
+                expect_refused(&text, LIMIT_LINE_BYTES);
+            else
+                expect_read(&text, place == 1 ? 3 : 4, 1);
+        }
+}
+
+/* The header of a binary field is believed before its bytes are there, or not at all. */
+static void test_maps(void **state)
+{
+    (void)state;
+    for (size_t rows = 3; rows < 5; rows++) {
+        struct text text = {0};
+        text_add(&text, "Gwyddion Simple Field 1.0\nXRes = 4\nYRes = %zu\nXReal = 1\nYReal = 1\n", rows);
+        put_field(&text, "", 4 - text.length % 4);
+        for (size_t i = 0; i < 4 * rows; i++)
+            put_f32(&text, (double)(i * i % 7));
+        if (rows == 3)
+            expect_read(&text, 4, 3);
+        else
+            expect_refused(&text, LIMIT_POINTS);
+    }
+}
+
+static void test_files(void **state)
+{
+    (void)state;
+    struct scene_directory directory = scene_directory_make();
+    for (size_t over = 0; over < 2; over++) {
+        struct text text = table(4, 2, 0);
+        char path[512];
+        while (text.length < SMALL_FILE_BYTES + over)
+            text_add(&text, "\n");
+        scene_directory_write(&directory, "a.dat", text.data, text.length);
+        snprintf(path, sizeof path, "%s/a.dat", directory.path);
+        text_free(&text);
+        FILE *file = fopen(path, "rb");
+        int ends[2];
+        struct scan scan;
+        struct status status = {0}, streamed = {0}, piped = {0};
+        enum status_code expected = over ? STATUS_IO : STATUS_OK;
+        assert_non_null(file);
+        assert_int_equal(scan_read(&scan, path, &um, &status), expected);
+        assert_int_equal(text_read_stream(&text, file, "-", &streamed), expected);
+        scan_free(&scan);
+        text_free(&text);
+        fclose(file);
+        /* of a pipe nobody knows the length */
+        assert_int_equal(pipe(ends), 0);
+        for (size_t i = 0; i < SMALL_FILE_BYTES + over; i++)
+            assert_int_equal(write(ends[1], "x", 1), 1);
+        close(ends[1]);
+        assert_non_null(file = fdopen(ends[0], "rb"));
+        assert_int_equal(text_read_stream(&text, file, "-", &piped), expected);
+        assert_true(over || text.length == SMALL_FILE_BYTES);
+        text_free(&text);
+        fclose(file);
+        if (!over)
+            continue;
+        expect_limit(status.message, LIMIT_FILE_BYTES);
+        expect_limit(streamed.message, LIMIT_FILE_BYTES);
+        expect_limit(piped.message, LIMIT_FILE_BYTES);
+    }
+    scene_directory_remove(&directory);
+}
+
+/* The scene, a directory that is listed, one inside it. */
+static void test_directories(void **state)
+{
+    (void)state;
+    for (size_t over = 0; over < 2; over++)
+        for (size_t inside = 0; inside < 2; inside++) {
+            struct scene_directory directory = scene_directory_make();
+            char path[512], name[32];
+            struct scene scene;
+            struct status status = {0};
+            snprintf(path, sizeof path, "%s/s", directory.path);
+            assert_int_equal(inside ? mkdir(path, 0777) : 0, 0);
+            for (size_t i = 0; i < SMALL_FILES - 2 + over; i++) { /* and . and .. */
+                snprintf(name, sizeof name, inside ? "s/%zu.csv" : "%zu.csv", i);
+                scene_directory_add(&directory, name);
+            }
+            enum status_code code = scene_read(&scene, directory.path, NULL, &status);
+            if (over) {
+                assert_int_equal(code, STATUS_SCENE);
+                expect_limit(status.message, LIMIT_FILES);
+            } else {
+                assert_int_equal(code, STATUS_OK);
+                assert_int_equal(scene.surface_count, inside ? 1 : SMALL_FILES - 2);
+            }
+            scene_free(&scene);
+            scene_directory_remove(&directory);
+        }
+}
+
+static void test_scene_files(void **state)
+{
+    (void)state;
+    struct scene_directory directory = scene_directory_make();
+    scene_directory_add(&directory, "a.csv");
+    for (size_t over = 0; over < 2; over++) {
+        struct text text = {0};
+        struct scene scene;
+        struct status status = {0};
+        text_add(&text, "surfaces:\n");
+        for (size_t i = 0; i < SMALL_SCENE_FILES / 2 + over; i++)
+            text_add(&text, "  - {name: s%zu, file: [a.csv, ./a.csv]}\n", i);
+        scene_directory_write(&directory, "scene.yaml", text.data, text.length);
+        if (scene_read(&scene, directory.path, NULL, &status) != (over ? STATUS_SCENE : STATUS_OK))
+            fail_msg("%s", status.message);
+        if (over)
+            assert_non_null(strstr(status.message, "more than 4 files in one scene; split it"));
+        met[LIMIT_SCENE_FILES] = true;
+        scene_free(&scene);
+        text_free(&text);
+    }
+    scene_directory_remove(&directory);
+}
+
+static const char heights[] = "x [um],z [um]\n0,0.5\n0.5,-1.25\n1,2.75\n1.5,0.125\n2,8\n2.5,-3.5\n";
+
+/* The heights, and blank lines up to `length` bytes. */
+static struct text long_heights(size_t length)
+{
+    struct text text = {0};
+    text_add(&text, "%s", heights);
+    while (text.length < length)
+        text_add(&text, "\n");
+    return text;
+}
+
+static void test_gzip(void **state)
+{
+    (void)state;
+    for (size_t over = 0; over < 2; over++)
+        for (size_t members = 1; members < 4; members++) {
+            struct text inner = long_heights(SMALL_UNPACKED_BYTES + over), text = {0};
+            size_t cut = inner.length / members;
+            for (size_t i = 0; i < members; i++) {
+                size_t from = i * cut, to = i + 1 < members ? from + cut : inner.length;
+                struct text member = gzip(inner.data + from, to - from);
+                put_copy(&text, &member);
+                text_free(&member);
+            }
+            text_free(&inner);
+            if (over)
+                expect_refused(&text, LIMIT_UNPACKED_BYTES);
+            else
+                expect_read(&text, SAMPLE_POINTS, 1);
+        }
+    struct text once = gzip(heights, sizeof heights - 1), twice = gzip(once.data, once.length);
+    text_free(&once);
+    expect_refused(&twice, LIMIT_PACKED_DEPTH);
+    const struct member in_zip[] = {{"a.csv", heights, sizeof heights - 1}, {NULL, NULL, 0}};
+    once = zip(in_zip, true);
+    twice = gzip(once.data, once.length);
+    text_free(&once);
+    expect_refused(&twice, LIMIT_PACKED_DEPTH);
+}
+
+static struct text archive_of(size_t members, size_t bytes_each)
+{
+    struct packed all[SMALL_MEMBERS + 1];
+    char names[SMALL_MEMBERS + 1][32];
+    assert_true(members <= SMALL_MEMBERS + 1);
+    for (size_t i = 0; i < members; i++) {
+        struct text text = long_heights(bytes_each);
+        snprintf(names[i], sizeof names[i], "%zu.csv", i);
+        all[i] = pack(names[i], text.data, text.length, i % 2 == 1);
+        text_free(&text);
+    }
+    struct text text = zip_of(all, members);
+    for (size_t i = 0; i < members; i++)
+        text_free(&all[i].bytes);
+    return text;
+}
+
+static void test_archives(void **state)
+{
+    (void)state;
+    struct text text = archive_of(SMALL_MEMBERS, 100);
+    expect_read(&text, SAMPLE_POINTS, 1);
+    text = archive_of(SMALL_MEMBERS + 1, 100);
+    expect_refused(&text, LIMIT_MEMBERS);
+    text = archive_of(4, SMALL_UNPACKED_BYTES / 4);
+    expect_read(&text, SAMPLE_POINTS, 1);
+    text = archive_of(4, SMALL_UNPACKED_BYTES / 4 + 1);
+    expect_refused(&text, LIMIT_UNPACKED_BYTES);
+    /* a claim of 1040 times the packed bytes and 64 more is believed until it is unpacked */
+    for (size_t over = 0; over < 2; over++) {
+        struct packed member = pack("a.csv", heights, sizeof heights - 1, false);
+        member.size = (member.bytes.length + 64 + over) * SMALL_UNPACKED_RATIO;
+        text = zip_of(&member, 1);
+        assert_refused_bytes(text.data, text.length, &um, over ? "bytes: damaged" : "is damaged; copy the file again");
+        text_free(&text);
+        text_free(&member.bytes);
+    }
+    met[LIMIT_UNPACKED_RATIO] = true;
+}
+
+#define AXIS(name, kind) "<" name "><AxisType>" kind "</AxisType><Increment>1e-6</Increment></" name ">"
+
+/* A profile of six points in main.xml itself, with `more` in it. */
+static struct text x3p(const char *more, size_t length)
+{
+    struct text main = {0};
+    text_add(&main, "<p:ISO5436_2><Record1><FeatureType>PRF</FeatureType><Axes>" AXIS("CX", "I") AXIS("CY", "I")
+                        AXIS("CZ", "A") "</Axes></Record1><Record3><ListDimension>6</ListDimension><DataList>");
+    for (size_t i = 0; i < SAMPLE_POINTS; i++)
+        text_add(&main, "<Datum>%g</Datum>", sample_um[i]);
+    text_add(&main, "</DataList></Record3>%s", more);
+    while (main.length + strlen("</p:ISO5436_2>") < length)
+        text_add(&main, "\n");
+    text_add(&main, "</p:ISO5436_2>");
+    const struct member members[] = {{"main.xml", main.data, main.length}, {NULL, NULL, 0}};
+    struct text text = zip(members, false);
+    text_free(&main);
+    return text;
+}
+
+static void test_x3p(void **state)
+{
+    (void)state;
+    enum { OWN_ELEMENTS = 22 };
+    for (size_t over = 0; over < 2; over++) {
+        struct text text = x3p("", SMALL_XML_BYTES + over), more = {0};
+        if (over)
+            expect_refused(&text, LIMIT_XML_BYTES);
+        else
+            expect_read(&text, SAMPLE_POINTS, 1);
+        for (size_t i = 0; i < SMALL_XML_ELEMENTS - OWN_ELEMENTS + over; i++)
+            text_add(&more, "<a/>");
+        text = x3p(more.data, 0);
+        text_free(&more);
+        if (over)
+            expect_refused(&text, LIMIT_XML_ELEMENTS);
+        else
+            expect_read(&text, SAMPLE_POINTS, 1);
+        /* looked at in pieces of 64 KiB */
+        text_add(&more, "<!--%*s-->", SMALL_XML_TAG_BYTES + (over ? 2 : -1) * 65536, "");
+        text = x3p(more.data, 0);
+        text_free(&more);
+        if (over)
+            expect_refused(&text, LIMIT_XML_TAG_BYTES);
+        else
+            expect_read(&text, SAMPLE_POINTS, 1);
+        for (size_t i = 0; i < SMALL_XML_DEPTH - 1 + over; i++)
+            text_add(&more, "<a>");
+        for (size_t i = 0; i < SMALL_XML_DEPTH - 1 + over; i++)
+            text_add(&more, "</a>");
+        text = x3p(more.data, 0);
+        text_free(&more);
+        if (over)
+            expect_refused(&text, LIMIT_XML_DEPTH);
+        else
+            expect_read(&text, SAMPLE_POINTS, 1);
+    }
+}
+
+static void test_no_row_is_without_its_test(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < LIMIT_COUNT; i++)
+        if (!met[i])
+            fail_msg("nothing was refused for the limit '%s'", limit_rows[i].name);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_texts),       cmocka_unit_test(test_lines),
+        cmocka_unit_test(test_maps),        cmocka_unit_test(test_files),
+        cmocka_unit_test(test_directories), cmocka_unit_test(test_scene_files),
+        cmocka_unit_test(test_gzip),        cmocka_unit_test(test_archives),
+        cmocka_unit_test(test_x3p),         cmocka_unit_test(test_no_row_is_without_its_test),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,548 @@
+/* Small files that would fill a memory or take for ever, and things in a directory that are no files: the program says
+ * what is wrong with each within a bounded memory and time of the processor. */
+#include "base/limits.h"
+#include "cli/process.h"
+#include "scan/zip_support.h"
+
+#include <stdio.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#ifdef __SANITIZE_ADDRESS__
+static const rlim_t memory = RLIM_INFINITY; /* the sanitizer's shadow is larger than any limit */
+#else
+static const rlim_t memory = 512 << 20;
+#endif
+static const rlim_t seconds = 60;
+
+static rlim_t set_limit(__rlimit_resource_t resource, rlim_t value)
+{
+    struct rlimit limit;
+    assert_int_equal(getrlimit(resource, &limit), 0);
+    rlim_t before = limit.rlim_cur;
+    limit.rlim_cur = value < limit.rlim_max ? value : limit.rlim_max;
+    assert_int_equal(setrlimit(resource, &limit), 0);
+    return before;
+}
+
+/* Runs the program with little memory and time, which it inherits. */
+static struct process run_bounded(const char *place, const char *const *arguments)
+{
+    rlim_t own_memory = set_limit(RLIMIT_AS, memory), own_seconds = set_limit(RLIMIT_CPU, seconds);
+    struct process_running running = process_start_list(place, arguments, NULL);
+    set_limit(RLIMIT_AS, own_memory);
+    set_limit(RLIMIT_CPU, own_seconds);
+    return process_end(running);
+}
+
+#define RUN(place, ...) run_bounded((place), (const char *const[]){PROGRAM, __VA_ARGS__, NULL})
+
+/* Frees them. */
+static void write_bytes(const char *place, const char *name, struct text *bytes)
+{
+    char path[4096];
+    struct status status = {0};
+    assert_false(bytes->failed);
+    snprintf(path, sizeof path, "%s/%s", place, name);
+    if (text_write_file(path, text_string(bytes), bytes->length, &status) != STATUS_OK)
+        fail_msg("%s", status.message);
+    text_free(bytes);
+}
+
+/* Writes the bytes to a file, which `inspect` has to refuse with one line that holds `message`. Frees them. */
+static void expect_refused(const char *place, struct text *text, const char *message)
+{
+    write_bytes(place, "hostile", text);
+    process_expect_failure(RUN(place, "inspect", "--x-unit", "um", "--z-unit", "um", "hostile"), 4, 1, message,
+                           __FILE__, __LINE__);
+}
+
+static const char *limit_message(enum limit limit)
+{
+    static struct limit_words words;
+    words = limit_words(limit);
+    return words.text;
+}
+
+static struct text zip_with_main(const char *bytes, size_t length)
+{
+    const struct member members[] = {{"main.xml", bytes, length}, {NULL, NULL, 0}};
+    return zip(members, true);
+}
+
+/* Nested elements (1 and 20 KB), elements side by side, one of 200 000 attributes, attributes by the thousand, and
+ * blanks. */
+static void test_xml(void **state)
+{
+    const char *place = *state;
+    for (size_t millions = 1; millions < 20; millions += 18) {
+        struct text xml = {0};
+        for (size_t i = 0; i < millions * 1000000 / 3; i++)
+            text_add_bytes(&xml, "<a>", 3);
+        struct text text = zip_with_main(xml.data, xml.length);
+        text_free(&xml);
+        expect_refused(place, &text, limit_message(LIMIT_XML_DEPTH));
+    }
+    struct text xml = {0};
+    text_add(&xml, "<x>");
+    for (size_t i = 0; i < limit_most(LIMIT_XML_ELEMENTS); i++)
+        text_add_bytes(&xml, "<a/>", 4);
+    struct text text = zip_with_main(xml.data, xml.length);
+    text_free(&xml);
+    expect_refused(place, &text, limit_message(LIMIT_XML_ELEMENTS));
+    text_add(&xml, "<x");
+    for (size_t i = 0; i < 200000; i++)
+        text_add(&xml, " a%zu=''", i);
+    text = zip_with_main(xml.data, xml.length);
+    text_free(&xml);
+    expect_refused(place, &text, limit_message(LIMIT_XML_TAG_BYTES));
+    text_add(&xml, "<x>");
+    for (size_t i = 0; i < limit_most(LIMIT_XML_ELEMENTS); i += 1000) {
+        text_add(&xml, "<a");
+        for (size_t k = 0; k < 1000; k++)
+            text_add(&xml, " a%zu=''", k);
+        text_add(&xml, "/>");
+    }
+    text = zip_with_main(xml.data, xml.length);
+    text_free(&xml);
+    expect_refused(place, &text, limit_message(LIMIT_XML_ELEMENTS));
+    char *blanks = calloc(1, limit_most(LIMIT_XML_BYTES) + 1);
+    assert_non_null(blanks);
+    text = zip_with_main(blanks, limit_most(LIMIT_XML_BYTES) + 1);
+    free(blanks);
+    expect_refused(place, &text, limit_message(LIMIT_XML_BYTES));
+}
+
+/* 64 entries of one stream of 16 MiB; and the same where each stream begins within the one before. */
+static void test_shared_streams(void **state)
+{
+    const char *place = *state;
+    enum { ENTRIES = 64, SIZE = 16 << 20 };
+    char *zeros = calloc(1, SIZE);
+    assert_non_null(zeros);
+    struct packed all[ENTRIES];
+    all[0] = pack("a.csv", zeros, SIZE, true);
+    for (size_t i = 1; i < ENTRIES; i++) {
+        all[i] = all[0];
+        all[i].at = 0;
+    }
+    struct text text = zip_of(all, ENTRIES);
+    expect_refused(place, &text, "entries of the archive share their bytes");
+    /* a stored entry that holds the whole of the next */
+    struct packed inner = pack("b.csv", zeros, SIZE, true);
+    struct text archive = zip_of(&inner, 1);
+    size_t local = 30 + strlen("b.csv") + inner.bytes.length;
+    struct packed two[2] = {pack("c.csv", archive.data, local, false), inner};
+    two[1].at = 30 + strlen("c.csv");
+    text = zip_of(two, 2);
+    expect_refused(place, &text, "entries of the archive share their bytes");
+    text_free(&archive);
+    text_free(&two[0].bytes);
+    text_free(&inner.bytes);
+    text_free(&all[0].bytes);
+    free(zeros);
+}
+
+/* What archives claim is looked at before anything is unpacked. */
+static void test_claims(void **state)
+{
+    const char *place = *state;
+    char *junk = calloc(1, 2200000);
+    assert_non_null(junk);
+    struct packed all[3];
+    static const char *const names[] = {"a.csv", "b.csv", "c.csv"};
+    for (size_t i = 0; i < 3; i++) {
+        all[i] = pack(names[i], junk, 1100000, false);
+        all[i].size = 1 << 30;
+        all[i].method = 8;
+        all[i].zip64 = true;
+    }
+    struct text text = zip_of(all, 3);
+    expect_refused(place, &text, limit_message(LIMIT_UNPACKED_BYTES));
+    for (size_t i = 0; i < 3; i++)
+        text_free(&all[i].bytes);
+    free(junk);
+    /* a million files, of which there is not one */
+    for (int zip64 = 0; zip64 < 2; zip64++) {
+        put_bytes(&text, 0x04034b50, 4);
+        if (zip64) {
+            put_bytes(&text, 0x06064b50, 4);
+            put_field(&text, "", 28);
+            put_bytes(&text, 1000000, 8);
+            put_bytes(&text, 0, 16);
+            put_bytes(&text, 0x07064b50, 4);
+            put_bytes(&text, 0, 4);
+            put_bytes(&text, 4, 8);
+            put_bytes(&text, 1, 4);
+        }
+        put_bytes(&text, 0x06054b50, 4);
+        put_bytes(&text, 0, 4);
+        put_bytes(&text, 65535, 2);
+        put_bytes(&text, 65535, 2);
+        put_bytes(&text, 0, 8);
+        put_bytes(&text, 0, 2);
+        char message[200];
+        snprintf(message, sizeof message, "%d files in the archive%s", zip64 ? 1000000 : 65535,
+                 limit_message(LIMIT_MEMBERS));
+        expect_refused(place, &text, message);
+    }
+}
+
+static void put_sur_header(struct text *text, uint32_t nx, uint32_t ny)
+{
+    put_field(text, "DSCOMPRESSED", 12);
+    put_bytes(text, 0, 2);
+    put_bytes(text, 1, 2);
+    put_bytes(text, 1, 2);
+    put_bytes(text, 2, 2); /* a surface */
+    put_field(text, "", 30 + 30 + 6 + 2 + 10);
+    put_bytes(text, 16, 2); /* bits */
+    put_field(text, "", 8);
+    put_bytes(text, nx, 4);
+    put_bytes(text, ny, 4);
+    put_field(text, "", 4);
+    for (size_t i = 0; i < 3; i++)
+        put_f32(text, 1);
+    put_field(text, "", 3 * 16);
+    for (size_t i = 0; i < 3; i++)
+        put_field(text, "um", 16);
+    put_field(text, "", 512 - text->length);
+}
+
+/* A megabyte of compressed heights: more points than may be, and a gigabyte behind a header of six. */
+static void test_expanding(void **state)
+{
+    const char *place = *state;
+    char *zeros = calloc(1, 1 << 20);
+    assert_non_null(zeros);
+    for (int few = 0; few < 2; few++) {
+        struct text text = {0};
+        put_sur_header(&text, few ? 3 : 32768, few ? 2 : 16384);
+        put_bytes(&text, 1, 4);
+        put_bytes(&text, 1 << 30, 4);
+        put_bytes(&text, 1 << 20, 4);
+        text_add_bytes(&text, zeros, 1 << 20);
+        expect_refused(place, &text,
+                       few ? "compressed streams of 1073741824 bytes, where the heights take 12"
+                           : limit_message(LIMIT_POINTS));
+    }
+    static const char main[] =
+        "<p><Record1><FeatureType>SUR</FeatureType><Axes><CX><AxisType>I</AxisType><Increment>1e-6</Increment></CX>"
+        "<CY><AxisType>I</AxisType><Increment>1e-6</Increment></CY><CZ><AxisType>A</AxisType><DataType>D</DataType>"
+        "</CZ></Axes></Record1><Record3><MatrixDimension><SizeX>16384</SizeX><SizeY>8192</SizeY><SizeZ>1</SizeZ>"
+        "</MatrixDimension><DataLink><PointDataLink>d</PointDataLink></DataLink></Record3></p>";
+    struct packed members[2] = {pack("main.xml", main, sizeof main - 1, true), pack("d", zeros, 1 << 20, false)};
+    members[1].size = 1 << 30;
+    members[1].method = 8;
+    struct text text = zip_of(members, 2);
+    expect_refused(place, &text, limit_message(LIMIT_POINTS));
+    text_free(&members[0].bytes);
+    text_free(&members[1].bytes);
+    free(zeros);
+}
+
+/* Heights and then as many zeros as say, deflated. */
+static struct text deflated_with_zeros(const struct text *heights, size_t zeros)
+{
+    static Bytef piece[1 << 20];
+    struct text text = {0};
+    Bytef out[65536];
+    z_stream stream = {.next_in = (Bytef *)heights->data, .avail_in = (uInt)heights->length};
+    assert_int_equal(deflateInit2(&stream, 1, Z_DEFLATED, -15, 8, Z_DEFAULT_STRATEGY), Z_OK);
+    for (int code = Z_OK; code == Z_OK;) {
+        if (stream.avail_in == 0 && zeros > 0) {
+            stream.next_in = piece;
+            stream.avail_in = zeros < sizeof piece ? (uInt)zeros : (uInt)sizeof piece;
+            zeros -= stream.avail_in;
+        }
+        stream.next_out = out;
+        stream.avail_out = sizeof out;
+        code = deflate(&stream, zeros == 0 ? Z_FINISH : Z_NO_FLUSH);
+        text_add_bytes(&text, (const char *)out, sizeof out - stream.avail_out);
+    }
+    deflateEnd(&stream);
+    return text;
+}
+
+/* Of a file of points no more is unpacked than main.xml says there are, though it holds 600 MB. */
+static void test_points_as_announced(void **state)
+{
+    const char *place = *state;
+    enum { POINTS = 4096, ZEROS = 600 << 20 };
+    static const char main[] =
+        "<p><Record1><FeatureType>PRF</FeatureType><Axes><CX><AxisType>I</AxisType><Increment>1e-6</Increment></CX>"
+        "<CZ><AxisType>A</AxisType><DataType>D</DataType></CZ></Axes></Record1><Record3><MatrixDimension>"
+        "<SizeX>4096</SizeX><SizeY>1</SizeY></MatrixDimension>"
+        "<DataLink><PointDataLink>d</PointDataLink></DataLink></Record3></p>";
+    struct text heights = {0};
+    for (size_t i = 0; i < POINTS; i++)
+        put_f64(&heights, 1e-6 * (double)(i * i % 101));
+    struct packed members[2] = {pack("main.xml", main, sizeof main - 1, true),
+                                {.name = "d",
+                                 .bytes = deflated_with_zeros(&heights, ZEROS),
+                                 .method = 8,
+                                 .size = heights.length + ZEROS,
+                                 .at = SIZE_MAX}};
+    struct text text = zip_of(members, 2);
+    write_bytes(place, "a.x3p", &text);
+    struct process process = process_expect(RUN(place, "inspect", "--no-chart", "a.x3p"), 0, __FILE__, __LINE__);
+    expect_part(process.out, "4096");
+    process_free(&process);
+    text_free(&members[0].bytes);
+    text_free(&members[1].bytes);
+    text_free(&heights);
+}
+
+/* More than the limit on what a file unpacks to, of 2 MB: with that much memory the limit is named, with less its lack.
+ */
+static void test_endless_gzip(void **state)
+{
+    const char *place = *state;
+    enum { SIZE = 16 << 20 };
+    char *blanks = malloc(SIZE);
+    assert_non_null(blanks);
+    memset(blanks, '\n', SIZE);
+    struct text member = gzip(blanks, SIZE), text = {0};
+    free(blanks);
+    for (size_t i = 0; i <= limit_most(LIMIT_UNPACKED_BYTES) / SIZE; i++)
+        put_copy(&text, &member);
+    text_free(&member);
+    if (memory == RLIM_INFINITY) {
+        print_message("skipped: no limit of the memory here\n");
+        text_free(&text);
+        skip();
+    }
+    expect_refused(place, &text, "out of memory");
+}
+
+/* Headers that say more than any file holds. */
+static void test_lying_headers(void **state)
+{
+    const char *place = *state;
+    static const char *const texts[] = {
+        "aISO-1.0\nNumPoints=1844674407370955160\nNumProfiles=1844674407370955160\nXscale=1\nYscale=1\nZscale=1\n*"
+        "\n1 2 "
+        "3\n",
+        "aISO-1.0\nNumPoints=4000000000\nNumProfiles=4000000000\nXscale=1\nYscale=1\nZscale=1\n*\n1 2 3\n",
+        "1 2\nx\nCX M 1e12 MM 1 D\nCZ M 1e12 MM 1 D\nEOR\nSPACING CX 1\nEOR\n1\n2\n3\nEOR\nEOF\n",
+        "ISO 5436\n-\nCX I 1844674407370955160 um 1 D 1\nCZ A 1844674407370955160 um 1 D\n\003r\003 1 2 3\003",
+        "<DATAFILE><UNITS>um</UNITS><NUMPOINTS>99999999999999</NUMPOINTS><SPACING>1</SPACING><DATA_POINT_VALUES>1\n2\n3"
+        "</DATA_POINT_VALUES></DATAFILE>",
+        "[PROFILE_HEADER]\nNO_POINTS=99999999999999\n[PROFILE_VALUES]\n0=1 2 3\n",
+        "DSAA\n4294967295 4294967295\n0 1\n0 1\n0 1\n1 2 3\n",
+        "Gwyddion Simple Field 1.0\nXRes=1844674407370955160\nYRes=9\nXReal=1\nYReal=1\n",
+    };
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+        struct text text = {0};
+        text_add_bytes(&text, texts[i], strlen(texts[i]) + 1);
+        expect_refused(place, &text, "points");
+    }
+    struct text text = {0};
+    put_field(&text, "bISO-1.0", 42);
+    put_bytes(&text, UINT32_MAX, 4); /* points, profiles */
+    for (size_t i = 0; i < 4; i++)
+        put_f64(&text, 1);
+    put_bytes(&text, 0x070000, 3); /* not compressed, doubles */
+    put_field(&text, "", 100);
+    expect_refused(place, &text, "the header says 65535 x 65535 points");
+    put_field(&text, "[p3dlin]", 20);
+    put_bytes(&text, UINT32_MAX, 4);
+    put_field(&text, "[Trajec]", 100);
+    expect_refused(place, &text, "the header says 4294967295 x 1 points");
+    put_field(&text, "DSRB", 4);
+    put_bytes(&text, 4, 4);
+    put_bytes(&text, 1, 4);
+    put_field(&text, "GRID", 4);
+    put_bytes(&text, 72, 4);
+    put_bytes(&text, UINT64_MAX, 8);
+    put_field(&text, "", 64);
+    put_field(&text, "DATA", 4);
+    put_bytes(&text, UINT32_MAX, 4);
+    put_field(&text, "", 100);
+    expect_refused(place, &text, "the header says 4294967295 x 4294967295 points");
+    put_field(&text, "GWYPGwyContainer", 17);
+    size_t start = text.length;
+    put_bytes(&text, 0, 4);
+    for (size_t depth = 0; depth < 20000; depth++) { /* objects in objects, and strings without end */
+        put_field(&text, "a", 2);
+        put_field(&text, "oX", 3);
+        put_bytes(&text, (20000 - depth - 1) * 9 + 7, 4);
+    }
+    put_field(&text, "b", 2);
+    put_field(&text, "S", 1);
+    put_bytes(&text, UINT32_MAX, 4);
+    uint32_t length = (uint32_t)(text.length - start - 4);
+    memcpy(text.data + start, &length, sizeof length);
+    expect_refused(place, &text, "no map in it");
+}
+
+static void test_texts(void **state)
+{
+    const char *place = *state;
+    struct text text = {0};
+    for (size_t i = 0; i < 1500000; i++)
+        text_add_bytes(&text, "1 ", 2);
+    expect_refused(place, &text, limit_message(LIMIT_LINE_BYTES));
+    for (size_t i = 0; i < 3000000; i++)
+        text_add_bytes(&text, "x", 1);
+    expect_refused(place, &text, limit_message(LIMIT_LINE_BYTES));
+    for (size_t i = 0; i < 70000; i++)
+        text_add_bytes(&text, "1;", 2);
+    expect_refused(place, &text, limit_message(LIMIT_COLUMNS));
+    for (size_t i = 0; i < 500000; i++)
+        text_add_bytes(&text, "spacing x\n", 10);
+    expect_refused(place, &text, limit_message(LIMIT_HEADER_BYTES));
+}
+
+/* A file larger than may be, of which nothing is read; and standard input that never ends. */
+static void test_endless_input(void **state)
+{
+    const char *place = *state;
+    workspace_write(place, "large.csv", "1 2\n");
+    char path[4096];
+    snprintf(path, sizeof path, "%s/large.csv", place);
+    assert_int_equal(truncate(path, (off_t)limit_most(LIMIT_FILE_BYTES) + 1), 0);
+    process_expect_failure(RUN(place, "inspect", "large.csv"), 4, 1, limit_message(LIMIT_FILE_BYTES), __FILE__,
+                           __LINE__);
+    if (memory == RLIM_INFINITY) {
+        print_message("skipped: no limit of the memory here\n");
+        skip();
+    }
+    const char *const arguments[] = {"/bin/sh", "-c", "exec " PROGRAM " inspect - </dev/zero", NULL};
+    process_expect_failure(run_bounded(place, arguments), 4, 1, "out of memory", __FILE__, __LINE__);
+}
+
+static void make_socket(const char *place, const char *name)
+{
+    struct sockaddr_un address = {.sun_family = AF_UNIX};
+    int descriptor = socket(AF_UNIX, SOCK_STREAM, 0);
+    assert_true(descriptor >= 0);
+    assert_true((size_t)snprintf(address.sun_path, sizeof address.sun_path, "%s/%s", place, name) <
+                sizeof address.sun_path);
+    assert_int_equal(bind(descriptor, (const struct sockaddr *)&address, sizeof address), 0);
+    close(descriptor);
+}
+
+static void in_place(char path[4096], const char *place, const char *name)
+{
+    snprintf(path, 4096, "%s/%s", place, name);
+}
+
+static void make_pipe(const char *place, const char *name)
+{
+    char path[4096];
+    in_place(path, place, name);
+    assert_int_equal(mkfifo(path, 0666), 0);
+}
+
+static void make_link(const char *place, const char *name, const char *to)
+{
+    char path[4096];
+    in_place(path, place, name);
+    assert_int_equal(symlink(to, path), 0);
+}
+
+/* Pipes, sockets, devices and links in circles lie in a directory; folders in folders lead nowhere. */
+static void test_no_files(void **state)
+{
+    const char *place = *state;
+    char path[4096];
+    workspace_scan(place, "d/a.csv", 200, 1);
+    workspace_scan(place, "d/s/b.csv", 200, 2);
+    static const char *const folders[] = {"d", "d/s"};
+    for (size_t i = 0; i < 2; i++) {
+        char name[64];
+#define NAME(end) (snprintf(name, sizeof name, "%s/%s", folders[i], end), name)
+        make_pipe(place, NAME("pipe.csv"));
+        make_pipe(place, NAME("a.txt"));
+        make_socket(place, NAME("socket.csv"));
+        make_link(place, NAME("zero.csv"), "/dev/zero");
+        make_link(place, NAME("terminal.csv"), "/dev/tty");
+        make_link(place, NAME("self.csv"), "self.csv");
+        make_link(place, NAME("circle"), ".");
+        make_link(place, NAME("up"), "..");
+    }
+    in_place(path, place, "d/deep");
+    for (size_t depth = 0; depth < 1000; depth++) {
+        assert_true(strlen(path) + 3 < sizeof path);
+        assert_int_equal(mkdir(path, 0777), 0);
+        strcat(path, "/d");
+    }
+    alarm(120); /* a pipe that is opened would keep everybody waiting */
+    struct process process = process_expect(RUN(place, "inspect", "--no-chart", "d"), 0, __FILE__, __LINE__);
+    expect_part(process.out, "d/a.csv");
+    expect_part(process.out, "b.csv");
+    expect_no_part(process.out, "pipe");
+    expect_no_part(process.out, "zero");
+    process_free(&process);
+    process = process_expect(RUN(place, "plan", "d"), 0, __FILE__, __LINE__);
+    process_free(&process);
+    static const char *const none[] = {"d/pipe.csv", "d/socket.csv", "d/zero.csv"};
+    for (size_t i = 0; i < 3; i++)
+        process_expect_failure(RUN(place, "inspect", none[i]), 4, 1, "is no regular file", __FILE__, __LINE__);
+    process_expect_failure(RUN(place, "inspect", "d/self.csv"), 4, 1, "Too many levels of symbolic links", __FILE__,
+                           __LINE__);
+    workspace_write(place, "d/scene.yaml", "material: tin\nsurfaces:\n  - {name: p, file: pipe.csv}\n");
+    process_expect_failure(RUN(place, "plan", "d"), 3, 1, "surface file 'pipe.csv' is no regular file", __FILE__,
+                           __LINE__);
+    alarm(0);
+}
+
+/* A file that is replaced by a pipe after the scene was read is not waited for either: all reading goes this way. */
+static void test_reading_a_pipe(void **state)
+{
+    const char *place = *state;
+    char path[4096];
+    struct text text = {0};
+    struct status status = {0};
+    make_pipe(place, "pipe");
+    in_place(path, place, "pipe");
+    alarm(60);
+    assert_int_equal(text_read_file(&text, path, &status), STATUS_IO);
+    alarm(0);
+    expect_part(status.message, "pipe' is no regular file");
+    text_free(&text);
+}
+
+/* `inspect --limits` prints the table, row by row, and reads no file. */
+static void test_limits_are_printed(void **state)
+{
+    const char *place = *state;
+    struct process process = expect_exit(place, 0, "inspect", "--limits");
+    const char *line = process.out;
+    for (size_t i = 0; i < LIMIT_COUNT; i++) {
+        const struct limit_row *row = &limit_rows[i];
+        char expected[400];
+        snprintf(expected, sizeof expected, "%-11s at most %10zu %-9s %s; beyond: %s\n", row->name, row->most,
+                 row->unit, row->meaning, row->remedy);
+        assert_int_equal(strncmp(line, expected, strlen(expected)), 0);
+        line += strlen(expected);
+    }
+    assert_int_equal(*line, 0);
+    process_free(&process);
+    process = expect_exit(place, 0, "inspect", "--limits", "--json");
+    expect_part(process.out, "\"name\": \"points\",\n  \"most\": 100000000,");
+    process_free(&process);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        workspace_test(test_xml),
+        workspace_test(test_shared_streams),
+        workspace_test(test_claims),
+        workspace_test(test_expanding),
+        workspace_test(test_points_as_announced),
+        workspace_test(test_endless_gzip),
+        workspace_test(test_lying_headers),
+        workspace_test(test_texts),
+        workspace_test(test_endless_input),
+        workspace_test(test_no_files),
+        workspace_test(test_reading_a_pipe),
+        workspace_test(test_limits_are_printed),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
