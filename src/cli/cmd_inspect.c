@@ -341,6 +341,7 @@ const struct argp command_inspect_argp = {
     .args_doc = "FILE|DIR|-...",
     .doc = "Says what is in each scan: format, points, spacing, units, roughness, power law. Of a directory, the "
            "scans that a report on it would read; - is standard input. An archive (zip) may hold several scans."};
+
 /** What files may hold, as docs/limits.md has it. */
 static void print_limits(bool as_json)
 {
