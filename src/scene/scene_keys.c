@@ -430,6 +430,7 @@ bool scene_keys_read(struct scene_source *source, const yaml_node_t *root)
          .alias = "fit_band_m"},
         {"moments", SCENE_CHOICE(scene->moments, roughness_moments_names)},
         {"closure", SCENE_CHOICE(scene->closure, closure_names)},
+        {"data", SCENE_CHOICE(scene->data, scene_data_names)},
         {"max_missing", SCENE_QUANTITY(scene->max_missing, UNIT_NUMBER | UNIT_PERCENT, 0.0, 0.9)},
         {"lambda_s", SCENE_QUANTITY(scene->lambda_s_m, UNIT_DISTANCE, 1e-12, 1e3), .word = "none",
          .alias = "lambda_s_m"},
