@@ -527,7 +527,7 @@ static enum status_code print_surface(void *context, size_t index, struct thread
     struct surface_record *record = malloc(sizeof *record);
     if (!record)
         return status_memory(status);
-    if (surface_store_get(record, results->store, index, status) == STATUS_OK) {
+    if (surface_store_get_part(record, results->store, index, SURFACE_STORE_CURVES, status) == STATUS_OK) {
         const struct cell_guard guard = {record->summary.scene->name, status};
         struct text text = {0};
         json_t *json = surface_json(record, results->scene, results->plan, &guard);

@@ -285,7 +285,7 @@ static enum status_code put_curves(void *context, size_t index, struct threads_t
     struct surface_record *record = malloc(sizeof *record);
     if (!record)
         return status_memory(status);
-    if (surface_store_get(record, results->store, index, status) == STATUS_OK) {
+    if (surface_store_get_part(record, results->store, index, SURFACE_STORE_SPECTRUM, status) == STATUS_OK) {
         struct table spectrum = table_part(&all->spectrum, turn, status),
                      contact = table_part(&all->contact, turn, status), bands = table_part(&all->bands, turn, status);
         put_spectrum(&spectrum, record, scene_bins_spectra(results->scene));

@@ -25,6 +25,16 @@ void surface_store_close(struct surface_store *store);
  * from several threads. Error: STATUS_IO; then the texts are still the caller's. */
 MUST_CHECK enum status_code surface_store_put(struct surface_store *store, size_t index,
                                               const struct surface_record *record, struct status *status);
+/** How much of a record is wanted: a spectrum has millions of numbers, a curve a hundred. */
+enum surface_store_part {
+    SURFACE_STORE_CURVES,   /* curves, bands, what stands in the record itself; the other arrays are NULL, of count 0 */
+    SURFACE_STORE_SPECTRUM, /* and the spectrum */
+    SURFACE_STORE_ALL
+};
+
+/** Reads a part back, from any thread; else as surface_store_get(). */
+MUST_CHECK enum status_code surface_store_get_part(struct surface_record *out, struct surface_store *store,
+                                                   size_t index, enum surface_store_part part, struct status *status);
 /** Reads it back, from any thread; end it with surface_record_free(record, false). Errors: STATUS_IO, STATUS_MEMORY. */
 MUST_CHECK enum status_code surface_store_get(struct surface_record *out, struct surface_store *store, size_t index,
                                               struct status *status);
