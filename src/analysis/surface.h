@@ -82,8 +82,8 @@ struct surface_record {
     double *direct_m;               /* where a direct solution is called for: heights of the profiles, or the square of
                                        a map row after row, as measured; else NULL */
     size_t direct_count;
-    double preview_x_m[SURFACE_PREVIEW], preview_z_m[SURFACE_PREVIEW];
     size_t preview_points;
+    double preview_x_m[SURFACE_PREVIEW], preview_z_m[SURFACE_PREVIEW]; /* last, as few of them are used */
 };
 
 /** Is the beta of model `m` sought that is nearest to its multiscale counterpart? */

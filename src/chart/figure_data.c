@@ -352,9 +352,11 @@ static enum status_code put_surfaces(struct figure_file *out, const struct resul
     enum status_code rc = STATUS_OK;
     for (size_t k = 0; k < results->shown_count && rc == STATUS_OK; k++) {
         struct surface_record record;
-        if (surface_store_get(&record, results->store, results->shown[k], status) != STATUS_OK)
-            return status->code;
         const struct figure_row *row = out->figure->row;
+        bool all = row->kind == FIGURE_SPECTRA || row->kind == FIGURE_PROBABILITY;
+        if (surface_store_get_part(&record, results->store, results->shown[k],
+                                   all ? SURFACE_BYTES_ALL : SURFACE_BYTES_CURVES, status) != STATUS_OK)
+            return status->code;
         char legend[200], style[24];
         out->load_scale = results_load_axis(results, results->shown[k]).scale;
         surface_legend(legend, sizeof legend, &record.summary);

@@ -382,6 +382,11 @@ static void print_plan(const struct scene *scene, const struct prepared *prepare
     printf("\n%zu surface%s, %zu loads, tolerance %g, closure %s\n", scene->surface_count,
            scene->surface_count == 1 ? "" : "s", prepared->results.load_count, scene->tolerance,
            sinusoid_fits[scene->closure].name);
+    if (scene_bins_spectra(scene))
+        printf(
+            "data/spectrum.csv holds bins of a tenth of a decade, as of more than %d surfaces; `data: full` has every "
+            "harmonic\n",
+            SCENE_DATA_SURFACES);
     if (scene->target_count > 0)
         printf("%zu target%s: a search each on every model's curve of each surface, counted in the evaluations above\n",
                scene->target_count, scene->target_count == 1 ? "" : "s");

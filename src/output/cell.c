@@ -1,5 +1,6 @@
 #include "output/cell.h"
 
+#include "base/number_digits.h"
 #include <math.h>
 
 /** Is there a number to write? */
@@ -14,10 +15,8 @@ static bool present(const struct cell_guard *guard, const char *quantity, double
 
 void cell_number(struct text *row, const struct cell_guard *guard, const char *quantity, double value)
 {
-    if (present(guard, quantity, value))
-        text_add(row, ",%.17g", value);
-    else
-        text_add_bytes(row, ",", 1);
+    char number[1 + NUMBER_DIGITS_SIZE] = ",";
+    text_add_bytes(row, number, 1 + (present(guard, quantity, value) ? number_digits(number + 1, value) : 0));
 }
 
 json_t *cell_json(const struct cell_guard *guard, const char *quantity, double value)

@@ -1,13 +1,13 @@
 #include "output/json.h"
 
-#include "output/cell.h"
-
 #include "analysis/direct_study.h"
 #include "base/version.h"
 #include "output/cell.h"
+#include "output/json_print.h"
 #include <errno.h>
 #include <jansson.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 static void set(json_t *object, const struct cell_guard *guard, const char *key, double value)
@@ -127,6 +127,8 @@ static json_t *scene_json(const struct results *results, const struct cell_guard
     json_object_set_new(json, "window", json_string(spectrum_window_names[scene->window]));
     json_object_set_new(json, "moments", json_string(roughness_moments_names[scene->moments]));
     json_object_set_new(json, "closure", json_string(sinusoid_fits[scene->closure].name));
+    json_object_set_new(json, "data", json_string(scene_data_names[scene->data]));
+    json_object_set_new(json, "spectra", json_string(scene_bins_spectra(scene) ? "bins" : "every harmonic"));
     json_object_set_new(json, "direction", json_string(scan_direction_names[scene->direction]));
     set(json, guard, "max_missing", scene->max_missing);
     set(json, guard, "lambda_s_m", scene->lambda_s_m);
@@ -555,12 +557,61 @@ json_t *json_outline(const struct results *results, bool complete)
 /** Prints one value; takes it over. */
 static bool print(FILE *file, json_t *json)
 {
-    bool ok = json && json_dumpf(json, file, JSON_INDENT(1) | JSON_REAL_PRECISION(17)) == 0;
+    struct text text = {.failed = !json};
+    if (json)
+        json_print(&text, json);
+    bool ok = !text.failed && fwrite(text.data, 1, text.length, file) == text.length;
+    text_free(&text);
     json_decref(json);
     return ok;
 }
 
-enum status_code json_write(const struct results *results, const char *directory, struct status *status)
+/** The surfaces' part of the file. */
+struct surfaces_json {
+    const struct results *results;
+    FILE *file;
+    size_t first; /* of the usable ones */
+};
+
+/** Prints one of them, in turn. */
+static enum status_code print_surface(void *context, size_t index, struct threads_turn *turn, struct status *status)
+{
+    const struct surfaces_json *all = context;
+    const struct results *results = all->results;
+    if (!results->store->summaries[index].usable)
+        return STATUS_OK;
+    struct surface_record *record = malloc(sizeof *record);
+    if (!record)
+        return status_memory(status);
+    if (surface_store_get_part(record, results->store, index, SURFACE_BYTES_CURVES, status) == STATUS_OK) {
+        const struct cell_guard guard = {record->summary.scene->name, status};
+        struct text text = {0};
+        json_t *json = surface_json(record, results->scene, results->plan, &guard);
+        text_add(&text, index == all->first ? "\n" : ",\n");
+        json_print(&text, json);
+        json_decref(json);
+        if (text.failed)
+            (void)status_memory(status);
+        else if (threads_wait(turn))
+            fwrite(text.data, 1, text.length, all->file);
+        text_free(&text);
+        surface_record_free(record, false);
+    }
+    free(record);
+    return status->code;
+}
+
+static enum status_code print_surfaces(FILE *file, const struct results *results, const struct threads *threads,
+                                       struct status *status)
+{
+    struct surfaces_json all = {results, file, 0};
+    while (all.first < results->store->count && !results->store->summaries[all.first].usable)
+        all.first++;
+    return threads_run(threads, results->store->count, print_surface, &all, status);
+}
+
+enum status_code json_write(const struct results *results, const char *directory, const struct threads *threads,
+                            struct status *status)
 {
     struct text path = {0};
     text_add(&path, "%s/results.json", directory);
@@ -572,17 +623,7 @@ enum status_code json_write(const struct results *results, const char *directory
     fprintf(file, "{\"program\": \"roughcontact\",\n\"version\": \"%s\",\n\"scene\": ", version_string());
     bool ok = print(file, scene_json(results, &of_scene)), first = true;
     fputs(",\n\"surfaces\": [", file);
-    for (size_t i = 0; i < results->store->count && ok; i++) {
-        if (!results->store->summaries[i].usable)
-            continue;
-        const struct cell_guard guard = {results->store->summaries[i].scene->name, status};
-        struct surface_record record;
-        ok = surface_store_get(&record, results->store, i, status) == STATUS_OK;
-        fputs(first ? "\n" : ",\n", file);
-        first = false;
-        ok = ok && print(file, surface_json(&record, results->scene, results->plan, &guard));
-        surface_record_free(&record, false);
-    }
+    ok = ok && print_surfaces(file, results, threads, status) == STATUS_OK;
     fputs("],\n\"refused\": [", file);
     first = true;
     for (size_t i = 0; i < results->store->count && ok; i++) {

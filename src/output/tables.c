@@ -4,16 +4,22 @@
 #include "output/cell.h"
 #include <errno.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
-enum { SWEEP_ROWS = 200 };
+enum {
+    SWEEP_ROWS = 200,
+    HELD_BYTES = 1 << 20 /* of rows before they are written; those of an ordinary surface wait for nobody then */
+};
 
-/** A file being written, row by row. */
+/** A file being written; or what one surface adds to it, whose rows are written in the surfaces' order. */
 struct table {
     FILE *file;
     const char *name;
-    struct text row;
-    struct cell_guard guard; /* names the surface of the row */
+    struct text rows;          /* not written yet */
+    struct text lead;          /* how rows of guard.surface begin */
+    struct cell_guard guard;   /* names the surface of the row */
+    struct threads_turn *turn; /* NULL: the file is this table's alone */
 };
 
 static enum status_code table_open(struct table *out, const char *directory, const char *name, struct status *status)
@@ -26,33 +32,63 @@ static enum status_code table_open(struct table *out, const char *directory, con
     return out->file ? STATUS_OK : status_fail(status, STATUS_IO, "cannot write '%s': %s", name, strerror(errno));
 }
 
+/** Writes the rows held, in turn; of a surface in vain they go. */
+static void write_rows(struct table *table)
+{
+    if (table->rows.length > 0 && threads_wait(table->turn))
+        fwrite(table->rows.data, 1, table->rows.length, table->file);
+    table->rows.length = 0;
+}
+
 /** Ends a row of cells. */
 static void end_row(struct table *table)
 {
-    text_add_bytes(&table->row, "\n", 1);
-    fwrite(table->row.data, 1, table->row.length, table->file);
-    table->row.length = 0;
+    text_add_bytes(&table->rows, "\n", 1);
+    if (table->rows.length >= HELD_BYTES)
+        write_rows(table);
 }
 
 static void put_number(struct table *table, const char *quantity, double value)
 {
-    cell_number(&table->row, &table->guard, quantity, value);
+    cell_number(&table->rows, &table->guard, quantity, value);
+}
+
+static void put_word(struct table *table, const char *word)
+{
+    text_add_bytes(&table->rows, ",", 1);
+    text_add_bytes(&table->rows, word, strlen(word));
 }
 
 /** Starts a row with the surface's name. */
 static void put_surface(struct table *table, const struct surface_summary *surface)
 {
-    table->guard.surface = surface->scene->name;
-    text_add_csv(&table->row, surface->scene->name);
+    if (table->guard.surface != surface->scene->name) {
+        table->guard.surface = surface->scene->name;
+        table->lead.length = 0;
+        text_add_csv(&table->lead, surface->scene->name);
+        table->rows.failed = table->rows.failed || table->lead.failed;
+    }
+    text_add_bytes(&table->rows, table->lead.data, table->lead.length);
 }
 
+/** Writes what is held; of a surface's part the file stays open. */
 static enum status_code table_close(struct table *table)
 {
-    bool bad = !table->file || table->row.failed || ferror(table->file);
-    text_free(&table->row);
-    if ((table->file && fclose(table->file) != 0) || bad)
+    bool bad = !table->file || table->rows.failed;
+    if (!bad)
+        write_rows(table);
+    bad = bad || ferror(table->file);
+    text_free(&table->rows);
+    text_free(&table->lead);
+    if ((table->file && !table->turn && fclose(table->file) != 0) || bad)
         return status_fail(table->guard.status, STATUS_IO, "cannot write '%s': %s", table->name, strerror(errno));
     return table->guard.status->code; /* of a number that could not be written */
+}
+
+/** What one surface adds to an open table. */
+static struct table table_part(const struct table *table, struct threads_turn *turn, struct status *status)
+{
+    return (struct table){.file = table->file, .name = table->name, .guard = {NULL, status}, .turn = turn};
 }
 
 /** What surfaces.csv says of a surface besides its name, files and points. */
@@ -103,13 +139,13 @@ static enum status_code write_surfaces(const struct results *results, const char
     struct table table;
     if (table_open(&table, directory, "surfaces.csv", status) != STATUS_OK)
         return status->code;
-    text_add(&table.row, "surface,files,points");
+    text_add(&table.rows, "surface,files,points");
     for (int c = 0; c < SURFACE_COLUMNS; c++)
         if (asperities || !surface_columns[c].of_asperities)
-            text_add(&table.row, ",%s", surface_columns[c].name);
+            text_add(&table.rows, ",%s", surface_columns[c].name);
     for (size_t m = 0; m < model_count; m++)
         if (has_beta(plan, m))
-            text_add(&table.row, ",beta_%s", model_rows[m]->name);
+            text_add(&table.rows, ",beta_%s", model_rows[m]->name);
     end_row(&table);
     for (size_t i = 0; i < results->store->count; i++) {
         const struct surface_summary *s = &results->store->summaries[i];
@@ -119,10 +155,10 @@ static enum status_code write_surfaces(const struct results *results, const char
         struct text files = {0};
         for (size_t f = 0; f < s->scene->file_count; f++)
             text_add(&files, "%s%s", f > 0 ? ";" : "", s->scene->files[f]);
-        text_add_bytes(&table.row, ",", 1);
-        text_add_csv(&table.row, text_string(&files));
+        text_add_bytes(&table.rows, ",", 1);
+        text_add_csv(&table.rows, text_string(&files));
         text_free(&files);
-        text_add(&table.row, ",%zu", s->points);
+        text_add(&table.rows, ",%zu", s->points);
         for (int c = 0; c < SURFACE_COLUMNS; c++) {
             double value;
             memcpy(&value, (const char *)s + surface_columns[c].offset, sizeof value);
@@ -137,32 +173,39 @@ static enum status_code write_surfaces(const struct results *results, const char
     return table_close(&table);
 }
 
-static void put_spectrum(struct table *table, const struct surface_record *record)
+/** A row a harmonic, or a bin of them. */
+static void put_spectrum(struct table *table, const struct surface_record *record, bool binned)
 {
     const struct spectrum *spectrum = &record->spectrum;
-    for (size_t i = 0; i < spectrum->count; i++) {
-        double wavelength_m = 1 / spectrum_frequency(spectrum, i);
+    char count[24] = "";
+    for (size_t i = 0; i < spectrum->count;) {
+        const struct spectrum_bin bin = binned ? spectrum_bin_from(spectrum, i) : spectrum_bin_of(spectrum, i);
         put_surface(table, &record->summary);
-        put_number(table, "wavelength_m", wavelength_m);
-        put_number(table, "amplitude_m", spectrum->amplitude_m[i]);
-        put_number(table, "fit_m", power_law_amplitude(&record->summary.power_law, wavelength_m));
+        put_number(table, "wavelength_m", bin.wavelength_m);
+        put_number(table, "amplitude_m", bin.amplitude_m);
+        put_number(table, "fit_m", power_law_amplitude(&record->summary.power_law, bin.wavelength_m));
+        if (binned) {
+            snprintf(count, sizeof count, "%zu", bin.count);
+            put_word(table, count);
+        }
         end_row(table);
+        i += bin.count;
     }
 }
 
 static void contact_header(struct table *table, unsigned quantities)
 {
-    text_add(&table->row, "surface,model");
+    text_add(&table->rows, "surface,model");
     for (int q = 0; q < QUANTITY_COUNT; q++) {
         const struct quantity_row *row = &quantity_rows[q];
         if (!(quantities & QUANTITY_BIT(q)))
             continue;
         if (row->column)
-            text_add(&table->row, ",%s", row->column);
+            text_add(&table->rows, ",%s", row->column);
         if (q == QUANTITY_LOAD)
-            text_add(&table->row, ",pressure_Pa");
+            text_add(&table->rows, ",pressure_Pa");
         if (row->sigma_column)
-            text_add(&table->row, ",%s", row->sigma_column);
+            text_add(&table->rows, ",%s", row->sigma_column);
     }
     end_row(table);
 }
@@ -174,7 +217,7 @@ static void put_contact(struct table *table, const struct surface_record *record
         for (size_t i = 0; i < record->curves[m].count; i++) {
             const struct contact_point *point = &record->curves[m].points[i];
             put_surface(table, &record->summary);
-            text_add(&table->row, ",%s", model_rows[m]->name);
+            put_word(table, model_rows[m]->name);
             for (int q = 0; q < QUANTITY_COUNT; q++) {
                 const struct quantity_row *row = &quantity_rows[q];
                 if (!(quantities & QUANTITY_BIT(q)))
@@ -191,31 +234,101 @@ static void put_contact(struct table *table, const struct surface_record *record
         }
 }
 
-/** spectrum.csv and contact.csv in one pass over the store. */
-static enum status_code write_curves(const struct results *results, const char *directory, struct status *status)
+static void put_bands(struct table *table, const struct surface_record *record, unsigned quantities)
 {
-    struct table spectrum, contact;
-    unsigned quantities = plan_quantities(results->plan);
-    if (table_open(&spectrum, directory, "spectrum.csv", status) != STATUS_OK)
+    for (size_t m = 0; m < model_count; m++)
+        for (size_t i = 0; record->bands && record->bands[m] && i < record->band_count; i++) {
+            const struct repeats_band *band = &record->bands[m][i];
+            put_surface(table, &record->summary);
+            put_word(table, model_rows[m]->name);
+            put_number(table, quantity_rows[QUANTITY_LOAD].column, band->load);
+            for (int q = 0; q < QUANTITY_COUNT; q++)
+                for (int end = 0; end < 4 && (quantities & QUANTITY_BIT(q)); end++)
+                    put_number(table, quantity_rows[q].column, end < 2 ? band->mean[q][end] : band->next[q][end - 2]);
+            end_row(table);
+        }
+}
+
+/** Opens bands.csv with its header, of the quantities returned. */
+static enum status_code open_bands(struct table *bands, unsigned *quantities, const struct results *results,
+                                   const char *directory, struct status *status)
+{
+    *quantities = 0;
+    if (table_open(bands, directory, "bands.csv", status) != STATUS_OK)
         return status->code;
-    enum status_code rc = table_open(&contact, directory, "contact.csv", status);
-    text_add(&spectrum.row, "surface,wavelength_m,amplitude_m,fit_m");
-    end_row(&spectrum);
-    if (rc == STATUS_OK)
-        contact_header(&contact, quantities);
-    for (size_t i = 0; i < results->store->count && rc == STATUS_OK; i++) {
-        struct surface_record record;
-        if (!results->store->summaries[i].usable)
-            continue;
-        rc = surface_store_get(&record, results->store, i, status);
-        if (rc != STATUS_OK)
-            break;
-        put_spectrum(&spectrum, &record);
-        put_contact(&contact, &record, quantities);
-        surface_record_free(&record, false);
+    text_add(&bands->rows, "surface,model,%s", quantity_rows[QUANTITY_LOAD].column);
+    for (int q = 0; q < QUANTITY_COUNT; q++)
+        if (repeats_band_holds((enum quantity)q) && (results->plan->wanted & QUANTITY_BIT(q))) {
+            const char *name = quantity_rows[q].column;
+            text_add(&bands->rows, ",%s_mean_low_95,%s_mean_high_95,%s_next_scan_low_95,%s_next_scan_high_95", name,
+                     name, name, name);
+            *quantities |= QUANTITY_BIT(q);
+        }
+    end_row(bands);
+    return STATUS_OK;
+}
+
+/** The tables that are made of the surfaces' arrays, in one pass over the store. */
+struct curve_tables {
+    const struct results *results;
+    struct table spectrum, contact, bands; /* the last only where there are intervals */
+    unsigned quantities, band_quantities;  /* QUANTITY_BITs that contact and bands have columns of */
+};
+
+/** Writes what one surface adds to them. */
+static enum status_code put_curves(void *context, size_t index, struct threads_turn *turn, struct status *status)
+{
+    const struct curve_tables *all = context;
+    const struct results *results = all->results;
+    if (!results->store->summaries[index].usable)
+        return STATUS_OK;
+    struct surface_record *record = malloc(sizeof *record);
+    if (!record)
+        return status_memory(status);
+    if (surface_store_get_part(record, results->store, index, SURFACE_BYTES_SPECTRUM, status) == STATUS_OK) {
+        struct table spectrum = table_part(&all->spectrum, turn, status),
+                     contact = table_part(&all->contact, turn, status), bands = table_part(&all->bands, turn, status);
+        put_spectrum(&spectrum, record, scene_bins_spectra(results->scene));
+        put_contact(&contact, record, all->quantities);
+        if (bands.file)
+            put_bands(&bands, record, all->band_quantities);
+        (void)table_close(&spectrum);
+        (void)table_close(&contact);
+        if (bands.file)
+            (void)table_close(&bands);
+        surface_record_free(record, false);
     }
-    enum status_code first = table_close(&spectrum), second = table_close(&contact);
-    return rc != STATUS_OK ? rc : first != STATUS_OK ? first : second;
+    free(record);
+    return status->code;
+}
+
+static enum status_code write_curves(const struct results *results, const char *directory,
+                                     const struct threads *threads, struct status *status)
+{
+    struct curve_tables all = {.results = results, .quantities = plan_quantities(results->plan)};
+    enum status_code rc = table_open(&all.spectrum, directory, "spectrum.csv", status);
+    if (rc != STATUS_OK)
+        return rc;
+    text_add(&all.spectrum.rows, "surface,wavelength_m,amplitude_m,fit_m%s",
+             scene_bins_spectra(results->scene) ? ",harmonics" : "");
+    end_row(&all.spectrum);
+    rc = table_open(&all.contact, directory, "contact.csv", status);
+    if (rc == STATUS_OK)
+        contact_header(&all.contact, all.quantities);
+    if (rc == STATUS_OK && results_intervals(results))
+        rc = open_bands(&all.bands, &all.band_quantities, results, directory, status);
+    if (rc == STATUS_OK) { /* headers first */
+        write_rows(&all.spectrum);
+        write_rows(&all.contact);
+        if (all.bands.file)
+            write_rows(&all.bands);
+        rc = threads_run(threads, results->store->count, put_curves, &all, status);
+    }
+    enum status_code closed[] = {table_close(&all.spectrum), table_close(&all.contact),
+                                 all.bands.file ? table_close(&all.bands) : STATUS_OK};
+    for (int i = 0; i < 3; i++)
+        rc = rc != STATUS_OK ? rc : closed[i];
+    return rc;
 }
 
 static enum status_code write_convergence(const struct results *results, const char *directory, struct status *status)
@@ -225,7 +338,7 @@ static enum status_code write_convergence(const struct results *results, const c
     struct table table;
     if (table_open(&table, directory, "convergence.csv", status) != STATUS_OK)
         return status->code;
-    text_add(&table.row, "sweep,value,model,wavelength_m,area_ratio");
+    text_add(&table.rows, "sweep,value,model,wavelength_m,area_ratio");
     end_row(&table);
     for (int s = 0; s < CONVERGENCE_SWEEP_COUNT; s++)
         for (size_t v = 0; v < convergence_sweeps[s].count; v++)
@@ -234,9 +347,9 @@ static enum status_code write_convergence(const struct results *results, const c
                     continue;
                 const double *area = results_sweep(results, (enum convergence_sweep)s, m, v);
                 for (size_t k = 0; k < count; k++) {
-                    text_add(&table.row, "%s", convergence_sweeps[s].name);
+                    text_add(&table.rows, "%s", convergence_sweeps[s].name);
                     put_number(&table, "value", convergence_sweeps[s].values[v]);
-                    text_add(&table.row, ",%s", model_rows[m]->name);
+                    put_word(&table, model_rows[m]->name);
                     put_number(&table, "wavelength_m", study->scan_length_m / (double)(index[k] + 1));
                     put_number(&table, "area_ratio", area[index[k]]);
                     end_row(&table);
@@ -250,11 +363,11 @@ static enum status_code write_cost(const struct benchmark *benchmark, const char
     struct table table;
     if (table_open(&table, directory, "cost.csv", status) != STATUS_OK)
         return status->code;
-    text_add(&table.row, "study,method,setting,evaluations,seconds,max_relative_error");
+    text_add(&table.rows, "study,method,setting,evaluations,seconds,max_relative_error");
     end_row(&table);
     for (size_t i = 0; i < benchmark->count; i++) {
         const struct benchmark_row *row = &benchmark->rows[i];
-        text_add(&table.row, "%s,%s,%s,%llu", row->study, row->method, row->setting,
+        text_add(&table.rows, "%s,%s,%s,%llu", row->study, row->method, row->setting,
                  (unsigned long long)row->evaluations);
         put_number(&table, "seconds", row->seconds);
         put_number(&table, "max_relative_error", row->error);
@@ -271,7 +384,7 @@ static void put_spread_number(struct table *table, const struct surface_summary 
     if (estimate->count == 0)
         return;
     put_surface(table, surface);
-    text_add(&table->row, ",%s,%zu", quantity, estimate->count);
+    text_add(&table->rows, ",%s,%zu", quantity, estimate->count);
     put_number(table, quantity, estimate->effective);
     put_number(table, quantity, estimate_value(estimate));
     put_number(table, quantity, estimate->sd);
@@ -287,8 +400,8 @@ static enum status_code write_spread(const struct results *results, const char *
     struct table table;
     if (table_open(&table, directory, "spread.csv", status) != STATUS_OK)
         return status->code;
-    text_add(&table.row, "surface,quantity,scans,effective,mean,standard_deviation,mean_low_95,mean_high_95,"
-                         "next_scan_low_95,next_scan_high_95");
+    text_add(&table.rows, "surface,quantity,scans,effective,mean,standard_deviation,mean_low_95,mean_high_95,"
+                          "next_scan_low_95,next_scan_high_95");
     end_row(&table);
     for (size_t i = 0; i < results->store->count; i++) {
         const struct surface_summary *s = &results->store->summaries[i];
@@ -316,58 +429,13 @@ static enum status_code write_spread(const struct results *results, const char *
     return table_close(&table);
 }
 
-static void put_bands(struct table *table, const struct surface_record *record, unsigned quantities)
-{
-    for (size_t m = 0; m < model_count; m++)
-        for (size_t i = 0; record->bands && record->bands[m] && i < record->band_count; i++) {
-            const struct repeats_band *band = &record->bands[m][i];
-            put_surface(table, &record->summary);
-            text_add(&table->row, ",%s", model_rows[m]->name);
-            put_number(table, quantity_rows[QUANTITY_LOAD].column, band->load);
-            for (int q = 0; q < QUANTITY_COUNT; q++)
-                for (int end = 0; end < 4 && (quantities & QUANTITY_BIT(q)); end++)
-                    put_number(table, quantity_rows[q].column, end < 2 ? band->mean[q][end] : band->next[q][end - 2]);
-            end_row(table);
-        }
-}
-
-static enum status_code write_bands(const struct results *results, const char *directory, struct status *status)
-{
-    struct table table;
-    unsigned quantities = 0;
-    if (table_open(&table, directory, "bands.csv", status) != STATUS_OK)
-        return status->code;
-    text_add(&table.row, "surface,model,%s", quantity_rows[QUANTITY_LOAD].column);
-    for (int q = 0; q < QUANTITY_COUNT; q++)
-        if (repeats_band_holds((enum quantity)q) && (results->plan->wanted & QUANTITY_BIT(q))) {
-            const char *name = quantity_rows[q].column;
-            text_add(&table.row, ",%s_mean_low_95,%s_mean_high_95,%s_next_scan_low_95,%s_next_scan_high_95", name, name,
-                     name, name);
-            quantities |= QUANTITY_BIT(q);
-        }
-    end_row(&table);
-    enum status_code rc = STATUS_OK;
-    for (size_t i = 0; i < results->store->count && rc == STATUS_OK; i++) {
-        struct surface_record record;
-        if (!results->store->summaries[i].usable)
-            continue;
-        rc = surface_store_get(&record, results->store, i, status);
-        if (rc != STATUS_OK)
-            break;
-        put_bands(&table, &record, quantities);
-        surface_record_free(&record, false);
-    }
-    enum status_code closed = table_close(&table);
-    return rc != STATUS_OK ? rc : closed;
-}
-
 static enum status_code write_sensitivity(const struct results *results, const char *directory, struct status *status)
 {
     struct table table;
     bool ecr = plan_runs(results->plan, EFFECT_ELECTRICAL);
     if (table_open(&table, directory, "sensitivity.csv", status) != STATUS_OK)
         return status->code;
-    text_add(&table.row, "surface,model,change,area_factor%s", ecr ? ",ecr_factor" : "");
+    text_add(&table.rows, "surface,model,change,area_factor%s", ecr ? ",ecr_factor" : "");
     end_row(&table);
     for (size_t i = 0; i < results->store->count; i++)
         for (size_t m = 0; m < model_count; m++) {
@@ -378,7 +446,7 @@ static enum status_code write_sensitivity(const struct results *results, const c
                 if (sensitivity_changes[c].plastic && !model_rows[m]->plastic)
                     continue;
                 put_surface(&table, s);
-                text_add(&table.row, ",%s,%s", model_rows[m]->name, sensitivity_changes[c].name);
+                text_add(&table.rows, ",%s,%s", model_rows[m]->name, sensitivity_changes[c].name);
                 put_number(&table, "area_factor", s->models[m].sensitivity.area[c]);
                 if (ecr)
                     put_number(&table, "ecr_factor", s->models[m].sensitivity.ecr[c]);
@@ -400,14 +468,14 @@ static void put_answer(struct table *table, const struct results *results, size_
     put_surface(table, s);
     text_add(&asked, "%s %s", target->row->name, target->text);
     answers_note(&note, answer, area_m2, 1);
-    text_add(&table->row, ",%s,", model_rows[m]->name);
-    text_add_csv(&table->row, text_string(&asked));
+    text_add(&table->rows, ",%s,", model_rows[m]->name);
+    text_add_csv(&table->rows, text_string(&asked));
     put_number(table, "load_N", met ? answer->load * force_N : NAN);
     put_number(table, "load_over_AnEp", met ? answer->load : NAN);
     put_number(table, "low", answer->low);
     put_number(table, "high", answer->high);
-    text_add_bytes(&table->row, ",", 1);
-    text_add_csv(&table->row, text_string(&note));
+    text_add_bytes(&table->rows, ",", 1);
+    text_add_csv(&table->rows, text_string(&note));
     end_row(table);
     text_free(&asked);
     text_free(&note);
@@ -418,7 +486,7 @@ static enum status_code write_answers(const struct results *results, const char 
     struct table table;
     if (table_open(&table, directory, "answers.csv", status) != STATUS_OK)
         return status->code;
-    text_add(&table.row, "surface,model,target,load_N,load_over_AnEp,low,high,note");
+    text_add(&table.rows, "surface,model,target,load_N,load_over_AnEp,low,high,note");
     end_row(&table);
     for (size_t i = 0; i < results->store->count; i++)
         for (size_t m = 0; m < model_count && results->store->summaries[i].usable; m++)
@@ -451,7 +519,7 @@ static void put_direct(struct table *table, const struct results *results, const
     const struct direct_study_curve *curve = &study->curves[kind];
     for (size_t i = 0; curve->points && i < curve->loads; i++) {
         put_surface(table, &results->store->summaries[study->surface]);
-        text_add(&table->row, ",%s", study->plan.side > 0 ? "map" : "law");
+        text_add(&table->rows, ",%s", study->plan.side > 0 ? "map" : "law");
         put_number(table, "load_over_AnEp", study->plan.load[i]);
         for (int c = 0; c < DIRECT_COLUMNS; c++) {
             double error, value = direct_study_value(study, results_pair(results, study->surface), kind,
@@ -463,7 +531,7 @@ static void put_direct(struct table *table, const struct results *results, const
         }
         double cell_m2 = study->plan.length_m * study->plan.length_m;
         put_number(table, "patches", curve->points[i].patches_per_m2.value * cell_m2);
-        text_add(&table->row, ",%zu,%zu,%s", curve->seeds, study->plan.grid, direct_study_heights(study, kind));
+        text_add(&table->rows, ",%zu,%zu,%s", curve->seeds, study->plan.grid, direct_study_heights(study, kind));
         put_number(table, "hardness_Pa",
                    kind == DIRECT_STUDY_CAPPED
                        ? study->plan.hardness * results_pair(results, study->surface)->effective_modulus_Pa
@@ -477,14 +545,14 @@ static enum status_code write_direct(const struct results *results, const char *
     struct table table;
     if (table_open(&table, directory, "direct.csv", status) != STATUS_OK)
         return status->code;
-    text_add(&table.row, "surface,source,load_over_AnEp");
+    text_add(&table.rows, "surface,source,load_over_AnEp");
     for (int c = 0; c < DIRECT_COLUMNS; c++)
         if (has_column(results, c)) {
-            text_add(&table.row, ",%s", direct_columns[c].column);
+            text_add(&table.rows, ",%s", direct_columns[c].column);
             if (direct_columns[c].error)
-                text_add(&table.row, ",%s", direct_columns[c].error);
+                text_add(&table.rows, ",%s", direct_columns[c].error);
         }
-    text_add(&table.row, ",patches,seeds,grid,heights,hardness_Pa");
+    text_add(&table.rows, ",patches,seeds,grid,heights,hardness_Pa");
     end_row(&table);
     for (size_t k = 0; k < results->direct_count; k++)
         for (int kind = 0; kind < DIRECT_STUDY_KINDS; kind++)
@@ -497,12 +565,12 @@ static enum status_code write_direct_ratio(const struct results *results, const 
     struct table table;
     if (table_open(&table, directory, "direct_ratio.csv", status) != STATUS_OK)
         return status->code;
-    text_add(&table.row, "surface,model,load_over_AnEp");
+    text_add(&table.rows, "surface,model,load_over_AnEp");
     for (int c = 0; c < DIRECT_COLUMNS; c++)
         if (has_column(results, c) && direct_columns[c].ratio)
-            text_add(&table.row, ",%s", direct_columns[c].ratio);
+            text_add(&table.rows, ",%s", direct_columns[c].ratio);
     bool both = has_column(results, 1) && has_column(results, 2);
-    text_add(&table.row, both ? ",conductance" : "");
+    text_add(&table.rows, both ? ",conductance" : "");
     end_row(&table);
     for (size_t k = 0; k < results->direct_count; k++)
         for (size_t m = 0; m < model_count; m++) {
@@ -510,7 +578,7 @@ static enum status_code write_direct_ratio(const struct results *results, const 
             size_t loads = study->curves[direct_study_kind_of(study, m)].loads;
             for (size_t i = 0; study->models[m].exists && i < loads; i++) {
                 put_surface(&table, &results->store->summaries[study->surface]);
-                text_add(&table.row, ",%s", model_rows[m]->name);
+                put_word(&table, model_rows[m]->name);
                 put_number(&table, "load_over_AnEp", study->plan.load[i]);
                 for (int c = 0; c < DIRECT_COLUMNS; c++)
                     if (has_column(results, c) && direct_columns[c].ratio)
@@ -526,11 +594,12 @@ static enum status_code write_direct_ratio(const struct results *results, const 
     return table_close(&table);
 }
 
-enum status_code tables_write(const struct results *results, const char *directory, struct status *status)
+enum status_code tables_write(const struct results *results, const char *directory, const struct threads *threads,
+                              struct status *status)
 {
     enum status_code rc = write_surfaces(results, directory, status);
     if (rc == STATUS_OK)
-        rc = write_curves(results, directory, status);
+        rc = write_curves(results, directory, threads, status);
     if (rc == STATUS_OK)
         rc = write_sensitivity(results, directory, status);
     if (rc == STATUS_OK && results->scene->target_count > 0)
@@ -545,7 +614,5 @@ enum status_code tables_write(const struct results *results, const char *directo
         rc = write_cost(results->benchmark, directory, status);
     if (rc == STATUS_OK && results_intervals(results))
         rc = write_spread(results, directory, status);
-    if (rc == STATUS_OK && results_intervals(results))
-        rc = write_bands(results, directory, status);
     return rc;
 }

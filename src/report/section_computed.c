@@ -26,6 +26,11 @@ static void settings_text(struct text *out, const struct section_context *contex
         text_add(out, ", sinusoid closure `%s`: %s", sinusoid_fits[scene->closure].name,
                  sinusoid_fits[scene->closure].source);
     text_add(out, ".");
+    if (scene_bins_spectra(scene))
+        text_add(out,
+                 " `data/spectrum.csv` holds bins of a tenth of a decade, as of more than %d surfaces; with "
+                 "`data: full` every harmonic.",
+                 SCENE_DATA_SURFACES);
 }
 
 static void surface_inputs(struct text *out, const struct section_context *context, size_t index)

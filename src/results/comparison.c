@@ -408,7 +408,7 @@ enum status_code comparison_make(struct comparison *out, const struct results *r
     for (size_t k = 0; k < results->usable_count; k++) {
         struct surface_record record;
         size_t index = results->by_roughness[k];
-        if (surface_store_get(&record, results->store, index, status) != STATUS_OK) {
+        if (surface_store_get_part(&record, results->store, index, SURFACE_BYTES_CURVES, status) != STATUS_OK) {
             surface_record_free(&previous, false);
             return status->code;
         }

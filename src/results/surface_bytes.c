@@ -1,5 +1,8 @@
 #include "results/surface_bytes.h"
 
+#include <assert.h>
+#include <stddef.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,15 +12,63 @@ static bool put_array(FILE *file, const void *array, size_t size, size_t count)
     return count == 0 || fwrite(array, size, count, file) == count;
 }
 
+enum { POINT_COLUMNS = sizeof(struct contact_point) / sizeof(double) };
+static_assert(POINT_COLUMNS * sizeof(double) == sizeof(struct contact_point) && POINT_COLUMNS <= 32,
+              "a point is doubles alone");
+
+/** A curve's points column by column; one whose numbers are all the same, such as of what did not run, as one number.
+ */
+static bool put_points(FILE *file, const struct contact_point *points, size_t count)
+{
+    const double *value = (const double *)points;
+    uint32_t varied = 0;
+    for (size_t c = 0; c < POINT_COLUMNS; c++)
+        for (size_t i = 1; i < count && !(varied >> c & 1); i++)
+            if (memcmp(&value[i * POINT_COLUMNS + c], &value[c], sizeof *value) != 0)
+                varied |= UINT32_C(1) << c;
+    double *column = malloc(count * sizeof *column);
+    bool ok = column && put_array(file, &varied, sizeof varied, 1);
+    for (size_t c = 0; c < POINT_COLUMNS && ok; c++) {
+        size_t numbers = varied >> c & 1 ? count : 1;
+        for (size_t i = 0; i < numbers; i++)
+            column[i] = value[i * POINT_COLUMNS + c];
+        ok = put_array(file, column, sizeof *column, numbers);
+    }
+    free(column);
+    return ok;
+}
+
+static struct contact_point *get_points(FILE *file, size_t count, bool *ok)
+{
+    struct contact_point *points = malloc(count * sizeof *points);
+    double *value = (double *)points, *column = malloc(count * sizeof *column);
+    uint32_t varied;
+    *ok = *ok && points && column && fread(&varied, sizeof varied, 1, file) == 1;
+    for (size_t c = 0; c < POINT_COLUMNS && *ok; c++) {
+        bool one = !(varied >> c & 1);
+        *ok = fread(column, sizeof *column, one ? 1 : count, file) == (one ? 1 : count);
+        for (size_t i = 0; i < count && *ok; i++)
+            value[i * POINT_COLUMNS + c] = column[one ? 0 : i];
+    }
+    free(column);
+    if (*ok)
+        return points;
+    free(points);
+    return NULL;
+}
+
 bool surface_bytes_put(FILE *file, const struct surface_record *record)
 {
-    bool ok = put_array(file, record, sizeof *record, 1);
+    bool ok = put_array(file, record, offsetof(struct surface_record, preview_x_m), 1);
+    ok = ok && put_array(file, record->preview_x_m, sizeof(double), record->preview_points);
+    ok = ok && put_array(file, record->preview_z_m, sizeof(double), record->preview_points);
     ok = ok && put_array(file, record->spectrum.amplitude_m, sizeof(double), record->spectrum.count);
     ok = ok && put_array(file, record->tapered.amplitude_m, sizeof(double), record->tapered.count);
     ok = ok && put_array(file, record->curves, sizeof *record->curves, record->curves ? model_count : 0);
     ok = ok && put_array(file, record->bands, sizeof *record->bands, record->bands ? model_count : 0);
     for (size_t m = 0; record->curves && m < model_count; m++) {
-        ok = ok && put_array(file, record->curves[m].points, sizeof(struct contact_point), record->curves[m].count);
+        ok =
+            ok && (record->curves[m].count == 0 || put_points(file, record->curves[m].points, record->curves[m].count));
         ok = ok &&
              put_array(file, record->bands[m], sizeof(struct repeats_band), record->bands[m] ? record->band_count : 0);
     }
@@ -25,7 +76,7 @@ bool surface_bytes_put(FILE *file, const struct surface_record *record)
         const struct spectrum *changed = &record->sensitivity.variants[v].spectrum;
         ok = ok && put_array(file, changed->amplitude_m, sizeof(double), changed->count);
     }
-    ok = ok && put_array(file, record->points, sizeof *record->points, record->summary.heights);
+    ok = ok && put_array(file, record->points, sizeof *record->points, record->points ? record->summary.heights : 0);
     ok = ok && put_array(file, record->direct_m, sizeof(double), record->direct_count);
     const struct repeat_set *set = &record->repeats;
     ok = ok && put_array(file, record->height_m, sizeof(double), record->height_m ? record->summary.single_points : 0);
@@ -63,29 +114,81 @@ static void get_repeats(struct repeat_set *set, FILE *file, bool *ok)
     }
 }
 
-bool surface_bytes_get(struct surface_record *out, FILE *file, const struct surface_summary *summary)
+/** Leaves out the next array. */
+static void skip_array(FILE *file, size_t size, size_t count, bool *ok)
 {
-    bool ok = fread(out, sizeof *out, 1, file) == 1;
-    if (!ok)
-        memset(out, 0, sizeof *out);
-    out->summary = *summary;
-    out->spectrum.amplitude_m = get_array(file, sizeof(double), out->spectrum.count, &ok);
-    out->tapered.amplitude_m = get_array(file, sizeof(double), out->tapered.count, &ok);
-    out->curves = get_array(file, sizeof *out->curves, out->curves ? model_count : 0, &ok);
-    out->bands = get_array(file, sizeof *out->bands, out->bands ? model_count : 0, &ok);
+    *ok = *ok && (count == 0 || fseek(file, (long)(size * count), SEEK_CUR) == 0);
+}
+
+/** What the record says apart from its large arrays, of which it then has none. */
+static void get_header(struct surface_record *out, FILE *file, bool *ok)
+{
+    size_t preview = 0;
+    *ok = *ok && fread(out, offsetof(struct surface_record, preview_x_m), 1, file) == 1;
+    if (!*ok)
+        *out = (struct surface_record){0};
+    preview = out->preview_points;
+    *ok = *ok && preview <= SURFACE_PREVIEW && fread(out->preview_x_m, sizeof(double), preview, file) == preview &&
+          fread(out->preview_z_m, sizeof(double), preview, file) == preview;
+}
+
+/** The curves and their bands, of which the record has the place. */
+static void get_curves(struct surface_record *out, FILE *file, bool *ok)
+{
+    out->curves = get_array(file, sizeof *out->curves, out->curves ? model_count : 0, ok);
+    out->bands = get_array(file, sizeof *out->bands, out->bands ? model_count : 0, ok);
     for (size_t m = 0; out->curves && m < model_count; m++) {
-        out->curves[m].points = get_array(file, sizeof(struct contact_point), out->curves[m].count, &ok);
+        out->curves[m].points = out->curves[m].count > 0 ? get_points(file, out->curves[m].count, ok) : NULL;
         if (out->bands && out->bands[m])
-            out->bands[m] = get_array(file, sizeof(struct repeats_band), out->band_count, &ok);
+            out->bands[m] = get_array(file, sizeof(struct repeats_band), out->band_count, ok);
     }
+}
+
+/** The arrays behind the curves. */
+static void get_rest(struct surface_record *out, FILE *file, bool *ok)
+{
     for (int v = 0; v < SENSITIVITY_VARIANTS; v++) {
         struct spectrum *changed = &out->sensitivity.variants[v].spectrum;
-        changed->amplitude_m = get_array(file, sizeof(double), changed->count, &ok);
+        changed->amplitude_m = get_array(file, sizeof(double), changed->count, ok);
     }
-    out->points = get_array(file, sizeof *out->points, out->summary.heights, &ok);
-    out->direct_m = get_array(file, sizeof(double), out->direct_count, &ok);
-    out->height_m = get_array(file, sizeof(double), out->height_m ? out->summary.single_points : 0, &ok);
-    get_repeats(&out->repeats, file, &ok);
+    out->points = get_array(file, sizeof *out->points, out->points ? out->summary.heights : 0, ok);
+    out->direct_m = get_array(file, sizeof(double), out->direct_count, ok);
+    out->height_m = get_array(file, sizeof(double), out->height_m ? out->summary.single_points : 0, ok);
+    get_repeats(&out->repeats, file, ok);
+}
+
+/** Of the arrays behind the curves: none. */
+static void leave_rest(struct surface_record *out)
+{
+    for (int v = 0; v < SENSITIVITY_VARIANTS; v++)
+        out->sensitivity.variants[v].spectrum = (struct spectrum){0};
+    out->points = NULL;
+    out->direct_m = out->height_m = NULL;
+    out->direct_count = 0;
+    out->repeats = (struct repeat_set){0};
+}
+
+bool surface_bytes_get(struct surface_record *out, FILE *file, const struct surface_summary *summary,
+                       enum surface_bytes_part part)
+{
+    bool ok = true;
+    get_header(out, file, &ok);
+    out->summary = *summary;
+    if (part == SURFACE_BYTES_CURVES) {
+        skip_array(file, sizeof(double), out->spectrum.count, &ok);
+        out->spectrum = (struct spectrum){0};
+    } else
+        out->spectrum.amplitude_m = get_array(file, sizeof(double), out->spectrum.count, &ok);
+    if (part != SURFACE_BYTES_ALL) {
+        skip_array(file, sizeof(double), out->tapered.count, &ok);
+        out->tapered = (struct spectrum){0};
+    } else
+        out->tapered.amplitude_m = get_array(file, sizeof(double), out->tapered.count, &ok);
+    get_curves(out, file, &ok);
+    if (part == SURFACE_BYTES_ALL)
+        get_rest(out, file, &ok);
+    else
+        leave_rest(out);
     return ok;
 }
 
@@ -178,7 +281,8 @@ enum status_code surface_bytes_unpack(struct surface_record *out, char *bytes, s
     bool ok = file && get_summary(&summary, file, scene, index);
     *out = (struct surface_record){.summary = summary};
     if (ok && summary.usable)
-        ok = surface_bytes_get(out, file, &summary) && get_scan_files(&out->repeats, file, summary.scene);
+        ok = surface_bytes_get(out, file, &summary, SURFACE_BYTES_ALL) &&
+             get_scan_files(&out->repeats, file, summary.scene);
     if (file)
         fclose(file);
     if (ok)

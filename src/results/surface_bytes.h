@@ -8,9 +8,17 @@
 
 /** Writes a record's arrays; false: an error of the file. */
 bool surface_bytes_put(FILE *file, const struct surface_record *record);
-/** Reads them back into `out`, which takes `summary` as its own; false: an error of the file, or no memory. Whatever
- * comes back: surface_record_free(). */
-bool surface_bytes_get(struct surface_record *out, FILE *file, const struct surface_summary *summary);
+/** How much of a record is wanted: a spectrum has millions of numbers, a curve a hundred. */
+enum surface_bytes_part {
+    SURFACE_BYTES_CURVES,   /* curves, bands, what stands in the record itself; the other arrays are NULL, of count 0 */
+    SURFACE_BYTES_SPECTRUM, /* and the spectrum */
+    SURFACE_BYTES_ALL
+};
+
+/** Reads a part of them back into `out`, which takes `summary` as its own; false: an error of the file, or no memory.
+ * Whatever comes back: surface_record_free(). */
+bool surface_bytes_get(struct surface_record *out, FILE *file, const struct surface_summary *summary,
+                       enum surface_bytes_part part);
 
 /** The record of a surface of `scene` with all that its summary owns: malloc'ed bytes. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code surface_bytes_pack(char **bytes, size_t *size, const struct surface_record *record,

@@ -1,6 +1,5 @@
 #include "results/surface_store.h"
 
-#include "results/surface_bytes.h"
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -51,7 +50,7 @@ enum status_code surface_store_put(struct surface_store *store, size_t index, co
     if (record->summary.usable && store->file) {
         pthread_mutex_lock(&store->lock);
         bool ok = fseek(store->file, 0, SEEK_END) == 0 && (store->offsets[index] = ftell(store->file)) >= 0;
-        ok = ok && surface_bytes_put(store->file, record);
+        ok = ok && put_arrays(store->file, record);
         int reason = errno;
         pthread_mutex_unlock(&store->lock);
         if (!ok)
@@ -61,16 +60,22 @@ enum status_code surface_store_put(struct surface_store *store, size_t index, co
     return STATUS_OK;
 }
 
-enum status_code surface_store_get(struct surface_record *out, struct surface_store *store, size_t index,
-                                   struct status *status)
+enum status_code surface_store_get_part(struct surface_record *out, struct surface_store *store, size_t index,
+                                        enum surface_bytes_part part, struct status *status)
 {
     *out = (struct surface_record){0};
     pthread_mutex_lock(&store->lock);
     bool ok = fseek(store->file, store->offsets[index], SEEK_SET) == 0 &&
-              surface_bytes_get(out, store->file, &store->summaries[index]);
+              surface_bytes_get(out, store->file, &store->summaries[index], part);
     pthread_mutex_unlock(&store->lock);
     if (ok)
         return STATUS_OK;
     surface_record_free(out, false);
     return status_fail(status, STATUS_IO, "cannot read the results back");
+}
+
+enum status_code surface_store_get(struct surface_record *out, struct surface_store *store, size_t index,
+                                   struct status *status)
+{
+    return surface_store_get_part(out, store, index, SURFACE_BYTES_ALL, status);
 }

@@ -3,7 +3,7 @@
 #ifndef RESULTS_SURFACE_STORE_H
 #define RESULTS_SURFACE_STORE_H
 
-#include "analysis/surface.h"
+#include "results/surface_bytes.h"
 #include <pthread.h>
 #include <stdio.h>
 
@@ -25,6 +25,9 @@ void surface_store_close(struct surface_store *store);
  * from several threads. Error: STATUS_IO; then the texts are still the caller's. */
 MUST_CHECK enum status_code surface_store_put(struct surface_store *store, size_t index,
                                               const struct surface_record *record, struct status *status);
+/** Reads a part back, from any thread; else as surface_store_get(). */
+MUST_CHECK enum status_code surface_store_get_part(struct surface_record *out, struct surface_store *store,
+                                                   size_t index, enum surface_bytes_part part, struct status *status);
 /** Reads it back, from any thread; end it with surface_record_free(record, false). Errors: STATUS_IO, STATUS_MEMORY. */
 MUST_CHECK enum status_code surface_store_get(struct surface_record *out, struct surface_store *store, size_t index,
                                               struct status *status);

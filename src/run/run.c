@@ -222,10 +222,11 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
 {
     const struct run_options *options = run->options;
     const char *staging = run->output.staging;
+    const struct threads threads = {options->jobs, options->stop};
     double last = clock_seconds();
-    if (tables_write(run->results, staging, status) != STATUS_OK || stopped(run))
+    if (tables_write(run->results, staging, &threads, status) != STATUS_OK || stopped(run))
         return status->code;
-    if (json_write(run->results, staging, status) != STATUS_OK || stopped(run))
+    if (json_write(run->results, staging, &threads, status) != STATUS_OK || stopped(run))
         return status->code;
     out->times.tables = lap(&last);
     if (figure_list_make(&run->figures, run->results, status) != STATUS_OK)

@@ -40,6 +40,13 @@ static struct scene default_scene(void)
     };
 }
 
+const char *const scene_data_names[SCENE_DATA_COUNT] = {"auto", "full"};
+
+bool scene_bins_spectra(const struct scene *scene)
+{
+    return scene->data == SCENE_DATA_AUTO && scene->surface_count > SCENE_DATA_SURFACES;
+}
+
 /* The last component of `path`; NULL when that is not a name of its own: "", ".", "..", "/". */
 static char *last_component(const char *path)
 {

@@ -133,6 +133,15 @@ struct scene_asked {
 /** A value of row->quantity in the unit of the scene. */
 double scene_asked_shown(const struct scene_asked *asked, double value);
 
+/** How much of the spectra data/ holds. */
+enum scene_data {
+    SCENE_DATA_AUTO, /* every harmonic up to SCENE_DATA_SURFACES surfaces, beyond that bins of them */
+    SCENE_DATA_FULL, /* every harmonic */
+    SCENE_DATA_COUNT
+};
+extern const char *const scene_data_names[SCENE_DATA_COUNT];
+enum { SCENE_DATA_SURFACES = 100 };
+
 struct scene {
     char *directory; /* DIR as given */
     char *path;      /* of scene.yaml, NULL when there is none */
@@ -161,6 +170,7 @@ struct scene {
     double fit_band_m[2]; /* shortest, longest wavelength; 0, INFINITY: all. Where not given: what the filters leave */
     enum roughness_moments moments;
     enum sinusoid_fit_id closure;
+    enum scene_data data;
     char *baseline; /* surface name, NULL: the second smoothest */
     struct scene_convergence convergence;
     struct scene_direct direct;
@@ -199,6 +209,8 @@ void scene_free(struct scene *scene);
 /** Calls `each` for the outermost keys of scene.yaml in the order of their table: the name, what the row knows of its
  * value ("thesis | numeric", "1e-14 to 0.1"; "" where `about` says it), and what it means. */
 void scene_each_key(void (*each)(const char *name, const char *value, const char *about, void *context), void *context);
+/** Does data/ hold bins of the spectra instead of every harmonic? */
+bool scene_bins_spectra(const struct scene *scene);
 
 /** Where a surface's file is: `file` if absolute, else below the scene's directory. malloc'ed; NULL: out of memory. */
 char *scene_file_path(const struct scene *scene, const char *file);

@@ -454,6 +454,10 @@ static size_t make_keys(struct scene_key out[SCENE_KEYS_MOST], struct scene *sce
          .about = "how slopes and curvatures come about; default: difference"},
         {"closure", SCENE_CHOICE(scene->closure, closure_names),
          .about = "area and gap of a sinusoid; default: thesis"},
+        {"data", SCENE_CHOICE(scene->data, scene_data_names),
+         .about =
+             "spectra in data/: auto, every harmonic up to 100 surfaces and binned ones beyond, or full, every one "
+             "of any number; default: auto"},
         {"max_missing", SCENE_QUANTITY(scene->max_missing, UNIT_NUMBER | UNIT_PERCENT, 0.0, 0.9),
          .about = "share of missing points that may be bridged; default: 10 %"},
         {"lambda_s", SCENE_QUANTITY(scene->lambda_s_m, UNIT_DISTANCE, 1e-12, 1e3), .word = "none",

@@ -96,6 +96,29 @@ double spectrum_frequency(const struct spectrum *spectrum, size_t i)
     return (double)(i + 1) / spectrum->length_m;
 }
 
+struct spectrum_bin spectrum_bin_of(const struct spectrum *spectrum, size_t i)
+{
+    return (struct spectrum_bin){1, 1 / spectrum_frequency(spectrum, i), spectrum->amplitude_m[i]};
+}
+
+static double tenth_of_decade(size_t i)
+{
+    return floor(10 * log10((double)(i + 1)) + 1e-9);
+}
+
+struct spectrum_bin spectrum_bin_from(const struct spectrum *spectrum, size_t i)
+{
+    struct spectrum_bin bin = {0, 0, 0};
+    double tenth = tenth_of_decade(i), power_m2 = 0, logarithms = 0, longest_m = 1 / spectrum_frequency(spectrum, i);
+    for (; i < spectrum->count && tenth_of_decade(i) == tenth; i++, bin.count++) {
+        power_m2 += spectrum_power(spectrum, i);
+        logarithms -= log(spectrum_frequency(spectrum, i));
+    }
+    bin.wavelength_m = bin.count == 1 ? longest_m : exp(logarithms / (double)bin.count);
+    bin.amplitude_m = sqrt(2 * power_m2 / (double)bin.count);
+    return bin;
+}
+
 double spectrum_power(const struct spectrum *spectrum, size_t i)
 {
     double square = spectrum->amplitude_m[i] * spectrum->amplitude_m[i];

@@ -42,6 +42,18 @@ MUST_CHECK enum status_code spectrum_copy(struct spectrum *out, const struct spe
 
 void spectrum_free(struct spectrum *spectrum);
 
+/** Harmonics of a spectrum, gathered. */
+struct spectrum_bin {
+    size_t count;
+    double wavelength_m; /* their geometric mean */
+    double amplitude_m;  /* count amplitude²/2 is their mean square height */
+};
+
+/** Those that share a tenth of a decade with index i, floor(10 log10(i + 1) + 1e-9), from it on. */
+struct spectrum_bin spectrum_bin_from(const struct spectrum *spectrum, size_t i);
+/** Index i alone, its amplitude as it is. */
+struct spectrum_bin spectrum_bin_of(const struct spectrum *spectrum, size_t i);
+
 /** f of index i (harmonic i + 1) [1/m]. */
 double spectrum_frequency(const struct spectrum *spectrum, size_t i);
 /** Mean square height of index i: half the squared amplitude, the whole at the Nyquist bin [m²]. */

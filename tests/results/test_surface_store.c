@@ -87,7 +87,12 @@ static struct surface_record *make(size_t k)
         curve->points = curve->exists ? calloc(curve->count + 1, sizeof *curve->points) : NULL;
         for (size_t i = 0; i < curve->count; i++)
             curve->points[i] =
-                (struct contact_point){.load = (double)i, .area_ratio = (double)(100 * k + m), .tcr_K_m2_per_W = NAN};
+                (struct contact_point){.load = (double)i,
+                                       .area_ratio = (double)(100 * k + m),
+                                       .tcr_K_m2_per_W = NAN,
+                                       .separation_m = i % 2 ? NAN : -0.0, /* bits that == does not tell apart */
+                                       .ecr_ohm_m2 = i + 1 == curve->count ? -0.0 : 0,
+                                       .radius_clamped = (double)(i * m)};
         record->bands[m] = (k + m) % 4 == 0 ? calloc(record->band_count, sizeof **record->bands) : NULL;
         for (size_t i = 0; record->bands[m] && i < record->band_count; i++)
             record->bands[m][i] = (struct repeats_band){
@@ -255,6 +260,51 @@ static void test_a_surface_is_put_again_with_its_curves(void **state)
     directory_remove(&place);
 }
 
+/* Parts of a record: the curves as they were, what is left out without a trace. */
+static void test_parts(void **state)
+{
+    (void)state;
+    struct directory place = directory_make();
+    struct surface_store store;
+    struct status status = {0};
+    assert_int_equal(surface_store_open(&store, place.path, SURFACES, &status), STATUS_OK);
+    for (size_t k = 0; k < SURFACES; k++)
+        put(&store, k);
+    for (size_t k = 0; k < SURFACES; k++)
+        for (int part = SURFACE_BYTES_CURVES; part < SURFACE_BYTES_ALL; part++) {
+            struct surface_record *whole = make(k), *got = malloc(sizeof *got);
+            assert_non_null(got);
+            assert_int_equal(surface_store_get_part(got, &store, k, (enum surface_bytes_part)part, &status), STATUS_OK);
+            for (size_t m = 0; m < model_count; m++) {
+                assert_int_equal(got->curves[m].count, whole->curves[m].count);
+                if (got->curves[m].count > 0)
+                    assert_memory_equal(got->curves[m].points, whole->curves[m].points,
+                                        got->curves[m].count * sizeof(struct contact_point));
+                assert_int_equal(got->bands[m] == NULL, whole->bands[m] == NULL);
+                if (got->bands[m])
+                    assert_memory_equal(got->bands[m], whole->bands[m], got->band_count * sizeof **got->bands);
+            }
+            assert_int_equal(got->preview_points, 2);
+            assert_near(got->preview_z_m[1], (double)k, 0);
+            if (part == SURFACE_BYTES_SPECTRUM)
+                assert_memory_equal(got->spectrum.amplitude_m, whole->spectrum.amplitude_m,
+                                    whole->spectrum.count * sizeof(double));
+            assert_int_equal(got->spectrum.count, part == SURFACE_BYTES_SPECTRUM ? whole->spectrum.count : 0);
+            assert_true(part == SURFACE_BYTES_SPECTRUM || !got->spectrum.amplitude_m);
+            assert_true(!got->tapered.amplitude_m && got->tapered.count == 0);
+            assert_true(!got->points && !got->height_m && !got->direct_m && got->direct_count == 0);
+            assert_true(!got->repeats.parts && got->repeats.count == 0);
+            for (int v = 0; v < SENSITIVITY_VARIANTS; v++)
+                assert_null(got->sensitivity.variants[v].spectrum.amplitude_m);
+            surface_record_free(got, false);
+            surface_record_free(whole, true);
+            free(got);
+            free(whole);
+        }
+    surface_store_close(&store);
+    directory_remove(&place);
+}
+
 /* A refused surface has a summary only. */
 static void test_refusals_are_kept(void **state)
 {
@@ -377,6 +427,7 @@ int main(void)
         cmocka_unit_test(test_surfaces_come_back_in_any_order),
         cmocka_unit_test(test_several_threads_may_put),
         cmocka_unit_test(test_a_surface_is_put_again_with_its_curves),
+        cmocka_unit_test(test_parts),
         cmocka_unit_test(test_refusals_are_kept),
         cmocka_unit_test(test_a_directory_that_cannot_be_written_is_named),
         cmocka_unit_test(test_a_full_disk_leaves_the_record_to_the_caller),

@@ -30,6 +30,7 @@ static void check_defaults(const struct scene *scene)
     assert_true(scene->fit_band_m[0] == 0 && isinf(scene->fit_band_m[1]));
     assert_int_equal(scene->moments, ROUGHNESS_MOMENTS_DIFFERENCE);
     assert_int_equal(scene->closure, SINUSOID_FIT_THESIS);
+    assert_int_equal(scene->data, SCENE_DATA_AUTO);
     assert_null(scene->baseline);
     assert_near(scene->convergence.alpha, 0.085, 0);
     assert_near(scene->convergence.gamma, 1.5, 0);
@@ -118,6 +119,7 @@ static void test_every_key(void **state)
     assert_near(scene.fit_band_m[1], 3e-4, 0);
     assert_int_equal(scene.moments, ROUGHNESS_MOMENTS_SPECTRAL);
     assert_int_equal(scene.closure, SINUSOID_FIT_NUMERIC);
+    assert_int_equal(scene.data, SCENE_DATA_FULL);
     assert_near(scene.max_missing, 0.25, 0);
     assert_near(scene.lambda_s_m, 2.5e-6, 0);
     assert_near(scene.lambda_c_m, 8e-4, 0);

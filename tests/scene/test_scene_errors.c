@@ -62,7 +62,7 @@ static void test_keys(void **state)
          "unknown key 'foo'; allowed: title, models, effects, material, counterface, direction, measured, "
          "nominal_area, hardness, mean_free_path, load, operating_load, targets, limits, tolerance, level, window, "
          "fit, "
-         "fit_band, moments, closure, max_missing, lambda_s, lambda_c, tip_radius, baseline, direct, gap, film, "
+         "fit_band, moments, closure, data, max_missing, lambda_s, lambda_c, tip_radius, baseline, direct, gap, film, "
          "plating, current, "
          "convergence, "
          "surfaces"},
@@ -70,7 +70,7 @@ static void test_keys(void **state)
          "unknown key 'stylus'; allowed: title, models, effects, material, counterface, direction, measured, "
          "nominal_area, hardness, mean_free_path, load, operating_load, targets, limits, tolerance, level, window, "
          "fit, "
-         "fit_band, moments, closure, max_missing, lambda_s, lambda_c, tip_radius, baseline, direct, gap, film, "
+         "fit_band, moments, closure, data, max_missing, lambda_s, lambda_c, tip_radius, baseline, direct, gap, film, "
          "plating, current, "
          "convergence, "
          "surfaces"},
@@ -138,6 +138,7 @@ static void test_choices(void **state)
         {"fit: all\n", 1, "unknown fit 'all'; allowed: auto, thesis"},
         {"moments: [spectral]\n", 1, "'moments' is a list; give one word"},
         {"closure: bem\n", 1, "unknown closure 'bem'; allowed: thesis, numeric"},
+        {"data: none\n", 1, "unknown data 'none'; allowed: auto, full"},
         {"models: [multiscale,\n  greenwood]\n", 2,
          "unknown model 'greenwood'; allowed: multiscale, statistical, two-band, persson, contacting-slopes, cmy, "
          "sridhar-yovanovich, multiscale-elastic, multiscale-plastic, gw, jg, two-band-elastic, two-band-plastic"},

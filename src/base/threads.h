@@ -1,0 +1,34 @@
+/* The same done to many things by several threads, so that what they leave does not depend on how many there are. */
+#ifndef BASE_THREADS_H
+#define BASE_THREADS_H
+
+#include "base/status.h"
+#include <signal.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+/** How many threads, and what ends them. */
+struct threads {
+    unsigned jobs;                     /* 0: one a processor */
+    const volatile sig_atomic_t *stop; /* becomes non-zero when the work is to end early; NULL: never */
+};
+
+/** The place of a task in the order of all. */
+struct threads_turn;
+
+/** What is done to thing `index`, on any thread. */
+typedef enum status_code threads_task(void *context, size_t index, struct threads_turn *turn, struct status *status);
+
+/** Does `task` for 0 ... count-1, begun in this order. Errors: that of the first task, by index, that fails, after
+ * which none is begun; STATUS_INTERRUPTED when told to stop. */
+MUST_CHECK enum status_code threads_run(const struct threads *threads, size_t count, threads_task *task, void *context,
+                                        struct status *status);
+
+/** Waits until the tasks of all smaller indices have ended, so that what it does from here on to what they share is in
+ * order. False: one of them failed, and this one's work is in vain. NULL, of one that runs alone: always true. */
+bool threads_wait(struct threads_turn *turn);
+
+/** How many threads `threads` makes for `count` tasks. */
+size_t threads_number(const struct threads *threads, size_t count);
+
+#endif

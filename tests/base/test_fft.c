@@ -1,0 +1,113 @@
+/* Transforms of every kind of size against their defining sum, back again, and by several threads at once. */
+#include "base/fft.h"
+#include "support.h"
+
+#include <math.h>
+#include <pthread.h>
+#include <stdlib.h>
+
+
+static double value(size_t j, size_t n)
+{
+    return sin(3.7 * (double)j + (double)n) + (j % 5 == 0 ? 0.5 : 0) + 2;
+}
+
+static void check(size_t n)
+{
+    double *record = fftw_alloc_real(n);
+    fftw_complex *transform = fftw_alloc_complex(n / 2 + 1);
+    for (size_t j = 0; j < n; j++)
+        record[j] = value(j, n);
+    fft_forward(transform, record, n);
+    for (size_t k = 0; k <= n / 2; k++) {
+        double real = 0, imaginary = 0;
+        for (size_t j = 0; j < n; j++) {
+            double angle = 2 * M_PI * (double)(j * k % n) / (double)n;
+            real += value(j, n) * cos(angle);
+            imaginary -= value(j, n) * sin(angle);
+        }
+        assert_true(fabs(transform[k][0] - real) < 1e-11 * (double)n);
+        assert_true(fabs(transform[k][1] - imaginary) < 1e-11 * (double)n);
+        if (k == 0 || 2 * k == n)
+            assert_true(transform[k][1] == 0);
+    }
+    fft_backward(record, transform, n);
+    for (size_t j = 0; j < n; j++)
+        assert_true(fabs(record[j] / (double)n - value(j, n)) < 1e-13);
+    fftw_free(record);
+    fftw_free(transform);
+}
+
+/* Odd, even, prime and one; more sizes than plans are kept of. */
+static void test_sizes(void **state)
+{
+    (void)state;
+    for (size_t n = 1; n < 70; n++)
+        check(n);
+    check(1000);
+    check(1009);
+}
+
+/* A cosine of 7 periods, a size that is planned each time and one that is kept. */
+static void test_large_sizes(void **state)
+{
+    (void)state;
+    static const size_t sizes[] = {65536, 65537, 131072};
+    for (size_t s = 0; s < 3; s++) {
+        size_t n = sizes[s];
+        double *record = fftw_alloc_real(n);
+        fftw_complex *transform = fftw_alloc_complex(n / 2 + 1);
+        for (size_t j = 0; j < n; j++)
+            record[j] = cos(2 * M_PI * 7 * (double)j / (double)n + 0.3);
+        fft_forward(transform, record, n);
+        for (size_t k = 0; k <= n / 2; k++) {
+            double size = k == 7 ? (double)n / 2 : 0;
+            assert_true(fabs(transform[k][0] - size * cos(0.3)) < 1e-8);
+            assert_true(fabs(transform[k][1] - size * sin(0.3)) < 1e-8);
+        }
+        fft_backward(record, transform, n);
+        for (size_t j = 0; j < n; j++)
+            assert_true(fabs(record[j] / (double)n - cos(2 * M_PI * 7 * (double)j / (double)n + 0.3)) < 1e-13);
+        fftw_free(record);
+        fftw_free(transform);
+    }
+}
+
+enum { THREADS = 4, ROUNDS = 50, POINTS = 3000 };
+
+/** The same transform over and over, to `context`. */
+static void *transform_often(void *context)
+{
+    double *sums = context, *record = fftw_alloc_real(POINTS);
+    fftw_complex *transform = fftw_alloc_complex(POINTS / 2 + 1);
+    for (int round = 0; round < ROUNDS; round++) {
+        for (size_t j = 0; j < POINTS; j++)
+            record[j] = value(j, POINTS);
+        fft_forward(transform, record, POINTS - (size_t)(round % 3));
+        sums[round] = transform[5][0] + transform[700][1];
+    }
+    fftw_free(record);
+    fftw_free(transform);
+    return NULL;
+}
+
+static void test_threads_share_a_plan(void **state)
+{
+    (void)state;
+    double sums[THREADS][ROUNDS];
+    pthread_t threads[THREADS];
+    for (int t = 0; t < THREADS; t++)
+        assert_int_equal(pthread_create(&threads[t], NULL, transform_often, sums[t]), 0);
+    for (int t = 0; t < THREADS; t++)
+        pthread_join(threads[t], NULL);
+    for (int t = 0; t < THREADS; t++)
+        for (int round = 0; round < ROUNDS; round++)
+            assert_true(sums[t][round] == sums[0][round % 3]);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_sizes), cmocka_unit_test(test_large_sizes),
+                                       cmocka_unit_test(test_threads_share_a_plan)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,96 @@
+/* What tasks leave in their turn, whatever the number of threads, and which failure is told. */
+#include "base/threads.h"
+#include "support.h"
+
+#include <pthread.h>
+#include <unistd.h>
+
+enum { TASKS = 200 };
+
+struct log {
+    size_t order[TASKS], count, begun;
+    size_t fails[2]; /* TASKS: none */
+    pthread_mutex_t lock;
+};
+
+static enum status_code task(void *context, size_t index, struct threads_turn *turn, struct status *status)
+{
+    struct log *log = context;
+    pthread_mutex_lock(&log->lock);
+    log->begun++;
+    pthread_mutex_unlock(&log->lock);
+    if (index % 5 == 0)
+        usleep(2000); /* so that the others are early */
+    for (int i = 0; i < 2; i++)
+        if (index == log->fails[i]) {
+            usleep(i == 0 ? 3000 : 0);
+            return status_fail(status, STATUS_SCAN, "task %zu", index);
+        }
+    if (threads_wait(turn))
+        log->order[log->count++] = index; /* no lock: nobody else has its turn */
+    return STATUS_OK;
+}
+
+static struct log run(unsigned jobs, const size_t fails[2], enum status_code expected, const char *message)
+{
+    const struct threads threads = {.jobs = jobs};
+    struct log log = {.fails = {fails[0], fails[1]}, .lock = PTHREAD_MUTEX_INITIALIZER};
+    struct status status = {0};
+    assert_int_equal(threads_run(&threads, TASKS, task, &log, &status), expected);
+    assert_string_equal(status.message, message);
+    for (size_t i = 0; i < log.count; i++)
+        assert_int_equal(log.order[i], i);
+    return log;
+}
+
+static void test_in_order(void **state)
+{
+    (void)state;
+    static const size_t none[2] = {TASKS, TASKS};
+    for (unsigned jobs = 0; jobs < 100; jobs += jobs < 5 ? 1 : 31) {
+        struct log log = run(jobs, none, STATUS_OK, "");
+        assert_int_equal(log.count, TASKS);
+        assert_int_equal(log.begun, TASKS);
+    }
+}
+
+/* Task 101 fails first, 100 later: it is 100 that is told, and nothing after it was written. */
+static void test_the_first_failure(void **state)
+{
+    (void)state;
+    static const size_t two[2] = {100, 101};
+    for (unsigned jobs = 1; jobs < 9; jobs++) {
+        struct log log = run(jobs, two, STATUS_SCAN, "task 100");
+        assert_int_equal(log.count, 100);
+        assert_true(log.begun <= 101 + jobs);
+    }
+}
+
+static void test_stop(void **state)
+{
+    (void)state;
+    static const volatile sig_atomic_t stop = 1;
+    const struct threads threads = {.jobs = 3, .stop = &stop};
+    struct log log = {.fails = {TASKS, TASKS}, .lock = PTHREAD_MUTEX_INITIALIZER};
+    struct status status = {0};
+    assert_int_equal(threads_run(&threads, TASKS, task, &log, &status), STATUS_INTERRUPTED);
+    assert_int_equal(log.begun, 0);
+}
+
+static void test_nothing_to_do(void **state)
+{
+    (void)state;
+    const struct threads threads = {0};
+    struct log log = {.fails = {TASKS, TASKS}, .lock = PTHREAD_MUTEX_INITIALIZER};
+    struct status status = {0};
+    assert_int_equal(threads_run(&threads, 0, task, &log, &status), STATUS_OK);
+    assert_int_equal(log.begun, 0);
+    assert_true(threads_wait(NULL));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_in_order), cmocka_unit_test(test_the_first_failure),
+                                       cmocka_unit_test(test_stop), cmocka_unit_test(test_nothing_to_do)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,125 @@
+/* What data/ holds of many surfaces, and that the number of threads that wrote it does not show. */
+#include "run/pipeline.h"
+
+enum { POINTS = 256, MANY = 101 };
+
+static void write_scene(const struct directory *place, const char *more)
+{
+    struct text text = {0};
+    text_add(&text, "effects: [separation]\nmodels: [multiscale, gw]\nload: {from: 1e-5, to: 1e-3, points: 3}\n%s",
+             more);
+    directory_write(place, "in/scene.yaml", text_string(&text));
+    text_free(&text);
+}
+
+static void make_surfaces(const struct directory *place, int count)
+{
+    char name[64];
+    mkdir(directory_path(place, "in"), 0777);
+    for (int i = 0; i < count; i++) {
+        snprintf(name, sizeof name, "in/%03d.csv", i);
+        pipeline_rough(place, name, POINTS, 1 + i / 50.0, (unsigned long)i + 1);
+    }
+}
+
+static void expect_same(const struct directory *place, const char *file, bool same)
+{
+    char a[128], b[128];
+    snprintf(a, sizeof a, "one/%s", file);
+    snprintf(b, sizeof b, "other/%s", file);
+    struct text first = directory_read(place, a), second = directory_read(place, b);
+    assert_true(first.length > 0);
+    assert_int_equal(strcmp(text_string(&first), text_string(&second)) == 0, same);
+    text_free(&first);
+    text_free(&second);
+}
+
+static bool says(const struct directory *place, const char *file, const char *words)
+{
+    struct text text = directory_read(place, file);
+    bool found = strstr(text_string(&text), words) != NULL;
+    text_free(&text);
+    return found;
+}
+
+/* Bins keep each surface's mean square height, and there is one a tenth of a decade. */
+static void of_many_surfaces_bins(void **state)
+{
+    const struct directory *place = *state;
+    make_surfaces(place, MANY);
+    write_scene(place, "");
+    assert_int_equal(pipeline_run(place, "in", "one", 1), 0);
+    write_scene(place, "data: full\n");
+    assert_int_equal(pipeline_run(place, "in", "other", 3), 0);
+    struct table bins = table_read_path(directory_path(place, "one/data/spectrum.csv"));
+    struct table all = table_read_path(directory_path(place, "other/data/spectrum.csv"));
+    assert_int_equal(all.rows, MANY * POINTS / 2);
+    assert_int_equal(all.columns, 4);
+    assert_int_equal(bins.rows, MANY * 19); /* of 22 tenths up to 128 harmonics, 1, 2 and 5 hold none */
+    size_t row = 0;
+    for (size_t r = 0; r < bins.rows; r++) {
+        size_t harmonics = (size_t)table_number(&bins, r, "harmonics");
+        double square = 0, longest = table_number(&all, row, "wavelength_m");
+        assert_string_equal(table_text(&bins, r, "surface"), table_text(&all, row, "surface"));
+        for (size_t i = 0; i < harmonics; i++, row++) {
+            double amplitude_m = table_number(&all, row, "amplitude_m");
+            bool nyquist = (row + 1) % (POINTS / 2) == 0;
+            square += (nyquist ? 2 : 1) * amplitude_m * amplitude_m;
+        }
+        double shortest = table_number(&all, row - 1, "wavelength_m"), mean = table_number(&bins, r, "wavelength_m");
+        assert_true(mean >= shortest * (1 - 1e-14) && mean <= longest * (1 + 1e-14) && longest / shortest < 1.2589255);
+        assert_near(table_number(&bins, r, "amplitude_m"), sqrt(square / (double)harmonics), 1e-13);
+        if (harmonics == 1)
+            assert_string_equal(table_text(&bins, r, "fit_m"), table_text(&all, row - 1, "fit_m"));
+    }
+    assert_int_equal(row, all.rows);
+    table_free(&bins);
+    table_free(&all);
+    expect_same(place, "data/contact.csv", true); /* by one thread and by three */
+    expect_same(place, "data/surfaces.csv", true);
+    expect_same(place, "data/sensitivity.csv", true);
+    assert_true(says(place, "one/results.json", "\"data\": \"auto\",\n \"spectra\": \"bins\""));
+    assert_true(says(place, "other/results.json", "\"data\": \"full\",\n \"spectra\": \"every harmonic\""));
+    assert_true(says(place, "one/report.md", "`data/spectrum.csv` holds bins of a tenth of a decade"));
+    assert_false(says(place, "other/report.md", "bins of a tenth"));
+}
+
+/* The JSON of many surfaces by several threads, and up to a hundred of them every harmonic. */
+static void of_a_hundred_every_harmonic(void **state)
+{
+    const struct directory *place = *state;
+    make_surfaces(place, MANY - 1);
+    write_scene(place, "");
+    assert_int_equal(pipeline_run(place, "in", "one", 1), 0);
+    assert_int_equal(pipeline_run(place, "in", "other", 5), 0);
+    struct table all = table_read_path(directory_path(place, "one/data/spectrum.csv"));
+    assert_int_equal(all.rows, (MANY - 1) * POINTS / 2);
+    table_free(&all);
+    static const char *const files[] = {"results.json", "report.md", "data/spectrum.csv", "data/contact.csv"};
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++)
+        expect_same(place, files[i], true);
+}
+
+static int make(void **state)
+{
+    struct directory *place = malloc(sizeof *place);
+    *place = directory_make();
+    *state = place;
+    return 0;
+}
+
+static int clean(void **state)
+{
+    directory_remove(*state);
+    free(*state);
+    return 0;
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(of_many_surfaces_bins, make, clean),
+        cmocka_unit_test_setup_teardown(of_a_hundred_every_harmonic, make, clean),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
