@@ -5,12 +5,9 @@
 #include "base/status.h"
 #include "base/text.h"
 #include "direct/direct_crew.h"
-<<<<<<< HEAD
 #include "run/workers.h"
-=======
 #include <argp.h>
 #include <stdbool.h>
->>>>>>> w-commands
 
 /** Exit statuses of every command (documented in the README; command_statuses says them). */
 enum command_exit {
