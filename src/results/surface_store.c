@@ -50,7 +50,7 @@ enum status_code surface_store_put(struct surface_store *store, size_t index, co
     if (record->summary.usable && store->file) {
         pthread_mutex_lock(&store->lock);
         bool ok = fseek(store->file, 0, SEEK_END) == 0 && (store->offsets[index] = ftell(store->file)) >= 0;
-        ok = ok && put_arrays(store->file, record);
+        ok = ok && surface_bytes_put(store->file, record);
         int reason = errno;
         pthread_mutex_unlock(&store->lock);
         if (!ok)
