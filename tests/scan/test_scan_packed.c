@@ -114,7 +114,8 @@ static void test_gzip(void **state)
     }
     assert_refused_bytes(text.data, text.length - 1, &no_units, "damaged or cut off within the gzip data");
     struct text twice = gzip(text.data, text.length);
-    assert_refused_bytes(twice.data, twice.length, &no_units, "a packed file within a packed file; at most 1 level: unpack it");
+    assert_refused_bytes(twice.data, twice.length, &no_units,
+                         "a packed file within a packed file; at most 1 level: unpack it");
     text_free(&twice);
     text_free(&text);
     /* members one after another are one file */
