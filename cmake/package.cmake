@@ -1,4 +1,4 @@
-# cpack -G DEB --config build/CPackConfig.cmake: three Debian packages, the program, the library, and what it takes to
+# cd build && cpack -G DEB: three Debian packages, the program, the library, and what it takes to
 # build with the library. Dependencies on libraries are found by dpkg-shlibdeps (of the package dpkg-dev).
 set(package_doc ${CMAKE_BINARY_DIR}/package)
 set(CPACK_PACKAGE_NAME roughcontact)
