@@ -95,6 +95,18 @@ double sinusoid_critical_amplitude(double frequency_per_m, const struct material
            (3 * M_PI * pair->effective_modulus_Pa * frequency_per_m);
 }
 
+/** p_p (4.18) over p*, of Delta/Delta_c. */
+static double plastic_full_ratio(double over_critical)
+{
+    return pow(11 / (4 * over_critical + 7), 3.0 / 5);
+}
+
+/** p_c (4.14*) of C S_y and the slope Delta f. */
+static double critical_pressure(double flow_Pa, double slope, double modulus)
+{
+    return flow_Pa * flow_Pa * flow_Pa / (48 * M_PI * slope * modulus * slope * modulus);
+}
+
 struct sinusoid_scale sinusoid_scale(double amplitude_m, double frequency_per_m, const struct material_pair *pair,
                                      bool plastic)
 {
@@ -112,9 +124,8 @@ struct sinusoid_scale sinusoid_scale(double amplitude_m, double frequency_per_m,
 
     double flow_Pa = pair->yield_coefficient * pair->yield_strength_Pa; /* C S_y */
     double slope = amplitude_m * frequency_per_m;                       /* Delta f */
-    scale.critical_pressure_Pa = flow_Pa * flow_Pa * flow_Pa / (48 * M_PI * slope * modulus * slope * modulus);
-    scale.plastic_full_pressure_Pa =
-        scale.full_pressure_Pa * pow(11 / (4 * amplitude_m / critical_amplitude_m + 7), 3.0 / 5);
+    scale.critical_pressure_Pa = critical_pressure(flow_Pa, slope, modulus);
+    scale.plastic_full_pressure_Pa = scale.full_pressure_Pa * plastic_full_ratio(amplitude_m / critical_amplitude_m);
     /* a_p = 2 f² A_c^(1/(1+q)) (3p/(4 C S_y f²))^(q/(1+q)), with f² A_c = (C S_y/(8 Delta f E'))²/pi: the f² cancel. */
     double q = 3.8 * pow(modulus * slope / pair->yield_strength_Pa, 0.11);
     double cell_critical_area = pow(flow_Pa / (8 * slope * modulus), 2) / M_PI;
@@ -129,6 +140,33 @@ double sinusoid_closed_pressure(const struct sinusoid_scale *scale)
     if (scale->critical_pressure_Pa >= scale->full_pressure_Pa)
         return scale->full_pressure_Pa;
     return fmax(scale->plastic_full_pressure_Pa, scale->critical_pressure_Pa);
+}
+
+double sinusoid_critical_full_pressure(const struct material_pair *pair)
+{
+    return sinusoid_full_pressure(sinusoid_critical_amplitude(1, pair), 1, pair->effective_modulus_Pa);
+}
+
+double sinusoid_closing_bound(double full_pressure_Pa, const struct material_pair *pair, bool plastic)
+{
+    static const double rounding = 1 + 1e-9;
+    double bound_Pa = full_pressure_Pa;
+    double flow_Pa = pair->yield_coefficient * pair->yield_strength_Pa;
+    double slope = full_pressure_Pa / (M_SQRT2 * M_PI * pair->effective_modulus_Pa);
+    double critical_Pa = plastic ? critical_pressure(flow_Pa, slope, pair->effective_modulus_Pa) : INFINITY;
+    if (critical_Pa > 0 && critical_Pa < full_pressure_Pa) { /* else nothing yields, or not as far as can be told */
+        double onset_Pa = fmax(sinusoid_critical_full_pressure(pair), cbrt(M_PI / 24) * flow_Pa); /* p_c = p* there */
+        double over_critical = full_pressure_Pa / sinusoid_critical_full_pressure(pair);
+        double complete_Pa =
+            over_critical > 1 ? full_pressure_Pa * plastic_full_ratio(over_critical) : full_pressure_Pa;
+        bound_Pa = fmin(bound_Pa, fmax(complete_Pa, onset_Pa));
+    }
+    return bound_Pa * rounding;
+}
+
+bool sinusoid_steepest_fills_last(double full_pressure_Pa, const struct material_pair *pair)
+{
+    return full_pressure_Pa > 3 * pair->yield_strength_Pa && full_pressure_Pa < 1000 * pair->yield_strength_Pa;
 }
 
 /** Below p_p <= p*, so that the elastic area is short of 1 too. */

@@ -202,7 +202,6 @@ enum status_code prepare(struct prepared *out, const struct scene *scene, const 
                            scene->directory);
     if (make_loads(out, scene, status) != STATUS_OK)
         return status->code;
-    size_t load_count = out->results.load_count;
     if (read_counterface(out, scene, status) != STATUS_OK)
         return status->code;
     /* measured loads are answered on every scan of the baseline, so a plan too has to keep the scans */
@@ -211,10 +210,10 @@ enum status_code prepare(struct prepared *out, const struct scene *scene, const 
         workers_run(&out->results, workers_describe, options, status) != STATUS_OK)
         return status->code;
     effect_bounds_heights(&out->plan, scene, out->store.summaries, out->store.count);
-    effect_bounds_plan(&out->plan, scene, out->store.summaries, out->store.count, load_count);
+    effect_bounds_plan(&out->plan, scene, out->store.summaries, out->store.count);
     if (rank_surfaces(&out->results, status) != STATUS_OK)
         return status->code;
-    out->results.predicted = work_predict(out->store.summaries, out->store.count, scene, &out->plan, load_count);
+    out->results.predicted = work_predict(out->store.summaries, out->store.count, scene, &out->plan);
     plan_direct(&out->plan, &out->results);
     if (!scene->measured.file)
         return STATUS_OK;
