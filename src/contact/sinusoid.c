@@ -101,12 +101,6 @@ static double plastic_full_ratio(double over_critical)
     return pow(11 / (4 * over_critical + 7), 3.0 / 5);
 }
 
-/** p_c (4.14*) of C S_y and the slope Delta f. */
-static double critical_pressure(double flow_Pa, double slope, double modulus)
-{
-    return flow_Pa * flow_Pa * flow_Pa / (48 * M_PI * slope * modulus * slope * modulus);
-}
-
 struct sinusoid_scale sinusoid_scale(double amplitude_m, double frequency_per_m, const struct material_pair *pair,
                                      bool plastic)
 {
@@ -124,7 +118,7 @@ struct sinusoid_scale sinusoid_scale(double amplitude_m, double frequency_per_m,
 
     double flow_Pa = pair->yield_coefficient * pair->yield_strength_Pa; /* C S_y */
     double slope = amplitude_m * frequency_per_m;                       /* Delta f */
-    scale.critical_pressure_Pa = critical_pressure(flow_Pa, slope, modulus);
+    scale.critical_pressure_Pa = flow_Pa * flow_Pa * flow_Pa / (48 * M_PI * slope * modulus * slope * modulus);
     scale.plastic_full_pressure_Pa = scale.full_pressure_Pa * plastic_full_ratio(amplitude_m / critical_amplitude_m);
     /* a_p = 2 f² A_c^(1/(1+q)) (3p/(4 C S_y f²))^(q/(1+q)), with f² A_c = (C S_y/(8 Delta f E'))²/pi: the f² cancel. */
     double q = 3.8 * pow(modulus * slope / pair->yield_strength_Pa, 0.11);
@@ -150,18 +144,13 @@ double sinusoid_critical_full_pressure(const struct material_pair *pair)
 double sinusoid_closing_bound(double full_pressure_Pa, const struct material_pair *pair, bool plastic)
 {
     static const double rounding = 1 + 1e-9;
-    double bound_Pa = full_pressure_Pa;
     double flow_Pa = pair->yield_coefficient * pair->yield_strength_Pa;
-    double slope = full_pressure_Pa / (M_SQRT2 * M_PI * pair->effective_modulus_Pa);
-    double critical_Pa = plastic ? critical_pressure(flow_Pa, slope, pair->effective_modulus_Pa) : INFINITY;
-    if (critical_Pa > 0 && critical_Pa < full_pressure_Pa) { /* else nothing yields, or not as far as can be told */
-        double onset_Pa = fmax(sinusoid_critical_full_pressure(pair), cbrt(M_PI / 24) * flow_Pa); /* p_c = p* there */
-        double over_critical = full_pressure_Pa / sinusoid_critical_full_pressure(pair);
-        double complete_Pa =
-            over_critical > 1 ? full_pressure_Pa * plastic_full_ratio(over_critical) : full_pressure_Pa;
-        bound_Pa = fmin(bound_Pa, fmax(complete_Pa, onset_Pa));
-    }
-    return bound_Pa * rounding;
+    double onset_Pa = cbrt(M_PI / 24) * flow_Pa; /* p_c = p* there */
+    if (!plastic || full_pressure_Pa <= onset_Pa || isinf(full_pressure_Pa))
+        return full_pressure_Pa * rounding;
+    onset_Pa = fmax(onset_Pa, sinusoid_critical_full_pressure(pair));
+    double over_critical = fmax(1, full_pressure_Pa / sinusoid_critical_full_pressure(pair));
+    return fmin(full_pressure_Pa, fmax(full_pressure_Pa * plastic_full_ratio(over_critical), onset_Pa)) * rounding;
 }
 
 bool sinusoid_steepest_fills_last(double full_pressure_Pa, const struct material_pair *pair)
