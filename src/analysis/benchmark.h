@@ -23,7 +23,7 @@ struct benchmark_row {
     const char *method;
     char setting[24];
     uint64_t evaluations; /* of the law or of scales; the same on every machine */
-    double seconds;       /* least of several runs */
+    double seconds;       /* least of several runs; of integrals, for 100 separations */
     double error;         /* largest relative error over the study's quantities and points */
     bool chosen;          /* the report's own numbers come from here */
     enum benchmark_chart chart;

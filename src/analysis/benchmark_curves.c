@@ -46,7 +46,8 @@ static enum status_code closures(struct benchmark *cost, const struct benchmark_
 
 /** The multiscale curve of the baseline from its longest scales alone. */
 struct cut_attempt {
-    struct multiscale stack; /* count is what is kept */
+    struct spectrum spectrum; /* count is what is kept; the amplitudes are the surface's */
+    const struct model_row *row;
     const struct benchmark_task *task;
     double *area;
     uint64_t evaluations;
@@ -56,12 +57,16 @@ static void solve_cut(void *context)
 {
     struct cut_attempt *attempt = context;
     struct constriction none = {0};
+    struct multiscale stack;
     attempt->evaluations = 0;
+    multiscale_make(&stack, &attempt->spectrum, &attempt->task->surface->summary.pair, attempt->row->plastic,
+                    attempt->task->scene->closure);
     for (size_t i = 0; i < attempt->task->load_count; i++) {
         struct contact_point point;
-        multiscale_solve(&point, &attempt->stack, &none, 0, attempt->task->loads[i], &attempt->evaluations);
+        multiscale_solve(&point, &stack, &none, 0, attempt->task->loads[i], &attempt->evaluations);
         attempt->area[i] = point.area_ratio;
     }
+    multiscale_free(&stack);
 }
 
 static enum status_code cut_off(struct benchmark *cost, const struct benchmark_task *task, size_t model,
@@ -69,35 +74,33 @@ static enum status_code cut_off(struct benchmark *cost, const struct benchmark_t
 {
     enum { STEPS = 7 };
     size_t loads = task->load_count;
-    struct cut_attempt attempt = {.task = task, .area = malloc(2 * loads * sizeof *attempt.area)};
+    struct cut_attempt attempt = {.spectrum = task->surface->spectrum,
+                                  .row = model_rows[model],
+                                  .task = task,
+                                  .area = malloc(2 * loads * sizeof *attempt.area)};
     double *full = attempt.area ? attempt.area + loads : NULL;
     enum status_code rc = full ? STATUS_OK : status_memory(status);
-    if (rc == STATUS_OK)
-        rc = multiscale_make(&attempt.stack, &task->surface->spectrum, &task->surface->summary.pair,
-                             model_rows[model]->plastic, task->scene->closure, status);
-    size_t all = attempt.stack.count;
+    size_t all = attempt.spectrum.count;
     if (rc == STATUS_OK) {
         solve_cut(&attempt);
         memcpy(full, attempt.area, loads * sizeof *full);
     }
     for (int step = STEPS; rc == STATUS_OK && step >= 1; step--) {
-        attempt.stack.count = all >> step;
-        if (attempt.stack.count == 0)
+        attempt.spectrum.count = all >> step;
+        if (attempt.spectrum.count == 0)
             continue;
         struct benchmark_row row = {.study = "cut-off",
                                     .model = model_rows[model],
                                     .method = model_rows[model]->name,
                                     .chart = BENCHMARK_CURVES};
         snprintf(row.setting, sizeof row.setting, "%.3gum",
-                 1e6 / spectrum_frequency(&task->surface->spectrum, attempt.stack.count - 1));
+                 1e6 / spectrum_frequency(&attempt.spectrum, attempt.spectrum.count - 1));
         row.seconds = benchmark_time(solve_cut, &attempt);
         row.evaluations = attempt.evaluations;
         for (size_t i = 0; i < loads; i++)
             row.error = fmax(row.error, fabs(attempt.area[i] / full[i] - 1));
         rc = benchmark_add(cost, &row, status);
     }
-    attempt.stack.count = all;
-    multiscale_free(&attempt.stack);
     free(attempt.area);
     return rc;
 }

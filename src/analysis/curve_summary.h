@@ -12,6 +12,7 @@ struct curve_bounds {
     double scale_dependence;   /* model_row.scale_dependence_bound */
     struct model_work work[2]; /* what the scans will take: without and with scale dependence */
     struct model_work sensitivity_work;
+    struct model_work record_work, quarter_work; /* uncertainty_outline() */
 };
 
 struct curve_summary {

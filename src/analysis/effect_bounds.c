@@ -49,17 +49,25 @@ static bool is_converged(const struct surface_record *record, const struct scene
     return scene->convergence.load * modulus >= full_Pa;
 }
 
-/** What the scans will take in each model, without and with scale dependence. */
-static void count_work(struct surface_record *record, const struct plan *plan, struct model_task task)
+static struct model_work scans_work(const struct surface_record *record, const struct model_row *row,
+                                    const struct model_task *task)
 {
-    for (size_t m = 0; m < model_count; m++)
-        for (int scale_dependent = 0; scale_dependent < 2 && plan_runs_model(plan, m); scale_dependent++) {
-            const unsigned bit = QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT);
-            task.wanted = scale_dependent ? plan->wanted : plan->wanted & ~bit;
-            record->summary.models[m].bounds.work[scale_dependent] =
-                repeats_several(&record->repeats, model_rows[m]) ? repeats_work(&record->repeats, model_rows[m], &task)
-                                                                 : model_rows[m]->work(model_rows[m], &task);
-        }
+    return repeats_several(&record->repeats, row) ? repeats_work(&record->repeats, row, task) : row->work(row, task);
+}
+
+/** What the scans will take in each model, without and with scale dependence, which a stack of scales has in the same
+ * pass as the rest. */
+static void count_work(struct surface_record *record, const struct plan *plan, const struct model_task *task)
+{
+    struct model_task without = *task;
+    without.wanted &= ~QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT);
+    for (size_t m = 0; m < model_count; m++) {
+        struct model_work *work = record->summary.models[m].bounds.work;
+        if (!plan_runs_model(plan, m))
+            continue;
+        work[0] = scans_work(record, model_rows[m], &without);
+        work[1] = model_rows[m]->stacks_scales ? work[0] : scans_work(record, model_rows[m], task);
+    }
 }
 
 /** What the changed scans will take at the middle load. */
@@ -70,6 +78,17 @@ static void count_sensitivity(struct surface_record *record, const struct plan *
         if (plan_runs_model(plan, m))
             record->summary.models[m].bounds.sensitivity_work =
                 sensitivity_work(&record->sensitivity, model_rows[m], &one, record->repeats.count == 0);
+}
+
+/** What simulated records will take. */
+static enum status_code count_records(struct surface_record *record, const struct plan *plan,
+                                      const struct model_task *task, struct status *status)
+{
+    enum status_code rc = STATUS_OK;
+    for (size_t m = 0; m < model_count && rc == STATUS_OK; m++)
+        if (plan_runs_model(plan, m) && !model_rows[m]->uses_heights)
+            rc = uncertainty_outline(&record->summary.models[m].bounds, model_rows[m], task, status);
+    return rc;
 }
 
 /** Scale dependence of every scan in one model, until one exceeds the tolerance. */
@@ -119,8 +138,11 @@ enum status_code effect_bounds_surface(struct surface_record *record, const stru
 {
     struct surface_summary *summary = &record->summary;
     struct model_task task = surface_task(record, scene, plan, loads, load_count);
-    count_work(record, plan, task);
+    count_work(record, plan, &task);
     count_sensitivity(record, plan, &task);
+    if (plan_runs(plan, EFFECT_UNCERTAINTY) && summary->single_points > 0 &&
+        count_records(record, plan, &task, status) != STATUS_OK)
+        return status->code;
     if (!scene->effects_auto)
         return STATUS_OK;
     summary->bound = (struct effect_bounds){.converged = is_converged(record, scene)};
@@ -222,15 +244,14 @@ static void decide_convergence(struct plan *plan, const struct surface_summary *
 
 /** Runs where a surface has one scan and all of them together take less than a second, by the count of what they take.
  */
-static void decide_uncertainty(struct plan *plan, const struct scene *scene, const struct surface_summary *surfaces,
-                               size_t count, size_t load_count)
+static void decide_uncertainty(struct plan *plan, const struct surface_summary *surfaces, size_t count)
 {
     char *reason = plan->effects[EFFECT_UNCERTAINTY].reason;
     size_t size = sizeof plan->effects[EFFECT_UNCERTAINTY].reason, single = 0;
     double seconds;
     for (size_t i = 0; i < count; i++)
         single += surfaces[i].usable && surfaces[i].single_points > 0;
-    struct uncertainty_work work = work_simulated(surfaces, count, scene, plan, load_count);
+    struct uncertainty_work work = work_simulated(surfaces, count, plan);
     uint64_t evaluations = work_uncertainty(&work, &seconds);
     bool affordable = seconds < uncertainty_most_seconds;
     if (single > 0)
@@ -244,7 +265,7 @@ static void decide_uncertainty(struct plan *plan, const struct scene *scene, con
 }
 
 void effect_bounds_plan(struct plan *plan, const struct scene *scene, const struct surface_summary *surfaces,
-                        size_t count, size_t load_count)
+                        size_t count)
 {
     if (!scene->effects_auto)
         return;
@@ -255,7 +276,7 @@ void effect_bounds_plan(struct plan *plan, const struct scene *scene, const stru
     if (plan_runs(plan, EFFECT_CONVERGENCE))
         decide_convergence(plan, surfaces, count);
     if (plan_runs(plan, EFFECT_UNCERTAINTY))
-        decide_uncertainty(plan, scene, surfaces, count, load_count);
+        decide_uncertainty(plan, surfaces, count);
 }
 
 void effect_bounds_heights(struct plan *plan, const struct scene *scene, const struct surface_summary *surfaces,

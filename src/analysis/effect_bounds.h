@@ -17,7 +17,7 @@ MUST_CHECK enum status_code effect_bounds_surface(struct surface_record *record,
 /** Takes the effects out of an `auto` plan that no usable one of `count` surfaces calls for, and gives every effect its
  * reason with the number that decided. A plan from a list of effects keeps what was listed. */
 void effect_bounds_plan(struct plan *plan, const struct scene *scene, const struct surface_summary *surfaces,
-                        size_t count, size_t load_count);
+                        size_t count);
 
 /** Takes the models that use heights out of a plan whose scene names no models, when every usable surface is Gaussian.
  */

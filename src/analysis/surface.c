@@ -219,8 +219,9 @@ static enum status_code run_uncertainty(struct surface_record *record, const str
                                         const struct plan *plan, const struct model_task *task, struct status *status)
 {
     struct surface_summary *summary = &record->summary;
-    const struct uncertainty_scan scan = {record->height_m, summary->single_points, summary->spacing_m,
-                                          piece_how_of(scene, false), task};
+    const struct uncertainty_scan scan = {
+        record->height_m, summary->single_points, summary->spacing_m, piece_how_of(scene, false), task,
+        summary->models};
     struct uncertainty *all = calloc(model_count, sizeof *all);
     if (!all)
         return status_memory(status);

@@ -67,29 +67,51 @@ static struct model_task record_task(const struct model_task *task, const struct
     return own;
 }
 
-/** What a record of `points` takes at these loads. */
-static void add_work(struct uncertainty_work *work, size_t points, const struct plan *plan,
-                     const struct model_task *task, const struct loads *loads)
+/** A quarter of the scan has every fourth of its harmonics, each with the power of four. */
+static enum status_code quarter_spectrum(struct spectrum *out, const struct spectrum *scan, struct status *status)
 {
-    struct spectrum outline = {.count = points / 2}; /* a task's work needs no amplitudes */
-    struct model_task own = record_task(task, &outline, task->asperities, loads);
-    work->heights += points;
-    for (size_t m = 0; m < model_count; m++)
-        if (uncertainty_holds(plan, m)) {
-            struct model_work more = model_rows[m]->work(model_rows[m], &own);
-            model_work_add(&work->models, &more);
-        }
+    *out = (struct spectrum){.count = scan->count / QUARTERS, .length_m = scan->length_m / QUARTERS};
+    out->amplitude_m = malloc((out->count + 1) * sizeof *out->amplitude_m);
+    if (!out->amplitude_m)
+        return status_memory(status);
+    for (size_t i = 0; i < out->count; i++)
+        out->amplitude_m[i] = sqrt(QUARTERS) * scan->amplitude_m[QUARTERS * (i + 1) - 1];
+    return STATUS_OK;
 }
 
-struct uncertainty_work uncertainty_predict(size_t points, const struct plan *plan, const struct model_task *task)
+enum status_code uncertainty_outline(struct curve_bounds *bounds, const struct model_row *row,
+                                     const struct model_task *task, struct status *status)
+{
+    struct spectrum quarter;
+    struct loads all = record_loads(task), middle = middle_load(task);
+    if (quarter_spectrum(&quarter, task->spectrum, status) != STATUS_OK)
+        return status->code;
+    struct model_task whole = record_task(task, task->spectrum, task->asperities, &all),
+                      part = record_task(task, &quarter, task->asperities, &middle);
+    bounds->record_work = row->work(row, &whole);
+    bounds->quarter_work = row->work(row, &part);
+    spectrum_free(&quarter);
+    return STATUS_OK;
+}
+
+/** What a record, or a quarter of one, of `points` takes. */
+static void add_work(struct uncertainty_work *work, size_t points, const struct plan *plan,
+                     const struct curve_summary *models, bool quarter)
+{
+    work->heights += points;
+    for (size_t m = 0; m < model_count; m++)
+        if (uncertainty_holds(plan, m))
+            model_work_add(&work->models, quarter ? &models[m].bounds.quarter_work : &models[m].bounds.record_work);
+}
+
+struct uncertainty_work uncertainty_predict(size_t points, const struct plan *plan, const struct curve_summary *models)
 {
     struct uncertainty_work work = {0};
-    struct loads all = record_loads(task), middle = middle_load(task);
     bool quartered = points >= LEAST_POINTS;
     for (int b = 0; b < RECORDS; b++)
-        add_work(&work, points, plan, task, &all);
+        add_work(&work, points, plan, models, false);
     for (int k = 0; k < (RECORDS + 1) * QUARTERS && quartered; k++)
-        add_work(&work, points / QUARTERS, plan, task, &middle);
+        add_work(&work, points / QUARTERS, plan, models, true);
     return work;
 }
 
@@ -132,7 +154,7 @@ static enum status_code take(struct pass *pass, const double *height_m, size_t p
     bool has_asperities = roughness_asperities(&asperities, &roughness, &none) == STATUS_OK;
     struct model_task task = record_task(scan->task, &spectrum, has_asperities ? &asperities : NULL, &loads);
     enum status_code rc = STATUS_OK;
-    add_work(pass->work, points, pass->plan, scan->task, &loads);
+    add_work(pass->work, points, pass->plan, scan->models, quarter != QUARTERS);
     for (size_t m = 0; m < model_count && rc == STATUS_OK; m++) {
         struct contact_point room[UNCERTAINTY_LOADS + 1];
         struct model_curve curve = {.points = room};

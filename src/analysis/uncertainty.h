@@ -3,6 +3,7 @@
 #ifndef ANALYSIS_UNCERTAINTY_H
 #define ANALYSIS_UNCERTAINTY_H
 
+#include "analysis/curve_summary.h"
 #include "analysis/piece.h"
 #include "analysis/plan.h"
 #include "analysis/repeats.h"
@@ -12,7 +13,7 @@ enum { UNCERTAINTY_LOADS = 3 /* first, middle and last: in between the deviation
 /** What a surface's simulated records take. */
 struct uncertainty_work {
     uint64_t heights;         /* of records and of the quarters that are looked at, through levelling and spectrum */
-    struct model_work models; /* asked of the models on them, at the asperities of the scan itself */
+    struct model_work models; /* asked of the models on them, as far as the scan itself tells */
 };
 
 /** A scan to be simulated. */
@@ -21,7 +22,8 @@ struct uncertainty_scan {
     size_t points;
     double spacing_m;
     struct piece_how how;
-    const struct model_task *task; /* of the scan itself */
+    const struct model_task *task;      /* of the scan itself */
+    const struct curve_summary *models; /* uncertainty_outline() has filled their bounds */
 };
 
 /** Deviations of one model's answers, all of ln answer, of a separation itself: of the quantities of a repeats_band, as
@@ -52,8 +54,13 @@ extern const double uncertainty_most_seconds;
 /** Likely seconds of a height on one core: drawn, levelled, transformed. */
 extern const double uncertainty_height_seconds;
 
-/** What that will take of a scan of `points`. */
-struct uncertainty_work uncertainty_predict(size_t points, const struct plan *plan, const struct model_task *task);
+/** Fills record_work and quarter_work: what a record of the scan, and a quarter of one, are taken to cost a model. No
+ * record is there to be asked: it is what the scan itself costs, with its asperities, and for a quarter with every
+ * fourth harmonic. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code uncertainty_outline(struct curve_bounds *bounds, const struct model_row *row,
+                                                const struct model_task *task, struct status *status);
+/** What that will take of a scan of `points`, from the bounds of its models. */
+struct uncertainty_work uncertainty_predict(size_t points, const struct plan *plan, const struct curve_summary *models);
 
 /** What follows for the answer at the middle load, and in a band: half-widths at every load of a curve. */
 struct estimate uncertainty_estimate(const struct uncertainty *uncertainty, enum quantity quantity, double value);

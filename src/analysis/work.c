@@ -20,16 +20,13 @@ static void add_simulated(struct uncertainty_work *sum, const struct uncertainty
     model_work_add(&sum->models, &more->models);
 }
 
-struct uncertainty_work work_simulated(const struct surface_summary *surfaces, size_t count, const struct scene *scene,
-                                       const struct plan *plan, size_t load_count)
+struct uncertainty_work work_simulated(const struct surface_summary *surfaces, size_t count, const struct plan *plan)
 {
     struct uncertainty_work sum = {0};
     for (size_t i = 0; i < count; i++) {
-        struct surface_record outline = {.summary = surfaces[i]}; /* a task's work needs no arrays */
-        if (!outline.summary.usable || outline.summary.single_points == 0)
+        if (!surfaces[i].usable || surfaces[i].single_points == 0)
             continue;
-        struct model_task task = surface_task(&outline, scene, plan, NULL, load_count);
-        struct uncertainty_work more = uncertainty_predict(outline.summary.single_points, plan, &task);
+        struct uncertainty_work more = uncertainty_predict(surfaces[i].single_points, plan, surfaces[i].models);
         add_simulated(&sum, &more);
     }
     return sum;
@@ -41,7 +38,7 @@ void work_add(struct work *work, size_t m, const struct model_work *more)
 }
 
 struct work work_predict(const struct surface_summary *surfaces, size_t count, const struct scene *scene,
-                         const struct plan *plan, size_t load_count)
+                         const struct plan *plan)
 {
     struct work work = {0};
     for (size_t i = 0; i < count; i++) {
@@ -64,7 +61,7 @@ struct work work_predict(const struct surface_summary *surfaces, size_t count, c
         for (int s = 0; s < CONVERGENCE_SWEEP_COUNT && plan_runs_model(plan, m) && model_rows[m]->stacks_scales; s++)
             work.sweep_scales += convergence_sweeps[s].count * scene->convergence.scales;
     if (plan_runs(plan, EFFECT_UNCERTAINTY))
-        work.simulated = work_simulated(surfaces, count, scene, plan, load_count);
+        work.simulated = work_simulated(surfaces, count, plan);
     return work;
 }
 

@@ -1,5 +1,6 @@
 /* How much was, or will be, evaluated. Predicted from the scene and the scans before any model runs, counted while they
- * run: the two agree exactly, because a model's work is fixed by what it is asked. */
+ * run: the two agree exactly, because a model's work is fixed by what it is asked. How far down its stack of scales a
+ * load gets is told by the areas alone; what simulated records take is counted as on the scan they are made of. */
 #ifndef ANALYSIS_WORK_H
 #define ANALYSIS_WORK_H
 
@@ -29,10 +30,9 @@ enum { WORK_ROWS = EFFECT_COUNT + 1 };
 
 /** Work of all usable ones of `count` described surfaces, for a bounded plan. */
 struct work work_predict(const struct surface_summary *surfaces, size_t count, const struct scene *scene,
-                         const struct plan *plan, size_t load_count);
+                         const struct plan *plan);
 /** What simulating the single scans of the surfaces will take (uncertainty.h). */
-struct uncertainty_work work_simulated(const struct surface_summary *surfaces, size_t count, const struct scene *scene,
-                                       const struct plan *plan, size_t load_count);
+struct uncertainty_work work_simulated(const struct surface_summary *surfaces, size_t count, const struct plan *plan);
 /** Its evaluations, heights and answers of the models, and their likely seconds on one core. */
 uint64_t work_uncertainty(const struct uncertainty_work *work, double *seconds);
 /** Work that was done; `sweep_scales` is what the convergence study counted. */

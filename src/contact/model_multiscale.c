@@ -13,11 +13,14 @@ static struct model_work work_of(uint64_t visits, unsigned wanted)
     };
 }
 
-/** Every scale at every load, and once more at the load of full contact. */
+/** How far down the stack each load gets is known from the areas. */
 static struct model_work work(const struct model_row *row, const struct model_task *task)
 {
-    (void)row;
-    return work_of(task->spectrum->count * (task->load_count + 1), task->wanted);
+    struct multiscale stack;
+    multiscale_make(&stack, task->spectrum, task->pair, row->plastic, task->sinusoid_fit);
+    uint64_t visits = multiscale_visits(&stack, task->loads, task->load_count);
+    multiscale_free(&stack);
+    return work_of(visits, task->wanted);
 }
 
 static enum status_code run(struct model_curve *curve, const struct model_row *row, const struct model_task *task,
@@ -26,8 +29,8 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
     struct multiscale stack;
     struct constriction constriction = constriction_make(task->pair);
     uint64_t visits = 0;
-    if (multiscale_make(&stack, task->spectrum, task->pair, row->plastic, task->sinusoid_fit, status) != STATUS_OK)
-        return status->code;
+    (void)status;
+    multiscale_make(&stack, task->spectrum, task->pair, row->plastic, task->sinusoid_fit);
     for (size_t i = 0; i < task->load_count; i++)
         curve->clamped +=
             multiscale_solve(&curve->points[i], &stack, &constriction, task->wanted, task->loads[i], &visits);
@@ -120,9 +123,8 @@ static enum status_code scale_dependence_bound(double *most, uint64_t *visits, c
 {
     struct stack_study study = {
         .constriction = constriction_make(task->pair), .loads = task->loads, .tolerance = task->tolerance};
-    if (multiscale_make(&study.stack, task->spectrum, task->pair, row->plastic, task->sinusoid_fit, status) !=
-        STATUS_OK)
-        return status->code;
+    (void)status;
+    multiscale_make(&study.stack, task->spectrum, task->pair, row->plastic, task->sinusoid_fit);
     struct contact_point first, last;
     *most = raise_at(&first, &study, 0);
     if (*most <= study.tolerance && task->load_count > 1)

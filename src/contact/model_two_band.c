@@ -35,7 +35,7 @@ static void blank(struct contact_point *point, const struct model_row *row, cons
 }
 
 /** Barber's integral in place of the elastic gaps, which light loads know less well. */
-static enum status_code elastic_separation(struct model_curve *curve, const struct multiscale *stack,
+static enum status_code elastic_separation(struct model_curve *curve, struct multiscale *stack,
                                            const struct model_task *task, struct status *status)
 {
     double *separation_m = malloc(task->load_count * sizeof *separation_m);

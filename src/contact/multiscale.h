@@ -10,32 +10,46 @@
 #include "spectrum/spectrum.h"
 #include <stdint.h>
 
+enum { MULTISCALE_BORDERS_MOST = 512 /* for any count that fits into memory */ };
+
 /** The stack of one surface in one material law. Owned: multiscale_free(). */
 struct multiscale {
-    struct sinusoid_scale *scales; /* `count`, longest wavelength first */
-    size_t count;
+    struct sinusoid_scale *scales; /* the first `made` of `count`, longest wavelength first */
+    size_t made, room, count;
+    const struct spectrum *spectrum; /* what the others are made of when they are first visited: the caller's */
+    struct material_pair pair;
+    bool plastic;
     const struct sinusoid_fit *closure;
     double effective_modulus_Pa;
     double full_load;       /* P/(A_n E') from which A = A_n: the largest over the scales */
     double closed_load;     /* the same for no separation left */
     size_t critical_scales; /* scales with Delta > Delta_c: those that can yield */
+    /* at multiscale_border(k): at pressures above closing_Pa[k] every scale from there on is closed */
+    double closing_Pa[MULTISCALE_BORDERS_MOST];
+    size_t borders;
 };
 
-/** Prepares the scales of `spectrum` for `pair`, elastic-plastic when `plastic`. Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code multiscale_make(struct multiscale *out, const struct spectrum *spectrum,
-                                            const struct material_pair *pair, bool plastic,
-                                            enum sinusoid_fit_id closure, struct status *status);
-/** Fills full_load, closed_load and critical_scales of a stack whose other fields are set: for stacks whose scales are
- * chosen otherwise. */
+/** Prepares the stack of `spectrum`, which has to be there as long as the stack, for `pair`, elastic-plastic when
+ * `plastic`. Scales are made as they are visited: most loads are done with after a few. */
+void multiscale_make(struct multiscale *out, const struct spectrum *spectrum, const struct material_pair *pair,
+                     bool plastic, enum sinusoid_fit_id closure);
+/** Fills full_load, closed_load and critical_scales of a stack of few scales that are all made otherwise; all are
+ * visited at every load. */
 void multiscale_complete(struct multiscale *stack);
 void multiscale_free(struct multiscale *stack);
 
+/** The scale of index i < count. */
+struct sinusoid_scale multiscale_scale(struct multiscale *stack, size_t i);
+
 /** Contact at P/(A_n E') = load > 0: A_i = a_i A_{i-1} (4.1) under p_i = P/A_{i-1} (4.2); H = sum Delta_i G_i
- * (4.11*); the resistances of `spot`, only the quantities in `wanted` (others stay NaN). Adds the scales visited to
- * *evaluations. Returns at how many of them the published plastic area had to be limited: cut off at 1 (4.17 exceeds it
- * before p_p), or raised to the elastic area (closure numeric). */
-size_t multiscale_solve(struct contact_point *out, const struct multiscale *stack, const struct constriction *spot,
+ * (4.11*); the resistances of `spot`, only the quantities in `wanted` (others stay NaN). Ends where p_i closes all
+ * scales still to come: they would add nothing, and leave the area as it is. Adds the scales visited to *evaluations.
+ * Returns at how many of them the published plastic area had to be limited: cut off at 1 (4.17 exceeds it before p_p),
+ * or raised to the elastic area (closure numeric). */
+size_t multiscale_solve(struct contact_point *out, struct multiscale *stack, const struct constriction *spot,
                         unsigned wanted, double load, uint64_t *evaluations);
+/** Visits of scales that the loads, and the load of full contact, take: walks the areas alone. */
+uint64_t multiscale_visits(struct multiscale *stack, const double *loads, size_t count);
 
 /** The rows of this stack (model_multiscale.c); the statistical models name them as counterparts. */
 extern const struct model_row model_multiscale_elastic, model_multiscale_plastic;

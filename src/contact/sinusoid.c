@@ -95,6 +95,12 @@ double sinusoid_critical_amplitude(double frequency_per_m, const struct material
            (3 * M_PI * pair->effective_modulus_Pa * frequency_per_m);
 }
 
+/** p_p (4.18) over p*, of Delta/Delta_c. */
+static double plastic_full_ratio(double over_critical)
+{
+    return pow(11 / (4 * over_critical + 7), 3.0 / 5);
+}
+
 struct sinusoid_scale sinusoid_scale(double amplitude_m, double frequency_per_m, const struct material_pair *pair,
                                      bool plastic)
 {
@@ -113,8 +119,7 @@ struct sinusoid_scale sinusoid_scale(double amplitude_m, double frequency_per_m,
     double flow_Pa = pair->yield_coefficient * pair->yield_strength_Pa; /* C S_y */
     double slope = amplitude_m * frequency_per_m;                       /* Delta f */
     scale.critical_pressure_Pa = flow_Pa * flow_Pa * flow_Pa / (48 * M_PI * slope * modulus * slope * modulus);
-    scale.plastic_full_pressure_Pa =
-        scale.full_pressure_Pa * pow(11 / (4 * amplitude_m / critical_amplitude_m + 7), 3.0 / 5);
+    scale.plastic_full_pressure_Pa = scale.full_pressure_Pa * plastic_full_ratio(amplitude_m / critical_amplitude_m);
     /* a_p = 2 f² A_c^(1/(1+q)) (3p/(4 C S_y f²))^(q/(1+q)), with f² A_c = (C S_y/(8 Delta f E'))²/pi: the f² cancel. */
     double q = 3.8 * pow(modulus * slope / pair->yield_strength_Pa, 0.11);
     double cell_critical_area = pow(flow_Pa / (8 * slope * modulus), 2) / M_PI;
@@ -129,6 +134,28 @@ double sinusoid_closed_pressure(const struct sinusoid_scale *scale)
     if (scale->critical_pressure_Pa >= scale->full_pressure_Pa)
         return scale->full_pressure_Pa;
     return fmax(scale->plastic_full_pressure_Pa, scale->critical_pressure_Pa);
+}
+
+double sinusoid_critical_full_pressure(const struct material_pair *pair)
+{
+    return sinusoid_full_pressure(sinusoid_critical_amplitude(1, pair), 1, pair->effective_modulus_Pa);
+}
+
+double sinusoid_closing_bound(double full_pressure_Pa, const struct material_pair *pair, bool plastic)
+{
+    static const double rounding = 1 + 1e-9;
+    double flow_Pa = pair->yield_coefficient * pair->yield_strength_Pa;
+    double onset_Pa = cbrt(M_PI / 24) * flow_Pa; /* p_c = p* there */
+    if (!plastic || full_pressure_Pa <= onset_Pa || isinf(full_pressure_Pa))
+        return full_pressure_Pa * rounding;
+    onset_Pa = fmax(onset_Pa, sinusoid_critical_full_pressure(pair));
+    double over_critical = fmax(1, full_pressure_Pa / sinusoid_critical_full_pressure(pair));
+    return fmin(full_pressure_Pa, fmax(full_pressure_Pa * plastic_full_ratio(over_critical), onset_Pa)) * rounding;
+}
+
+bool sinusoid_steepest_fills_last(double full_pressure_Pa, const struct material_pair *pair)
+{
+    return full_pressure_Pa > 3 * pair->yield_strength_Pa && full_pressure_Pa < 1000 * pair->yield_strength_Pa;
 }
 
 /** Below p_p <= p*, so that the elastic area is short of 1 too. */

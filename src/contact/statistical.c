@@ -4,19 +4,19 @@
 
 #include <math.h>
 
-/** The integrals of (4.25), (4.26), (4.43*), (4.46*) at d, in closed form for GW, else from the panels. */
-static void integrate(struct quadrature_sums *sums, const struct statistical *model, double d)
+/** The integrals of (4.25), (4.26), (4.43*), (4.46*) at d, in closed form for GW, else from the panels; GW's
+ * scale-dependent one, which alone needs its panels, only when it is `wanted`. */
+static void integrate(struct quadrature_sums *sums, const struct statistical *model, double d, unsigned wanted)
 {
-    if (model->law != ASPERITY_HERTZ) {
+    bool scale_dependence = wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT);
+    if (model->law != ASPERITY_HERTZ || scale_dependence)
         quadrature_sum(sums, &model->panels, d);
+    if (model->law != ASPERITY_HERTZ)
         return;
-    }
-    if (model->wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT))
-        quadrature_sum(sums, &model->panels, d);
     struct gaussian_integrals f = gaussian_integrals(d);
     double radius_m = model->asperity.radius_m, sigma_s_m = model->surface.sigma_s_m;
     double scale_dependent = 0; /* the panels take out another factor */
-    if (model->wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT))
+    if (scale_dependence)
         scale_dependent = sums->radius_scale_dependent * exp(sums->log_factor - f.log_factor);
     double area = M_PI * radius_m * sigma_s_m;
     double load = 4.0 / 3 * model->asperity.effective_modulus_Pa * sqrt(radius_m * sigma_s_m) * sigma_s_m;
@@ -42,7 +42,7 @@ static double solve(const struct statistical *model, bool for_area, double log_t
         log_scale -= log(model->asperity.effective_modulus_Pa);
     for (int iteration = 0; iteration < 200; iteration++) {
         struct quadrature_sums sums;
-        integrate(&sums, model, d);
+        integrate(&sums, model, d, 0);
         double value = for_area ? sums.area : sums.load, slope = for_area ? sums.area_slope : sums.load_slope;
         if (!(value > 0 && slope < 0))
             return NAN; /* beyond double: model_run() leaves the curve out */
@@ -123,7 +123,7 @@ void statistical_free(struct statistical *model)
 void statistical_at(struct contact_point *out, const struct statistical *model, double d)
 {
     struct quadrature_sums sums;
-    integrate(&sums, model, d);
+    integrate(&sums, model, d, model->wanted);
     const struct asperities *surface = &model->surface;
     double scale = surface->density_per_m2 * exp(sums.log_factor);
     double area = scale * sums.area;

@@ -49,6 +49,7 @@ enum status_code two_band_stack(struct multiscale *out, const struct two_band *b
 {
     *out = (struct multiscale){
         .scales = malloc(TWO_BAND_COUNT * sizeof *out->scales),
+        .made = TWO_BAND_COUNT,
         .count = TWO_BAND_COUNT,
         .closure = &sinusoid_fits[closure],
         .effective_modulus_Pa = pair->effective_modulus_Pa,
@@ -65,7 +66,7 @@ enum status_code two_band_stack(struct multiscale *out, const struct two_band *b
 
 /** ECR A_n/rho [m] of an elastic stack, to integrate over a load p: directly, over ln p, or over sqrt(end - p). */
 struct resistance_length {
-    const struct multiscale *stack;
+    struct multiscale *stack;
     double end; /* load at which a scale completes; above, ECR loses a term (end - p)^(3/2) */
     uint64_t *evaluations;
 };
@@ -94,9 +95,10 @@ static double over_root(double root, void *context)
 
 /** The load at which `scale`, the index-th, is pressed by x p*: p/A_above(p) = x p*, found by bisection down to
  * neighbouring numbers (p/A_above rises, but may jump). */
-static double load_at_ratio(const struct multiscale *stack, size_t index, double x)
+static double load_at_ratio(struct multiscale *stack, size_t index, double x)
 {
-    const struct multiscale above = {stack->scales, index, stack->closure, stack->effective_modulus_Pa, 0, 0, 0};
+    struct multiscale above = *stack;
+    above.count = index;
     double target = x * stack->scales[index].full_pressure_Pa / stack->effective_modulus_Pa;
     double low = 0, high = target;
     while (index > 0) {
@@ -114,7 +116,7 @@ static double load_at_ratio(const struct multiscale *stack, size_t index, double
     return high;
 }
 
-void two_band_separation(double *separation_m, const double *load, size_t count, const struct multiscale *stack,
+void two_band_separation(double *separation_m, const double *load, size_t count, struct multiscale *stack,
                          double tolerance, uint64_t *evaluations)
 {
     assert(stack->count == TWO_BAND_COUNT && stack->critical_scales == 0);

@@ -42,7 +42,7 @@ MUST_CHECK enum status_code two_band_stack(struct multiscale *out, const struct 
  * H_B(P) = 2/((rho_1+rho_2) E') int_P^{P_c} ECR A_n dP', P_c = max p* (Barber 2003, Proc. R. Soc. A 459, 53). The
  * resistivity drops out. All of `load` (P/(A_n E') > 0, ascending) in one pass from above, each with the relative
  * `tolerance`. Adds the scales visited to *evaluations. */
-void two_band_separation(double *separation_m, const double *load, size_t count, const struct multiscale *stack,
+void two_band_separation(double *separation_m, const double *load, size_t count, struct multiscale *stack,
                          double tolerance, uint64_t *evaluations);
 
 /** May the separation and the resistance at this area ratio be shown? */

@@ -306,19 +306,20 @@ static bool find_kink(size_t *low, size_t *high, const struct model_curve *curve
 }
 
 /** Is the contact of scale `k` complete at that load? */
-static bool scale_is_complete(const struct multiscale *stack, size_t k, double load)
+static bool scale_is_complete(struct multiscale *stack, size_t k, double load)
 {
     double area = 1;
     struct sinusoid_cell cell = {0};
     for (size_t i = 0; i <= k; i++) {
-        sinusoid_press(&cell, &stack->scales[i], stack->closure, load * stack->effective_modulus_Pa / area, false);
+        struct sinusoid_scale scale = multiscale_scale(stack, i);
+        sinusoid_press(&cell, &scale, stack->closure, load * stack->effective_modulus_Pa / area, false);
         area *= cell.area_ratio;
     }
     return !(cell.area_complement > 0);
 }
 
 /** The load at which the longest of the scales that close between two loads does; NaN: none. */
-static double closing_load(double *wavelength_m, const struct multiscale *stack, double low, double high)
+static double closing_load(double *wavelength_m, struct multiscale *stack, double low, double high)
 {
     for (size_t k = 0; k < stack->count; k++) {
         if (scale_is_complete(stack, k, low) || !scale_is_complete(stack, k, high))
@@ -327,7 +328,7 @@ static double closing_load(double *wavelength_m, const struct multiscale *stack,
             double middle = sqrt(low * high);
             *(scale_is_complete(stack, k, middle) ? &high : &low) = middle;
         }
-        *wavelength_m = 1 / stack->scales[k].frequency_per_m;
+        *wavelength_m = 1 / multiscale_scale(stack, k).frequency_per_m;
         return high;
     }
     return NAN;
@@ -339,12 +340,11 @@ static void kinks_of(struct text *out, const struct section_context *context, si
     const struct model_curve *curve = &context->baseline->curves[m];
     const struct results *results = context->results;
     struct multiscale stack;
-    struct status status = {0};
     size_t low, high, from = 0;
-    if (!curve->exists || !find_kink(&low, &high, curve, 0, y) ||
-        multiscale_make(&stack, &context->baseline->spectrum, section_pair(context), model_rows[m]->plastic,
-                        results->scene->closure, &status) != STATUS_OK)
+    if (!curve->exists || !find_kink(&low, &high, curve, 0, y))
         return;
+    multiscale_make(&stack, &context->baseline->spectrum, section_pair(context), model_rows[m]->plastic,
+                    results->scene->closure);
     for (; find_kink(&low, &high, curve, from, y); from = high) {
         double wavelength_m = NAN;
         double load = closing_load(&wavelength_m, &stack, curve->points[low].load, curve->points[high].load);

@@ -217,10 +217,10 @@ enum status_code prepare(struct prepared *out, const struct scene *scene, const 
         return status->code;
     size_t load_count = out->results.load_count;
     effect_bounds_heights(&out->plan, scene, out->store.summaries, out->store.count);
-    effect_bounds_plan(&out->plan, scene, out->store.summaries, out->store.count, load_count);
+    effect_bounds_plan(&out->plan, scene, out->store.summaries, out->store.count);
     if (rank_surfaces(&out->results, status) != STATUS_OK)
         return status->code;
-    out->results.predicted = work_predict(out->store.summaries, out->store.count, scene, &out->plan, load_count);
+    out->results.predicted = work_predict(out->store.summaries, out->store.count, scene, &out->plan);
     plan_direct(&out->plan, &out->results);
     if (!scene->measured.file)
         return STATUS_OK;

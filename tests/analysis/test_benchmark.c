@@ -79,9 +79,9 @@ static void test_the_integrals_agree(void **state)
         const char *study, *method, *setting;
         double most;
     } rows[] = {
-        {"gw-integrals", "Simpson", "100000", 1e-5},       {"gw-integrals", "adaptive", "1e-10", 1e-9},
+        {"gw-integrals", "Simpson", "10000", 3e-4},        {"gw-integrals", "adaptive", "1e-10", 1e-9},
         {"gw-integrals", "Gauss-Legendre", "1e-10", 1e-9}, {"gw-integrals", "closed form", "", 1e-10},
-        {"jg-integrals", "Simpson", "100000", 1e-4},       {"jg-integrals", "adaptive", "1e-10", 1e-9},
+        {"jg-integrals", "Simpson", "10000", 1e-3},        {"jg-integrals", "adaptive", "1e-10", 1e-9},
         {"jg-integrals", "Gauss-Legendre", "1e-10", 1e-9}, {"jg-integrals", "Gauss-Legendre", "1e-07", 1e-6},
         {"jg-integrals", "Gauss-Legendre", "0.001", 1e-2},
     };
@@ -97,12 +97,12 @@ static void test_effort_and_error(void **state)
 {
     (void)state;
     static const char *const studies[] = {"gw-integrals", "jg-integrals"};
-    static const char *const intervals[] = {"10", "100", "1000", "10000", "100000"};
+    static const char *const intervals[] = {"10", "100", "1000", "10000"};
     for (int s = 0; s < 2; s++) {
         double before = INFINITY;
-        for (int i = 0; i < 5; i++) {
+        for (int i = 0; i < 4; i++) {
             const struct benchmark_row *row = find(studies[s], "Simpson", intervals[i]);
-            assert_int_equal(row->evaluations, 3 * (strtoul(intervals[i], NULL, 10) + 1)); /* at 3 separations */
+            assert_int_equal(row->evaluations, 100 * (strtoul(intervals[i], NULL, 10) + 1)); /* for 100 separations */
             assert_true(row->error < before);
             before = row->error;
             assert_int_equal(row->chart, BENCHMARK_INTEGRALS);
@@ -144,12 +144,12 @@ static void test_the_error_itself(void **state)
     size_t last = LOADS;
     while (loads[last - 1] >= gw.full_load)
         last--;
-    const size_t index[] = {0, last / 2, last - 1};
     double k = gw.spot.knudsen_length_m / sqrt(surface->radius_m * surface->sigma_s_m), d = 3;
     for (size_t i = 0; i < sizeof intervals / sizeof *intervals; i++) {
         double error = 0;
-        for (int s = 0; s < 3; s++) {
-            assert_true(statistical_solve(&point, &gw, loads[index[s]], &d));
+        for (int s = 0; s < 100; s += 11) {
+            double load = loads[0] * pow(loads[last - 1] / loads[0], s / 99.0);
+            assert_true(statistical_solve(&point, &gw, load, &d));
             for (int q = 0; q < 4; q++)
                 error = fmax(error, fabs(simpson(q, d, k, intervals[i], false) / simpson(q, d, k, 20000, true) - 1));
         }
@@ -197,14 +197,13 @@ static void test_closed_forms_alone(void **state)
 static void test_the_cut_off(void **state)
 {
     (void)state;
-    struct status status = {0};
     struct spectrum half = record->spectrum;
     struct constriction none = {0};
     struct multiscale stack;
     uint64_t visits = 0;
     double error = 0;
     half.count /= 2;
-    assert_int_equal(multiscale_make(&stack, &half, &record->summary.pair, false, scene.closure, &status), STATUS_OK);
+    multiscale_make(&stack, &half, &record->summary.pair, false, scene.closure);
     for (int i = 0; i < LOADS; i++) {
         struct contact_point point;
         multiscale_solve(&point, &stack, &none, 0, loads[i], &visits);

@@ -225,7 +225,9 @@ static void test_work_of_scans_alone(void **state)
     assert_int_equal(bounds_of(ELASTIC)->work[0].gaps, 0);
     assert_int_equal(bounds_of(ELASTIC)->work[1].gaps, 10);
     scene.effects_auto = false; /* counted all the same, and nothing is bounded */
-    assert_int_equal(bounds_of(STACK)->work[1].gaps, 10);
+    assert_int_equal(bounds_of(SPHERES)->work[1].gaps, 10);
+    assert_int_equal(bounds_of(STACK)->work[1].gaps, 0); /* a stack has it in the same pass: not asked twice */
+    assert_int_equal(bounds_of(STACK)->work[1].scales, 2);
     assert_near(bounds_of(STACK)->yield, 0, 0);
 }
 
@@ -237,7 +239,7 @@ static void decide(double yield, double raise)
     record.summary.models[STACK].bounds.yield = yield;
     record.summary.models[SPHERES].bounds.yield = 0.5e-8;
     record.summary.models[ELASTIC].bounds.scale_dependence = raise;
-    effect_bounds_plan(&plan, &scene, &record.summary, 1, 1);
+    effect_bounds_plan(&plan, &scene, &record.summary, 1);
 }
 
 static void test_decisions(void **state)

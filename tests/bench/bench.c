@@ -1,17 +1,24 @@
 /* Times the program's kernels: case, method, evaluations, nanoseconds each, error, and how often the case fits into the
  * time of the same work by Simpson's rule with 1000 sub-intervals. cmake --workflow --preset bench.
- * Times are the least of several runs; ratios come from one run of this program. The direct solution comes last: its
- * convolutions, CPU and elapsed time, memory held, and what is aimed at. */
+ * Times are the least of several runs; ratios come from one run of this program. The direct solution follows: its
+ * convolutions, CPU and elapsed time, memory held, and what is aimed at. Last, how whole reports grow with what they
+ * are of. */
 #include "base/clock.h"
 #include "contact/multiscale.h"
 #include "contact/statistical.h"
 #include "direct/direct_ensemble.h"
+#include "profile/synth.h"
+#include "run/run.h"
 
+#include <ftw.h>
 #include <malloc.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
 #include <time.h>
+#include <unistd.h>
 
 enum {
     EVERYTHING = QUANTITY_BIT(QUANTITY_SEPARATION) | QUANTITY_RESISTANCES,
@@ -51,26 +58,38 @@ static double load_at(int i)
     return 1e-6 * pow(10, 5.0 * i / (LOADS - 1));
 }
 
-static struct result multiscale_case(const struct material_pair *pair, bool plastic, double gamma)
+static struct spectrum law_spectrum(size_t scales, double gamma)
 {
-    struct spectrum spectrum = {malloc(SCALES * sizeof(double)), SCALES, 3e-4, false};
-    struct constriction spot = constriction_make(pair);
-    struct status status = {0};
-    struct result result = {INFINITY, NAN, 0};
+    struct spectrum spectrum = {malloc(scales * sizeof(double)), scales, 3e-4, false};
     if (!spectrum.amplitude_m)
         exit(1);
-    for (size_t i = 0; i < SCALES; i++)
+    for (size_t i = 0; i < scales; i++)
         spectrum.amplitude_m[i] = 0.085 * pow(3e-4, 1.5 - gamma) * pow(spectrum.length_m / (double)(i + 1), gamma);
+    return spectrum;
+}
+
+/** Seconds of a stack made and pressed at all loads. */
+static double stack_run(const struct spectrum *spectrum, const struct material_pair *pair, bool plastic,
+                        uint64_t *visits)
+{
+    struct constriction spot = constriction_make(pair);
+    struct multiscale stack;
+    struct contact_point point;
+    double started = clock_seconds();
+    multiscale_make(&stack, spectrum, pair, plastic, SINUSOID_FIT_THESIS);
+    for (int i = 0; i < LOADS; i++)
+        multiscale_solve(&point, &stack, &spot, EVERYTHING, load_at(i), visits);
+    multiscale_free(&stack);
+    return clock_seconds() - started;
+}
+
+static struct result multiscale_case(const struct material_pair *pair, bool plastic, double gamma)
+{
+    struct spectrum spectrum = law_spectrum(SCALES, gamma);
+    struct result result = {INFINITY, NAN, 0};
     for (int run = 0; run < RUNS; run++) {
-        struct multiscale stack;
-        struct contact_point point;
         result.evaluations = 0;
-        double started = clock_seconds();
-        must(multiscale_make(&stack, &spectrum, pair, plastic, SINUSOID_FIT_THESIS, &status));
-        for (int i = 0; i < LOADS; i++)
-            multiscale_solve(&point, &stack, &spot, EVERYTHING, load_at(i), &result.evaluations);
-        multiscale_free(&stack);
-        result.seconds = fmin(result.seconds, clock_seconds() - started);
+        result.seconds = fmin(result.seconds, stack_run(&spectrum, pair, plastic, &result.evaluations));
     }
     spectrum_free(&spectrum);
     return result;
@@ -318,6 +337,114 @@ static void direct_cases(void)
     print_direct("12 x 256 x 256, 13 loads, resistance, 2 threads", &ladder, "3500 ms");
 }
 
+/* ---------------------------------------------------------------- growth */
+
+static void write_scan(const char *path, size_t points, unsigned long seed)
+{
+    struct synth_def def = synth_def_default();
+    struct status status = {0};
+    double *height_m = malloc(points * sizeof *height_m);
+    FILE *file = fopen(path, "w");
+    if (!height_m || !file)
+        exit(1);
+    def.points = points;
+    def.length_m = 0.5e-6 * (double)points;
+    def.seed = seed;
+    must(synth_profile(height_m, &def, &status));
+    fputs("x [um],z [um]\n", file);
+    for (size_t i = 0; i < points; i++)
+        fprintf(file, "%.9g,%.9g\n", 0.5 * (double)i, height_m[i] * 1e6);
+    if (fclose(file) != 0)
+        exit(1);
+    free(height_m);
+}
+
+static int remove_entry(const char *path, const struct stat *info, int type, struct FTW *level)
+{
+    (void)info, (void)type, (void)level;
+    return remove(path);
+}
+
+/** A report of so many scans on one thread, without the time that gnuplot takes for its charts, which are always as
+ * many. */
+static double report_seconds(size_t scans, size_t points, size_t loads)
+{
+    char directory[] = "/tmp/roughcontact-bench-XXXXXX", path[120], output[64], text[200];
+    struct run_options options = {
+        .output = output, .templates = PROJECT_SOURCE "/templates", .jobs = 1, .no_cost = true};
+    struct status status = {0};
+    double seconds = INFINITY;
+    if (!mkdtemp(directory))
+        exit(1);
+    snprintf(output, sizeof output, "%s-out", directory);
+    snprintf(text, sizeof text,
+             "material: tin\nload: {from: 1e-6, to: 0.1, points: %zu}\neffects: [plasticity, "
+             "separation, electrical, thermal, convergence]\n",
+             loads);
+    for (size_t i = 0; i < scans; i++) {
+        snprintf(path, sizeof path, "%s/%zu.csv", directory, i);
+        write_scan(path, points, 20 + i);
+    }
+    snprintf(path, sizeof path, "%s/scene.yaml", directory);
+    must(text_write_file(path, text, strlen(text), &status));
+    for (int run = 0; run < 3; run++) {
+        struct scene scene;
+        struct run_outcome outcome;
+        if (scene_read(&scene, directory, &(struct scene_overrides){0}, &status) != STATUS_OK ||
+            run_report(&outcome, &scene, &options, &status) != STATUS_OK) {
+            printf("%s\n", status.message);
+            exit(1);
+        }
+        seconds = fmin(seconds, outcome.times.total - outcome.times.gnuplot);
+        run_outcome_free(&outcome);
+        scene_free(&scene);
+    }
+    nftw(directory, remove_entry, 16, FTW_DEPTH | FTW_PHYS);
+    nftw(output, remove_entry, 16, FTW_DEPTH | FTW_PHYS);
+    return seconds;
+}
+
+/** A stack of so many scales made and pressed at every load, of a law so flat that it is visited to its end. */
+static double stack_seconds(size_t scales)
+{
+    struct material_pair pair = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
+    struct spectrum spectrum = law_spectrum(scales, 0.5);
+    double seconds = INFINITY;
+    for (int run = 0; run < RUNS; run++)
+        seconds = fmin(seconds, stack_run(&spectrum, &pair, true, &(uint64_t){0}));
+    spectrum_free(&spectrum);
+    return seconds;
+}
+
+/** Time against size in the last of the steps: 1 is proportional. */
+static void print_growth(const char *name, const size_t size[3], const double seconds[3])
+{
+    printf("%-24s", name);
+    for (int i = 0; i < 3; i++)
+        printf(" %9zu: %9.1f ms", size[i], seconds[i] * 1e3);
+    printf("   exponent %.2f\n", log(seconds[2] / seconds[1]) / log((double)size[2] / (double)size[1]));
+}
+
+static void growth(void)
+{
+    static const size_t scans[] = {10, 40, 160}, points[] = {10000, 100000, 1000000}, loads[] = {100, 1000, 10000},
+                        scales[] = {1000, 10000, 100000};
+    double seconds[3];
+    printf("\nwhole report without gnuplot, one thread; aimed at: an exponent of 1.05 or less\n");
+    for (int i = 0; i < 3; i++)
+        seconds[i] = report_seconds(scans[i], 4000, 31);
+    print_growth("scans of 4000 points", scans, seconds);
+    for (int i = 0; i < 3; i++)
+        seconds[i] = report_seconds(1, points[i], 31);
+    print_growth("points of one scan", points, seconds);
+    for (int i = 0; i < 3; i++)
+        seconds[i] = report_seconds(1, 4000, loads[i]);
+    print_growth("loads on one scan", loads, seconds);
+    for (int i = 0; i < 3; i++)
+        seconds[i] = stack_seconds(scales[i]);
+    print_growth("scales of a stack", scales, seconds);
+}
+
 int main(void)
 {
     static const char *const names[] = {"GW", "JG"};
@@ -345,5 +472,6 @@ int main(void)
         print(name, "Newton 1e-06", &loads, 0);
     }
     direct_cases();
+    growth();
     return 0;
 }

@@ -19,7 +19,6 @@ static void matches_reference(void **state)
     struct table table = table_read("golden/multiscale.csv");
     struct material_pair pair = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
     struct constriction spot = constriction_make(&pair);
-    struct status status = {0};
     for (size_t i = 0; i < table.rows; i++) {
         struct spectrum spectrum =
             law_spectrum(table_number(&table, i, "scan_length_m"), table_number(&table, i, "alpha_SI"),
@@ -27,11 +26,11 @@ static void matches_reference(void **state)
         double sigma = sqrt(spectrum_moment(&spectrum, 0));
         struct multiscale stack;
         bool plastic = strcmp(table_text(&table, i, "model"), "plastic") == 0;
-        assert_int_equal(multiscale_make(&stack, &spectrum, &pair, plastic, SINUSOID_FIT_THESIS, &status), STATUS_OK);
+        multiscale_make(&stack, &spectrum, &pair, plastic, SINUSOID_FIT_THESIS);
         struct contact_point point;
         uint64_t evaluations = 0;
         multiscale_solve(&point, &stack, &spot, EVERYTHING, table_number(&table, i, "load_over_AnEp"), &evaluations);
-        assert_int_equal(evaluations, spectrum.count);
+        assert_true(evaluations <= spectrum.count);
         assert_near(point.area_ratio, table_number(&table, i, "area_ratio"), 1e-10);
         assert_near(point.separation_m / sigma, table_number(&table, i, "separation_over_sigma"), 1e-10);
         assert_near(point.ecr_ohm_m2, table_number(&table, i, "ecr_ohm_m2"), 1e-10);
@@ -49,11 +48,10 @@ static void full_load_is_sharp(void **state)
     (void)state;
     struct material_pair pair = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
     struct constriction spot = constriction_make(&pair);
-    struct status status = {0};
     struct spectrum spectrum = law_spectrum(3e-4, 0.085, 1.5, 256);
     for (int plastic = 0; plastic < 2; plastic++) {
         struct multiscale stack;
-        assert_int_equal(multiscale_make(&stack, &spectrum, &pair, plastic, SINUSOID_FIT_THESIS, &status), STATUS_OK);
+        multiscale_make(&stack, &spectrum, &pair, plastic, SINUSOID_FIT_THESIS);
         struct contact_point point;
         uint64_t evaluations = 0;
         multiscale_solve(&point, &stack, &spot, EVERYTHING, stack.full_load * (1 + 1e-12), &evaluations);
@@ -76,10 +74,9 @@ static void areas_fall_to_the_total(void **state)
     (void)state;
     struct material_pair pair = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
     struct constriction spot = constriction_make(&pair);
-    struct status status = {0};
     struct spectrum spectrum = law_spectrum(3e-4, 0.085, 0.5, 400);
     struct multiscale stack;
-    assert_int_equal(multiscale_make(&stack, &spectrum, &pair, true, SINUSOID_FIT_THESIS, &status), STATUS_OK);
+    multiscale_make(&stack, &spectrum, &pair, true, SINUSOID_FIT_THESIS);
     double area[400];
     uint64_t evaluations = 0;
     struct convergence_law law = {0.085, 0.5, 3e-4, 1e-3, 400};
@@ -95,12 +92,154 @@ static void areas_fall_to_the_total(void **state)
     spectrum_free(&spectrum);
 }
 
+/* ---------------------------------------------------------------- every scale at every load, as the equations have it
+ */
+
+/** What a walk through all scales gives, with nothing left out; `last` is how many scales take it to where the rest is
+ * closed. */
+static size_t walk(struct contact_point *out, size_t *last, const struct sinusoid_scale *scales, size_t count,
+                   const struct sinusoid_fit *closure, const struct material_pair *pair, double load)
+{
+    const struct constriction spot = constriction_make(pair);
+    struct constriction_sum sum = {0};
+    double area = 1, separation_m = 0;
+    size_t limited = 0;
+    *last = 0;
+    for (size_t i = 0; i < count; i++) {
+        struct sinusoid_cell cell;
+        sinusoid_press(&cell, &scales[i], closure, load * pair->effective_modulus_Pa / area, true);
+        limited += cell.limited;
+        separation_m += scales[i].amplitude_m * cell.gap_ratio;
+        if (cell.area_complement > 0)
+            constriction_add_scale(&sum, cell.area_ratio, cell.area_complement, scales[i].frequency_per_m, area);
+        area *= cell.area_ratio;
+        *last = cell.area_complement > 0 || cell.gap_ratio > 0 ? i + 1 : *last;
+    }
+    *out = (struct contact_point){.load = load,
+                                  .area_ratio = area,
+                                  .separation_m = separation_m,
+                                  .adjusted_m = NAN,
+                                  .ecr_ohm_m2 = constriction_electrical(&spot, &sum),
+                                  .tcr_K_m2_per_W = constriction_thermal(&spot, &sum),
+                                  .tcr_sd_K_m2_per_W = constriction_thermal_scale_dependent(&spot, &sum)};
+    return limited;
+}
+
+static double uniform(uint64_t *state)
+{
+    *state = *state * 6364136223846793005u + 1442695040888963407u;
+    return (double)(*state >> 11) * 0x1p-53;
+}
+
+/** A law with scatter, some harmonics missing; flat, steep, and of one slope; up to a thousand times too rough. */
+static struct spectrum random_spectrum(uint64_t *state)
+{
+    static const size_t counts[] = {1, 2, 16, 17, 100, 777};
+    double gamma = uniform(state) < 0.2 ? 1 : 0.2 + 2.8 * uniform(state), scatter = uniform(state) < 0.3 ? 0 : 1.2;
+    struct spectrum out = law_spectrum(3e-4, 1, gamma, counts[(size_t)(6 * uniform(state))]);
+    double slope = pow(10, -4 + 5 * uniform(state)) * 3e-4 / out.amplitude_m[0];
+    for (size_t i = 0; i < out.count; i++)
+        out.amplitude_m[i] *= uniform(state) < 0.02 ? 0 : slope * exp(scatter * (uniform(state) - 0.5));
+    return out;
+}
+
+/** The same bytes as of all scales, and the same loads of full contact, though only the scales that are open are
+ * visited. */
+static void ends_where_the_rest_is_closed(void **state)
+{
+    (void)state;
+    enum { STACKS = 400, TRIED = 24 };
+    uint64_t random = 12, visits = 0, all = 0;
+    for (int k = 0; k < STACKS; k++) {
+        struct material_pair pair = material_pair(material_find(k % 3 ? "tin" : "copper"), 0, NULL);
+        bool plastic = k % 4 > 0;
+        enum sinusoid_fit_id closure = k % 5 == 0 ? SINUSOID_FIT_NUMERIC : SINUSOID_FIT_THESIS;
+        struct spectrum spectrum = random_spectrum(&random);
+        struct sinusoid_scale *scales = malloc(spectrum.count * sizeof *scales);
+        struct constriction spot = constriction_make(&pair);
+        struct multiscale stack;
+        double full_Pa = 0, closed_Pa = 0, loads[TRIED];
+        uint64_t own = 0;
+        size_t critical = 0;
+        assert_non_null(scales);
+        for (size_t i = 0; i < spectrum.count; i++) {
+            scales[i] = sinusoid_scale(spectrum.amplitude_m[i], spectrum_frequency(&spectrum, i), &pair, plastic);
+            full_Pa = fmax(full_Pa, sinusoid_full_area_pressure(&scales[i]));
+            closed_Pa = fmax(closed_Pa, sinusoid_closed_pressure(&scales[i]));
+            critical += isfinite(scales[i].critical_pressure_Pa);
+        }
+        multiscale_make(&stack, &spectrum, &pair, plastic, closure);
+        assert_near(stack.full_load, full_Pa / pair.effective_modulus_Pa, 4e-16);
+        assert_near(stack.closed_load, closed_Pa / pair.effective_modulus_Pa, 4e-16);
+        assert_true(stack.full_load * pair.effective_modulus_Pa >= full_Pa);
+        assert_int_equal(stack.critical_scales, critical);
+        for (int i = 0; i < TRIED; i++) {
+            struct contact_point point, expected;
+            uint64_t visited = 0;
+            size_t last;
+            loads[i] = i == 0 ? stack.full_load : stack.closed_load * pow(10, 1 - 0.4 * i);
+            size_t limited = multiscale_solve(&point, &stack, &spot, EVERYTHING, loads[i], &visited);
+            assert_int_equal(limited,
+                             walk(&expected, &last, scales, spectrum.count, &sinusoid_fits[closure], &pair, loads[i]));
+            assert_memory_equal(&point, &expected, sizeof point);
+            assert_true(visited >= last && visited <= spectrum.count);
+            double rest_closed_Pa = 0, rest_full_Pa = 0;
+            for (size_t r = last; r < spectrum.count; r++) {
+                rest_closed_Pa = fmax(rest_closed_Pa, sinusoid_closed_pressure(&scales[r]));
+                rest_full_Pa = fmax(rest_full_Pa, scales[r].full_pressure_Pa);
+            }
+            /* to the next border, unless the rest is only just closed, or known to be by a bound that is not sharp */
+            if ((!plastic || rest_full_Pa > 3 * pair.yield_strength_Pa) &&
+                loads[i] * pair.effective_modulus_Pa / point.area_ratio > rest_closed_Pa * (1 + 1e-8))
+                assert_true(visited <= last + 1 + last / 16);
+            own += visited;
+        }
+        visits += own;
+        all += TRIED * spectrum.count;
+        uint64_t full = 0;
+        struct contact_point point;
+        multiscale_solve(&point, &stack, &spot, 0, stack.full_load, &full);
+        struct multiscale again;
+        multiscale_make(&again, &spectrum, &pair, plastic, closure);
+        assert_int_equal(multiscale_visits(&again, loads, TRIED), own + full);
+        multiscale_free(&again);
+        multiscale_free(&stack);
+        free(scales);
+        spectrum_free(&spectrum);
+    }
+    assert_true(visits < all / 3 * 2);
+}
+
+/** On a steep law a load far below full contact is done with after a few scales, whatever their number. */
+static void visits_do_not_grow_with_the_scales(void **state)
+{
+    (void)state;
+    struct material_pair pair = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
+    uint64_t visits[2][2];
+    for (int plastic = 0; plastic < 2; plastic++)
+        for (int longer = 0; longer < 2; longer++) {
+            struct spectrum spectrum = law_spectrum(3e-4, 0.085, 1.5, longer ? 40000 : 4000);
+            struct multiscale stack;
+            const double load = 1e-3;
+            multiscale_make(&stack, &spectrum, &pair, plastic, SINUSOID_FIT_THESIS);
+            visits[plastic][longer] = multiscale_visits(&stack, &load, 1);
+            multiscale_free(&stack);
+            spectrum_free(&spectrum);
+        }
+    for (int plastic = 0; plastic < 2; plastic++) {
+        assert_int_equal(visits[plastic][0], visits[plastic][1]);
+        assert_true(visits[plastic][0] > 2 && visits[plastic][0] < 400);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(matches_reference),
         cmocka_unit_test(full_load_is_sharp),
         cmocka_unit_test(areas_fall_to_the_total),
+        cmocka_unit_test(ends_where_the_rest_is_closed),
+        cmocka_unit_test(visits_do_not_grow_with_the_scales),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

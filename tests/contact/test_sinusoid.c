@@ -163,13 +163,48 @@ static void complete_pressure_is_sharp(void **state)
     }
 }
 
+/** Materials of every Poisson's ratio, and scales from elastic to a thousand times beyond yield: what is said to close
+ * all scales up to a slope does, and nothing much lower does; the steepest is the last where it is said to be. */
+static void steepness_orders_the_scales(void **state)
+{
+    (void)state;
+    struct material_pair pair = tin();
+    for (double nu = 0.01; nu < 0.5; nu += 0.07) {
+        pair.poisson_ratio = nu;
+        pair.yield_coefficient = 1.295 * exp(0.736 * nu);
+        double most_closed = 0, most_full = 0, last_closed = 0, last_full = 0;
+        for (double ratio = 0.01; ratio < 1e5; ratio *= 1.003) {
+            double frequency = 1e5 / ratio, pressure = ratio * pair.yield_strength_Pa;
+            double amplitude = pressure / sinusoid_full_pressure(1, frequency, pair.effective_modulus_Pa);
+            struct sinusoid_scale scale = sinusoid_scale(amplitude, frequency, &pair, true);
+            double closed = sinusoid_closed_pressure(&scale), full = sinusoid_full_area_pressure(&scale);
+            double bound = sinusoid_closing_bound(scale.full_pressure_Pa, &pair, true);
+            most_closed = fmax(most_closed, closed);
+            most_full = fmax(most_full, full);
+            struct sinusoid_cell cell;
+            sinusoid_press(&cell, &scale, thesis, bound, true);
+            assert_true(cell.area_complement == 0 && cell.gap_ratio == 0);
+            assert_true(bound > most_closed && bound < most_closed * 1.2);
+            assert_near(sinusoid_closing_bound(scale.full_pressure_Pa, &pair, false), scale.full_pressure_Pa, 2e-9);
+            assert_true(bound <= scale.full_pressure_Pa * (1 + 2e-9));
+            assert_int_equal(isfinite(scale.critical_pressure_Pa),
+                             scale.full_pressure_Pa > sinusoid_critical_full_pressure(&pair));
+            if (sinusoid_steepest_fills_last(scale.full_pressure_Pa, &pair))
+                assert_true(closed > last_closed && full > last_full);
+            last_closed = most_closed;
+            last_full = most_full;
+        }
+        assert_true(sinusoid_steepest_fills_last(10 * pair.yield_strength_Pa, &pair));
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(elastic_matches_reference),        cmocka_unit_test(plastic_matches_reference),
         cmocka_unit_test(closures_keep_their_stated_error), cmocka_unit_test(numeric_closure_has_its_limits),
         cmocka_unit_test(complement_does_not_cancel),       cmocka_unit_test(step_at_critical_pressure),
-        cmocka_unit_test(complete_pressure_is_sharp),
+        cmocka_unit_test(complete_pressure_is_sharp),       cmocka_unit_test(steepness_orders_the_scales),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

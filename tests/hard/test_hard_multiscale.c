@@ -19,19 +19,17 @@ static struct multiscale make(const struct spectrum *spectrum, const struct mate
                               int closure)
 {
     struct multiscale stack;
-    struct status status = {0};
-    assert_int_equal(multiscale_make(&stack, spectrum, pair, plastic, (enum sinusoid_fit_id)closure, &status),
-                     STATUS_OK);
+    multiscale_make(&stack, spectrum, pair, plastic, (enum sinusoid_fit_id)closure);
     assert_true(isfinite(stack.full_load) && stack.full_load >= 0 && stack.closed_load >= stack.full_load);
     return stack;
 }
 
-static struct contact_point solve(const struct multiscale *stack, const struct constriction *spot, double load)
+static struct contact_point solve(struct multiscale *stack, const struct constriction *spot, double load)
 {
     struct contact_point point;
     uint64_t evaluations = 0;
     multiscale_solve(&point, stack, spot, EVERYTHING, load, &evaluations);
-    assert_int_equal(evaluations, stack->count);
+    assert_true(evaluations <= stack->count);
     assert_true(isfinite(point.area_ratio) && point.area_ratio > 0 && point.area_ratio <= 1);
     assert_true(isfinite(point.separation_m) && point.separation_m >= 0);
     const double resistances[] = {point.ecr_ohm_m2, point.tcr_K_m2_per_W, point.tcr_sd_K_m2_per_W};
@@ -155,7 +153,7 @@ struct steps {
     int large;         /* how many of them exceed 1e-3 */
 };
 
-static struct steps scan(const struct multiscale *stack, int points)
+static struct steps scan(struct multiscale *stack, int points)
 {
     struct steps steps = {0};
     struct material_pair pair = hard_tin();
@@ -218,7 +216,8 @@ static void limits_are_counted(void **state)
             double amplitude = ratio * sinusoid_critical_amplitude(1 / length_m, &pair);
             struct spectrum spectrum = {&amplitude, 1, length_m, false};
             struct multiscale stack = make(&spectrum, &pair, true, closure);
-            double modulus = pair.effective_modulus_Pa, critical_load = stack.scales[0].critical_pressure_Pa / modulus;
+            const struct sinusoid_scale first = multiscale_scale(&stack, 0);
+            double modulus = pair.effective_modulus_Pa, critical_load = first.critical_pressure_Pa / modulus;
             const double loads[] = {stack.full_load * 0.9, (stack.full_load + stack.closed_load) / 2, stack.closed_load,
                                     1e6, isfinite(critical_load) ? critical_load * (1 + 1e-9) : 1};
             for (int i = 0; i < 5; i++) {
@@ -226,8 +225,8 @@ static void limits_are_counted(void **state)
                 uint64_t evaluations = 0;
                 size_t limited = multiscale_solve(&point, &stack, &spot, 0, loads[i], &evaluations);
                 struct sinusoid_cell elastic;
-                bool yields = loads[i] * modulus > stack.scales[0].critical_pressure_Pa;
-                double x = fmin(1, loads[i] * modulus / stack.scales[0].full_pressure_Pa);
+                bool yields = loads[i] * modulus > first.critical_pressure_Pa;
+                double x = fmin(1, loads[i] * modulus / first.full_pressure_Pa);
                 sinusoid_fits[closure].area(&elastic, x);
                 bool full = yields && point.area_ratio == 1 && loads[i] < stack.closed_load;
                 bool floor = yields && closure == SINUSOID_FIT_NUMERIC && point.area_ratio == elastic.area_ratio &&
