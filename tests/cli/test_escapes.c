@@ -280,6 +280,20 @@ static void test_commands(void **state)
     assert_process(expect_exit(place, 2, "plan", "d", "-m", "\x1b\u202E\xFF"), "plan -m");
 }
 
+/* Of two surfaces every legend names both; gnuplot writes what it is given. */
+static void test_legends(void **state)
+{
+    const char *place = *state;
+    workspace_scan(place, "d/]]>.csv", 100, 1);
+    workspace_scan(place, "d/=]]>\x1b\u202E&<.csv", 100, 2);
+    assert_process(expect_exit(place, 0, "report", "d", "--no-cost", "-m", "tin", "-e", "plasticity"), "report");
+    assert_true(assert_files(place, "out/d") > 5);
+    char *svg = workspace_read(place, "out/d/figures/power-law.svg");
+    expect_part(svg, "]]\u203A");
+    expect_part(svg, "\\x1b\\u202e&amp;&lt;");
+    free(svg);
+}
+
 /* A surface whose material says too little is named where an effect is left out. */
 static void test_reasons(void **state)
 {
@@ -306,6 +320,6 @@ static void test_reasons(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {workspace_test(test_report), workspace_test(test_commands),
-                                       workspace_test(test_reasons)};
+                                       workspace_test(test_legends), workspace_test(test_reasons)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
