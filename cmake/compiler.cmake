@@ -8,6 +8,8 @@ endif()
 
 option(ROUGHCONTACT_WERROR "treat warnings as errors" OFF)
 option(ROUGHCONTACT_SANITIZE "build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
+option(ROUGHCONTACT_FUZZ "build the drivers of libFuzzer (clang)" OFF)
+option(ROUGHCONTACT_THREAD_SANITIZE "build with ThreadSanitizer" OFF)
 
 add_library(roughcontact_warnings INTERFACE)
 # -ffp-contract=off: a fused multiply-add rounds once where the formula rounds twice, so results would depend on the
@@ -19,4 +21,12 @@ if(ROUGHCONTACT_SANITIZE)
     target_compile_options(roughcontact_warnings INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
                            -fno-omit-frame-pointer)
     target_link_options(roughcontact_warnings INTERFACE -fsanitize=address,undefined)
+endif()
+if(ROUGHCONTACT_FUZZ)
+    target_compile_options(roughcontact_warnings INTERFACE -fsanitize=fuzzer-no-link -g
+                           -fsanitize-coverage-ignorelist=${CMAKE_SOURCE_DIR}/tests/fuzz/not-traced.txt)
+endif()
+if(ROUGHCONTACT_THREAD_SANITIZE)
+    target_compile_options(roughcontact_warnings INTERFACE -fsanitize=thread -g -fno-omit-frame-pointer)
+    target_link_options(roughcontact_warnings INTERFACE -fsanitize=thread)
 endif()

@@ -50,12 +50,8 @@ static struct lack find_lack(const struct effect_row *row, const struct scene *s
 static void say_lack(struct plan_effect *out, const struct lack *lack)
 {
     char whose[140] = "";
-    struct text shown = {0};
-    if (lack->surface) {
-        text_add_shown(&shown, lack->surface);
-        snprintf(whose, sizeof whose, " of surface '%.100s'", text_string(&shown));
-        text_free(&shown);
-    }
+    if (lack->surface) /* escaped where the reason is written */
+        snprintf(whose, sizeof whose, " of surface '%.*s'", (int)text_fit(lack->surface, 100), lack->surface);
     if (lack->material && !lack->surface)
         snprintf(out->reason, sizeof out->reason, "no material is given, so no %s", lack->property);
     else

@@ -60,31 +60,108 @@ void text_add(struct text *text, const char *format, ...)
     va_end(again);
 }
 
-size_t text_character(const char *s)
+/* What is valid UTF-8 and not seen, or changes how the characters around it are: controls; soft hyphen; joiners and
+ * fillers; bidirectional marks, embeddings, overrides and isolates; separators; tags and variation selectors; what is
+ * no character. Those of Unicode 15 that are ignorable by default, but for the selectors that belong to a visible sign.
+ */
+static const struct {
+    uint32_t first, last;
+} hidden[] = {
+    {0x00, 0x1f},     {0x7f, 0x9f},       {0xad, 0xad},       {0x34f, 0x34f},     {0x61c, 0x61c},
+    {0x115f, 0x1160}, {0x17b4, 0x17b5},   {0x180b, 0x180f},   {0x200b, 0x200f},   {0x2028, 0x202e},
+    {0x2060, 0x206f}, {0x3164, 0x3164},   {0xfdd0, 0xfdef},   {0xfeff, 0xfeff},   {0xffa0, 0xffa0},
+    {0xfff0, 0xfffb}, {0x1bca0, 0x1bca3}, {0x1d173, 0x1d17a}, {0xe0000, 0xe0fff},
+};
+
+/** Bytes of the UTF-8 character at `s` and its code; 0 when it is none. */
+static size_t decode(const char *s, uint32_t *code)
 {
-    static const uint32_t least[] = {0, 0xa0, 0x800, 0x10000}; /* U+0080 to U+009F are control characters */
+    static const uint32_t least[] = {0, 0x80, 0x800, 0x10000};
     unsigned char first = (unsigned char)*s;
-    if (first < 0x80)
-        return first >= 0x20 && first != 0x7f;
     size_t more = first >= 0xf0 ? 3 : first >= 0xe0 ? 2 : first >= 0xc0 ? 1 : 0;
-    uint32_t code = more ? first & (0x3fu >> more) : 0;
-    if (!more || first >= 0xf8)
+    *code = more ? first & (0x3fu >> more) : first;
+    if (first >= 0xf8 || (!more && first >= 0x80))
         return 0;
     for (size_t i = 1; i <= more; i++) {
         if (((unsigned char)s[i] & 0xc0) != 0x80)
             return 0;
-        code = code << 6 | ((unsigned char)s[i] & 0x3fu);
+        *code = *code << 6 | ((unsigned char)s[i] & 0x3fu);
     }
-    bool surrogate = code >= 0xd800 && code <= 0xdfff;
-    bool usable = code >= least[more] && code <= 0x10ffff && !surrogate && (code & 0xfffe) != 0xfffe;
-    return usable ? more + 1 : 0;
+    bool surrogate = *code >= 0xd800 && *code <= 0xdfff;
+    return *code >= least[more] && *code <= 0x10ffff && !surrogate ? more + 1 : 0;
+}
+
+static bool is_hidden(uint32_t code)
+{
+    bool is = (code & 0xfffe) == 0xfffe;
+    for (size_t i = 0; !is && i < sizeof hidden / sizeof *hidden; i++)
+        is = code >= hidden[i].first && code <= hidden[i].last;
+    return is;
+}
+
+size_t text_character(const char *s)
+{
+    uint32_t code;
+    if (*s >= 0x20 && *s < 0x7f)
+        return 1;
+    size_t bytes = decode(s, &code);
+    return is_hidden(code) ? 0 : bytes;
+}
+
+size_t text_fit(const char *string, size_t most)
+{
+    size_t length = strnlen(string, most + 1);
+    if (length <= most)
+        return length;
+    while (most > 0 && ((unsigned char)string[most] & 0xc0) == 0x80)
+        most--;
+    return most;
+}
+
+/** The same whether or not a backslash here may be taken for the beginning of what is written out. */
+static struct text_shown show_plainly(const char *s)
+{
+    struct text_shown shown = {.bytes = text_character(s)};
+    uint32_t code;
+    if (shown.bytes > 0) {
+        memcpy(shown.text, s, shown.bytes);
+        return shown;
+    }
+    shown.bytes = decode(s, &code);
+    if (shown.bytes < 2) {
+        shown.bytes = 1;
+        snprintf(shown.text, sizeof shown.text, "\\x%02x", (unsigned)(unsigned char)*s);
+    } else
+        snprintf(shown.text, sizeof shown.text, code > 0xffff ? "\\U%08x" : "\\u%04x", (unsigned)code);
+    return shown;
+}
+
+struct text_shown text_show(const char *s)
+{
+    struct text_shown shown = show_plainly(s);
+    if (*s == '\\' && s[1] && (strchr("\\xuU", s[1]) || text_character(s + 1) == 0))
+        strcpy(shown.text, "\\\\");
+    return shown;
+}
+
+/** Is all of it ASCII that stands for itself: nothing to write out, no backslash? */
+static bool is_plain(const char *string)
+{
+    while (*string >= 0x20 && *string < 0x7f && *string != '\\')
+        string++;
+    return *string == '\0';
 }
 
 void text_add_shown(struct text *text, const char *string)
 {
-    for (size_t length; *string; string += length ? length : 1) {
-        length = text_character(string);
-        text_add_bytes(text, length ? string : "?", length ? length : 1);
+    if (is_plain(string)) {
+        text_add_bytes(text, string, strlen(string));
+        return;
+    }
+    while (*string) {
+        struct text_shown shown = text_show(string);
+        text_add_bytes(text, shown.text, strlen(shown.text));
+        string += shown.bytes;
     }
 }
 
@@ -104,17 +181,20 @@ static bool has_meaning(const char *string, size_t at)
 
 void text_add_markdown(struct text *text, const char *string)
 {
-    size_t length;
-    for (size_t at = 0; string[at]; at += length ? length : 1) {
-        length = text_character(string + at);
-        if (length == 1 && strchr("<>&\"", string[at])) {
-            text_add(text, "&#%d;", string[at]);
+    struct text shown = {0};
+    text_add_shown(&shown, string);
+    text->failed = text->failed || shown.failed;
+    const char *all = text_string(&shown);
+    for (size_t at = 0; all[at]; at++) {
+        if (strchr("<>&\"", all[at])) {
+            text_add(text, "&#%d;", all[at]);
             continue;
         }
-        if (length == 1 && has_meaning(string, at))
+        if (has_meaning(all, at))
             text_add_bytes(text, "\\", 1);
-        text_add_bytes(text, length ? string + at : "?", length ? length : 1);
+        text_add_bytes(text, all + at, 1);
     }
+    text_free(&shown);
 }
 
 void text_add_html(struct text *out, const char *bytes, size_t size)
@@ -124,28 +204,50 @@ void text_add_html(struct text *out, const char *bytes, size_t size)
     for (const char *end = bytes + size; bytes < end;) {
         unsigned char c = (unsigned char)*bytes;
         const char *escape = c < 128 ? escapes[c] : NULL;
-        size_t length = text_character(bytes);
-        if (escape)
-            text_add(out, "%s", escape);
-        else
-            text_add_bytes(out, length ? bytes : "?", length ? length : 1);
-        bytes += length ? length : 1;
+        struct text_shown shown = {.bytes = 1};
+        if (!escape)
+            shown = show_plainly(bytes);
+        escape = escape ? escape : shown.text;
+        text_add_bytes(out, escape, strlen(escape));
+        bytes += shown.bytes;
     }
+}
+
+/** Is it a decimal number and nothing else? */
+static bool is_number(const char *string)
+{
+    char *end;
+    if (string[strspn(string, "0123456789+-.eE")] != '\0' || !strpbrk(string, "0123456789"))
+        return false;
+    (void)strtod(string, &end);
+    return *end == '\0';
+}
+
+bool text_is_formula(const char *string)
+{
+    static const char *const marks[] = {"=", "+", "-", "@", "\uFF1D", "\uFF0B", "\uFF0D", "\uFF20"};
+    const char *start = string + strspn(string, " '");
+    for (size_t i = 0; i < sizeof marks / sizeof *marks; i++)
+        if (strncmp(start, marks[i], strlen(marks[i])) == 0)
+            return !is_number(string);
+    return false;
 }
 
 void text_add_csv(struct text *text, const char *string)
 {
-    if (!strpbrk(string, ",\"\r\n")) {
-        text_add_bytes(text, string, strlen(string));
-        return;
+    struct text shown = {0};
+    text_add_shown(&shown, string);
+    const char *all = text_string(&shown), *before = text_is_formula(all) ? "'" : "";
+    text->failed = text->failed || shown.failed;
+    if (!strpbrk(all, ",\""))
+        text_add(text, "%s%s", before, all);
+    else {
+        text_add(text, "\"%s", before);
+        for (; *all; all++)
+            text_add_bytes(text, *all == '"' ? "\"\"" : all, *all == '"' ? 2 : 1);
+        text_add_bytes(text, "\"", 1);
     }
-    text_add_bytes(text, "\"", 1);
-    for (; *string; string++) {
-        if (*string == '"')
-            text_add_bytes(text, "\"", 1);
-        text_add_bytes(text, string, 1);
-    }
-    text_add_bytes(text, "\"", 1);
+    text_free(&shown);
 }
 
 const char *text_string(const struct text *text)

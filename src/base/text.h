@@ -16,16 +16,34 @@ struct text {
 
 void text_add(struct text *text, const char *format, ...) PRINTF_LIKE(2, 3);
 void text_add_bytes(struct text *text, const char *bytes, size_t length);
+/* Text from outside, escaped: one rule for what may not be shown. Control characters, bytes that are no UTF-8, and
+ * characters that are not seen or that turn those around them (bidirectional controls, zero widths, fillers, tags) are
+ * written out: a byte or ASCII character as \x1b, another character as \u202e or \U000e0041. A backslash that could be
+ * taken for the beginning of such a thing is doubled, so that two texts that differ still do. */
+
 /** Bytes of the character at `s` when it is valid UTF-8 that a terminal, HTML and XML may show, else 0. */
 size_t text_character(const char *s);
-/** Adds `string` as it may be shown: control characters and bytes that are no UTF-8 as '?'. */
+/** The most bytes of `string`, up to `most`, that do not end inside a character. */
+size_t text_fit(const char *string, size_t most);
+/** What is shown for the character (or byte) at `s`, which is not the final NUL, and how many bytes it has there. */
+struct text_shown {
+    char text[12];
+    size_t bytes;
+};
+struct text_shown text_show(const char *s);
+/** Adds `string` as it may be shown. */
 void text_add_shown(struct text *text, const char *string);
 /** The same, with the characters that mean something in Markdown or HTML escaped. */
 void text_add_markdown(struct text *text, const char *string);
-/** Adds `size` bytes of plain text for HTML, in an element or a quoted value: what has a meaning there is escaped;
- * control characters and bytes that are no UTF-8 become '?'. `bytes` ends with a whole character or before a NUL. */
+/** Adds `size` bytes of plain text for HTML, in an element or a quoted value: what has a meaning there is escaped; line
+ * ends and tabs stay; what else may not be shown is written out, but no backslash doubled, as most of it was shown
+ * before. `bytes` ends with a whole character or before a NUL. */
 void text_add_html(struct text *out, const char *bytes, size_t size);
-/** Adds `string` as one CSV field: quoted, with quotes doubled, when it holds a comma, a quote or a line end. */
+/** Would a spreadsheet calculate a cell of this text, that is: does it begin, perhaps behind blanks or apostrophes,
+ * with = + - @ (or their full-width forms), and is no number? An apostrophe before it tells that it is text. */
+bool text_is_formula(const char *string);
+/** Adds `string` as one CSV field, as it may be shown, an apostrophe before what is a formula; quoted, with quotes
+ * doubled, when it holds a comma or a quote. */
 void text_add_csv(struct text *text, const char *string);
 /** The text so far, never NULL. */
 const char *text_string(const struct text *text);

@@ -155,7 +155,8 @@ bool unit_spell(char spelling[UNIT_LENGTH], const char *text, size_t length)
     for (size_t i = 0, bytes; i < length; i += bytes) {
         const char same[] = {text[i], '\0'}, *letters = same;
         bytes = 1;
-        for (size_t k = 0; k < COUNT(unit_letters) && letters == same; k++) {
+        bool ascii = (unsigned char)text[i] < 0x80; /* the others are what has another spelling */
+        for (size_t k = 0; !ascii && k < COUNT(unit_letters) && letters == same; k++) {
             size_t known = strlen(unit_letters[k].bytes);
             if (length - i >= known && memcmp(text + i, unit_letters[k].bytes, known) == 0) {
                 letters = unit_letters[k].letters;

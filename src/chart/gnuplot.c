@@ -239,6 +239,7 @@ enum status_code gnuplot_take_text(struct text *out, const char *path, struct st
     enum status_code code = text_read_file(&drawn, path, status);
     unlink(path);
     for (const char *line = text_string(&drawn); *line;) {
+        line += *line == '\f'; /* it ends a page, on a printer */
         size_t length = strcspn(line, "\n"), kept = length;
         while (kept > 0 && line[kept - 1] == ' ')
             kept--;
@@ -250,9 +251,10 @@ enum status_code gnuplot_take_text(struct text *out, const char *path, struct st
     return code == STATUS_OK && out->failed ? status_memory(status) : code;
 }
 
-/* `string` between two `mark`s; the characters `special` come out as `instead` at the same place. */
-static void gnuplot_enclose(char *out, size_t size, const char *string, char mark, const char *special,
-                            const char *const *instead)
+/* `string` between two `mark`s, `first` before it; the characters `special` come out as `instead` at the same place. Of
+ * "]]>", which gnuplot leaves as it is and XML does not allow in text, the last becomes U+203A. */
+static void gnuplot_enclose(char *out, size_t size, const char *string, char mark, const char *first,
+                            const char *special, const char *const *instead)
 {
     if (size < 3) { /* no room for the two marks */
         if (size > 0)
@@ -261,16 +263,25 @@ static void gnuplot_enclose(char *out, size_t size, const char *string, char mar
     }
     size_t used = 0;
     out[used++] = mark;
+    for (; *first && used + 2 < size; first++)
+        out[used++] = *first;
     while (*string) {
-        size_t length = text_character(string);
-        const char *found = length == 1 ? strchr(special, *string) : NULL;
-        const char *from = found ? instead[found - special] : length ? string : "?";
-        size_t bytes = found ? strlen(from) : length ? length : 1;
+        struct text_shown shown = text_show(string);
+        if (*string == '>' && used >= 2 && memcmp(out + used - 2, "]]", 2) == 0)
+            strcpy(shown.text, "\u203A");
+        char written[2 * sizeof shown.text];
+        size_t bytes = 0;
+        for (const char *c = shown.text; *c; c++) {
+            const char *found = strchr(special, *c), same[] = {*c, '\0'},
+                       *from = found ? instead[found - special] : same;
+            memcpy(written + bytes, from, strlen(from));
+            bytes += strlen(from);
+        }
         if (used + bytes + 2 > size)
             break;
-        memcpy(out + used, from, bytes);
+        memcpy(out + used, written, bytes);
         used += bytes;
-        string += length ? length : 1;
+        string += shown.bytes;
     }
     out[used++] = mark;
     out[used] = '\0';
@@ -280,11 +291,11 @@ void gnuplot_quote(char *out, size_t size, const char *string)
 {
     static const char *const instead[] = {
         "\u2019"}; /* a doubled quote, as elsewhere in gnuplot, is misread by `call` */
-    gnuplot_enclose(out, size, string, '\'', "'", instead);
+    gnuplot_enclose(out, size, string, '\'', "", "'", instead);
 }
 
 void gnuplot_field(char *out, size_t size, const char *string)
 {
     static const char *const instead[] = {"'", "\\\\"};
-    gnuplot_enclose(out, size, string, '"', "\"\\", instead);
+    gnuplot_enclose(out, size, string, '"', text_is_formula(string) ? "'" : "", "\"\\", instead);
 }

@@ -33,13 +33,13 @@ MUST_CHECK enum status_code gnuplot_finish(struct gnuplot *gnuplot, struct statu
  * Errors: STATUS_IO, STATUS_MEMORY. */
 MUST_CHECK enum status_code gnuplot_take_text(struct text *out, const char *path, struct status *status);
 
-/** Writes `string` as a gnuplot single-quoted string into `out`, cut to fit at a UTF-8 border: control characters and
- * bytes that are no UTF-8 as '?', single quotes as U+2019 (doubled ones do not survive `call`). For texts, then, and
- * for file names without quotes. */
+/** Writes `string`, as it may be shown, as a gnuplot single-quoted string into `out`, cut to fit at a character's
+ * border: single quotes as U+2019 (doubled ones do not survive `call`). For texts, then, and for file names without
+ * quotes. */
 void gnuplot_quote(char *out, size_t size, const char *string);
 
 /** The same for a legend text in a data file: one double-quoted field, double quotes as single ones, backslashes
- * doubled (gnuplot reads escapes there). */
+ * doubled (gnuplot reads escapes there), an apostrophe before what a spreadsheet would calculate. */
 void gnuplot_field(char *out, size_t size, const char *string);
 
 #endif

@@ -188,7 +188,8 @@ static void progress(size_t done, size_t total, const char *name)
 {
     struct text shown = {0};
     text_add_shown(&shown, name);
-    fprintf(stderr, "\r\033[K%zu of %zu  %.40s%s", done, total, text_string(&shown), done == total ? "\r\033[K" : "");
+    fprintf(stderr, "\r\033[K%zu of %zu  %.*s%s", done, total, (int)text_fit(text_string(&shown), 40),
+            text_string(&shown), done == total ? "\r\033[K" : "");
     fflush(stderr);
     text_free(&shown);
 }

@@ -20,15 +20,12 @@ static json_t *pair_json(const char *name, const double values[2], const struct 
     return json_pack("[o, o]", cell_json(guard, name, values[0]), cell_json(guard, name, values[1]));
 }
 
-/** Text that may not be UTF-8 (a file name): it is then as the report shows it. */
+/** Text from outside, as the tables and the report show it: what belongs together has the same name everywhere. */
 static json_t *string(const char *value)
 {
-    json_t *json = json_string(value);
-    if (json)
-        return json;
     struct text shown = {0};
     text_add_shown(&shown, value);
-    json = json_string(text_string(&shown));
+    json_t *json = json_string(text_string(&shown));
     text_free(&shown);
     return json;
 }
@@ -99,7 +96,7 @@ static json_t *scene_json(const struct results *results, const struct cell_guard
     for (int e = 0; e < EFFECT_COUNT; e++) {
         const struct plan_effect *effect = &results->plan->effects[e];
         json_object_set_new(effects, effect_rows[e].name,
-                            json_pack("{s:b, s:s}", "runs", effect->runs, "reason", effect->reason));
+                            json_pack("{s:b, s:o}", "runs", effect->runs, "reason", string(effect->reason)));
     }
     const struct scene_bodies *bodies = &scene->bodies;
     const struct material_pair pair = scene_pair(bodies);

@@ -12,10 +12,12 @@ static void work_rows(struct text *out, const struct section_context *context)
     work_table(predicted, &results->predicted, results->plan);
     work_table(done, &results->done, results->plan);
     text_add(out, "| effect | | why | method | evaluations predicted | done |\n|---|---|---|---|---:|---:|\n");
-    for (int r = 0; r < WORK_ROWS; r++)
-        text_add(out, "| %s | %s | %s | %s | %llu | %llu |\n", predicted[r].name, predicted[r].runs ? "run" : "skipped",
-                 predicted[r].reason, predicted[r].method, (unsigned long long)predicted[r].evaluations,
+    for (int r = 0; r < WORK_ROWS; r++) {
+        text_add(out, "| %s | %s | ", predicted[r].name, predicted[r].runs ? "run" : "skipped");
+        text_add_markdown(out, predicted[r].reason); /* may name a surface */
+        text_add(out, " | %s | %llu | %llu |\n", predicted[r].method, (unsigned long long)predicted[r].evaluations,
                  (unsigned long long)done[r].evaluations);
+    }
 }
 
 static void settings_text(struct text *out, const struct section_context *context)

@@ -294,8 +294,9 @@ void prepare_table(struct text *out, const struct prepared *prepared, const stru
         if (done)
             text_add(out, " %14llu", (unsigned long long)actual[r].evaluations);
         double bytes = r == 0 ? memory : row->bytes; /* the area's arrays serve the others too */
-        text_add(out, " %10.4f %5.1f MB  %s%s%s\n", row->seconds, bytes / 1e6, row->reason, row->runs ? "; " : "",
-                 row->method);
+        text_add(out, " %10.4f %5.1f MB  ", row->seconds, bytes / 1e6);
+        text_add_shown(out, row->reason); /* may name a surface */
+        text_add(out, "%s%s\n", row->runs ? "; " : "", row->method);
     }
     text_add(out, "%-16s %-8s %14llu", "all", "", (unsigned long long)total);
     if (done)

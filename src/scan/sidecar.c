@@ -116,22 +116,23 @@ static bool parse_json(struct text_header *out, const struct text *bytes)
     return any;
 }
 
+bool sidecar_read_text(struct sidecar *out, const struct text *bytes, const char *path)
+{
+    const char *slash = strrchr(path, '/'), *start = text_string(bytes);
+    *out = (struct sidecar){.header = {.valid = SIZE_MAX, .z_factor = 1}};
+    snprintf(out->name, sizeof out->name, "%s", slash ? slash + 1 : path);
+    if (start[strspn(start, "\xEF\xBB\xBF \t\r\n")] == '{')
+        return parse_json(&out->header, bytes);
+    return scan_text_read_keys(&out->header, &(struct scan_bytes){start, bytes->length, ""});
+}
+
 bool sidecar_read(struct sidecar *out, const char *path)
 {
     struct stat info;
     struct status ignored = {0};
     struct text bytes = {0};
-    const char *slash = strrchr(path, '/');
-    *out = (struct sidecar){.header = {.valid = SIZE_MAX, .z_factor = 1}};
-    snprintf(out->name, sizeof out->name, "%s", slash ? slash + 1 : path);
-    if (stat(path, &info) != 0 || !S_ISREG(info.st_mode) || info.st_size > most_bytes ||
-        text_read_file(&bytes, path, &ignored) != STATUS_OK) {
-        text_free(&bytes);
-        return false;
-    }
-    bool json = text_string(&bytes)[strspn(text_string(&bytes), "\xEF\xBB\xBF \t\r\n")] == '{';
-    struct scan_bytes file = {text_string(&bytes), bytes.length, ""};
-    bool any = json ? parse_json(&out->header, &bytes) : scan_text_read_keys(&out->header, &file);
+    bool any = stat(path, &info) == 0 && S_ISREG(info.st_mode) && info.st_size <= most_bytes &&
+               text_read_file(&bytes, path, &ignored) == STATUS_OK && sidecar_read_text(out, &bytes, path);
     text_free(&bytes);
     return any;
 }

@@ -4,6 +4,7 @@
 #ifndef SCAN_SIDECAR_H
 #define SCAN_SIDECAR_H
 
+#include "base/text.h"
 #include "scan/text_header.h"
 
 struct sidecar {
@@ -19,6 +20,8 @@ bool sidecar_ending(const char *name, size_t *length);
 
 /** Reads the file at `path`. Returns whether it is a regular file that names units and has no row of numbers. */
 bool sidecar_read(struct sidecar *out, const char *path);
+/** The same of the file's content. */
+bool sidecar_read_text(struct sidecar *out, const struct text *bytes, const char *path);
 
 /** Reads the first sidecar there is of the scan at `path`: *found gets its path (malloc'ed), NULL where there is none.
  * Error: STATUS_MEMORY. */

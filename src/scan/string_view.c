@@ -1,5 +1,6 @@
 #include "scan/string_view.h"
 
+#include <string.h>
 #include <strings.h>
 
 struct string_view string_view_trim(struct string_view view)
@@ -24,11 +25,12 @@ bool string_view_equals(struct string_view view, const char *word)
 
 bool string_view_is_one_of(struct string_view view, const char *words)
 {
-    struct string_view rest = string_view_of(words);
-    for (struct string_view word; cell_next(&rest, ' ', &word);)
-        if (string_view_length(view) == string_view_length(word) &&
-            strncasecmp(view.start, word.start, string_view_length(word)) == 0)
+    size_t length = string_view_length(view);
+    for (const char *end; *words; words = end + (*end == ' ')) {
+        end = strchrnul(words, ' ');
+        if (length > 0 && (size_t)(end - words) == length && strncasecmp(view.start, words, length) == 0)
             return true;
+    }
     return false;
 }
 

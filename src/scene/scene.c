@@ -81,10 +81,9 @@ static enum status_code check_directory(const char *directory, struct status *st
     return STATUS_OK;
 }
 
-/* Reads scene.yaml when there is one; a dangling link of that name is an error, not an absence. */
-static enum status_code read_text(struct scene *scene, struct scene_source *source)
+/* Takes over scene.yaml when there is one; a dangling link of that name is an error, not an absence. */
+static enum status_code load_text(struct text *bytes, struct scene *scene, struct status *status)
 {
-    struct status *status = source->status;
     struct stat info;
     scene->path = scene_file_path(scene, "scene.yaml");
     if (!scene->path)
@@ -101,12 +100,7 @@ static enum status_code read_text(struct scene *scene, struct scene_source *sour
     if (info.st_size > most_bytes)
         return status_fail(status, STATUS_SCENE, "'%s' is larger than 1 MiB; a scene is a few lines of text",
                            scene->path);
-    struct text bytes = {0};
-    enum status_code code = text_read_file(&bytes, scene->path, status);
-    if (code == STATUS_OK && !scene_source_read(source, text_string(&bytes), bytes.length, scene_keys_read))
-        code = status->code;
-    text_free(&bytes);
-    return code;
+    return text_read_file(bytes, scene->path, status);
 }
 
 static enum status_code override_effects(struct scene *scene, struct scene_source *source, const char *words)
@@ -437,19 +431,44 @@ static enum status_code complete(struct scene *scene, struct scene_source *sourc
     return scene->title ? STATUS_OK : status_memory(status);
 }
 
-enum status_code scene_read(struct scene *out, const char *directory, const struct scene_overrides *overrides,
-                            struct status *status)
+/* Begins a scene of that directory. */
+static enum status_code begin(struct scene *out, const char *directory, struct status *status)
+{
+    *out = default_scene();
+    if (check_directory(directory, status) != STATUS_OK)
+        return status->code;
+    return (out->directory = strdup(directory)) ? STATUS_OK : status_memory(status);
+}
+
+/* The rest of it: what `text` says, where there is one. */
+static enum status_code finish(struct scene *out, const struct text *text, const struct scene_overrides *overrides,
+                               struct status *status)
 {
     static const struct scene_overrides nothing = {0};
     struct scene_source source = {.scene = out, .status = status};
-    *out = default_scene();
-    enum status_code code = check_directory(directory, status);
-    if (code != STATUS_OK)
-        return code;
-    if (!(out->directory = strdup(directory)))
+    if (out->path && !scene_source_read(&source, text_string(text), text->length, scene_keys_read))
+        return status->code;
+    return complete(out, &source, overrides ? overrides : &nothing);
+}
+
+enum status_code scene_read(struct scene *out, const char *directory, const struct scene_overrides *overrides,
+                            struct status *status)
+{
+    struct text text = {0};
+    if (begin(out, directory, status) == STATUS_OK && load_text(&text, out, status) == STATUS_OK)
+        (void)finish(out, &text, overrides, status);
+    text_free(&text);
+    return status->code;
+}
+
+enum status_code scene_read_text(struct scene *out, const char *directory, const struct text *text,
+                                 const struct scene_overrides *overrides, struct status *status)
+{
+    if (begin(out, directory, status) != STATUS_OK)
+        return status->code;
+    if (!(out->path = scene_file_path(out, "scene.yaml")))
         return status_memory(status);
-    code = read_text(out, &source);
-    return code == STATUS_OK ? complete(out, &source, overrides ? overrides : &nothing) : code;
+    return finish(out, text, overrides, status);
 }
 
 void scene_free(struct scene *scene)

@@ -204,6 +204,9 @@ struct scene_overrides {
  * STATUS_IO: no such directory. An empty directory gives surface_count = 0. */
 MUST_CHECK enum status_code scene_read(struct scene *out, const char *directory,
                                        const struct scene_overrides *overrides, struct status *status);
+/** The same with `text` in place of what the directory's scene.yaml says, if there is one. */
+MUST_CHECK enum status_code scene_read_text(struct scene *out, const char *directory, const struct text *text,
+                                            const struct scene_overrides *overrides, struct status *status);
 void scene_free(struct scene *scene);
 
 /** Calls `each` for the outermost keys of scene.yaml in the order of their table: the name, what the row knows of its

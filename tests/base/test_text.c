@@ -61,16 +61,19 @@ static void test_markdown(void **state)
     struct text text = {0};
     text_add_markdown(&text, "a|b*c_d`e\\f[g](h)#i<j>&\"k\"\n\t\x7f"
                              "Rq µm");
-    assert_string_equal(text_string(&text), "a\\|b\\*c_d\\`e\\\\f\\[g\\](h)\\#i&#60;j&#62;&#38;&#34;k&#34;???Rq µm");
+    assert_string_equal(text_string(&text),
+                        "a\\|b\\*c_d\\`e\\\\f\\[g\\](h)\\#i&#60;j&#62;&#38;&#34;k&#34;\\\\x0a\\\\x09\\\\x7fRq µm");
     text_free(&text);
     for (int c = 1; c < 128; c++) {
         char string[2] = {(char)c, '\0'};
         text_add_markdown(&text, string);
         if (isalnum(c) || c == ' ')
             assert_string_equal(text_string(&text), string);
-        else if (iscntrl(c))
-            assert_string_equal(text_string(&text), "?");
-        else if (strchr("<>&\"", c))
+        else if (iscntrl(c)) {
+            char written[8];
+            snprintf(written, sizeof written, "\\\\x%02x", (unsigned)c);
+            assert_string_equal(text_string(&text), written);
+        } else if (strchr("<>&\"", c))
             assert_true(strncmp(text_string(&text), "&#", 2) == 0);
         else if (strchr("*_`[])#|\\~$-+=.", c))
             assert_true(text.length == 2 && text.data[0] == '\\' && text.data[1] == c);
@@ -98,7 +101,7 @@ static void test_markdown_is_escaped_where_it_means_something(void **state)
         {"a\\b", "a\\\\b"},
         {"http://x", "http\\://x"},
         {"<b>&\"", "&#60;b&#62;&#38;&#34;"},
-        {"a\nb\033", "a?b?"},
+        {"a\nb\033", "a\\\\x0ab\\\\x1b"},
         {"---", "\\-\\-\\-"},
     };
     (void)state;
@@ -136,10 +139,9 @@ static void test_csv(void **state)
     static const char *const fields[][2] = {
         {"", ""},
         {"plain text", "plain text"},
+        {"a;b", "a;b"},
         {"a,b", "\"a,b\""},
         {"say \"x\"", "\"say \"\"x\"\"\""},
-        {"two\nlines", "\"two\nlines\""},
-        {"cr\r", "\"cr\r\""},
         {"\"", "\"\"\"\""},
         {",\",\"", "\",\"\",\"\"\""},
     };
@@ -152,6 +154,74 @@ static void test_csv(void **state)
         assert_string_equal(back, fields[i][0]);
         text_free(&text);
     }
+}
+
+/* What may not be shown is written out, the same way on every path; what would read like it is told from it. */
+static void test_what_may_not_be_shown(void **state)
+{
+    static const struct {
+        const char *string, *expected;
+    } cases[] = {
+        {"Rq µm 粗さ 😀 é", "Rq µm 粗さ 😀 é"},
+        {"\033[31m\a\t\r\n\x7f", "\\x1b[31m\\x07\\x09\\x0d\\x0a\\x7f"},
+        {"\xc2\x9b \xc2\xad \u061c \u200e \u202e \u2066 \u200b \u200d \u2028 \ufeff",
+         "\\u009b \\u00ad \\u061c \\u200e \\u202e \\u2066 \\u200b \\u200d \\u2028 \\ufeff"},
+        {"\U000e0041 \uffff \ufdd0 \U0010ffff", "\\U000e0041 \\uffff \\ufdd0 \\U0010ffff"},
+        {"\xff \x80 \xc3 \xc0\xaf \xed\xa0\x80 \xf4\x90\x80\x80",
+         "\\xff \\x80 \\xc3 \\xc0\\xaf \\xed\\xa0\\x80 \\xf4\\x90\\x80\\x80"},
+        {"a\\b C:\\dir \\", "a\\b C:\\dir \\"},
+        {"\\x1b \\u202e \\U \\\\ \\\033", "\\\\x1b \\\\u202e \\\\U \\\\\\ \\\\\\x1b"},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct text text = {0};
+        text_add_shown(&text, cases[i].string);
+        assert_string_equal(text_string(&text), cases[i].expected);
+        text_free(&text);
+    }
+}
+
+/* No two of all texts of three of these are shown alike: backslashes, letters of the notation, hidden characters. */
+static void test_different_texts_are_shown_differently(void **state)
+{
+    static const char *const parts[] = {"", "\\", "x", "1b", "u", "202e", "\033", "\u202e", "\xff"};
+    enum { PARTS = sizeof parts / sizeof *parts, ALL = PARTS * PARTS * PARTS };
+    char raw[ALL][16];
+    struct text shown[ALL] = {0};
+    (void)state;
+    for (size_t i = 0; i < ALL; i++) {
+        snprintf(raw[i], sizeof raw[i], "%s%s%s", parts[i % PARTS], parts[i / PARTS % PARTS], parts[i / PARTS / PARTS]);
+        text_add_shown(&shown[i], raw[i]);
+        for (size_t k = 0; k < i; k++)
+            if ((strcmp(raw[i], raw[k]) == 0) != (strcmp(text_string(&shown[i]), text_string(&shown[k])) == 0))
+                fail_msg("'%s' and another are both shown as '%s'", raw[i], text_string(&shown[i]));
+    }
+    for (size_t i = 0; i < ALL; i++)
+        text_free(&shown[i]);
+}
+
+static void test_formulas(void **state)
+{
+    static const char *const formulas[] = {"=1+2",   "+a",      "-b",      "@c",      " =d",    "'=e",
+                                           "''+f",   "-",       "--1",     "-1.5 um", "+1e",    "-inf",
+                                           "-0x1p3", "\uFF1D1", "\uFF0B1", "\uFF0D1", "\uFF201"};
+    static const char *const texts[] = {"", "a=b", "-1.5", "+2e3", "-.5", "it's", "'quoted'", "1-2", "−1"};
+    (void)state;
+    for (size_t i = 0; i < sizeof formulas / sizeof *formulas; i++)
+        assert_true(text_is_formula(formulas[i]));
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
+        assert_false(text_is_formula(texts[i]));
+}
+
+static void test_a_cut_keeps_characters_whole(void **state)
+{
+    (void)state;
+    assert_int_equal(text_fit("abc", 5), 3);
+    assert_int_equal(text_fit("abc", 3), 3);
+    assert_int_equal(text_fit("abc", 2), 2);
+    assert_int_equal(text_fit("aµc", 2), 1);
+    assert_int_equal(text_fit("😀", 3), 0);
+    assert_int_equal(text_fit("a😀", 5), 5);
 }
 
 static void test_files_come_back_byte_for_byte(void **state)
@@ -220,6 +290,10 @@ int main(void)
         cmocka_unit_test(test_markdown),
         cmocka_unit_test(test_markdown_is_escaped_where_it_means_something),
         cmocka_unit_test(test_csv),
+        cmocka_unit_test(test_what_may_not_be_shown),
+        cmocka_unit_test(test_different_texts_are_shown_differently),
+        cmocka_unit_test(test_formulas),
+        cmocka_unit_test(test_a_cut_keeps_characters_whole),
         cmocka_unit_test(test_files_come_back_byte_for_byte),
         cmocka_unit_test(test_what_cannot_be_read_is_named),
         cmocka_unit_test(test_what_cannot_be_written_is_named),

@@ -180,7 +180,8 @@ static void raw_html_is_text(void **state)
 static void characters(void **state)
 {
     (void)state;
-    assert_body("a\x01 \x1b[31m \xff \xc2\x85 &#7; &nbsp;&eacute; b\n", "<p>a? ?[31m ? ?? ? &nbsp;&eacute; b</p>");
+    assert_body("a\x01 \x1b[31m \xff \xc2\x85 &#7; &nbsp;&eacute; b\n",
+                "<p>a\\x01 \\x1b[31m \\xff \\u0085 \\x07 &nbsp;&eacute; b</p>");
     assert_body("]]> &#93;&#93;&#62; --> 'q' \"r\"\n", "<p>]]&gt; ]]&gt; --&gt; 'q' &quot;r&quot;</p>");
     assert_body("a\\\nb  \nc\nd\n", "<p>a<br>\nb<br>\nc\nd</p>");
     assert_body("![a *b*\n`<c>` ![d](e) f](x.png)\n", "<p>a b &lt;c&gt; d f</p>");

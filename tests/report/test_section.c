@@ -12,7 +12,7 @@ static void test_surface_names_are_harmless(void **state)
     struct results results = {.store = &store};
     struct text text = {0};
     section_surface_name(&text, &results, 0);
-    assert_string_equal(text_string(&text), "\\| &#60;script&#62;\\*x\\*?");
+    assert_string_equal(text_string(&text), "\\| &#60;script&#62;\\*x\\*\\\\x0a");
     text_free(&text);
 }
 

@@ -1,0 +1,325 @@
+/* Every file that is written, and all that is printed, of surfaces whose names hold control characters, bidirectional
+ * overrides, bytes that are no UTF-8 and formulas: byte by byte, and read back. */
+#include "cli/process.h"
+
+#include <dirent.h>
+#include <expat.h>
+#include <jansson.h>
+#include <stdio.h>
+#include <sys/stat.h>
+
+/* A name and how the tables have it. */
+static const struct {
+    const char *name, *cell;
+} names[] = {
+    {"]]>", "]]>"},
+    {"=1+2", "'=1+2"},
+    {"'=1+2", "''=1+2"},
+    {"@sum", "'@sum"},
+    {"+a", "'+a"},
+    {"-b", "'-b"},
+    {" =c", "' =c"},
+    {"\uFF1Dd", "'\uFF1Dd"},
+    {"-1.5", "-1.5"},
+    {"+2e3", "+2e3"},
+    {"it's", "it's"},
+    {"\ttab", "\\x09tab"},
+    {"\rreturn", "\\x0dreturn"},
+    {"red\x1b[31m", "red\\x1b[31m"},
+    {"red\\x1b[31m", "red\\\\x1b[31m"},
+    {"red\x1b[32m", "red\\x1b[32m"},
+    {"bell\x07", "bell\\x07"},
+    {"line\nfeed\f\v", "line\\x0afeed\\x0c\\x0b"},
+    {"gnp.\u202Efdp", "gnp.\\u202efdp"},
+    {"gnp.\u202Dfdp", "gnp.\\u202dfdp"},
+    {"zero\u200Bwidth", "zero\\u200bwidth"},
+    {"zerowidth", "zerowidth"},
+    {"\uFEFFmark", "\\ufeffmark"},
+    {"tag\U000E0041", "tag\\U000e0041"},
+    {"\xC2\x9B"
+     "2J",
+     "\\u009b2J"},
+    {"\x7F"
+     "delete",
+     "\\x7fdelete"},
+    {"latin\xFF", "latin\\xff"},
+    {"latin\xFE", "latin\\xfe"},
+    {"\\\x1b", "\\\\\\x1b"},
+    {"grün µ€ 粗さ", "grün µ€ 粗さ"},
+};
+enum { NAMES = sizeof names / sizeof *names };
+
+/* What must stand nowhere; what is not in the list is ASCII or may be seen. */
+static bool is_forbidden(unsigned long code)
+{
+    return (code < 0x20 && code != '\n' && code != '\t') || (code >= 0x7f && code < 0xa0) || code == 0xad ||
+           (code >= 0x200b && code <= 0x200f) || (code >= 0x2028 && code <= 0x202e) ||
+           (code >= 0x2060 && code <= 0x206f) || code == 0x61c || code == 0xfeff ||
+           (code >= 0xe0000 && code <= 0xe0fff) || (code >= 0xd800 && code <= 0xdfff) || (code & 0xfffe) == 0xfffe;
+}
+
+/* Only valid UTF-8 that is not forbidden; `tabs`: may there be any? */
+static void assert_bytes(const char *text, size_t length, const char *where, bool tabs)
+{
+    for (size_t i = 0; i < length;) {
+        const unsigned char *s = (const unsigned char *)text + i;
+        size_t more = *s >= 0xf0 ? 3 : *s >= 0xe0 ? 2 : *s >= 0xc0 ? 1 : 0;
+        unsigned long code = more ? *s & (0x3fu >> more) : *s;
+        bool good = more > 0 || *s < 0x80;
+        for (size_t k = 1; k <= more; k++) {
+            good = good && i + k < length && (s[k] & 0xc0) == 0x80;
+            code = code << 6 | (s[k] & 0x3fu);
+        }
+        if (!good || is_forbidden(code) || (code == '\t' && !tabs))
+            fail_msg("%s: byte %zu is 0x%02x, of U+%04lX, before: %.40s", where, i, *s, code, text + i + more + 1);
+        i += more + 1;
+    }
+}
+
+static void XMLCALL count_element(void *user, const XML_Char *name, const XML_Char **attributes)
+{
+    (void)name, (void)attributes;
+    ++*(size_t *)user;
+}
+
+static void assert_xml(const char *text, size_t length, const char *where)
+{
+    size_t elements = 0;
+    XML_Parser parser = XML_ParserCreate(NULL);
+    assert_non_null(parser);
+    XML_SetUserData(parser, &elements);
+    XML_SetElementHandler(parser, count_element, NULL);
+    if (XML_Parse(parser, text, (int)length, XML_TRUE) != XML_STATUS_OK)
+        fail_msg("%s:%lu: %s", where, (unsigned long)XML_GetCurrentLineNumber(parser),
+                 XML_ErrorString(XML_GetErrorCode(parser)));
+    XML_ParserFree(parser);
+    assert_true(elements > 5);
+}
+
+/* The next cell of a CSV row as RFC 4180 has it, unquoted into `cell`; *at moves behind it. Returns what ended it. */
+static char next_cell(const char **at, char *cell, size_t size)
+{
+    size_t used = 0;
+    bool quoted = **at == '"';
+    const char *s = *at + quoted;
+    for (; *s && (quoted || (*s != ',' && *s != '\n')); s++) {
+        if (quoted && *s == '"' && s[1] != '"')
+            break;
+        s += quoted && *s == '"';
+        assert_true(quoted || *s != '"');
+        assert_true(used + 1 < size);
+        cell[used++] = *s;
+    }
+    s += quoted;
+    cell[used] = '\0';
+    assert_true(*s == ',' || *s == '\n' || *s == '\0');
+    *at = s + (*s != '\0');
+    return *s;
+}
+
+/* No cell is one that a spreadsheet would calculate; of a table, every row has as many as the first. */
+static void assert_csv(const char *text, const char *where, bool table)
+{
+    size_t columns = 0, cells = 0, rows = 0;
+    char cell[8192];
+    while (*text) {
+        char end = next_cell(&text, cell, sizeof cell), *rest;
+        cells++;
+        (void)strtod(cell, &rest);
+        if (strchr("=+-@\t\r", cell[0]) && cell[0] && *rest)
+            fail_msg("%s: cell '%s' is a formula", where, cell);
+        if (end == ',')
+            continue;
+        columns = rows == 0 ? cells : columns;
+        if (table && cells != columns)
+            fail_msg("%s: row %zu has %zu cells, not %zu", where, rows + 1, cells, columns);
+        rows++;
+        cells = 0;
+    }
+    assert_true(rows > 0);
+}
+
+static bool ends_with(const char *string, const char *end)
+{
+    size_t length = strlen(string), after = strlen(end);
+    return length >= after && strcmp(string + length - after, end) == 0;
+}
+
+/* Every file below `path`; returns how many SVG there are. */
+static size_t assert_files(const char *place, const char *path)
+{
+    char full[1024];
+    struct dirent *entry;
+    size_t drawings = 0;
+    snprintf(full, sizeof full, "%s/%s", place, path);
+    DIR *directory = opendir(full);
+    assert_non_null(directory);
+    while ((entry = readdir(directory))) {
+        char name[512];
+        struct stat info;
+        if (entry->d_name[0] == '.')
+            continue;
+        assert_true(strlen(path) + strlen(entry->d_name) + 2 < sizeof name);
+        strcpy(stpcpy(stpcpy(name, path), "/"), entry->d_name);
+        snprintf(full, sizeof full, "%s/%s", place, name);
+        assert_int_equal(lstat(full, &info), 0);
+        if (S_ISDIR(info.st_mode)) {
+            drawings += assert_files(place, name);
+            continue;
+        }
+        if (ends_with(name, ".png"))
+            continue;
+        char *text = workspace_read(place, name);
+        size_t length = strlen(text);
+        assert_int_equal(length, info.st_size); /* no NUL */
+        assert_bytes(text, length, name, !ends_with(name, ".csv") && !ends_with(name, ".json"));
+        if (ends_with(name, ".svg")) {
+            assert_xml(text, length, name);
+            drawings++;
+        }
+        if (ends_with(name, ".csv"))
+            assert_csv(text, name, strstr(name, "/data/"));
+        free(text);
+    }
+    closedir(directory);
+    return drawings;
+}
+
+static void write_scans(const char *place)
+{
+    for (unsigned i = 0; i < NAMES; i++) {
+        char path[128];
+        snprintf(path, sizeof path, "d/%s.csv", names[i].name);
+        workspace_scan(place, path, 100, i + 1);
+    }
+}
+
+static void assert_process(struct process process, const char *what)
+{
+    char where[64];
+    snprintf(where, sizeof where, "stdout of %s", what);
+    assert_bytes(process.out, process.out_length, where, false);
+    snprintf(where, sizeof where, "stderr of %s", what);
+    assert_bytes(process.err, strlen(process.err), where, false);
+    process_free(&process);
+}
+
+static void test_report(void **state)
+{
+    const char *place = *state;
+    write_scans(place);
+    workspace_write(
+        place, "d/scene.yaml",
+        "title: \"a \\u202E b ]]> \\u009b\"\nmaterial: {name: \"=x\\u200b\", E: 40 GPa, nu: 0.3, Sy: 14 MPa}\n"
+        "effects: [plasticity, separation, uncertainty]\n");
+    assert_process(expect_exit(place, 0, "report", "d", "--show"), "report");
+    assert_true(assert_files(place, "out/d") > 5);
+
+    /* every name once in the tables, as written above, and the same in results.json */
+    char *csv = workspace_read(place, "out/d/data/surfaces.csv"), *text = workspace_read(place, "out/d/results.json");
+    json_t *json = json_loads(text, 0, NULL), *surfaces = json_object_get(json, "surfaces");
+    assert_int_equal(json_array_size(surfaces), NAMES);
+    size_t found[NAMES] = {0}, in_json[NAMES] = {0}, rows = 0;
+    const char *at = csv;
+    char cell[512];
+    for (char end = ','; *at; rows++, end = ',') {
+        for (size_t column = 0; end == ','; column++) {
+            end = next_cell(&at, cell, sizeof cell);
+            for (size_t i = 0; i < NAMES && column == 0; i++)
+                found[i] += strcmp(cell, names[i].cell) == 0;
+        }
+    }
+    assert_int_equal(rows, NAMES + 1);
+    for (size_t k = 0; k < NAMES; k++) {
+        const char *name = json_string_value(json_object_get(json_array_get(surfaces, k), "surface"));
+        assert_non_null(name);
+        for (size_t i = 0; i < NAMES; i++) {
+            bool guarded = names[i].cell[0] == '\'';
+            in_json[i] += strcmp(name, names[i].cell + guarded) == 0;
+        }
+    }
+    for (size_t i = 0; i < NAMES; i++)
+        if (found[i] != 1 || in_json[i] != 1)
+            fail_msg("'%s': %zu times in surfaces.csv, %zu in results.json", names[i].cell, found[i], in_json[i]);
+    json_decref(json);
+    free(text);
+    free(csv);
+
+    char *html = workspace_read(place, "out/d/report.html");
+    expect_part(html, "red\\x1b[31m");
+    expect_part(html, "gnp.\\u202efdp");
+    free(html);
+}
+
+static void test_commands(void **state)
+{
+    const char *place = *state;
+    write_scans(place);
+    workspace_write(place, "d/notes \x1b\u202E.md", "text\n");
+    workspace_write(place, "bad \x1b\xFF\u202E.csv", "x [um],z [um]\n0,1\n1,2\n2,\xC2\x9B\u202E\x07\n");
+    workspace_write(place, "unit.csv", "x [\u202E],z [\x1b]\n0,1\n1,2\n2,3\n3,1\n");
+    assert_process(expect_exit(place, 0, "plan", "d"), "plan");
+    assert_process(expect_exit(place, 0, "inspect", "d", "--chart"), "inspect --chart");
+    assert_process(expect_exit(place, 0, "inspect", "d", "--json"), "inspect --json");
+    assert_process(expect_exit(place, 4, "inspect", "bad \x1b\xFF\u202E.csv", "unit.csv", "no \x9B\u202E"), "inspect");
+    assert_process(expect_exit(place, 4, "inspect", "--json", "bad \x1b\xFF\u202E.csv", "unit.csv"), "inspect --json");
+    static const char *const scenes[] = {"\"\\u202E\\u009b\": 1\n",
+                                         "material: \"\\u202E\\u009b\"\n",
+                                         "baseline: \"\\u202E\\u009b\"\n",
+                                         "load: {values: [\"1 \\u202E\\u009b\"]}\n",
+                                         "effects: [\"\\u202E\\u009b\"]\n",
+                                         "surfaces: [{file: \"\\u202E\\u009b\"}]\n",
+                                         "\xC2\x9B: [\n",
+                                         "a: \xFF\n"};
+    for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
+        workspace_write(place, "d/scene.yaml", scenes[i]);
+        assert_process(expect_exit(place, 3, "plan", "d"), scenes[i]);
+    }
+    workspace_write(place, "d/scene.yaml", "title: x\n");
+    assert_process(expect_exit(place, 2, "plan", "d", "-e", "\x1b\u202E\xFF"), "plan -e");
+    assert_process(expect_exit(place, 2, "plan", "d", "-m", "\x1b\u202E\xFF"), "plan -m");
+}
+
+/* Of two surfaces every legend names both; gnuplot writes what it is given. */
+static void test_legends(void **state)
+{
+    const char *place = *state;
+    workspace_scan(place, "d/]]>.csv", 100, 1);
+    workspace_scan(place, "d/=]]>\x1b\u202E&<.csv", 100, 2);
+    assert_process(expect_exit(place, 0, "report", "d", "--no-cost", "-m", "tin", "-e", "plasticity"), "report");
+    assert_true(assert_files(place, "out/d") > 5);
+    char *svg = workspace_read(place, "out/d/figures/power-law.svg");
+    expect_part(svg, "]]\u203A");
+    expect_part(svg, "\\x1b\\u202e&amp;&lt;");
+    free(svg);
+}
+
+/* A surface whose material says too little is named where an effect is left out. */
+static void test_reasons(void **state)
+{
+    const char *place = *state;
+    workspace_scan(place, "d/a.csv", 100, 1);
+    workspace_scan(place, "d/b.csv", 100, 2);
+    workspace_write(place, "d/scene.yaml",
+                    "material: tin\n"
+                    "surfaces:\n"
+                    "  - {name: \"lack|<b>\\u202E\", file: a.csv, material: {E: 40 GPa, nu: 0.3}}\n"
+                    "  - {name: two, file: b.csv}\n");
+    struct process process = expect_exit(place, 0, "plan", "d");
+    expect_part(process.out, "of surface 'lack|<b>\\u202e' has no");
+    assert_process(process, "plan");
+    assert_process(expect_exit(place, 0, "report", "d", "--no-cost"), "report");
+    (void)assert_files(place, "out/d");
+    char *markdown = workspace_read(place, "out/d/report.md"), *json = workspace_read(place, "out/d/results.json");
+    expect_part(markdown, "of surface 'lack\\|&#60;b&#62;\\\\u202e' has no");
+    expect_part(json, "of surface 'lack|<b>\\\\u202e' has no");
+    free(markdown);
+    free(json);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {workspace_test(test_report), workspace_test(test_commands),
+                                       workspace_test(test_legends), workspace_test(test_reasons)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,72 @@
+#include "fuzz/fuzz.h"
+
+#include "scan/sidecar.h"
+#include "scene/measured_file.h"
+#include "scene/scene.h"
+#include <math.h>
+
+static const char kinds[] = "ETJM";
+static size_t runs[sizeof kinds], taken[sizeof kinds];
+
+void fuzz_measured_counts(void)
+{
+    static const char *const names[] = {"ECR", "TCR", "sidecar", "material"};
+    for (size_t i = 0; i < sizeof kinds - 1; i++)
+        fprintf(stderr, "runs of %-8s %9zu, good ones %9zu\n", names[i], runs[i], taken[i]);
+}
+
+static bool measured(const struct text *text, enum scene_measured_quantity quantity)
+{
+    const unsigned resistances = scene_measured_resistances[quantity];
+    const unsigned quantities[MEASURED_COLUMNS] = {UNIT_LOADS, resistances, resistances | UNIT_NUMBER | UNIT_PERCENT};
+    struct measured_file file;
+    struct status status = {0};
+    enum status_code code = measured_file_read(&file, string_view_of(text_string(text)), "file", quantities, &status);
+    for (size_t i = 0; code == STATUS_OK && i < file.count; i++) {
+        const double *value = file.rows[i].value;
+        FUZZ_REQUIRE(value[MEASURED_LOAD] > 0 && isfinite(value[MEASURED_LOAD]));
+        FUZZ_REQUIRE(value[MEASURED_RESISTANCE] > 0 && isfinite(value[MEASURED_RESISTANCE]));
+        FUZZ_REQUIRE(!isinf(value[MEASURED_ERROR]));
+    }
+    if (code == STATUS_OK)
+        FUZZ_REQUIRE(file.count > 0);
+    else
+        FUZZ_REQUIRE(code == STATUS_SCENE && *status.message && !strchr(status.message, '\n'));
+    measured_file_free(&file);
+    return code == STATUS_OK;
+}
+
+/* The text is a flow mapping, or lines that are indented. */
+static bool material(const struct text *text)
+{
+    struct scene scene;
+    struct status status = {0};
+    struct text whole = {0};
+    text_add(&whole, "material: ");
+    text_add_bytes(&whole, text_string(text), text->length);
+    enum status_code code = scene_read_text(&scene, TEST_DATA "/scene/full", &whole, NULL, &status);
+    if (code == STATUS_OK) {
+        struct material_pair pair = scene_pair(&scene.bodies);
+        FUZZ_REQUIRE(pair.unknown || (pair.effective_modulus_Pa > 0 && isfinite(pair.effective_modulus_Pa)));
+    } else
+        FUZZ_REQUIRE(code == STATUS_SCENE && *status.message && !strchr(status.message, '\n'));
+    scene_free(&scene);
+    text_free(&whole);
+    return code == STATUS_OK;
+}
+
+void fuzz_measured(const uint8_t *bytes, size_t length)
+{
+    const char *kind = length > 0 && *bytes ? strchr(kinds, *bytes) : NULL;
+    struct text text = {0};
+    struct sidecar sidecar;
+    if (!kind)
+        return;
+    text_add_bytes(&text, (const char *)bytes + 1, length - 1);
+    bool good = *kind == 'J'   ? sidecar_read_text(&sidecar, &text, "file.json")
+                : *kind == 'M' ? material(&text)
+                               : measured(&text, *kind == 'E' ? SCENE_MEASURED_ECR : SCENE_MEASURED_TCR);
+    runs[kind - kinds]++;
+    taken[kind - kinds] += good;
+    text_free(&text);
+}

@@ -1,0 +1,49 @@
+#include "fuzz/fuzz.h"
+
+#include "scene/scene.h"
+#include <math.h>
+
+static size_t runs, scenes;
+
+void fuzz_scene_counts(void)
+{
+    fprintf(stderr, "runs of scenes %zu, good ones %zu\n", runs, scenes);
+}
+
+static void require_sound(const struct scene *scene)
+{
+    FUZZ_REQUIRE(scene->surface_count > 0 && scene->title && scene->directory);
+    for (size_t i = 0; i < scene->surface_count; i++) {
+        const struct scene_surface *surface = &scene->surfaces[i];
+        struct status status = {0};
+        struct material_pair pair = scene_pair(&surface->bodies);
+        double *loads;
+        size_t count, operating;
+        FUZZ_REQUIRE(surface->name && surface->file_count > 0);
+        for (size_t other = 0; other < i; other++)
+            FUZZ_REQUIRE(strcmp(surface->name, scene->surfaces[other].name) != 0);
+        FUZZ_REQUIRE(pair.unknown || (pair.effective_modulus_Pa > 0 && isfinite(pair.effective_modulus_Pa)));
+        FUZZ_REQUIRE(scene_loads(&loads, &count, &operating, scene, &pair, &status) == STATUS_OK);
+        FUZZ_REQUIRE(count > 0 && operating < count);
+        for (size_t k = 0; k < count; k++)
+            FUZZ_REQUIRE(isfinite(loads[k]) && loads[k] > (k > 0 ? loads[k - 1] : 0));
+        free(loads);
+    }
+}
+
+void fuzz_scene(const uint8_t *bytes, size_t length)
+{
+    struct scene scene;
+    struct status status = {0};
+    struct text text = {0};
+    text_add_bytes(&text, (const char *)bytes, length);
+    enum status_code code = scene_read_text(&scene, TEST_DATA "/scene/full", &text, NULL, &status);
+    if (code == STATUS_OK)
+        require_sound(&scene);
+    else
+        FUZZ_REQUIRE(code == STATUS_SCENE && *status.message && !strchr(status.message, '\n'));
+    runs++;
+    scenes += code == STATUS_OK;
+    scene_free(&scene);
+    text_free(&text);
+}
