@@ -215,7 +215,6 @@ enum status_code prepare(struct prepared *out, const struct scene *scene, const 
     if (prepare_begin(out, scene, directory, status) != STATUS_OK ||
         workers_run(&out->results, WORKERS_DESCRIBE, options, status) != STATUS_OK)
         return status->code;
-    size_t load_count = out->results.load_count;
     effect_bounds_heights(&out->plan, scene, out->store.summaries, out->store.count);
     effect_bounds_plan(&out->plan, scene, out->store.summaries, out->store.count);
     if (rank_surfaces(&out->results, status) != STATUS_OK)
