@@ -471,7 +471,7 @@ static void test_no_files(void **state)
         assert_int_equal(mkdir(path, 0777), 0);
         strcat(path, "/d");
     }
-    alarm(120); /* a pipe that is opened would keep everybody waiting */
+    alarm(250); /* a pipe that is opened would keep everybody waiting */
     struct process process = process_expect(RUN(place, "inspect", "--no-chart", "d"), 0, __FILE__, __LINE__);
     expect_part(process.out, "d/a.csv");
     expect_part(process.out, "b.csv");
@@ -500,7 +500,7 @@ static void test_reading_a_pipe(void **state)
     struct status status = {0};
     make_pipe(place, "pipe");
     in_place(path, place, "pipe");
-    alarm(60);
+    alarm(250);
     assert_int_equal(text_read_file(&text, path, &status), STATUS_IO);
     alarm(0);
     expect_part(status.message, "pipe' is no regular file");
