@@ -6,7 +6,6 @@
 #include <pthread.h>
 #include <stdlib.h>
 
-
 static double value(size_t j, size_t n)
 {
     return sin(3.7 * (double)j + (double)n) + (j % 5 == 0 ? 0.5 : 0) + 2;
