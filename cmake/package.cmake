@@ -23,8 +23,8 @@ set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME roughcontact)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
-# besides what the program is linked to: gnuplot draws the charts, and libzip is loaded only when there is a zip to read
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "gnuplot-nox | gnuplot, libzip4")
+# besides what the program is linked to: gnuplot draws the charts
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "gnuplot-nox | gnuplot")
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "contact of measured rough surfaces
 Reads a directory of surface-profilometer scans and tells what those
 surfaces do when pressed together: real contact area, separation,
@@ -33,7 +33,6 @@ side by side, in a report with charts.")
 
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libroughcontact0)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS libzip4)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${package_doc}/triggers)
 file(WRITE ${package_doc}/triggers "activate-noawait ldconfig\n")
 set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "contact of measured rough surfaces, as a library

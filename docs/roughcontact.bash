@@ -49,7 +49,7 @@ _roughcontact()
         *) kind=directories words='' argument=1 ;;
         esac ;;
     inspect)
-        options='--json --no-chart --chart --x-unit= --z-unit= --quantity= --column= --level= --lambda-s= --lambda-c= --fit= --help -h --usage'
+        options='--json --no-chart --chart --x-unit= --z-unit= --quantity= --column= --level= --lambda-s= --lambda-c= --fit= --limits --help -h --usage'
         case $previous in
         --x-unit) kind=words words='m mm um nm angstrom in uin mil' ;;
         --z-unit) kind=words words='m mm um nm angstrom in uin mil' ;;

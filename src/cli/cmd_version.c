@@ -20,18 +20,16 @@ static const struct {
     const char *name;
     const char *symbol;
     enum library_version how;
-    const char *file; /* of one that is loaded only when it is needed; NULL: it is there from the start */
 } libraries[] = {
-    {"FFTW", "fftw_version", LIBRARY_ARRAY, NULL},
-    {"GSL", "gsl_version", LIBRARY_POINTER, NULL},
-    {"libyaml", "yaml_get_version_string", LIBRARY_FUNCTION, NULL},
-    {"jansson", "jansson_version_str", LIBRARY_FUNCTION, NULL},
-    {"libzip", "zip_libzip_version", LIBRARY_FUNCTION, "libzip.so.4"},
-    {"expat", "XML_ExpatVersion", LIBRARY_FUNCTION, "libexpat.so.1"},
-    {"zlib", "zlibVersion", LIBRARY_FUNCTION, NULL},
-    {"md4c", "md_parse", LIBRARY_FILE, NULL},
-    {"libmd", "SHA256Init", LIBRARY_FILE, NULL},
-    {"glibc", "gnu_get_libc_version", LIBRARY_FUNCTION, NULL},
+    {"FFTW", "fftw_version", LIBRARY_ARRAY},
+    {"GSL", "gsl_version", LIBRARY_POINTER},
+    {"libyaml", "yaml_get_version_string", LIBRARY_FUNCTION},
+    {"jansson", "jansson_version_str", LIBRARY_FUNCTION},
+    {"expat", "XML_ExpatVersion", LIBRARY_FUNCTION},
+    {"zlib", "zlibVersion", LIBRARY_FUNCTION},
+    {"md4c", "md_parse", LIBRARY_FILE},
+    {"libmd", "SHA256Init", LIBRARY_FILE},
+    {"glibc", "gnu_get_libc_version", LIBRARY_FUNCTION},
 };
 
 /** The file's own name behind its links: libmd4c.so.0.4.8. */
@@ -48,9 +46,7 @@ static void add_file(struct text *out, void *address)
 
 static void add_library(struct text *out, size_t i)
 {
-    void *library = RTLD_DEFAULT, *address = dlsym(library, libraries[i].symbol);
-    if (!address && libraries[i].file && (library = dlopen(libraries[i].file, RTLD_LAZY | RTLD_LOCAL)))
-        address = dlsym(library, libraries[i].symbol); /* stays open: the version is a text in it */
+    void *address = dlsym(RTLD_DEFAULT, libraries[i].symbol);
     text_add(out, "%s ", libraries[i].name);
     if (!address) {
         text_add(out, "not found\n");
