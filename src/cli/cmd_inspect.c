@@ -1,3 +1,4 @@
+#include "base/leftover.h"
 #include "chart/gnuplot.h"
 #include "cli/command.h"
 #include "cli/inspection.h"
@@ -190,6 +191,7 @@ static enum status_code draw(const struct inspection *f, struct status *status)
         text_free(&templates);
         return status_fail(status, STATUS_IO, "cannot make a directory like '%s'", directory);
     }
+    size_t number = leftover_add(directory);
     enum status_code rc = write_points(directory, f, false, status);
     if (rc == STATUS_OK)
         rc = write_points(directory, f, true, status);
@@ -212,6 +214,7 @@ static enum status_code draw(const struct inspection *f, struct status *status)
         unlink(path);
     }
     rmdir(directory);
+    leftover_forget(number);
     fputs(text_string(&charts), stdout);
     text_free(&charts);
     text_free(&templates);
@@ -355,5 +358,6 @@ int command_inspect(int argc, char **argv)
     json_decref(outcome.all);
     return command_finish(outcome.refused == 0               ? COMMAND_DONE
                           : outcome.refused == outcome.scans ? COMMAND_NOTHING
-                                                             : COMMAND_REFUSED);
+                                                             : COMMAND_REFUSED,
+                          NULL);
 }

@@ -48,11 +48,11 @@ int command_main(int argc, char **argv)
     const char *name = argc > 1 ? argv[1] : "";
     if (strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0 || strcmp(name, "help") == 0) {
         print_help(stdout);
-        return command_finish(COMMAND_DONE);
+        return command_finish(COMMAND_DONE, NULL);
     }
     if (strcmp(name, "--version") == 0 || strcmp(name, "-V") == 0) {
         printf("roughcontact %s\n", version_string());
-        return command_finish(COMMAND_DONE);
+        return command_finish(COMMAND_DONE, NULL);
     }
     for (int i = 0; i < COMMANDS; i++)
         if (strcmp(name, commands[i].name) == 0) {

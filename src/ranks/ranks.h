@@ -3,6 +3,7 @@
 #define RANKS_H
 
 #include "direct/direct_crew.h"
+#include <stdatomic.h>
 #include <stdbool.h>
 
 struct ranks_options {
@@ -14,9 +15,8 @@ void ranks_begin(int *argc, char ***argv);
 bool ranks_is_first(void);
 /** Of the first rank: the others as a crew; NULL: there are none. */
 const struct direct_crew *ranks_crew(const struct ranks_options *options);
-/** Of the others: solves what the first rank asks for until that calls ranks_end(). SIGINT, SIGTERM and SIGHUP end what
- * is being solved. */
-void ranks_serve(void);
+/** Of the others: solves what the first rank asks for until that calls ranks_end(). *stop ends what is being solved. */
+void ranks_serve(const atomic_bool *stop);
 /** Of the first rank: lets the others go, and ends MPI on all. May be registered with atexit(). */
 void ranks_end(void);
 

@@ -631,7 +631,7 @@ static void test_no_descriptor_is_left_open(void **state)
     /* and a process started meanwhile by others does not hold the pipe open */
     status = (struct status){0};
     assert_int_equal(gnuplot_start(&gnuplot, "/", &status), STATUS_OK);
-    assert_true(fcntl(fileno(gnuplot.commands), F_GETFD) & FD_CLOEXEC);
+    assert_true(fcntl(gnuplot.input, F_GETFD) & FD_CLOEXEC);
     assert_true(fcntl(fileno(gnuplot.complaints), F_GETFD) & FD_CLOEXEC);
     assert_int_equal(gnuplot_finish(&gnuplot, &status), STATUS_OK);
 }

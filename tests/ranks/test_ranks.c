@@ -122,7 +122,7 @@ static void heights(void **state)
 static void errors_and_stop(void **state)
 {
     (void)state;
-    static const volatile sig_atomic_t stop = 1;
+    static const atomic_bool stop = true;
     struct direct_spectrum spectrum = spectrum_of_law();
     double equal[2] = {1, 1};
     struct direct_ensemble_def def = {.ladder = {loads, LOADS, INFINITY, 1e-6, true, &stop},
