@@ -121,7 +121,8 @@ _Noreturn static void become(const struct child *child)
     _exit(127);
 }
 
-/* vfork(): posix_spawn() can do all of this but bind the child's life to ours; fork() copies the tables of all memory. */
+/* vfork(): posix_spawn() can do all of this but bind the child's life to ours; fork() copies the tables of all memory.
+ */
 __attribute__((noinline)) static pid_t divide(const struct child *child)
 {
     pid_t process = vfork();

@@ -65,7 +65,7 @@ int command_finish(int exit_status, const char *written)
     if (fflush(stdout) == 0 && !ferror(stdout))
         return exit_status;
     struct text message = {0};
-    text_add(&message, "cannot write to standard output: %s", strerror(errno));
+    text_add(&message, "cannot write to standard output: %s", status_reason(errno));
     if (written)
         text_add(&message, "; the report is written, in '%s'", written);
     command_complain("", text_string(&message));

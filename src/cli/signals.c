@@ -43,7 +43,8 @@ static void tell(const char *note)
     struct pollfd err = {.fd = STDERR_FILENO, .events = POLLOUT};
     if (!signals_first_word() || poll(&err, 1, 0) <= 0)
         return;
-    text_add(&line, "%sroughcontact: stopped by a signal%s", isatty(STDERR_FILENO) ? "\r\033[K" : "", *note ? "; " : "");
+    text_add(&line, "%sroughcontact: stopped by a signal%s", isatty(STDERR_FILENO) ? "\r\033[K" : "",
+             *note ? "; " : "");
     text_add_shown(&line, note);
     text_add(&line, "\n");
     (void)!write(STDERR_FILENO, text_string(&line), line.length);

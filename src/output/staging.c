@@ -143,7 +143,8 @@ void staging_remove(struct staging *staging, bool whole)
     staging_leave(staging);
 }
 
-/** The report before, the new one, and where an entry of the former is looked at, where nobody replaces it meanwhile. */
+/** The report before, the new one, and where an entry of the former is looked at, where nobody replaces it meanwhile.
+ */
 struct clearing {
     int old, new, aside;
     const struct text *manifest;
@@ -166,16 +167,28 @@ static bool clear_aside(const struct clearing *c, const char *name)
     return false;
 }
 
-/** Clears all entries of the report before; `aside` first, of a run that was killed. False: one is stuck. */
+/** Clears all entries of the report before, its manifest last: killed halfway, the next run still has it. `aside`:
+ * those that a killed run was looking at. False: one is stuck. */
 static bool clear_entries(const struct clearing *c, const char *path, bool aside, struct status *status)
 {
     struct manifest_entries entries;
     bool ok = manifest_entries(&entries, path, status) == STATUS_OK;
-    for (size_t i = 0; i < entries.count && ok; i++)
-        if (aside || renameat(c->old, entries.names[i], c->aside, entries.names[i]) == 0)
-            ok = clear_aside(c, entries.names[i]);
+    for (size_t i = 0; i < 2 * entries.count && ok; i++) {
+        const char *name = entries.names[i % entries.count];
+        if ((strcmp(name, MANIFEST_NAME) == 0) == (i >= entries.count) &&
+            (aside || renameat(c->old, name, c->aside, name) == 0))
+            ok = clear_aside(c, name);
+    }
     manifest_entries_free(&entries);
     return ok;
+}
+
+/** The manifest of the report before, which may itself be aside. */
+static bool read_manifest(struct text *out, const char *path, const char *aside)
+{
+    struct status status = {0};
+    return manifest_read(out, path, &status) == STATUS_OK &&
+           (out->length > 0 || manifest_read(out, aside, &status) == STATUS_OK);
 }
 
 bool staging_clear_before(const char *staging, const char *part, const char *target)
@@ -193,7 +206,7 @@ bool staging_clear_before(const char *staging, const char *part, const char *tar
     struct clearing c = {open_directory(AT_FDCWD, path), open_directory(AT_FDCWD, target),
                          open_directory(AT_FDCWD, aside), &manifest};
     bool gone = false;
-    if (c.old >= 0 && c.aside >= 0 && manifest_read(&manifest, path, &status) == STATUS_OK) {
+    if (c.old >= 0 && c.aside >= 0 && read_manifest(&manifest, path, aside)) {
         bool free = clear_entries(&c, aside, true, &status);
         for (int pass = 0; pass < PASSES && !gone && free; pass++) {
             free = clear_entries(&c, path, false, &status);
