@@ -26,7 +26,9 @@ static void print_help(FILE *stream)
     for (int i = 0; i < COMMANDS; i++)
         fprintf(stream, "  roughcontact %-9s %-13s %s\n", commands[i].name, commands[i].arguments, commands[i].summary);
     fputs("\nEvery command has --help. Exit status: 0 done; 1 report written but some scan was refused; 2 usage;\n"
-          "3 scene invalid; 4 nothing could be reported.\n",
+          "3 scene invalid; 4 nothing could be reported, or not on standard output; 5 report --check: a limit is "
+          "missed;\n"
+          "128 + its number: ended by a signal.\n",
           stream);
 }
 

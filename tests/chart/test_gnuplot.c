@@ -591,7 +591,7 @@ static void test_a_gnuplot_that_hangs_is_ended(void **state)
 {
     const struct place *place = *state;
     char path[1024], *before = strdup(getenv("PATH"));
-    write_file(place, "gnuplot", "#!/bin/sh\ntrap '' INT TERM HUP\nsleep 1000\n");
+    write_file(place, "gnuplot", "#!/bin/sh\ntrap '' INT TERM HUP\n/bin/sleep 1000\n");
     snprintf(path, sizeof path, "%s/gnuplot", place->directory);
     assert_int_equal(chmod(path, 0755), 0);
     for (int asked = 0; asked < 2; asked++) {
