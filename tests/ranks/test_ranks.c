@@ -161,7 +161,7 @@ int main(int argc, char **argv)
     const struct ranks_options each = {1}, all = {0};
     ranks_begin(&argc, &argv);
     if (!ranks_is_first()) {
-        ranks_serve();
+        ranks_serve(NULL);
         return 0;
     }
     crew = ranks_crew(&all);
