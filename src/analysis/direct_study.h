@@ -10,7 +10,7 @@
 #include "analysis/direct_plan.h"
 #include "analysis/surface.h"
 #include "direct/direct_ensemble.h"
-#include <signal.h>
+#include <stdatomic.h>
 
 /** Direct solutions of one kind. */
 enum direct_study_kind {
@@ -71,7 +71,7 @@ struct direct_study_task {
     const struct plan *plan;
     unsigned threads;               /* 0: one a processor; the result does not depend on it */
     const struct direct_crew *crew; /* who solves the contacts; NULL: this process */
-    const volatile sig_atomic_t *stop;
+    const atomic_bool *stop;
     bool efforts; /* also at less expense, to tell what accuracy costs */
 };
 

@@ -1,5 +1,6 @@
 #include "base/status.h"
 
+#include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -32,6 +33,11 @@ enum status_code status_prefix(struct status *status, const char *format, ...)
     if (used < sizeof status->message)
         status->message[used] = '\0';
     return status->code;
+}
+
+const char *status_reason(int error)
+{
+    return error == EFBIG ? "the file is larger than 'ulimit -f' allows" : strerror(error);
 }
 
 enum status_code status_memory(struct status *status)

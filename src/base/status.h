@@ -38,6 +38,9 @@ enum status_code status_fail(struct status *status, enum status_code code, const
 /** Puts "`prefix`: " before the stored message (say, the file's name) and returns its code. */
 enum status_code status_prefix(struct status *status, const char *format, ...) PRINTF_LIKE(2, 3);
 
+/** What errno says; of a file that the limits do not allow, which limit. */
+const char *status_reason(int error);
+
 /** Shorthand for an allocation that failed. */
 enum status_code status_memory(struct status *status);
 

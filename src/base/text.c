@@ -311,7 +311,7 @@ enum status_code text_write_file(const char *path, const char *bytes, size_t len
 {
     FILE *file = fopen(path, "wb");
     if (!file)
-        return status_fail(status, STATUS_IO, "cannot write '%s': %s", path, strerror(errno));
+        return status_fail(status, STATUS_IO, "cannot write '%s': %s", path, status_reason(errno));
     size_t written = fwrite(bytes, 1, length, file);
     int reason = errno;
     if (fclose(file) != 0 || written != length)

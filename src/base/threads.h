@@ -3,14 +3,14 @@
 #define BASE_THREADS_H
 
 #include "base/status.h"
-#include <signal.h>
+#include <stdatomic.h>
 #include <stdbool.h>
 #include <stddef.h>
 
 /** How many threads, and what ends them. */
 struct threads {
-    unsigned jobs;                     /* 0: one a processor */
-    const volatile sig_atomic_t *stop; /* becomes non-zero when the work is to end early; NULL: never */
+    unsigned jobs;           /* 0: one a processor */
+    const atomic_bool *stop; /* becomes true when the work is to end early; NULL: never */
 };
 
 /** The place of a task in the order of all. */

@@ -1,10 +1,10 @@
 #include "chart/gnuplot.h"
+#include "base/clock.h"
 #include "base/program.h"
 
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
-#include <spawn.h>
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stdlib.h>
@@ -17,12 +17,7 @@
 
 extern char **environ;
 
-static double monotonic_seconds(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
+const double gnuplot_most_seconds = 120;
 
 static enum status_code gnuplot_need(char *program, size_t size, struct status *status)
 {
@@ -73,65 +68,42 @@ static int gnuplot_spawn(pid_t *process, const char *program, const char *direct
         return ENOMEM;
     char name[] = "gnuplot", defaults[] = "-d";
     char *const arguments[] = {name, defaults, NULL};
-    posix_spawn_file_actions_t actions;
-    posix_spawnattr_t attributes;
-    sigset_t none, usual;
-    sigemptyset(&none);
-    sigemptyset(&usual);
-    sigaddset(&usual, SIGPIPE);
-
-    posix_spawn_file_actions_init(&actions);
-    posix_spawnattr_init(&attributes);
-    int error = posix_spawn_file_actions_addchdir_np(&actions, directory);
-    if (!error)
-        error = posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
-    if (!error)
-        error = posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
-    if (!error)
-        error = posix_spawn_file_actions_adddup2(&actions, output, STDERR_FILENO);
-    if (!error)
-        error = posix_spawnattr_setsigmask(&attributes, &none);
-    if (!error)
-        error = posix_spawnattr_setsigdefault(&attributes, &usual);
-    if (!error)
-        error = posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
-    if (!error)
-        error = posix_spawn(process, program, &actions, &attributes, arguments, environment);
-    posix_spawnattr_destroy(&attributes);
-    posix_spawn_file_actions_destroy(&actions);
+    int error =
+        program_start(process, &(struct program_task){arguments, program, directory, environment, input, output});
     free(environment);
     return error;
 }
 
 enum status_code gnuplot_start(struct gnuplot *out, const char *directory, struct status *status)
 {
-    *out = (struct gnuplot){0};
+    *out = (struct gnuplot){.input = -1, .most_seconds = gnuplot_most_seconds};
     char program[4096];
     enum status_code code = gnuplot_need(program, sizeof program, status);
     if (code)
         return code;
     int ends[2] = {-1, -1};
     int log = memfd_create("gnuplot", MFD_CLOEXEC);
-    int error = log < 0 || pipe2(ends, O_CLOEXEC) != 0 ? errno : 0;
+    int error = log < 0 || pipe2(ends, O_CLOEXEC) != 0 || fcntl(ends[1], F_SETFL, O_NONBLOCK) != 0 ||
+                        !(out->complaints = fdopen(log, "r"))
+                    ? errno
+                    : 0;
     if (!error)
         error = gnuplot_spawn(&out->process, program, directory, ends[0], log);
     if (ends[0] >= 0)
         close(ends[0]);
-    if (!error && (!(out->commands = fdopen(ends[1], "w")) || !(out->complaints = fdopen(log, "r"))))
-        error = errno;
+    out->input = ends[1];
     if (!error)
         return STATUS_OK;
 
-    if (out->commands)
-        fclose(out->commands);
-    else if (ends[1] >= 0)
+    if (ends[1] >= 0)
         close(ends[1]);
-    if (log >= 0)
+    if (out->complaints)
+        fclose(out->complaints);
+    else if (log >= 0)
         close(log);
-    if (out->process > 0)
-        while (waitpid(out->process, NULL, 0) < 0 && errno == EINTR)
-            ;
-    *out = (struct gnuplot){0};
+    *out = (struct gnuplot){.input = -1};
+    if (error == ECANCELED)
+        return status_fail(status, STATUS_INTERRUPTED, "gnuplot was stopped by a signal");
     return status_fail(status, STATUS_IO, "cannot start gnuplot in '%s': %s", directory, strerror(error));
 }
 
@@ -164,18 +136,43 @@ static void pipe_guard_end(const struct pipe_guard *guard)
     pthread_sigmask(SIG_SETMASK, &guard->before, NULL);
 }
 
+/* Writes what the pipe takes now. False when there is nobody to read it. */
+static bool gnuplot_push(struct gnuplot *gnuplot)
+{
+    struct pipe_guard guard;
+    bool alive = true;
+    pipe_guard_begin(&guard);
+    while (alive && gnuplot->sent < gnuplot->unsent.length) {
+        ssize_t written =
+            write(gnuplot->input, gnuplot->unsent.data + gnuplot->sent, gnuplot->unsent.length - gnuplot->sent);
+        if (written < 0 && errno == EAGAIN)
+            break;
+        if (written >= 0)
+            gnuplot->sent += (size_t)written;
+        else
+            alive = errno == EINTR;
+    }
+    pipe_guard_end(&guard);
+    return alive;
+}
+
 void gnuplot_send(struct gnuplot *gnuplot, const char *format, ...)
 {
     if (gnuplot->seconds == 0.0)
-        gnuplot->seconds = monotonic_seconds(); /* the moment of the first command, until gnuplot_finish() */
-    struct pipe_guard guard;
-    pipe_guard_begin(&guard);
+        gnuplot->seconds = clock_seconds(); /* the moment of the first command, until gnuplot_finish() */
+    char *line;
     va_list args;
     va_start(args, format);
-    vfprintf(gnuplot->commands, format, args);
+    int length = vasprintf(&line, format, args);
     va_end(args);
-    fputc('\n', gnuplot->commands);
-    pipe_guard_end(&guard);
+    if (length < 0) {
+        gnuplot->unsent.failed = true;
+        return;
+    }
+    text_add_bytes(&gnuplot->unsent, line, (size_t)length);
+    text_add_bytes(&gnuplot->unsent, "\n", 1);
+    free(line);
+    (void)gnuplot_push(gnuplot); /* gnuplot_finish() looks whether all was read */
 }
 
 /* gnuplot repeats the offending command with a caret below before it says what is wrong ("file" line 3: ...); that line
@@ -206,24 +203,48 @@ static void gnuplot_first_complaint(char *out, size_t size, FILE *complaints)
             *c = '?';
 }
 
+/* Sends the rest and waits for the end. */
+static enum program_state gnuplot_wait(struct gnuplot *gnuplot, bool *lost)
+{
+    double until = clock_seconds() + gnuplot->most_seconds;
+    enum program_state state = PROGRAM_RUNS;
+    *lost = !gnuplot_push(gnuplot);
+    while (state == PROGRAM_RUNS && !*lost && gnuplot->sent < gnuplot->unsent.length) {
+        state = program_wait(gnuplot->process, until, gnuplot->input);
+        if (state == PROGRAM_RUNS)
+            *lost = !gnuplot_push(gnuplot);
+    }
+    *lost |= gnuplot->sent < gnuplot->unsent.length;
+    close(gnuplot->input);
+    return state == PROGRAM_RUNS ? program_wait(gnuplot->process, until, -1) : state;
+}
+
 enum status_code gnuplot_finish(struct gnuplot *gnuplot, struct status *status)
 {
-    struct pipe_guard guard;
-    pipe_guard_begin(&guard);
-    bool lost = ferror(gnuplot->commands) != 0;
-    lost |= fclose(gnuplot->commands) != 0;
-    pipe_guard_end(&guard);
-    int end = 0;
-    while (waitpid(gnuplot->process, &end, 0) < 0 && errno == EINTR)
-        ;
-    double seconds = gnuplot->seconds > 0.0 ? monotonic_seconds() - gnuplot->seconds : 0.0;
+    bool lost, whole = !gnuplot->unsent.failed;
+    double most = gnuplot->most_seconds;
+    enum program_state state = gnuplot_wait(gnuplot, &lost);
+    int end = program_end(gnuplot->process);
+    double seconds = gnuplot->seconds > 0.0 ? clock_seconds() - gnuplot->seconds : 0.0;
     char complaint[512];
     gnuplot_first_complaint(complaint, sizeof complaint, gnuplot->complaints);
     fclose(gnuplot->complaints);
-    *gnuplot = (struct gnuplot){.seconds = seconds};
+    text_free(&gnuplot->unsent);
+    *gnuplot = (struct gnuplot){.input = -1, .seconds = seconds};
 
+    if (!whole)
+        return status_memory(status);
+    if (state == PROGRAM_STOPPED)
+        return status_fail(status, STATUS_INTERRUPTED, "gnuplot was stopped by a signal");
+    if (state == PROGRAM_LATE)
+        return status_fail(status, STATUS_CHART,
+                           "gnuplot did not end within %g s and was stopped: see whether it runs by itself ('gnuplot "
+                           "-d')",
+                           most);
     if (complaint[0])
         return status_fail(status, STATUS_CHART, "gnuplot: %s", complaint);
+    if (WIFSIGNALED(end) && WTERMSIG(end) == SIGXFSZ)
+        return status_fail(status, STATUS_CHART, "gnuplot may not write a file this large (see 'ulimit -f')");
     if (WIFSIGNALED(end))
         return status_fail(status, STATUS_CHART, "gnuplot was ended by signal %d", WTERMSIG(end));
     if (end != 0)

@@ -65,5 +65,5 @@ int command_help(int argc, char **argv)
         command_list(stdout);
     fputs(text_string(&page), stdout);
     text_free(&page);
-    return command_finish(COMMAND_DONE);
+    return command_finish(COMMAND_DONE, NULL);
 }

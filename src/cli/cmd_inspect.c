@@ -1,3 +1,4 @@
+#include "base/leftover.h"
 #include "base/limits.h"
 #include "chart/gnuplot.h"
 #include "cli/command.h"
@@ -198,6 +199,7 @@ static enum status_code draw(const struct inspection *f, struct status *status)
         text_free(&templates);
         return status_fail(status, STATUS_IO, "cannot make a directory like '%s'", directory);
     }
+    size_t number = leftover_add(directory);
     enum status_code rc = write_points(directory, f, false, status);
     if (rc == STATUS_OK)
         rc = write_points(directory, f, true, status);
@@ -220,6 +222,7 @@ static enum status_code draw(const struct inspection *f, struct status *status)
         unlink(path);
     }
     rmdir(directory);
+    leftover_forget(number);
     fputs(text_string(&charts), stdout);
     text_free(&charts);
     text_free(&templates);
@@ -368,7 +371,7 @@ int command_inspect(int argc, char **argv)
     command_parse(&command_inspect_argp, argc, argv, &arguments);
     if (arguments.limits) {
         print_limits(arguments.json);
-        return command_finish(COMMAND_DONE);
+        return command_finish(COMMAND_DONE, NULL);
     }
     struct outcome outcome = {.all = json_array()};
     for (int i = 0; i < arguments.file_count; i++) {
@@ -388,5 +391,6 @@ int command_inspect(int argc, char **argv)
     json_decref(outcome.all);
     return command_finish(outcome.refused == 0               ? COMMAND_DONE
                           : outcome.refused == outcome.scans ? COMMAND_NOTHING
-                                                             : COMMAND_REFUSED);
+                                                             : COMMAND_REFUSED,
+                          NULL);
 }

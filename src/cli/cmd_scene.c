@@ -1,7 +1,7 @@
 /* The commands on a scene, `report` and `plan`. */
-#include "base/program.h"
 #include "cli/command.h"
 #include "cli/scene_json.h"
+#include "cli/signals.h"
 #include "run/prepare.h"
 #include "run/run.h"
 
@@ -175,15 +175,6 @@ void command_use_crews(const struct direct_crew *contacts, const struct workers_
     surface_crew = surfaces;
 }
 
-static volatile sig_atomic_t stop; /* a signal handler can reach nothing but a global */
-
-static void ask_to_stop(int signal_number)
-{
-    (void)signal_number;
-    stop = 1;
-    program_stop();
-}
-
 static void progress(size_t done, size_t total, const char *name)
 {
     struct text shown = {0};
@@ -221,14 +212,7 @@ static void print_times(const struct run_times *times)
         fprintf(stderr, "%-28s %7.1f MB\n", "largest memory", (double)usage.ru_maxrss / 1024);
 }
 
-static void catch_signals(void)
-{
-    struct sigaction action = {.sa_handler = ask_to_stop,
-                               .sa_flags = (int)SA_RESETHAND}; /* a second one ends at once */
-    static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
-    for (int i = 0; i < 3; i++)
-        sigaction(signals[i], &action, NULL);
-}
+enum { STOP_MS = 300 }; /* for a run that a signal stops to end in order */
 
 /** Prints the message, also as JSON where that is asked for, and returns the exit status. */
 static int fail(const struct arguments *arguments, const struct run_outcome *outcome, const struct status *status)
@@ -239,7 +223,8 @@ static int fail(const struct arguments *arguments, const struct run_outcome *out
     return exit_status;
 }
 
-static int report(struct arguments *arguments, struct scene *scene, struct status *status)
+/** *written: the path of the report, owned; NULL: there is none. */
+static int report(char **written, struct arguments *arguments, struct scene *scene, struct status *status)
 {
     struct text templates = {0};
     struct run_outcome outcome = {0};
@@ -257,9 +242,9 @@ static int report(struct arguments *arguments, struct scene *scene, struct statu
     arguments->run.workers = surface_crew;
     arguments->run.overrides = &arguments->overrides;
     arguments->run.outline = arguments->json;
-    arguments->run.stop = &stop;
+    arguments->run.stop = signals_stop(STOP_MS);
     arguments->run.progress = isatty(STDERR_FILENO) ? progress : NULL;
-    catch_signals();
+    signal(SIGPIPE, SIG_IGN); /* who reads the output may go: the report is still made, and command_finish() says so */
     enum status_code rc = run_report(&outcome, scene, &arguments->run, status);
     if (rc != STATUS_INTERRUPTED)
         fputs(text_string(&outcome.messages), stderr);
@@ -292,6 +277,8 @@ static int report(struct arguments *arguments, struct scene *scene, struct statu
         if (arguments->json)
             scene_json_print_report(&outcome, arguments->directory, exit_status, NULL);
     }
+    *written = outcome.path;
+    outcome.path = NULL;
     run_outcome_free(&outcome);
     text_free(&templates);
     return exit_status;
@@ -312,14 +299,17 @@ static int run(int argc, char **argv, const struct argp *argp, bool direct)
     struct scene scene = {0};
     command_parse(argp, argc, argv, &arguments);
     int exit_status;
+    char *written = NULL;
     if (scene_read(&scene, arguments.directory, &arguments.overrides, &status) != STATUS_OK)
         exit_status = fail(&arguments, NULL, &status);
     else if (arguments.check && scene.limit_count == 0)
         exit_status = fail_no_limits(&arguments, &status);
     else
-        exit_status = report(&arguments, &scene, &status);
+        exit_status = report(&written, &arguments, &scene, &status);
     scene_free(&scene);
-    return command_finish(exit_status);
+    exit_status = command_finish(exit_status, written);
+    free(written);
+    return exit_status;
 }
 
 const struct argp command_direct_argp = {
@@ -413,8 +403,6 @@ int command_plan(int argc, char **argv)
     struct text messages = {0};
     command_parse(&command_plan_argp, argc, argv, &arguments);
     enum status_code rc = scene_read(&scene, arguments.directory, &arguments.overrides, &status);
-    arguments.run.stop = &stop;
-    catch_signals();
     if (rc == STATUS_OK)
         rc = prepare(&prepared, &scene, &arguments.run, NULL, &status);
     size_t refused = prepare_messages(&messages, &scene, &prepared.store);
@@ -430,5 +418,5 @@ int command_plan(int argc, char **argv)
     text_free(&messages);
     prepared_free(&prepared);
     scene_free(&scene);
-    return command_finish(exit_status);
+    return command_finish(exit_status, NULL);
 }

@@ -137,5 +137,5 @@ int command_self_test(int argc, char **argv)
                numbers);
     }
     text_free(&uncovered);
-    return command_finish(right ? COMMAND_DONE : COMMAND_REFUSED);
+    return command_finish(right ? COMMAND_DONE : COMMAND_REFUSED, NULL);
 }

@@ -132,5 +132,5 @@ int command_synth(int argc, char **argv)
     if (rc == STATUS_OK)
         rc = write_scan(&arguments, height_m, &status);
     free(height_m);
-    return command_finish(rc == STATUS_OK ? COMMAND_DONE : command_fail(&status));
+    return command_finish(rc == STATUS_OK ? COMMAND_DONE : command_fail(&status), NULL);
 }

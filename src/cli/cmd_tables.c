@@ -37,7 +37,7 @@ static int print_json(json_t *rows)
         (void)status_memory(&status);
         return command_fail(&status);
     }
-    return command_finish(COMMAND_DONE);
+    return command_finish(COMMAND_DONE, NULL);
 }
 
 static json_t *model_json(const struct model_row *row)
@@ -68,7 +68,7 @@ int command_models(int argc, char **argv)
         printf("%s%s (%s)\n  equations  %s\n  assumes    %s\n  valid      %s\n  source     %s\n", m > 0 ? "\n" : "",
                model_rows[m]->name, model_rows[m]->label, model_rows[m]->equations, model_rows[m]->assumes,
                model_rows[m]->valid, model_rows[m]->source);
-    return command_finish(COMMAND_DONE);
+    return command_finish(COMMAND_DONE, NULL);
 }
 
 enum { NAME_WIDTH = 22 };
@@ -117,5 +117,5 @@ int command_materials(int argc, char **argv)
     printf("\nsources\n");
     for (size_t i = 0; i < material_table_count; i++)
         printf("%-*s %s\n", NAME_WIDTH, material_table[i].name, material_table[i].source);
-    return command_finish(COMMAND_DONE);
+    return command_finish(COMMAND_DONE, NULL);
 }

@@ -1,4 +1,5 @@
 #include "cli/command.h"
+#include "cli/signals.h"
 
 #include <errno.h>
 #include <libgen.h>
@@ -19,7 +20,8 @@ void command_complain(const char *what, const char *message)
 
 int command_fail(const struct status *status)
 {
-    command_complain("", status->message);
+    if (status->code != STATUS_INTERRUPTED || signals_first_word())
+        command_complain("", status->message);
     return status->code == STATUS_USAGE   ? COMMAND_USAGE
            : status->code == STATUS_SCENE ? COMMAND_SCENE
                                           : COMMAND_NOTHING;
@@ -53,7 +55,7 @@ static error_t parse_common(int key, char *value, struct argp_state *state)
     if (key != 'h' && key != KEY_USAGE)
         return ARGP_ERR_UNKNOWN;
     argp_state_help(state, stdout, (key == 'h' ? ARGP_HELP_STD_HELP : ARGP_HELP_USAGE) & ~(unsigned)ARGP_HELP_EXIT_OK);
-    exit(command_finish(COMMAND_DONE));
+    exit(command_finish(COMMAND_DONE, NULL));
 }
 
 const struct argp command_common_argp = {.options = common_options, .parser = parse_common};
@@ -90,11 +92,15 @@ void command_terminal_size(int *columns, int *rows)
     *rows = from_environment("LINES", 30);
 }
 
-int command_finish(int exit_status)
+int command_finish(int exit_status, const char *written)
 {
-    if (fflush(stdout) != 0 || ferror(stdout)) {
-        fprintf(stderr, "roughcontact: cannot write to standard output: %s\n", strerror(errno));
-        return COMMAND_NOTHING;
-    }
-    return exit_status;
+    if (fflush(stdout) == 0 && !ferror(stdout))
+        return exit_status;
+    struct text message = {0};
+    text_add(&message, "cannot write to standard output: %s", status_reason(errno));
+    if (written)
+        text_add(&message, "; the report is written, in '%s'", written);
+    command_complain("", text_string(&message));
+    text_free(&message);
+    return COMMAND_NOTHING;
 }

@@ -15,7 +15,7 @@ enum command_exit {
     COMMAND_REFUSED = 1, /* a report was written, but some scan was refused; self-test: a number is off */
     COMMAND_USAGE = 2,
     COMMAND_SCENE = 3,
-    COMMAND_NOTHING = 4, /* nothing could be reported */
+    COMMAND_NOTHING = 4, /* nothing could be reported, or not on standard output */
     COMMAND_MISSED = 5,  /* report --check: a report was written, but a surface misses a limit */
 };
 
@@ -88,7 +88,8 @@ MUST_CHECK enum status_code command_templates(struct text *out, struct status *s
 /** Columns and rows of the terminal on stdout, else of $COLUMNS and $LINES, else 100 x 30. */
 void command_terminal_size(int *columns, int *rows);
 
-/** Flushes stdout and says whether everything was written. */
-int command_finish(int exit_status);
+/** Flushes stdout. Returns `exit_status`, or says that not all could be printed and, where it was `written`, in which
+ * file the report is. */
+int command_finish(int exit_status, const char *written);
 
 #endif

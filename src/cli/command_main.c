@@ -29,7 +29,7 @@ const char *const command_statuses[] = {
     [COMMAND_REFUSED] = "report written but some scan was refused",
     [COMMAND_USAGE] = "usage",
     [COMMAND_SCENE] = "scene invalid",
-    [COMMAND_NOTHING] = "nothing could be reported",
+    [COMMAND_NOTHING] = "nothing could be reported, or not on standard output",
     [COMMAND_MISSED] = "report --check: a limit is missed",
 };
 const size_t command_status_count = sizeof command_statuses / sizeof command_statuses[0];
@@ -46,7 +46,7 @@ void command_list(FILE *stream)
     for (size_t i = 0; i < command_status_count; i++)
         fprintf(stream, "%s%zu %s%s", i % 3 == 0 ? "\n" : " ", i, command_statuses[i],
                 i + 1 < command_status_count ? ";" : ".\n");
-    fputs("self-test ends with 1 where a number is off.\n", stream);
+    fputs("self-test ends with 1 where a number is off; 128 + its number: ended by a signal.\n", stream);
 }
 
 const struct command_row *command_find(const char *name, struct status *status)
@@ -89,14 +89,14 @@ int command_main(int argc, char **argv)
     }
     if (strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0) {
         command_list(stdout);
-        return command_finish(COMMAND_DONE);
+        return command_finish(COMMAND_DONE, NULL);
     }
     if (strcmp(name, "--version") == 0 || strcmp(name, "-V") == 0) {
         struct text version = {0};
         command_version(&version);
         fputs(text_string(&version), stdout);
         text_free(&version);
-        return command_finish(COMMAND_DONE);
+        return command_finish(COMMAND_DONE, NULL);
     }
     const struct command_row *row = command_find(name, &status);
     return row ? run(row, argc - 1, argv + 1) : command_fail(&status);

@@ -1,6 +1,7 @@
 #include "cli/command.h"
+#include "cli/signals.h"
 
 int main(int argc, char **argv)
 {
-    return command_main(argc, argv);
+    return signals_run(command_main, argc, argv);
 }

@@ -1,5 +1,6 @@
 /* The program over MPI's ranks: the first one is the program, the others solve with it. */
 #include "cli/command.h"
+#include "cli/signals.h"
 #include "ranks/ranks.h"
 
 #include <stdio.h>
@@ -32,13 +33,17 @@ static bool parse(struct ranks_options *out, int *argc, char **argv)
     return true;
 }
 
-int main(int argc, char **argv)
+/** The others wait for the first to end, and go when it does. */
+enum { OTHERS_MS = 5000 };
+
+static int run(int argc, char **argv)
 {
     struct ranks_options options;
     ranks_begin(&argc, &argv);
     if (!ranks_is_first()) {
-        ranks_serve();
-        return COMMAND_DONE;
+        (void)signals_first_word();
+        ranks_serve(signals_stop(OTHERS_MS));
+        exit(COMMAND_DONE);
     }
     if (atexit(ranks_end) != 0) {
         ranks_end();
@@ -51,5 +56,10 @@ int main(int argc, char **argv)
     if (argc > 1 && (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 || strcmp(argv[1], "help") == 0))
         print_help();
     command_use_crews(ranks_crew(&options), ranks_workers());
-    return command_main(argc, argv);
+    exit(signals_status(command_main(argc, argv))); /* which lets the others go first */
+}
+
+int main(int argc, char **argv)
+{
+    return signals_run(run, argc, argv);
 }

@@ -34,7 +34,7 @@ static double dot(const struct direct_kernel *kernel, const double *a, const dou
 
 enum status_code direct_constriction_of_set(double *length_m, struct direct_kernel *kernel, const uint32_t *set,
                                             size_t count, double *const scratch[3], double tolerance,
-                                            const volatile sig_atomic_t *stop, struct direct_contact_effort *effort,
+                                            const atomic_bool *stop, struct direct_contact_effort *effort,
                                             struct status *status)
 {
     const struct direct_team *team = kernel->team;
@@ -99,7 +99,7 @@ enum status_code direct_constriction_of_set(double *length_m, struct direct_kern
 }
 
 enum status_code direct_constriction_of_contact(double *length_m, struct direct_contact *contact, double tolerance,
-                                                const volatile sig_atomic_t *stop, struct direct_contact_effort *effort,
+                                                const atomic_bool *stop, struct direct_contact_effort *effort,
                                                 struct status *status)
 {
     const struct direct_kernel *kernel = &contact->kernel;

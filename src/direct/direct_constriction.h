@@ -19,13 +19,13 @@
  * to *effort. Errors: STATUS_MODEL: no convergence; STATUS_INTERRUPTED when *stop (NULL: never) becomes non-zero. */
 MUST_CHECK enum status_code direct_constriction_of_set(double *length_m, struct direct_kernel *kernel,
                                                        const uint32_t *set, size_t count, double *const scratch[3],
-                                                       double tolerance, const volatile sig_atomic_t *stop,
+                                                       double tolerance, const atomic_bool *stop,
                                                        struct direct_contact_effort *effort, struct status *status);
 
 /** The same of the points p > 0 of a solved contact. Its gap_m is used up; its pressure stays. Errors: the same, and
  * STATUS_MEMORY. */
 MUST_CHECK enum status_code direct_constriction_of_contact(double *length_m, struct direct_contact *contact,
-                                                           double tolerance, const volatile sig_atomic_t *stop,
+                                                           double tolerance, const atomic_bool *stop,
                                                            struct direct_contact_effort *effort, struct status *status);
 
 #endif

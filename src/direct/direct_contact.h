@@ -13,7 +13,7 @@
 
 #include "direct/direct_kernel.h"
 
-#include <signal.h>
+#include <stdatomic.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -38,12 +38,12 @@ struct direct_contact {
 
 /** What to solve for. */
 struct direct_contact_load {
-    double mean_pressure;   /* p̄/E' */
-    double hardness;        /* H/E'; INFINITY: elastic */
-    double tolerance;       /* largest violation of the conditions, as a share of rms_m: 1e-6 finds the right set */
-    size_t most_iterations; /* 0: as many as halve the violation within 200 */
-    bool warm;              /* start from the last solution, scaled, if there is one */
-    const volatile sig_atomic_t *stop; /* non-zero: end early; NULL: never. Looked at once an iteration */
+    double mean_pressure;    /* p̄/E' */
+    double hardness;         /* H/E'; INFINITY: elastic */
+    double tolerance;        /* largest violation of the conditions, as a share of rms_m: 1e-6 finds the right set */
+    size_t most_iterations;  /* 0: as many as halve the violation within 200 */
+    bool warm;               /* start from the last solution, scaled, if there is one */
+    const atomic_bool *stop; /* non-zero: end early; NULL: never. Looked at once an iteration */
 };
 
 /** What it took. */

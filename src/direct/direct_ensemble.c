@@ -1,8 +1,8 @@
 #include "direct/direct_ensemble.h"
+#include "base/thread.h"
 
 #include <assert.h>
 #include <math.h>
-#include <pthread.h>
 #include <stdlib.h>
 #include <unistd.h>
 
@@ -115,7 +115,7 @@ static enum status_code solve_seeds(struct seed_pool *pool, size_t end, struct s
     wanted = wanted < THREADS_MOST ? wanted : THREADS_MOST;
     wanted = wanted < end - pool->next ? wanted : end - pool->next;
     pool->end = end;
-    while (started + 1 < wanted && pthread_create(&threads[started], NULL, work, pool) == 0)
+    while (started + 1 < wanted && thread_start(&threads[started], work, pool))
         started++;
     (void)work(pool);
     for (size_t i = 0; i < started; i++)

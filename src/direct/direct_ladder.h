@@ -11,7 +11,7 @@ struct direct_ladder_def {
     double hardness;  /* H/E'; INFINITY: elastic */
     double tolerance; /* of the contact; its root serves the constriction, which is good to the square of its own */
     bool resistance;
-    const volatile sig_atomic_t *stop; /* NULL: never */
+    const atomic_bool *stop; /* NULL: never */
 };
 
 /** At one load. */

@@ -1,9 +1,9 @@
 #include "output/output.h"
 
+#include "base/leftover.h"
 #include "output/manifest.h"
 #include <errno.h>
 #include <fcntl.h>
-#include <ftw.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -109,7 +109,7 @@ static enum status_code set_target(struct output *out, const char *target, struc
     size_t length = strlen(target);
     while (length > 1 && target[length - 1] == '/')
         length--;
-    if (length + 32 >= sizeof out->target)
+    if (length + 64 >= sizeof out->target)
         return status_fail(status, STATUS_IO, "the name of the report directory is too long");
     memcpy(out->target, target, length);
     const char *slash = strrchr(out->target, '/'), *name = slash ? slash + 1 : out->target;
@@ -118,7 +118,7 @@ static enum status_code set_target(struct output *out, const char *target, struc
                            target);
     if (lstat(out->target, &info) == 0 && S_ISLNK(info.st_mode)) {
         char *real = realpath(out->target, NULL);
-        if (!real || strlen(real) + 32 >= sizeof out->target) {
+        if (!real || strlen(real) + 64 >= sizeof out->target) {
             free(real);
             return status_fail(status, STATUS_IO, "'%s' is a link that leads nowhere; remove it", out->target);
         }
@@ -144,22 +144,66 @@ static enum status_code set_mode(const struct output *out, struct status *status
     return STATUS_OK;
 }
 
+/** What could not be replaced once the report is there; known before. */
+static enum status_code check_place(const struct output *out, struct status *status)
+{
+    static const char *const parts[] = {"", "/data", "/figures"};
+    static const char remedy[] = "choose another directory with -o";
+    const char *slash = strrchr(out->target, '/');
+    char path[PATH_MAX + 16];
+    struct statx info, around;
+    snprintf(path, sizeof path, "%.*s", slash ? (int)(slash - out->target) + 1 : 1, slash ? out->target : ".");
+    if (statx(AT_FDCWD, path, 0, STATX_BASIC_STATS, &around) != 0)
+        return status_fail(status, STATUS_IO, "cannot write beside '%s': %s", out->target, strerror(errno));
+    if ((around.stx_attributes & (STATX_ATTR_IMMUTABLE | STATX_ATTR_APPEND)) != 0)
+        return status_fail(status, STATUS_IO, "cannot write beside '%s': '%s' is immutable; %s", out->target, path,
+                           remedy);
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
+        snprintf(path, sizeof path, "%s%s", out->target, parts[i]);
+        if (statx(AT_FDCWD, path, AT_SYMLINK_NOFOLLOW, STATX_BASIC_STATS, &info) != 0)
+            continue;
+        if ((info.stx_attributes & STATX_ATTR_MOUNT_ROOT) != 0 || info.stx_dev_major != around.stx_dev_major ||
+            info.stx_dev_minor != around.stx_dev_minor)
+            return status_fail(status, STATUS_IO,
+                               "'%s' is a mount point, which a report cannot take the place of; name a directory in it "
+                               "with -o",
+                               path);
+        if ((info.stx_attributes & (STATX_ATTR_IMMUTABLE | STATX_ATTR_APPEND)) != 0)
+            return status_fail(status, STATUS_IO, "'%s' is immutable; %s", path, remedy);
+        if (i == 0 && (around.stx_mode & S_ISVTX) != 0 && geteuid() != 0 && info.stx_uid != geteuid() &&
+            around.stx_uid != geteuid())
+            return status_fail(status, STATUS_IO, "'%s' is another user's, and only they can replace it; %s", path,
+                               remedy);
+    }
+    return STATUS_OK;
+}
+
+/** What to say should the program be made to end. */
+static void note(const char *before, const char *target, const char *after)
+{
+    char text[PATH_MAX + 64];
+    snprintf(text, sizeof text, "%s'%s'%s", before, target, after);
+    leftover_note(text);
+}
+
 enum status_code output_begin(struct output *out, const char *target, struct status *status)
 {
-    *out = (struct output){0};
-    if (set_target(out, target, status) != STATUS_OK || make_parents(out, status) != STATUS_OK)
+    static const char *const parts[] = {"", "/data", "/figures"};
+    *out = (struct output){.hidden.lock = -1};
+    if (set_target(out, target, status) != STATUS_OK || make_parents(out, status) != STATUS_OK ||
+        check_place(out, status) != STATUS_OK)
         return status->code;
-
-    char *slash = strrchr(out->target, '/');
-    size_t parent = slash ? (size_t)(slash - out->target) + 1 : 0;
-    char name[PATH_MAX + 32], part[PATH_MAX + 40];
-    snprintf(name, sizeof name, "%.*s.roughcontact-XXXXXX", (int)parent, out->target);
-    if (!mkdtemp(name))
-        return status_fail(status, STATUS_IO, "cannot write beside '%s': %s", out->target, strerror(errno));
-    snprintf(out->staging, sizeof out->staging, "%.*s", PATH_MAX - 1, name);
-    static const char *const parts[] = {"data", "figures"};
-    for (int i = 0; i < 2; i++) {
-        snprintf(part, sizeof part, "%s/%s", name, parts[i]);
+    staging_clear_stale(out->target);
+    if (staging_make(&out->hidden, out->target, status) != STATUS_OK)
+        return status->code;
+    out->leftover = leftover_add(out->hidden.path);
+    leftover_hold();
+    note("", out->target, " is as it was before");
+    leftover_release();
+    staging_part(out->staging, &out->hidden, "report");
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
+        char part[PATH_MAX + 16];
+        snprintf(part, sizeof part, "%s%s", out->staging, parts[i]);
         if (mkdir(part, 0777) != 0)
             return status_fail(status, STATUS_IO, "cannot make '%s': %s", part, strerror(errno));
     }
@@ -168,117 +212,108 @@ enum status_code output_begin(struct output *out, const char *target, struct sta
     return set_mode(out, status);
 }
 
-static int remove_entry(const char *path, const struct stat *info, int type, struct FTW *level)
+/** Puts `staging` in the place of OUT; what was there is then the part *old of the hidden directory, or there was
+ * nothing (""). */
+static enum status_code exchange(struct output *out, const char **old, const char *kept, struct status *status)
 {
-    (void)info;
-    (void)type;
-    (void)level;
-    return remove(path);
-}
-
-static void remove_tree(const char *path)
-{
-    nftw(path, remove_entry, 16, FTW_DEPTH | FTW_PHYS);
-}
-
-/** Removes an entry of the report before when it is the program's or the new report holds it too; else (it came during
- * the exchange) moves it there, in the place of nothing. It is looked at under the name `aside`, where nobody replaces
- * it meanwhile. False when it had to stay there. */
-static bool clear_entry(int old, int new, const char *name, const char *aside, const struct text *manifest)
-{
-    struct stat before, after;
-    if (renameat(old, name, AT_FDCWD, aside) != 0 || lstat(aside, &before) != 0)
-        return true;
-    if (S_ISDIR(before.st_mode))
-        return renameat(AT_FDCWD, aside, new, name) == 0 || renameat(AT_FDCWD, aside, old, name) == 0;
-    if ((manifest_lists(manifest, name) && S_ISREG(before.st_mode)) || linkat(AT_FDCWD, aside, new, name, 0) == 0 ||
-        (fstatat(new, name, &after, AT_SYMLINK_NOFOLLOW) == 0 && before.st_dev == after.st_dev &&
-         before.st_ino == after.st_ino) ||
-        linkat(AT_FDCWD, aside, old, name, 0) == 0)
-        return unlink(aside) == 0;
-    return false;
-}
-
-/** Removes the report before, now at `path`, once nothing in it is the user's. False when something has to stay. */
-static bool clear_old(const char *path, const char *target, const char *aside)
-{
-    enum { PASSES = 3 }; /* a file may come between the list and the end of its directory */
-    struct status status = {0};
-    struct text manifest = {0};
-    int old = open_directory(path), new = open_directory(target);
-    bool gone = false, stuck = false;
-    if (old >= 0 && new >= 0 && manifest_read(&manifest, path, &status) == STATUS_OK)
-        for (int pass = 0; pass < PASSES && !gone && !stuck && status.code == STATUS_OK; pass++) {
-            struct manifest_entries entries;
-            if (manifest_entries(&entries, path, &status) == STATUS_OK)
-                for (size_t i = 0; i < entries.count && !stuck; i++)
-                    stuck = !clear_entry(old, new, entries.names[i], aside, &manifest);
-            manifest_entries_free(&entries);
-            unlinkat(old, "data", AT_REMOVEDIR);
-            unlinkat(old, "figures", AT_REMOVEDIR);
-            gone = !stuck && rmdir(path) == 0;
-        }
-    text_free(&manifest);
-    if (old >= 0)
-        close(old);
-    if (new >= 0)
-        close(new);
-    return gone;
-}
-
-/** Puts `staging` in the place of OUT; what was there is then at `old`, or `old` is "". */
-static enum status_code exchange(const struct output *out, char *old, const char *kept, struct status *status)
-{
-    strcpy(old, out->staging);
+    char before[PATH_MAX];
+    staging_part(before, &out->hidden, "before");
+    *old = "done";
     if (renameat2(AT_FDCWD, out->staging, AT_FDCWD, out->target, RENAME_EXCHANGE) == 0)
         return STATUS_OK;
     int reason = errno;
     if (reason == EINVAL || reason == ENOSYS) { /* a file system that cannot exchange: clear the way, then rename */
-        strcpy(old, kept);
-        if (rename(out->target, kept) == 0) {
+        *old = "before";
+        if (rename(out->target, before) == 0) {
             if (rename(out->staging, out->target) == 0)
                 return STATUS_OK;
             reason = errno;
-            if (rename(kept, out->target) != 0)
+            if (rename(before, out->target) != 0) {
+                bool moved = rename(before, kept) == 0;
+                if (!moved)
+                    staging_leave(&out->hidden);
                 return status_fail(status, STATUS_IO, "cannot put the report at '%s' (%s); the one before is in '%s'",
-                                   out->target, strerror(reason), kept);
+                                   out->target, strerror(reason), moved ? kept : before);
+            }
         } else {
             reason = errno;
         }
     }
-    *old = '\0';
+    *old = "";
     if (reason == ENOENT && rename(out->staging, out->target) == 0)
         return STATUS_OK;
     return status_fail(status, STATUS_IO, "cannot put the report at '%s': %s", out->target,
                        strerror(reason == ENOENT ? errno : reason));
 }
 
+/** Puts what is left of the report before, and what was looked at last, where the user finds it. */
+static void keep_rest(char kept[static PATH_MAX], const struct output *out, const char *old)
+{
+    char path[PATH_MAX];
+    struct status status = {0};
+    struct manifest_entries entries;
+    staging_part(path, &out->hidden, old);
+    bool named = renameat2(AT_FDCWD, path, AT_FDCWD, kept, RENAME_NOREPLACE) == 0;
+    if (!named)
+        named = access(kept, F_OK) != 0 && rename(path, kept) == 0;
+    if (!named)
+        strcpy(kept, path);
+    staging_part(path, &out->hidden, "aside");
+    if (manifest_entries(&entries, path, &status) == STATUS_OK && entries.count > 0) {
+        char from[2 * PATH_MAX], to[PATH_MAX + 8];
+        snprintf(from, sizeof from, "%s/%s", path, entries.names[0]); /* there is never more than one */
+        snprintf(to, sizeof to, "%.*s.file", PATH_MAX - 8, kept);
+        if (rename(from, to) == 0)
+            snprintf(kept, PATH_MAX, "%.*s", PATH_MAX - 1, to);
+    }
+    manifest_entries_free(&entries);
+}
+
+/** From the complete report in the hidden directory to OUT. */
+static enum status_code put(struct output *out, struct status *status)
+{
+    const char *old = "";
+    char kept[PATH_MAX], done[PATH_MAX];
+    snprintf(kept, sizeof kept, "%.*s.kept%s", PATH_MAX - 16, out->target, strrchr(out->hidden.path, '-'));
+    staging_part(done, &out->hidden, "done");
+    if (rename(out->staging, done) != 0)
+        return status_fail(status, STATUS_IO, "cannot put the report at '%s': %s", out->target, strerror(errno));
+    strcpy(out->staging, done);
+    if (set_mode(out, status) != STATUS_OK || keep_others(out, false, status) != STATUS_OK ||
+        exchange(out, &old, kept, status) != STATUS_OK)
+        return status->code;
+    note("the report is in ", out->target, "");
+    bool gone = *old == '\0' || staging_clear_before(out->hidden.path, old, out->target);
+    if (!gone)
+        keep_rest(kept, out, old);
+    staging_remove(&out->hidden, false);
+    out->staging[0] = '\0'; /* no longer ours to remove */
+    return gone ? STATUS_OK
+                : status_fail(status, STATUS_IO,
+                              "the report is in '%s', but what was put there meanwhile could not be moved into it; it "
+                              "is in '%s'",
+                              out->target, kept);
+}
+
 enum status_code output_commit(struct output *out, struct status *status)
 {
-    char old[PATH_MAX + 16], kept[sizeof old], aside[sizeof kept + 8];
-    snprintf(kept, sizeof kept, "%s.kept%s", out->target, strrchr(out->staging, '-'));
-    snprintf(aside, sizeof aside, "%s.file", kept);
     if (manifest_write(out->staging, status) != STATUS_OK)
         return status_prefix(status, "cannot put the report at '%s'", out->target);
-    if (keep_others(out, false, status) != STATUS_OK || exchange(out, old, kept, status) != STATUS_OK)
-        return status->code;
-    out->staging[0] = '\0'; /* no longer ours to remove */
-    if (*old == '\0' || clear_old(old, out->target, aside))
-        return STATUS_OK;
-    bool named = strcmp(old, kept) == 0 || renameat2(AT_FDCWD, old, AT_FDCWD, kept, RENAME_NOREPLACE) == 0;
-    return status_fail(status, STATUS_IO,
-                       "the report is in '%s', but what was put there meanwhile could not be moved into it; it is in "
-                       "'%s'",
-                       out->target,
-                       access(aside, F_OK) == 0 ? aside
-                       : named                  ? kept
-                                                : old);
+    leftover_hold();
+    enum status_code rc = put(out, status);
+    leftover_release();
+    if (!out->staging[0]) {
+        leftover_forget(out->leftover);
+        out->leftover = 0;
+    }
+    return rc;
 }
 
 void output_abandon(struct output *out)
 {
-    if (out->staging[0])
-        remove_tree(out->staging);
+    staging_remove(&out->hidden, true);
+    leftover_forget(out->leftover);
+    out->leftover = 0;
     out->staging[0] = '\0';
     for (char *slash; out->made && (slash = strrchr(out->target, '/')) && (size_t)(slash - out->target) >= out->made;) {
         *slash = '\0'; /* the parents made for it: those that are empty go */

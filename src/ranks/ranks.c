@@ -7,7 +7,6 @@
 #include <assert.h>
 #include <fftw3-mpi.h>
 #include <math.h>
-#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -32,7 +31,6 @@ struct arrays {
 static MPI_Comm world;
 static struct direct_team everyone; /* a team of all ranks; scratch NULL: not made yet */
 static size_t ranks_per_grid;
-static volatile sig_atomic_t stop; /* a signal handler can reach nothing but a global */
 
 void ranks_begin(int *argc, char ***argv)
 {
@@ -204,7 +202,8 @@ static enum status_code give(struct order *order, struct status *status)
 }
 
 /** Receives the arrays of an order, and sets its pointers to them. */
-static enum status_code take_arrays(struct arrays *out, struct order *order, struct status *status)
+static enum status_code take_arrays(struct arrays *out, struct order *order, const atomic_bool *stop,
+                                    struct status *status)
 {
     struct direct_ensemble_def *def = &order->def;
     size_t weights = order->kind != ORDER_HEIGHTS ? order->spectrum.count + 2 : 0;
@@ -220,17 +219,11 @@ static enum status_code take_arrays(struct arrays *out, struct order *order, str
     ranks_spread(out->given_m, given * sizeof(double), 0, world);
     order->spectrum.weight_m2 = out->weight_m2;
     def->ladder.load = out->load;
-    def->ladder.stop = &stop;
+    def->ladder.stop = stop;
     def->variance = direct_spectrum_variance;
     def->context = &order->spectrum;
     def->given_m = given ? out->given_m : NULL;
     return STATUS_OK;
-}
-
-static void ask_to_stop(int signal_number)
-{
-    (void)signal_number;
-    stop = 1;
 }
 
 static void make_everyone(void)
@@ -240,12 +233,8 @@ static void make_everyone(void)
         MPI_Abort(world, EXIT_FAILURE); /* not even some bytes: nobody could say so */
 }
 
-void ranks_serve(void)
+void ranks_serve(const atomic_bool *stop)
 {
-    static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
-    struct sigaction action = {.sa_handler = ask_to_stop, .sa_flags = (int)SA_RESETHAND};
-    for (int i = 0; i < 3; i++)
-        sigaction(signals[i], &action, NULL);
     struct ranks_surfaces surfaces = {0};
     make_everyone();
     for (;;) {
@@ -259,10 +248,10 @@ void ranks_serve(void)
         if (order.kind == ORDER_END)
             break;
         if (order.kind == ORDER_TASK) {
-            ranks_surfaces_follow(&surfaces, &everyone, world, &order.task, &stop);
+            ranks_surfaces_follow(&surfaces, &everyone, world, &order.task, stop);
             continue;
         }
-        if (take_arrays(&arrays, &order, &status) == STATUS_OK)
+        if (take_arrays(&arrays, &order, stop, &status) == STATUS_OK)
             (void)carry_out(&order, &nothing, &status);
         free(arrays.load);
         free(arrays.weight_m2);

@@ -5,6 +5,7 @@
 
 #include "direct/direct_crew.h"
 #include "run/workers.h"
+#include <stdatomic.h>
 #include <stdbool.h>
 
 struct ranks_options {
@@ -18,9 +19,8 @@ bool ranks_is_first(void);
 const struct direct_crew *ranks_crew(const struct ranks_options *options);
 /** The same for the surfaces of a report. */
 const struct workers_crew *ranks_workers(void);
-/** Of the others: does what the first rank asks for until that calls ranks_end(). SIGINT, SIGTERM and SIGHUP end what
- * is being done. */
-void ranks_serve(void);
+/** Of the others: does what the first rank asks for until that calls ranks_end(). *stop ends what is being done. */
+void ranks_serve(const atomic_bool *stop);
 /** Of the first rank: lets the others go, and ends MPI on all. May be registered with atexit(). */
 void ranks_end(void);
 

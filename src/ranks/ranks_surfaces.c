@@ -180,7 +180,7 @@ void ranks_surfaces_free(struct ranks_surfaces *surfaces)
 }
 
 void ranks_surfaces_follow(struct ranks_surfaces *surfaces, const struct direct_team *team, MPI_Comm communicator,
-                           const struct ranks_task *task, const volatile sig_atomic_t *stop)
+                           const struct ranks_task *task, const atomic_bool *stop)
 {
     static const struct measured asked = {0}; /* stands for the first rank's, which alone looks into it */
     struct status status = {0};               /* the first rank has the same, and says it */

@@ -41,6 +41,6 @@ MUST_CHECK enum status_code ranks_surfaces_lead(const struct direct_team *team, 
 
 /** Of the others: their share of it. */
 void ranks_surfaces_follow(struct ranks_surfaces *surfaces, const struct direct_team *team, MPI_Comm communicator,
-                           const struct ranks_task *task, const volatile sig_atomic_t *stop);
+                           const struct ranks_task *task, const atomic_bool *stop);
 
 #endif

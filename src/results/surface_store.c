@@ -54,7 +54,8 @@ enum status_code surface_store_put(struct surface_store *store, size_t index, co
         int reason = errno;
         pthread_mutex_unlock(&store->lock);
         if (!ok)
-            return status_fail(status, STATUS_IO, "cannot write results: %s", strerror(reason));
+            return status_fail(status, STATUS_IO, "cannot write results to a temporary file: %s",
+                               status_reason(reason));
     }
     store->summaries[index] = record->summary;
     return STATUS_OK;

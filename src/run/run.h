@@ -5,7 +5,7 @@
 #include "base/text.h"
 #include "direct/direct_crew.h"
 #include "scene/scene.h"
-#include <signal.h>
+#include <stdatomic.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -22,7 +22,7 @@ struct run_options {
     const struct direct_crew *crew;          /* other processes for the direct solution; NULL: none */
     const struct workers_crew *workers;      /* and for the surfaces; NULL: none */
     const struct scene_overrides *overrides; /* what the scene was read with, which those need */
-    const volatile sig_atomic_t *stop;       /* becomes non-zero when the run is to end early; NULL: never */
+    const atomic_bool *stop;                 /* becomes true when the run is to end early; NULL: never */
     void (*progress)(size_t done, size_t total,
                      const char *name); /* NULL: none; called from several threads, one at a time */
 };

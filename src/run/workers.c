@@ -2,8 +2,8 @@
 
 #include "analysis/direct_study.h"
 #include "analysis/effect_bounds.h"
+#include "base/thread.h"
 
-#include <pthread.h>
 #include <stdlib.h>
 #include <unistd.h>
 
@@ -123,7 +123,7 @@ enum status_code workers_share(const struct results *results, enum workers_task 
         wanted = pool.count;
     if (wanted > WORKERS_MOST)
         wanted = WORKERS_MOST;
-    while (started + 1 < wanted && pthread_create(&threads[started], NULL, run_tasks, &pool) == 0)
+    while (started + 1 < wanted && thread_start(&threads[started], run_tasks, &pool))
         started++;
     if (run_tasks(&pool))
         (void)status_fail(&pool.status, STATUS_MEMORY, "out of memory");

@@ -1,4 +1,5 @@
 #include "scan/gwyddion.h"
+#include "base/leftover.h"
 #include "base/program.h"
 
 #include <errno.h>
@@ -49,13 +50,16 @@ enum status_code gwyddion_convert(struct text *out, const char *path, struct sta
     if (!realpath(path, whole)) /* absolute: it can be no option */
         return status_fail(status, STATUS_IO, "cannot find '%s': %s", path, strerror(errno));
     snprintf(directory, sizeof directory, "%s/roughcontact-XXXXXX", base && strlen(base) < 1000 ? base : P_tmpdir);
-    program_hold_signals(true); /* until the directory is gone */
+    sigset_t before;
+    program_hold_signals(&before); /* until the directory is gone */
     if (mkdtemp(directory)) {
+        size_t number = leftover_add(directory);
         (void)convert(out, program, whole, directory, status);
         nftw(directory, remove_one, 8, FTW_DEPTH | FTW_PHYS);
+        leftover_forget(number);
     } else {
         status_fail(status, STATUS_IO, "cannot make a directory like '%s': %s", directory, strerror(errno));
     }
-    program_hold_signals(false);
+    program_let_signals(&before);
     return status->code;
 }

@@ -63,11 +63,12 @@ static void test_stop(void **state)
     assert_int_equal(run(slow, 0.05, &status), STATUS_IO);
     assert_non_null(strstr(status.message, "took more than 0.05 s"));
     status = (struct status){0};
-    program_hold_signals(true);
+    sigset_t before;
+    program_hold_signals(&before);
     raise(SIGTERM);
     assert_int_equal(run(slow, 1000, &status), STATUS_INTERRUPTED);
     signal(SIGTERM, SIG_IGN); /* takes it off */
-    program_hold_signals(false);
+    program_let_signals(&before);
     signal(SIGTERM, SIG_DFL);
     status = (struct status){0};
     program_stop();

@@ -69,7 +69,7 @@ static void test_the_first_failure(void **state)
 static void test_stop(void **state)
 {
     (void)state;
-    static const volatile sig_atomic_t stop = 1;
+    static const atomic_bool stop = true;
     const struct threads threads = {.jobs = 3, .stop = &stop};
     struct log log = {.fails = {TASKS, TASKS}, .lock = PTHREAD_MUTEX_INITIALIZER};
     struct status status = {0};

@@ -1,3 +1,4 @@
+#include "base/program.h"
 #include "base/text.h"
 #include "chart/gnuplot.h"
 #include "contact/model.h"
@@ -587,6 +588,42 @@ static void test_a_process_that_ended_early_is_reported_not_deadly(void **state)
     assert_ptr_equal(before.sa_handler, after.sa_handler);
 }
 
+/* One that neither reads nor ends: it is not waited for longer than its time, nor when a signal asks to stop. */
+static void test_a_gnuplot_that_hangs_is_ended(void **state)
+{
+    const struct place *place = *state;
+    char path[1024], *before = strdup(getenv("PATH"));
+    write_file(place, "gnuplot", "#!/bin/sh\ntrap '' INT TERM HUP\n/bin/sleep 1000\n");
+    snprintf(path, sizeof path, "%s/gnuplot", place->directory);
+    assert_int_equal(chmod(path, 0755), 0);
+    for (int asked = 0; asked < 2; asked++) {
+        struct gnuplot gnuplot;
+        struct status status = {0};
+        sigset_t signals, held;
+        assert_int_equal(setenv("PATH", place->directory, 1), 0);
+        enum status_code started = gnuplot_start(&gnuplot, place->directory, &status);
+        assert_int_equal(setenv("PATH", before, 1), 0);
+        assert_int_equal(started, STATUS_OK);
+        assert_true(gnuplot.most_seconds >= 60); /* for the slowest of machines */
+        for (int i = 0; i < 100000; i++)         /* far more than a pipe holds */
+            gnuplot_send(&gnuplot, "x = %d", i);
+        if (asked) {
+            program_hold_signals(&held);
+            raise(SIGTERM);
+            assert_int_equal(gnuplot_finish(&gnuplot, &status), STATUS_INTERRUPTED);
+            sigemptyset(&signals);
+            sigaddset(&signals, SIGTERM);
+            assert_int_equal(sigwaitinfo(&signals, NULL), SIGTERM);
+            program_let_signals(&held);
+        } else {
+            gnuplot.most_seconds = 0.2;
+            assert_int_equal(gnuplot_finish(&gnuplot, &status), STATUS_CHART);
+            assert_non_null(strstr(status.message, "gnuplot did not end within 0.2 s and was stopped"));
+        }
+    }
+    free(before);
+}
+
 static size_t open_files(void)
 {
     size_t n = 0;
@@ -633,7 +670,7 @@ static void test_no_descriptor_is_left_open(void **state)
     /* and a process started meanwhile by others does not hold the pipe open */
     status = (struct status){0};
     assert_int_equal(gnuplot_start(&gnuplot, "/", &status), STATUS_OK);
-    assert_true(fcntl(fileno(gnuplot.commands), F_GETFD) & FD_CLOEXEC);
+    assert_true(fcntl(gnuplot.input, F_GETFD) & FD_CLOEXEC);
     assert_true(fcntl(fileno(gnuplot.complaints), F_GETFD) & FD_CLOEXEC);
     assert_int_equal(gnuplot_finish(&gnuplot, &status), STATUS_OK);
 }
@@ -661,6 +698,7 @@ int main(void)
         cmocka_unit_test(test_a_missing_directory_is_an_error),
         PLACED(test_any_complaint_is_a_failure),
         PLACED(test_a_process_that_ended_early_is_reported_not_deadly),
+        PLACED(test_a_gnuplot_that_hangs_is_ended),
         PLACED(test_the_user_s_setup_has_no_say),
         PLACED(test_no_descriptor_is_left_open),
     };

@@ -478,7 +478,7 @@ static void test_stopped(void **state)
     nanosleep(&(struct timespec){1, 0}, NULL);
     kill(running.pid, SIGINT);
     struct process run = process_end(running);
-    assert_int_equal(run.status, 4);
+    assert_int_equal(run.status, 128 + SIGINT);
     expect_part(run.err, "stopped by a signal; 'out' is as it was before");
     assert_false(workspace_has(place, "out"));
     process_free(&run);

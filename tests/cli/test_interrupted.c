@@ -1,10 +1,16 @@
 /* OUT is complete or untouched, whatever ends the run. */
 #include "cli/process.h"
 
+#include <errno.h>
+#include <fcntl.h>
 #include <signal.h>
 #include <stdio.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
 #include <time.h>
+#include <unistd.h>
 
 static void wait_a_little(void)
 {
@@ -56,7 +62,7 @@ static void test_signals(void **state)
     char *before = workspace_digest(place, ".");
     static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
     for (size_t i = 0; i < sizeof signals / sizeof *signals; i++) {
-        process_expect_failure(interrupt(place, signals[i]), 4, 1,
+        process_expect_failure(interrupt(place, signals[i]), 128 + signals[i], 1,
                                "roughcontact: stopped by a signal; 'out/slow' is as it was before\n", __FILE__,
                                __LINE__);
         char *after = workspace_digest(place, ".");
@@ -77,14 +83,137 @@ static void test_kill(void **state)
     process_free(&process);
     char *after = workspace_digest(place, "out/slow");
     assert_string_equal(before, after);
-    /* what is left behind disturbs no later run */
+    /* what is left behind disturbs no later run, which removes it */
+    assert_int_equal(workspace_count(place, ".roughcontact-"), 1);
     process = expect_exit(place, 0, "report", "--no-cost", "good", "-o", "out/slow", "-m", "tin", "-e", "plasticity");
     process_free(&process);
     free(after);
     after = workspace_digest(place, "out/slow");
     assert_string_equal(before, after);
+    assert_int_equal(workspace_count(place, ".roughcontact-"), 0);
     free(before);
     free(after);
+}
+
+/** Puts a gnuplot first in PATH that never ends and takes no signal; its id is then in the file `hangs`. Returns PATH
+ * as it was. */
+static char *hang_gnuplot(const char *place)
+{
+    char *before = strdup(getenv("PATH")), *path, *script;
+    assert_true(asprintf(&script, "#!/bin/sh\ntrap '' INT TERM HUP\necho $$ > %s/new; mv %s/new %s/hangs\nsleep 1000\n",
+                         place, place, place) > 0);
+    workspace_write(place, "bin/gnuplot", script);
+    assert_true(asprintf(&path, "%s/bin/gnuplot", place) > 0);
+    assert_int_equal(chmod(path, 0755), 0);
+    free(path);
+    assert_true(asprintf(&path, "%s/bin:%s", place, before) > 0);
+    assert_int_equal(setenv("PATH", path, 1), 0);
+    free(path);
+    free(script);
+    return before;
+}
+
+static void test_a_hanging_gnuplot(void **state)
+{
+    const char *place = *state;
+    write_report(place);
+    char *before = workspace_digest(place, "out"), *path = hang_gnuplot(place);
+    static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
+    assert_int_equal(prctl(PR_SET_CHILD_SUBREAPER, 1), 0);
+    for (size_t i = 0; i < sizeof signals / sizeof *signals; i++) {
+        struct process_running running = process_start(place, "report", "--no-cost", "good", "-o", "out/slow");
+        while (!workspace_has(place, "hangs"))
+            wait_a_little();
+        char *id = workspace_read(place, "hangs"), *name;
+        assert_int_equal(kill(running.pid, signals[i]), 0);
+        process_expect_failure(process_end(running), 128 + signals[i], 1,
+                               "roughcontact: stopped by a signal; 'out/slow' is as it was before\n", __FILE__,
+                               __LINE__);
+        assert_int_equal(workspace_count(place, ".roughcontact-"), 0);
+        assert_true(asprintf(&name, "%s/hangs", place) > 0);
+        assert_int_equal(unlink(name), 0);
+        free(name);
+        while (waitpid(-1, NULL, 0) > 0) /* all that it had started comes to this process, and is gone */
+            ;
+        assert_int_equal(kill((pid_t)strtol(id, NULL, 10), 0), -1);
+        assert_int_equal(errno, ESRCH);
+        free(id);
+    }
+    assert_int_equal(setenv("PATH", path, 1), 0);
+    char *after = workspace_digest(place, "out");
+    assert_string_equal(before, after);
+    free(before);
+    free(after);
+    free(path);
+}
+
+/** Runs the program by a shell that sets the stage, with `arguments` besides DIR. */
+#define staged(place, lines, ...)                                                                                      \
+    process_end(process_start_list(                                                                                    \
+        place, (const char *const[]){"sh", "-c", lines " exec \"$0\" \"$@\"", PROGRAM, __VA_ARGS__, NULL}, NULL))
+
+/** The report is there though nobody can be told; the line on stderr says so. */
+static void test_no_standard_output(void **state)
+{
+    const char *place = *state;
+    static const char written[] = "the report is written, in 'out/slow/report.html'\n";
+    workspace_scan(place, "good/a.csv", 200, 1);
+    for (int i = 0; i < 3; i++) {
+        struct process process;
+        if (i == 0) {
+            process = staged(place, "exec >/dev/full;", "report", "--no-cost", "good", "-o", "out/slow");
+            expect_part(process.err, "cannot write to standard output: No space left on device; ");
+        } else if (i == 1) {
+            process = staged(place, "exec >&-;", "report", "--no-cost", "good", "-o", "out/slow");
+            expect_part(process.err, "cannot write to standard output: Bad file descriptor; ");
+        } else {
+            struct process_running running = process_start(place, "report", "--no-cost", "good", "-o", "out/slow");
+            close(running.out); /* who reads it goes, as head does */
+            running.out = open("/dev/null", O_RDONLY | O_CLOEXEC);
+            process = process_end(running);
+            expect_part(process.err, "cannot write to standard output: Broken pipe; ");
+        }
+        expect_part(process.err, written);
+        assert_int_equal(process.status, 4);
+        assert_string_equal(process.out, "");
+        char *report = workspace_read(place, "out/slow/report.html");
+        expect_part(report, "</html>"); /* and nothing that was meant for the terminal is in it */
+        free(report);
+        process_free(&process);
+        process = expect_exit(place, 0, "report", "--no-cost", "good", "-o", "out/other");
+        char *one = workspace_digest(place, "out/slow"), *two = workspace_digest(place, "out/other");
+        assert_string_equal(one, two);
+        free(one);
+        free(two);
+        process_free(&process);
+    }
+    static const char *const commands[] = {"models", "materials", "--help", "inspect"};
+    for (size_t i = 0; i < sizeof commands / sizeof *commands; i++) {
+        struct process process = staged(place, "exec >&-;", commands[i], i == 3 ? "good/a.csv" : NULL);
+        assert_int_equal(process.status, 4);
+        assert_string_equal(process.err, "roughcontact: cannot write to standard output: Bad file descriptor\n");
+        process_free(&process);
+    }
+}
+
+/** As little stack as the system gives. */
+static void test_little_stack(void **state)
+{
+    const char *place = *state;
+    workspace_scan(place, "good/a.csv", 2000, 1);
+    workspace_write(place, "good/scene.yaml", "material: tin\ndirect: {grid: 32, seeds: 2, loads: [1e-3, 1e-2]}\n");
+    struct process process = staged(place, "ulimit -s 64;", "direct", "good", "-o", "out/slow", "--show");
+    process = process_expect(process, 0, __FILE__, __LINE__);
+    process_free(&process);
+    process = staged(place, "ulimit -s 64;", "inspect", "--chart", "good");
+    process = process_expect(process, 0, __FILE__, __LINE__);
+    process_free(&process);
+}
+
+static void test_mount_point(void **state)
+{
+    workspace_scan(*state, "good/a.csv", 200, 1);
+    expect_failure(*state, 4, 1, "'/proc' is a mount point", "report", "good", "-o", "/proc");
 }
 
 static void expect_content(const char *place, const char *path, const char *content)
@@ -144,14 +273,13 @@ static void test_no_room(void **state)
     char *before = workspace_digest(place, ".");
     struct rlimit usual, small;
     assert_int_equal(getrlimit(RLIMIT_FSIZE, &usual), 0);
-    assert_true(signal(SIGXFSZ, SIG_IGN) != SIG_ERR); /* inherited: write() then fails with EFBIG */
-    static const rlim_t sizes[] = {100, 4000, 30000, 100000};
+    static const rlim_t sizes[] = {0, 100, 4000, 30000, 100000};
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
         small = (struct rlimit){sizes[i], usual.rlim_max};
         assert_int_equal(setrlimit(RLIMIT_FSIZE, &small), 0);
         struct process_running running = process_start(place, "report", "--no-cost", "good", "-o", "out/slow");
         assert_int_equal(setrlimit(RLIMIT_FSIZE, &usual), 0);
-        process_expect_failure(process_end(running), 4, 1, "roughcontact: ", __FILE__, __LINE__);
+        process_expect_failure(process_end(running), 4, 1, "ulimit -f", __FILE__, __LINE__);
         char *after = workspace_digest(place, ".");
         assert_string_equal(before, after);
         free(after);
@@ -176,8 +304,11 @@ static void test_full_output(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        workspace_test(test_signals), workspace_test(test_kill),        workspace_test(test_files_of_the_user),
-        workspace_test(test_no_room), workspace_test(test_full_output),
+        workspace_test(test_signals),           workspace_test(test_kill),
+        workspace_test(test_a_hanging_gnuplot), workspace_test(test_no_standard_output),
+        workspace_test(test_little_stack),      workspace_test(test_mount_point),
+        workspace_test(test_files_of_the_user), workspace_test(test_no_room),
+        workspace_test(test_full_output),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -182,12 +182,12 @@ static void refuses_what_cannot_be_solved(void **state)
     (void)state;
     enum { N = 16 };
     double height[N * N] = {0}, *rough = recipe_surface(64);
-    static const volatile sig_atomic_t stop = 1;
+    static const atomic_bool stop = true;
     struct direct_contact_load load = load_of(0.01, INFINITY, 1e-6);
     struct {
         const char *says;
         double p, hardness, tolerance;
-        const volatile sig_atomic_t *stop;
+        const atomic_bool *stop;
         enum status_code code;
     } cases[] = {
         {"complete contact", 0.5, 0.5, 1e-6, NULL, STATUS_MODEL},

@@ -138,7 +138,7 @@ static void ends_early(void **state)
 {
     (void)state;
     double scale = recipe_scale(), negative = -1;
-    static const volatile sig_atomic_t stop = 1;
+    static const atomic_bool stop = true;
     struct direct_ensemble_def def = def_of(&scale, 2);
     struct status status = {0};
     def.seeds = 20;

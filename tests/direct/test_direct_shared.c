@@ -24,7 +24,7 @@ struct found {
 
 static void solve_one(const struct direct_team *team, void *context)
 {
-    static const volatile sig_atomic_t stop = 1;
+    static const atomic_bool stop = true;
     struct found *found = context;
     struct direct_ensemble_def def = *found->def;
     struct status *status = &found->status[team->rank];

@@ -504,7 +504,10 @@ static void test_a_kill_at_any_instant_loses_nothing(void **state)
         ended = !commit_stepwise(&output, steps, true, NULL, &place, -1, &code);
         assert_whole_report(&place);
         assert_users_files(&place, "out", FEW);
-        publish(&place, "out", "three"); /* what is left behind disturbs no later run */
+        staging_leave(&output.hidden);   /* this process holds its lock too */
+        publish(&place, "out", "three"); /* what is left behind disturbs no later run, which clears it away */
+        if (directory_entries(&place, "") != 1 || directory_entries(&place, "out") != 6 + 1)
+            fail_msg("something is left of a kill at step %zu", steps);
         assert_content(&place, "out/report.md", "three");
         assert_users_files(&place, "out", FEW);
         directory_remove(&place);
@@ -746,6 +749,225 @@ static void test_a_commit_that_fails_keeps_what_stands_there(void **state)
     assert_false(directory_has(place, "a")); /* made for the report, so it goes with it */
 }
 
+/* Runs act() in a process of its own and kills it there. */
+static void kill_after(void (*act)(const struct directory *place), const struct directory *place)
+{
+    pid_t child = fork();
+    assert_true(child >= 0);
+    if (child == 0) {
+        act(place);
+        raise(SIGKILL);
+    }
+    int state;
+    assert_int_equal(waitpid(child, &state, 0), child);
+    assert_true(WIFSIGNALED(state));
+}
+
+static void only_begin(const struct directory *place)
+{
+    begin(place, "out");
+}
+
+static void begin_and_fill(const struct directory *place)
+{
+    struct output output = begin(place, "a");
+    char link[PATH_MAX + 16];
+    fill(&output, "half");
+    snprintf(link, sizeof link, "%s/notes.md", output.staging);
+    if (linkat(AT_FDCWD, directory_path(place, "out/notes.md"), AT_FDCWD, link, 0) != 0)
+        _exit(1);
+}
+
+static void test_what_killed_runs_left_is_cleared_away(void **state)
+{
+    const struct directory *place = *state;
+    publish(place, "out", "one");
+    write_users_files(place, "out", FEW);
+    kill_after(only_begin, place);
+    kill_after(begin_and_fill, place);
+    assert_int_equal(directory_entries(place, ""), 2);
+    publish(place, "out", "two");
+    assert_int_equal(directory_entries(place, ""), 1);
+    kill_after(begin_and_fill, place);
+    publish(place, "other", "one"); /* whichever run comes there next */
+    assert_int_equal(directory_entries(place, ""), 2);
+    assert_content(place, "out/report.md", "two");
+    assert_users_files(place, "out", FEW);
+}
+
+static void test_what_a_living_run_makes_stays(void **state)
+{
+    const struct directory *place = *state;
+    struct output output = begin(place, "out");
+    fill(&output, "two");
+    publish(place, "out", "one"); /* in the same process: each run locks its own */
+    publish(place, "other", "one");
+    int code;
+    pid_t child = fork();
+    assert_true(child >= 0);
+    if (child == 0) {
+        publish(place, "third", "one");
+        _exit(0);
+    }
+    assert_int_equal(waitpid(child, &code, 0), child);
+    assert_int_equal(code, 0);
+    assert_int_equal(directory_entries(place, ""), 4);
+    commit(&output);
+    assert_report(place, "out", "two");
+    assert_int_equal(directory_entries(place, ""), 3);
+}
+
+/* Files of the user's, below names that the program uses. */
+static void test_what_the_program_did_not_make_stays(void **state)
+{
+    static const char *const files[] = {
+        ".roughcontact-abcdef/report/mine.csv",
+        ".roughcontact-abcdeg/lock",
+        ".roughcontact-abcdeh/run",
+        ".roughcontact-abcdei/report/mine.csv",
+        ".roughcontact-abcdej/mine",
+        ".roughcontact-abcdek/report/deep/mine",
+        ".roughcontact-abcdel/mine",
+        ".roughcontact-longer/lock1",
+    };
+    enum { FILES = sizeof files / sizeof *files };
+    const struct directory *place = *state;
+    char boot[64] = "", run[256];
+    FILE *id = fopen("/proc/sys/kernel/random/boot_id", "r");
+    if (id) {
+        assert_int_equal(fscanf(id, "%63s", boot), 1);
+        fclose(id);
+    }
+    for (size_t i = 0; i < FILES; i++) {
+        char path[128];
+        for (const char *slash = files[i]; (slash = strchr(slash, '/')); slash++) {
+            snprintf(path, sizeof path, "%.*s", (int)(slash - files[i]), files[i]);
+            mkdir(directory_path(place, path), 0700);
+        }
+        directory_write(place, files[i], "mine");
+    }
+    directory_write(place, ".roughcontact-abcdei/lock", "");
+    assert_int_equal(symlink("something else", directory_path(place, ".roughcontact-abcdei/run")), 0);
+    snprintf(run, sizeof run, "roughcontact %s out", boot); /* the program's but for one entry */
+    directory_write(place, ".roughcontact-abcdek/lock", "");
+    directory_write(place, ".roughcontact-abcdek/report/report.md", "half");
+    assert_int_equal(symlink(run, directory_path(place, ".roughcontact-abcdek/run")), 0);
+    snprintf(run, sizeof run, "roughcontact %s ../escape", boot);
+    directory_write(place, ".roughcontact-abcdel/lock", "");
+    assert_int_equal(symlink(run, directory_path(place, ".roughcontact-abcdel/run")), 0);
+    assert_int_equal(mkdir(directory_path(place, "elsewhere"), 0700), 0);
+    directory_write(place, "elsewhere/lock", "");
+    assert_int_equal(symlink("elsewhere", directory_path(place, ".roughcontact-abcdem")), 0);
+    publish(place, "out", "one");
+    for (size_t i = 0; i < FILES; i++)
+        assert_content(place, files[i], "mine");
+    assert_true(directory_has(place, "elsewhere/lock"));
+    assert_true(directory_has(place, ".roughcontact-abcdem"));
+    assert_int_equal(directory_entries(place, ""), FILES + 3);
+
+    /* as it is once that entry is gone */
+    if (*boot) {
+        assert_int_equal(remove(directory_path(place, ".roughcontact-abcdek/report/deep/mine")), 0);
+        assert_int_equal(remove(directory_path(place, ".roughcontact-abcdek/report/deep")), 0);
+        publish(place, "out", "two");
+        assert_false(directory_has(place, ".roughcontact-abcdek"));
+    }
+}
+
+/* Killed between the two renames of a file system that cannot exchange: OUT comes back. */
+static void test_a_report_put_aside_comes_back(void **state)
+{
+    const struct directory *place = *state;
+    struct output output = begin(place, "out");
+    char before[PATH_MAX];
+    fill(&output, "two");
+    publish(place, "out", "one");
+    write_users_files(place, "out", FEW);
+    staging_part(before, &output.hidden, "before");
+    assert_int_equal(rename(directory_path(place, "out"), before), 0);
+    staging_leave(&output.hidden);
+    struct output other = begin(place, "other");
+    assert_content(place, "out/report.md", "one");
+    assert_users_files(place, "out", FEW);
+    output_abandon(&other);
+    assert_int_equal(directory_entries(place, ""), 1);
+}
+
+/* Many at once in one directory, each clearing away what the others seem to have left. */
+static void test_runs_side_by_side_do_not_disturb_each_other(void **state)
+{
+    enum { RUNS = 4, TIMES = 40 };
+    const struct directory *place = *state;
+    pid_t children[RUNS];
+    for (int k = 0; k < RUNS; k++) {
+        children[k] = fork();
+        assert_true(children[k] >= 0);
+        if (children[k] == 0) {
+            char name[2] = {(char)('a' + k)};
+            for (int i = 0; i < TIMES; i++) {
+                struct output output;
+                struct status status = {0};
+                if (output_begin(&output, directory_path(place, name), &status) != STATUS_OK)
+                    _exit(2);
+                fill(&output, name);
+                if (i % 3 == 0)
+                    output_abandon(&output);
+                else if (output_commit(&output, &status) != STATUS_OK)
+                    _exit(3);
+            }
+            _exit(0);
+        }
+    }
+    for (int k = 0; k < RUNS; k++) {
+        int code;
+        assert_int_equal(waitpid(children[k], &code, 0), children[k]);
+        assert_int_equal(code, 0);
+    }
+    assert_int_equal(directory_entries(place, ""), RUNS);
+    for (int k = 0; k < RUNS; k++) {
+        char name[2] = {(char)('a' + k)};
+        assert_report(place, name, name);
+    }
+}
+
+static void test_a_mount_point_is_refused(void **state)
+{
+    static const char *const mounts[] = {"/proc", "/proc/", "/dev/shm"};
+    (void)state;
+    for (size_t i = 0; i < sizeof mounts / sizeof *mounts; i++) {
+        struct output output;
+        struct status status = {0};
+        struct stat info;
+        if (stat(mounts[i], &info) != 0)
+            continue;
+        assert_int_equal(output_begin(&output, mounts[i], &status), STATUS_IO);
+        assert_non_null(strstr(status.message, "is a mount point, which a report cannot take the place of; name a "
+                                               "directory in it"));
+        assert_string_equal(output.staging, ""); /* nothing was made */
+        output_abandon(&output);
+    }
+}
+
+static void test_the_mode_of_out_stays(void **state)
+{
+    static const mode_t modes[] = {0700, 0755, 0770, 01777, 0711};
+    const struct directory *place = *state;
+    struct stat info;
+    publish(place, "out", "one");
+    for (size_t i = 0; i < sizeof modes / sizeof *modes; i++) {
+        assert_int_equal(chmod(directory_path(place, "out"), modes[i]), 0);
+        publish(place, "out", "two");
+        assert_int_equal(stat(directory_path(place, "out"), &info), 0);
+        assert_int_equal(info.st_mode & 07777, modes[i]);
+    }
+    struct output output = begin(place, "out"); /* also one that comes during the run */
+    fill(&output, "three");
+    assert_int_equal(chmod(directory_path(place, "out"), 0700), 0);
+    commit(&output);
+    assert_int_equal(stat(directory_path(place, "out"), &info), 0);
+    assert_int_equal(info.st_mode & 07777, 0700);
+}
+
 int main(void)
 {
 #define TEST(function) cmocka_unit_test_setup_teardown(function, place_setup, place_teardown)
@@ -772,6 +994,13 @@ int main(void)
         TEST(test_a_name_that_is_too_long_is_refused),
         TEST(test_the_report_can_be_read_by_whom_the_umask_allows),
         TEST(test_a_commit_that_fails_keeps_what_stands_there),
+        TEST(test_what_killed_runs_left_is_cleared_away),
+        TEST(test_what_a_living_run_makes_stays),
+        TEST(test_what_the_program_did_not_make_stays),
+        TEST(test_a_report_put_aside_comes_back),
+        TEST(test_runs_side_by_side_do_not_disturb_each_other),
+        TEST(test_a_mount_point_is_refused),
+        TEST(test_the_mode_of_out_stays),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

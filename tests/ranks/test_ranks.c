@@ -122,7 +122,7 @@ static void heights(void **state)
 static void errors_and_stop(void **state)
 {
     (void)state;
-    static const volatile sig_atomic_t stop = 1;
+    static const atomic_bool stop = true;
     struct direct_spectrum spectrum = spectrum_of_law();
     double equal[2] = {1, 1};
     struct direct_ensemble_def def = {.ladder = {loads, LOADS, INFINITY, 1e-6, true, &stop},
@@ -161,7 +161,7 @@ int main(int argc, char **argv)
     const struct ranks_options each = {1}, all = {0};
     ranks_begin(&argc, &argv);
     if (!ranks_is_first()) {
-        ranks_serve();
+        ranks_serve(NULL);
         return 0;
     }
     crew = ranks_crew(&all);

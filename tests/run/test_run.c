@@ -118,7 +118,7 @@ static void assert_untouched(const struct directory *place, struct run_options o
 static void test_a_run_that_fails_leaves_the_report_before(void **state)
 {
     const struct directory *place = *state;
-    const volatile sig_atomic_t stop = 1;
+    const atomic_bool stop = true;
     struct run_options options = options_to(NULL);
     mkdir(directory_path(place, "out"), 0777);
     directory_write(place, "out/report.md", "before");
@@ -144,7 +144,7 @@ static void test_a_run_that_fails_leaves_the_report_before(void **state)
 }
 
 /* The signal comes while surfaces are being evaluated. */
-static volatile sig_atomic_t stop_soon;
+static atomic_bool stop_soon;
 static size_t evaluated;
 
 static void ask_to_stop(size_t done, size_t total, const char *name)
@@ -152,7 +152,7 @@ static void ask_to_stop(size_t done, size_t total, const char *name)
     (void)name;
     assert_int_equal(total, 3);
     evaluated = done;
-    stop_soon = 1;
+    stop_soon = true;
 }
 
 static void test_a_signal_halfway_stops_the_run(void **state)

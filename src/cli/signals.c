@@ -1,0 +1,122 @@
+#include "cli/signals.h"
+
+#include "base/leftover.h"
+#include "base/program.h"
+#include "base/text.h"
+#include "base/thread.h"
+#include "cli/command.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+#include <unistd.h>
+
+/* Of the process, as its signals are. */
+static atomic_bool stop, told;
+static atomic_int taken, grace_ms;
+static pthread_mutex_t ending = PTHREAD_MUTEX_INITIALIZER; /* whoever has it ends the program */
+
+const atomic_bool *signals_stop(int milliseconds)
+{
+    grace_ms = milliseconds;
+    return &stop;
+}
+
+int signals_status(int exit_status)
+{
+    return taken ? 128 + taken : exit_status;
+}
+
+bool signals_first_word(void)
+{
+    return !atomic_exchange(&told, true);
+}
+
+/** One line on stderr, unless nobody takes it there. */
+static void tell(const char *note)
+{
+    struct text line = {0};
+    struct pollfd err = {.fd = STDERR_FILENO, .events = POLLOUT};
+    if (!signals_first_word() || poll(&err, 1, 0) <= 0)
+        return;
+    text_add(&line, "%sroughcontact: stopped by a signal%s", isatty(STDERR_FILENO) ? "\r\033[K" : "",
+             *note ? "; " : "");
+    text_add_shown(&line, note);
+    text_add(&line, "\n");
+    (void)!write(STDERR_FILENO, text_string(&line), line.length);
+    text_free(&line);
+}
+
+/** Ends the program by the signal that was taken. */
+_Noreturn static void end_by_signal(void)
+{
+    sigset_t signals;
+    pthread_mutex_lock(&ending);
+    signal(SIGPIPE, SIG_IGN);
+    program_kill();
+    tell(leftover_clear());
+    signal(taken, SIG_DFL);
+    sigemptyset(&signals);
+    sigaddset(&signals, taken);
+    pthread_sigmask(SIG_UNBLOCK, &signals, NULL);
+    raise(taken);
+    _exit(128 + taken); /* the first process of a container does not die of signals */
+}
+
+struct program {
+    int (*body)(int argc, char **argv);
+    int argc;
+    char **argv;
+};
+
+static void *run_body(void *context)
+{
+    struct program *program = context;
+    int exit_status = program->body(program->argc, program->argv);
+    if (taken)
+        end_by_signal();
+    exit(exit_status);
+}
+
+/** Waits for one more of `signals`, for as long as the body asked for. */
+static void await(const sigset_t *signals)
+{
+    const struct timespec most = {grace_ms / 1000, grace_ms % 1000 * 1000000L};
+    while (sigtimedwait(signals, NULL, &most) < 0 && errno == EINTR)
+        ;
+}
+
+/** A closed stream would have its number taken by the next file that is opened, which then got what is printed. */
+static void open_standard_streams(void)
+{
+    for (int fd = STDIN_FILENO; fd <= STDERR_FILENO; fd++)
+        if (fcntl(fd, F_GETFD) < 0 && errno == EBADF)
+            (void)!open("/dev/null", fd == STDOUT_FILENO ? O_RDONLY : O_WRONLY); /* the wrong way: use is an error */
+}
+
+int signals_run(int (*body)(int argc, char **argv), int argc, char **argv)
+{
+    struct program program = {body, argc, argv};
+    pthread_t thread;
+    sigset_t signals;
+    open_standard_streams();
+    signal(SIGXFSZ, SIG_IGN); /* write() then says EFBIG */
+    program_ending_signals(&signals);
+    pthread_sigmask(SIG_BLOCK, &signals, NULL);
+    if (!thread_start(&thread, run_body, &program)) { /* on this one, then, which signals end as they do by default */
+        pthread_sigmask(SIG_UNBLOCK, &signals, NULL);
+        return body(argc, argv);
+    }
+    int number;
+    while ((number = sigwaitinfo(&signals, NULL)) < 0)
+        ;
+    taken = number;
+    stop = true;
+    program_stop();
+    await(&signals);
+    end_by_signal();
+}
