@@ -91,13 +91,13 @@ static void put_stretches(struct figure_file *out, double (*page)[2], size_t k, 
             size_t middle = (from + to) / 2;
             char style[40];
             snprintf(style, sizeof style, "%sh%d%d", line->style, later[middle], later[middle] + earlier[middle] + 1);
-            figure_data_begin_block(out, style, "hidden");
+            drawing_begin(&out->drawing, style, "hidden");
         } else {
-            fprintf(out->file, "\n");
+            drawing_add(&out->drawing, NULL, 0);
         }
         begun = true;
         for (size_t i = from; i < to; i++)
-            fprintf(out->file, "%.17g,%.17g\n", out->lines.points[i][0], out->lines.points[i][1]);
+            drawing_add(&out->drawing, out->lines.points[i], 2);
     }
 }
 

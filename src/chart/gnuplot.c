@@ -175,6 +175,7 @@ void gnuplot_send(struct gnuplot *gnuplot, const char *format, ...)
     vfprintf(gnuplot->commands, format, args);
     va_end(args);
     fputc('\n', gnuplot->commands);
+    fflush(gnuplot->commands); /* it draws while the next line is made */
     pipe_guard_end(&guard);
 }
 
@@ -274,13 +275,6 @@ static void gnuplot_enclose(char *out, size_t size, const char *string, char mar
     }
     out[used++] = mark;
     out[used] = '\0';
-}
-
-void gnuplot_quote(char *out, size_t size, const char *string)
-{
-    static const char *const instead[] = {
-        "\u2019"}; /* a doubled quote, as elsewhere in gnuplot, is misread by `call` */
-    gnuplot_enclose(out, size, string, '\'', "'", instead);
 }
 
 void gnuplot_field(char *out, size_t size, const char *string)

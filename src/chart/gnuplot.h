@@ -1,4 +1,4 @@
-/* One gnuplot process that draws every chart. C sends `call` lines only; the plot code is in templates/ (*.gp). */
+/* One gnuplot process. */
 #ifndef CHART_GNUPLOT_H
 #define CHART_GNUPLOT_H
 
@@ -20,8 +20,8 @@ MUST_CHECK enum status_code gnuplot_check(struct status *status);
  * Errors: STATUS_CHART (not installed: names the package), STATUS_IO. */
 MUST_CHECK enum status_code gnuplot_start(struct gnuplot *out, const char *directory, struct status *status);
 
-/** Sends one line, e.g. gnuplot_send(g, "load %s", quoted). A dead process is reported by gnuplot_finish() and raises
- * no SIGPIPE. */
+/** Sends one line, e.g. gnuplot_send(g, "load '%s.gp'", name). A dead process is reported by gnuplot_finish() and
+ * raises no SIGPIPE. */
 void gnuplot_send(struct gnuplot *gnuplot, const char *format, ...) PRINTF_LIKE(2, 3);
 
 /** Ends the input, waits, and checks: any exit status but 0 and any word on stderr is a failure.
@@ -33,13 +33,9 @@ MUST_CHECK enum status_code gnuplot_finish(struct gnuplot *gnuplot, struct statu
  * Errors: STATUS_IO, STATUS_MEMORY. */
 MUST_CHECK enum status_code gnuplot_take_text(struct text *out, const char *path, struct status *status);
 
-/** Writes `string` as a gnuplot single-quoted string into `out`, cut to fit at a UTF-8 border: control characters and
- * bytes that are no UTF-8 as '?', single quotes as U+2019 (doubled ones do not survive `call`). For texts, then, and
- * for file names without quotes. */
-void gnuplot_quote(char *out, size_t size, const char *string);
-
-/** The same for a legend text in a data file: one double-quoted field, double quotes as single ones, backslashes
- * doubled (gnuplot reads escapes there). */
+/** Writes `string` as a legend text in a data file into `out`, one double-quoted field cut to fit at a UTF-8 border:
+ * control characters and bytes that are no UTF-8 as '?', double quotes as single ones, backslashes doubled (gnuplot
+ * reads escapes there). */
 void gnuplot_field(char *out, size_t size, const char *string);
 
 #endif

@@ -231,11 +231,11 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
         return status->code;
     if (options->brief)
         figure_list_keep_deciding(&run->figures);
-    if (figure_write_all(&run->figures, run->results, staging, options->templates, status) != STATUS_OK || stopped(run))
+    if (figure_write_all(&run->figures, run->results, staging, options->terminal_size, status) != STATUS_OK ||
+        stopped(run))
         return status->code;
     out->times.figures = lap(&last);
-    if (figure_draw_all(&run->figures, staging, options->terminal_size, &out->charts, &out->times.gnuplot, status) !=
-        STATUS_OK)
+    if (figure_draw_all(&run->figures, staging, options->jobs, &out->charts, &out->times.gnuplot, status) != STATUS_OK)
         return status->code;
     last = clock_seconds();
     if (report_write(run->results, &run->figures, options->brief, staging, options->templates, status) != STATUS_OK)
