@@ -342,24 +342,19 @@ static enum status_code complete_figure(struct figure_file *out, struct figure *
 enum status_code figure_write_all(struct figure_list *list, const struct results *results, const char *directory,
                                   const char *terminal_size, struct status *status)
 {
-    struct surface_record baseline;
-    if (surface_store_get(&baseline, results->store, results->baseline, status) != STATUS_OK)
-        return status->code;
     struct figure_file *files = calloc(list->count + 1, sizeof *files);
-    enum status_code rc = files ? STATUS_OK : status_memory(status);
-    size_t made = 0;
-    for (; made < list->count && rc == STATUS_OK; made++) {
-        files[made] = figure_data_start(&list->figures[made]);
-        rc = figure_data_put(&files[made], results, &baseline, status);
-    }
+    if (!files)
+        return status_memory(status);
+    for (size_t i = 0; i < list->count; i++)
+        files[i] = figure_data_start(&list->figures[i]);
+    enum status_code rc = figure_data_put(files, list->count, results, status);
     for (size_t i = 0; i < list->count && rc == STATUS_OK; i++) {
         struct axes axes = axes_of(files, list->count, i, results);
         rc = complete_figure(&files[i], &list->figures[i], &axes, results, directory, terminal_size, status);
     }
-    for (size_t i = 0; i < made; i++)
+    for (size_t i = 0; i < list->count; i++)
         figure_data_free(&files[i]);
     free(files);
-    surface_record_free(&baseline, false);
     return rc;
 }
 

@@ -341,40 +341,43 @@ static void put_profile(struct figure_file *out, const struct surface_record *re
         put(out, record->preview_x_m[i] * 1e3, record->preview_z_m[i] * 1e6);
 }
 
-static enum status_code put_surfaces(struct figure_file *out, const struct results *results, struct status *status)
+static bool is_of_surfaces(const struct figure_file *out)
 {
-    enum status_code rc = STATUS_OK;
-    for (size_t k = 0; k < results->shown_count && rc == STATUS_OK; k++) {
-        struct surface_record record;
-        if (surface_store_get(&record, results->store, results->shown[k], status) != STATUS_OK)
-            return status->code;
-        const struct figure_row *row = out->figure->row;
-        char legend[200], style[24];
-        out->load_scale = results_load_axis(results, results->shown[k]).scale;
-        surface_legend(legend, sizeof legend, &record.summary);
-        snprintf(style, sizeof style, "s%zu", k + 1);
-        if (row->kind == FIGURE_PROFILES) {
-            put_profile(out, &record, style, legend);
-        } else if (row->kind == FIGURE_PROBABILITY) {
-            rc = put_probability(out, &record, results, style, legend, status);
-        } else if (row->kind == FIGURE_SPECTRA) {
-            put_spectrum(out, &record, style, legend);
-        } else {
-            size_t m = out->figure->model;
-            put_band(out, &record, m, style);
-            put_curve(out, &record.curves[m], model_rows[m],
-                      &(struct shown){model_shown(model_rows[m], row->y), QUANTITY_LOAD,
-                                      record.summary.asperities.sigma_m, style, legend});
-            put_ratio(out, &record, m, results->plan->wanted, style, legend);
-        }
-        surface_record_free(&record, false);
+    enum figure_kind kind = out->figure->row->kind;
+    return kind == FIGURE_SURFACES || kind == FIGURE_PROFILES || kind == FIGURE_SPECTRA || kind == FIGURE_PROBABILITY;
+}
+
+/** Puts what a figure of all surfaces shows of the k-th of them. */
+static enum status_code put_surface(struct figure_file *out, const struct results *results, size_t k,
+                                    const struct surface_record *record, struct status *status)
+{
+    const struct figure_row *row = out->figure->row;
+    char legend[200], style[24];
+    out->load_scale = results_load_axis(results, results->shown[k]).scale;
+    surface_legend(legend, sizeof legend, &record->summary);
+    snprintf(style, sizeof style, "s%zu", k + 1);
+    if (row->kind == FIGURE_PROFILES) {
+        put_profile(out, record, style, legend);
+    } else if (row->kind == FIGURE_PROBABILITY) {
+        return put_probability(out, record, results, style, legend, status);
+    } else if (row->kind == FIGURE_SPECTRA) {
+        put_spectrum(out, record, style, legend);
+    } else {
+        size_t m = out->figure->model;
+        put_band(out, record, m, style);
+        put_curve(out, &record->curves[m], model_rows[m],
+                  &(struct shown){model_shown(model_rows[m], row->y), QUANTITY_LOAD, record->summary.asperities.sigma_m,
+                                  style, legend});
+        put_ratio(out, record, m, results->plan->wanted, style, legend);
     }
-    if (out->figure->row->kind == FIGURE_PROFILES && results->counterface) {
-        char legend[80];
-        snprintf(legend, sizeof legend, "counterface, Rq %.3g µm", results->counterface->summary.roughness.rq_m * 1e6);
-        put_profile(out, results->counterface, "cf", legend);
-    }
-    return rc;
+    return STATUS_OK;
+}
+
+static void put_counterface(struct figure_file *out, const struct surface_record *counterface)
+{
+    char legend[80];
+    snprintf(legend, sizeof legend, "counterface, Rq %.3g µm", counterface->summary.roughness.rq_m * 1e6);
+    put_profile(out, counterface, "cf", legend);
 }
 
 static void put_sweep(struct figure_file *out, const struct results *results)
@@ -555,8 +558,8 @@ void figure_data_free(struct figure_file *file)
     figure_hidden_free(&file->lines);
 }
 
-enum status_code figure_data_put(struct figure_file *file, const struct results *results,
-                                 const struct surface_record *baseline, struct status *status)
+/** Puts what a figure shows that is not of all surfaces. */
+static void put_own(struct figure_file *file, const struct results *results, const struct surface_record *baseline)
 {
     file->load_scale = results_load_axis(results, results->baseline).scale;
     switch (file->figure->row->kind) {
@@ -588,7 +591,30 @@ enum status_code figure_data_put(struct figure_file *file, const struct results 
     case FIGURE_PROFILES:
     case FIGURE_SPECTRA:
     case FIGURE_PROBABILITY:
-        return put_surfaces(file, results, status);
+        break;
     }
-    return STATUS_OK;
+}
+
+enum status_code figure_data_put(struct figure_file *files, size_t count, const struct results *results,
+                                 struct status *status)
+{
+    struct surface_record record;
+    if (surface_store_get(&record, results->store, results->baseline, status) != STATUS_OK)
+        return status->code;
+    for (size_t i = 0; i < count; i++)
+        put_own(&files[i], results, &record);
+    surface_record_free(&record, false);
+    enum status_code rc = STATUS_OK;
+    for (size_t k = 0; k < results->shown_count && rc == STATUS_OK; k++) {
+        if (surface_store_get(&record, results->store, results->shown[k], status) != STATUS_OK)
+            return status->code;
+        for (size_t i = 0; i < count && rc == STATUS_OK; i++)
+            if (is_of_surfaces(&files[i]))
+                rc = put_surface(&files[i], results, k, &record, status);
+        surface_record_free(&record, false);
+    }
+    for (size_t i = 0; i < count && results->counterface; i++)
+        if (files[i].figure->row->kind == FIGURE_PROFILES)
+            put_counterface(&files[i], results->counterface);
+    return rc;
 }

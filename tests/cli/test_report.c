@@ -289,7 +289,7 @@ static void test_measured(void **state)
         assert_true(i == 0 || (load[i] > load[i - 1]) == (i <= TURN));
         found = fmin(found, value);
     }
-    assert_near(found, least, 1e-12);
+    assert_near(found, least, 1e-8);
     assert_true(has_there_and_back(svg, POINTS, TURN));
     free(data);
     free(svg);
