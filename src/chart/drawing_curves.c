@@ -4,6 +4,7 @@
  * edge. */
 #include "chart/drawing_parts.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -115,6 +116,7 @@ static void give_roles(struct curves *curves)
         const struct drawing_block *block = &drawing->block[b];
         const struct look *look = &block->look;
         struct role *role = &curves->role[b];
+        assert(look->colour);
         for (size_t i = block->first; i < block->end && drawing->log_y && !look->scaled; i++)
             role->zero = role->zero || drawing->row[i][1] == 0;
         role->below = look->scaled && block->rows > 0;

@@ -31,7 +31,8 @@ void figure_hidden_keep(struct figure_lines *out, double x, double y)
     out->line[out->count - 1].end = ++out->point_count;
 }
 
-/* A chart's size in points on the page, as in templates/legend.gp, and how near a line must be to be covered. */
+/* A chart's size in points on the page, as in drawing_parts.h without its labels, and how near a line must be to be
+ * covered. */
 static const double wide = 570, tall = 340, covered = 1.5;
 
 /** Place of a value along an axis. */
@@ -101,17 +102,46 @@ static void put_stretches(struct figure_file *out, double (*page)[2], size_t k, 
     }
 }
 
+/** Leaves out of lines that are thinned the points that stand within a point of the page of the one before, but for its
+ * last. */
+static void thin_lines(struct figure_lines *lines, double (*page)[2])
+{
+    static const double apart = 1;
+    size_t to = 0;
+    for (size_t k = 0; k < lines->count; k++) {
+        struct figure_line *line = &lines->line[k];
+        size_t first = to;
+        bool whole = line->end - line->first <= drawing_whole;
+        for (size_t i = line->first; i < line->end; i++) {
+            bool near = !whole && to > first && fabs(page[i][0] - page[to - 1][0]) < apart &&
+                        fabs(page[i][1] - page[to - 1][1]) < apart;
+            if (near && i + 1 < line->end)
+                continue;
+            memmove(page[to], page[i], sizeof *page);
+            memmove(lines->points[to++], lines->points[i], sizeof *lines->points);
+        }
+        line->first = first;
+        line->end = to;
+    }
+    lines->point_count = to;
+}
+
 void figure_hidden_put(struct figure_file *file, struct figure_extent x, struct figure_extent y, bool x_logarithmic,
                        bool y_logarithmic)
 {
     size_t count = file->lines.point_count;
     double(*page)[2] = malloc((count + 1) * sizeof *page);
-    unsigned char *later = malloc(2 * count + 1), *earlier = later ? later + count : NULL;
+    unsigned char *later = malloc(2 * count + 1);
     file->lines.failed = file->lines.failed || !page || !later;
     for (size_t i = 0; !file->lines.failed && i < count; i++) {
         page[i][0] = place(file->lines.points[i][0], x, x_logarithmic, wide);
         page[i][1] = place(file->lines.points[i][1], y, y_logarithmic, tall);
     }
+    if (!file->lines.failed) {
+        thin_lines(&file->lines, page);
+        count = file->lines.point_count;
+    }
+    unsigned char *earlier = later ? later + count : NULL;
     for (size_t k = 0; !file->lines.failed && k + 1 < file->lines.count; k++) {
         memset(later, 0, 2 * count);
         for (size_t j = 0; j < file->lines.count; j++)
