@@ -1,6 +1,8 @@
 /* The commands on a scene, `report` and `plan`. */
+#include "base/clock.h"
 #include "base/program.h"
 #include "cli/command.h"
+#include "run/forecast.h"
 #include "run/prepare.h"
 #include "run/run.h"
 
@@ -228,6 +230,7 @@ static int report(struct arguments *arguments, struct scene *scene, struct statu
     arguments->run.templates = text_string(&templates);
     arguments->run.terminal_size = arguments->show ? size : NULL;
     arguments->run.crew = others;
+    arguments->run.forecast = arguments->verbose;
     arguments->run.stop = &stop;
     arguments->run.progress = isatty(STDERR_FILENO) ? progress : NULL;
     catch_signals();
@@ -257,8 +260,10 @@ static int report(struct arguments *arguments, struct scene *scene, struct statu
             fprintf(stderr, "\n%s", text_string(&outcome.work));
         if (!outcome.work_agrees)
             fputs("roughcontact: the evaluations done are not those predicted; please report this\n", stderr);
-        if (arguments->verbose)
+        if (arguments->verbose) {
             print_times(&outcome.times);
+            fprintf(stderr, "\n%s", text_string(&outcome.stages));
+        }
     }
     run_outcome_free(&outcome);
     text_free(&templates);
@@ -333,8 +338,9 @@ static void print_heights(const struct surface_store *store)
     }
 }
 
-static void print_plan(const struct scene *scene, const struct prepared *prepared, bool brief)
+static void print_plan(const struct scene *scene, const struct prepared *prepared, const struct run_options *options)
 {
+    bool brief = options->brief;
     const struct plan *plan = &prepared->plan;
     struct text table = {0};
     prepare_table(&table, prepared, NULL);
@@ -349,6 +355,15 @@ static void print_plan(const struct scene *scene, const struct prepared *prepare
     printf("\n%zu surface%s, %zu loads, tolerance %g, closure %s\n", scene->surface_count,
            scene->surface_count == 1 ? "" : "s", prepared->results.load_count, scene->tolerance,
            sinusoid_fits[scene->closure].name);
+    struct forecast_rates rates;
+    struct status status = {0};
+    if (forecast_calibrate(&rates, &prepared->results, clock_seconds, &status) == STATUS_OK) {
+        struct forecast likely = forecast_make(&prepared->results, &rates, options);
+        struct text stages = {0};
+        forecast_table(&stages, &likely, NULL);
+        printf("\n%s", text_string(&stages));
+        text_free(&stages);
+    }
     if (scene->target_count > 0)
         printf("%zu target%s: a search each on every model's curve of each surface, counted in the evaluations above\n",
                scene->target_count, scene->target_count == 1 ? "" : "s");
@@ -382,7 +397,7 @@ int command_plan(int argc, char **argv)
     if (rc == STATUS_OK && refused == scene.surface_count)
         rc = status_fail(&status, STATUS_SCAN, "no readable scan in '%s'", scene.directory);
     if (rc == STATUS_OK)
-        print_plan(&scene, &prepared, arguments.run.brief);
+        print_plan(&scene, &prepared, &arguments.run);
     int exit_status = rc != STATUS_OK ? command_fail(&status) : refused > 0 ? COMMAND_REFUSED : COMMAND_DONE;
     text_free(&messages);
     prepared_free(&prepared);

@@ -15,6 +15,7 @@ struct run_options {
     const char *terminal_size;         /* "columns,rows" to draw the main charts as text, NULL: not */
     bool no_cost;                      /* leave out what accuracy costs */
     bool brief;                        /* the report's first page, with its figures, alone */
+    bool forecast;                     /* forecast the stages' times, to be held against what they took */
     unsigned jobs;                     /* threads; 0: one a processor */
     const struct direct_crew *crew;    /* other processes for the direct solution; NULL: none */
     const volatile sig_atomic_t *stop; /* becomes non-zero when the run is to end early; NULL: never */
@@ -38,6 +39,7 @@ struct run_outcome {
     struct text charts;       /* when terminal_size was given */
     char *path;               /* of report.html */
     struct text work;         /* predicted against done, effect by effect */
+    struct text stages;       /* forecast against taken, stage by stage, when asked for */
     uint64_t evaluations;     /* done; as predicted when work_agrees */
     double predicted_seconds; /* of the models, on one core */
     bool work_agrees;         /* evaluation counts are as predicted */
