@@ -8,19 +8,27 @@
 #include <unistd.h>
 
 const char *const forecast_names[FORECAST_STAGES] = {
-    [FORECAST_READ] = "read scans",         [FORECAST_LEVEL] = "level",
-    [FORECAST_SPECTRA] = "spectra",         [FORECAST_MODELS] = "models",
-    [FORECAST_CONVERGENCE] = "convergence", [FORECAST_UNCERTAINTY] = "uncertainty",
-    [FORECAST_DIRECT] = "direct solution",  [FORECAST_COST] = "what accuracy costs",
-    [FORECAST_TABLES] = "tables and json",  [FORECAST_CHART_DATA] = "chart data",
-    [FORECAST_GNUPLOT] = "gnuplot",         [FORECAST_PAGE] = "page",
+    [FORECAST_READ] = "read scans",
+    [FORECAST_LEVEL] = "level",
+    [FORECAST_SPECTRA] = "spectra",
+    [FORECAST_MODELS] = "models",
+    [FORECAST_CONVERGENCE] = "convergence",
+    [FORECAST_UNCERTAINTY] = "uncertainty",
+    [FORECAST_DIRECT] = "direct solution",
+    [FORECAST_COST] = "what accuracy costs",
+    [FORECAST_TABLES] = "tables and json",
+    [FORECAST_CHART_DATA] = "chart data",
+    [FORECAST_GNUPLOT] = "gnuplot",
+    [FORECAST_PAGE] = "page",
+    [FORECAST_OTHER] = "start, store, the rest",
 };
 
 /* Typical times [s] on a core that writes a number in `usual_number`: read from `report --verbose` of surfaces/chapter6
  * with 121 and with 10 000 loads and of 1000 scans of 8000 points. All but the first scale with the machine. */
 static const double usual_number = 0.48e-6, process_seconds = 13e-3, drawn_seconds = 2.2e-3, figure_seconds = 1.6e-3,
                     page_seconds = 15e-3, page_figure_seconds = 1.4e-3, surface_seconds = 0.2e-3, cost_seconds = 0.16,
-                    cost_load_seconds = 26e-6, sweep_scale_seconds = 75e-9, start_seconds = 8e-3;
+                    cost_load_seconds = 26e-6, sweep_scale_seconds = 75e-9, start_seconds = 8e-3,
+                    stored_height_seconds = 20e-9, kept_height_seconds = 350e-9, point_seconds = 2e-6;
 /* Shares of a written number: of one in JSON, of a curve's point in the charts and on the page. */
 static const double table_number = 0.93, json_number = 1.2, chart_number = 0.29, page_number = 0.07;
 /* How often the methods that the section on cost compares sort heights. */
@@ -57,6 +65,13 @@ static enum status_code measure_numbers(struct forecast_rates *out, double (*clo
 static double n_log_n(double n)
 {
     return n > 1 ? n * log2(n) : 0;
+}
+
+/** Seconds to sort `heights`: beyond what caches hold, each step takes twice as long. */
+static double sort_seconds(const struct forecast_rates *rates, double heights)
+{
+    static const double cached = 5e5;
+    return rates->sort * n_log_n(heights) * (1 + heights / (heights + cached));
 }
 
 /** Heights and slopes like noise, the same in every run. */
@@ -207,7 +222,7 @@ static void forecast_models(struct forecast *out, const struct results *results,
             struct model_work of_model = work_of_model(summary, m, results->scene, plan);
             out->seconds[FORECAST_MODELS] += rates->model[m] * work_seconds(&of_model);
             if (model_rows[m]->uses_heights)
-                out->seconds[FORECAST_MODELS] += rates->sort * n_log_n((double)summary->heights);
+                out->seconds[FORECAST_MODELS] += sort_seconds(rates, (double)summary->heights);
         }
     }
     out->seconds[FORECAST_CONVERGENCE] = rates->speed * sweep_scale_seconds * (double)work->sweep_scales;
@@ -222,7 +237,7 @@ struct forecast forecast_make(const struct results *results, const struct foreca
     struct forecast out = {{0}, 0};
     const struct surface_store *store = results->store;
     double figures = options->brief ? 2 : count_figures(results, options->no_cost), numbers = count_numbers(results);
-    double spectra = 0, most_heights = 0, threads = threads_of(results, options);
+    double spectra = 0, most_heights = 0, heights = 0, points = 0, threads = threads_of(results, options);
     for (size_t i = 0; i < store->count; i++) {
         const struct surface_summary *summary = &store->summaries[i];
         out.seconds[FORECAST_READ] += summary->times.read;
@@ -230,25 +245,36 @@ struct forecast forecast_make(const struct results *results, const struct foreca
         out.seconds[FORECAST_SPECTRA] += summary->times.spectrum;
         spectra += 3.5 * (double)summary->harmonics;
         most_heights = fmax(most_heights, (double)summary->heights);
+        heights += (double)summary->heights;
+        points += (double)summary->points;
     }
+    double shown = results->usable_count > 0 /* curves of some surfaces alone are drawn */
+                       ? numbers * (double)results->shown_count / (double)results->usable_count
+                       : 0;
     forecast_models(&out, results, rates);
     if (!options->no_cost)
         out.seconds[FORECAST_COST] = rates->speed * (cost_seconds + cost_load_seconds * (double)results->load_count) +
-                                     cost_sorts * rates->sort * n_log_n(most_heights);
+                                     cost_sorts * sort_seconds(rates, most_heights);
     double sweeps = plan_runs(results->plan, EFFECT_CONVERGENCE) ? 16000 : 0; /* 150 scales of each sweep */
     out.seconds[FORECAST_TABLES] =
         rates->number * table_number * ((1 + json_number) * numbers + spectra + sweeps + NUMBERS);
     out.seconds[FORECAST_CHART_DATA] = rates->speed * figure_seconds * figures +
-                                       rates->number * chart_number * numbers + /* heights are sorted once more */
-                                       rates->sort * n_log_n(most_heights);
+                                       rates->number * chart_number * shown + /* heights are sorted once more */
+                                       sort_seconds(rates, most_heights);
     bool both = figures > 10 && options->jobs != 1;
     out.seconds[FORECAST_GNUPLOT] = rates->speed * (process_seconds + drawn_seconds * figures / (both ? 2 : 1));
     out.seconds[FORECAST_PAGE] =
         rates->speed * (page_seconds + page_figure_seconds * figures + surface_seconds * (double)store->count) +
-        rates->number * page_number * numbers;
-    out.total = rates->speed * start_seconds;
+        rates->number * page_number * shown;
+    double stored = rates->speed * stored_height_seconds * heights; /* each later stage takes them from the store */
+    out.seconds[FORECAST_TABLES] += 2 * stored;
+    out.seconds[FORECAST_CHART_DATA] += stored;
+    out.seconds[FORECAST_PAGE] += stored;
+    out.seconds[FORECAST_OTHER] =
+        rates->speed * (start_seconds + kept_height_seconds * heights + point_seconds * points);
     for (int s = 0; s < FORECAST_STAGES; s++)
-        out.total += out.seconds[s] / (s <= FORECAST_MODELS || s == FORECAST_UNCERTAINTY ? threads : 1);
+        out.total +=
+            out.seconds[s] / (s <= FORECAST_MODELS || s == FORECAST_UNCERTAINTY || s == FORECAST_OTHER ? threads : 1);
     return out;
 }
 
@@ -268,6 +294,7 @@ struct forecast forecast_of_times(const struct run_times *times)
     out.seconds[FORECAST_CHART_DATA] = times->figures;
     out.seconds[FORECAST_GNUPLOT] = times->gnuplot;
     out.seconds[FORECAST_PAGE] = times->report;
+    out.seconds[FORECAST_OTHER] = NAN;
     return out;
 }
 

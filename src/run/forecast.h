@@ -20,6 +20,7 @@ enum forecast_stage {
     FORECAST_CHART_DATA,
     FORECAST_GNUPLOT,
     FORECAST_PAGE,
+    FORECAST_OTHER,
     FORECAST_STAGES,
 };
 extern const char *const forecast_names[FORECAST_STAGES];
