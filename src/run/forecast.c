@@ -25,12 +25,12 @@ const char *const forecast_names[FORECAST_STAGES] = {
 
 /* Typical times [s] on a core that writes a number in `usual_number`: read from `report --verbose` of surfaces/chapter6
  * with 121 and with 10 000 loads and of 1000 scans of 8000 points. All but the first scale with the machine. */
-static const double usual_number = 0.48e-6, process_seconds = 13e-3, drawn_seconds = 2.2e-3, figure_seconds = 1.6e-3,
+static const double usual_number = 0.62e-6, process_seconds = 13e-3, drawn_seconds = 2.2e-3, figure_seconds = 1.6e-3,
                     page_seconds = 15e-3, page_figure_seconds = 1.4e-3, surface_seconds = 0.2e-3, cost_seconds = 0.16,
                     cost_load_seconds = 26e-6, sweep_scale_seconds = 75e-9, start_seconds = 8e-3,
                     stored_height_seconds = 20e-9, kept_height_seconds = 350e-9, point_seconds = 2e-6;
 /* Shares of a written number: of one in JSON, of a curve's point in the charts and on the page. */
-static const double table_number = 0.93, json_number = 1.2, chart_number = 0.29, page_number = 0.07;
+static const double table_number = 0.72, json_number = 1.2, chart_number = 0.22, page_number = 0.055;
 /* How often the methods that the section on cost compares sort heights. */
 static const double cost_sorts = 25;
 
