@@ -10,7 +10,11 @@ install(TARGETS ${programs} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONEN
 install(DIRECTORY templates DESTINATION share/roughcontact COMPONENT program)
 install(DIRECTORY surfaces DESTINATION share/roughcontact COMPONENT program PATTERN make.sh EXCLUDE)
 
-install(FILES docs/roughcontact.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
+add_custom_command(OUTPUT ${CMAKE_BINARY_DIR}/roughcontact.1.gz DEPENDS docs/roughcontact.1 VERBATIM
+                   COMMAND gzip -9nc ${CMAKE_SOURCE_DIR}/docs/roughcontact.1 > ${CMAKE_BINARY_DIR}/roughcontact.1.gz)
+add_custom_target(manual DEPENDS ${CMAKE_BINARY_DIR}/roughcontact.1.gz)
+add_dependencies(roughcontact manual)
+install(FILES ${CMAKE_BINARY_DIR}/roughcontact.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
 install(FILES docs/roughcontact.bash DESTINATION share/bash-completion/completions RENAME roughcontact COMPONENT program)
 
 install(TARGETS libroughcontact LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library

@@ -37,6 +37,15 @@ void work_add(struct work *work, size_t m, const struct model_work *more)
     model_work_add(share_of(work, m), more);
 }
 
+struct model_work work_of_model(const struct surface_summary *surface, size_t m, const struct scene *scene,
+                                const struct plan *plan)
+{
+    struct model_work work = {.searches = (surface_seeks_beta(plan, m) ? 2 : 1) + scene->target_count};
+    model_work_add(&work, &surface->models[m].bounds.work[plan_runs(plan, EFFECT_SCALE_DEPENDENT)]);
+    model_work_add(&work, &surface->models[m].bounds.sensitivity_work);
+    return work;
+}
+
 struct work work_predict(const struct surface_summary *surfaces, size_t count, const struct scene *scene,
                          const struct plan *plan)
 {
@@ -48,11 +57,8 @@ struct work work_predict(const struct surface_summary *surfaces, size_t count, c
         for (size_t m = 0; m < model_count; m++) {
             if (!plan_runs_model(plan, m))
                 continue;
-            struct model_work searches = {.searches = (surface_seeks_beta(plan, m) ? 2 : 1) + scene->target_count};
-            model_work_add(share_of(&work, m), &searches);
-            model_work_add(share_of(&work, m),
-                           &surfaces[i].models[m].bounds.work[plan_runs(plan, EFFECT_SCALE_DEPENDENT)]);
-            model_work_add(share_of(&work, m), &surfaces[i].models[m].bounds.sensitivity_work);
+            struct model_work of_model = work_of_model(&surfaces[i], m, scene, plan);
+            model_work_add(share_of(&work, m), &of_model);
             work.extensions += model_rows[m]->stacks_scales && plan_runs(plan, EFFECT_CONVERGENCE) &&
                                surface_extends(&surfaces[i], scene);
         }
@@ -86,10 +92,15 @@ static double model_seconds(const struct model_work *work)
            (double)work->separations * separation_seconds + (double)work->searches * search_seconds;
 }
 
+double work_seconds(const struct model_work *work)
+{
+    return model_seconds(work) + (double)work->gaps * gap_seconds + (double)work->constrictions * constriction_seconds +
+           (double)work->scale_dependent_nodes * node_seconds;
+}
+
 uint64_t work_uncertainty(const struct uncertainty_work *work, double *seconds)
 {
-    *seconds = (double)work->heights * uncertainty_height_seconds + model_seconds(&work->models) +
-               (double)work->models.gaps * gap_seconds + (double)work->models.constrictions * constriction_seconds;
+    *seconds = (double)work->heights * uncertainty_height_seconds + work_seconds(&work->models);
     return work->heights + model_evaluations(&work->models);
 }
 

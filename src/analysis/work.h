@@ -31,6 +31,11 @@ enum { WORK_ROWS = EFFECT_COUNT + 1 };
 /** Work of all usable ones of `count` described surfaces, for a bounded plan. */
 struct work work_predict(const struct surface_summary *surfaces, size_t count, const struct scene *scene,
                          const struct plan *plan);
+/** The part of it that model `m` takes on one usable surface. */
+struct model_work work_of_model(const struct surface_summary *surface, size_t m, const struct scene *scene,
+                                const struct plan *plan);
+/** Its likely seconds on one core. */
+double work_seconds(const struct model_work *work);
 /** What simulating the single scans of the surfaces will take (uncertainty.h). */
 struct uncertainty_work work_simulated(const struct surface_summary *surfaces, size_t count, const struct plan *plan);
 /** Its evaluations, heights and answers of the models, and their likely seconds on one core. */

@@ -1,6 +1,7 @@
 #include "chart/figure.h"
 
 #include "analysis/direct_study.h"
+#include "base/clock.h"
 #include "chart/figure_data.h"
 
 #include <errno.h>
@@ -149,8 +150,139 @@ void figure_list_keep_deciding(struct figure_list *list)
 
 void figure_list_free(struct figure_list *list)
 {
+    for (size_t i = 0; i < list->count; i++)
+        text_free(&list->figures[i].letters);
     free(list->figures);
     *list = (struct figure_list){0};
+}
+
+static bool is_sweep(const struct figure_row *row)
+{
+    return row->kind == FIGURE_SWEEP || row->kind == FIGURE_SENSITIVITY;
+}
+
+static bool x_is_logarithmic(const struct figure_row *row)
+{
+    return is_sweep(row) || row->kind == FIGURE_DIRECT_RATIO || quantity_rows[row->x].logarithmic;
+}
+
+static bool y_is_logarithmic(const struct figure_row *row)
+{
+    return is_sweep(row) || row->kind == FIGURE_DIRECT_RATIO || quantity_rows[row->y].logarithmic;
+}
+
+static const enum drawing_kind drawing_kinds[] = {
+    [FIGURE_SWEEP] = DRAWING_CURVES,
+    [FIGURE_MODELS] = DRAWING_CURVES,
+    [FIGURE_SURFACES] = DRAWING_CURVES,
+    [FIGURE_PROFILES] = DRAWING_PROFILES,
+    [FIGURE_SPECTRA] = DRAWING_SPECTRA,
+    [FIGURE_BENCHMARK] = DRAWING_COST,
+    [FIGURE_SENSITIVITY] = DRAWING_CURVES,
+    [FIGURE_DIRECT] = DRAWING_CURVES,
+    [FIGURE_DIRECT_RATIO] = DRAWING_CURVES,
+    [FIGURE_PATCHES] = DRAWING_PATCHES,
+    [FIGURE_PROBABILITY] = DRAWING_PROBABILITY,
+};
+
+/** Labels of curves against load, area or wavelength; what a sweep shows, it shows at one load. */
+static void label_curves(struct drawing *drawing, const struct figure_row *row, const struct results *results)
+{
+    const struct results_load_axis axis = results_load_axis(results, results->baseline);
+    size_t size = sizeof drawing->x_label;
+    if (is_sweep(row))
+        snprintf(drawing->x_label, size, "shortest wavelength included (m)");
+    else if (axis.unit && row->x == QUANTITY_LOAD)
+        snprintf(drawing->x_label, size, "%s (%s)", results->scene->load.kind == UNIT_FORCE ? "load" : "pressure",
+                 axis.unit);
+    else
+        snprintf(drawing->x_label, size, "%s", quantity_rows[row->x].label);
+    size = sizeof drawing->y_label;
+    if (row->kind == FIGURE_SWEEP)
+        snprintf(drawing->y_label, size, "%s, at P/(Aₙ E′) = %g", quantity_rows[QUANTITY_AREA].label,
+                 results->scene->convergence.load);
+    else
+        snprintf(drawing->y_label, size, "%s",
+                 row->kind == FIGURE_DIRECT_RATIO ? "model / direct solution" : quantity_rows[row->y].label);
+}
+
+/** Names, labels and kinds of axes. */
+static void describe(struct drawing *drawing, const struct figure *figure, const struct results *results)
+{
+    static const struct {
+        const char *x, *y;
+        bool logarithmic;
+    } own[] = {
+        [DRAWING_PROFILES] = {"position (mm)", "height (µm)", false},
+        [DRAWING_SPECTRA] = {"wavelength (m)", "amplitude (m)", true},
+        [DRAWING_COST] = {"time (s)", "relative error", true},
+        [DRAWING_PROBABILITY] = {"normal score (standard deviations)", "height (µm)", false},
+        [DRAWING_PATCHES] = {"", "", false},
+    };
+    const struct figure_row *row = figure->row;
+    drawing->kind = drawing_kinds[row->kind];
+    snprintf(drawing->name, sizeof drawing->name, "%s", figure->number);
+    snprintf(drawing->title, sizeof drawing->title, "%s", figure->title);
+    if (drawing->kind == DRAWING_CURVES) {
+        label_curves(drawing, row, results);
+        drawing->log_x = x_is_logarithmic(row);
+        drawing->log_y = y_is_logarithmic(row);
+    } else {
+        snprintf(drawing->x_label, sizeof drawing->x_label, "%s", own[drawing->kind].x);
+        snprintf(drawing->y_label, sizeof drawing->y_label, "%s", own[drawing->kind].y);
+        drawing->log_x = drawing->log_y = own[drawing->kind].logarithmic;
+    }
+    if (row->below != QUANTITY_LOAD)
+        snprintf(drawing->below_label, sizeof drawing->below_label, "%s", row->below_label);
+    if (row->kind == FIGURE_SENSITIVITY)
+        drawing->unsure = results->sensitivity->unsure_m;
+    if (row->kind == FIGURE_PATCHES)
+        drawing->cell = figure_direct(results)->plan.length_m * 1e6;
+}
+
+static void join(struct figure_extent *all, struct figure_extent one)
+{
+    all->low = fmin(all->low, one.low);
+    all->high = fmax(all->high, one.high);
+}
+
+/** What the axes of a figure hold. */
+struct axes {
+    struct figure_extent x, y, ratio;
+};
+
+/** The charts of all surfaces compare: one y range a quantity, one x range. Charts against load hold all loads. A
+ * resistance goes down to little below the floor, a separation shown adjusted as well to where its own is cut. */
+static struct axes axes_of(const struct figure_file *files, size_t count, size_t k, const struct results *results)
+{
+    const struct figure_row *row = files[k].figure->row;
+    struct axes axes = {files[k].x, files[k].y, files[k].ratio};
+    bool given = row->kind == FIGURE_MODELS || row->kind == FIGURE_SURFACES;
+    double floor = files[k].floor;
+    for (size_t i = 0; i < count && row->kind == FIGURE_SURFACES; i++) {
+        const struct figure_row *other = files[i].figure->row;
+        if (other->kind != FIGURE_SURFACES)
+            continue;
+        if (other->x == row->x)
+            join(&axes.x, files[i].x);
+        if (other->y == row->y) {
+            join(&axes.y, files[i].y);
+            join(&axes.ratio, files[i].ratio);
+            floor = fmin(floor, files[i].floor);
+        }
+    }
+    if (!given)
+        return axes;
+    if (row->x == QUANTITY_LOAD) {
+        const double *loads = results_loads(results, results->baseline);
+        double scale = results_load_axis(results, results->baseline).scale;
+        join(&axes.x, (struct figure_extent){scale * loads[0], scale * loads[results->load_count - 1]});
+    }
+    if (isfinite(floor))
+        axes.y.low = fmax(axes.y.low, 0.3 * floor);
+    if (files[k].adjusted)
+        axes.y.low = fmax(axes.y.low, figure_lowest_separation);
+    return axes;
 }
 
 static enum status_code write_text(const struct text *content, const char *directory, const char *name,
@@ -165,239 +297,64 @@ static enum status_code write_text(const struct text *content, const char *direc
     return rc;
 }
 
-static bool is_sweep(const struct figure_row *row)
+static enum status_code write_part(const struct text *content, const struct figure *figure, const char *ending,
+                                   const char *directory, struct status *status)
 {
-    return row->kind == FIGURE_SWEEP || row->kind == FIGURE_SENSITIVITY;
+    char name[sizeof figure->number + 4];
+    snprintf(name, sizeof name, "%s%s", figure->number, ending);
+    return write_text(content, directory, name, status);
 }
 
-static bool is_direct(const struct figure_row *row)
+/** Finds what of a figure's lines is hidden, now that its axes are known, and writes its script and its data. */
+static enum status_code complete_figure(struct figure_file *out, struct figure *figure, const struct axes *axes,
+                                        const struct results *results, const char *directory, const char *terminal_size,
+                                        struct status *status)
 {
-    return row->kind == FIGURE_DIRECT || row->kind == FIGURE_DIRECT_RATIO;
-}
-
-static bool x_is_logarithmic(const struct figure_row *row)
-{
-    return is_sweep(row) || row->kind == FIGURE_DIRECT_RATIO || quantity_rows[row->x].logarithmic;
-}
-
-static bool y_is_logarithmic(const struct figure_row *row)
-{
-    return is_sweep(row) || row->kind == FIGURE_DIRECT_RATIO || quantity_rows[row->y].logarithmic;
-}
-
-/** The label of the y axis: what a sweep shows, it shows at one load. */
-static void add_y_label(struct text *script, const struct figure_row *row, const struct results *results)
-{
-    if (row->kind == FIGURE_SWEEP)
-        text_add(script, " '%s, at P/(Aₙ E′) = %g'", quantity_rows[QUANTITY_AREA].label,
-                 results->scene->convergence.load);
-    else
-        text_add(script, " '%s'",
-                 row->kind == FIGURE_DIRECT_RATIO ? "model / direct solution" : quantity_rows[row->y].label);
-}
-
-/** What the axes of a figure hold. */
-struct axes {
-    bool given; /* else the data alone say */
-    struct figure_extent x, y, ratio;
-};
-
-/** NUMBER.gp: what draws the figure, for this program and for anyone in that directory. */
-static enum status_code write_script(const struct figure_file *out, const struct axes *axes,
-                                     const struct results *results, const char *directory, struct status *status)
-{
-    static const char *const templates[] = {
-        [FIGURE_SWEEP] = "curves.gp",       [FIGURE_MODELS] = "curves.gp",          [FIGURE_SURFACES] = "curves.gp",
-        [FIGURE_PROFILES] = "profiles.gp",  [FIGURE_SPECTRA] = "spectra.gp",        [FIGURE_BENCHMARK] = "cost.gp",
-        [FIGURE_SENSITIVITY] = "curves.gp", [FIGURE_DIRECT] = "curves.gp",          [FIGURE_DIRECT_RATIO] = "curves.gp",
-        [FIGURE_PATCHES] = "patches.gp",    [FIGURE_PROBABILITY] = "probability.gp"};
-    const struct figure_row *row = out->figure->row;
-    struct text script = {0};
-    const char *number = out->figure->number;
-    const struct results_load_axis axis = results_load_axis(results, results->baseline);
-    char loads_label[UNIT_LENGTH + 16]; /* a unit holds neither quotes nor control characters */
-    snprintf(loads_label, sizeof loads_label, "%s (%s)", results->scene->load.kind == UNIT_FORCE ? "load" : "pressure",
-             axis.unit ? axis.unit : "");
-    bool curves = is_sweep(row) || is_direct(row) || row->kind == FIGURE_MODELS || row->kind == FIGURE_SURFACES;
-    text_add(&script, "# draws figure %s from %s.csv: gnuplot %s.gp\n", number, number, number);
-    if (is_direct(row) || row->kind == FIGURE_MODELS || row->kind == FIGURE_SENSITIVITY ||
-        (row->kind == FIGURE_BENCHMARK && row->chart >= BENCHMARK_DIRECT_AREA))
-        text_add(&script, "load 'models.gp'\n");
-    if (row->below != QUANTITY_LOAD)
-        text_add(&script, "below_label = '%s'\n", row->below_label);
-    text_add(&script, "call '%s' '%s.csv' ('%s' . (exists('dumb_size') ? '.txt' : '%s')) '%s'", templates[row->kind],
-             number, number, figure_extension(row), out->figure->title);
-    if (row->kind == FIGURE_PATCHES)
-        text_add(&script, " '%.6e'", figure_direct(results)->plan.length_m * 1e6);
-    if (curves) { /* the others name their own axes */
-        text_add(&script, " '%s'",
-                 is_sweep(row)                          ? "shortest wavelength included (m)"
-                 : axis.unit && row->x == QUANTITY_LOAD ? loads_label
-                                                        : quantity_rows[row->x].label);
-        add_y_label(&script, row, results);
-        text_add(&script, " '%s%s'", x_is_logarithmic(row) ? "x" : "", y_is_logarithmic(row) ? "y" : "");
+    const struct figure_row *row = figure->row;
+    struct drawing *drawing = &out->drawing;
+    struct text script = {0}, data = {0};
+    describe(drawing, figure, results);
+    if (row->kind == FIGURE_SURFACES || row->kind == FIGURE_SWEEP)
+        figure_hidden_put(out, axes->x, axes->y, drawing->log_x, drawing->log_y);
+    if (row->kind == FIGURE_SURFACES || row->kind == FIGURE_MODELS) {
+        drawing->axes_given = axes->x.low <= axes->x.high && axes->y.low <= axes->y.high;
+        drawing->x = axes->x;
+        drawing->y = axes->y;
+        drawing->ratio = axes->ratio;
     }
-    text_add(&script, " '%s'", text_string(&out->styles));
-    if (axes->given) { /* gnuplot reads '1.0e-06' from a string, but not '1e-06' */
-        text_add(&script, " '%.6e %.6e %.6e %.6e", axes->x.low, axes->x.high, axes->y.low, axes->y.high);
-        if (axes->ratio.low <= axes->ratio.high)
-            text_add(&script, " %.6e %.6e", axes->ratio.low, axes->ratio.high);
-        text_add(&script, "'");
-    }
-    if (row->kind == FIGURE_SENSITIVITY)
-        text_add(&script, " '' '%.6e'", results->sensitivity->unsure_m);
-    text_add(&script, "\n");
-    char name[sizeof out->figure->number + 4];
-    snprintf(name, sizeof name, "%s.gp", number);
-    enum status_code rc = write_text(&script, directory, name, status);
-    text_free(&script);
-    return rc;
-}
-
-static FILE *open_data(const struct figure *figure, const char *directory, const char *mode)
-{
-    struct text path = {0};
-    text_add(&path, "%s/figures/%s.csv", directory, figure->number);
-    FILE *file = path.failed ? NULL : fopen(text_string(&path), mode);
-    text_free(&path);
-    return file;
-}
-
-static enum status_code close_data(struct figure_file *out, struct status *status)
-{
-    bool bad = ferror(out->file);
-    if (fclose(out->file) != 0 || bad)
-        return status_fail(status, STATUS_IO, "cannot write figure %s: %s", out->figure->number, strerror(errno));
-    out->file = NULL;
-    return STATUS_OK;
-}
-
-static enum status_code write_data(struct figure_file *out, const struct results *results,
-                                   const struct surface_record *baseline, const char *directory, struct status *status)
-{
-    out->file = open_data(out->figure, directory, "w");
-    if (!out->file)
-        return status_fail(status, STATUS_IO, "cannot write figure %s: %s", out->figure->number, strerror(errno));
-    enum status_code rc = figure_data_put(out, results, baseline, status);
-    enum status_code closed = close_data(out, status);
-    return rc != STATUS_OK ? rc : closed != STATUS_OK ? closed : out->lines.failed ? status_memory(status) : STATUS_OK;
-}
-
-static void join(struct figure_extent *all, struct figure_extent one)
-{
-    all->low = fmin(all->low, one.low);
-    all->high = fmax(all->high, one.high);
-}
-
-/** The charts of all surfaces compare: one y range a quantity, one x range. Charts against load hold all loads. A
- * resistance goes down to little below the floor, a separation shown adjusted as well to where its own is cut. */
-static struct axes axes_of(const struct figure_file *files, size_t count, size_t k, const struct results *results)
-{
-    const struct figure_row *row = files[k].figure->row;
-    struct axes axes = {.given = row->kind == FIGURE_MODELS || row->kind == FIGURE_SURFACES};
-    axes.x = files[k].x;
-    axes.y = files[k].y;
-    axes.ratio = files[k].ratio;
-    double floor = files[k].floor;
-    for (size_t i = 0; i < count && row->kind == FIGURE_SURFACES; i++) {
-        const struct figure_row *other = files[i].figure->row;
-        if (other->kind != FIGURE_SURFACES)
-            continue;
-        if (other->x == row->x)
-            join(&axes.x, files[i].x);
-        if (other->y == row->y) {
-            join(&axes.y, files[i].y);
-            join(&axes.ratio, files[i].ratio);
-            floor = fmin(floor, files[i].floor);
-        }
-    }
-    if (!axes.given)
-        return axes;
-    if (row->x == QUANTITY_LOAD) {
-        const double *loads = results_loads(results, results->baseline);
-        double scale = results_load_axis(results, results->baseline).scale;
-        join(&axes.x, (struct figure_extent){scale * loads[0], scale * loads[results->load_count - 1]});
-    }
-    if (isfinite(floor))
-        axes.y.low = fmax(axes.y.low, 0.3 * floor);
-    if (files[k].adjusted)
-        axes.y.low = fmax(axes.y.low, figure_lowest_separation);
-    axes.given = axes.x.low <= axes.x.high && axes.y.low <= axes.y.high;
-    return axes;
-}
-
-/** Finds what of a figure's lines is hidden, now that its axes are known, and writes its script. */
-static enum status_code complete_figure(struct figure_file *out, const struct axes *axes, const struct results *results,
-                                        const char *directory, struct status *status)
-{
-    const struct figure_row *row = out->figure->row;
-    if (row->kind == FIGURE_SURFACES || row->kind == FIGURE_SWEEP) {
-        out->file = open_data(out->figure, directory, "a");
-        if (!out->file)
-            return status_fail(status, STATUS_IO, "cannot write figure %s: %s", out->figure->number, strerror(errno));
-        figure_hidden_put(out, axes->x, axes->y, x_is_logarithmic(row), y_is_logarithmic(row));
-        if (close_data(out, status) != STATUS_OK)
-            return status->code;
-        if (out->lines.failed)
-            return status_memory(status);
-    }
-    return write_script(out, axes, results, directory, status);
-}
-
-/** models.gp: the look of every model's line. */
-static enum status_code write_models(const char *directory, struct status *status)
-{
-    struct text script = {0};
-    for (size_t m = 0; m < model_count; m++)
-        text_add(&script, "colour_%s = '%s'; marker_%s = %d # %s\n", model_rows[m]->style, model_rows[m]->colour,
-                 model_rows[m]->style, model_rows[m]->marker, model_rows[m]->name);
-    enum status_code rc = write_text(&script, directory, "models.gp", status);
-    text_free(&script);
-    return rc;
-}
-
-static enum status_code copy_template(const char *name, const char *templates, const char *directory,
-                                      struct status *status)
-{
-    struct text from = {0}, content = {0};
-    text_add(&from, "%s/%s", templates, name);
-    enum status_code rc = text_read_file(&content, text_string(&from), status);
+    if (out->lines.failed || drawing->failed)
+        return status_memory(status);
+    enum status_code rc = drawing_script(&script, drawing, NULL, status);
+    if (rc == STATUS_OK && terminal_size && figure->terminal)
+        rc = drawing_script(&figure->letters, drawing, terminal_size, status);
     if (rc == STATUS_OK)
-        rc = write_text(&content, directory, name, status);
-    text_free(&from);
-    text_free(&content);
+        rc = write_part(&script, figure, ".gp", directory, status);
+    drawing_thin(drawing);
+    if (rc == STATUS_OK) {
+        drawing_data(&data, drawing);
+        rc = write_part(&data, figure, ".csv", directory, status);
+    }
+    text_free(&script);
+    text_free(&data);
     return rc;
 }
 
-enum status_code figure_write_all(const struct figure_list *list, const struct results *results, const char *directory,
-                                  const char *templates, struct status *status)
+enum status_code figure_write_all(struct figure_list *list, const struct results *results, const char *directory,
+                                  const char *terminal_size, struct status *status)
 {
-    static const char *const names[] = {"style.gp",    "blocks.gp",  "axis.gp", "legend.gp",      "curves.gp",
-                                        "profiles.gp", "spectra.gp", "cost.gp", "probability.gp", "patches.gp"};
-    size_t count = sizeof names / sizeof names[0] - (figure_direct(results) ? 0 : 1);
-    for (size_t i = 0; i < count; i++)
-        if (copy_template(names[i], templates, directory, status) != STATUS_OK)
-            return status->code;
-    if (write_models(directory, status) != STATUS_OK)
-        return status->code;
-    struct surface_record baseline;
-    if (surface_store_get(&baseline, results->store, results->baseline, status) != STATUS_OK)
-        return status->code;
     struct figure_file *files = calloc(list->count + 1, sizeof *files);
-    enum status_code rc = files ? STATUS_OK : status_memory(status);
-    size_t made = 0;
-    for (; made < list->count && rc == STATUS_OK; made++) {
-        files[made] = figure_data_start(&list->figures[made]);
-        rc = write_data(&files[made], results, &baseline, directory, status);
-    }
+    if (!files)
+        return status_memory(status);
+    for (size_t i = 0; i < list->count; i++)
+        files[i] = figure_data_start(&list->figures[i]);
+    enum status_code rc = figure_data_put(files, list->count, results, status);
     for (size_t i = 0; i < list->count && rc == STATUS_OK; i++) {
         struct axes axes = axes_of(files, list->count, i, results);
-        rc = complete_figure(&files[i], &axes, results, directory, status);
+        rc = complete_figure(&files[i], &list->figures[i], &axes, results, directory, terminal_size, status);
     }
-    for (size_t i = 0; i < made; i++)
+    for (size_t i = 0; i < list->count; i++)
         figure_data_free(&files[i]);
     free(files);
-    surface_record_free(&baseline, false);
     return rc;
 }
 
@@ -407,7 +364,7 @@ static enum status_code collect_text(struct text *out, const struct figure_list 
 {
     enum status_code rc = STATUS_OK;
     for (size_t i = 0; i < list->count && rc == STATUS_OK; i++) {
-        if (!list->figures[i].terminal)
+        if (list->figures[i].letters.length == 0)
             continue;
         struct text path = {0};
         text_add(&path, "%s/figures/%s.txt", directory, list->figures[i].number);
@@ -417,24 +374,47 @@ static enum status_code collect_text(struct text *out, const struct figure_list 
     return rc;
 }
 
-enum status_code figure_draw_all(const struct figure_list *list, const char *directory, const char *terminal_size,
+/** Many figures are drawn by this many processes, whatever the threads: gnuplot's pen remembers the figure before, so
+ * the same ones have to follow each other. Starting one takes as long as drawing some ten. */
+enum { DRAWERS_MOST = 2, FIGURES_A_DRAWER = 10 };
+
+/** Starts process `k` of `drawers` and sends what it is to draw. */
+static enum status_code start_drawing(struct gnuplot *out, const struct figure_list *list, const char *directory,
+                                      size_t k, size_t drawers, struct status *status)
+{
+    if (gnuplot_start(out, directory, status) != STATUS_OK)
+        return status->code;
+    for (size_t i = k; i < list->count; i += drawers) {
+        gnuplot_send(out, "load '%s.gp'", list->figures[i].number);
+        if (list->figures[i].letters.length > 0)
+            gnuplot_send(out, "%s", text_string(&list->figures[i].letters));
+    }
+    return STATUS_OK;
+}
+
+enum status_code figure_draw_all(const struct figure_list *list, const char *directory, unsigned jobs,
                                  struct text *terminal_text, double *seconds, struct status *status)
 {
+    struct gnuplot gnuplot[DRAWERS_MOST];
     struct text path = {0};
-    struct gnuplot gnuplot;
+    size_t drawers = list->count > FIGURES_A_DRAWER ? DRAWERS_MOST : 1, started = 0, ended = 0;
+    double begun = clock_seconds();
     text_add(&path, "%s/figures", directory);
-    enum status_code rc = gnuplot_start(&gnuplot, text_string(&path), status);
+    enum status_code rc = path.failed ? status_memory(status) : STATUS_OK;
+    while (ended < drawers && (rc == STATUS_OK || ended < started)) {
+        if (started < drawers && rc == STATUS_OK && (jobs != 1 || started == ended)) {
+            rc = start_drawing(&gnuplot[started], list, text_string(&path), started, drawers, status);
+            started += rc == STATUS_OK;
+            continue;
+        }
+        struct status own = {0};
+        enum status_code end = gnuplot_finish(&gnuplot[ended++], &own);
+        if (rc == STATUS_OK && end != STATUS_OK) {
+            *status = own;
+            rc = end;
+        }
+    }
     text_free(&path);
-    if (rc != STATUS_OK)
-        return rc;
-    for (size_t i = 0; i < list->count; i++)
-        gnuplot_send(&gnuplot, "load '%s.gp'", list->figures[i].number);
-    if (terminal_size)
-        gnuplot_send(&gnuplot, "dumb_size = '%s'", terminal_size);
-    for (size_t i = 0; terminal_size && i < list->count; i++)
-        if (list->figures[i].terminal)
-            gnuplot_send(&gnuplot, "load '%s.gp'", list->figures[i].number);
-    rc = gnuplot_finish(&gnuplot, status);
-    *seconds = gnuplot.seconds;
-    return rc == STATUS_OK && terminal_size ? collect_text(terminal_text, list, directory, status) : rc;
+    *seconds = clock_seconds() - begun;
+    return rc == STATUS_OK ? collect_text(terminal_text, list, directory, status) : rc;
 }

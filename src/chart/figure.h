@@ -1,5 +1,4 @@
-/* The report's figures: one row each in figure_rows.c. C writes a figure's data and the line that draws it; the plot
- * code is in templates/ (*.gp). */
+/* The report's figures: one row each in figure_rows.c; how they are drawn: drawing.h. */
 #ifndef CHART_FIGURE_H
 #define CHART_FIGURE_H
 
@@ -49,8 +48,9 @@ struct figure {
     char number[64]; /* the file's name: "6-05" */
     char title[128];
     bool terminal;
+    struct text letters; /* what draws it as text, once written */
     bool decides; /* one of the first page's: the criterion of all surfaces in the leading model, and its ratio to the
-                     direct solution */
+              direct solution */
 };
 
 /** Ending of its file: ".svg", or ".png" for a picture. */
@@ -71,15 +71,15 @@ MUST_CHECK enum status_code figure_list_make(struct figure_list *out, const stru
 void figure_list_keep_deciding(struct figure_list *list);
 void figure_list_free(struct figure_list *list);
 
-/** Writes OUT/figures/NUMBER.csv and NUMBER.gp of every figure, models.gp, and the templates they call.
- * Errors: STATUS_IO, STATUS_MEMORY. */
-MUST_CHECK enum status_code figure_write_all(const struct figure_list *list, const struct results *results,
-                                             const char *directory, const char *templates, struct status *status);
+/** Writes OUT/figures/NUMBER.csv and NUMBER.gp of every figure; with `terminal_size`, "columns,rows", the main ones are
+ * to be drawn as text, too. Errors: STATUS_IO, STATUS_MEMORY. */
+MUST_CHECK enum status_code figure_write_all(struct figure_list *list, const struct results *results,
+                                             const char *directory, const char *terminal_size, struct status *status);
 
-/** Draws them all: one gnuplot for every chart, as SVG and, when `terminal_size` is "columns,rows", also the main ones
- * as text into `terminal_text`. *seconds: gnuplot's own time. Errors: STATUS_CHART, STATUS_IO. */
-MUST_CHECK enum status_code figure_draw_all(const struct figure_list *list, const char *directory,
-                                            const char *terminal_size, struct text *terminal_text, double *seconds,
-                                            struct status *status);
+/** Draws them all as SVG, and what is to be drawn as text into `terminal_text`: by one gnuplot, or two at once where
+ * there are many figures and `jobs` (0: any number) allows. *seconds: their own time. Errors: STATUS_CHART, STATUS_IO.
+ */
+MUST_CHECK enum status_code figure_draw_all(const struct figure_list *list, const char *directory, unsigned jobs,
+                                            struct text *terminal_text, double *seconds, struct status *status);
 
 #endif

@@ -12,15 +12,11 @@
  * contact: the axis ends where a curve's last point at or below this A/A_n stands. */
 static const double nearly_full_area = 0.99;
 
-void figure_data_begin_block(struct figure_file *out, const char *style, const char *legend)
-{
-    char field[256];
-    gnuplot_field(field, sizeof field, legend);
-    fprintf(out->file, "%s%s\n", out->blocks++ > 0 ? "\n\n" : "", field);
-    text_add(&out->styles, "%s%s", out->styles.length > 0 ? " " : "", style);
-}
-
 static const struct figure_extent nothing = {INFINITY, -INFINITY};
+
+/** Adds a row of the cells that follow. */
+#define put(out, ...)                                                                                                  \
+    drawing_add(&(out)->drawing, (const double[]){__VA_ARGS__}, sizeof(double[]){__VA_ARGS__} / sizeof(double))
 
 static void reach(struct figure_extent *extent, double value)
 {
@@ -33,7 +29,7 @@ static bool put_point(struct figure_file *out, double x, double y, bool x_logari
 {
     bool shown = isfinite(x) && isfinite(y) && (!x_logarithmic || x > 0) && (!y_logarithmic || y > 0);
     if (shown) {
-        fprintf(out->file, "%.17g,%.17g\n", x, y);
+        put(out, x, y);
         reach(&out->x, x);
         reach(&out->y, y);
     }
@@ -64,7 +60,7 @@ static void put_part(struct figure_file *out, const struct model_curve *curve, s
     bool hides = strcmp(style, shown->style) == 0 && !ratio;
     bool conductance = out->figure->row->y == QUANTITY_JOINT;
     bool before = false; /* the point before was written: a mean of scans is empty from the first full contact on */
-    figure_data_begin_block(out, style, shown->legend);
+    drawing_begin(&out->drawing, style, shown->legend);
     if (hides)
         figure_hidden_begin(&out->lines, style);
     for (size_t i = from; i < to; i++) {
@@ -73,7 +69,7 @@ static void put_part(struct figure_file *out, const struct model_curve *curve, s
         if (conductance && point->area_ratio > nearly_full_area)
             continue; /* it has no bound there */
         if (ratio && isfinite(value)) {
-            fprintf(out->file, "%.17g,%.17g\n", at, value);
+            put(out, at, value);
             reach(&out->ratio, value);
         } else if (!ratio && put_point(out, at, value, quantity_rows[x].logarithmic, logarithmic)) {
             before = true;
@@ -81,7 +77,7 @@ static void put_part(struct figure_file *out, const struct model_curve *curve, s
                 figure_hidden_keep(&out->lines, at, value);
         } else {
             if (before && (QUANTITY_BIT(shown->y) & QUANTITY_RESISTANCES) && value == 0)
-                fprintf(out->file, "%.17g,0\n", x == QUANTITY_LOAD ? fmin(at, scale * curve->full_load) : at);
+                put(out, x == QUANTITY_LOAD ? fmin(at, scale * curve->full_load) : at, 0);
             before = false;
         }
     }
@@ -114,12 +110,12 @@ static void put_band(struct figure_file *out, const struct surface_record *recor
     double scale = quantity_rows[y].over_sigma ? 1 / record->summary.asperities.sigma_m : 1;
     char band_style[32];
     snprintf(band_style, sizeof band_style, "%sb", style);
-    figure_data_begin_block(out, band_style, "band");
+    drawing_begin(&out->drawing, band_style, "band");
     for (size_t i = 0; i < record->band_count; i++) {
         const struct repeats_band *band = &record->bands[model][i];
         double low = band->mean[y][0] * scale, high = band->mean[y][1] * scale;
         if (isfinite(low) && isfinite(high) && (!quantity_rows[y].logarithmic || low > 0)) {
-            fprintf(out->file, "%.17g,%.17g,%.17g\n", out->load_scale * band->load, low, high);
+            put(out, out->load_scale * band->load, low, high);
             reach(&out->y, low);
             reach(&out->y, high);
         }
@@ -131,11 +127,11 @@ static void put_measured(struct figure_file *out, const struct measured *measure
 {
     if (!measured || out->figure->row->y != measured_quantity(measured, effects))
         return;
-    figure_data_begin_block(out, "meas", "measured");
+    drawing_begin(&out->drawing, "meas", "measured");
     for (size_t i = 0; i < measured->count; i++) {
         double value = measured->resistance[i], error = isnan(measured->error[i]) ? 0 : measured->error[i];
         double low = fmax(value - error, value * 1e-3), load = out->load_scale * measured->load[i];
-        fprintf(out->file, "%.17g,%.17g,%.17g,%.17g\n", load, value, low, value + error);
+        put(out, load, value, low, value + error);
         reach(&out->x, load);
         reach(&out->y, low);
         reach(&out->y, value + error);
@@ -190,8 +186,8 @@ static void put_models(struct figure_file *out, const struct surface_record *rec
             put_adjusted(out, record, m, wanted);
         put_ratio(out, record, m, wanted, model->style, model->label);
     }
-    if (out->blocks == 0) /* gnuplot complains of a file without any */
-        figure_data_begin_block(out, model_rows[0]->style, "no model exists for this surface");
+    if (out->drawing.blocks == 0) /* gnuplot complains of a file without any */
+        drawing_begin(&out->drawing, model_rows[0]->style, "no model exists for this surface");
 }
 
 static void surface_legend(char *legend, size_t size, const struct surface_summary *summary)
@@ -204,16 +200,14 @@ static void surface_legend(char *legend, size_t size, const struct surface_summa
 static void put_bins(struct figure_file *out, const struct power_law_band *band, const char *style, const char *legend,
                      bool (*is_one)(enum power_law_band_use))
 {
-    figure_data_begin_block(out, style, legend);
+    drawing_begin(&out->drawing, style, legend);
     for (size_t j = 0; j < band->bins; j++) {
         const struct log_bin *bin = &band->bin[j];
         double s = sqrt(bin->variance), high_m = pow(10, bin->y + s), low_m = pow(10, bin->y - s);
         if (!is_one(band->use[j]) || !isfinite(high_m) || !(low_m > 0))
             continue;
-        fprintf(out->file, "%.9g,%.9g,%.9g,%.9g", pow(10, bin->x), pow(10, bin->y), low_m, high_m);
-        if (isfinite(band->residual_decades[j]))
-            fprintf(out->file, ",%.6g", band->residual_decades[j]);
-        fprintf(out->file, "\n");
+        put(out, pow(10, bin->x), pow(10, bin->y), low_m, high_m,
+            isfinite(band->residual_decades[j]) ? band->residual_decades[j] : NAN);
     }
 }
 
@@ -238,7 +232,7 @@ static void put_found(struct figure_file *out, const struct power_law_band *band
     put_bins(out, band, "bin", "in the fit", is_used);
     put_bins(out, band, "binx", "not in the fit", is_left_out);
     put_bins(out, band, "line", "lines", is_line);
-    figure_data_begin_block(out, "knee", "knees");
+    drawing_begin(&out->drawing, "knee", "knees");
     for (size_t k = 0; k + 1 < band->pieces; k++)
         for (size_t j = 0; j < band->bins; j++)
             if (pow(10, band->bin[j].x) < band->knee_m[k]) {
@@ -255,7 +249,7 @@ static void put_spectrum(struct figure_file *out, const struct surface_record *r
     size_t index[MOST], count = results_sweep_scales(index, MOST, record->spectrum.count);
     const struct power_law *law = &record->summary.power_law;
     double longest = record->spectrum.length_m, shortest = longest / (double)record->spectrum.count;
-    figure_data_begin_block(out, style, legend);
+    drawing_begin(&out->drawing, style, legend);
     for (size_t k = 0; k < count; k++)
         put_point(out, 1 / spectrum_frequency(&record->spectrum, index[k]), record->spectrum.amplitude_m[index[k]],
                   true, true);
@@ -265,10 +259,10 @@ static void put_spectrum(struct figure_file *out, const struct surface_record *r
     else if (isfinite(law->gamma))
         snprintf(fit, sizeof fit, "γ %.2f ± %.2f%s", law->gamma, law->gamma_error,
                  law->found == POWER_LAW_BAND_NARROW ? ", narrow" : "");
-    figure_data_begin_block(out, "fit", fit);
+    drawing_begin(&out->drawing, "fit", fit);
     for (int i = 0; i < 2; i++)
         put_point(out, law->band_m[i], power_law_amplitude(law, law->band_m[i]), true, true);
-    figure_data_begin_block(out, "fitx", fit);
+    drawing_begin(&out->drawing, "fitx", fit);
     put_point(out, shortest, power_law_amplitude(law, shortest), true, true);
     put_point(out, law->band_m[0], power_law_amplitude(law, law->band_m[0]), true, true);
     if (record->band.bins > 0)
@@ -294,7 +288,7 @@ static void put_scores(struct figure_file *out, const struct contacting_slopes *
         size_t i = (size_t)fmin(share * (double)slopes->points, (double)(slopes->points - 1));
         if (i < next)
             continue;
-        fprintf(out->file, "%.9g,%.9g\n", contacting_slopes_score(i, slopes->points), slopes->height_m[i] * 1e6);
+        put(out, contacting_slopes_score(i, slopes->points), slopes->height_m[i] * 1e6);
         next = i + 1;
     }
 }
@@ -311,9 +305,9 @@ static void put_contact_line(struct figure_file *out, const struct contacting_sl
     char legend[80];
     snprintf(legend, sizeof legend, "A/Aₙ %.3g", area_ratio);
     for (int part = 0; part < 2; part++) {
-        figure_data_begin_block(out, part == 0 ? "fit" : "fitx", legend);
+        drawing_begin(&out->drawing, part == 0 ? "fit" : "fitx", legend);
         for (int e = 0; e < 2; e++)
-            fprintf(out->file, "%.9g,%.9g\n", ends[part + e], (offset_m + scale_m * ends[part + e]) * 1e6);
+            put(out, ends[part + e], (offset_m + scale_m * ends[part + e]) * 1e6);
     }
 }
 
@@ -330,7 +324,7 @@ static enum status_code put_probability(struct figure_file *out, const struct su
     if (contacting_slopes_make(&slopes, record->points, record->summary.heights, persson_energy_factor, status) !=
         STATUS_OK)
         return status->code;
-    figure_data_begin_block(out, style, legend);
+    drawing_begin(&out->drawing, style, legend);
     put_scores(out, &slopes);
     double area_ratio = contacting_slopes_area(&slopes, load).area_ratio;
     if (area_ratio <= contacting_slopes_separation_area) /* beyond, no line stands for what touches */
@@ -342,47 +336,48 @@ static enum status_code put_probability(struct figure_file *out, const struct su
 static void put_profile(struct figure_file *out, const struct surface_record *record, const char *style,
                         const char *legend)
 {
-    figure_data_begin_block(out, style, legend);
+    drawing_begin(&out->drawing, style, legend);
     for (size_t i = 0; i < record->preview_points; i++)
-        fprintf(out->file, "%.9g,%.9g\n", record->preview_x_m[i] * 1e3, record->preview_z_m[i] * 1e6);
+        put(out, record->preview_x_m[i] * 1e3, record->preview_z_m[i] * 1e6);
 }
 
-static enum status_code put_surfaces(struct figure_file *out, const struct results *results, struct status *status)
+static bool is_of_surfaces(const struct figure_file *out)
 {
-    enum status_code rc = STATUS_OK;
-    for (size_t k = 0; k < results->shown_count && rc == STATUS_OK; k++) {
-        struct surface_record record;
-        const struct figure_row *row = out->figure->row;
-        bool all = row->kind == FIGURE_SPECTRA || row->kind == FIGURE_PROBABILITY;
-        if (surface_store_get_part(&record, results->store, results->shown[k],
-                                   all ? SURFACE_BYTES_ALL : SURFACE_BYTES_CURVES, status) != STATUS_OK)
-            return status->code;
-        char legend[200], style[24];
-        out->load_scale = results_load_axis(results, results->shown[k]).scale;
-        surface_legend(legend, sizeof legend, &record.summary);
-        snprintf(style, sizeof style, "s%zu", k + 1);
-        if (row->kind == FIGURE_PROFILES) {
-            put_profile(out, &record, style, legend);
-        } else if (row->kind == FIGURE_PROBABILITY) {
-            rc = put_probability(out, &record, results, style, legend, status);
-        } else if (row->kind == FIGURE_SPECTRA) {
-            put_spectrum(out, &record, style, legend);
-        } else {
-            size_t m = out->figure->model;
-            put_band(out, &record, m, style);
-            put_curve(out, &record.curves[m], model_rows[m],
-                      &(struct shown){model_shown(model_rows[m], row->y), QUANTITY_LOAD,
-                                      record.summary.asperities.sigma_m, style, legend});
-            put_ratio(out, &record, m, results->plan->wanted, style, legend);
-        }
-        surface_record_free(&record, false);
+    enum figure_kind kind = out->figure->row->kind;
+    return kind == FIGURE_SURFACES || kind == FIGURE_PROFILES || kind == FIGURE_SPECTRA || kind == FIGURE_PROBABILITY;
+}
+
+/** Puts what a figure of all surfaces shows of the k-th of them. */
+static enum status_code put_surface(struct figure_file *out, const struct results *results, size_t k,
+                                    const struct surface_record *record, struct status *status)
+{
+    const struct figure_row *row = out->figure->row;
+    char legend[200], style[24];
+    out->load_scale = results_load_axis(results, results->shown[k]).scale;
+    surface_legend(legend, sizeof legend, &record->summary);
+    snprintf(style, sizeof style, "s%zu", k + 1);
+    if (row->kind == FIGURE_PROFILES) {
+        put_profile(out, record, style, legend);
+    } else if (row->kind == FIGURE_PROBABILITY) {
+        return put_probability(out, record, results, style, legend, status);
+    } else if (row->kind == FIGURE_SPECTRA) {
+        put_spectrum(out, record, style, legend);
+    } else {
+        size_t m = out->figure->model;
+        put_band(out, record, m, style);
+        put_curve(out, &record->curves[m], model_rows[m],
+                  &(struct shown){model_shown(model_rows[m], row->y), QUANTITY_LOAD, record->summary.asperities.sigma_m,
+                                  style, legend});
+        put_ratio(out, record, m, results->plan->wanted, style, legend);
     }
-    if (out->figure->row->kind == FIGURE_PROFILES && results->counterface) {
-        char legend[80];
-        snprintf(legend, sizeof legend, "counterface, Rq %.3g µm", results->counterface->summary.roughness.rq_m * 1e6);
-        put_profile(out, results->counterface, "cf", legend);
-    }
-    return rc;
+    return STATUS_OK;
+}
+
+static void put_counterface(struct figure_file *out, const struct surface_record *counterface)
+{
+    char legend[80];
+    snprintf(legend, sizeof legend, "counterface, Rq %.3g µm", counterface->summary.roughness.rq_m * 1e6);
+    put_profile(out, counterface, "cf", legend);
 }
 
 static void put_sweep(struct figure_file *out, const struct results *results)
@@ -396,7 +391,7 @@ static void put_sweep(struct figure_file *out, const struct results *results)
         snprintf(legend, sizeof legend, "%s = %g", out->figure->row->sweep == CONVERGENCE_ALPHA ? "α" : "γ",
                  sweep->values[v]);
         snprintf(style, sizeof style, "r%zu", 1 + (8 * v + (sweep->count - 1) / 2) / (sweep->count - 1));
-        figure_data_begin_block(out, style, legend);
+        drawing_begin(&out->drawing, style, legend);
         figure_hidden_begin(&out->lines, style);
         const double *area = results_sweep(results, out->figure->row->sweep, out->figure->model, v);
         for (size_t k = 0; k < count; k++) {
@@ -417,12 +412,12 @@ static void put_sensitivity(struct figure_file *out, const struct sensitivity_cu
             any = any || quantity_value(&points[w], y) > 0;
         if (!any)
             continue;
-        figure_data_begin_block(out, model_rows[m]->style, model_rows[m]->label);
+        drawing_begin(&out->drawing, model_rows[m]->style, model_rows[m]->label);
         for (size_t w = 0; w < SENSITIVITY_WAVELENGTHS; w++)
             put_point(out, curves->wavelength_m[w], quantity_value(&points[w], y), true, true);
     }
-    if (out->blocks == 0)
-        figure_data_begin_block(out, model_rows[0]->style, "no model has a value");
+    if (out->drawing.blocks == 0)
+        drawing_begin(&out->drawing, model_rows[0]->style, "no model has a value");
 }
 
 /** The direct solutions as points with their errors. */
@@ -442,13 +437,13 @@ static void put_direct_points(struct figure_file *out, const struct direct_study
             snprintf(legend, sizeof legend, "direct, with the hardness");
         else if (study->plan.heights)
             snprintf(legend, sizeof legend, "direct, %s", heights[kind]);
-        figure_data_begin_block(out, styles[leading ? 0 : capped ? 2 : 1], legend);
+        drawing_begin(&out->drawing, styles[leading ? 0 : capped ? 2 : 1], legend);
         for (size_t i = 0; i < curve->loads; i++) {
             double error, value = scale * direct_study_value(study, pair, (enum direct_study_kind)kind, y, i, &error);
             error = isnan(error) ? 0 : scale * error;
             if (value > 0)
-                fprintf(out->file, "%.17g,%.17g,%.17g,%.17g\n", out->load_scale * study->plan.load[i], value,
-                        fmax(value - error, value * 1e-3), value + error);
+                put(out, out->load_scale * study->plan.load[i], value, fmax(value - error, value * 1e-3),
+                    value + error);
         }
     }
 }
@@ -476,13 +471,12 @@ static void put_direct_ratio(struct figure_file *out, const struct direct_study 
                              const struct material_pair *pair)
 {
     enum quantity y = out->figure->row->y;
-    figure_data_begin_block(out, "dirlb", "error of the direct solution");
+    drawing_begin(&out->drawing, "dirlb", "error of the direct solution");
     for (size_t i = 0; i < study->plan.loads; i++) {
         double error, value = direct_study_value(study, pair, study->leading, y, i, &error);
         double share = (isnan(error) ? 0 : error / value) + direct_study_grid_error(study, study->leading, y, i);
         if (value > 0)
-            fprintf(out->file, "%.17g,%.17g,%.17g\n", out->load_scale * study->plan.load[i], 1 / (1 + share),
-                    1 + share);
+            put(out, out->load_scale * study->plan.load[i], 1 / (1 + share), 1 + share);
     }
     for (size_t m = 0; m < model_count; m++) {
         bool any = false;
@@ -490,7 +484,7 @@ static void put_direct_ratio(struct figure_file *out, const struct direct_study 
             any = any || direct_study_ratio(study, pair, m, y, i) > 0;
         if (!any)
             continue;
-        figure_data_begin_block(out, model_rows[m]->style, model_rows[m]->label);
+        drawing_begin(&out->drawing, model_rows[m]->style, model_rows[m]->label);
         for (size_t i = 0; i < study->plan.loads; i++)
             put_point(out, out->load_scale * study->plan.load[i], direct_study_ratio(study, pair, m, y, i), true, true);
     }
@@ -501,15 +495,14 @@ static void put_patches(struct figure_file *out, const struct direct_study *stud
 {
     size_t n = study->plan.grid;
     double step_um = study->plan.length_m * 1e6 / (double)n;
-    figure_data_begin_block(out, "patches", "x from, x to, y from, y to (um)");
+    drawing_begin(&out->drawing, "patches", "x from, x to, y from, y to (um)");
     for (size_t j = 0; j < n; j++)
         for (size_t i = 0; i < n; i++) {
             size_t from = i;
             while (i < n && study->contact[j * n + i])
                 i++;
             if (i > from)
-                fprintf(out->file, "%.9g,%.9g,%.9g,%.9g\n", (double)from * step_um, (double)i * step_um,
-                        (double)j * step_um, (double)(j + 1) * step_um);
+                put(out, (double)from * step_um, (double)i * step_um, (double)j * step_um, (double)(j + 1) * step_um);
         }
 }
 
@@ -539,19 +532,19 @@ static void put_cost(struct figure_file *out, const struct benchmark *cost)
                 snprintf(style, sizeof style, "c%zu", methods++ % 9 + 1);
             snprintf(legend, sizeof legend, "%s, %s", integral ? row->model->label : row->method,
                      integral ? row->method : row->study);
-            figure_data_begin_block(out, style, direct ? row->method : legend);
+            drawing_begin(&out->drawing, style, direct ? row->method : legend);
         }
-        fprintf(out->file, "%.17g,%.17g\n", row->seconds, cost_error(row));
+        put(out, row->seconds, cost_error(row));
     }
     bool chosen = false;
     for (size_t i = 0; i < cost->count; i++)
         chosen = chosen || (cost->rows[i].chart == out->figure->row->chart && cost->rows[i].chosen);
     if (!chosen && out->figure->row->chart >= BENCHMARK_DIRECT_AREA)
         return;
-    figure_data_begin_block(out, "choice", "used in this report");
+    drawing_begin(&out->drawing, "choice", "used in this report");
     for (size_t i = 0; i < cost->count; i++)
         if (cost->rows[i].chart == out->figure->row->chart && cost->rows[i].chosen)
-            fprintf(out->file, "%.17g,%.17g\n", cost->rows[i].seconds, cost_error(&cost->rows[i]));
+            put(out, cost->rows[i].seconds, cost_error(&cost->rows[i]));
 }
 
 struct figure_file figure_data_start(const struct figure *figure)
@@ -561,12 +554,12 @@ struct figure_file figure_data_start(const struct figure *figure)
 
 void figure_data_free(struct figure_file *file)
 {
-    text_free(&file->styles);
+    drawing_free(&file->drawing);
     figure_hidden_free(&file->lines);
 }
 
-enum status_code figure_data_put(struct figure_file *file, const struct results *results,
-                                 const struct surface_record *baseline, struct status *status)
+/** Puts what a figure shows that is not of all surfaces. */
+static void put_own(struct figure_file *file, const struct results *results, const struct surface_record *baseline)
 {
     file->load_scale = results_load_axis(results, results->baseline).scale;
     switch (file->figure->row->kind) {
@@ -598,7 +591,30 @@ enum status_code figure_data_put(struct figure_file *file, const struct results 
     case FIGURE_PROFILES:
     case FIGURE_SPECTRA:
     case FIGURE_PROBABILITY:
-        return put_surfaces(file, results, status);
+        break;
     }
-    return STATUS_OK;
+}
+
+enum status_code figure_data_put(struct figure_file *files, size_t count, const struct results *results,
+                                 struct status *status)
+{
+    struct surface_record record;
+    if (surface_store_get(&record, results->store, results->baseline, status) != STATUS_OK)
+        return status->code;
+    for (size_t i = 0; i < count; i++)
+        put_own(&files[i], results, &record);
+    surface_record_free(&record, false);
+    enum status_code rc = STATUS_OK;
+    for (size_t k = 0; k < results->shown_count && rc == STATUS_OK; k++) {
+        if (surface_store_get(&record, results->store, results->shown[k], status) != STATUS_OK)
+            return status->code;
+        for (size_t i = 0; i < count && rc == STATUS_OK; i++)
+            if (is_of_surfaces(&files[i]))
+                rc = put_surface(&files[i], results, k, &record, status);
+        surface_record_free(&record, false);
+    }
+    for (size_t i = 0; i < count && results->counterface; i++)
+        if (files[i].figure->row->kind == FIGURE_PROFILES)
+            put_counterface(&files[i], results->counterface);
+    return rc;
 }

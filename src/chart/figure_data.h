@@ -1,15 +1,13 @@
-/* The data file of one figure: a block a curve. Private to src/chart. */
+/* The data of one figure: a block a curve. Private to src/chart. */
 #ifndef CHART_FIGURE_DATA_H
 #define CHART_FIGURE_DATA_H
 
 #include "chart/figure_hidden.h"
 
-/** A figure's data file being written, and the style words of its blocks. Owned: figure_data_free(). */
+/** A figure being made. Owned: figure_data_free(). */
 struct figure_file {
-    FILE *file;
-    struct text styles;
+    struct drawing drawing;
     const struct figure *figure;
-    size_t blocks;
     double load_scale;                /* of the surface drawn: P/(A_n E') to what the axis of loads stands in */
     double floor;                     /* least resistance up to nearly_full_area; INFINITY: none so far */
     struct figure_extent x, y, ratio; /* ratio: of the panel below */
@@ -23,11 +21,9 @@ void figure_data_free(struct figure_file *file);
 /** The model that used this surface's heights; model_count: none did. */
 size_t figure_data_heights_model(const struct surface_summary *summary);
 
-/** Writes every block of the figure into `file`. Errors: STATUS_IO, STATUS_MEMORY. */
-MUST_CHECK enum status_code figure_data_put(struct figure_file *file, const struct results *results,
-                                            const struct surface_record *baseline, struct status *status);
-
-/** Starts a curve: its first row is the legend. */
-void figure_data_begin_block(struct figure_file *out, const char *style, const char *legend);
+/** Puts every block of `count` figures into their files; a surface is taken from the store once for all of them.
+ * Errors: STATUS_IO, STATUS_MEMORY. */
+MUST_CHECK enum status_code figure_data_put(struct figure_file *files, size_t count, const struct results *results,
+                                            struct status *status);
 
 #endif

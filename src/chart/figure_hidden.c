@@ -31,7 +31,8 @@ void figure_hidden_keep(struct figure_lines *out, double x, double y)
     out->line[out->count - 1].end = ++out->point_count;
 }
 
-/* A chart's size in points on the page, as in templates/legend.gp, and how near a line must be to be covered. */
+/* A chart's size in points on the page, as in drawing_parts.h without its labels, and how near a line must be to be
+ * covered. */
 static const double wide = 570, tall = 340, covered = 1.5;
 
 /** Place of a value along an axis. */
@@ -91,14 +92,38 @@ static void put_stretches(struct figure_file *out, double (*page)[2], size_t k, 
             size_t middle = (from + to) / 2;
             char style[40];
             snprintf(style, sizeof style, "%sh%d%d", line->style, later[middle], later[middle] + earlier[middle] + 1);
-            figure_data_begin_block(out, style, "hidden");
+            drawing_begin(&out->drawing, style, "hidden");
         } else {
-            fprintf(out->file, "\n");
+            drawing_add(&out->drawing, NULL, 0);
         }
         begun = true;
         for (size_t i = from; i < to; i++)
-            fprintf(out->file, "%.17g,%.17g\n", out->lines.points[i][0], out->lines.points[i][1]);
+            drawing_add(&out->drawing, out->lines.points[i], 2);
     }
+}
+
+/** Leaves out of lines that are thinned the points that stand within a point of the page of the one before, but for its
+ * last. */
+static void thin_lines(struct figure_lines *lines, double (*page)[2])
+{
+    static const double apart = 1;
+    size_t to = 0;
+    for (size_t k = 0; k < lines->count; k++) {
+        struct figure_line *line = &lines->line[k];
+        size_t first = to;
+        bool whole = line->end - line->first <= drawing_whole;
+        for (size_t i = line->first; i < line->end; i++) {
+            bool near = !whole && to > first && fabs(page[i][0] - page[to - 1][0]) < apart &&
+                        fabs(page[i][1] - page[to - 1][1]) < apart;
+            if (near && i + 1 < line->end)
+                continue;
+            memmove(page[to], page[i], sizeof *page);
+            memmove(lines->points[to++], lines->points[i], sizeof *lines->points);
+        }
+        line->first = first;
+        line->end = to;
+    }
+    lines->point_count = to;
 }
 
 void figure_hidden_put(struct figure_file *file, struct figure_extent x, struct figure_extent y, bool x_logarithmic,
@@ -106,12 +131,17 @@ void figure_hidden_put(struct figure_file *file, struct figure_extent x, struct 
 {
     size_t count = file->lines.point_count;
     double(*page)[2] = malloc((count + 1) * sizeof *page);
-    unsigned char *later = malloc(2 * count + 1), *earlier = later ? later + count : NULL;
+    unsigned char *later = malloc(2 * count + 1);
     file->lines.failed = file->lines.failed || !page || !later;
     for (size_t i = 0; !file->lines.failed && i < count; i++) {
         page[i][0] = place(file->lines.points[i][0], x, x_logarithmic, wide);
         page[i][1] = place(file->lines.points[i][1], y, y_logarithmic, tall);
     }
+    if (!file->lines.failed) {
+        thin_lines(&file->lines, page);
+        count = file->lines.point_count;
+    }
+    unsigned char *earlier = later ? later + count : NULL;
     for (size_t k = 0; !file->lines.failed && k + 1 < file->lines.count; k++) {
         memset(later, 0, 2 * count);
         for (size_t j = 0; j < file->lines.count; j++)

@@ -2,14 +2,10 @@
 #ifndef CHART_FIGURE_HIDDEN_H
 #define CHART_FIGURE_HIDDEN_H
 
+#include "chart/drawing.h"
 #include "chart/figure.h"
 
 struct figure_file; /* figure_data.h */
-
-/** Least and largest value drawn; low > high: none. */
-struct figure_extent {
-    double low, high;
-};
 
 /** A line that another may hide: inside its model's validity, or a step of a sweep. */
 struct figure_line {

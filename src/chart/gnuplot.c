@@ -308,13 +308,6 @@ static void gnuplot_enclose(char *out, size_t size, const char *string, char mar
     out[used] = '\0';
 }
 
-void gnuplot_quote(char *out, size_t size, const char *string)
-{
-    static const char *const instead[] = {
-        "\u2019"}; /* a doubled quote, as elsewhere in gnuplot, is misread by `call` */
-    gnuplot_enclose(out, size, string, '\'', "", "'", instead);
-}
-
 void gnuplot_field(char *out, size_t size, const char *string)
 {
     static const char *const instead[] = {"'", "\\\\"};

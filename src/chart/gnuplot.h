@@ -1,4 +1,4 @@
-/* One gnuplot process that draws every chart. C sends `call` lines only; the plot code is in templates/ (*.gp). */
+/* One gnuplot process. */
 #ifndef CHART_GNUPLOT_H
 #define CHART_GNUPLOT_H
 
@@ -26,7 +26,7 @@ MUST_CHECK enum status_code gnuplot_check(struct status *status);
  * Errors: STATUS_CHART (not installed: names the package), STATUS_IO, STATUS_INTERRUPTED. */
 MUST_CHECK enum status_code gnuplot_start(struct gnuplot *out, const char *directory, struct status *status);
 
-/** Sends one line, e.g. gnuplot_send(g, "load %s", quoted), and never waits. A dead process is reported by
+/** Sends one line, e.g. gnuplot_send(g, "load '%s.gp'", name), and never waits. A dead process is reported by
  * gnuplot_finish() and raises no SIGPIPE. */
 void gnuplot_send(struct gnuplot *gnuplot, const char *format, ...) PRINTF_LIKE(2, 3);
 
@@ -40,13 +40,9 @@ MUST_CHECK enum status_code gnuplot_finish(struct gnuplot *gnuplot, struct statu
  * Errors: STATUS_IO, STATUS_MEMORY. */
 MUST_CHECK enum status_code gnuplot_take_text(struct text *out, const char *path, struct status *status);
 
-/** Writes `string`, as it may be shown, as a gnuplot single-quoted string into `out`, cut to fit at a character's
- * border: single quotes as U+2019 (doubled ones do not survive `call`). For texts, then, and for file names without
- * quotes. */
-void gnuplot_quote(char *out, size_t size, const char *string);
-
-/** The same for a legend text in a data file: one double-quoted field, double quotes as single ones, backslashes
- * doubled (gnuplot reads escapes there), an apostrophe before what a spreadsheet would calculate. */
+/** Writes `string`, as it may be shown, as a legend text in a data file into `out`, one double-quoted field cut to fit
+ * at a character's border: double quotes as single ones, backslashes doubled (gnuplot reads escapes there), an
+ * apostrophe before what a spreadsheet would calculate. */
 void gnuplot_field(char *out, size_t size, const char *string);
 
 #endif

@@ -1,5 +1,6 @@
 #include "base/leftover.h"
 #include "base/limits.h"
+#include "chart/drawing.h"
 #include "chart/gnuplot.h"
 #include "cli/command.h"
 #include "cli/command_json.h"
@@ -158,15 +159,17 @@ static error_t parse(int key, char *value, struct argp_state *state)
 
 static const char *const chart_names[] = {"profile", "spectrum"};
 
-/** Writes the data of a chart, thinned to what a terminal can show. */
-static enum status_code write_points(const char *directory, const struct inspection *f, bool spectrum,
-                                     struct status *status)
+/** The data of a chart, thinned to what a terminal can show. */
+static void make_chart(struct drawing *out, const struct inspection *f, bool spectrum)
 {
     enum { MOST = 400 };
     size_t count = spectrum ? f->spectrum.count : f->profile.points, last = SIZE_MAX;
-    struct text csv = {0};
-    char path[600];
-    text_add(&csv, "\"%s\"\n", spectrum ? "amplitude" : "height");
+    *out = (struct drawing){.kind = DRAWING_CURVES, .log_x = spectrum, .log_y = spectrum};
+    snprintf(out->name, sizeof out->name, "%s", chart_names[spectrum]);
+    snprintf(out->title, sizeof out->title, "%s", chart_names[spectrum]);
+    snprintf(out->x_label, sizeof out->x_label, "%s", spectrum ? "wavelength (um)" : "x (mm)");
+    snprintf(out->y_label, sizeof out->y_label, "%s", spectrum ? "amplitude (um)" : "z (um)");
+    drawing_begin(out, "s1", spectrum ? "amplitude" : "height");
     for (size_t k = 0; k < MOST; k++) {
         double share = (double)k / (MOST - 1);
         size_t i =
@@ -174,44 +177,56 @@ static enum status_code write_points(const char *directory, const struct inspect
         if (i == last)
             continue;
         last = i;
-        if (!spectrum)
-            text_add(&csv, "%.9g,%.9g\n", (double)i * f->profile.spacing_m * 1e3, f->profile.height_m[i] * 1e6);
-        else if (f->spectrum.amplitude_m[i] > 0)
-            text_add(&csv, "%.9g,%.9g\n", 1e6 / spectrum_frequency(&f->spectrum, i), f->spectrum.amplitude_m[i] * 1e6);
+        double point[] = {(double)i * f->profile.spacing_m * 1e3, spectrum ? 0 : f->profile.height_m[i] * 1e6};
+        if (spectrum) {
+            point[0] = 1e6 / spectrum_frequency(&f->spectrum, i);
+            point[1] = f->spectrum.amplitude_m[i] * 1e6;
+        }
+        if (!spectrum || point[1] > 0)
+            drawing_add(out, point, 2);
     }
+}
+
+/** Writes a chart's data into `directory`, and adds what draws them. */
+static enum status_code write_chart(struct text *script, const char *directory, const struct inspection *f,
+                                    bool spectrum, const char *terminal_size, struct status *status)
+{
+    struct drawing drawing;
+    struct text csv = {0};
+    char path[600];
+    make_chart(&drawing, f, spectrum);
     snprintf(path, sizeof path, "%s/%s.csv", directory, chart_names[spectrum]);
-    enum status_code rc = csv.failed ? status_memory(status) : text_write_file(path, csv.data, csv.length, status);
+    enum status_code rc = drawing_script(script, &drawing, terminal_size, status);
+    drawing_data(&csv, &drawing);
+    if (rc == STATUS_OK)
+        rc = csv.failed ? status_memory(status) : text_write_file(path, csv.data, csv.length, status);
     text_free(&csv);
+    drawing_free(&drawing);
     return rc;
 }
 
 /** Draws profile and spectrum as text, sized to the terminal. */
 static enum status_code draw(const struct inspection *f, struct status *status)
 {
-    struct text templates = {0}, charts = {0};
+    struct text script = {0}, charts = {0};
     struct gnuplot gnuplot;
     const char *base = getenv("TMPDIR");
-    char directory[512], quoted[600];
+    char directory[512], size[40];
     int columns, rows;
     command_terminal_size(&columns, &rows);
+    snprintf(size, sizeof size, "%d,%d", columns, rows > 24 ? 24 : rows - 1);
     snprintf(directory, sizeof directory, "%s/roughcontact-XXXXXX", base && strlen(base) < 400 ? base : P_tmpdir);
-    if (command_templates(&templates, status) != STATUS_OK || !mkdtemp(directory)) {
-        text_free(&templates);
+    if (!mkdtemp(directory))
         return status_fail(status, STATUS_IO, "cannot make a directory like '%s'", directory);
-    }
     size_t number = leftover_add(directory);
-    enum status_code rc = write_points(directory, f, false, status);
+    enum status_code rc = write_chart(&script, directory, f, false, size, status);
     if (rc == STATUS_OK)
-        rc = write_points(directory, f, true, status);
+        rc = write_chart(&script, directory, f, true, size, status);
     if (rc == STATUS_OK && (rc = gnuplot_start(&gnuplot, directory, status)) == STATUS_OK) {
-        gnuplot_quote(quoted, sizeof quoted, text_string(&templates));
-        gnuplot_send(&gnuplot, "set loadpath %s", quoted);
-        gnuplot_send(&gnuplot, "dumb_size = '%d,%d'", columns, rows > 24 ? 24 : rows - 1);
-        gnuplot_send(&gnuplot, "call 'curves.gp' 'profile.csv' 'profile.txt' 'profile' 'x (mm)' 'z (um)' '' 's1'");
-        gnuplot_send(&gnuplot, "call 'curves.gp' 'spectrum.csv' 'spectrum.txt' 'spectrum' 'wavelength (um)' "
-                               "'amplitude (um)' 'xy' 's1'");
+        gnuplot_send(&gnuplot, "%s", text_string(&script));
         rc = gnuplot_finish(&gnuplot, status);
     }
+    text_free(&script);
     for (int i = 0; i < 2; i++) {
         char path[600];
         snprintf(path, sizeof path, "%s/%s.txt", directory, chart_names[i]);
@@ -225,7 +240,6 @@ static enum status_code draw(const struct inspection *f, struct status *status)
     leftover_forget(number);
     fputs(text_string(&charts), stdout);
     text_free(&charts);
-    text_free(&templates);
     return rc;
 }
 

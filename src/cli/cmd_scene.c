@@ -1,7 +1,9 @@
 /* The commands on a scene, `report` and `plan`. */
+#include "base/clock.h"
 #include "cli/command.h"
 #include "cli/scene_json.h"
 #include "cli/signals.h"
+#include "run/forecast.h"
 #include "run/prepare.h"
 #include "run/run.h"
 
@@ -243,6 +245,7 @@ static int report(char **written, struct arguments *arguments, struct scene *sce
     arguments->run.overrides = &arguments->overrides;
     arguments->run.outline = arguments->json;
     arguments->run.stop = signals_stop(STOP_MS);
+    arguments->run.forecast = arguments->verbose;
     arguments->run.progress = isatty(STDERR_FILENO) ? progress : NULL;
     signal(SIGPIPE, SIG_IGN); /* who reads the output may go: the report is still made, and command_finish() says so */
     enum status_code rc = run_report(&outcome, scene, &arguments->run, status);
@@ -272,8 +275,10 @@ static int report(char **written, struct arguments *arguments, struct scene *sce
             fprintf(stderr, "\n%s", text_string(&outcome.work));
         if (!outcome.work_agrees)
             fputs("roughcontact: the evaluations done are not those predicted; please report this\n", stderr);
-        if (arguments->verbose)
+        if (arguments->verbose) {
             print_times(&outcome.times);
+            fprintf(stderr, "\n%s", text_string(&outcome.stages));
+        }
         if (arguments->json)
             scene_json_print_report(&outcome, arguments->directory, exit_status, NULL);
     }
@@ -357,8 +362,9 @@ static void print_heights(const struct surface_store *store)
     }
 }
 
-static void print_plan(const struct scene *scene, const struct prepared *prepared, bool brief)
+static void print_plan(const struct scene *scene, const struct prepared *prepared, const struct run_options *options)
 {
+    bool brief = options->brief;
     const struct plan *plan = &prepared->plan;
     struct text table = {0};
     prepare_table(&table, prepared, NULL);
@@ -378,6 +384,15 @@ static void print_plan(const struct scene *scene, const struct prepared *prepare
             "data/spectrum.csv holds bins of a tenth of a decade, as of more than %d surfaces; `data: full` has every "
             "harmonic\n",
             SCENE_DATA_SURFACES);
+    struct forecast_rates rates;
+    struct status status = {0};
+    if (forecast_calibrate(&rates, &prepared->results, clock_seconds, &status) == STATUS_OK) {
+        struct forecast likely = forecast_make(&prepared->results, &rates, options);
+        struct text stages = {0};
+        forecast_table(&stages, &likely, NULL);
+        printf("\n%s", text_string(&stages));
+        text_free(&stages);
+    }
     if (scene->target_count > 0)
         printf("%zu target%s: a search each on every model's curve of each surface, counted in the evaluations above\n",
                scene->target_count, scene->target_count == 1 ? "" : "s");
@@ -410,7 +425,7 @@ int command_plan(int argc, char **argv)
     if (rc == STATUS_OK && refused == scene.surface_count)
         rc = status_fail(&status, STATUS_SCAN, "no readable scan in '%s'", scene.directory);
     if (rc == STATUS_OK && !arguments.json)
-        print_plan(&scene, &prepared, arguments.run.brief);
+        print_plan(&scene, &prepared, &arguments.run);
     int exit_status = rc != STATUS_OK ? command_fail(&status) : refused > 0 ? COMMAND_REFUSED : COMMAND_DONE;
     if (arguments.json)
         scene_json_print_plan(rc == STATUS_OK ? &prepared : NULL, arguments.directory, arguments.run.brief,

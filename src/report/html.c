@@ -329,12 +329,23 @@ static void add_switches(struct text *out, const struct svg_curves *curves)
     text_add(out, "</details>");
 }
 
-static void add_download(struct text *out, const char *words, const char *name, const char *type,
-                         const struct text *bytes)
+/* A button by which page.html's script gives the file of that name away. */
+static void add_download(struct text *out, const char *words, const char *name)
 {
-    text_add(out, "<a download=\"%s\" href=\"", name);
-    add_data_uri(out, type, bytes);
-    text_add(out, "\">%s</a>", words);
+    text_add(out, "<button value=\"%s\">%s</button>", name, words);
+}
+
+/* The numbers as they stand in their file, for the script. */
+static void add_numbers(struct text *out, const struct text *data)
+{
+    text_add(out, "<span class=\"numbers\" hidden>");
+    for (const char *line = text_string(data), *end = line + data->length; line < end;) {
+        const char *next = memchr(line, '\n', (size_t)(end - line));
+        text_add_html(out, line, (size_t)((next ? next : end) - line));
+        text_add(out, "%s", next ? "\n" : "");
+        line = next ? next + 1 : end;
+    }
+    text_add(out, "</span>");
 }
 
 /* Reads figures/NAME. */
@@ -345,26 +356,20 @@ static enum status_code read_figure(struct text *out, struct text *path, struct 
 }
 
 /* The figure's curves to switch, its numbers and its picture to take away. */
-static enum status_code add_tools(struct page *page, const char *name, const struct text *drawing,
-                                  const struct svg_curves *curves)
+static enum status_code add_tools(struct page *page, const char *name, const struct svg_curves *curves)
 {
-    struct text *out = &page->figures, path = {0}, numbers = {0}, data = {0}, plain = {0};
-    bool picture = ends_with(name, picture_extension);
+    struct text *out = &page->figures, path = {0}, numbers = {0}, data = {0};
     text_add(&numbers, "%.*s.csv", (int)(strrchr(name, '.') - name), name);
     enum status_code code = read_figure(&data, &path, page, text_string(&numbers));
     text_add(out, "<div class=\"tools\">");
     add_switches(out, curves);
-    if (code == STATUS_OK)
-        add_download(out, "Data", text_string(&numbers), "text/csv", &data);
-    if (!picture)
-        svg_plain(&plain, drawing);
-    add_download(out, "Picture", name, picture ? "image/png" : "image/svg+xml", picture ? drawing : &plain);
+    add_download(out, "Data", text_string(&numbers));
+    add_download(out, "Picture", name);
+    add_numbers(out, &data);
     text_add(out, "</div>\n");
     text_free(&path);
     text_free(&numbers);
     text_free(&data);
-    out->failed |= plain.failed;
-    text_free(&plain);
     return code;
 }
 
@@ -384,7 +389,7 @@ static enum status_code add_chart(struct page *page, const char *name)
         text_add_bytes(&page->figures, page->line.data + before, page->line.length - before);
         add_caption(&page->figures, text_string(&page->label));
         text_add(&page->figures, "\n");
-        code = add_tools(page, name, &drawing, &curves);
+        code = add_tools(page, name, &curves);
         text_add(&page->figures, "</figure>\n");
     }
     svg_curves_free(&curves);

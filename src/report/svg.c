@@ -327,37 +327,6 @@ static void add_repaired(struct text *out, const struct text *svg)
     text_add_bytes(out, at, (size_t)(end - at));
 }
 
-/** Takes a group off the end of `out` that was just closed with nothing in it. */
-static void drop_empty(struct text *out)
-{
-    static const char close[] = "</g>\n";
-    size_t end = out->length - strlen(close);
-    const char *start = memrchr(out->data, '<', end);
-    if (!start || strncmp(start, "<g ", 3) != 0 || out->data[end - 1] != '\n' || out->data[end - 2] != '>')
-        return;
-    out->length = (size_t)(start - out->data);
-    text_add_bytes(out, "", 0);
-}
-
-void svg_plain(struct text *out, const struct text *svg)
-{
-    static const char group[] = "\t<g onmousemove=\"gnuplot_svg.showHypertext(", close[] = "</g>\n";
-    const char *line = text_string(svg), *end = line + svg->length;
-    bool speaks = svg->length > 0 && strstr(line, group) != NULL;
-    while (line < end) {
-        const char *next = memchr(line, '\n', (size_t)(end - line)), *closed;
-        next = next ? next + 1 : end;
-        if (speaks && strncmp(line, group, strlen(group)) == 0 && (closed = strstr(line, close))) {
-            line = closed + strlen(close);
-            continue;
-        }
-        text_add_bytes(out, line, (size_t)(next - line));
-        if (speaks && strncmp(line, close, strlen(close)) == 0 && !out->failed && out->length > 2 * strlen(close))
-            drop_empty(out);
-        line = next;
-    }
-}
-
 enum status_code svg_inline(struct text *out, const struct text *svg, const char *path, unsigned number,
                             const char *label, struct svg_curves *curves, struct status *status)
 {

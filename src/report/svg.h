@@ -7,10 +7,6 @@
 
 enum { SVG_CURVES = 16 };
 
-/** Adds gnuplot's drawing to `out` as it is to be taken away: without the texts of its points, which only a page with
- * gnuplot's own script would show. One that has none is copied byte by byte. */
-void svg_plain(struct text *out, const struct text *svg);
-
 /** Curves of a drawing by their colours, but for greys: what is drawn in one colour is of one model or surface. Owned:
  * svg_curves_free(). */
 struct svg_curves {

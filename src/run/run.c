@@ -7,6 +7,7 @@
 #include "output/output.h"
 #include "output/tables.h"
 #include "report/report.h"
+#include "run/forecast.h"
 #include "run/prepare.h"
 #include "run/workers.h"
 #include <jansson.h>
@@ -31,6 +32,7 @@ struct run {
     struct direct_study *direct;
     size_t direct_count;
     uint64_t contacts;
+    struct forecast forecast;
 };
 
 /** The convergence study: every sweep by every model that stacks scales. */
@@ -177,6 +179,11 @@ static enum status_code evaluate(struct run *run, struct run_outcome *out, struc
     out->surfaces = prepared->store.count - out->refused;
     if (rc == STATUS_OK && run->results->usable_count == 0)
         rc = status_fail(status, STATUS_SCAN, "no readable scan in '%s'", run->scene->directory);
+    if (rc == STATUS_OK && run->options->forecast) {
+        struct forecast_rates rates;
+        rc = forecast_calibrate(&rates, run->results, clock_seconds, status);
+        run->forecast = forecast_make(run->results, &rates, run->options);
+    }
     if (rc == STATUS_OK)
         rc = workers_run(run->results, WORKERS_MODEL, run->options, status);
     if (rc == STATUS_OK) { /* once more: the models may have something to say */
@@ -233,11 +240,11 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
         return status->code;
     if (options->brief)
         figure_list_keep_deciding(&run->figures);
-    if (figure_write_all(&run->figures, run->results, staging, options->templates, status) != STATUS_OK || stopped(run))
+    if (figure_write_all(&run->figures, run->results, staging, options->terminal_size, status) != STATUS_OK ||
+        stopped(run))
         return status->code;
     out->times.figures = lap(&last);
-    if (figure_draw_all(&run->figures, staging, options->terminal_size, &out->charts, &out->times.gnuplot, status) !=
-        STATUS_OK)
+    if (figure_draw_all(&run->figures, staging, options->jobs, &out->charts, &out->times.gnuplot, status) != STATUS_OK)
         return status->code;
     last = clock_seconds();
     if (report_write(run->results, &run->figures, options->brief, staging, options->templates, status) != STATUS_OK)
@@ -299,6 +306,10 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
     measured_answers_free(&run.answers);
     figure_list_free(&run.figures);
     out->times.total = clock_seconds() - started;
+    if (rc == STATUS_OK && options->forecast) {
+        struct forecast took = forecast_of_times(&out->times);
+        forecast_table(&out->stages, &run.forecast, &took);
+    }
     return rc;
 }
 
@@ -311,6 +322,7 @@ void run_outcome_free(struct run_outcome *outcome)
     text_free(&outcome->charts);
     text_free(&outcome->work);
     json_decref(outcome->outline);
+    text_free(&outcome->stages);
     free(outcome->path);
     free(outcome->times.models);
 }

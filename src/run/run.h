@@ -17,6 +17,7 @@ struct run_options {
     const char *terminal_size;               /* "columns,rows" to draw the main charts as text, NULL: not */
     bool no_cost;                            /* leave out what accuracy costs */
     bool brief;                              /* the report's first page, with its figures, alone */
+    bool forecast;                           /* forecast the stages' times, to be held against what they took */
     bool outline;                            /* fill run_outcome.outline */
     unsigned jobs;                           /* threads; 0: one a processor */
     const struct direct_crew *crew;          /* other processes for the direct solution; NULL: none */
@@ -44,6 +45,7 @@ struct run_outcome {
     char *path;               /* of report.html */
     struct text work;         /* predicted against done, effect by effect */
     struct json_t *outline;   /* json_outline(), when asked for, also of a run that failed; else NULL */
+    struct text stages;       /* forecast against taken, stage by stage, when asked for */
     uint64_t evaluations;     /* done; as predicted when work_agrees */
     double predicted_seconds; /* of the models, on one core */
     bool work_agrees;         /* evaluation counts are as predicted */

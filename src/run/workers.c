@@ -2,53 +2,23 @@
 
 #include "analysis/direct_study.h"
 #include "analysis/effect_bounds.h"
-#include "base/thread.h"
+#include "base/threads.h"
 
+#include <pthread.h>
 #include <stdlib.h>
-#include <unistd.h>
-
-enum { WORKERS_MOST = 64 };
 
 /** A task on one surface; `record` is zeroed, and freed afterwards. */
 typedef enum status_code task_function(struct surface_record *record, const struct results *results, size_t index,
                                        struct status *status);
 
-/** What the threads share; `lock` guards next, done and status. */
-struct pool {
+/** This process's surfaces: first, first + step, ...; `lock` guards `done` of them. */
+struct share {
     const struct results *results;
     const struct run_options *options;
     task_function *task;
+    size_t first, step, count, done;
     pthread_mutex_t lock;
-    size_t next, step, done, count; /* the latter two of surfaces done, and to be done */
-    struct status status;
 };
-
-/** The next surface to do; false when there is none, one failed, or the run is to stop. */
-static bool take(struct pool *pool, size_t *index)
-{
-    pthread_mutex_lock(&pool->lock);
-    if (pool->options->stop && *pool->options->stop)
-        (void)status_fail(&pool->status, STATUS_INTERRUPTED, "stopped");
-    bool more = pool->status.code == STATUS_OK && pool->next < pool->results->store->count;
-    if (more) {
-        *index = pool->next;
-        pool->next += pool->step;
-    }
-    pthread_mutex_unlock(&pool->lock);
-    return more;
-}
-
-static void finish(struct pool *pool, size_t index, const struct status *problem)
-{
-    const struct scene *scene = pool->results->scene;
-    pthread_mutex_lock(&pool->lock);
-    if (problem->code != STATUS_OK)
-        (void)status_fail(&pool->status, problem->code, "%s", problem->message);
-    pool->done++;
-    if (pool->options->progress)
-        pool->options->progress(pool->done, pool->count, scene->surfaces[index].name);
-    pthread_mutex_unlock(&pool->lock);
-}
 
 static enum status_code describe(struct surface_record *record, const struct results *results, size_t index,
                                  struct status *status)
@@ -89,50 +59,41 @@ static enum status_code run_models(struct surface_record *record, const struct r
     return surface_store_put(results->store, index, record, status);
 }
 
-static void *run_tasks(void *context)
+static enum status_code run_task(void *context, size_t turn, struct threads_turn *unused, struct status *status)
 {
-    struct pool *pool = context;
-    struct surface_record *record = malloc(sizeof *record);
-    for (size_t index; record && take(pool, &index);) {
-        struct status problem = {0};
-        *record = (struct surface_record){0};
-        (void)pool->task(record, pool->results, index, &problem);
-        surface_record_free(record, false);
-        finish(pool, index, &problem);
-    }
+    struct share *share = context;
+    size_t index = share->first + turn * share->step;
+    struct surface_record *record = calloc(1, sizeof *record);
+    (void)unused;
+    if (!record)
+        return status_memory(status);
+    enum status_code rc = share->task(record, share->results, index, status);
+    surface_record_free(record, false);
     free(record);
-    return record ? NULL : context;
+    if (share->options->progress) {
+        pthread_mutex_lock(&share->lock);
+        share->options->progress(++share->done, share->count, share->results->scene->surfaces[index].name);
+        pthread_mutex_unlock(&share->lock);
+    }
+    return rc;
 }
 
 enum status_code workers_share(const struct results *results, enum workers_task task, size_t first, size_t step,
                                const struct run_options *options, struct status *status)
 {
     static task_function *const tasks[WORKERS_TASKS] = {[WORKERS_DESCRIBE] = describe, [WORKERS_MODEL] = run_models};
+    const struct threads threads = {.jobs = options->jobs, .stop = options->stop};
     size_t all = results->store->count;
-    struct pool pool = {.results = results,
-                        .options = options,
-                        .task = tasks[task],
-                        .lock = PTHREAD_MUTEX_INITIALIZER,
-                        .next = first,
-                        .step = step,
-                        .count = first < all ? (all - first + step - 1) / step : 0};
-    pthread_t threads[WORKERS_MOST];
-    long processors = sysconf(_SC_NPROCESSORS_ONLN);
-    size_t wanted = options->jobs ? options->jobs : processors > 0 ? (size_t)processors : 1, started = 0;
-    if (wanted > pool.count)
-        wanted = pool.count;
-    if (wanted > WORKERS_MOST)
-        wanted = WORKERS_MOST;
-    while (started + 1 < wanted && thread_start(&threads[started], run_tasks, &pool))
-        started++;
-    if (run_tasks(&pool))
-        (void)status_fail(&pool.status, STATUS_MEMORY, "out of memory");
-    for (size_t i = 0; i < started; i++)
-        pthread_join(threads[i], NULL);
-    pthread_mutex_destroy(&pool.lock);
-    if (pool.status.code != STATUS_OK)
-        return status_fail(status, pool.status.code, "%s", pool.status.message);
-    return STATUS_OK;
+    struct share share = {.results = results,
+                          .options = options,
+                          .task = tasks[task],
+                          .first = first,
+                          .step = step,
+                          .count = first < all ? (all - first + step - 1) / step : 0,
+                          .lock = PTHREAD_MUTEX_INITIALIZER};
+    enum status_code rc = threads_run(&threads, share.count, run_task, &share, status);
+    pthread_mutex_destroy(&share.lock);
+    return rc;
 }
 
 enum status_code workers_run(const struct results *results, enum workers_task task, const struct run_options *options,

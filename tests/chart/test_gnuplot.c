@@ -1,36 +1,20 @@
 #include "base/program.h"
 #include "base/text.h"
+#include "chart/drawing_parts.h"
 #include "chart/gnuplot.h"
 #include "contact/model.h"
 #include "support.h"
 
 #include <dirent.h>
 #include <fcntl.h>
-#include <glob.h>
 #include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* Every test draws in its own directory, which holds copies of all templates and samples, as a report's does. */
+/* Every test draws in its own directory. */
 struct place {
     char directory[512];
 };
-
-static void copy_all(const char *pattern, const char *directory)
-{
-    glob_t found;
-    assert_int_equal(glob(pattern, 0, NULL, &found), 0);
-    for (size_t i = 0; i < found.gl_pathc; i++) {
-        struct status status = {0};
-        struct text bytes = {0};
-        char path[1024];
-        snprintf(path, sizeof path, "%s/%s", directory, strrchr(found.gl_pathv[i], '/') + 1);
-        assert_int_equal(text_read_file(&bytes, found.gl_pathv[i], &status), STATUS_OK);
-        assert_int_equal(text_write_file(path, bytes.data, bytes.length, &status), STATUS_OK);
-        text_free(&bytes);
-    }
-    globfree(&found);
-}
 
 static int place_setup(void **state)
 {
@@ -38,8 +22,6 @@ static int place_setup(void **state)
     const char *temporary = getenv("TMPDIR");
     snprintf(place.directory, sizeof place.directory, "%s/test_gnuplot.XXXXXX", temporary ? temporary : "/tmp");
     assert_non_null(mkdtemp(place.directory));
-    copy_all(PROJECT_SOURCE "/templates/*.gp", place.directory);
-    copy_all(TEST_DATA "/chart/*.csv", place.directory);
     *state = &place;
     return 0;
 }
@@ -79,17 +61,6 @@ static bool exists(const struct place *place, const char *name)
     char path[1024];
     snprintf(path, sizeof path, "%s/%s", place->directory, name);
     return access(path, F_OK) == 0;
-}
-
-/* The look of the models, as a report has it beside its charts. */
-static void write_models(const struct place *place)
-{
-    struct text script = {0};
-    for (size_t m = 0; m < model_count; m++)
-        text_add(&script, "colour_%s = '%s'; marker_%s = %d\n", model_rows[m]->style, model_rows[m]->colour,
-                 model_rows[m]->style, model_rows[m]->marker);
-    write_file(place, "models.gp", text_string(&script));
-    text_free(&script);
 }
 
 /* Sends `commands` to one gnuplot and returns how it ended. */
@@ -174,55 +145,130 @@ static size_t pieces_of(const char *svg)
     return pieces;
 }
 
+/* ---------------------------------------------------------------- charts of data as they stand in files */
+
+/* Adds the blocks of a data file, which have these style words. Cells are numbers; an empty line parts lines. */
+static void add_blocks(struct drawing *drawing, const char *data, const char *styles)
+{
+    char *copy = strdup(data), *words = strdup(styles), *rest, *word = strtok_r(words, " ", &rest);
+    size_t empty = 2;
+    for (char *line = copy, *next; line && *line; line = next) {
+        next = strchr(line, '\n');
+        *next++ = '\0';
+        if (*line == '\0') {
+            empty++;
+            continue;
+        }
+        if (empty >= 2) {
+            assert_non_null(word);
+            assert_int_equal(*line, '"');
+            line[strlen(line) - 1] = '\0';
+            drawing_begin(drawing, word, line + 1);
+            word = strtok_r(NULL, " ", &rest);
+        } else {
+            double cell[DRAWING_COLUMNS];
+            size_t count = 0;
+            if (empty == 1)
+                drawing_add(drawing, NULL, 0);
+            for (char *at = line; *at && count < DRAWING_COLUMNS; at += *at == ',')
+                cell[count++] = strtod(at, &at);
+            drawing_add(drawing, cell, count);
+        }
+        empty = 0;
+    }
+    assert_null(word);
+    free(copy);
+    free(words);
+}
+
+/* What is drawn: the kind, the file's name, and for curves which axes are logarithmic. */
+static struct drawing drawing_of(enum drawing_kind kind, const char *name, const char *logarithmic)
+{
+    struct drawing drawing = {.kind = kind};
+    bool own = kind == DRAWING_SPECTRA || kind == DRAWING_COST;
+    snprintf(drawing.name, sizeof drawing.name, "%s", name);
+    snprintf(drawing.x_label, sizeof drawing.x_label, "x");
+    snprintf(drawing.y_label, sizeof drawing.y_label, "y");
+    snprintf(drawing.below_label, sizeof drawing.below_label, "below");
+    drawing.log_x = own || strchr(logarithmic, 'x');
+    drawing.log_y = own || strchr(logarithmic, 'y');
+    return drawing;
+}
+
+/* Writes script and data as a report does, and draws. */
+static void draw(const struct place *place, struct drawing *drawing, const char *terminal_size)
+{
+    struct text script = {0}, data = {0};
+    struct status status = {0};
+    char name[80];
+    assert_int_equal(drawing_script(&script, drawing, terminal_size, &status), STATUS_OK);
+    drawing_thin(drawing);
+    drawing_data(&data, drawing);
+    snprintf(name, sizeof name, "%s.csv", drawing->name);
+    write_file(place, name, text_string(&data));
+    run_well(place, text_string(&script));
+    text_free(&script);
+    text_free(&data);
+    drawing_free(drawing);
+}
+
 /* Each sample with how many pieces gnuplot draws: one for the frame (a panel has its own), lines solid and dashed,
  * markers, legend entries. */
 static const struct sample {
-    const char *name, *template, *rest;
+    const char *name;
+    enum drawing_kind kind;
+    const char *y_label, *logarithmic, *styles;
     size_t pieces;
     const char *legend; /* some text that has to be readable in the chart */
 } samples[] = {
-    {"area", "curves", "'load P/(A_nE′)' 'A/A_n' 'xy' 's1 s1x s2 s2x s3 s3x s4 s4x'", 1 + 8 + 4 + 1, "surface 4, Rq"},
-    {"separation", "curves", "'load P/(A_nE′)' 'separation / σ' 'x' 's1 s2 s3 s4'", 1 + 4 + 4, "surface 1, Rq 0.24 µm"},
-    {"separation-area", "curves", "'A/A_n' 'separation / σ' '' 's1 s2 s3 s4'", 1 + 4 + 4, "separation / σ"},
-    {"ecr", "curves", "'load P/(A_nE′)' 'ECR·A_n in Ω m^2' 'xy' 's1 s2 s3 s4'", 1 + 4 + 4, "surface 2"},
-    {"models-area", "curves", "'load' 'A/A_n' 'xy' 'me mp gw gwx jg jgx'", 1 + 6 + 4 + 4 + 1, "Jackson–Green"},
-    {"models-separation", "curves", "'load' 'separation in µm' 'x' 'me mp gw gwx gwa gwax jg jgx jga jgax'",
+    {"area", DRAWING_CURVES, "A/A_n", "xy", "s1 s1x s2 s2x s3 s3x s4 s4x", 1 + 8 + 4 + 1, "surface 4, Rq"},
+    {"separation", DRAWING_CURVES, "separation / σ", "x", "s1 s2 s3 s4", 1 + 4 + 4, "surface 1, Rq 0.24 µm"},
+    {"separation-area", DRAWING_CURVES, "separation / σ", "", "s1 s2 s3 s4", 1 + 4 + 4, "separation / σ"},
+    {"ecr", DRAWING_CURVES, "ECR·A_n in Ω m^2", "xy", "s1 s2 s3 s4", 1 + 4 + 4, "surface 2"},
+    {"models-area", DRAWING_CURVES, "A/A_n", "xy", "me mp gw gwx jg jgx", 1 + 6 + 4 + 4 + 1, "Jackson–Green"},
+    {"models-separation", DRAWING_CURVES, "separation in µm", "x", "me mp gw gwx gwa gwax jg jgx jga jgax",
      1 + 10 + 4 + 6 + 1, "Greenwood–Williamson, adjusted"},
-    {"models-tcr", "curves", "'load' 'TCR·A_n in K m^2/W' 'xy' 'me meS mp mpS gw gwS jg jgS'",
+    {"models-tcr", DRAWING_CURVES, "TCR·A_n in K m^2/W", "xy", "me meS mp mpS gw gwS jg jgS",
      1 + 4 + 4 + 4 + (1 + 4 + 4), "multiscale elastic-plastic"},
-    {"sweep", "curves", "'wavelength in m' 'A/A_n' 'xy' 'r1 r2 r3 r4 r5 r6 r7 r8 r9'", 1 + 9, "γ = 1.75"},
-    {"profiles", "profiles", "'s1 s2 s3 s4'", 2 * 4, "surface 4, Rq 5.82 µm"},
-    {"spectra", "spectra", "'s1 fit fitx s2 fit fitx s3 fit fitx s4 fit fitx'", 4 * (1 + 3), "surface 3, Rq 1.05 µm"},
-    {"cost", "cost", "'c1 c2 c3 c4 choice'", 1 + 4 + 2, "Gauss–Legendre panels"},
+    {"sweep", DRAWING_CURVES, "A/A_n", "xy", "r1 r2 r3 r4 r5 r6 r7 r8 r9", 1 + 9, "γ = 1.75"},
+    {"profiles", DRAWING_PROFILES, "z", "", "s1 s2 s3 s4", 2 * 4, "surface 4, Rq 5.82 µm"},
+    {"spectra", DRAWING_SPECTRA, "a", "xy", "s1 fit fitx s2 fit fitx s3 fit fitx s4 fit fitx", 4 * (1 + 3),
+     "surface 3, Rq 1.05 µm"},
+    {"cost", DRAWING_COST, "e", "xy", "c1 c2 c3 c4 choice", 1 + 4 + 2, "Gauss–Legendre panels"},
 };
 enum { SAMPLES = sizeof samples / sizeof *samples };
 
-static void draw_all(const struct place *place, const char *before, const char *ending)
+static struct drawing read_sample(const struct sample *sample)
 {
-    struct gnuplot gnuplot;
+    struct drawing drawing = drawing_of(sample->kind, sample->name, sample->logarithmic);
     struct status status = {0};
-    write_models(place);
-    assert_int_equal(gnuplot_start(&gnuplot, place->directory, &status), STATUS_OK);
-    gnuplot_send(&gnuplot, "load 'models.gp'");
-    gnuplot_send(&gnuplot, "%s", before);
-    for (size_t i = 0; i < SAMPLES; i++)
-        gnuplot_send(&gnuplot, "call '%s.gp' '%s.csv' '%s.%s' 'a title' %s", samples[i].template, samples[i].name,
-                     samples[i].name, ending, samples[i].rest);
-    if (gnuplot_finish(&gnuplot, &status) != STATUS_OK)
-        fail_msg("%s", status.message);
-    assert_true(gnuplot.seconds > 0.0);
+    struct text data = {0};
+    char path[1024];
+    snprintf(path, sizeof path, "%s/chart/%s.csv", TEST_DATA, sample->name);
+    assert_int_equal(text_read_file(&data, path, &status), STATUS_OK);
+    add_blocks(&drawing, text_string(&data), sample->styles);
+    snprintf(drawing.title, sizeof drawing.title, "a title");
+    snprintf(drawing.y_label, sizeof drawing.y_label, "%s", sample->y_label);
+    text_free(&data);
+    return drawing;
 }
 
-static void test_every_template_draws_an_svg(void **state)
+static struct text draw_sample(const struct place *place, const struct sample *sample, const char *terminal_size)
 {
-    draw_all(*state, "", "svg");
+    struct drawing drawing = read_sample(sample);
+    char name[80];
+    draw(place, &drawing, terminal_size);
+    snprintf(name, sizeof name, "%s.%s", sample->name, terminal_size ? "txt" : "svg");
+    return read_file(place, name);
+}
+
+static void test_every_kind_draws_an_svg(void **state)
+{
     for (size_t i = 0; i < SAMPLES; i++) {
-        char name[64];
-        snprintf(name, sizeof name, "%s.svg", samples[i].name);
-        struct text svg = read_file(*state, name);
+        struct text svg = draw_sample(*state, &samples[i], NULL);
         assert_well_formed(text_string(&svg));
         if (pieces_of(svg.data) != samples[i].pieces || !strstr(svg.data, samples[i].legend))
-            fail_msg("%s: %zu pieces, expected %zu with '%s'", name, pieces_of(svg.data), samples[i].pieces,
+            fail_msg("%s: %zu pieces, expected %zu with '%s'", samples[i].name, pieces_of(svg.data), samples[i].pieces,
                      samples[i].legend);
         assert_non_null(strstr(svg.data, "a title"));
         assert_in_range(svg.length, 10000, 130000);
@@ -230,104 +276,120 @@ static void test_every_template_draws_an_svg(void **state)
     }
 }
 
-static void test_every_template_draws_text(void **state)
+static void test_curves_are_drawn_as_text(void **state)
 {
-    draw_all(*state, "dumb_size = '90,44'", "txt");
-    for (size_t i = 0; i < SAMPLES; i++) {
-        char name[64];
-        snprintf(name, sizeof name, "%s.txt", samples[i].name);
-        struct text chart = read_file(*state, name);
+    for (size_t i = 0; i < SAMPLES && samples[i].kind == DRAWING_CURVES; i++) {
+        struct text chart = draw_sample(*state, &samples[i], "90,44");
         if (!strstr(text_string(&chart), samples[i].legend))
             fail_msg("no '%s' in\n%s", samples[i].legend, text_string(&chart));
         assert_null(strpbrk(chart.data, "\033{}"));
         assert_in_range(count(chart.data, "\n"), 40, 50);
+        for (const char *letter = "ABCD"; i == 0 && *letter; letter++) {
+            char run_of_letters[] = {*letter, ' ', ' ', 's', 'u', 'r', 'f', '\0'};
+            assert_non_null(strstr(chart.data, run_of_letters));
+        }
         text_free(&chart);
     }
-    struct text area = read_file(*state, "area.txt");
-    for (const char *letter = "ABCD"; *letter; letter++) {
-        char run_of_letters[] = {*letter, ' ', ' ', 's', 'u', 'r', 'f', '\0'};
-        assert_non_null(strstr(area.data, run_of_letters));
-    }
-    text_free(&area);
 }
 
 static void test_the_same_data_give_the_same_bytes(void **state)
 {
-    draw_all(*state, "", "svg");
-    draw_all(*state, "", "again");
     for (size_t i = 0; i < SAMPLES; i++) {
-        char name[64];
-        snprintf(name, sizeof name, "%s.svg", samples[i].name);
-        struct text first = read_file(*state, name);
-        snprintf(name, sizeof name, "%s.again", samples[i].name);
-        struct text second = read_file(*state, name);
+        struct text first = draw_sample(*state, &samples[i], NULL), second = draw_sample(*state, &samples[i], NULL);
         assert_string_equal(text_string(&first), text_string(&second));
         text_free(&first);
         text_free(&second);
     }
 }
 
+/* Draws curves: their data and style words; what axes hold is in `axes` unless it is NULL. */
+static struct text draw_curves(const struct place *place, const char *data, const char *logarithmic, const char *styles,
+                               const double *axes, size_t pieces)
+{
+    struct drawing drawing = drawing_of(DRAWING_CURVES, "data", logarithmic);
+    add_blocks(&drawing, data, styles);
+    drawing.axes_given = axes != NULL;
+    drawing.ratio = (struct figure_extent){INFINITY, -INFINITY};
+    if (axes) {
+        drawing.x = (struct figure_extent){axes[0], axes[1]};
+        drawing.y = (struct figure_extent){axes[2], axes[3]};
+    }
+    draw(place, &drawing, NULL);
+    struct text svg = read_file(place, "data.svg");
+    if (pieces_of(text_string(&svg)) != pieces)
+        fail_msg("%s: %zu pieces, expected %zu", styles, pieces_of(svg.data), pieces);
+    return svg;
+}
+
+/* Draws another kind than curves. */
+static struct text draw_kind(const struct place *place, enum drawing_kind kind, const char *data, const char *styles)
+{
+    struct drawing drawing = drawing_of(kind, "data", "");
+    add_blocks(&drawing, data, styles);
+    draw(place, &drawing, NULL);
+    return read_file(place, "data.svg");
+}
+
+static void add_eight(struct text *data, int points)
+{
+    for (int curve = 1; curve <= 8; curve++) {
+        text_add(data, "%s\"a rather long name of surface %d, cold rolled, Rq 0.24 µm\"\n", curve > 1 ? "\n\n" : "",
+                 curve);
+        for (int i = 0; i <= points; i++)
+            text_add(data, "%.17g,%.17g\n", pow(10, -6 + 5.0 * i / points),
+                     fmin(1, curve * pow(10, -4 + 4.8 * i / points)));
+    }
+}
+
+/* ... and of ten thousand points they are hardly larger. */
 static void test_eight_curves_stay_small(void **state)
 {
-    struct text data = {0};
-    for (int curve = 1; curve <= 8; curve++) {
-        text_add(&data, "\"a rather long name of surface %d, cold rolled, Rq 0.24 µm\"\n", curve);
-        for (int i = 0; i <= 120; i++)
-            text_add(&data, "%.17g,%.17g\n", pow(10, -6 + i / 24.0), fmin(1, curve * pow(10, -4 + i / 25.0)));
-        text_add(&data, "\n\n");
+    size_t length[2];
+    static const int points[] = {120, 10000};
+    for (int k = 0; k < 2; k++) {
+        struct text data = {0};
+        add_eight(&data, points[k]);
+        struct text svg = draw_curves(*state, text_string(&data), "xy", "s1 s2 s3 s4 s5 s6 s7 s8", NULL, 1 + 8 + 8);
+        assert_in_range(svg.length, 20000, 60000);
+        length[k] = svg.length;
+        text_free(&svg);
+        text_free(&data);
     }
-    write_file(*state, "eight.csv", text_string(&data));
-    text_free(&data);
-    run_well(*state, "call 'curves.gp' 'eight.csv' 'eight.svg' '' 'load' 'area' 'xy' 's1 s2 s3 s4 s5 s6 s7 s8'");
-    struct text svg = read_file(*state, "eight.svg");
-    assert_int_equal(pieces_of(text_string(&svg)), 1 + 8 + 8);
-    assert_in_range(svg.length, 20000, 60000);
-    text_free(&svg);
+    assert_true(length[1] <= length[0]);
 }
 
 static void test_empty_blocks_and_single_points_are_drawn_silently(void **state)
 {
-    write_file(*state, "none.csv", "\"a\"\n\n\n\"b\"\n1,0\n2,nan\n\n\n\"\"\n");
-    write_file(*state, "few.csv", "\"a\"\n1e-4,0.5\n\n\n\"b\"\n\n\n\"c\"\n1e-4,1\n1e-3,0\n1e-2,2\n\n3e-2,3\n4e-2,4\n");
-    run_well(*state, "call 'curves.gp' 'none.csv' 'curves.svg' '' 'x' 'y' 'xy' 's1 s2 s2x'\n"
-                     "call 'profiles.gp' 'few.csv' 'profiles.svg' '' 's1 s2 s3'\n"
-                     "call 'spectra.gp' 'none.csv' 'spectra.svg' '' 's1 fit fitx'\n"
-                     "call 'cost.gp' 'none.csv' 'cost.svg' '' 'c1 c2 choice'\n"
-                     "call 'spectra.gp' 'few.csv' 'few-spectra.svg' '' 's1 s2 fit'\n"
-                     "call 'curves.gp' 'few.csv' 'few.svg' '' 'x' 'y' 'xy' 's1 s2 s3'\n"
-                     "dumb_size = '60,20'\n"
-                     "call 'curves.gp' 'none.csv' 'curves.txt' '' 'x' 'y' 'xy' 's1 s2 s2x'");
-    const char *const empty[] = {"curves.svg", "spectra.svg", "cost.svg", "curves.txt"};
-    for (size_t i = 0; i < sizeof empty / sizeof *empty; i++) {
-        struct text chart = read_file(*state, empty[i]);
-        assert_int_equal(count(text_string(&chart), "no data in range"), 1);
+    static const char none[] = "\"a\"\n\n\n\"b\"\n1,0\n2,nan\n\n\n\"\"\n",
+                      few[] = "\"a\"\n1e-4,0.5\n\n\n\"b\"\n\n\n\"c\"\n1e-4,1\n1e-3,0\n1e-2,2\n\n3e-2,3\n4e-2,4\n";
+    static const struct {
+        enum drawing_kind kind;
+        const char *data, *styles, *terminal_size;
+    } cases[] = {
+        {DRAWING_CURVES, none, "s1 s2 s2x", NULL},    {DRAWING_SPECTRA, none, "s1 fit fitx", NULL},
+        {DRAWING_COST, none, "c1 c2 choice", NULL},   {DRAWING_CURVES, none, "s1 s2 s2x", "60,20"},
+        {DRAWING_PROFILES, few, "s1 s2 s3", NULL},    {DRAWING_SPECTRA, few, "s1 s2 fit", NULL},
+        {DRAWING_CURVES, few, "s1 s2 s3", NULL},      {DRAWING_PROFILES, none, "s1 s2 s3", NULL},
+        {DRAWING_PROBABILITY, few, "s1 s2 s3", NULL},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct drawing drawing = drawing_of(cases[i].kind, "data", "xy");
+        drawing.log_x = drawing.log_y = cases[i].kind != DRAWING_PROFILES && cases[i].kind != DRAWING_PROBABILITY;
+        add_blocks(&drawing, cases[i].data, cases[i].styles);
+        draw(*state, &drawing, cases[i].terminal_size);
+        struct text chart = read_file(*state, cases[i].terminal_size ? "data.txt" : "data.svg");
+        assert_int_equal(count(text_string(&chart), "no data in range"), i < 4);
+        if (i == 6)
+            assert_int_equal(pieces_of(chart.data), 1 + 1 + 1 + 2);
         text_free(&chart);
     }
-    struct text few = read_file(*state, "few.svg");
-    assert_int_equal(pieces_of(text_string(&few)), 1 + 1 + 1 + 2);
-    assert_null(strstr(few.data, "no data in range"));
-    text_free(&few);
-}
-
-/* The pieces of a chart of `data`, drawn by curves.gp with the arguments behind its title. */
-static struct text draw_curves(const struct place *place, const char *data, const char *arguments, size_t pieces)
-{
-    char command[512];
-    write_file(place, "data.csv", data);
-    write_models(place);
-    snprintf(command, sizeof command, "load 'models.gp'\ncall 'curves.gp' 'data.csv' 'data.svg' '' %s", arguments);
-    run_well(place, command);
-    struct text svg = read_file(place, "data.svg");
-    if (pieces_of(text_string(&svg)) != pieces)
-        fail_msg("%s: %zu pieces, expected %zu", arguments, pieces_of(svg.data), pieces);
-    return svg;
 }
 
 /* With one load, models differ by their markers, on the chart and in its legend. */
 static void test_single_points_have_the_markers_of_their_models(void **state)
 {
-    struct text svg = draw_curves(*state, "\"a\"\n1e-4,0.1\n\n\n\"b\"\n1e-4,0.2\n\n\n\"c\"\n1e-4,0.3\n",
-                                  "'x' 'y' 'xy' 'me mp gw' '1.0e-4 1.0e-4 1.0e-1 3.0e-1'", 1 + 3 + 3);
+    struct text svg = draw_curves(*state, "\"a\"\n1e-4,0.1\n\n\n\"b\"\n1e-4,0.2\n\n\n\"c\"\n1e-4,0.3\n", "xy",
+                                  "me mp gw", (const double[]){1e-4, 1e-4, 0.1, 0.3}, 1 + 3 + 3);
     const char *const models[] = {"multiscale-elastic", "multiscale-plastic", "gw"};
     for (size_t k = 0; k < 3; k++) {
         char marker[64];
@@ -342,13 +404,12 @@ static void test_single_points_have_the_markers_of_their_models(void **state)
 static void test_two_bands_are_filled_others_are_bars(void **state)
 {
     struct text data = {0};
-    char arguments[200];
+    char styles[100];
     for (size_t bands = 1; bands <= 4; bands++) {
         text_add(&data, "%s\"band\"\n1e-4,1,2\n1e-3,2,3\n1e-2,3,4\n\n\n\"curve %zu\"\n1e-4,1\n1e-3,2\n1e-2,3\n",
                  bands > 1 ? "\n\n" : "", bands);
-        snprintf(arguments, sizeof arguments, "'x' 'y' 'xy' '%.*s'", (int)(7 * bands - 1),
-                 "s1b s1 s2b s2 s3b s3 s4b s4 ");
-        struct text svg = draw_curves(*state, text_string(&data), arguments, 1 + 3 * bands + 1 + (bands > 2));
+        snprintf(styles, sizeof styles, "%.*s", (int)(7 * bands - 1), "s1b s1 s2b s2 s3b s3 s4b s4 ");
+        struct text svg = draw_curves(*state, text_string(&data), "xy", styles, NULL, 1 + 3 * bands + 1 + (bands > 2));
         assert_int_equal(strstr(svg.data, "the same, as bars") != NULL, bands > 2);
         assert_int_equal(count(svg.data, "fill-opacity = '0.200000'"), bands < 2 ? 1 : 2);
         text_free(&svg);
@@ -360,8 +421,8 @@ static void test_two_bands_are_filled_others_are_bars(void **state)
 static void test_an_axis_ends_where_curves_are_cut(void **state)
 {
     static const char data[] = "\"a\"\n1,3\n2,1\n3,-4\n";
-    struct text whole = draw_curves(*state, data, "'x' 'y' '' 's1'", 1 + 1 + 1);
-    struct text cut = draw_curves(*state, data, "'x' 'y' '' 's1' '1.0 3.0 -0.5 3.0'", 1 + 1 + 1);
+    struct text whole = draw_curves(*state, data, "", "s1", NULL, 1 + 1 + 1);
+    struct text cut = draw_curves(*state, data, "", "s1", (const double[]){1, 3, -0.5, 3}, 1 + 1 + 1);
     assert_non_null(strstr(whole.data, "−4"));
     assert_null(strstr(cut.data, "−"));
     text_free(&whole);
@@ -376,7 +437,7 @@ static void test_a_zero_ends_at_the_lower_edge(void **state)
     for (int k = 0; k < 2; k++) {
         char data[100];
         snprintf(data, sizeof data, "\"a\"\n1e-4,1e3\n1e-3,1e2\n1e-2,1e1\n%s", more[k]);
-        struct text svg = draw_curves(*state, data, "'x' 'y' 'xy' 's1' '1.0e-4 1.0e-1 1.0 1.0e3'", 1 + 1 + 1);
+        struct text svg = draw_curves(*state, data, "xy", "s1", (const double[]){1e-4, 0.1, 1, 1e3}, 1 + 1 + 1);
         const char *path = strstr(svg.data, "<path stroke='rgb( 18,  87, 208)'  d='M");
         assert_non_null(path);
         const char *last = strchr(strstr(path, "d='"), '>');
@@ -392,8 +453,8 @@ static void test_a_zero_ends_at_the_lower_edge(void **state)
 /* Sweeps are labelled at their curves' ends, apart from each other and in the order of these. */
 static void test_labels_at_ends_do_not_touch(void **state)
 {
-    struct text svg = draw_curves(*state, "\"p\"\n1,0.5\n2,1\n\n\n\"q\"\n1,0.4\n2,1\n\n\n\"r\"\n1,0.3\n2,0.99\n",
-                                  "'x' 'y' 'xy' 'r1 r2 r3'", 1 + 3);
+    struct text svg = draw_curves(*state, "\"p\"\n1,0.5\n2,1\n\n\n\"q\"\n1,0.4\n2,1\n\n\n\"r\"\n1,0.3\n2,0.99\n", "xy",
+                                  "r1 r2 r3", NULL, 1 + 3);
     double at[3] = {0};
     for (int k = 0; k < 3; k++) {
         const char tag[] = {'>', (char)('p' + k), '<', '\0'};
@@ -410,10 +471,8 @@ static void test_labels_at_ends_do_not_touch(void **state)
 /* An error of 0 stands on the lower edge and makes no room for itself. */
 static void test_no_error_is_off_the_scale(void **state)
 {
-    write_file(*state, "some.csv", "\"a\"\n1e-4,1e-2\n1e-3,1e-4\n");
-    write_file(*state, "none.csv", "\"a\"\n1e-4,1e-2\n1e-3,1e-4\n1e-2,0\n");
-    run_well(*state, "call 'cost.gp' 'some.csv' 'some.svg' '' 'c1'\ncall 'cost.gp' 'none.csv' 'none.svg' '' 'c1'");
-    struct text some = read_file(*state, "some.svg"), none = read_file(*state, "none.svg");
+    struct text some = draw_kind(*state, DRAWING_COST, "\"a\"\n1e-4,1e-2\n1e-3,1e-4\n", "c1"),
+                none = draw_kind(*state, DRAWING_COST, "\"a\"\n1e-4,1e-2\n1e-3,1e-4\n1e-2,0\n", "c1");
     assert_null(strstr(text_string(&some), "lower edge"));
     assert_non_null(strstr(text_string(&none), "lower edge"));
     assert_int_equal(count(none.data, "transform='tr"), count(some.data, "transform='tr") + 2); /* it, and its note */
@@ -425,16 +484,77 @@ static void test_no_error_is_off_the_scale(void **state)
 
 static void test_the_smallest_and_largest_numbers_have_axes(void **state)
 {
-    write_file(*state, "wide.csv", "\"a\"\n1e-30,1e-299\n1e6,1e299\n");
-    write_file(*state, "narrow.csv", "\"a\"\n0.02,5\n0.020000001,5\n");
-    run_well(*state, "call 'curves.gp' 'wide.csv' 'wide.svg' '' 'x' 'y' 'xy' 's1'\n"
-                     "call 'curves.gp' 'narrow.csv' 'narrow.svg' '' 'x' 'y' 'xy' 's1'\n"
-                     "call 'curves.gp' 'narrow.csv' 'linear.svg' '' 'x' 'y' '' 's1'\n"
-                     "call 'profiles.gp' 'narrow.csv' 'profile.svg' '' 's1'");
-    struct text wide = read_file(*state, "wide.svg");
+    static const char narrow[] = "\"a\"\n0.02,5\n0.020000001,5\n";
+    struct text wide = draw_curves(*state, "\"a\"\n1e-30,1e-299\n1e6,1e299\n", "xy", "s1", NULL, 1 + 1 + 1);
     assert_int_equal(count(text_string(&wide), "<path stroke='rgb( 18,  87, 208)'"), 2); /* the line and its sample */
     assert_in_range(count(wide.data, "<tspan"), 10, 60);
     text_free(&wide);
+    struct text others[] = {draw_curves(*state, narrow, "xy", "s1", NULL, 1 + 1 + 1),
+                            draw_curves(*state, narrow, "", "s1", NULL, 1 + 1 + 1),
+                            draw_kind(*state, DRAWING_PROFILES, narrow, "s1")};
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++)
+        text_free(&others[i]);
+}
+
+/* ---------------------------------------------------------------- thinning */
+
+/* Height of the line through the kept points at x, all in the drawing's own units; steps from 0 to 1 span the axes. */
+static double line_at(const struct drawing *drawing, const struct drawing_block *block, double x)
+{
+    size_t i = block->first;
+    while (i + 2 < block->end && drawing->row[i + 1][0] < x)
+        i++;
+    const double *a = drawing->row[i], *b = drawing->row[i + 1];
+    return a[1] + (b[1] - a[1]) * (x - a[0]) / (b[0] - a[0]);
+}
+
+static double wavy(double x)
+{
+    return 0.5 + 0.4 * sin(20 * x) * x;
+}
+
+/* What is left out is within the tolerance of what is left; ends, gaps and short lines stay. */
+static void test_thinning(void **state)
+{
+    (void)state;
+    enum { POINTS = 20000, SHORT = 150 };
+    struct drawing drawing = drawing_of(DRAWING_CURVES, "data", "");
+    struct text script = {0};
+    struct status status = {0};
+    drawing_begin(&drawing, "s1", "long");
+    for (int i = 0; i <= POINTS; i++)
+        drawing_add(&drawing, (const double[]){(double)i / POINTS, wavy((double)i / POINTS)}, 2);
+    drawing_begin(&drawing, "s2", "a straight line with a peak and a gap");
+    for (int i = 0; i <= POINTS; i++) {
+        if (i == POINTS / 2)
+            drawing_add(&drawing, NULL, 0);
+        drawing_add(&drawing, (const double[]){(double)i / POINTS, i == 777 ? 1 : 0.3}, 2);
+    }
+    drawing_begin(&drawing, "s3", "short");
+    for (int i = 0; i <= SHORT; i++)
+        drawing_add(&drawing, (const double[]){(double)i / SHORT, 0}, 2);
+    assert_int_equal(drawing_script(&script, &drawing, NULL, &status), STATUS_OK);
+    drawing_thin(&drawing);
+    const struct drawing_block *wave = &drawing.block[0], *peak = &drawing.block[1], *few = &drawing.block[2];
+    assert_in_range(wave->end - wave->first, 20, 400);
+    assert_near(drawing.row[wave->end - 1][0], 1, 0);
+    double most = 0, height = 340 / drawing.block[1].y_high; /* the axis goes from 0 to 1 */
+    for (int i = 0; i <= POINTS; i++)
+        most = fmax(most, height * fabs(line_at(&drawing, wave, (double)i / POINTS) - wavy((double)i / POINTS)));
+    assert_true(most <= drawing_tolerance * 1.0001 && most > 0.5 * drawing_tolerance);
+    size_t gaps = 0, highest = 0;
+    for (size_t i = peak->first; i < peak->end; i++) {
+        gaps += isnan(drawing.row[i][0]) != 0;
+        highest = drawing.row[i][1] > 0.9 ? i : highest;
+    }
+    assert_int_equal(gaps, 1);
+    assert_near(drawing.row[highest][0], 777.0 / POINTS, 0);
+    assert_near(drawing.row[highest - 1][0], 776.0 / POINTS, 0);
+    assert_near(drawing.row[highest + 1][0], 778.0 / POINTS, 0);
+    assert_true(peak->end - peak->first <= 9);
+    assert_int_equal(few->end - few->first, SHORT + 1);
+    text_free(&script);
+    drawing_free(&drawing);
 }
 
 static const char hostile[] =
@@ -442,67 +562,80 @@ static const char hostile[] =
 
 static void test_hostile_names_are_only_text(void **state)
 {
-    char quoted[512], field[512];
-    gnuplot_quote(quoted, sizeof quoted, hostile);
-    gnuplot_field(field, sizeof field, hostile);
-    struct text data = {0};
-    text_add(&data, "%s\n1,1\n2,2\n\n\n%s\n1,2\n2,3\n", field, field);
-    write_file(*state, "hostile.csv", text_string(&data));
-    text_free(&data);
-
-    struct gnuplot gnuplot;
-    struct status status = {0};
-    assert_int_equal(gnuplot_start(&gnuplot, ((struct place *)*state)->directory, &status), STATUS_OK);
-    gnuplot_send(&gnuplot, "call 'curves.gp' 'hostile.csv' 'h1.svg' %s 'x' 'y' 'xy' 's1 s2'", quoted);
-    gnuplot_send(&gnuplot, "call 'profiles.gp' 'hostile.csv' 'h2.svg' %s 's1 s2'", quoted);
-    gnuplot_send(&gnuplot, "call 'spectra.gp' 'hostile.csv' 'h3.svg' %s 's1 fit'", quoted);
-    gnuplot_send(&gnuplot, "call 'cost.gp' 'hostile.csv' 'h4.svg' %s 'c1 choice'", quoted);
-    gnuplot_send(&gnuplot, "dumb_size = '120,30'");
-    gnuplot_send(&gnuplot, "call 'curves.gp' 'hostile.csv' 'h5.txt' %s 'x' 'y' 'xy' 's1 s2'", quoted);
-    if (gnuplot_finish(&gnuplot, &status) != STATUS_OK)
-        fail_msg("%s", status.message);
-
-    assert_false(exists(*state, "pwned1") || exists(*state, "pwned2"));
-    for (int i = 1; i <= 4; i++) {
-        char name[16];
-        snprintf(name, sizeof name, "h%d.svg", i);
-        struct text svg = read_file(*state, name);
-        assert_well_formed(text_string(&svg));
-        /* as title with its double quotes, as legend with single ones; nothing enhanced, nothing unescaped */
-        assert_non_null(strstr(svg.data, "’q’ \"d\" \\ \\n \\101 {/*9 x}^_@&amp;&lt;>% `touch pwned1` $(touch"));
-        assert_non_null(strstr(svg.data, i == 3 ? "'q' 'd' \\ \\n \\101 {/*9 x}^_@&amp;&lt;>% `tou"
-                                                : "'q' 'd' \\ \\n \\101 {/*9 x}^_@&amp;&lt;>% `touch pwned1` $(touch"));
-        text_free(&svg);
+    static const struct {
+        enum drawing_kind kind;
+        const char *styles[2], *terminal_size;
+        bool cut; /* in a narrow panel's head */
+    } cases[] = {
+        {DRAWING_CURVES, {"s1", "s2"}, NULL, false},     {DRAWING_PROFILES, {"s1", "s2"}, NULL, false},
+        {DRAWING_SPECTRA, {"s1", "fit"}, NULL, true},    {DRAWING_COST, {"c1", "choice"}, NULL, false},
+        {DRAWING_CURVES, {"s1", "s2"}, "120,30", false},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct drawing drawing = drawing_of(cases[i].kind, "data", "xy");
+        snprintf(drawing.title, sizeof drawing.title, "%s", hostile);
+        for (int b = 0; b < 2; b++) {
+            drawing_begin(&drawing, cases[i].styles[b], hostile);
+            drawing_add(&drawing, (const double[]){1, 1 + b}, 2);
+            drawing_add(&drawing, (const double[]){2, 2 + b}, 2);
+        }
+        draw(*state, &drawing, cases[i].terminal_size);
+        assert_false(exists(*state, "pwned1") || exists(*state, "pwned2"));
+        struct text chart = read_file(*state, cases[i].terminal_size ? "data.txt" : "data.svg");
+        if (cases[i].terminal_size) {
+            assert_null(strpbrk(text_string(&chart), "\033\x7f"));
+        } else { /* as title and as legend; nothing enhanced, nothing unescaped */
+            assert_well_formed(text_string(&chart));
+            static const char whole[] = "'q' \"d\" \\ \\n \\101 {/*9 x}^_@&amp;&lt;>% `touch pwned1` $(touch";
+            assert_true(count(chart.data, whole) >= (cases[i].cut ? 1 : 2));
+            assert_true(count(chart.data, "'q' \"d\" \\ \\n \\101 {/*9 x}^_@&amp;&lt;>% `tou") >= 2);
+        }
+        text_free(&chart);
     }
-    struct text chart = read_file(*state, "h5.txt");
-    assert_null(strpbrk(text_string(&chart), "\033\x7f"));
-    text_free(&chart);
 }
 
 static void test_quoting(void **state)
 {
     (void)state;
     char out[64], tight[8];
-    gnuplot_quote(out, sizeof out, "it's \"a\\b\" µ\n\xff");
-    assert_string_equal(out, "'it’s \"a\\b\" µ\\x0a\\xff'");
     gnuplot_field(out, sizeof out, "it's \"a\\b\" µ\n\xff");
     assert_string_equal(out, "\"it's 'a\\\\b' µ\\\\x0a\\\\xff\"");
-    gnuplot_quote(out, sizeof out, "\xc0\xaf\xed\xa0\x80\xc2\x85\xef\xbf\xbf|\xf0\x9f\x98\x80\xe2");
-    assert_string_equal(out, "'\\xc0\\xaf\\xed\\xa0\\x80\\u0085\\uffff|\xf0\x9f\x98\x80\\xe2'");
-    gnuplot_quote(out, sizeof out, "]]>]] >>"); /* no "]]>" in an SVG's text */
-    assert_string_equal(out, "']]›]] >>'");
     gnuplot_field(out, sizeof out, "=1");
     assert_string_equal(out, "\"'=1\"");
     gnuplot_field(tight, 3, "=1");
     assert_string_equal(tight, "\"\"");
-    gnuplot_quote(tight, sizeof tight, "abcdµµ"); /* µ takes two bytes and would leave no room for the mark */
-    assert_string_equal(tight, "'abcd'");
+    gnuplot_field(tight, sizeof tight, "abcdµµ"); /* µ takes two bytes and would leave no room for the mark */
+    assert_string_equal(tight, "\"abcd\"");
     gnuplot_field(tight, sizeof tight, "abcd\\"); /* half a doubled backslash would take the mark */
     assert_string_equal(tight, "\"abcd\"");
-    gnuplot_quote(tight, 3, "abc");
-    assert_string_equal(tight, "''");
-    gnuplot_quote(tight, 2, "abc");
+    gnuplot_field(tight, 3, "abc");
+    assert_string_equal(tight, "\"\"");
+    gnuplot_field(tight, 2, "abc");
     assert_string_equal(tight, "");
+}
+
+/* What a script quotes: marks of ASCII come as escapes, what is too long is cut at its end or in its middle. */
+static void test_script_strings(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *string, *quoted;
+        size_t most;
+        bool both_ends;
+    } cases[] = {
+        {"Rq 0.24 µm, (a-b) = 1/2", "\"Rq 0.24 µm, (a-b) = 1/2\"", 60, false},
+        {"'\"`\\@$#%\n\xff", "\"\\047\\042\\140\\134\\100\\044\\043\\045\\134x0a\\134xff\"", 60, false},
+        {"a]]>b>", "\"a\\135\\135›b\\076\"", 60, false},
+        {"µbcdefgh", "\"µbcd…\"", 5, false},
+        {"µbcdefgh", "\"µb…fgh\"", 6, true},
+        {"µbcdef", "\"µbcdef\"", 6, true},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct text out = {0};
+        drawing_quote(&out, cases[i].string, cases[i].most, cases[i].both_ends);
+        assert_string_equal(text_string(&out), cases[i].quoted);
+        text_free(&out);
+    }
 }
 
 static void test_a_missing_gnuplot_names_the_package(void **state)
@@ -542,13 +675,7 @@ static const struct complaint {
     {"load 'bad.gp'", "gnuplot: \"bad.gp\" line 2: undefined variable: nothing_here"},
     {"load 'syntax.gp'", "gnuplot: \"syntax.gp\" line 1: "},
     {"load 'missing.gp'", "gnuplot: Cannot load input from 'missing.gp'"},
-    {"call 'curves.gp' 'missing.csv' 'x.svg' '' 'x' 'y' '' 's1'", "missing.csv"},
-    {"call 'curves.gp' 'ecr.csv' 'x.svg' '' 'x' 'y' '' 's1 s2'", "ecr.csv has 4 blocks, but 2 style words were given"},
-    {"call 'curves.gp' 'ecr.csv' 'x.svg' '' 'x' 'y' '' 's1 s2 s3 s9'", "'s9' is not a style word"},
-    {"call 'curves.gp' 'ecr.csv' 'x.svg' '' 'x' 'y' '' 'me s2 s3 s4'", "'me' is not a style word"}, /* no models.gp */
-    {"call 'cost.gp' 'ecr.csv' 'x.svg' '' 'c1 c2 c3 fit'", "'fit' is not a style word"},
-    {"call 'spectra.gp' 'ecr.csv' 'x.svg' '' 'fit s1 s2 s3'", "'fit' is not a style word"},
-    {"call 'profiles.gp' 'ecr.csv' 'x.svg' '' 's1 s2 s3 me4'", "'me4' is not a style word"},
+    {"plot 'missing.csv'", "missing.csv"},
     {"set terminal dumb\nset output 'x'\nplot [0:1] [0:1] 'none.csv'",
      "warning: Skipping data file with no valid points"},
     {"print 'a word'", "gnuplot: a word"},
@@ -680,8 +807,8 @@ static void test_no_descriptor_is_left_open(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        PLACED(test_every_template_draws_an_svg),
-        PLACED(test_every_template_draws_text),
+        PLACED(test_every_kind_draws_an_svg),
+        PLACED(test_curves_are_drawn_as_text),
         PLACED(test_the_same_data_give_the_same_bytes),
         PLACED(test_eight_curves_stay_small),
         PLACED(test_empty_blocks_and_single_points_are_drawn_silently),
@@ -692,8 +819,10 @@ int main(void)
         PLACED(test_labels_at_ends_do_not_touch),
         PLACED(test_no_error_is_off_the_scale),
         PLACED(test_the_smallest_and_largest_numbers_have_axes),
+        cmocka_unit_test(test_thinning),
         PLACED(test_hostile_names_are_only_text),
         cmocka_unit_test(test_quoting),
+        cmocka_unit_test(test_script_strings),
         PLACED(test_a_missing_gnuplot_names_the_package),
         cmocka_unit_test(test_a_missing_directory_is_an_error),
         PLACED(test_any_complaint_is_a_failure),

@@ -45,6 +45,7 @@ static bool tag_allowed(const char *name, size_t length)
         "circle",      "line",    "polyline", "polygon", "ellipse",    "desc",  "clippath", "lineargradient",
         "stop",        "section", "article",  "aside",   "blockquote", "del",   "filter",   "feflood",
         "fecomposite", "symbol",  "pattern",  "sup",     "sub",        "label", "input",    "script",
+        "button",
     };
     for (size_t i = 0; i < sizeof allowed / sizeof *allowed; i++)
         if (strlen(allowed[i]) == length && strncasecmp(name, allowed[i], length) == 0)

@@ -61,7 +61,7 @@ static void test_install(void **state)
     assert_true(asprintf(&links, "%s/roughcontact", place) > 0);
     assert_true(workspace_has(place, "first/share/roughcontact/templates/page.html"));
 
-    assert_true(workspace_has(place, "first/share/man/man1/roughcontact.1"));
+    assert_true(workspace_has(place, "first/share/man/man1/roughcontact.1.gz"));
     assert_true(workspace_has(place, "first/share/bash-completion/completions/roughcontact"));
 
     workspace_scan(place, "d/a.csv", 200, 1);

@@ -125,8 +125,8 @@ static void loads_are_shown_as_given(void **state)
     assert_non_null(strstr(text_string(&json), "\"load_unit\": \"N\""));
     text_free(&json);
     struct text chart = directory_read(place, "out/figures/6-05.gp");
-    assert_non_null(strstr(text_string(&chart), "'load (N)'"));
-    assert_non_null(strstr(text_string(&chart), "'1.000000e-01 1.000000e+02 "));
+    assert_non_null(strstr(text_string(&chart), "set xlabel 'load (N)'"));
+    assert_non_null(strstr(text_string(&chart), "# axes: 1.000000e-01 1.000000e+02 "));
     text_free(&chart);
     struct text data = directory_read(place, "out/figures/6-11.csv");
     const char *second = text_string(&data); /* each surface's curve starts at 0.1 N, whatever its E' */

@@ -481,7 +481,7 @@ static void the_probability_plot(void **state)
     assert_true(rows[0] > 100 && rows[0] <= 301 && last == M - 1 && rows[1] == 2 && rows[2] == 2);
     text_free(&data);
     struct text script = directory_read(place, "out/figures/normal-probability.gp");
-    assert_non_null(strstr(script.data, "'s1 fit fitx'"));
+    assert_non_null(strstr(script.data, "# curves: s1 fit fitx\n"));
     text_free(&script);
     struct text svg = directory_read(place, "out/figures/normal-probability.svg");
     assert_non_null(strstr(svg.data, "plateau, Rq"));

@@ -318,9 +318,9 @@ static void test_the_charts(void **state)
                   {"models-area", true, true},      {"models-ecr", true, false}, {"models-separation", true, false},
                   {"sensitivity-area", true, true}, {"cost-curves", true, true}};
     char name[128];
-    struct text text = directory_read(&whole, "out/figures/models.gp");
-    assert_has(text_string(&text), "colour_ns = '#2E8B57'; marker_ns = 8 # numeric-stack");
-    assert_has(text_string(&text), "colour_aa = '#8B2E57'; marker_aa = 9 # area-alone");
+    struct text text = directory_read(&whole, "out/figures/models-area.gp");
+    assert_has(text_string(&text), "with points pt 8 ps 0.9 lw 1.3 lc rgb '#2E8B57'");  /* numeric-stack */
+    assert_has(text_string(&text), "with points pt 9 ps 0.75 lw 1.3 lc rgb '#8B2E57'"); /* area-alone */
     text_free(&text);
     for (size_t i = 0; i < sizeof stack_figures / sizeof *stack_figures; i++)
         for (int alone = 0; alone < 2; alone++) {
