@@ -286,7 +286,8 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
         rc = evaluate(&run, out, status);
     if (rc == STATUS_OK && !stopped(&run))
         rc = write_all(&run, out, status);
-    if (run.output.staging[0] && stopped(&run)) { /* whatever else went wrong: Ctrl-C stops gnuplot too */
+    if (run.output.staging[0] && (stopped(&run) || rc == STATUS_INTERRUPTED)) { /* whatever else went wrong: Ctrl-C
+                                                                                   stops gnuplot too, perhaps first */
         *status = (struct status){0};
         rc =
             status_fail(status, STATUS_INTERRUPTED, "stopped by a signal; '%s' is as it was before", run.output.target);
