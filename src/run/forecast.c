@@ -4,6 +4,7 @@
 #include "chart/figure.h"
 #include "output/cell.h"
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>
 
@@ -23,12 +24,14 @@ const char *const forecast_names[FORECAST_STAGES] = {
     [FORECAST_OTHER] = "start, store, the rest",
 };
 
-/* Typical times [s] on a core that writes a number in `usual_number`: read from `report --verbose` of surfaces/chapter6
+/* Typical times [s] on a core whose printf() takes `usual_print` for a number, and on which the program writes one in
+ * `usual_number`: read from `report --verbose` of surfaces/chapter6
  * with 121 and with 10 000 loads and of 1000 scans of 8000 points. All but the first scale with the machine. */
-static const double usual_number = 0.62e-6, process_seconds = 13e-3, drawn_seconds = 2.2e-3, figure_seconds = 1.6e-3,
-                    page_seconds = 15e-3, page_figure_seconds = 1.4e-3, surface_seconds = 0.2e-3, cost_seconds = 0.16,
-                    cost_load_seconds = 26e-6, sweep_scale_seconds = 75e-9, start_seconds = 8e-3,
-                    stored_height_seconds = 20e-9, kept_height_seconds = 350e-9, point_seconds = 2e-6;
+static const double usual_print = 0.33e-6, usual_number = 0.1e-6, process_seconds = 13e-3, drawn_seconds = 2.2e-3,
+                    figure_seconds = 1.6e-3, page_seconds = 15e-3, page_figure_seconds = 1.4e-3,
+                    surface_seconds = 0.2e-3, cost_seconds = 0.16, cost_load_seconds = 26e-6,
+                    sweep_scale_seconds = 75e-9, start_seconds = 8e-3, stored_height_seconds = 20e-9,
+                    kept_height_seconds = 350e-9, point_seconds = 2e-6;
 /* Shares of a written number: of one in JSON, of a curve's point in the charts and on the page. */
 static const double table_number = 0.72, json_number = 1.2, chart_number = 0.22, page_number = 0.055;
 /* How often the methods that the section on cost compares sort heights. */
@@ -58,8 +61,21 @@ static enum status_code measure_numbers(struct forecast_rates *out, double (*clo
             return status_memory(status);
     }
     out->number = isfinite(best) ? best / NUMBERS : usual_number;
-    out->speed = out->number / usual_number;
     return STATUS_OK;
+}
+
+/** This machine's speed at what the program itself has no part in: the system's formatting of numbers. */
+static double measure_speed(double (*clock)(void))
+{
+    double best = INFINITY;
+    for (int r = 0; r < NUMBERS_ROUNDS; r++) {
+        char digits[32];
+        double started = clock();
+        for (int i = 0; i < NUMBERS; i++)
+            snprintf(digits, sizeof digits, "%.17g", 1e-6 * (i + 1) / 3);
+        best = note(best, clock() - started);
+    }
+    return isfinite(best) ? best / NUMBERS / usual_print : 1;
 }
 
 static double n_log_n(double n)
@@ -117,7 +133,7 @@ static enum status_code measure_model(double *rate, size_t m, const struct model
 enum status_code forecast_calibrate(struct forecast_rates *out, const struct results *results, double (*clock)(void),
                                     struct status *status)
 {
-    *out = (struct forecast_rates){.speed = 1};
+    *out = (struct forecast_rates){.speed = measure_speed(clock)};
     for (size_t m = 0; m < FORECAST_MODELS_MOST; m++)
         out->model[m] = 1;
     if (measure_numbers(out, clock, status) != STATUS_OK || results->usable_count == 0)

@@ -35,8 +35,8 @@ struct forecast_rates {
     double model[FORECAST_MODELS_MOST]; /* time of a model over what work_seconds() says it takes */
 };
 
-/** Measures them by `clock` (seconds): numbers, a sort, and each running model on a synthetic spectrum with the
- * baseline's bodies and asperities. Takes about 10 ms. Error: STATUS_MEMORY. */
+/** Measures them by `clock` (seconds): numbers, a sort, the system's printf(), and each running model on a synthetic
+ * spectrum with the baseline's bodies and asperities. Takes about 10 ms. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code forecast_calibrate(struct forecast_rates *out, const struct results *results,
                                                double (*clock)(void), struct status *status);
 
