@@ -26,7 +26,7 @@ struct uncertainty_work work_simulated(const struct surface_summary *surfaces, s
     for (size_t i = 0; i < count; i++) {
         if (!surfaces[i].usable || surfaces[i].single_points == 0)
             continue;
-        struct uncertainty_work more = uncertainty_predict(surfaces[i].single_points, plan, surfaces[i].models);
+        struct uncertainty_work more = uncertainty_predict(surfaces[i].single_points, plan, surfaces[i].bounds);
         add_simulated(&sum, &more);
     }
     return sum;
@@ -51,8 +51,8 @@ struct work work_predict(const struct surface_summary *surfaces, size_t count, c
             struct model_work searches = {.searches = (surface_seeks_beta(plan, m) ? 2 : 1) + scene->target_count};
             model_work_add(share_of(&work, m), &searches);
             model_work_add(share_of(&work, m),
-                           &surfaces[i].models[m].bounds.work[plan_runs(plan, EFFECT_SCALE_DEPENDENT)]);
-            model_work_add(share_of(&work, m), &surfaces[i].models[m].bounds.sensitivity_work);
+                           &surface_bounds(&surfaces[i], m)->work[plan_runs(plan, EFFECT_SCALE_DEPENDENT)]);
+            model_work_add(share_of(&work, m), &surface_bounds(&surfaces[i], m)->sensitivity_work);
             work.extensions += model_rows[m]->stacks_scales && plan_runs(plan, EFFECT_CONVERGENCE) &&
                                surface_extends(&surfaces[i], scene);
         }
@@ -71,9 +71,9 @@ struct work work_done(const struct surface_summary *surfaces, size_t count, uint
     for (size_t i = 0; i < count; i++) {
         work.bounds += surfaces[i].bound.visits;
         add_simulated(&work.simulated, &surfaces[i].simulated);
-        for (size_t m = 0; surfaces[i].models && m < model_count; m++) {
-            model_work_add(share_of(&work, m), &surfaces[i].models[m].work);
-            work.extensions += surfaces[i].models[m].extended;
+        for (size_t m = 0; m < model_count; m++) {
+            model_work_add(share_of(&work, m), &surface_model(&surfaces[i], m)->work);
+            work.extensions += surface_model(&surfaces[i], m)->extended;
         }
     }
     return work;

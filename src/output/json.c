@@ -217,12 +217,14 @@ static json_t *intervals_json(const struct curve_summary *model, const struct ce
 {
     json_t *json = json_object();
     for (int q = 0; q < QUANTITY_COUNT; q++)
-        if (repeats_band_holds((enum quantity)q) && model->middle[q].count > 0)
-            json_object_set_new(json, quantity_rows[q].name, estimate_json(&model->middle[q], guard));
-    if (model->full_load_estimate.count > 0)
-        json_object_set_new(json, "full_contact_load", estimate_json(&model->full_load_estimate, guard));
-    if (model->beta_estimate.count > 0)
-        json_object_set_new(json, "beta", estimate_json(&model->beta_estimate, guard));
+        if (repeats_band_holds((enum quantity)q) && curve_summary_estimate(model, q)->count > 0)
+            json_object_set_new(json, quantity_rows[q].name, estimate_json(curve_summary_estimate(model, q), guard));
+    const struct estimate *full_load = curve_summary_estimate(model, CURVE_FULL_LOAD),
+                          *beta = curve_summary_estimate(model, CURVE_BETA);
+    if (full_load->count > 0)
+        json_object_set_new(json, "full_contact_load", estimate_json(full_load, guard));
+    if (beta->count > 0)
+        json_object_set_new(json, "beta", estimate_json(beta, guard));
     return json;
 }
 
@@ -280,9 +282,9 @@ static json_t *surface_json(const struct surface_record *record, const struct sc
     for (size_t f = 0; f < s->scene->file_count; f++)
         json_array_append_new(files, string(s->scene->files[f]));
     for (size_t m = 0; m < model_count; m++)
-        if (s->models[m].exists) {
-            json_t *model = curve_json(&record->curves[m], &s->models[m], &s->pair, plan, guard);
-            json_t *intervals = intervals_json(&s->models[m], guard);
+        if (surface_model(s, m)->exists) {
+            json_t *model = curve_json(&record->curves[m], surface_model(s, m), &s->pair, plan, guard);
+            json_t *intervals = intervals_json(surface_model(s, m), guard);
             if (json_object_size(intervals) > 0)
                 json_object_set(model, "at_middle_load", intervals);
             json_decref(intervals);
@@ -507,9 +509,9 @@ static json_t *outline_surface_json(const struct surface_summary *s, const struc
                   "refused", s->refusal ? string(s->refusal) : json_null(), "notes", lines_json(s->notes));
     for (size_t m = 0; m < model_count && complete && s->usable; m++) {
         json_t *model = json_object();
-        set(model, guard, "full_contact_load", s->models[m].full_load);
-        set(model, guard, "beta", s->models[m].beta);
-        if (plan_runs_model(plan, m) && s->models[m].exists)
+        set(model, guard, "full_contact_load", surface_model(s, m)->full_load);
+        set(model, guard, "beta", surface_model(s, m)->beta);
+        if (plan_runs_model(plan, m) && surface_model(s, m)->exists)
             json_object_set(models, model_rows[m]->name, model);
         json_decref(model);
     }
