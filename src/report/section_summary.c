@@ -696,8 +696,8 @@ static void heights_table(struct text *out, const struct section_context *contex
 {
     size_t m = section_heights_model(context), rows = 0;
     struct text rule = {0};
-    if (m == model_count ||
-        section_marked(context, HEIGHTS_NOT_GAUSSIAN) + section_marked(context, HEIGHTS_CANNOT_TELL) == 0)
+    size_t marked = section_marked(context, HEIGHTS_NOT_GAUSSIAN) + section_marked(context, HEIGHTS_CANNOT_TELL);
+    if (m == model_count || marked == 0)
         return;
     text_add(out,
              "\n**At the same pressure**, %s, which takes the heights as they are (elastic; beyond A/Aₙ = 0.15 area "
@@ -720,6 +720,8 @@ static void heights_table(struct text *out, const struct section_context *contex
             text_add(out, " |\n");
             rows++;
         }
+    if (rows < marked)
+        text_add(out, "| … %zu more in data/ |\n", marked - rows);
 }
 
 static void write_summary(struct text *out, const struct section_context *context)
