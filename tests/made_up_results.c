@@ -87,20 +87,21 @@ struct estimate made_up_single(double value, double s, bool logarithmic)
 /** What is known of a model's answers: by two scans of the first surface, else by simulated records if they run. */
 static void make_estimates(struct made_up *made, struct surface_record *record, size_t index, size_t m)
 {
-    struct curve_summary *model = &record->summary.models[m];
+    struct curve_summary *model = record->summary.models[m];
+    struct estimate all[CURVE_ESTIMATES];
+    struct status status = {0};
     const struct contact_point *middle = &record->curves[m].points[MADE_UP_LOADS / 2];
     bool several = index == 0, known = several || plan_runs(&made->plan, EFFECT_UNCERTAINTY);
-    model->full_load_estimate = several ? about(model->full_load, log(1.5), true) : estimate_none;
-    model->beta_estimate = several && isfinite(model->beta) ? about(model->beta, 0.5, false) : estimate_none;
+    all[CURVE_FULL_LOAD] = several ? about(model->full_load, log(1.5), true) : estimate_none;
+    all[CURVE_BETA] = several && isfinite(model->beta) ? about(model->beta, 0.5, false) : estimate_none;
     for (int q = 0; q < QUANTITY_COUNT; q++) {
         bool logarithmic = q != QUANTITY_SEPARATION;
         enum quantity shown = model_shown(model_rows[m], (enum quantity)q);
         double value = quantity_value(middle, shown), s = logarithmic ? 0.05 : 0.05 * value;
         bool held = known && repeats_band_holds((enum quantity)q) && isfinite(value);
-        model->middle[q] = !held     ? estimate_none
-                           : several ? about(value, s, logarithmic)
-                                     : made_up_single(value, s, logarithmic);
+        all[q] = !held ? estimate_none : several ? about(value, s, logarithmic) : made_up_single(value, s, logarithmic);
     }
+    assert_int_equal(curve_summary_put_estimates(model, all, &status), STATUS_OK);
 }
 
 /** The mean within a tenth of the curve, another scan within two. */
@@ -141,7 +142,6 @@ static void make_surface(struct made_up *made, size_t index, void (*change)(stru
                                                  .conductivity_W_per_mK = 50,
                                                  .mean_free_path_m = {2e-8, 2e-8},
                                                  .side_conductivity_W_per_mK = {50, 50}},
-                                        .models = calloc(model_count, sizeof *summary->models),
                                         .format = "text",
                                         .units = "x um, z um",
                                         .hash = "0123456789abcdef0123"};
@@ -189,13 +189,15 @@ static void make_surface(struct made_up *made, size_t index, void (*change)(stru
         for (size_t m = 0; m < model_count; m++) {
             if (!record->curves[m].exists)
                 continue;
-            curve_summary_make(&summary->models[m], &record->curves[m], model_rows[m], rq_m);
-            summary->models[m].extended = model_rows[m]->stacks_scales;
+            struct curve_summary *model = surface_model_room(summary, m);
+            assert_non_null(model);
+            curve_summary_make(model, &record->curves[m], model_rows[m], rq_m);
+            model->extended = model_rows[m]->stacks_scales;
             if (model_rows[m]->stacks_scales)
-                summary->models[m].extension = (struct convergence_extension){0.4, 0.3, NAN, 100};
+                model->extension = (struct convergence_extension){0.4, 0.3, NAN, 100};
             else
-                summary->models[m].beta_multiscale = 7;
-            summary->models[m].sensitivity = (struct sensitivity_factors){{1.05, 0.8, 0.92}, {0.95, 1.3, 1.08}};
+                model->beta_multiscale = 7;
+            model->sensitivity = (struct sensitivity_factors){{1.05, 0.8, 0.92}, {0.95, 1.3, 1.08}};
             make_estimates(made, record, index, m);
             if (index == 0)
                 make_bands(record, m);

@@ -279,7 +279,8 @@ enum limit_verdict answers_judge(const struct limit_check *check, const struct s
 static double made_at_end(const struct curve_summary *model, const struct contact_point *point, int side,
                           enum quantity quantity, const struct joint_task *joint)
 {
-    const struct estimate *ecr = &model->middle[QUANTITY_ECR], *tcr = &model->middle[QUANTITY_TCR];
+    const struct estimate *ecr = curve_summary_estimate(model, QUANTITY_ECR),
+                          *tcr = curve_summary_estimate(model, QUANTITY_TCR);
     const double ends[2] = {ecr->count > 0 ? estimate_end(ecr, side) : NAN,
                             tcr->count > 0 ? estimate_end(tcr, side) : NAN};
     bool known = !isnan(ends[quantity_rows[quantity].from & QUANTITY_BIT(QUANTITY_ECR) ? 0 : 1]);
@@ -290,7 +291,7 @@ static struct limit_check check_limit(const struct surface_record *record, size_
                                       const struct scene_asked *limit, const struct joint_task *joint, double load)
 {
     enum quantity quantity = limit->row->quantity;
-    const struct estimate *estimate = &record->summary.models[leading].middle[quantity];
+    const struct estimate *estimate = curve_summary_estimate(surface_model(&record->summary, leading), quantity);
     const struct contact_point *point =
         record->curves[leading].exists ? point_at(&record->curves[leading], load) : NULL;
     struct limit_check out = {.value = point ? quantity_value(point, quantity) : NAN, .low = NAN, .high = NAN};
@@ -300,7 +301,7 @@ static struct limit_check check_limit(const struct surface_record *record, size_
     } else if (point && quantity_rows[quantity].from) {
         double ends[2];
         for (int side = 0; side < 2; side++)
-            ends[side] = made_at_end(&record->summary.models[leading], point, side, quantity, joint);
+            ends[side] = made_at_end(surface_model(&record->summary, leading), point, side, quantity, joint);
         out.low = fmin(ends[0], ends[1]);
         out.high = fmax(ends[0], ends[1]);
     }
@@ -328,8 +329,11 @@ enum status_code answers_find(struct surface_record *record, const struct scene 
             if (answer_target(&summary->answers[t * model_count + m], record, m, &scene->targets[t], task, &joint,
                               status) != STATUS_OK)
                 return status->code;
-        summary->models[m].work.searches += scene->target_count;
-        summary->models[m].seconds += clock_seconds() - started;
+        struct curve_summary *model = surface_model_room(summary, m);
+        if (!model)
+            return status_memory(status);
+        model->work.searches += scene->target_count;
+        model->seconds += clock_seconds() - started;
     }
     for (size_t l = 0; l < scene->limit_count; l++)
         summary->limits[l] = check_limit(record, plan_leading_model(plan), &scene->limits[l], &joint,

@@ -1,6 +1,7 @@
 #include "analysis/curve_summary.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 const double curve_summary_beyond_fit_share = 0.1;
 const double curve_summary_elbow_slope = 2;
@@ -54,6 +55,41 @@ struct curve_validity curve_summary_validity(const struct model_curve *curve, co
     return valid;
 }
 
+size_t curve_estimates_size(uint32_t known)
+{
+    return sizeof(struct curve_estimates) + (size_t)__builtin_popcount(known) * sizeof(struct estimate);
+}
+
+const struct estimate *curve_summary_estimate(const struct curve_summary *model, int which)
+{
+    const struct curve_estimates *estimates = model->estimates;
+    uint32_t bit = UINT32_C(1) << which;
+    return estimates && estimates->known & bit ? &estimates->of[__builtin_popcount(estimates->known & (bit - 1))]
+                                               : &estimate_none;
+}
+
+enum status_code curve_summary_put_estimates(struct curve_summary *model, const struct estimate *all,
+                                             struct status *status)
+{
+    uint32_t known = 0;
+    size_t count = 0;
+    for (int which = 0; which < CURVE_ESTIMATES; which++)
+        known |= (uint32_t)(all[which].count > 0) << which;
+    free(model->estimates);
+    model->estimates = NULL;
+    if (known == 0)
+        return STATUS_OK;
+    struct curve_estimates *estimates = malloc(curve_estimates_size(known));
+    if (!estimates)
+        return status_memory(status);
+    estimates->known = known;
+    for (int which = 0; which < CURVE_ESTIMATES; which++)
+        if (all[which].count > 0)
+            estimates->of[count++] = all[which];
+    model->estimates = estimates;
+    return STATUS_OK;
+}
+
 bool curve_summary_is_valid(const struct curve_summary *model, double load)
 {
     return !(model->invalid_area_load <= load) && !(model->invalid_fit_load <= load);
@@ -84,7 +120,6 @@ void curve_summary_make(struct curve_summary *model, const struct model_curve *c
         .yielding_scales = curve->yielding_scales,
         .clamped = curve->clamped,
         .work = curve->work,
-        .bounds = model->bounds,
         .sensitivity = model->sensitivity,
         .seconds = model->seconds,
     };

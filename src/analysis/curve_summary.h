@@ -1,4 +1,5 @@
-/* What a curve says, in a few numbers: small, so that it can be kept for every model of ten thousand surfaces. */
+/* What a curve says, in a few numbers: small, so that it can be kept for every model that runs, of a hundred thousand
+ * surfaces. */
 #ifndef ANALYSIS_CURVE_SUMMARY_H
 #define ANALYSIS_CURVE_SUMMARY_H
 
@@ -6,7 +7,7 @@
 #include "analysis/sensitivity.h"
 #include "contact/convergence.h"
 
-/** What is known of a model on a surface before it runs. */
+/** What is known of a model on a surface before it runs, until it has run. */
 struct curve_bounds {
     double yield;              /* model_row.yield_bound: of the surface, its scans alone and its extension */
     double scale_dependence;   /* model_row.scale_dependence_bound */
@@ -15,8 +16,16 @@ struct curve_bounds {
     struct model_work record_work, quarter_work; /* uncertainty_outline() */
 };
 
+/** Numbers of a curve that scans run alone, or simulated records, say how far off may be: each quantity at the middle
+ * load, as the model shows it, then these. */
+enum { CURVE_FULL_LOAD = QUANTITY_COUNT, CURVE_BETA, CURVE_ESTIMATES };
+/** Those known of a curve, the rest left out: of a hundred thousand single scans few are. */
+struct curve_estimates {
+    uint32_t known; /* bits: which */
+    struct estimate of[];
+};
+
 struct curve_summary {
-    struct curve_bounds bounds;
     bool exists;
     double first_load; /* of the curve */
     double full_load, closed_load, beta, beta_multiscale;
@@ -37,8 +46,7 @@ struct curve_summary {
     struct model_work work;
     bool extended; /* the fitted power law was carried on below the sampling limit */
     struct convergence_extension extension;
-    struct estimate full_load_estimate, beta_estimate; /* over the scans run alone */
-    struct estimate middle[QUANTITY_COUNT];            /* at the middle load, as shown: area, separation, ECR, TCR */
+    struct curve_estimates *estimates; /* owned; NULL: none known */
     struct sensitivity_factors sensitivity;
     double seconds; /* that the curve took */
 };
@@ -55,13 +63,21 @@ struct curve_validity {
 };
 struct curve_validity curve_summary_validity(const struct model_curve *curve, const struct model_row *row);
 
+/** How far number `which` (a quantity, CURVE_FULL_LOAD, CURVE_BETA) may be off; estimate_none: not known. */
+const struct estimate *curve_summary_estimate(const struct curve_summary *model, int which);
+/** Keeps those of `all`, CURVE_ESTIMATES of them, that are known, in place of what the curve had. Error: STATUS_MEMORY.
+ */
+MUST_CHECK enum status_code curve_summary_put_estimates(struct curve_summary *model, const struct estimate *all,
+                                                        struct status *status);
+size_t curve_estimates_size(uint32_t known);
+
 /** Is the model inside its range of validity there, as far as the curve's summary tells? */
 bool curve_summary_is_valid(const struct curve_summary *model, double load);
 
 /** The elbow as a share of the load to full contact; NaN: none, or at the first load or below. */
 double curve_summary_elbow_share(const struct curve_summary *model);
 
-/** Condenses one model's curve on a surface of rms height sigma_m; bounds, sensitivity and seconds are kept. Loads that
+/** Condenses one model's curve on a surface of rms height sigma_m; sensitivity and seconds are kept. Loads that
  * are not the model's own answer are points of the curve: landmarks_solve() solves for them. */
 void curve_summary_make(struct curve_summary *out, const struct model_curve *curve, const struct model_row *row,
                         double sigma_m);

@@ -62,9 +62,9 @@ static void count_work(struct surface_record *record, const struct plan *plan, c
     struct model_task without = *task;
     without.wanted &= ~QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT);
     for (size_t m = 0; m < model_count; m++) {
-        struct model_work *work = record->summary.models[m].bounds.work;
         if (!plan_runs_model(plan, m))
             continue;
+        struct model_work *work = record->summary.bounds[m]->work;
         work[0] = scans_work(record, model_rows[m], &without);
         work[1] = model_rows[m]->stacks_scales ? work[0] : scans_work(record, model_rows[m], task);
     }
@@ -76,7 +76,7 @@ static void count_sensitivity(struct surface_record *record, const struct plan *
     struct model_task one = surface_middle_task(task);
     for (size_t m = 0; m < model_count; m++)
         if (plan_runs_model(plan, m))
-            record->summary.models[m].bounds.sensitivity_work =
+            record->summary.bounds[m]->sensitivity_work =
                 sensitivity_work(&record->sensitivity, model_rows[m], &one, record->repeats.count == 0);
 }
 
@@ -87,7 +87,7 @@ static enum status_code count_records(struct surface_record *record, const struc
     enum status_code rc = STATUS_OK;
     for (size_t m = 0; m < model_count && rc == STATUS_OK; m++)
         if (plan_runs_model(plan, m) && !model_rows[m]->uses_heights)
-            rc = uncertainty_outline(&record->summary.models[m].bounds, model_rows[m], task, status);
+            rc = uncertainty_outline(record->summary.bounds[m], model_rows[m], task, status);
     return rc;
 }
 
@@ -119,7 +119,7 @@ static enum status_code bound_scale_dependence(struct surface_record *record, co
     bool decided = false;
     for (size_t m = 0; m < model_count; m++) {
         const struct model_row *row = model_rows[m];
-        struct curve_bounds *bounds = &record->summary.models[m].bounds;
+        struct curve_bounds *bounds = record->summary.bounds[m];
         if (decided || !plan_runs_model(plan, m) || !(row->quantities & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT)) ||
             (row->plastic && bounds->yield == 0))
             continue;
@@ -138,6 +138,11 @@ enum status_code effect_bounds_surface(struct surface_record *record, const stru
 {
     struct surface_summary *summary = &record->summary;
     struct model_task task = surface_task(record, scene, plan, loads, load_count);
+    for (size_t m = 0; m < model_count; m++)
+        if (plan_runs_model(plan, m) && !surface_bounds_room(summary, m))
+            return status_memory(status);
+    if (!summary->bounds) /* no model runs */
+        return STATUS_OK;
     count_work(record, plan, &task);
     count_sensitivity(record, plan, &task);
     if (plan_runs(plan, EFFECT_UNCERTAINTY) && summary->single_points > 0 &&
@@ -148,7 +153,7 @@ enum status_code effect_bounds_surface(struct surface_record *record, const stru
     summary->bound = (struct effect_bounds){.converged = is_converged(record, scene)};
     for (size_t m = 0; m < model_count; m++)
         if (plan_runs_model(plan, m) && model_rows[m]->plastic)
-            summary->models[m].bounds.yield = bound_yield(record, scene, plan, m, &task);
+            summary->bounds[m]->yield = bound_yield(record, scene, plan, m, &task);
     return plan_runs(plan, EFFECT_SCALE_DEPENDENT) ? bound_scale_dependence(record, scene, plan, &task, status)
                                                    : STATUS_OK;
 }
@@ -160,7 +165,7 @@ static double largest(const struct surface_summary *surfaces, size_t count, size
     double most = 0;
     for (size_t i = 0; i < count; i++)
         if (surfaces[i].usable)
-            most = fmax(most, bound(&surfaces[i].models[m].bounds));
+            most = fmax(most, bound(surface_bounds(&surfaces[i], m)));
     return most;
 }
 

@@ -151,6 +151,45 @@ static enum status_code describe(struct surface_record *record, struct power_law
     return STATUS_OK;
 }
 
+const struct curve_summary *surface_model(const struct surface_summary *summary, size_t m)
+{
+    static const struct curve_summary none;
+    return summary->models && summary->models[m] ? summary->models[m] : &none;
+}
+
+const struct curve_bounds *surface_bounds(const struct surface_summary *summary, size_t m)
+{
+    static const struct curve_bounds none;
+    return summary->bounds && summary->bounds[m] ? summary->bounds[m] : &none;
+}
+
+struct curve_summary *surface_model_room(struct surface_summary *summary, size_t m)
+{
+    if (!summary->models && !(summary->models = calloc(model_count, sizeof *summary->models)))
+        return NULL;
+    if (!summary->models[m])
+        summary->models[m] = calloc(1, sizeof *summary->models[m]);
+    return summary->models[m];
+}
+
+struct curve_bounds *surface_bounds_room(struct surface_summary *summary, size_t m)
+{
+    if (!summary->bounds && !(summary->bounds = calloc(model_count, sizeof *summary->bounds)))
+        return NULL;
+    if (!summary->bounds[m])
+        summary->bounds[m] = calloc(1, sizeof *summary->bounds[m]);
+    return summary->bounds[m];
+}
+
+/** No one asks for them once the models have run. */
+static void free_bounds(struct surface_summary *summary)
+{
+    for (size_t m = 0; summary->bounds && m < model_count; m++)
+        free(summary->bounds[m]);
+    free(summary->bounds);
+    summary->bounds = NULL;
+}
+
 struct model_task surface_task(const struct surface_record *record, const struct scene *scene, const struct plan *plan,
                                const double *loads, size_t load_count)
 {
@@ -181,8 +220,8 @@ static void extend(struct surface_record *record, const struct scene *scene)
     struct surface_summary *summary = &record->summary;
     double started = clock_seconds();
     for (size_t m = 0; m < model_count; m++) {
-        struct curve_summary *model = &summary->models[m];
-        if (!model_rows[m]->stacks_scales || !model->exists || !surface_extends(summary, scene))
+        struct curve_summary *model = summary->models ? summary->models[m] : NULL;
+        if (!model_rows[m]->stacks_scales || !model || !model->exists || !surface_extends(summary, scene))
             continue;
         model->extension = convergence_extend(&record->spectrum, &summary->tail, &summary->pair, model_rows[m]->plastic,
                                               scene->convergence.load);
@@ -221,7 +260,7 @@ static enum status_code run_uncertainty(struct surface_record *record, const str
     struct surface_summary *summary = &record->summary;
     const struct uncertainty_scan scan = {
         record->height_m, summary->single_points, summary->spacing_m, piece_how_of(scene, false), task,
-        summary->models};
+        summary->bounds};
     struct uncertainty *all = calloc(model_count, sizeof *all);
     if (!all)
         return status_memory(status);
@@ -230,12 +269,17 @@ static enum status_code run_uncertainty(struct surface_record *record, const str
         const struct model_curve *curve = &record->curves[m];
         if (!curve->exists || !uncertainty_holds(plan, m))
             continue;
+        struct estimate estimates[CURVE_ESTIMATES];
+        for (int which = 0; which < CURVE_ESTIMATES; which++)
+            estimates[which] = estimate_none;
         for (size_t i = 0; i < curve->count; i++)
             for (int q = 0; q < QUANTITY_COUNT && curve->points[i].load == task->loads[model_task_operating(task)]; q++)
-                summary->models[m].middle[q] = uncertainty_estimate(
+                estimates[q] = uncertainty_estimate(
                     &all[m], (enum quantity)q,
                     quantity_value(&curve->points[i], model_shown(model_rows[m], (enum quantity)q)));
-        rc = make_band(record, m, task, status);
+        rc = curve_summary_put_estimates(summary->models[m], estimates, status);
+        if (rc == STATUS_OK)
+            rc = make_band(record, m, task, status);
         if (rc == STATUS_OK)
             uncertainty_band(record->bands[m], &all[m], curve, model_rows[m]);
     }
@@ -252,7 +296,7 @@ struct model_task surface_middle_task(const struct model_task *task)
 static enum status_code run_sensitivity(struct surface_record *record, size_t m, const struct model_task *task,
                                         struct status *status)
 {
-    struct curve_summary *model = &record->summary.models[m];
+    struct curve_summary *model = record->summary.models[m];
     struct model_task one = surface_middle_task(task);
     struct contact_point as_is = {.area_ratio = NAN, .ecr_ohm_m2 = NAN};
     for (size_t i = 0; i < record->curves[m].count; i++)
@@ -270,7 +314,7 @@ static enum status_code run_landmarks(struct surface_record *record, size_t m, c
     const unsigned quantities = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_ECR);
     struct landmarks_model searched = {model_rows[m], *task, quantities, &record->repeats};
     const struct landmarks_curve landmarks = {landmarks_run_model, &searched, task->tolerance};
-    return landmarks_solve(&record->summary.models[m], &record->curves[m], model_rows[m], &landmarks, status);
+    return landmarks_solve(record->summary.models[m], &record->curves[m], model_rows[m], &landmarks, status);
 }
 
 bool surface_seeks_beta(const struct plan *plan, size_t m)
@@ -287,7 +331,7 @@ static enum status_code estimate_beta(struct surface_record *record, size_t m, c
         QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_SEPARATION);
     const struct model_row *counterpart = model_rows[m]->counterpart;
     const struct model_curve *curve = &record->curves[m];
-    struct curve_summary *model = &record->summary.models[m];
+    struct curve_summary *model = record->summary.models[m];
     model->work.searches++;
     if (!curve->exists || !record->curves[model_index(counterpart)].exists)
         return STATUS_OK;
@@ -307,13 +351,23 @@ struct joint_task surface_joint(const struct surface_record *record, const struc
                                scene->nominal_area_m2, plan->running, task->tolerance};
 }
 
+static enum status_code keep_estimates(struct curve_summary *model, const struct repeats_result *result,
+                                       struct status *status)
+{
+    struct estimate all[CURVE_ESTIMATES];
+    memcpy(all, result->middle, sizeof result->middle);
+    all[CURVE_FULL_LOAD] = result->full_load;
+    all[CURVE_BETA] = result->beta;
+    return curve_summary_put_estimates(model, all, status);
+}
+
 static enum status_code run_model(struct surface_record *record, size_t m, const struct model_task *task,
                                   const struct scene *scene, const struct plan *plan, struct status *status)
 {
     struct model_curve *curve = &record->curves[m];
-    struct curve_summary *model = &record->summary.models[m];
+    struct curve_summary *model = surface_model_room(&record->summary, m);
     curve->points = calloc(task->load_count + 1, sizeof *curve->points);
-    if (!curve->points)
+    if (!model || !curve->points)
         return status_memory(status);
     double started = clock_seconds();
     bool several = repeats_several(&record->repeats, model_rows[m]);
@@ -333,10 +387,8 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
     }
     model->work.searches++;
     model->seconds = clock_seconds() - started;
-    model->full_load_estimate = several ? result.full_load : estimate_none;
-    model->beta_estimate = several ? result.beta : estimate_none;
-    for (int q = 0; q < QUANTITY_COUNT; q++)
-        model->middle[q] = several ? result.middle[q] : estimate_none;
+    if (several && keep_estimates(model, &result, status) != STATUS_OK)
+        return status->code;
     if (curve->overflows)
         gather_note(&record->summary,
                     "no %s: its numbers leave what can be computed with; check the units, the material and the loads",
@@ -363,6 +415,7 @@ enum status_code surface_run_models(struct surface_record *record, const struct 
             return status->code;
     if (plan_runs(plan, EFFECT_CONVERGENCE))
         extend(record, scene);
+    free_bounds(&record->summary);
     return answers_find(record, scene, plan, &task, status);
 }
 
@@ -426,9 +479,6 @@ enum status_code surface_describe(struct surface_record *out, const struct scene
     struct hash hash = hash_start();
     summary->scene = surface;
     summary->pair = scene_pair(&surface->bodies);
-    summary->models = calloc(model_count, sizeof *summary->models);
-    if (!summary->models)
-        return status_memory(status);
     const char **files = sorted_files(surface);
     if (!files)
         return status_memory(status);
@@ -465,6 +515,12 @@ void surface_summary_free(struct surface_summary *summary)
 {
     free(summary->refusal);
     free(summary->notes);
+    free_bounds(summary);
+    for (size_t m = 0; summary->models && m < model_count; m++)
+        if (summary->models[m]) {
+            free(summary->models[m]->estimates);
+            free(summary->models[m]);
+        }
     free(summary->models);
     free(summary->direct);
     free(summary->answers);

@@ -56,13 +56,15 @@ struct surface_summary {
     struct convergence_tail tail; /* the spectrum's own short end, carried on below the sampling limit */
     size_t harmonics;
     struct effect_bounds bound;
-    struct curve_summary *models; /* model_count of them; owned like the texts */
-    struct answer *answers;       /* [target][model]; owned, NULL: the scene has no targets */
-    struct limit_check *limits;   /* one a limit of the scene; the same */
-    size_t heights;               /* points kept in surface_record.points */
-    size_t map_side;              /* points along the square that a map offers; 0: profiles */
-    double map_dy_m;              /* from row to row of it */
-    struct direct_plan *direct;   /* how its contact is solved directly; owned, NULL: it is not called for */
+    struct curve_bounds **bounds;  /* [model]: of those that may run, from the description until the models have run;
+                                      owned like the texts; NULL elsewhere, and where none is */
+    struct curve_summary **models; /* [model]: of those that have run, NULL of others; the same: surface_model() */
+    struct answer *answers;        /* [target][model]; owned, NULL: the scene has no targets */
+    struct limit_check *limits;    /* one a limit of the scene; the same */
+    size_t heights;                /* points kept in surface_record.points */
+    size_t map_side;               /* points along the square that a map offers; 0: profiles */
+    double map_dy_m;               /* from row to row of it */
+    struct direct_plan *direct;    /* how its contact is solved directly; owned, NULL: it is not called for */
     struct surface_times times;
 };
 
@@ -85,6 +87,15 @@ struct surface_record {
     size_t preview_points;
     double preview_x_m[SURFACE_PREVIEW], preview_z_m[SURFACE_PREVIEW]; /* last, as few of them are used */
 };
+
+/** What model `m` said of a surface; where it did not run, a curve that does not exist. */
+const struct curve_summary *surface_model(const struct surface_summary *summary, size_t m);
+/** The same, to be filled: zeroed where there was none. NULL: out of memory. */
+struct curve_summary *surface_model_room(struct surface_summary *summary, size_t m);
+/** Bounds of model `m`; where it does not run, zeros. */
+const struct curve_bounds *surface_bounds(const struct surface_summary *summary, size_t m);
+/** The same, to be filled. */
+struct curve_bounds *surface_bounds_room(struct surface_summary *summary, size_t m);
 
 /** Is the beta of model `m` sought that is nearest to its multiscale counterpart? */
 bool surface_seeks_beta(const struct plan *plan, size_t m);

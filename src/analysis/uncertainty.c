@@ -96,22 +96,22 @@ enum status_code uncertainty_outline(struct curve_bounds *bounds, const struct m
 
 /** What a record, or a quarter of one, of `points` takes. */
 static void add_work(struct uncertainty_work *work, size_t points, const struct plan *plan,
-                     const struct curve_summary *models, bool quarter)
+                     struct curve_bounds *const *bounds, bool quarter)
 {
     work->heights += points;
     for (size_t m = 0; m < model_count; m++)
         if (uncertainty_holds(plan, m))
-            model_work_add(&work->models, quarter ? &models[m].bounds.quarter_work : &models[m].bounds.record_work);
+            model_work_add(&work->models, quarter ? &bounds[m]->quarter_work : &bounds[m]->record_work);
 }
 
-struct uncertainty_work uncertainty_predict(size_t points, const struct plan *plan, const struct curve_summary *models)
+struct uncertainty_work uncertainty_predict(size_t points, const struct plan *plan, struct curve_bounds *const *bounds)
 {
     struct uncertainty_work work = {0};
     bool quartered = points >= LEAST_POINTS;
     for (int b = 0; b < RECORDS; b++)
-        add_work(&work, points, plan, models, false);
+        add_work(&work, points, plan, bounds, false);
     for (int k = 0; k < (RECORDS + 1) * QUARTERS && quartered; k++)
-        add_work(&work, points / QUARTERS, plan, models, true);
+        add_work(&work, points / QUARTERS, plan, bounds, true);
     return work;
 }
 
@@ -154,7 +154,7 @@ static enum status_code take(struct pass *pass, const double *height_m, size_t p
     bool has_asperities = roughness_asperities(&asperities, &roughness, &none) == STATUS_OK;
     struct model_task task = record_task(scan->task, &spectrum, has_asperities ? &asperities : NULL, &loads);
     enum status_code rc = STATUS_OK;
-    add_work(pass->work, points, pass->plan, scan->models, quarter != QUARTERS);
+    add_work(pass->work, points, pass->plan, scan->bounds, quarter != QUARTERS);
     for (size_t m = 0; m < model_count && rc == STATUS_OK; m++) {
         struct contact_point room[UNCERTAINTY_LOADS + 1];
         struct model_curve curve = {.points = room};

@@ -23,7 +23,7 @@ struct uncertainty_scan {
     double spacing_m;
     struct piece_how how;
     const struct model_task *task;      /* of the scan itself */
-    const struct curve_summary *models; /* uncertainty_outline() has filled their bounds */
+    struct curve_bounds *const *bounds; /* [model], of those it holds of: uncertainty_outline() has filled them */
 };
 
 /** Deviations of one model's answers, all of ln answer, of a separation itself: of the quantities of a repeats_band, as
@@ -60,7 +60,7 @@ extern const double uncertainty_height_seconds;
 MUST_CHECK enum status_code uncertainty_outline(struct curve_bounds *bounds, const struct model_row *row,
                                                 const struct model_task *task, struct status *status);
 /** What that will take of a scan of `points`, from the bounds of its models. */
-struct uncertainty_work uncertainty_predict(size_t points, const struct plan *plan, const struct curve_summary *models);
+struct uncertainty_work uncertainty_predict(size_t points, const struct plan *plan, struct curve_bounds *const *bounds);
 
 /** What follows for the answer at the middle load, and in a band: half-widths at every load of a curve. */
 struct estimate uncertainty_estimate(const struct uncertainty *uncertainty, enum quantity quantity, double value);

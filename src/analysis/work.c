@@ -26,7 +26,7 @@ struct uncertainty_work work_simulated(const struct surface_summary *surfaces, s
     for (size_t i = 0; i < count; i++) {
         if (!surfaces[i].usable || surfaces[i].single_points == 0)
             continue;
-        struct uncertainty_work more = uncertainty_predict(surfaces[i].single_points, plan, surfaces[i].models);
+        struct uncertainty_work more = uncertainty_predict(surfaces[i].single_points, plan, surfaces[i].bounds);
         add_simulated(&sum, &more);
     }
     return sum;
@@ -41,8 +41,8 @@ struct model_work work_of_model(const struct surface_summary *surface, size_t m,
                                 const struct plan *plan)
 {
     struct model_work work = {.searches = (surface_seeks_beta(plan, m) ? 2 : 1) + scene->target_count};
-    model_work_add(&work, &surface->models[m].bounds.work[plan_runs(plan, EFFECT_SCALE_DEPENDENT)]);
-    model_work_add(&work, &surface->models[m].bounds.sensitivity_work);
+    model_work_add(&work, &surface_bounds(surface, m)->work[plan_runs(plan, EFFECT_SCALE_DEPENDENT)]);
+    model_work_add(&work, &surface_bounds(surface, m)->sensitivity_work);
     return work;
 }
 
@@ -77,9 +77,9 @@ struct work work_done(const struct surface_summary *surfaces, size_t count, uint
     for (size_t i = 0; i < count; i++) {
         work.bounds += surfaces[i].bound.visits;
         add_simulated(&work.simulated, &surfaces[i].simulated);
-        for (size_t m = 0; surfaces[i].models && m < model_count; m++) {
-            model_work_add(share_of(&work, m), &surfaces[i].models[m].work);
-            work.extensions += surfaces[i].models[m].extended;
+        for (size_t m = 0; m < model_count; m++) {
+            model_work_add(share_of(&work, m), &surface_model(&surfaces[i], m)->work);
+            work.extensions += surface_model(&surfaces[i], m)->extended;
         }
     }
     return work;

@@ -272,7 +272,7 @@ static void put_spectrum(struct figure_file *out, const struct surface_record *r
 size_t figure_data_heights_model(const struct surface_summary *summary)
 {
     size_t m = 0;
-    while (m < model_count && !(model_rows[m]->uses_heights && summary->models && summary->models[m].exists))
+    while (m < model_count && !(model_rows[m]->uses_heights && surface_model(summary, m)->exists))
         m++;
     return m;
 }

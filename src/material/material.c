@@ -141,7 +141,8 @@ const struct material *material_find(const char *name)
 
 struct material material_unknown(const char *name)
 {
-    struct material material = {.youngs_modulus_Pa = NAN,
+    struct material material = {.source = "",
+                                .youngs_modulus_Pa = NAN,
                                 .poisson_ratio = NAN,
                                 .yield_strength_Pa = NAN,
                                 .resistivity_ohm_m = NAN,

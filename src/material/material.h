@@ -18,7 +18,7 @@ struct material {
     double density_kg_per_m3;       /* rho */
     double specific_heat_J_per_kgK; /* c_p, per unit mass */
     double sound_speed_m_per_s;     /* v_s */
-    char source[400];               /* where the numbers are from */
+    const char *source;             /* where the numbers are from; a constant of the program */
     double hardness_Pa;             /* H; NaN: 2.84 S_y */
     double mean_free_path_m;        /* of what carries the heat; NaN: 3k/(density v_s c_p) */
     const char *electrons;          /* the metal whose free electrons it has: electron_metal_find(); NULL: not known */

@@ -126,6 +126,8 @@ static json_t *scene_json(const struct results *results, const struct cell_guard
     json_object_set_new(json, "closure", json_string(sinusoid_fits[scene->closure].name));
     json_object_set_new(json, "data", json_string(scene_data_names[scene->data]));
     json_object_set_new(json, "spectra", json_string(scene_bins_spectra(scene) ? "bins" : "every harmonic"));
+    if (scene_bins_spectra(scene))
+        json_object_set_new(json, "curves", json_string("in data/contact.csv alone"));
     json_object_set_new(json, "direction", json_string(scan_direction_names[scene->direction]));
     set(json, guard, "max_missing", scene->max_missing);
     set(json, guard, "lambda_s_m", scene->lambda_s_m);
@@ -153,18 +155,10 @@ static json_t *scene_json(const struct results *results, const struct cell_guard
     return json;
 }
 
-static json_t *curve_json(const struct model_curve *curve, const struct curve_summary *model,
-                          const struct material_pair *pair, const struct plan *plan, const struct cell_guard *guard)
+/** The points of a curve, quantity by quantity. */
+static void add_points(json_t *json, const struct model_curve *curve, const struct material_pair *pair,
+                       const struct plan *plan, const struct cell_guard *guard)
 {
-    json_t *json = json_pack("{s:o, s:o, s:o, s:o, s:o, s:I}", "full_contact_load",
-                             cell_json(guard, "full_contact_load", model->full_load), "beta",
-                             cell_json(guard, "beta", model->beta), "beta_from_multiscale",
-                             cell_json(guard, "beta_from_multiscale", model->beta_multiscale), "area_load_slope",
-                             cell_json(guard, "area_load_slope", model->area_slope), "largest_load_share_beyond_fit",
-                             cell_json(guard, "largest_load_share_beyond_fit", model->most_beyond_fit), "evaluations",
-                             (json_int_t)model_evaluations(&model->work));
-    json_object_set_new(json, "areas_limited", json_integer((json_int_t)model->clamped));
-    set(json, guard, "largest_load_share_clamped_at_radius", model->most_radius_clamped);
     json_t *pressures = json_array(); /* of the real contact */
     double yields_at = pair->effective_modulus_Pa / pair->yield_strength_Pa;
     for (size_t i = 0; i < curve->count && isfinite(yields_at); i++)
@@ -180,6 +174,23 @@ static json_t *curve_json(const struct model_curve *curve, const struct curve_su
                 values, cell_json(guard, quantity_rows[q].name, quantity_value(&curve->points[i], (enum quantity)q)));
         json_object_set_new(json, quantity_rows[q].name, values);
     }
+}
+
+static json_t *curve_json(const struct model_curve *curve, const struct curve_summary *model,
+                          const struct material_pair *pair, const struct scene *scene, const struct plan *plan,
+                          const struct cell_guard *guard)
+{
+    json_t *json = json_pack("{s:o, s:o, s:o, s:o, s:o, s:I}", "full_contact_load",
+                             cell_json(guard, "full_contact_load", model->full_load), "beta",
+                             cell_json(guard, "beta", model->beta), "beta_from_multiscale",
+                             cell_json(guard, "beta_from_multiscale", model->beta_multiscale), "area_load_slope",
+                             cell_json(guard, "area_load_slope", model->area_slope), "largest_load_share_beyond_fit",
+                             cell_json(guard, "largest_load_share_beyond_fit", model->most_beyond_fit), "evaluations",
+                             (json_int_t)model_evaluations(&model->work));
+    json_object_set_new(json, "areas_limited", json_integer((json_int_t)model->clamped));
+    set(json, guard, "largest_load_share_clamped_at_radius", model->most_radius_clamped);
+    if (!scene_bins_spectra(scene)) /* else contact.csv alone has them */
+        add_points(json, curve, pair, plan, guard);
     return json;
 }
 
@@ -217,12 +228,14 @@ static json_t *intervals_json(const struct curve_summary *model, const struct ce
 {
     json_t *json = json_object();
     for (int q = 0; q < QUANTITY_COUNT; q++)
-        if (repeats_band_holds((enum quantity)q) && model->middle[q].count > 0)
-            json_object_set_new(json, quantity_rows[q].name, estimate_json(&model->middle[q], guard));
-    if (model->full_load_estimate.count > 0)
-        json_object_set_new(json, "full_contact_load", estimate_json(&model->full_load_estimate, guard));
-    if (model->beta_estimate.count > 0)
-        json_object_set_new(json, "beta", estimate_json(&model->beta_estimate, guard));
+        if (repeats_band_holds((enum quantity)q) && curve_summary_estimate(model, q)->count > 0)
+            json_object_set_new(json, quantity_rows[q].name, estimate_json(curve_summary_estimate(model, q), guard));
+    const struct estimate *full_load = curve_summary_estimate(model, CURVE_FULL_LOAD),
+                          *beta = curve_summary_estimate(model, CURVE_BETA);
+    if (full_load->count > 0)
+        json_object_set_new(json, "full_contact_load", estimate_json(full_load, guard));
+    if (beta->count > 0)
+        json_object_set_new(json, "beta", estimate_json(beta, guard));
     return json;
 }
 
@@ -280,9 +293,9 @@ static json_t *surface_json(const struct surface_record *record, const struct sc
     for (size_t f = 0; f < s->scene->file_count; f++)
         json_array_append_new(files, string(s->scene->files[f]));
     for (size_t m = 0; m < model_count; m++)
-        if (s->models[m].exists) {
-            json_t *model = curve_json(&record->curves[m], &s->models[m], &s->pair, plan, guard);
-            json_t *intervals = intervals_json(&s->models[m], guard);
+        if (surface_model(s, m)->exists) {
+            json_t *model = curve_json(&record->curves[m], surface_model(s, m), &s->pair, scene, plan, guard);
+            json_t *intervals = intervals_json(surface_model(s, m), guard);
             if (json_object_size(intervals) > 0)
                 json_object_set(model, "at_middle_load", intervals);
             json_decref(intervals);
@@ -507,9 +520,9 @@ static json_t *outline_surface_json(const struct surface_summary *s, const struc
                   "refused", s->refusal ? string(s->refusal) : json_null(), "notes", lines_json(s->notes));
     for (size_t m = 0; m < model_count && complete && s->usable; m++) {
         json_t *model = json_object();
-        set(model, guard, "full_contact_load", s->models[m].full_load);
-        set(model, guard, "beta", s->models[m].beta);
-        if (plan_runs_model(plan, m) && s->models[m].exists)
+        set(model, guard, "full_contact_load", surface_model(s, m)->full_load);
+        set(model, guard, "beta", surface_model(s, m)->beta);
+        if (plan_runs_model(plan, m) && surface_model(s, m)->exists)
             json_object_set(models, model_rows[m]->name, model);
         json_decref(model);
     }

@@ -167,7 +167,7 @@ static enum status_code write_surfaces(const struct results *results, const char
         }
         for (size_t m = 0; m < model_count; m++)
             if (has_beta(plan, m))
-                put_number(&table, "beta", s->models[m].exists ? s->models[m].beta : NAN);
+                put_number(&table, "beta", surface_model(s, m)->exists ? surface_model(s, m)->beta : NAN);
         end_row(&table);
     }
     return table_close(&table);
@@ -416,13 +416,13 @@ static enum status_code write_spread(const struct results *results, const char *
         }
         for (size_t m = 0; m < model_count; m++) {
             snprintf(quantity, sizeof quantity, "beta_%s", model_rows[m]->name);
-            put_spread_number(&table, s, quantity, &s->models[m].beta_estimate);
+            put_spread_number(&table, s, quantity, curve_summary_estimate(surface_model(s, m), CURVE_BETA));
             snprintf(quantity, sizeof quantity, "full_contact_load_%s", model_rows[m]->name);
-            put_spread_number(&table, s, quantity, &s->models[m].full_load_estimate);
+            put_spread_number(&table, s, quantity, curve_summary_estimate(surface_model(s, m), CURVE_FULL_LOAD));
             for (int q = 0; q < QUANTITY_COUNT; q++) {
                 snprintf(quantity, sizeof quantity, "%s_at_middle_load_%s", quantity_rows[q].name, model_rows[m]->name);
                 if (repeats_band_holds((enum quantity)q))
-                    put_spread_number(&table, s, quantity, &s->models[m].middle[q]);
+                    put_spread_number(&table, s, quantity, curve_summary_estimate(surface_model(s, m), q));
             }
         }
     }
@@ -440,16 +440,16 @@ static enum status_code write_sensitivity(const struct results *results, const c
     for (size_t i = 0; i < results->store->count; i++)
         for (size_t m = 0; m < model_count; m++) {
             const struct surface_summary *s = &results->store->summaries[i];
-            if (!s->usable || !s->models[m].exists || model_rows[m]->uses_heights)
+            if (!s->usable || !surface_model(s, m)->exists || model_rows[m]->uses_heights)
                 continue;
             for (int c = 0; c < SENSITIVITY_CHANGES; c++) {
                 if (sensitivity_changes[c].plastic && !model_rows[m]->plastic)
                     continue;
                 put_surface(&table, s);
                 text_add(&table.rows, ",%s,%s", model_rows[m]->name, sensitivity_changes[c].name);
-                put_number(&table, "area_factor", s->models[m].sensitivity.area[c]);
+                put_number(&table, "area_factor", surface_model(s, m)->sensitivity.area[c]);
                 if (ecr)
-                    put_number(&table, "ecr_factor", s->models[m].sensitivity.ecr[c]);
+                    put_number(&table, "ecr_factor", surface_model(s, m)->sensitivity.ecr[c]);
                 end_row(&table);
             }
         }

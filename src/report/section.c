@@ -28,7 +28,7 @@ static bool shows(const struct section_context *context, const struct figure *fi
     case FIGURE_SURFACES:
         for (size_t k = 0; k < results->shown_count; k++)
             shown = shown || results->shown[k] == index;
-        return shown && section_surface(context, index)->models[figure->model].exists;
+        return shown && surface_model(section_surface(context, index), figure->model)->exists;
     case FIGURE_MODELS:
     case FIGURE_SENSITIVITY:
         return index == results->baseline;
@@ -248,7 +248,7 @@ bool section_extended(const struct section_context *context)
 {
     for (size_t k = 0; k < context->results->usable_count; k++)
         for (size_t m = 0; m < model_count; m++)
-            if (section_smoothest(context, k)->models[m].extended)
+            if (surface_model(section_smoothest(context, k), m)->extended)
                 return true;
     return false;
 }
@@ -326,7 +326,7 @@ const struct material_pair *section_pair(const struct section_context *context)
 
 bool section_is_valid(const struct surface_summary *summary, size_t model, double load)
 {
-    return curve_summary_is_valid(&summary->models[model], load);
+    return curve_summary_is_valid(surface_model(summary, model), load);
 }
 
 static const double hardest = 3; /* yield strengths */
@@ -378,7 +378,7 @@ bool section_range(double *least, double *most, const struct section_context *co
     *least = INFINITY;
     *most = -INFINITY;
     for (size_t k = 0; k < context->results->usable_count; k++) {
-        const struct curve_summary *summary = &section_smoothest(context, k)->models[model];
+        const struct curve_summary *summary = surface_model(section_smoothest(context, k), model);
         double value = summary->exists ? number(summary) : NAN;
         if (isfinite(value)) {
             *least = fmin(*least, value);

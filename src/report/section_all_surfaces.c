@@ -40,7 +40,7 @@ static void surface_full(struct text *out, const struct section_context *context
     section_mark(out, context, index, model_count);
     for (size_t m = 0; m < model_count; m++)
         if (plan_runs_model(context->results->plan, m)) {
-            const struct curve_summary *model = &section_surface(context, index)->models[m];
+            const struct curve_summary *model = surface_model(section_surface(context, index), m);
             section_load_cell(out, context, index, model->exists ? model->full_load : NAN);
         }
 }
@@ -72,7 +72,7 @@ static void surface_6_3(struct text *out, const struct section_context *context,
     section_mark(out, context, index, model_count);
     for (int nearest = 0; nearest < 2; nearest++)
         for (size_t m = 0; m < model_count; m++) {
-            const struct curve_summary *model = &section_surface(context, index)->models[m];
+            const struct curve_summary *model = surface_model(section_surface(context, index), m);
             if (adjusts(context, m))
                 section_cell(out, !model->exists ? NAN : nearest ? model->beta_multiscale : model->beta, 3);
         }
@@ -100,7 +100,7 @@ static void beta_text(struct text *out, const struct section_context *context)
     size_t negative = 0, below = 0, above = 0;
     for (size_t k = 0; k < context->results->usable_count; k++)
         for (size_t m = 0; m < model_count; m++) {
-            const struct curve_summary *model = &section_smoothest(context, k)->models[m];
+            const struct curve_summary *model = surface_model(section_smoothest(context, k), m);
             if (!model->exists || !adjusts(context, m))
                 continue;
             negative += model->beta < 0;

@@ -82,7 +82,7 @@ static void model_table(struct text *out, const struct section_context *context)
              electrical ? " | ECR elbow at" : "", scale_dependent ? " | scale dependence adds (%)" : "",
              separation ? "---:|" : "", electrical ? "---:|" : "", scale_dependent ? "---:|" : "");
     for (size_t m = 0; m < model_count; m++) {
-        const struct curve_summary *model = &context->baseline->summary.models[m];
+        const struct curve_summary *model = surface_model(&context->baseline->summary, m);
         if (!model->exists)
             continue;
         text_add(out, "| %s", model_rows[m]->label);
@@ -126,7 +126,7 @@ static bool model_range(const struct section_context *context, double (*number)(
     *least = INFINITY;
     *most = -INFINITY;
     for (size_t m = 0; m < model_count; m++) {
-        const struct curve_summary *model = &context->baseline->summary.models[m];
+        const struct curve_summary *model = surface_model(&context->baseline->summary, m);
         double value = model->exists ? number(model) : NAN;
         if (!isfinite(value))
             continue;
@@ -215,19 +215,19 @@ static void separation_text(struct text *out, const struct section_context *cont
     const struct surface_summary *s = &context->baseline->summary;
     bool first = true;
     for (size_t m = 0; m < model_count; m++) {
-        if (!s->models[m].exists || !(model_rows[m]->quantities & QUANTITY_BIT(QUANTITY_ADJUSTED)))
+        if (!surface_model(s, m)->exists || !(model_rows[m]->quantities & QUANTITY_BIT(QUANTITY_ADJUSTED)))
             continue;
         number_format_between(
             out,
             first ? "Statistical separations are adjusted (4.54) to be 0 at full contact; before, they are there "
                   : ", ",
-            -s->models[m].beta / 2, 3, " σ");
+            -surface_model(s, m)->beta / 2, 3, " σ");
         text_add(out, " (%s)", model_rows[m]->label);
         first = false;
     }
     text_add(out, "%s", first ? "" : ".");
     for (size_t m = 0; m < model_count; m++) {
-        const struct curve_summary *plastic = &s->models[m];
+        const struct curve_summary *plastic = surface_model(s, m);
         if (!plastic->exists || !model_rows[m]->plastic || !model_rows[m]->stacks_scales ||
             !(plastic->gap_at_full > 0.001))
             continue;

@@ -29,7 +29,7 @@ static bool speaks(const struct section_context *context, size_t m)
 /** What is known of model `m` on the k-th smoothest surface; NULL: nothing, or it has no part in them. */
 static const struct curve_summary *curve_of(const struct section_context *context, size_t k, size_t m)
 {
-    const struct curve_summary *curve = &section_smoothest(context, k)->models[m];
+    const struct curve_summary *curve = surface_model(section_smoothest(context, k), m);
     return speaks(context, m) && curve->exists ? curve : NULL;
 }
 
@@ -363,7 +363,7 @@ static double largest_fall(const struct section_context *context)
     double fall = 0;
     for (size_t k = 0; k < context->results->usable_count; k++)
         for (size_t m = 0; m < model_count; m++) {
-            const struct convergence_extension *extension = &section_smoothest(context, k)->models[m].extension;
+            const struct convergence_extension *extension = &surface_model(section_smoothest(context, k), m)->extension;
             if (extension->area_measured > 0)
                 fall = fmax(fall, 1 - extension->area_extended / extension->area_measured);
         }

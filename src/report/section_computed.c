@@ -30,8 +30,9 @@ static void settings_text(struct text *out, const struct section_context *contex
     text_add(out, ".");
     if (scene_bins_spectra(scene))
         text_add(out,
-                 " `data/spectrum.csv` holds bins of a tenth of a decade, as of more than %d surfaces; with "
-                 "`data: full` every harmonic.",
+                 " `data/spectrum.csv` holds bins of a tenth of a decade, as of more than %d surfaces, and the points "
+                 "of the curves stand in `data/contact.csv` alone; with `data: full` every harmonic, and "
+                 "`results.json` has the curves too.",
                  SCENE_DATA_SURFACES);
 }
 

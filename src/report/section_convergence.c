@@ -64,10 +64,10 @@ static void surface_extension(struct text *out, const struct section_context *co
     section_cell(out, s->tail.gamma, 3);
     section_cell(out, s->length_m / (double)s->harmonics * 1e6, 3);
     for (size_t m = 0; m < model_count; m++) {
-        const struct convergence_extension *extension = &s->models[m].extension;
+        const struct convergence_extension *extension = &surface_model(s, m)->extension;
         if (!sweeps(context, m))
             continue;
-        bool known = s->models[m].exists && extension->scales > 0;
+        bool known = surface_model(s, m)->exists && extension->scales > 0;
         section_cell(out, known ? extension->area_measured : NAN, 3);
         section_cell(out, known ? 100 * (1 - extension->area_extended / extension->area_measured) : NAN, 2);
     }

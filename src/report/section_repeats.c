@@ -53,13 +53,14 @@ static void surface_row(struct text *out, const struct section_context *context,
 {
     const struct surface_summary *summary = section_surface(context, index);
     size_t leading = context->comparison->leading;
-    const struct estimate *middle = &summary->models[leading].middle[context->comparison->ranking.criterion];
+    const struct estimate *middle =
+        curve_summary_estimate(surface_model(summary, leading), context->comparison->ranking.criterion);
     section_mark(out, context, index, leading);
     origin(out, summary, middle, plan_runs(context->results->plan, EFFECT_UNCERTAINTY));
     if (has_several(context)) {
         interval_cell(out, &summary->repeats.rq_m, 1e6);
         interval_cell(out, &summary->repeats.gamma, 1);
-        interval_cell(out, &summary->models[leading].full_load_estimate, 1);
+        interval_cell(out, curve_summary_estimate(surface_model(summary, leading), CURVE_FULL_LOAD), 1);
     }
     text_add(out, " | ");
     section_factor(out, middle, middle->half_width);

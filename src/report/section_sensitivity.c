@@ -30,7 +30,7 @@ static void count_stable(struct text *out, const struct section_context *context
 {
     size_t stable = 0, all = 0;
     for (size_t k = 0; k < context->results->usable_count; k++) {
-        const struct curve_summary *model = &section_smoothest(context, k)->models[m];
+        const struct curve_summary *model = surface_model(section_smoothest(context, k), m);
         double factor = !model->exists ? NAN : ecr ? model->sensitivity.ecr[change] : model->sensitivity.area[change];
         all += isfinite(factor);
         stable += is_stable(factor);
@@ -63,8 +63,8 @@ static void surface_rows(struct text *out, const struct section_context *context
     const struct surface_summary *s = section_surface(context, index);
     bool electrical = section_computes(context, QUANTITY_ECR);
     for (size_t m = 0; m < model_count; m++) {
-        const struct sensitivity_factors *factors = &s->models[m].sensitivity;
-        if (!has(context, m) || !s->models[m].exists)
+        const struct sensitivity_factors *factors = &surface_model(s, m)->sensitivity;
+        if (!has(context, m) || !surface_model(s, m)->exists)
             continue;
         text_add(out, "| ");
         section_surface_name(out, context->results, index);
@@ -128,7 +128,7 @@ static bool called_for(const struct section_context *context)
 {
     for (size_t k = 0; k < context->results->usable_count; k++)
         for (size_t m = 0; m < model_count; m++)
-            if (has(context, m) && isfinite(section_smoothest(context, k)->models[m].sensitivity.area[0]))
+            if (has(context, m) && isfinite(surface_model(section_smoothest(context, k), m)->sensitivity.area[0]))
                 return true;
     return false;
 }

@@ -118,7 +118,8 @@ static void answer(struct text *out, const struct section_context *context, enum
                    size_t surface)
 {
     size_t leading = context->comparison->leading;
-    const struct estimate *estimate = &section_surface(context, surface)->models[leading].middle[quantity];
+    const struct estimate *estimate =
+        curve_summary_estimate(surface_model(section_surface(context, surface), leading), quantity);
     double scale = quantity == QUANTITY_AREA ? 100 : 1;
     bool interval = estimate->count > 0 && isfinite(estimate->half_width);
     number_format(out, scale * value, 3);
@@ -194,7 +195,9 @@ static void pair_text(struct text *out, const struct section_context *context, s
     size_t counts[2];
     for (int k = 0; k < 2; k++)
         counts[k] =
-            section_surface(context, ranking->surface[k ? j : i])->models[leading].middle[ranking->criterion].count;
+            curve_summary_estimate(surface_model(section_surface(context, ranking->surface[k ? j : i]), leading),
+                                   ranking->criterion)
+                ->count;
     if (counts[0] == 1 && counts[1] == 1)
         text_add(out, ", one scan each)");
     else
@@ -446,7 +449,7 @@ static void limits(struct text *out, const struct section_context *context)
         size_t invalid = 0;
         char what[120];
         for (size_t k = 0; k < results->usable_count; k++) {
-            const struct curve_summary *model = &section_smoothest(context, k)->models[m];
+            const struct curve_summary *model = surface_model(section_smoothest(context, k), m);
             double load = results_operating_load(results, results->by_roughness[k]);
             invalid += model->exists && !section_is_valid(section_smoothest(context, k), m, load);
             if (model->extension.area_measured > 0)
@@ -618,7 +621,7 @@ static void surface_key(struct text *out, const struct section_context *context,
     for (int q = 0; q < QUANTITY_COUNT; q++)
         if (has_column(context, q)) {
             double value = comparison_value(point, (enum quantity)q, leading, s->asperities.sigma_m);
-            const struct estimate *estimate = &s->models[leading].middle[q];
+            const struct estimate *estimate = curve_summary_estimate(surface_model(s, leading), q);
             double scale = q == QUANTITY_AREA ? 100 : quantity_rows[q].over_sigma ? 1 / s->asperities.sigma_m : 1;
             if (estimate->count == 0) {
                 section_cell(out, isnan(point->load) ? NAN : q == QUANTITY_AREA ? 100 * value : value, 3);
@@ -631,7 +634,8 @@ static void surface_key(struct text *out, const struct section_context *context,
         }
     if (context->comparison->ranking.tested > 0)
         ranking_cells(out, &context->comparison->ranking, index);
-    section_load_cell(out, context, index, s->models[leading].exists ? s->models[leading].full_load : NAN);
+    section_load_cell(out, context, index,
+                      surface_model(s, leading)->exists ? surface_model(s, leading)->full_load : NAN);
 }
 
 static void key_table(struct text *out, const struct section_context *context)
@@ -692,8 +696,8 @@ static void heights_table(struct text *out, const struct section_context *contex
 {
     size_t m = section_heights_model(context), rows = 0;
     struct text rule = {0};
-    if (m == model_count ||
-        section_marked(context, HEIGHTS_NOT_GAUSSIAN) + section_marked(context, HEIGHTS_CANNOT_TELL) == 0)
+    size_t marked = section_marked(context, HEIGHTS_NOT_GAUSSIAN) + section_marked(context, HEIGHTS_CANNOT_TELL);
+    if (m == model_count || marked == 0)
         return;
     text_add(out,
              "\n**At the same pressure**, %s, which takes the heights as they are (elastic; beyond A/Aₙ = 0.15 area "
@@ -716,6 +720,8 @@ static void heights_table(struct text *out, const struct section_context *contex
             text_add(out, " |\n");
             rows++;
         }
+    if (rows < marked)
+        text_add(out, "| … %zu more in data/ |\n", marked - rows);
 }
 
 static void write_summary(struct text *out, const struct section_context *context)

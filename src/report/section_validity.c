@@ -59,19 +59,19 @@ static void surface_validity(struct text *out, const struct section_context *con
     section_cell(out, isfinite(s->jump_share) ? 100 * s->jump_share : NAN, 2);
     for (size_t m = 0; m < model_count; m++)
         if (runs(context, m) && model_rows[m]->largest_area > 0)
-            section_threshold_cell(out, context, index, &s->models[m],
-                                   s->models[m].exists ? s->models[m].invalid_area_load : NAN);
+            section_threshold_cell(out, context, index, surface_model(s, m),
+                                   surface_model(s, m)->exists ? surface_model(s, m)->invalid_area_load : NAN);
     for (size_t m = 0; m < model_count; m++)
         if (runs(context, m) && model_rows[m]->fitted_to) {
-            section_threshold_cell(out, context, index, &s->models[m],
-                                   s->models[m].exists ? s->models[m].invalid_fit_load : NAN);
-            share_cell(out, &s->models[m], s->models[m].most_beyond_fit);
-            share_cell(out, &s->models[m], s->models[m].most_radius_clamped);
+            section_threshold_cell(out, context, index, surface_model(s, m),
+                                   surface_model(s, m)->exists ? surface_model(s, m)->invalid_fit_load : NAN);
+            share_cell(out, surface_model(s, m), surface_model(s, m)->most_beyond_fit);
+            share_cell(out, surface_model(s, m), surface_model(s, m)->most_radius_clamped);
         }
     for (size_t m = 0; m < model_count; m++)
         if (runs(context, m) && yields_by_scale(m))
-            text_add(out, " | %zu of %zu | at %llu of %llu", s->models[m].yielding_scales, s->harmonics,
-                     (unsigned long long)s->models[m].clamped,
+            text_add(out, " | %zu of %zu | at %llu of %llu", surface_model(s, m)->yielding_scales, s->harmonics,
+                     (unsigned long long)surface_model(s, m)->clamped,
                      (unsigned long long)(s->harmonics * context->results->load_count));
 }
 

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { TERMINAL_WIDTH = 80, TERMINAL_NAME = 10, FIRST_COLUMNS = 4 };
+enum { TERMINAL_WIDTH = 80, TERMINAL_NAME = 10, FIRST_COLUMNS = 4, TERMINAL_ROWS = 100 };
 
 /** A cell's text; one that does not fit is cut. */
 struct terminal_cell {
@@ -150,10 +150,11 @@ static void put_surface(const struct terminal_table *table, size_t row, const st
     put_uncertain(cell_at(table, row, 3), law ? s->power_law.gamma : NAN, s->power_law.gamma_error);
     for (size_t m = 0; m < model_count; m++)
         if (has_beta(plan, m))
-            put_beta(cell_at(table, row, column++), &s->models[m]);
+            put_beta(cell_at(table, row, column++), surface_model(s, m));
     for (size_t m = 0; m < model_count; m++)
         if (has_load(plan, m))
-            put_load(cell_at(table, row, column++), s->models[m].exists ? load_scale * s->models[m].full_load : NAN);
+            put_load(cell_at(table, row, column++),
+                     surface_model(s, m)->exists ? load_scale * surface_model(s, m)->full_load : NAN);
 }
 
 static void spaces(struct text *out, int count)
@@ -228,7 +229,8 @@ void report_terminal_table(struct text *out, const struct results *results)
     struct text above = {0};
     text_add(&above, "load to full contact, %s", unit ? "" : "P/(An E')");
     text_add_shown(&above, unit ? unit : "");
-    struct terminal_table table = {.rows = results->usable_count + 1, .columns = column_count(results->plan)};
+    size_t listed = results->usable_count < TERMINAL_ROWS ? results->usable_count : TERMINAL_ROWS;
+    struct terminal_table table = {.rows = listed + 1, .columns = column_count(results->plan)};
     int *widths = calloc(table.columns, sizeof *widths), numbers = 0;
     size_t row = 1;
     table.cells = calloc(table.rows * table.columns, sizeof *table.cells);
@@ -240,7 +242,7 @@ void report_terminal_table(struct text *out, const struct results *results)
         return;
     }
     put_heads(&table, results->plan);
-    for (size_t i = 0; i < results->store->count; i++)
+    for (size_t i = 0; i < results->store->count && row <= listed; i++)
         if (results->store->summaries[i].usable)
             put_surface(&table, row++, &results->store->summaries[i], results->plan,
                         results_load_axis(results, i).scale);
@@ -248,7 +250,7 @@ void report_terminal_table(struct text *out, const struct results *results)
         numbers += 1 + (widths[c] = widest(&table, c));
     int room = TERMINAL_WIDTH - numbers > TERMINAL_NAME ? TERMINAL_WIDTH - numbers : TERMINAL_NAME;
     row = 1;
-    for (size_t i = 0; i < results->store->count; i++)
+    for (size_t i = 0; i < results->store->count && row <= listed; i++)
         if (results->store->summaries[i].usable)
             put_marked_name(cell_at(&table, row++, 0), &results->store->summaries[i], results->plan, room);
     widths[0] = widest(&table, 0);
@@ -259,6 +261,8 @@ void report_terminal_table(struct text *out, const struct results *results)
     text_free(&above);
     for (size_t r = 0; r < table.rows; r++)
         print_row(out, &table, r, widths);
+    if (listed < results->usable_count)
+        text_add(out, "… %zu more in data/surfaces.csv\n", results->usable_count - listed);
     legend(out, results);
     free(table.cells);
     free(widths);

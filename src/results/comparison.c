@@ -78,6 +78,8 @@ static void compare_neighbours(struct comparison *out, const struct surface_reco
     const double *rough_loads = results_loads(results, results->by_roughness[pair + 1]);
     double tolerance = results->scene->tolerance;
     for (size_t m = 0; m < model_count; m++) {
+        if (!plan_runs_model(results->plan, m))
+            continue;
         const struct model_curve *a = &smooth->curves[m], *b = &rough->curves[m];
         size_t count = a->exists && b->exists ? listed_points(a, smooth_loads, b, rough_loads, results->load_count) : 0;
         size_t used = 0;
@@ -244,7 +246,7 @@ static void take_in(struct comparison *out, const struct results *results, const
         size_t elastic = model_index(model_rows[m]->elastic), counterpart = model_index(model_rows[m]->counterpart);
         if (elastic < model_count)
             compare_laws(&out->models[m].plastic, &curves[elastic], &curves[m], m, sigma_m, tolerance);
-        if (counterpart < model_count)
+        if (counterpart < model_count && plan_runs_model(results->plan, m))
             out->models[m].gaps[index] = gap_between(&curves[counterpart], &curves[m], sigma_m);
     }
     check_proportion(out, record);
@@ -252,29 +254,32 @@ static void take_in(struct comparison *out, const struct results *results, const
     note_extents(out, results, record, results_loads(results, index));
 }
 
-/** The arrays of all models, with nothing in them yet; those of the first model own them. */
+/** The arrays of the models, with nothing in them yet; models that do not run share the first set, which stays so. */
 static enum status_code allocate(struct comparison *out, const struct results *results, struct status *status)
 {
-    size_t surfaces = results->store->count, loads = results->load_count;
-    struct comparison_model *first = out->models = calloc(model_count, sizeof *out->models);
-    if (!first)
+    size_t surfaces = results->store->count, loads = results->load_count, sets = 1, next = 1;
+    for (size_t m = 0; m < model_count; m++)
+        sets += plan_runs_model(results->plan, m);
+    out->models = calloc(model_count, sizeof *out->models);
+    if (!out->models)
         return status_memory(status);
-    first->middle = malloc(model_count * surfaces * sizeof *first->middle);
-    first->gaps = malloc(model_count * surfaces * sizeof *first->gaps);
-    first->steps = malloc(model_count * surfaces * sizeof *first->steps);
-    first->extents = calloc(model_count * loads, sizeof *first->extents);
-    if (!first->middle || !first->gaps || !first->steps || !first->extents)
+    out->middles = malloc(sets * surfaces * sizeof *out->middles);
+    out->gaps = malloc(sets * surfaces * sizeof *out->gaps);
+    out->steps = malloc(sets * surfaces * sizeof *out->steps);
+    out->extents = calloc(sets * loads, sizeof *out->extents);
+    if (!out->middles || !out->gaps || !out->steps || !out->extents)
         return status_memory(status);
-    for (size_t i = 0; i < model_count * surfaces; i++) {
-        first->middle[i] = quantity_nothing();
-        first->gaps[i] = (struct comparison_gap){NAN, NAN, NAN, NAN};
-        first->steps[i] = NAN;
+    for (size_t i = 0; i < sets * surfaces; i++) {
+        out->middles[i] = quantity_nothing();
+        out->gaps[i] = (struct comparison_gap){NAN, NAN, NAN, NAN};
+        out->steps[i] = NAN;
     }
-    for (size_t m = 1; m < model_count; m++) {
-        out->models[m].middle = first->middle + m * surfaces;
-        out->models[m].gaps = first->gaps + m * surfaces;
-        out->models[m].steps = first->steps + m * surfaces;
-        out->models[m].extents = first->extents + m * loads;
+    for (size_t m = 0; m < model_count; m++) {
+        size_t set = plan_runs_model(results->plan, m) ? next++ : 0;
+        out->models[m].middle = out->middles + set * surfaces;
+        out->models[m].gaps = out->gaps + set * surfaces;
+        out->models[m].steps = out->steps + set * surfaces;
+        out->models[m].extents = out->extents + set * loads;
     }
     return STATUS_OK;
 }
@@ -282,7 +287,7 @@ static enum status_code allocate(struct comparison *out, const struct results *r
 static const struct estimate *middle_estimate(const struct results *results, size_t leading, enum quantity quantity,
                                               size_t surface)
 {
-    return &results->store->summaries[surface].models[leading].middle[quantity];
+    return curve_summary_estimate(surface_model(&results->store->summaries[surface], leading), quantity);
 }
 
 /** Both surfaces' estimates in place i before j, the better first. */
@@ -422,12 +427,10 @@ enum status_code comparison_make(struct comparison *out, const struct results *r
 
 void comparison_free(struct comparison *comparison)
 {
-    if (comparison->models) { /* of all models together */
-        free(comparison->models[0].middle);
-        free(comparison->models[0].gaps);
-        free(comparison->models[0].steps);
-        free(comparison->models[0].extents);
-    }
+    free(comparison->middles);
+    free(comparison->gaps);
+    free(comparison->steps);
+    free(comparison->extents);
     free(comparison->models);
     free(comparison->ranking.surface);
     free(comparison->ranking.pairs);

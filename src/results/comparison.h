@@ -42,7 +42,8 @@ struct comparison_extent {
 /** What the surfaces have in common at a load. */
 enum comparison_spread { COMPARISON_AREAS, COMPARISON_RESISTANCES, COMPARISON_SPREADS };
 
-/** What one model adds to the comparison. The arrays are owned. */
+/** What one model adds to the comparison. The arrays are the comparison's; models that do not run have one set of them
+ * together, with nothing in it. */
 struct comparison_model {
     struct comparison_tally rank[QUANTITY_COUNT]; /* neighbours in roughness, load by load: the smoother one has the
                                                      larger area, the smaller shown separation/sigma and resistance */
@@ -88,6 +89,10 @@ struct comparison {
     double middle_load;              /* where surfaces and models are compared: P/(A_n E') of the baseline surface */
     size_t leading;                  /* the model the summary speaks of: the running one of the greatest precedence */
     struct contact_point *middle;    /* the leading model at the middle load: models[leading].middle */
+    struct contact_point *middles;   /* the models' arrays, set after set; owned, as are: */
+    struct comparison_gap *gaps;
+    struct comparison_extent (*extents)[COMPARISON_SPREADS];
+    double *steps;
 };
 
 /** End it with comparison_free() whatever comes back. Errors: STATUS_IO, STATUS_MEMORY. */

@@ -8,7 +8,7 @@ const double doubt_tolerance = 0.05;
 static const struct curve_summary *leading_of(const struct results *results, const struct comparison *comparison,
                                               size_t surface)
 {
-    return &results->store->summaries[surface].models[comparison->leading];
+    return surface_model(&results->store->summaries[surface], comparison->leading);
 }
 
 /** Is there a direct solution of the surface that the leading model can be held against: a plastic one against one with
@@ -50,7 +50,7 @@ static double other_models(const struct results *results, const struct compariso
         const struct contact_point *point = &comparison->models[m].middle[surface];
         double ratio = quantity_value(point, quantity) / own;
         if (m == comparison->leading || model_rows[m]->plastic != model_rows[comparison->leading]->plastic ||
-            !(ratio > 0) || !isfinite(ratio) || !curve_summary_is_valid(&summary->models[m], point->load))
+            !(ratio > 0) || !isfinite(ratio) || !curve_summary_is_valid(surface_model(summary, m), point->load))
             continue;
         if (!(fabs(log(ratio)) <= fabs(log(factor)))) /* the first: of NaN */
             factor = ratio;
@@ -62,7 +62,7 @@ static double other_models(const struct results *results, const struct compariso
 static double scatter(const struct results *results, const struct comparison *comparison, enum quantity quantity,
                       size_t surface)
 {
-    const struct estimate *estimate = &leading_of(results, comparison, surface)->middle[quantity];
+    const struct estimate *estimate = curve_summary_estimate(leading_of(results, comparison, surface), (int)quantity);
     return estimate->count > 0 && estimate->logarithmic ? exp(estimate->half_width) : NAN;
 }
 

@@ -230,11 +230,45 @@ static bool get_scan_files(struct repeat_set *set, FILE *file, const struct scen
     return ok;
 }
 
+/** Bounds of the models before they run, summaries after, each with which models have one. */
+static bool put_models(FILE *file, const struct surface_summary *summary)
+{
+    bool ok = put_array(file, summary->bounds, sizeof *summary->bounds, summary->bounds ? model_count : 0);
+    for (size_t m = 0; summary->bounds && m < model_count; m++)
+        ok = ok && put_array(file, summary->bounds[m], sizeof **summary->bounds, summary->bounds[m] ? 1 : 0);
+    ok = ok && put_array(file, summary->models, sizeof *summary->models, summary->models ? model_count : 0);
+    for (size_t m = 0; summary->models && m < model_count; m++) {
+        const struct curve_summary *model = summary->models[m];
+        ok = ok && put_array(file, model, sizeof *model, model ? 1 : 0);
+        if (model && model->estimates)
+            ok = ok && put_array(file, &model->estimates->known, sizeof model->estimates->known, 1) &&
+                 put_array(file, model->estimates, curve_estimates_size(model->estimates->known), 1);
+    }
+    return ok;
+}
+
+static void get_models(struct surface_summary *out, FILE *file, bool *ok)
+{
+    out->bounds = get_array(file, sizeof *out->bounds, out->bounds ? model_count : 0, ok);
+    for (size_t m = 0; out->bounds && m < model_count; m++)
+        out->bounds[m] = get_array(file, sizeof **out->bounds, out->bounds[m] ? 1 : 0, ok);
+    out->models = get_array(file, sizeof *out->models, out->models ? model_count : 0, ok);
+    for (size_t m = 0; out->models && m < model_count; m++) {
+        struct curve_summary *model = out->models[m] =
+            get_array(file, sizeof **out->models, out->models[m] ? 1 : 0, ok);
+        uint32_t known = 0;
+        if (!model || !model->estimates)
+            continue;
+        *ok = fread(&known, sizeof known, 1, file) == 1;
+        model->estimates = get_array(file, curve_estimates_size(known), 1, ok);
+    }
+}
+
 static bool put_summary(FILE *file, const struct surface_summary *summary, const struct scene *scene)
 {
     bool ok = put_array(file, summary, sizeof *summary, 1);
     ok = ok && put_text(file, summary->refusal) && put_text(file, summary->notes);
-    ok = ok && put_array(file, summary->models, sizeof *summary->models, summary->models ? model_count : 0);
+    ok = ok && put_models(file, summary);
     ok = ok && put_array(file, summary->direct, sizeof *summary->direct, summary->direct ? 1 : 0);
     ok = ok && put_array(file, summary->answers, sizeof *summary->answers,
                          summary->answers ? scene->target_count * model_count : 0);
@@ -249,7 +283,7 @@ static bool get_summary(struct surface_summary *out, FILE *file, const struct sc
     out->scene = &scene->surfaces[index];
     out->refusal = get_text(file, &ok);
     out->notes = get_text(file, &ok);
-    out->models = get_array(file, sizeof *out->models, out->models ? model_count : 0, &ok);
+    get_models(out, file, &ok);
     out->direct = get_array(file, sizeof *out->direct, out->direct ? 1 : 0, &ok);
     out->answers = get_array(file, sizeof *out->answers, out->answers ? scene->target_count * model_count : 0, &ok);
     out->limits = get_array(file, sizeof *out->limits, out->limits ? scene->limit_count : 0, &ok);

@@ -69,8 +69,8 @@ static void add_times(struct run_times *times, const struct surface_store *store
         times->prepare += t->prepare;
         times->spectrum += t->spectrum;
         times->convergence += t->convergence;
-        for (size_t m = 0; times->models && store->summaries[i].models && m < model_count; m++)
-            times->models[m] += store->summaries[i].models[m].seconds;
+        for (size_t m = 0; times->models && m < model_count; m++)
+            times->models[m] += surface_model(&store->summaries[i], m)->seconds;
     }
 }
 

@@ -58,7 +58,7 @@ bool scene_surfaces_material(struct scene_source *source, const struct scene_key
                                          .alias = strcmp(property->name, property->key) != 0 ? property->key : NULL};
     }
     *material = material_unknown("custom");
-    strcpy(material->source, "given in scene.yaml");
+    material->source = "given in scene.yaml";
     if (!scene_source_mapping(source, value, key->name, keys, 1 + material_property_count))
         return false;
     static const char *const required[] = {"E", "nu"};

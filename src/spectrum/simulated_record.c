@@ -7,6 +7,8 @@
 #include <gsl/gsl_randist.h>
 #include <gsl/gsl_rng.h>
 #include <math.h>
+#include <pthread.h>
+#include <stdbool.h>
 #include <stdlib.h>
 
 static const double least_slope = 0, most_slope = 2;
@@ -83,24 +85,85 @@ enum status_code simulated_record_prepare(struct simulated_record *out, const do
     return STATUS_OK;
 }
 
+enum { STREAMS = 512, STREAM_LEAST = 256, KEPT_MOST = 1 << 20 /* numbers: 8 MB */ };
+
+/** Standard normal numbers of a seed, from its first on. Every surface's records take the same seeds, and drawing
+ * costs more than all else that is done with a short record. */
+static struct stream {
+    double *deviate;
+    size_t count;
+} streams[STREAMS];
+static size_t kept_count; /* of all of them */
+static pthread_mutex_t keeper = PTHREAD_MUTEX_INITIALIZER;
+
+/** Makes a stream at least `count` long, if there is room. */
+static void lengthen(struct stream *stream, unsigned long seed, size_t count)
+{
+    size_t size = STREAM_LEAST;
+    while (size < count)
+        size *= 2;
+    if (kept_count - stream->count + size > KEPT_MOST)
+        return;
+    double *deviate = malloc(size * sizeof *deviate);
+    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
+    if (deviate && random) {
+        gsl_rng_set(random, seed);
+        for (size_t i = 0; i < size; i++)
+            deviate[i] = gsl_ran_gaussian_ziggurat(random, 1);
+        kept_count += size - stream->count;
+        free(stream->deviate);
+        *stream = (struct stream){deviate, size};
+    } else {
+        free(deviate);
+    }
+    gsl_rng_free(random);
+}
+
+/** Sizes of the waves by a stream that is kept; false: it is not. */
+static bool draw_kept(fftw_complex *wave, const struct simulated_record *spectrum, size_t waves, unsigned long seed)
+{
+    if (seed >= STREAMS || waves > KEPT_MOST / 2)
+        return false;
+    pthread_mutex_lock(&keeper);
+    struct stream *stream = &streams[seed];
+    if (stream->count < 2 * waves)
+        lengthen(stream, seed, 2 * waves);
+    bool kept = stream->count >= 2 * waves;
+    for (size_t k = 1; k <= waves && kept; k++)
+        for (size_t part = 0; part < 2; part++)
+            wave[k][part] = spectrum->deviation_m[k] * stream->deviate[2 * (k - 1) + part] / 2;
+    pthread_mutex_unlock(&keeper);
+    return kept;
+}
+
+/** The same of any other. Error: STATUS_MEMORY. */
+static enum status_code draw_anew(fftw_complex *wave, const struct simulated_record *spectrum, size_t waves,
+                                  unsigned long seed, struct status *status)
+{
+    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
+    if (!random)
+        return status_memory(status);
+    gsl_rng_set(random, seed);
+    for (size_t k = 1; k <= waves; k++)
+        for (int part = 0; part < 2; part++)
+            wave[k][part] = gsl_ran_gaussian_ziggurat(random, spectrum->deviation_m[k]) / 2;
+    gsl_rng_free(random);
+    return STATUS_OK;
+}
+
 enum status_code simulated_record_draw(double *height_m, const struct simulated_record *spectrum, unsigned long seed,
                                        struct status *status)
 {
     size_t longer = spectrum->points * SIMULATED_RECORD_LONGER, waves = longer / 2;
     double *record = fftw_alloc_real(longer);
     fftw_complex *wave = fftw_alloc_complex(waves + 1);
-    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
-    if (!record || !wave || !random) {
+    if (!record || !wave ||
+        (!draw_kept(wave, spectrum, waves, seed) && draw_anew(wave, spectrum, waves, seed, status) != STATUS_OK)) {
         fftw_free(record);
         fftw_free(wave);
-        gsl_rng_free(random);
         return status_memory(status);
     }
-    gsl_rng_set(random, seed);
     wave[0][0] = wave[0][1] = 0;
-    for (size_t k = 1; k <= waves; k++)
-        for (int part = 0; part < 2; part++)
-            wave[k][part] = gsl_ran_gaussian_ziggurat(random, spectrum->deviation_m[k]) / 2;
     wave[waves][0] *= M_SQRT2; /* the Nyquist wave has half a band, no sine and no mirror image */
     wave[waves][1] = 0;
     fft_backward(record, wave, longer);
@@ -108,7 +171,6 @@ enum status_code simulated_record_draw(double *height_m, const struct simulated_
         height_m[i] = record[i];
     fftw_free(record);
     fftw_free(wave);
-    gsl_rng_free(random);
     return STATUS_OK;
 }
 

@@ -29,7 +29,6 @@ static int make(void **state)
     record = calloc(1, sizeof *record);
     assert_non_null(record);
     record->summary.usable = true;
-    record->summary.models = calloc(model_count, sizeof *record->summary.models);
     record->summary.roughness = roughness_of_heights(height_m, POINTS, 5e-7);
     assert_int_equal(spectrum_compute(&record->spectrum, height_m, POINTS, 5e-7, SPECTRUM_WINDOW_NONE, &status),
                      STATUS_OK);

@@ -99,8 +99,6 @@ static int make(void **state)
                          .models = MODEL_BIT(ELASTIC) | MODEL_BIT(STACK) | MODEL_BIT(SPHERES)};
     record = (struct surface_record){
         .summary = {.usable = true, .length_m = 1e-3, .spacing_m = 1e-6, .pair = {.effective_modulus_Pa = 1e11}}};
-    record.summary.models = calloc(model_count, sizeof *record.summary.models);
-    assert_non_null(record.summary.models);
     record.spectrum = (struct spectrum){&amplitudes_m[0], 1, 1e-3, false};
     record.summary.tail = tail(1e-4, NAN);
     return 0;
@@ -109,7 +107,7 @@ static int make(void **state)
 static int end(void **state)
 {
     (void)state;
-    free(record.summary.models);
+    surface_summary_free(&record.summary);
     return 0;
 }
 
@@ -120,9 +118,10 @@ static const struct curve_bounds *bounds_of(size_t m)
     struct status status = {0};
     record.summary.bound.visits = 0;
     for (size_t i = 0; i < model_count; i++)
-        record.summary.models[i].bounds = (struct curve_bounds){0};
+        if (record.summary.bounds && record.summary.bounds[i])
+            *record.summary.bounds[i] = (struct curve_bounds){0};
     assert_int_equal(effect_bounds_surface(&record, &scene, &plan, loads, 1, &status), STATUS_OK);
-    return &record.summary.models[m].bounds;
+    return surface_bounds(&record.summary, m);
 }
 
 static void add_repeats(void)
@@ -236,9 +235,9 @@ static void test_work_of_scans_alone(void **state)
 static void decide(double yield, double raise)
 {
     bounds_of(STACK);
-    record.summary.models[STACK].bounds.yield = yield;
-    record.summary.models[SPHERES].bounds.yield = 0.5e-8;
-    record.summary.models[ELASTIC].bounds.scale_dependence = raise;
+    surface_bounds_room(&record.summary, STACK)->yield = yield;
+    surface_bounds_room(&record.summary, SPHERES)->yield = 0.5e-8;
+    surface_bounds_room(&record.summary, ELASTIC)->scale_dependence = raise;
     effect_bounds_plan(&plan, &scene, &record.summary, 1);
 }
 

@@ -170,7 +170,7 @@ static void test_the_table_is_plausible(void **state)
     assert_true(material_table_count >= 9);
     for (size_t i = 0; i < material_table_count; i++) {
         const struct material *metal = &material_table[i];
-        assert_true(strlen(metal->source) > 20 && strlen(metal->source) < sizeof metal->source - 1);
+        assert_true(strlen(metal->source) > 20);
         for (size_t p = 0; p < material_property_count; p++) {
             double value = material_value(metal, &material_properties[p]);
             assert_true(isnan(value) ||

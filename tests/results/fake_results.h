@@ -23,6 +23,7 @@ struct fake {
     struct scene_surface names[SURFACES];
     struct surface_summary summaries[SURFACES];
     struct curve_summary curves[SURFACES][MODELS_MOST];
+    struct curve_summary *curve_of[SURFACES][MODELS_MOST];
     struct surface_store store;
     size_t order[SURFACES];
     struct results results;
@@ -101,7 +102,9 @@ static inline void make_fake(struct fake *fake)
         summary->power_law.gamma = 1.6 - 0.2 * (double)k;
         summary->power_law.alpha = k == 1 ? 0.2 : 0.1;
         summary->power_law.knee_m = NAN;
-        summary->models = fake->curves[k];
+        summary->models = fake->curve_of[k];
+        for (size_t m = 0; m < model_count; m++)
+            fake->curve_of[k][m] = &fake->curves[k][m];
         for (int i = 0; i < FAKE_MODELS; i++)
             *fake_curve(fake, k, fake_models[i]) = (struct curve_summary){.exists = true,
                                                                           .extended = true,

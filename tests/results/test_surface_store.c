@@ -379,12 +379,18 @@ static void test_a_record_goes_to_another_process(void **state)
     summary->scene = &here_surface;
     record->repeats.scans[0].file = here_files[1];
     record->repeats.scans[1].file = here_files[0];
-    summary->models = calloc(model_count, sizeof *summary->models);
+    struct curve_summary *last = surface_model_room(summary, model_count - 1);
+    struct curve_bounds *first = surface_bounds_room(summary, 0);
+    assert_true(last && first);
+    struct estimate estimates[CURVE_ESTIMATES] = {
+        [QUANTITY_ECR] = {.count = 3, .mean = 5}, [CURVE_BETA] = {.count = 2, .mean = 6}};
+    assert_int_equal(curve_summary_put_estimates(last, estimates, &status), STATUS_OK);
     summary->direct = calloc(1, sizeof *summary->direct);
     summary->answers = calloc(2 * model_count, sizeof *summary->answers);
     summary->limits = calloc(3, sizeof *summary->limits);
-    assert_true(summary->models && summary->direct && summary->answers && summary->limits);
-    summary->models[model_count - 1].full_load = 7;
+    assert_true(summary->direct && summary->answers && summary->limits);
+    last->full_load = 7;
+    first->yield = 4;
     summary->direct->grid = 96;
     summary->answers[2 * model_count - 1].load = 8;
     summary->limits[2].value = 9;
@@ -397,7 +403,14 @@ static void test_a_record_goes_to_another_process(void **state)
     got->repeats.scans[0].file = got->repeats.scans[1].file = NULL;
     assert_same(got, 3);
     assert_null(got->summary.refusal);
-    assert_near(got->summary.models[model_count - 1].full_load, 7, 0);
+    last = got->summary.models[model_count - 1];
+    assert_near(last->full_load, 7, 0);
+    assert_near(curve_summary_estimate(last, QUANTITY_ECR)->mean, 5, 0);
+    assert_near(curve_summary_estimate(last, CURVE_BETA)->mean, 6, 0);
+    assert_ptr_equal(curve_summary_estimate(last, QUANTITY_TCR), &estimate_none);
+    assert_null(got->summary.models[0]);
+    assert_near(surface_bounds(&got->summary, 0)->yield, 4, 0);
+    assert_null(got->summary.bounds[1]);
     assert_int_equal(got->summary.direct->grid, 96);
     assert_near(got->summary.answers[2 * model_count - 1].load, 8, 0);
     assert_near(got->summary.limits[2].value, 9, 0);

@@ -82,6 +82,42 @@ static void of_many_surfaces_bins(void **state)
     assert_true(says(place, "other/results.json", "\"data\": \"full\",\n \"spectra\": \"every harmonic\""));
     assert_true(says(place, "one/report.md", "`data/spectrum.csv` holds bins of a tenth of a decade"));
     assert_false(says(place, "other/report.md", "bins of a tenth"));
+    assert_true(says(place, "one/results.json", "\"curves\": \"in data/contact.csv alone\""));
+    assert_false(says(place, "one/results.json", "\"area_ratio\": ["));
+    assert_true(says(place, "one/results.json", "\"full_contact_load\": "));
+    assert_false(says(place, "other/results.json", "data/contact.csv alone"));
+    assert_true(says(place, "other/results.json", "\"area_ratio\": ["));
+    assert_true(says(place, "one/report.md", "| … 1 more in data/ |"));
+}
+
+/* Lines that name a surface in what ends the run on a terminal, and whether it says that there are more. */
+static size_t lines_of_surfaces(const struct directory *place, bool *more)
+{
+    struct run_outcome outcome;
+    struct status status = {0};
+    char target[4096];
+    snprintf(target, sizeof target, "%s", directory_path(place, "one"));
+    struct run_options options = {.output = target, .templates = PROJECT_SOURCE "/templates", .no_cost = true};
+    assert_int_equal(pipeline_try(&outcome, place, "in", options, &status), STATUS_OK);
+    size_t lines = 0;
+    for (const char *line = text_string(&outcome.table); (line = strchr(line, '\n')) != NULL && *++line;)
+        lines += line[0] >= '0' && line[0] <= '9';
+    *more = strstr(text_string(&outcome.table), "\n… 1 more in data/surfaces.csv\n") != NULL;
+    run_outcome_free(&outcome);
+    return lines;
+}
+
+static void the_terminal_shows_a_hundred(void **state)
+{
+    const struct directory *place = *state;
+    bool more;
+    make_surfaces(place, MANY - 1);
+    write_scene(place, "");
+    assert_int_equal(lines_of_surfaces(place, &more), MANY - 1);
+    assert_false(more);
+    make_surfaces(place, MANY);
+    assert_int_equal(lines_of_surfaces(place, &more), MANY - 1);
+    assert_true(more);
 }
 
 /* The JSON of many surfaces by several threads, and up to a hundred of them every harmonic. */
@@ -119,6 +155,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(of_many_surfaces_bins, make, clean),
+        cmocka_unit_test_setup_teardown(the_terminal_shows_a_hundred, make, clean),
         cmocka_unit_test_setup_teardown(of_a_hundred_every_harmonic, make, clean),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
