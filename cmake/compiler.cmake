@@ -17,6 +17,11 @@ add_library(roughcontact_warnings INTERFACE)
 target_compile_options(roughcontact_warnings INTERFACE -Wall -Wextra -Wconversion -Wshadow -Wstrict-prototypes
                        -Wformat=2 -ffp-contract=off $<$<BOOL:${ROUGHCONTACT_WERROR}>:-Werror>)
 target_compile_definitions(roughcontact_warnings INTERFACE _GNU_SOURCE)
+# Small frames: nothing of a thread needs more than a fraction of its stack (base/thread.h), and what calls the library
+# may have little. Sanitizers make them larger.
+if(NOT ROUGHCONTACT_SANITIZE AND NOT ROUGHCONTACT_THREAD_SANITIZE)
+    target_compile_options(roughcontact_warnings INTERFACE -Wframe-larger-than=49152 -Wvla)
+endif()
 if(ROUGHCONTACT_SANITIZE)
     target_compile_options(roughcontact_warnings INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
                            -fno-omit-frame-pointer)

@@ -1,4 +1,5 @@
 #include "base/threads.h"
+#include "base/thread.h"
 
 #include <pthread.h>
 #include <unistd.h>
@@ -114,7 +115,7 @@ enum status_code threads_run(const struct threads *threads, size_t count, thread
                           .failed = count};
     pthread_t started[THREADS_MOST];
     size_t others = 0;
-    while (others + 1 < crowd.number && pthread_create(&started[others], NULL, run_tasks, &crowd) == 0)
+    while (others + 1 < crowd.number && thread_start(&started[others], run_tasks, &crowd))
         others++;
     run_tasks(&crowd);
     for (size_t i = 0; i < others; i++)

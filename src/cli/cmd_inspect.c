@@ -193,13 +193,13 @@ static enum status_code draw(const struct inspection *f, struct status *status)
     const char *base = getenv("TMPDIR");
     char directory[512], quoted[600];
     int columns, rows;
+    size_t number;
     command_terminal_size(&columns, &rows);
     snprintf(directory, sizeof directory, "%s/roughcontact-XXXXXX", base && strlen(base) < 400 ? base : P_tmpdir);
-    if (command_templates(&templates, status) != STATUS_OK || !mkdtemp(directory)) {
+    if (command_templates(&templates, status) != STATUS_OK || !leftover_make(directory, &number)) {
         text_free(&templates);
         return status_fail(status, STATUS_IO, "cannot make a directory like '%s'", directory);
     }
-    size_t number = leftover_add(directory);
     enum status_code rc = write_points(directory, f, false, status);
     if (rc == STATUS_OK)
         rc = write_points(directory, f, true, status);
