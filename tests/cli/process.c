@@ -78,7 +78,7 @@ struct process_running process_start_list(const char *place, const char *const *
 /** Adds what is there to read; false at the end. */
 static bool collect(int descriptor, char **text, size_t *length)
 {
-    static char block[65536];
+    char block[65536];
     ssize_t got = read(descriptor, block, sizeof block);
     if (got < 0 && errno == EINTR)
         return true;

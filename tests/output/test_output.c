@@ -837,6 +837,7 @@ static void test_what_the_program_did_not_make_stays(void **state)
         ".roughcontact-abcdek/report/deep/mine",
         ".roughcontact-abcdel/mine",
         ".roughcontact-longer/lock1",
+        ".roughcontact-abcden/report/report.md",
     };
     enum { FILES = sizeof files / sizeof *files };
     const struct directory *place = *state;
@@ -863,6 +864,9 @@ static void test_what_the_program_did_not_make_stays(void **state)
     snprintf(run, sizeof run, "roughcontact %s ../escape", boot);
     directory_write(place, ".roughcontact-abcdel/lock", "");
     assert_int_equal(symlink(run, directory_path(place, ".roughcontact-abcdel/run")), 0);
+    snprintf(run, sizeof run, "othercontact %s out", boot); /* another program's, which works alike */
+    directory_write(place, ".roughcontact-abcden/lock", "");
+    assert_int_equal(symlink(run, directory_path(place, ".roughcontact-abcden/run")), 0);
     assert_int_equal(mkdir(directory_path(place, "elsewhere"), 0700), 0);
     directory_write(place, "elsewhere/lock", "");
     assert_int_equal(symlink("elsewhere", directory_path(place, ".roughcontact-abcdem")), 0);
