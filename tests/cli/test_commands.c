@@ -24,7 +24,8 @@ static void test_help(void **state)
             expect_part(process.out, commands[c]);
         expect_part(process.out,
                     "Exit status:\n0 done; 1 report written but some scan was refused; 2 usage;\n"
-                    "3 scene invalid; 4 nothing could be reported; 5 report --check: a limit is missed.\n");
+                    "3 scene invalid; 4 nothing could be reported, or not on standard output; 5 report --check: a "
+                    "limit is missed.\n");
         assert_string_equal(process.err, "");
         process_free(&process);
     }

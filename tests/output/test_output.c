@@ -960,6 +960,33 @@ static void test_a_mount_point_is_refused(void **state)
     }
 }
 
+/* Of the same file system: what is mounted there is a directory of it. */
+static void test_a_directory_mounted_elsewhere_is_refused(void **state)
+{
+    static const char *const mounts[] = {"out", "out/data"};
+    const struct directory *place = *state;
+    publish(place, "out", "one");
+    publish(place, "other", "one");
+    for (size_t i = 0; i < sizeof mounts / sizeof *mounts; i++) {
+        int how;
+        pid_t child = fork();
+        assert_true(child >= 0);
+        if (child == 0) { /* which sees the mount alone */
+            if (unshare(CLONE_NEWNS) != 0 || mount("none", "/", NULL, MS_REC | MS_PRIVATE, NULL) != 0 ||
+                mount(directory_path(place, i == 0 ? "other" : "other/data"), directory_path(place, mounts[i]), NULL,
+                      MS_BIND, NULL) != 0)
+                _exit(77);
+            assert_refused(place, "out", "is a mount point, which a report cannot take the place of");
+            _exit(0);
+        }
+        assert_int_equal(waitpid(child, &how, 0), child);
+        assert_true(WIFEXITED(how));
+        if (WEXITSTATUS(how) == 77)
+            skip();
+        assert_int_equal(WEXITSTATUS(how), 0);
+    }
+}
+
 static void test_the_mode_of_out_stays(void **state)
 {
     static const mode_t modes[] = {0700, 0755, 0770, 01777, 0711};
@@ -1126,7 +1153,7 @@ static void test_what_others_own_is_refused(void **state)
 /* Two runs into one OUT: each report is whole, the user's files outlive both, nothing is left. */
 static void test_runs_into_one_out(void **state)
 {
-    enum { RUNS = 3, TIMES = 25 };
+    enum { RUNS = 3, TIMES = 10 };
     const struct directory *place = *state;
     pid_t children[RUNS];
     publish(place, "out", "one");
@@ -1231,6 +1258,7 @@ int main(void)
         TEST(test_a_report_put_aside_comes_back),
         TEST(test_runs_side_by_side_do_not_disturb_each_other),
         TEST(test_a_mount_point_is_refused),
+        TEST(test_a_directory_mounted_elsewhere_is_refused),
         TEST(test_the_mode_of_out_stays),
         TEST(test_a_set_group_id_directory),
         TEST(test_a_full_disk_leaves_the_report_before),
