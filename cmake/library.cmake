@@ -7,6 +7,7 @@ set_target_properties(libroughcontact PROPERTIES
                       OUTPUT_NAME roughcontact VERSION ${PROJECT_VERSION} SOVERSION 0 C_VISIBILITY_PRESET hidden
                       LINK_DEPENDS ${library_exports} LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
 target_link_libraries(libroughcontact PRIVATE roughcontact_core)
+target_compile_options(libroughcontact PRIVATE ${roughcontact_frames})
 target_link_options(libroughcontact PRIVATE LINKER:--version-script=${library_exports} LINKER:--exclude-libs,ALL
                     LINKER:--as-needed)
 

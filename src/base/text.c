@@ -309,7 +309,7 @@ enum status_code text_read_file(struct text *text, const char *path, struct stat
 
 enum status_code text_write_file(const char *path, const char *bytes, size_t length, struct status *status)
 {
-    FILE *file = fopen(path, "wb");
+    FILE *file = fopen(path, "wbe");
     if (!file)
         return status_fail(status, STATUS_IO, "cannot write '%s': %s", path, status_reason(errno));
     size_t written = fwrite(bytes, 1, length, file);

@@ -1,4 +1,5 @@
 #include "base/threads.h"
+#include "base/thread.h"
 
 #include "base/thread.h"
 

@@ -213,12 +213,12 @@ static enum status_code draw(const struct inspection *f, struct status *status)
     const char *base = getenv("TMPDIR");
     char directory[512], size[40];
     int columns, rows;
+    size_t number;
     command_terminal_size(&columns, &rows);
     snprintf(size, sizeof size, "%d,%d", columns, rows > 24 ? 24 : rows - 1);
     snprintf(directory, sizeof directory, "%s/roughcontact-XXXXXX", base && strlen(base) < 400 ? base : P_tmpdir);
-    if (!mkdtemp(directory))
+    if (!leftover_make(directory, &number))
         return status_fail(status, STATUS_IO, "cannot make a directory like '%s'", directory);
-    size_t number = leftover_add(directory);
     enum status_code rc = write_chart(&script, directory, f, false, size, status);
     if (rc == STATUS_OK)
         rc = write_chart(&script, directory, f, true, size, status);

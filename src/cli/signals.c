@@ -105,6 +105,7 @@ int signals_run(int (*body)(int argc, char **argv), int argc, char **argv)
     sigset_t signals;
     open_standard_streams();
     signal(SIGXFSZ, SIG_IGN); /* write() then says EFBIG */
+    signal(SIGCHLD, SIG_DFL); /* ignored, it would take away how programs end, and their ids while they are in use */
     program_ending_signals(&signals);
     pthread_sigmask(SIG_BLOCK, &signals, NULL);
     if (!thread_start(&thread, run_body, &program)) { /* on this one, then, which signals end as they do by default */

@@ -134,6 +134,8 @@ static enum status_code set_mode(const struct output *out, struct status *status
     struct stat info;
     mode_t mask = umask(0), mode = 0777 & ~mask;
     umask(mask);
+    if (stat(out->staging, &info) == 0)
+        mode |= info.st_mode & S_ISGID; /* of the directory around it */
     if (stat(out->target, &info) == 0) {
         mode = info.st_mode & 07777;
         if (chown(out->staging, (uid_t)-1, info.st_gid) != 0)
@@ -194,12 +196,15 @@ enum status_code output_begin(struct output *out, const char *target, struct sta
         check_place(out, status) != STATUS_OK)
         return status->code;
     staging_clear_stale(out->target);
-    if (staging_make(&out->hidden, out->target, status) != STATUS_OK)
-        return status->code;
-    out->leftover = leftover_add(out->hidden.path);
     leftover_hold();
-    note("", out->target, " is as it was before");
+    enum status_code rc = staging_make(&out->hidden, out->target, status);
+    if (rc == STATUS_OK) {
+        out->leftover = leftover_add(out->hidden.path);
+        note("", out->target, " is as it was before");
+    }
     leftover_release();
+    if (rc != STATUS_OK)
+        return rc;
     staging_part(out->staging, &out->hidden, "report");
     for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
         char part[PATH_MAX + 16];
@@ -301,11 +306,11 @@ enum status_code output_commit(struct output *out, struct status *status)
         return status_prefix(status, "cannot put the report at '%s'", out->target);
     leftover_hold();
     enum status_code rc = put(out, status);
-    leftover_release();
-    if (!out->staging[0]) {
+    if (!out->hidden.path[0]) { /* what may be left there is the user's */
         leftover_forget(out->leftover);
         out->leftover = 0;
     }
+    leftover_release();
     return rc;
 }
 

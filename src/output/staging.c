@@ -1,10 +1,10 @@
 #include "output/staging.h"
 
+#include "base/leftover.h"
 #include "output/manifest.h"
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
-#include <ftw.h>
 #include <linux/magic.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -74,6 +74,18 @@ static bool claim(struct staging *staging, int directory, const char *name)
     return true;
 }
 
+/** Makes `aside`, if it is not there. False: errno. */
+static bool make_aside(const char *staging)
+{
+    for (int i = 0; i < FOLDERS; i++) {
+        char folder[PATH_MAX + 32];
+        snprintf(folder, sizeof folder, "%s/aside/%s", staging, folders[i]);
+        if (mkdir(folder, 0700) != 0 && errno != EEXIST)
+            return false;
+    }
+    return true;
+}
+
 enum status_code staging_make(struct staging *out, const char *target, struct status *status)
 {
     const char *slash = strrchr(target, '/'), *name = slash ? slash + 1 : target;
@@ -88,18 +100,16 @@ enum status_code staging_make(struct staging *out, const char *target, struct st
         bool own = directory >= 0 && claim(out, directory, name);
         if (directory >= 0)
             close(directory);
-        if (own)
+        if (own && make_aside(out->path)) /* now: the disk may be full in the end */
             return STATUS_OK;
+        int reason = errno;
         staging_remove(out, false);
+        errno = reason;
+        if (own)
+            break;
     }
     out->path[0] = '\0';
     return status_fail(status, STATUS_IO, "cannot write beside '%s': %s", target, strerror(errno));
-}
-
-static int remove_entry(const char *path, const struct stat *info, int type, struct FTW *level)
-{
-    (void)info, (void)type, (void)level;
-    return remove(path);
 }
 
 /** Takes apart what is not a report's, in an order that staging_clear_stale() understands at any instant. */
@@ -134,7 +144,7 @@ void staging_leave(struct staging *staging)
 void staging_remove(struct staging *staging, bool whole)
 {
     if (whole && staging->path[0])
-        nftw(staging->path, remove_entry, 16, FTW_DEPTH | FTW_PHYS);
+        leftover_remove(staging->path);
     int directory = staging->path[0] ? open_directory(AT_FDCWD, staging->path) : -1;
     if (directory >= 0) {
         remove_frame(directory, AT_FDCWD, staging->path);
@@ -196,13 +206,10 @@ bool staging_clear_before(const char *staging, const char *part, const char *tar
     enum { PASSES = 3 }; /* a file may come between the list and the end of its directory */
     struct status status = {0};
     struct text manifest = {0};
-    char path[PATH_MAX], aside[PATH_MAX], folder[PATH_MAX + 16];
+    char path[PATH_MAX], aside[PATH_MAX];
     snprintf(path, sizeof path, "%s/%s", staging, part);
     snprintf(aside, sizeof aside, "%s/aside", staging);
-    for (int i = 0; i < FOLDERS; i++) {
-        snprintf(folder, sizeof folder, "%s/%s", aside, folders[i]);
-        mkdir(folder, 0700);
-    }
+    (void)make_aside(staging);
     struct clearing c = {open_directory(AT_FDCWD, path), open_directory(AT_FDCWD, target),
                          open_directory(AT_FDCWD, aside), &manifest};
     bool gone = false;
@@ -314,7 +321,8 @@ static void clear_one(int parent, const char *name)
     int directory = open_directory(parent, name);
     if (directory < 0)
         return;
-    if (fstat(directory, &info) == 0 && info.st_uid == geteuid() && (info.st_mode & 07777) == 0700) {
+    if (fstat(directory, &info) == 0 && info.st_uid == geteuid() &&
+        (info.st_mode & 07777 & ~(mode_t)S_ISGID) == 0700) /* which it has of the one around it */ {
         bool begun = faccessat(directory, "run", F_OK, AT_SYMLINK_NOFOLLOW) == 0;
         int lock = take_lock(directory);
         if (lock >= 0 && begun && read_run(target, directory)) {
@@ -336,7 +344,7 @@ void staging_clear_stale(const char *target)
     char path[PATH_MAX];
     parent_of(path, target);
     int parent = open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    DIR *list = parent >= 0 ? fdopendir(dup(parent)) : NULL;
+    DIR *list = parent >= 0 ? fdopendir(openat(parent, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC)) : NULL;
     for (const struct dirent *entry; list && (entry = readdir(list));)
         if (strlen(entry->d_name) == strlen(prefix) + strlen(letters) &&
             memcmp(entry->d_name, prefix, strlen(prefix)) == 0)

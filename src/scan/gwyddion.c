@@ -3,7 +3,6 @@
 #include "base/program.h"
 
 #include <errno.h>
-#include <ftw.h>
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -16,12 +15,6 @@ bool gwyddion_exists(void)
 {
     char program[PATH_MAX];
     return program_find(program, sizeof program, "gwyddion");
-}
-
-static int remove_one(const char *path, const struct stat *info, int kind, struct FTW *walk)
-{
-    (void)info, (void)kind, (void)walk;
-    return remove(path);
 }
 
 static enum status_code convert(struct text *out, const char *program, const char *path, const char *directory,
@@ -52,10 +45,10 @@ enum status_code gwyddion_convert(struct text *out, const char *path, struct sta
     snprintf(directory, sizeof directory, "%s/roughcontact-XXXXXX", base && strlen(base) < 1000 ? base : P_tmpdir);
     sigset_t before;
     program_hold_signals(&before); /* until the directory is gone */
-    if (mkdtemp(directory)) {
-        size_t number = leftover_add(directory);
+    size_t number;
+    if (leftover_make(directory, &number)) {
         (void)convert(out, program, whole, directory, status);
-        nftw(directory, remove_one, 8, FTW_DEPTH | FTW_PHYS);
+        leftover_remove(directory);
         leftover_forget(number);
     } else {
         status_fail(status, STATUS_IO, "cannot make a directory like '%s': %s", directory, strerror(errno));

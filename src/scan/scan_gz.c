@@ -22,20 +22,23 @@ static enum status_code unpack(struct text *text, const struct scan_bytes *file,
     size_t most = limit_most(LIMIT_UNPACKED_BYTES);
     if (code != Z_OK)
         return status_memory(status);
-    while (code == Z_OK || (code == Z_STREAM_END && (const char *)stream.next_in < end)) {
-        unsigned char piece[65536];
+    enum { PIECE = 65536 };
+    unsigned char *piece = malloc(PIECE);
+    text->failed = text->failed || !piece;
+    while (piece && (code == Z_OK || (code == Z_STREAM_END && (const char *)stream.next_in < end))) {
         size_t left = (size_t)(end - (const char *)stream.next_in);
         if (code == Z_STREAM_END && inflateReset(&stream) != Z_OK)
             break;
-        stream.avail_in = left < sizeof piece ? (uInt)left : (uInt)sizeof piece;
+        stream.avail_in = left < PIECE ? (uInt)left : PIECE;
         stream.next_out = piece;
-        stream.avail_out = sizeof piece;
+        stream.avail_out = PIECE;
         code = inflate(&stream, Z_NO_FLUSH);
-        text_add_bytes(text, (const char *)piece, sizeof piece - stream.avail_out);
+        text_add_bytes(text, (const char *)piece, PIECE - stream.avail_out);
         ended = code == Z_STREAM_END;
         if (text->failed || text->length > most || (left == 0 && stream.avail_out > 0))
             break;
     }
+    free(piece);
     inflateEnd(&stream);
     if (text->failed || code == Z_MEM_ERROR)
         return status_memory(status);

@@ -1,4 +1,5 @@
 /* What tasks leave in their turn, whatever the number of threads, and which failure is told. */
+#include "base/thread.h"
 #include "base/threads.h"
 #include "support.h"
 
@@ -88,9 +89,43 @@ static void test_nothing_to_do(void **state)
     assert_true(threads_wait(NULL));
 }
 
+static enum status_code measure_stack(void *context, size_t index, struct threads_turn *turn, struct status *status)
+{
+    pthread_attr_t attributes;
+    size_t *bytes = context;
+    (void)turn, (void)status;
+    usleep(20000); /* so that every thread has one of them */
+    assert_int_equal(pthread_getattr_np(pthread_self(), &attributes), 0);
+    assert_int_equal(pthread_attr_getstacksize(&attributes, &bytes[index]), 0);
+    pthread_attr_destroy(&attributes);
+    return STATUS_OK;
+}
+
+/* As under `ulimit -s 128`. */
+static void test_stacks_do_not_hang_on_the_limit(void **state)
+{
+    enum { JOBS = 4 };
+    size_t bytes[JOBS] = {0}, small = 0;
+    pthread_attr_t before, little;
+    struct status status = {0};
+    (void)state;
+    assert_int_equal(pthread_getattr_default_np(&before), 0);
+    assert_int_equal(pthread_attr_init(&little), 0);
+    assert_int_equal(pthread_attr_setstacksize(&little, 128 << 10), 0);
+    assert_int_equal(pthread_setattr_default_np(&little), 0);
+    assert_int_equal(threads_run(&(struct threads){.jobs = JOBS}, JOBS, measure_stack, bytes, &status), STATUS_OK);
+    for (size_t i = 0; i < JOBS; i++)
+        small += bytes[i] < THREAD_STACK_BYTES;
+    assert_true(small <= 1); /* the one that calls has what it has */
+    assert_int_equal(pthread_setattr_default_np(&before), 0);
+    pthread_attr_destroy(&before);
+    pthread_attr_destroy(&little);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_in_order), cmocka_unit_test(test_the_first_failure),
+                                       cmocka_unit_test(test_stacks_do_not_hang_on_the_limit),
                                        cmocka_unit_test(test_stop), cmocka_unit_test(test_nothing_to_do)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,6 +1,7 @@
 /* OUT is complete or untouched, whatever ends the run. */
 #include "cli/process.h"
 
+#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
@@ -113,6 +114,24 @@ static char *hang_gnuplot(const char *place)
     return before;
 }
 
+/** Has the process with this id a descriptor of anything in the hidden directory, such as its lock? */
+static bool holds_staging(const char *id)
+{
+    char path[64], leads[512];
+    bool found = false;
+    snprintf(path, sizeof path, "/proc/%ld/fd", strtol(id, NULL, 10));
+    DIR *open = opendir(path);
+    assert_non_null(open);
+    for (const struct dirent *entry; (entry = readdir(open));) {
+        ssize_t length = readlinkat(dirfd(open), entry->d_name, leads, sizeof leads - 1);
+        leads[length > 0 ? length : 0] = '\0';
+        const char *hidden = strstr(leads, "/.roughcontact-");
+        found |= hidden && (strstr(hidden, "/lock") || !strchr(hidden + 1, '/'));
+    }
+    closedir(open);
+    return found;
+}
+
 static void test_a_hanging_gnuplot(void **state)
 {
     const char *place = *state;
@@ -125,6 +144,7 @@ static void test_a_hanging_gnuplot(void **state)
         while (!workspace_has(place, "hangs"))
             wait_a_little();
         char *id = workspace_read(place, "hangs"), *name;
+        assert_false(holds_staging(id));
         assert_int_equal(kill(running.pid, signals[i]), 0);
         process_expect_failure(process_end(running), 128 + signals[i], 1,
                                "roughcontact: stopped by a signal; 'out/slow' is as it was before\n", __FILE__,
@@ -313,5 +333,9 @@ int main(void)
         workspace_test(test_files_of_the_user), workspace_test(test_no_room),
         workspace_test(test_full_output),
     };
+    static const int used[] = {SIGINT, SIGTERM, SIGHUP};
+    for (size_t i = 0; i < sizeof used / sizeof *used; i++)
+        if (signal(used[i], SIG_DFL) == SIG_ERR) /* also where these tests run in the background */
+            return 1;
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -6,6 +6,7 @@
 #include "directory.h"
 
 #include <fcntl.h>
+#include <math.h>
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
@@ -124,6 +125,22 @@ static int ends(int argc, char **argv)
     return 5;
 }
 
+/* Ends as the program that it runs. */
+static int follows(int argc, char **argv)
+{
+    (void)argc, (void)argv;
+    char shell[] = "/bin/sh", option[] = "-c", lines[] = "exit 3";
+    char *const arguments[] = {shell, option, lines, NULL};
+    int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
+    pid_t process = 0;
+    struct program_task task = {arguments, shell, place.path, environ, nothing, nothing};
+    if (program_start(&process, &task) != 0 || program_wait(process, INFINITY, -1) != PROGRAM_ENDED)
+        return 70;
+    begin(0);
+    int how = program_end(process);
+    return WIFEXITED(how) ? WEXITSTATUS(how) : 71;
+}
+
 /* Runs `body` in a process of its own and sends it `signal_number` `times`. Returns what waitpid() says of it; of what
  * it wrote to stderr as well as the id in `begun`. */
 static int run(int (*body)(int argc, char **argv), int signal_number, int times, char *said, pid_t *other)
@@ -229,6 +246,26 @@ static void test_the_status_of_a_body_that_ends(void **state)
     assert_string_equal(said, "");
 }
 
+/* Some leave SIGCHLD ignored to what they start; how a program ended would then be lost, and its id be another's. */
+static void test_what_was_started_is_known_to_have_ended(void **state)
+{
+    char said[256];
+    pid_t other;
+    (void)state;
+    assert_true(signal(SIGCHLD, SIG_IGN) != SIG_ERR);
+    pid_t child = fork();
+    assert_true(child >= 0);
+    if (child == 0)
+        exit(signals_run(follows, 0, NULL));
+    assert_true(signal(SIGCHLD, SIG_DFL) != SIG_ERR);
+    int end;
+    assert_int_equal(waitpid(child, &end, 0), child);
+    assert_true(WIFEXITED(end));
+    assert_int_equal(WEXITSTATUS(end), 3);
+    end = run(follows, 0, 0, said, &other);
+    assert_int_equal(WEXITSTATUS(end), 3);
+}
+
 /* As under nohup. */
 static void test_an_ignored_signal_stays_ignored(void **state)
 {
@@ -288,10 +325,19 @@ int main(void)
 {
 #define TEST(function) cmocka_unit_test_setup_teardown(function, make, end)
     const struct CMUnitTest tests[] = {
-        TEST(test_what_does_not_listen_is_ended),   TEST(test_what_listens_ends_in_order),
-        TEST(test_a_second_signal_ends_at_once),    TEST(test_what_is_begun_is_finished),
-        TEST(test_nothing_asked_is_no_time),        TEST(test_the_status_of_a_body_that_ends),
-        TEST(test_an_ignored_signal_stays_ignored), TEST(test_a_killed_program_takes_others_with_it),
+        TEST(test_what_does_not_listen_is_ended),
+        TEST(test_what_listens_ends_in_order),
+        TEST(test_a_second_signal_ends_at_once),
+        TEST(test_what_is_begun_is_finished),
+        TEST(test_nothing_asked_is_no_time),
+        TEST(test_the_status_of_a_body_that_ends),
+        TEST(test_what_was_started_is_known_to_have_ended),
+        TEST(test_an_ignored_signal_stays_ignored),
+        TEST(test_a_killed_program_takes_others_with_it),
     };
+    static const int used[] = {SIGINT, SIGTERM, SIGHUP};
+    for (size_t i = 0; i < sizeof used / sizeof *used; i++)
+        if (signal(used[i], SIG_DFL) == SIG_ERR) /* also where these tests run in the background */
+            return 1;
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,3 +1,4 @@
+#include "base/leftover.h"
 #include "directory.h"
 #include "output/manifest.h"
 #include "output/output.h"
@@ -6,7 +7,9 @@
 #include <fcntl.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
+#include <sched.h>
 #include <signal.h>
+#include <sys/mount.h>
 #include <sys/prctl.h>
 #include <sys/ptrace.h>
 #include <sys/syscall.h>
@@ -768,6 +771,11 @@ static void only_begin(const struct directory *place)
     begin(place, "out");
 }
 
+static void only_begin_sticky(const struct directory *place)
+{
+    begin(place, "sticky/out");
+}
+
 static void begin_and_fill(const struct directory *place)
 {
     struct output output = begin(place, "a");
@@ -829,6 +837,7 @@ static void test_what_the_program_did_not_make_stays(void **state)
         ".roughcontact-abcdek/report/deep/mine",
         ".roughcontact-abcdel/mine",
         ".roughcontact-longer/lock1",
+        ".roughcontact-abcden/report/report.md",
     };
     enum { FILES = sizeof files / sizeof *files };
     const struct directory *place = *state;
@@ -855,6 +864,9 @@ static void test_what_the_program_did_not_make_stays(void **state)
     snprintf(run, sizeof run, "roughcontact %s ../escape", boot);
     directory_write(place, ".roughcontact-abcdel/lock", "");
     assert_int_equal(symlink(run, directory_path(place, ".roughcontact-abcdel/run")), 0);
+    snprintf(run, sizeof run, "othercontact %s out", boot); /* another program's, which works alike */
+    directory_write(place, ".roughcontact-abcden/lock", "");
+    assert_int_equal(symlink(run, directory_path(place, ".roughcontact-abcden/run")), 0);
     assert_int_equal(mkdir(directory_path(place, "elsewhere"), 0700), 0);
     directory_write(place, "elsewhere/lock", "");
     assert_int_equal(symlink("elsewhere", directory_path(place, ".roughcontact-abcdem")), 0);
@@ -948,6 +960,33 @@ static void test_a_mount_point_is_refused(void **state)
     }
 }
 
+/* Of the same file system: what is mounted there is a directory of it. */
+static void test_a_directory_mounted_elsewhere_is_refused(void **state)
+{
+    static const char *const mounts[] = {"out", "out/data"};
+    const struct directory *place = *state;
+    publish(place, "out", "one");
+    publish(place, "other", "one");
+    for (size_t i = 0; i < sizeof mounts / sizeof *mounts; i++) {
+        int how;
+        pid_t child = fork();
+        assert_true(child >= 0);
+        if (child == 0) { /* which sees the mount alone */
+            if (unshare(CLONE_NEWNS) != 0 || mount("none", "/", NULL, MS_REC | MS_PRIVATE, NULL) != 0 ||
+                mount(directory_path(place, i == 0 ? "other" : "other/data"), directory_path(place, mounts[i]), NULL,
+                      MS_BIND, NULL) != 0)
+                _exit(77);
+            assert_refused(place, "out", "is a mount point, which a report cannot take the place of");
+            _exit(0);
+        }
+        assert_int_equal(waitpid(child, &how, 0), child);
+        assert_true(WIFEXITED(how));
+        if (WEXITSTATUS(how) == 77)
+            skip();
+        assert_int_equal(WEXITSTATUS(how), 0);
+    }
+}
+
 static void test_the_mode_of_out_stays(void **state)
 {
     static const mode_t modes[] = {0700, 0755, 0770, 01777, 0711};
@@ -968,10 +1007,229 @@ static void test_the_mode_of_out_stays(void **state)
     assert_int_equal(info.st_mode & 07777, 0700);
 }
 
+/* Below a directory whose group its entries take: stale directories have that bit too, and OUT as any other. */
+static void test_a_set_group_id_directory(void **state)
+{
+    const struct directory *place = *state;
+    struct stat info;
+    assert_int_equal(chmod(place->path, 02700), 0);
+    assert_int_equal(mkdir(directory_path(place, "plain"), 0777), 0);
+    assert_int_equal(stat(directory_path(place, "plain"), &info), 0);
+    mode_t plain = info.st_mode & 07777;
+    publish(place, "out", "one");
+    assert_int_equal(stat(directory_path(place, "out"), &info), 0);
+    assert_int_equal(info.st_mode & 07777, plain);
+    kill_after(only_begin, place);
+    assert_int_equal(directory_entries(place, ""), 3);
+    publish(place, "out", "two");
+    assert_int_equal(stat(directory_path(place, "out"), &info), 0);
+    assert_int_equal(info.st_mode & 07777, plain);
+    assert_int_equal(directory_entries(place, ""), 2);
+}
+
+/* A disk that is full, whenever that shows: no inode for the n-th entry. */
+static void test_a_full_disk_leaves_the_report_before(void **state)
+{
+    enum { MOST = 60 };
+    const struct directory *place = *state;
+    int how;
+    pid_t child = fork();
+    assert_true(child >= 0);
+    if (child == 0) { /* which sees the disk alone */
+        size_t refused = 0, written = 0;
+        if (unshare(CLONE_NEWNS) != 0 || mount("none", "/", NULL, MS_REC | MS_PRIVATE, NULL) != 0)
+            _exit(77);
+        for (int inodes = 2; inodes < MOST; inodes++) {
+            struct directory disk;
+            char options[64];
+            struct output output;
+            struct status status = {0};
+            if (mount("tmpfs", place->path, "tmpfs", 0, "size=4m") != 0)
+                _exit(77);
+            snprintf(disk.path, sizeof disk.path, "%s", place->path);
+            publish(&disk, "out", "one"); /* takes 9 */
+            write_users_files(&disk, "out", FEW);
+            snprintf(options, sizeof options, "nr_inodes=%d", 12 + inodes);
+            if (mount("tmpfs", disk.path, "tmpfs", MS_REMOUNT, options) != 0)
+                _exit(77);
+            enum status_code rc = output_begin(&output, directory_path(&disk, "out"), &status);
+            for (int i = 0; i < 3 && rc == STATUS_OK; i++) {
+                static const char *const files[] = {"report.md", "data/contact.csv", "figures/6-05.svg"};
+                char path[PATH_MAX + 32];
+                snprintf(path, sizeof path, "%s/%s", output.staging, files[i]);
+                rc = text_write_file(path, "two", 3, &status);
+            }
+            if (rc == STATUS_OK)
+                rc = output_commit(&output, &status);
+            output_abandon(&output);
+            assert_content(&disk, "out/report.md", rc == STATUS_OK ? "two" : "one");
+            assert_content(&disk, "out/data/contact.csv", rc == STATUS_OK ? "two" : "one");
+            assert_users_files(&disk, "out", FEW);
+            assert_int_equal(directory_entries(&disk, ""), 1);
+            if (rc == STATUS_OK)
+                written++;
+            else if (strstr(status.message, "No space left on device"))
+                refused++;
+            else
+                fail_msg("%s", status.message);
+            if (umount2(disk.path, MNT_DETACH) != 0)
+                _exit(78);
+        }
+        _exit(refused > 8 && written > 8 ? 0 : 79);
+    }
+    assert_int_equal(waitpid(child, &how, 0), child);
+    assert_true(WIFEXITED(how));
+    if (WEXITSTATUS(how) == 77)
+        skip(); /* nothing may be mounted here */
+    assert_int_equal(WEXITSTATUS(how), 0);
+}
+
+/* Calls that fail from the beginning, with the report before in place. */
+static void test_no_room_for_an_entry(void **state)
+{
+    static const unsigned calls[] = {
+        SYS_linkat, SYS_mkdirat, SYS_renameat2,
+#ifdef SYS_rename
+        SYS_rename, SYS_mkdir,
+#endif
+    };
+    const struct directory *place = *state;
+    publish(place, "out", "one");
+    write_users_files(place, "out", FEW);
+    for (size_t i = 0; i < sizeof calls / sizeof *calls; i++)
+        if (publish_without(place, calls[i], ENOSPC) == STATUS_OK) { /* another call does it */
+            assert_true(calls[i] != SYS_linkat && calls[i] != SYS_renameat2);
+            assert_content(place, "out/report.md", "two");
+            publish(place, "out", "one");
+        } else {
+            assert_whole_report(place);
+            assert_content(place, "out/report.md", "one");
+            assert_users_files(place, "out", FEW);
+            assert_int_equal(directory_entries(place, ""), 1);
+        }
+}
+
+/* As another user than the one whose directories these are. */
+static void test_what_others_own_is_refused(void **state)
+{
+    enum { NOBODY = 65534 };
+    const struct directory *place = *state;
+    int how;
+    if (geteuid() != 0)
+        skip();
+    publish(place, "sticky/out", "one");
+    assert_int_equal(chmod(directory_path(place, "sticky/out"), 0777), 0);
+    assert_int_equal(chmod(directory_path(place, "sticky/out/data"), 0777), 0);
+    assert_int_equal(chmod(directory_path(place, "sticky/out/figures"), 0777), 0);
+    assert_int_equal(chmod(directory_path(place, "sticky"), 01777), 0);
+    publish(place, "closed/out", "one");
+    assert_int_equal(chmod(directory_path(place, "closed/out"), 0777), 0);
+    assert_int_equal(chmod(directory_path(place, "closed"), 0555), 0);
+    publish(place, "open/out", "one");
+    assert_int_equal(chmod(directory_path(place, "open"), 0777), 0);
+    assert_int_equal(chmod(place->path, 0755), 0);
+    kill_after(only_begin_sticky, place); /* is root's: stays */
+    pid_t child = fork();
+    assert_true(child >= 0);
+    if (child == 0) {
+        if (setgid(NOBODY) != 0 || setuid(NOBODY) != 0)
+            _exit(77);
+        assert_refused(place, "sticky/out", "is another user's, and only they can replace it");
+        assert_refused(place, "closed/out", "cannot write beside");
+        assert_refused(place, "closed/new", "cannot write beside");
+        assert_refused(place, "open/out", "cannot replace what is in");
+        publish(place, "sticky/new", "one");
+        _exit(directory_entries(place, "sticky") == 3 ? 0 : 78);
+    }
+    assert_int_equal(waitpid(child, &how, 0), child);
+    assert_true(WIFEXITED(how));
+    if (WEXITSTATUS(how) == 77)
+        skip();
+    assert_int_equal(WEXITSTATUS(how), 0);
+    publish(place, "sticky/new", "two"); /* what root left, root removes */
+    assert_int_equal(directory_entries(place, "sticky"), 2);
+}
+
+/* Two runs into one OUT: each report is whole, the user's files outlive both, nothing is left. */
+static void test_runs_into_one_out(void **state)
+{
+    enum { RUNS = 3, TIMES = 10 };
+    const struct directory *place = *state;
+    pid_t children[RUNS];
+    publish(place, "out", "one");
+    write_users_files(place, "out", FEW);
+    for (int k = 0; k < RUNS; k++) {
+        children[k] = fork();
+        assert_true(children[k] >= 0);
+        if (children[k] == 0) {
+            for (int i = 0; i < TIMES; i++) {
+                struct output output;
+                struct status status = {0};
+                if (output_begin(&output, directory_path(place, "out"), &status) == STATUS_OK) {
+                    fill(&output, i % 2 ? "one" : "two");
+                    (void)!output_commit(&output, &status); /* may be refused, as the other was faster */
+                }
+                output_abandon(&output);
+            }
+            _exit(0);
+        }
+    }
+    for (int k = 0; k < RUNS; k++) {
+        int code;
+        assert_int_equal(waitpid(children[k], &code, 0), children[k]);
+        assert_int_equal(code, 0);
+    }
+    assert_whole_report(place);
+    for (size_t k = 0; k < FEW; k++)
+        assert_true(survives(place, users_files[k], users_files[k]));
+    if (!has_kept(place)) {
+        assert_users_files(place, "out", FEW);
+        assert_int_equal(directory_entries(place, ""), 1);
+    }
+}
+
+/* Once the report is there, nothing that comes to have the name of its hidden directory is the program's. */
+static void test_what_is_committed_is_forgotten(void **state)
+{
+    const struct directory *place = *state;
+    struct output output = begin(place, "out");
+    char path[PATH_MAX];
+    int how;
+    fill(&output, "one");
+    strcpy(path, output.hidden.path);
+    commit(&output);
+    assert_int_equal(mkdir(path, 0700), 0);
+    pid_t child = fork();
+    assert_true(child >= 0);
+    if (child == 0) {
+        const char *said = leftover_clear();
+        _exit(strstr(said, "the report is in '") && strstr(said, "/out'") ? 0 : 1);
+    }
+    assert_int_equal(waitpid(child, &how, 0), child);
+    assert_int_equal(how, 0);
+    assert_int_equal(access(path, F_OK), 0);
+    assert_int_equal(rmdir(path), 0);
+
+    output = begin(place, "out"); /* one that is under way goes */
+    fill(&output, "two");
+    child = fork();
+    assert_true(child >= 0);
+    if (child == 0) {
+        const char *said = leftover_clear();
+        _exit(strstr(said, "/out' is as it was before") ? 0 : 1);
+    }
+    assert_int_equal(waitpid(child, &how, 0), child);
+    assert_int_equal(how, 0);
+    assert_int_equal(access(output.hidden.path, F_OK), -1);
+    output_abandon(&output);
+    assert_report(place, "out", "one");
+}
+
 int main(void)
 {
 #define TEST(function) cmocka_unit_test_setup_teardown(function, place_setup, place_teardown)
     const struct CMUnitTest tests[] = {
+        TEST(test_what_is_committed_is_forgotten), /* before the others: theirs are not all forgotten */
         TEST(test_a_first_report_appears_at_once),
         TEST(test_a_report_takes_the_place_of_the_one_before),
         TEST(test_an_abandoned_run_leaves_the_report_before),
@@ -1000,7 +1258,13 @@ int main(void)
         TEST(test_a_report_put_aside_comes_back),
         TEST(test_runs_side_by_side_do_not_disturb_each_other),
         TEST(test_a_mount_point_is_refused),
+        TEST(test_a_directory_mounted_elsewhere_is_refused),
         TEST(test_the_mode_of_out_stays),
+        TEST(test_a_set_group_id_directory),
+        TEST(test_a_full_disk_leaves_the_report_before),
+        TEST(test_no_room_for_an_entry),
+        TEST(test_what_others_own_is_refused),
+        TEST(test_runs_into_one_out),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
