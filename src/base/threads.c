@@ -1,6 +1,6 @@
 #include "base/threads.h"
 
-#include <pthread.h>
+#include "base/thread.h"
 #include <unistd.h>
 
 enum { THREADS_MOST = 64 };
@@ -30,6 +30,8 @@ struct crowd {
 
 size_t threads_number(const struct threads *threads, size_t count)
 {
+    if (!threads)
+        return count < 1 ? count : 1;
     long processors = sysconf(_SC_NPROCESSORS_ONLN);
     size_t wanted = threads->jobs ? threads->jobs : processors > 0 ? (size_t)processors : 1;
     wanted = wanted < count ? wanted : count;
@@ -40,7 +42,7 @@ size_t threads_number(const struct threads *threads, size_t count)
 static bool begin(struct crowd *crowd, struct threads_turn *turn)
 {
     pthread_mutex_lock(&crowd->lock);
-    if (crowd->threads->stop && *crowd->threads->stop && crowd->next < crowd->count &&
+    if (crowd->threads && crowd->threads->stop && *crowd->threads->stop && crowd->next < crowd->count &&
         crowd->status.code == STATUS_OK) {
         (void)status_fail(&crowd->status, STATUS_INTERRUPTED, "stopped");
         crowd->failed = crowd->next;
@@ -114,7 +116,7 @@ enum status_code threads_run(const struct threads *threads, size_t count, thread
                           .failed = count};
     pthread_t started[THREADS_MOST];
     size_t others = 0;
-    while (others + 1 < crowd.number && pthread_create(&started[others], NULL, run_tasks, &crowd) == 0)
+    while (others + 1 < crowd.number && thread_start(&started[others], run_tasks, &crowd))
         others++;
     run_tasks(&crowd);
     for (size_t i = 0; i < others; i++)

@@ -381,7 +381,8 @@ enum status_code figure_write_all(const struct figure_list *list, const struct r
     if (write_models(directory, status) != STATUS_OK)
         return status->code;
     struct surface_record baseline;
-    if (surface_store_get(&baseline, results->store, results->baseline, status) != STATUS_OK)
+    if (surface_store_get_part(&baseline, results->store, results->baseline, SURFACE_BYTES_SPECTRUM, status) !=
+        STATUS_OK)
         return status->code;
     struct figure_file *files = calloc(list->count + 1, sizeof *files);
     enum status_code rc = files ? STATUS_OK : status_memory(status);

@@ -317,6 +317,16 @@ static void put_contact_line(struct figure_file *out, const struct contacting_sl
     }
 }
 
+/** The area ratio that the model had on a surface of one scan at that load; NaN: not there, or a mean of scans'. */
+static double area_known(const struct surface_record *record, size_t m, double load)
+{
+    const struct model_curve *curve = &record->curves[m];
+    for (size_t i = 0; i < curve->count && record->summary.scans == 1; i++)
+        if (curve->points[i].load == load)
+            return curve->points[i].area_ratio;
+    return NAN;
+}
+
 /** Heights against normal score, and the line where it touches at the middle load. */
 static enum status_code put_probability(struct figure_file *out, const struct surface_record *record,
                                         const struct results *results, const char *style, const char *legend,
@@ -327,12 +337,16 @@ static enum status_code put_probability(struct figure_file *out, const struct su
     double load = results_operating_load(results, results->baseline);
     if (m == model_count)
         return STATUS_OK;
-    if (contacting_slopes_make(&slopes, record->points, record->summary.heights, persson_energy_factor, status) !=
-        STATUS_OK)
+    double area_ratio = area_known(record, m, load);
+    size_t points = record->summary.heights;
+    if (isnan(area_ratio)
+            ? contacting_slopes_make(&slopes, record->points, points, persson_energy_factor, NULL, status) != STATUS_OK
+            : contacting_slopes_lines(&slopes, record->points, points, status) != STATUS_OK)
         return status->code;
     figure_data_begin_block(out, style, legend);
     put_scores(out, &slopes);
-    double area_ratio = contacting_slopes_area(&slopes, load).area_ratio;
+    if (isnan(area_ratio))
+        area_ratio = contacting_slopes_area(&slopes, load).area_ratio;
     if (area_ratio <= contacting_slopes_separation_area) /* beyond, no line stands for what touches */
         put_contact_line(out, &slopes, area_ratio);
     contacting_slopes_free(&slopes);
@@ -353,9 +367,10 @@ static enum status_code put_surfaces(struct figure_file *out, const struct resul
     for (size_t k = 0; k < results->shown_count && rc == STATUS_OK; k++) {
         struct surface_record record;
         const struct figure_row *row = out->figure->row;
-        bool all = row->kind == FIGURE_SPECTRA || row->kind == FIGURE_PROBABILITY;
-        if (surface_store_get_part(&record, results->store, results->shown[k],
-                                   all ? SURFACE_BYTES_ALL : SURFACE_BYTES_CURVES, status) != STATUS_OK)
+        enum surface_bytes_part part = row->kind == FIGURE_PROBABILITY ? SURFACE_BYTES_ALL
+                                       : row->kind == FIGURE_SPECTRA   ? SURFACE_BYTES_SPECTRUM
+                                                                       : SURFACE_BYTES_CURVES;
+        if (surface_store_get_part(&record, results->store, results->shown[k], part, status) != STATUS_OK)
             return status->code;
         char legend[200], style[24];
         out->load_scale = results_load_axis(results, results->shown[k]).scale;

@@ -3,6 +3,7 @@
 #include "analysis/direct_study.h"
 #include "analysis/effect_bounds.h"
 #include "base/thread.h"
+#include "base/threads.h"
 
 #include <stdlib.h>
 #include <unistd.h>
@@ -11,13 +12,14 @@ enum { WORKERS_MOST = 64 };
 
 /** A task on one surface; `record` is zeroed, and freed afterwards. */
 typedef enum status_code task_function(struct surface_record *record, const struct results *results, size_t index,
-                                       struct status *status);
+                                       const struct threads *threads, struct status *status);
 
 /** What the threads share; `lock` guards next, done and status. */
 struct pool {
     const struct results *results;
     const struct run_options *options;
     task_function *task;
+    struct threads inside; /* of each surface, where there are more threads than surfaces */
     pthread_mutex_t lock;
     size_t next, step, done, count; /* the latter two of surfaces done, and to be done */
     struct status status;
@@ -51,10 +53,10 @@ static void finish(struct pool *pool, size_t index, const struct status *problem
 }
 
 static enum status_code describe(struct surface_record *record, const struct results *results, size_t index,
-                                 struct status *status)
+                                 const struct threads *threads, struct status *status)
 {
     const struct scene *scene = results->scene;
-    if (surface_describe(record, scene, &scene->surfaces[index], results->counterface, status) != STATUS_OK) {
+    if (surface_describe(record, scene, &scene->surfaces[index], results->counterface, threads, status) != STATUS_OK) {
         surface_record_free(record, true);
         return status->code;
     }
@@ -73,14 +75,14 @@ static enum status_code describe(struct surface_record *record, const struct res
 }
 
 static enum status_code run_models(struct surface_record *record, const struct results *results, size_t index,
-                                   struct status *status)
+                                   const struct threads *threads, struct status *status)
 {
     if (!results->store->summaries[index].usable)
         return STATUS_OK;
     if (surface_store_get(record, results->store, index, status) != STATUS_OK)
         return status->code;
     enum status_code rc = surface_run_models(record, results->scene, results->plan, results_loads(results, index),
-                                             results->load_count, status);
+                                             results->load_count, threads, status);
     results->store->summaries[index] = record->summary; /* its texts may have been made anew */
     if (rc != STATUS_OK)
         return rc;
@@ -96,7 +98,7 @@ static void *run_tasks(void *context)
     for (size_t index; record && take(pool, &index);) {
         struct status problem = {0};
         *record = (struct surface_record){0};
-        (void)pool->task(record, pool->results, index, &problem);
+        (void)pool->task(record, pool->results, index, &pool->inside, &problem);
         surface_record_free(record, false);
         finish(pool, index, &problem);
     }
@@ -118,11 +120,12 @@ enum status_code workers_share(const struct results *results, enum workers_task 
                         .count = first < all ? (all - first + step - 1) / step : 0};
     pthread_t threads[WORKERS_MOST];
     long processors = sysconf(_SC_NPROCESSORS_ONLN);
-    size_t wanted = options->jobs ? options->jobs : processors > 0 ? (size_t)processors : 1, started = 0;
+    size_t asked = options->jobs ? options->jobs : processors > 0 ? (size_t)processors : 1, wanted = asked, started = 0;
     if (wanted > pool.count)
         wanted = pool.count;
     if (wanted > WORKERS_MOST)
         wanted = WORKERS_MOST;
+    pool.inside.jobs = asked > wanted && wanted > 0 ? (unsigned)(asked / wanted) : 1;
     while (started + 1 < wanted && thread_start(&threads[started], run_tasks, &pool))
         started++;
     if (run_tasks(&pool))
