@@ -1,5 +1,7 @@
 #include "spectrum/parameters.h"
 
+#include "base/rank.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -224,10 +226,16 @@ const struct parameters_row parameters_rows[PARAMETERS_COUNT] = {
      valley_ratio},
 };
 
-static int higher_first(const void *a, const void *b)
+/** The heights, highest first. */
+static enum status_code sort_heights(double *sorted_m, const double *height_m, size_t points, struct status *status)
 {
-    const double *first = a, *second = b;
-    return (*first < *second) - (*first > *second);
+    size_t *order = malloc(points * sizeof *order);
+    enum status_code rc = order ? rank_descending(order, height_m, points, status) : status_memory(status);
+    if (rc == STATUS_OK)
+        for (size_t k = 0; k < points; k++)
+            sorted_m[k] = height_m[order[k]];
+    free(order);
+    return rc;
 }
 
 static void fill_curve(struct parameters *out, const double *sorted_m, size_t points)
@@ -248,8 +256,10 @@ enum status_code parameters_compute(struct parameters *out, char letter, const d
     double *sorted_m = malloc(points * sizeof *sorted_m);
     if (!sorted_m)
         return status_memory(status);
-    memcpy(sorted_m, height_m, points * sizeof *sorted_m);
-    qsort(sorted_m, points, sizeof *sorted_m, higher_first);
+    if (sort_heights(sorted_m, height_m, points, status) != STATUS_OK) {
+        free(sorted_m);
+        return status->code;
+    }
     fill_curve(out, sorted_m, points);
     struct parameters_part whole = {height_m, points, spacing_m, sorted_m};
     for (size_t p = 0; p < PARAMETERS_COUNT; p++) {

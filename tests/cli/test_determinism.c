@@ -58,6 +58,21 @@ static void test_same_bytes(void **state)
     free(reference);
 }
 
+/* One scan so large that what is made of it is shared out among threads. */
+static void test_one_large_scan(void **state)
+{
+    const char *place = *state;
+    workspace_scan(place, "d/a.csv", 70000, 5);
+    workspace_write(place, "d/scene.yaml", "material: tin\nmodels: [multiscale, contacting-slopes]\n");
+    run(place, "one", "--jobs=1");
+    char *reference = workspace_digest(place, "one");
+    run(place, "two", "--jobs=2");
+    expect_same(place, reference, "two");
+    run(place, "seven", "--jobs=7");
+    expect_same(place, reference, "seven");
+    free(reference);
+}
+
 static void test_other_directories(void **state)
 {
     const char *place = *state;
@@ -96,6 +111,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         workspace_test(test_same_bytes),
+        workspace_test(test_one_large_scan),
         workspace_test(test_other_directories),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
