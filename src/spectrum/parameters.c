@@ -124,7 +124,7 @@ static double element_width(const struct parameters_part *part)
 }
 
 /** The straight core of the material ratio curve, carried on to 0 and to 100 %. */
-struct core {
+struct parameters_core {
     double upper_m, lower_m;
     double upper_ratio, lower_ratio; /* where the curve crosses those heights */
     double peak_area_m, valley_area_m;
@@ -146,7 +146,7 @@ static double ratio_of(const struct parameters_part *part, size_t above, double 
     return ratio_at((double)above - 1 + share, part->points);
 }
 
-static struct core core_of(const struct parameters_part *part)
+static struct parameters_core core_of(const struct parameters_part *part)
 {
     const double *z = part->sorted_m;
     size_t n = part->points, width = (size_t)lround(core_share * (double)n), first = 0;
@@ -162,7 +162,7 @@ static struct core core_of(const struct parameters_part *part)
         norm += r * r;
     }
     double slope = along / norm;
-    struct core core = {.upper_m = mean - slope * middle, .lower_m = mean + slope * (1 - middle)};
+    struct parameters_core core = {.upper_m = mean - slope * middle, .lower_m = mean + slope * (1 - middle)};
     size_t above = 0, below = n;
     for (; above < n && z[above] > core.upper_m; above++)
         core.peak_area_m += (z[above] - core.upper_m) / (double)n;
@@ -175,30 +175,30 @@ static struct core core_of(const struct parameters_part *part)
 
 static double core_height(const struct parameters_part *part)
 {
-    struct core core = core_of(part);
+    const struct parameters_core core = *part->core;
     return core.upper_m - core.lower_m;
 }
 
 static double reduced_peak(const struct parameters_part *part)
 {
-    struct core core = core_of(part);
+    const struct parameters_core core = *part->core;
     return core.upper_ratio > 0 ? 2 * core.peak_area_m / core.upper_ratio : 0;
 }
 
 static double reduced_valley(const struct parameters_part *part)
 {
-    struct core core = core_of(part);
+    const struct parameters_core core = *part->core;
     return core.lower_ratio < 1 ? 2 * core.valley_area_m / (1 - core.lower_ratio) : 0;
 }
 
 static double peak_ratio(const struct parameters_part *part)
 {
-    return core_of(part).upper_ratio;
+    return part->core->upper_ratio;
 }
 
 static double valley_ratio(const struct parameters_part *part)
 {
-    return core_of(part).lower_ratio;
+    return part->core->lower_ratio;
 }
 
 const struct parameters_row parameters_rows[PARAMETERS_COUNT] = {
@@ -261,7 +261,9 @@ enum status_code parameters_compute(struct parameters *out, char letter, const d
         return status->code;
     }
     fill_curve(out, sorted_m, points);
-    struct parameters_part whole = {height_m, points, spacing_m, sorted_m};
+    struct parameters_part whole = {height_m, points, spacing_m, sorted_m, NULL};
+    const struct parameters_core core = core_of(&whole); /* once: five parameters are of it */
+    whole.core = &core;
     for (size_t p = 0; p < PARAMETERS_COUNT; p++) {
         const struct parameters_row *row = &parameters_rows[p];
         if (row->whole) {
@@ -270,7 +272,7 @@ enum status_code parameters_compute(struct parameters *out, char letter, const d
         }
         for (size_t s = 0; s < sampling_lengths; s++) {
             size_t first = s * points / sampling_lengths, end = (s + 1) * points / sampling_lengths;
-            struct parameters_part part = {height_m + first, end - first, spacing_m, NULL};
+            struct parameters_part part = {height_m + first, end - first, spacing_m, NULL, NULL};
             out->value[p] += row->evaluate(&part) / (double)sampling_lengths;
         }
     }
