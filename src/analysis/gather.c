@@ -224,35 +224,97 @@ static enum status_code keep_direct(struct surface_record *record, const struct 
     return STATUS_OK;
 }
 
-/** Adds one profile to the surface: averages its spectrum and moments into the record's. */
-static enum status_code add_profile(struct surface_record *record, const struct profile *profile,
-                                    struct power_law_scans *scans, bool row, const struct scene *scene, enum part part,
-                                    struct status *status)
-{
-    struct surface_summary *summary = &record->summary;
+/** One profile of a surface and what is made of it. */
+struct making {
+    struct surface_record *record;
+    const struct scan *scan;
+    const struct profile *profile;
+    const struct profile_options *how;
+    const struct scene *scene;
+    struct power_law_scans *scans;
+    enum spectrum_window window;
     struct spectrum spectrum;
-    enum spectrum_window window = spectrum_window_for(scene->window, profile->periodic);
-    struct roughness roughness =
-        profile->measured_x_m ? roughness_of_points(profile->measured_x_m, profile->measured_z_m, profile->points)
-                              : roughness_of_heights(profile->height_m, profile->points, profile->spacing_m);
+    struct roughness roughness;
+    double spectrum_seconds, law_seconds;
+};
+
+static enum status_code make_law(struct making *making, struct status *status)
+{
+    const struct profile *profile = making->profile;
     double started = clock_seconds();
-    if (spectrum_compute(&spectrum, profile->height_m, profile->points, profile->spacing_m, window, status) !=
-        STATUS_OK) {
-        spectrum_free(&spectrum);
-        return status->code;
-    }
-    if (scene->moments == ROUGHNESS_MOMENTS_SPECTRAL)
-        roughness_from_spectrum(&roughness, &spectrum);
     /* of a map also to know how many independent rows it has */
-    if ((scene->fit == POWER_LAW_AUTO || row) &&
-        power_law_scans_add(scans, profile->height_m, profile->points, profile->spacing_m, profile->digit_m, status) !=
-            STATUS_OK) {
-        spectrum_free(&spectrum);
-        return status->code;
+    if (making->scene->fit != POWER_LAW_AUTO && making->scan->kind != SCAN_AREAL)
+        return STATUS_OK;
+    enum status_code rc = power_law_scans_add(making->scans, profile->height_m, profile->points, profile->spacing_m,
+                                              profile->digit_m, status);
+    making->law_seconds = clock_seconds() - started;
+    return rc;
+}
+
+static enum status_code make_spectrum(struct making *making, struct status *status)
+{
+    const struct profile *profile = making->profile;
+    double started = clock_seconds();
+    making->roughness = profile->measured_x_m
+                            ? roughness_of_points(profile->measured_x_m, profile->measured_z_m, profile->points)
+                            : roughness_of_heights(profile->height_m, profile->points, profile->spacing_m);
+    enum status_code rc = spectrum_compute(&making->spectrum, profile->height_m, profile->points, profile->spacing_m,
+                                           making->window, status);
+    if (rc == STATUS_OK && making->scene->moments == ROUGHNESS_MOMENTS_SPECTRAL)
+        roughness_from_spectrum(&making->roughness, &making->spectrum);
+    making->spectrum_seconds = clock_seconds() - started;
+    return rc;
+}
+
+static enum status_code make_variant(struct making *making, enum sensitivity_variant variant, struct status *status)
+{
+    const struct scene *scene = making->scene;
+    if (scene->counterface_surface.file_count > 0)
+        return STATUS_OK;
+    return sensitivity_add(&making->record->sensitivity, variant, making->profile, making->how, scene->window,
+                           scene->moments, status);
+}
+
+static enum status_code make_points(struct making *making, struct status *status)
+{
+    if (making->scan->kind != SCAN_PROFILE || !wants_points(making->scene))
+        return STATUS_OK;
+    return keep_points(making->record, making->scan, making->profile, status);
+}
+
+/** None needs what another makes. The law first: a profile it refuses leaves nothing behind, on one thread, which is
+ * what rows of a map are made on; and it takes the longest. */
+enum { MAKE_LAW, MAKE_SPECTRUM, MAKE_VARIANT, MAKE_POINTS = MAKE_VARIANT + SENSITIVITY_VARIANTS, MAKINGS };
+
+static enum status_code make_one(void *context, size_t index, struct threads_turn *turn, struct status *status)
+{
+    struct making *making = context;
+    (void)turn;
+    switch (index) {
+    case MAKE_LAW:
+        return make_law(making, status);
+    case MAKE_SPECTRUM:
+        return make_spectrum(making, status);
+    case MAKE_POINTS:
+        return make_points(making, status);
+    default:
+        return make_variant(making, (enum sensitivity_variant)(index - MAKE_VARIANT), status);
     }
+}
+
+/** Adds one profile to the surface: averages its spectrum and moments into the record's. Takes the spectrum over. */
+static enum status_code add_profile(struct making *making, enum part part, struct status *status)
+{
+    struct surface_record *record = making->record;
+    struct surface_summary *summary = &record->summary;
+    const struct profile *profile = making->profile;
+    struct spectrum spectrum = making->spectrum;
+    struct roughness roughness = making->roughness;
     summary->periodic += profile->periodic;
-    summary->windowed += window == SPECTRUM_WINDOW_HANN;
-    summary->times.spectrum += clock_seconds() - started;
+    summary->windowed += making->window == SPECTRUM_WINDOW_HANN;
+    summary->times.spectrum += making->spectrum_seconds + making->law_seconds;
+    if (making->scene->counterface_surface.file_count == 0)
+        sensitivity_end(&record->sensitivity, profile);
     double jumps =
         (double)summary->scans * summary->jump_m * summary->jump_m + profile->end_jump_m * profile->end_jump_m;
     summary->jump_m = sqrt(jumps / (double)(summary->scans + 1));
@@ -301,8 +363,10 @@ static enum status_code add_scan(struct repeat_set *set, const char *file, struc
 /** Every row of a scan (a profile has one) into the surface. A row of a map that cannot be used (all missing, flat) is
  * left out and counted; the map is refused when none is left. */
 static enum status_code add_rows(struct surface_record *record, struct power_law_scans *scans, const struct scan *scan,
-                                 const struct scene *scene, const char *scene_file, struct status *status)
+                                 const struct scene *scene, const char *scene_file, const struct threads *threads,
+                                 struct status *status)
 {
+    enum { SHARED_POINTS = 1 << 16 }; /* with fewer, threads take longer to start than they save */
     char file[512];
     struct surface_summary *summary = &record->summary;
     const struct profile_options how = gather_profile_options(scene);
@@ -319,16 +383,24 @@ static enum status_code add_rows(struct surface_record *record, struct power_law
         summary->times.prepare += clock_seconds() - started;
         if (rc == STATUS_OK && row == unusable) /* the first usable one speaks for all */
             note_scan(summary, scan, &profile, file);
+        struct making making = {.record = record,
+                                .scan = scan,
+                                .profile = &profile,
+                                .how = &how,
+                                .scene = scene,
+                                .scans = scans,
+                                .window = spectrum_window_for(scene->window, rc == STATUS_OK && profile.periodic)};
         if (rc == STATUS_OK)
-            rc = add_profile(record, &profile, scans, scan->kind == SCAN_AREAL, scene,
+            rc = threads_run(scan->ny == 1 && profile.points >= SHARED_POINTS ? threads : NULL, MAKINGS, make_one,
+                             &making, &problem);
+        if (rc == STATUS_OK)
+            rc = add_profile(&making,
                              scan->ny == 1               ? PART_SCAN
                              : row_is_run(row, scan->ny) ? PART_ROW
                                                          : PART_NONE,
                              &problem);
-        if (rc == STATUS_OK && scene->counterface_surface.file_count == 0)
-            rc = sensitivity_add(&record->sensitivity, &profile, &how, scene->window, scene->moments, &problem);
-        if (rc == STATUS_OK && scan->kind == SCAN_PROFILE && wants_points(scene))
-            rc = keep_points(record, scan, &profile, &problem);
+        else
+            spectrum_free(&making.spectrum);
         if (rc == STATUS_OK && scan->kind == SCAN_PROFILE && keeps_direct(record, scene))
             rc = keep_direct(record, scan, &profile, &problem);
         profile_free(&profile);
@@ -388,7 +460,7 @@ static enum status_code hash_file(struct hash *hash, const char *path, struct st
 
 enum status_code gather_file(struct surface_record *record, struct power_law_scans *scans, const struct scene *scene,
                              const struct scene_surface *surface, const char *file, struct hash *hash,
-                             struct status *status)
+                             const struct threads *threads, struct status *status)
 {
     struct surface_summary *summary = &record->summary;
     struct text bytes = {0};
@@ -417,7 +489,7 @@ enum status_code gather_file(struct surface_record *record, struct power_law_sca
         if (rc == STATUS_OK) {
             snprintf(summary->format, sizeof summary->format, "%s", scan.format);
             snprintf(summary->units, sizeof summary->units, "x %s, z %s", scan.x_unit, scan.z_unit);
-            rc = add_rows(record, scans, &scan, scene, file, status);
+            rc = add_rows(record, scans, &scan, scene, file, threads, status);
         }
         options.entry = scan.next_entry;
         more = rc == STATUS_OK && options.entry > 0;

@@ -13,11 +13,13 @@ void gather_note(struct surface_summary *summary, const char *format, ...) PRINT
 struct profile_options gather_profile_options(const struct scene *scene);
 
 /** Reads one file into the surface: averages the spectrum and moments of its profile, or of every row of a map, keeps
- * scans for runs of their own, and adds them to those the law is fitted to. Errors: STATUS_IO, STATUS_SCAN (one line
+ * scans for runs of their own, and adds them to those the law is fitted to; what is made of one profile, on all of
+ * `threads`. Errors: STATUS_IO, STATUS_SCAN (one line
  * with the file's name), STATUS_MEMORY. */
 MUST_CHECK enum status_code gather_file(struct surface_record *record, struct power_law_scans *scans,
                                         const struct scene *scene, const struct scene_surface *surface,
-                                        const char *file, struct hash *hash, struct status *status);
+                                        const char *file, struct hash *hash, const struct threads *threads,
+                                        struct status *status);
 
 /** Two rough bodies: amplitudes and moments of the surface and of its counterface add as squares (docs/equations.md,
  * From scan to spectrum); those

@@ -42,35 +42,39 @@ static enum status_code add_variant(struct sensitivity_scan *out, size_t so_far,
     return rc;
 }
 
-enum status_code sensitivity_add(struct sensitivity *out, const struct profile *profile,
-                                 const struct profile_options *how, enum spectrum_window window,
-                                 enum roughness_moments moments, struct status *status)
+static enum status_code add_smooth(struct sensitivity *out, const struct profile *profile, double cutoff_m,
+                                   const struct piece_how *how, struct status *status)
 {
-    size_t points = profile->points, half = points / 2;
-    const struct piece_how piece = {how->level, how->periodic_mean, profile->periodic, window, moments};
-    double cutoff_m = 2 * sensitivity_cutoff(profile->spacing_m, how->lambda_s_m);
-    if (points < LEAST_POINTS)
-        return STATUS_OK;
+    size_t points = profile->points;
     double *smooth_m = malloc(points * sizeof *smooth_m);
     if (!smooth_m)
         return status_memory(status);
     memcpy(smooth_m, profile->height_m, points * sizeof *smooth_m);
     enum status_code rc = filter_gaussian(smooth_m, points, profile->spacing_m, cutoff_m, status);
-    const struct {
-        const double *height_m;
-        size_t points;
-    } pieces[SENSITIVITY_VARIANTS] = {
-        [SENSITIVITY_CUTOFF] = {smooth_m, points},
-        [SENSITIVITY_FIRST_HALF] = {profile->height_m, half},
-        [SENSITIVITY_SECOND_HALF] = {profile->height_m + (points - half), half},
-    };
-    for (int v = 0; v < SENSITIVITY_VARIANTS && rc == STATUS_OK; v++)
-        rc = add_variant(&out->variants[v], out->scans, pieces[v].height_m, pieces[v].points, profile->spacing_m,
-                         &piece, status);
     if (rc == STATUS_OK)
-        out->scans++;
+        rc = add_variant(&out->variants[SENSITIVITY_CUTOFF], out->scans, smooth_m, points, profile->spacing_m, how,
+                         status);
     free(smooth_m);
     return rc;
+}
+
+enum status_code sensitivity_add(struct sensitivity *out, enum sensitivity_variant variant,
+                                 const struct profile *profile, const struct profile_options *how,
+                                 enum spectrum_window window, enum roughness_moments moments, struct status *status)
+{
+    size_t half = profile->points / 2;
+    const struct piece_how piece = {how->level, how->periodic_mean, profile->periodic, window, moments};
+    if (profile->points < LEAST_POINTS)
+        return STATUS_OK;
+    if (variant == SENSITIVITY_CUTOFF)
+        return add_smooth(out, profile, 2 * sensitivity_cutoff(profile->spacing_m, how->lambda_s_m), &piece, status);
+    const double *first_m = profile->height_m + (variant == SENSITIVITY_FIRST_HALF ? 0 : profile->points - half);
+    return add_variant(&out->variants[variant], out->scans, first_m, half, profile->spacing_m, &piece, status);
+}
+
+void sensitivity_end(struct sensitivity *out, const struct profile *profile)
+{
+    out->scans += profile->points >= LEAST_POINTS;
 }
 
 void sensitivity_free(struct sensitivity *sensitivity)
@@ -209,33 +213,48 @@ struct model_work sensitivity_work(const struct sensitivity *sensitivity, const 
     return sum;
 }
 
+/** What the cuts of one spectrum share. */
+struct cutting {
+    struct sensitivity_curves *out;
+    const struct model_task *task;
+    uint64_t models;
+};
+
+/** The models on the spectrum cut off at one wavelength, the shortest first: they take the longest. */
+static enum status_code cut_at(void *context, size_t index, struct threads_turn *turn, struct status *status)
+{
+    const struct cutting *cutting = context;
+    const struct spectrum *all = cutting->task->spectrum;
+    size_t w = SENSITIVITY_WAVELENGTHS - 1 - index;
+    double share = (double)w / (SENSITIVITY_WAVELENGTHS - 1);
+    struct sensitivity_scan cut = {.spectrum = *all};
+    (void)turn;
+    cut.spectrum.count = (size_t)fmax(1, round(pow((double)all->count, share)));
+    cut.spectrum.has_nyquist = all->has_nyquist && cut.spectrum.count == all->count;
+    roughness_from_spectrum(&cut.roughness, &cut.spectrum);
+    cutting->out->wavelength_m[w] = all->length_m / (double)cut.spectrum.count;
+    for (size_t m = 0; m < model_count; m++) {
+        struct contact_point *point = &cutting->out->points[m * SENSITIVITY_WAVELENGTHS + w];
+        struct asperities asperities;
+        struct model_task own = variant_task(&asperities, &cut, cutting->task);
+        struct model_work work = {0};
+        *point = quantity_nothing();
+        if ((cutting->models & MODEL_BIT(m)) && !model_rows[m]->uses_heights &&
+            solve_one(point, model_rows[m], &own, &work, status) != STATUS_OK)
+            return status->code;
+    }
+    return STATUS_OK;
+}
+
 enum status_code sensitivity_curves_make(struct sensitivity_curves *out, const struct model_task *task, uint64_t models,
                                          double unsure_m, struct status *status)
 {
-    const struct spectrum *all = task->spectrum;
     *out = (struct sensitivity_curves){.points = malloc(model_count * SENSITIVITY_WAVELENGTHS * sizeof *out->points),
                                        .unsure_m = unsure_m};
     if (!out->points)
         return status_memory(status);
-    enum status_code rc = STATUS_OK;
-    for (size_t w = 0; w < SENSITIVITY_WAVELENGTHS && rc == STATUS_OK; w++) {
-        double share = (double)w / (SENSITIVITY_WAVELENGTHS - 1);
-        struct sensitivity_scan cut = {.spectrum = *all};
-        cut.spectrum.count = (size_t)fmax(1, round(pow((double)all->count, share)));
-        cut.spectrum.has_nyquist = all->has_nyquist && cut.spectrum.count == all->count;
-        roughness_from_spectrum(&cut.roughness, &cut.spectrum);
-        out->wavelength_m[w] = all->length_m / (double)cut.spectrum.count;
-        for (size_t m = 0; m < model_count && rc == STATUS_OK; m++) {
-            struct contact_point *point = &out->points[m * SENSITIVITY_WAVELENGTHS + w];
-            struct asperities asperities;
-            struct model_task own = variant_task(&asperities, &cut, task);
-            struct model_work work = {0};
-            *point = quantity_nothing();
-            if ((models & MODEL_BIT(m)) && !model_rows[m]->uses_heights)
-                rc = solve_one(point, model_rows[m], &own, &work, status);
-        }
-    }
-    return rc;
+    struct cutting cutting = {out, task, models};
+    return threads_run(task->threads, SENSITIVITY_WAVELENGTHS, cut_at, &cutting, status);
 }
 
 void sensitivity_curves_free(struct sensitivity_curves *curves)

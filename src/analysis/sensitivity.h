@@ -45,11 +45,14 @@ struct sensitivity_factors {
 /** The cut-off of a scan: lambda_s where one is stated, else twice the spacing. */
 double sensitivity_cutoff(double spacing_m, double lambda_s_m);
 
-/** Adds a profile's variants: low-passed (ISO 16610-21) at twice sensitivity_cutoff(), and its halves; each levelled
- * again. Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code sensitivity_add(struct sensitivity *out, const struct profile *profile,
-                                            const struct profile_options *how, enum spectrum_window window,
-                                            enum roughness_moments moments, struct status *status);
+/** Adds one variant of a profile: low-passed (ISO 16610-21) at twice sensitivity_cutoff(), or one of its halves;
+ * levelled again. Each variant on any thread; sensitivity_end() once all of a profile are there. Error:
+ * STATUS_MEMORY. */
+MUST_CHECK enum status_code sensitivity_add(struct sensitivity *out, enum sensitivity_variant variant,
+                                            const struct profile *profile, const struct profile_options *how,
+                                            enum spectrum_window window, enum roughness_moments moments,
+                                            struct status *status);
+void sensitivity_end(struct sensitivity *out, const struct profile *profile);
 void sensitivity_free(struct sensitivity *sensitivity);
 
 /** Runs a model on the variants, and with the hardness raised, at the one load of `task`, whose surface is as it is,

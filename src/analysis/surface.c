@@ -397,9 +397,11 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
 }
 
 enum status_code surface_run_models(struct surface_record *record, const struct scene *scene, const struct plan *plan,
-                                    const double *loads, size_t load_count, struct status *status)
+                                    const double *loads, size_t load_count, const struct threads *threads,
+                                    struct status *status)
 {
     struct model_task task = surface_task(record, scene, plan, loads, load_count);
+    task.threads = threads;
     record->curves = calloc(model_count, sizeof *record->curves);
     record->bands = calloc(model_count, sizeof *record->bands);
     if (!record->curves || !record->bands)
@@ -471,7 +473,7 @@ static enum status_code conclude(struct surface_record *record, struct power_law
 
 enum status_code surface_describe(struct surface_record *out, const struct scene *scene,
                                   const struct scene_surface *surface, const struct surface_record *counterface,
-                                  struct status *status)
+                                  const struct threads *threads, struct status *status)
 {
     struct surface_summary *summary = &out->summary;
     struct status problem = {0};
@@ -484,7 +486,7 @@ enum status_code surface_describe(struct surface_record *out, const struct scene
         return status_memory(status);
     enum status_code rc = STATUS_OK;
     for (size_t f = 0; f < surface->file_count && rc == STATUS_OK; f++)
-        rc = gather_file(out, &scans, scene, surface, files[f], &hash, &problem);
+        rc = gather_file(out, &scans, scene, surface, files[f], &hash, threads, &problem);
     hash_finish(&hash, summary->hash);
     if (rc == STATUS_OK)
         rc = gather_conclude(out, &scans, scene, &problem);

@@ -8,6 +8,7 @@
 #include "analysis/plan.h"
 #include "analysis/uncertainty.h"
 #include "base/text.h"
+#include "base/threads.h"
 #include "contact/model.h"
 #include "profile/profile.h"
 #include "spectrum/height_law.h"
@@ -105,11 +106,13 @@ bool surface_diverges(const struct surface_summary *summary);
 
 /** Reads and describes one surface: everything but the models. What is wrong with its files is no error: then
  * summary.usable is false and summary.refusal says why in one line. `counterface` is the described rough
- * counterface, NULL for a smooth one. Error: STATUS_MEMORY. Owned: surface_record_free().
+ * counterface, NULL for a smooth one; what comes out does not depend on `threads`. Error: STATUS_MEMORY. Owned:
+ * surface_record_free().
  */
 MUST_CHECK enum status_code surface_describe(struct surface_record *out, const struct scene *scene,
                                              const struct scene_surface *surface,
-                                             const struct surface_record *counterface, struct status *status);
+                                             const struct surface_record *counterface, const struct threads *threads,
+                                             struct status *status);
 
 /** What the models are asked of a described surface at `loads`, P/(A_n E') of its pair. */
 struct model_task surface_task(const struct surface_record *record, const struct scene *scene, const struct plan *plan,
@@ -122,10 +125,11 @@ struct joint_task surface_joint(const struct surface_record *record, const struc
 /** The same at the middle load alone. */
 struct model_task surface_middle_task(const struct model_task *task);
 
-/** Runs the models that `plan` calls for on a described surface. Error: STATUS_MEMORY. */
+/** Runs the models that `plan` calls for on a described surface, one after another, those that can on all of
+ * `threads`. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code surface_run_models(struct surface_record *record, const struct scene *scene,
                                                const struct plan *plan, const double *loads, size_t load_count,
-                                               struct status *status);
+                                               const struct threads *threads, struct status *status);
 /** Will the fitted law of a described surface be carried on below its sampling limit, if the effect convergence runs?
  */
 bool surface_extends(const struct surface_summary *summary, const struct scene *scene);

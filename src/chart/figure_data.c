@@ -311,6 +311,16 @@ static void put_contact_line(struct figure_file *out, const struct contacting_sl
     }
 }
 
+/** The area ratio that the model had on a surface of one scan at that load; NaN: not there, or a mean of scans'. */
+static double area_known(const struct surface_record *record, size_t m, double load)
+{
+    const struct model_curve *curve = &record->curves[m];
+    for (size_t i = 0; i < curve->count && record->summary.scans == 1; i++)
+        if (curve->points[i].load == load)
+            return curve->points[i].area_ratio;
+    return NAN;
+}
+
 /** Heights against normal score, and the line where it touches at the middle load. */
 static enum status_code put_probability(struct figure_file *out, const struct surface_record *record,
                                         const struct results *results, const char *style, const char *legend,
@@ -321,12 +331,16 @@ static enum status_code put_probability(struct figure_file *out, const struct su
     double load = results_operating_load(results, results->baseline);
     if (m == model_count)
         return STATUS_OK;
-    if (contacting_slopes_make(&slopes, record->points, record->summary.heights, persson_energy_factor, status) !=
-        STATUS_OK)
+    double area_ratio = area_known(record, m, load);
+    size_t points = record->summary.heights;
+    if (isnan(area_ratio)
+            ? contacting_slopes_make(&slopes, record->points, points, persson_energy_factor, NULL, status) != STATUS_OK
+            : contacting_slopes_lines(&slopes, record->points, points, status) != STATUS_OK)
         return status->code;
     drawing_begin(&out->drawing, style, legend);
     put_scores(out, &slopes);
-    double area_ratio = contacting_slopes_area(&slopes, load).area_ratio;
+    if (isnan(area_ratio))
+        area_ratio = contacting_slopes_area(&slopes, load).area_ratio;
     if (area_ratio <= contacting_slopes_separation_area) /* beyond, no line stands for what touches */
         put_contact_line(out, &slopes, area_ratio);
     contacting_slopes_free(&slopes);
@@ -599,14 +613,20 @@ enum status_code figure_data_put(struct figure_file *files, size_t count, const 
                                  struct status *status)
 {
     struct surface_record record;
-    if (surface_store_get(&record, results->store, results->baseline, status) != STATUS_OK)
+    enum surface_bytes_part part = SURFACE_BYTES_CURVES; /* what any figure shows of a surface */
+    for (size_t i = 0; i < count; i++) {
+        enum figure_kind kind = files[i].figure->row->kind;
+        if (kind == FIGURE_PROBABILITY || (kind == FIGURE_SPECTRA && part != SURFACE_BYTES_ALL))
+            part = kind == FIGURE_PROBABILITY ? SURFACE_BYTES_ALL : SURFACE_BYTES_SPECTRUM;
+    }
+    if (surface_store_get_part(&record, results->store, results->baseline, SURFACE_BYTES_SPECTRUM, status) != STATUS_OK)
         return status->code;
     for (size_t i = 0; i < count; i++)
         put_own(&files[i], results, &record);
     surface_record_free(&record, false);
     enum status_code rc = STATUS_OK;
     for (size_t k = 0; k < results->shown_count && rc == STATUS_OK; k++) {
-        if (surface_store_get(&record, results->store, results->shown[k], status) != STATUS_OK)
+        if (surface_store_get_part(&record, results->store, results->shown[k], part, status) != STATUS_OK)
             return status->code;
         for (size_t i = 0; i < count && rc == STATUS_OK; i++)
             if (is_of_surfaces(&files[i]))

@@ -6,6 +6,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+enum { SHARED_POINTS = 1 << 16 }; /* with fewer, threads take longer to start than they save */
+
 const size_t contacting_slopes_least = 30;
 const double contacting_slopes_separation_area = 0.15;
 
@@ -73,41 +75,89 @@ size_t contacting_slopes_of_map(struct slope_point *out, const double *height_m,
     return count;
 }
 
-enum status_code contacting_slopes_make(struct contacting_slopes *out, const struct slope_point *point, size_t points,
-                                        double energy_factor, struct status *status)
+/** Sorts the heights into out->height_m; *order, malloc'ed: where each was. */
+static enum status_code sort_heights(struct contacting_slopes *out, size_t **order, const struct slope_point *point,
+                                     size_t points, struct status *status)
 {
-    *out = (struct contacting_slopes){.points = points, .energy_factor = energy_factor};
+    *out = (struct contacting_slopes){.points = points};
     if (points <= contacting_slopes_least)
         return status_fail(status, STATUS_MODEL,
                            "%zu inner points are too few for the slopes of the highest ones: at least %zu are needed",
                            points, contacting_slopes_least + 1);
     double most = 2 * contacting_slopes_separation_area * (double)points;
     out->lines = (size_t)fmin(fmax(most + 1, (double)contacting_slopes_least), (double)(points - 1));
-    out->mean_square = malloc((points + 1) * sizeof *out->mean_square);
-    out->load = malloc((points + 1) * sizeof *out->load);
     out->line = malloc((out->lines + 1) * sizeof *out->line);
     out->height_m = malloc(points * sizeof *out->height_m);
     double *height_m = malloc(points * sizeof *height_m);
-    size_t *order = malloc(points * sizeof *order);
+    *order = malloc(points * sizeof **order);
     enum status_code rc = STATUS_OK;
-    if (!out->mean_square || !out->load || !out->line || !out->height_m || !height_m || !order)
+    if (!out->line || !out->height_m || !height_m || !*order)
         rc = status_memory(status);
-    for (size_t i = 0; rc == STATUS_OK && i < points; i++)
-        height_m[i] = point[i].height_m;
-    if (rc == STATUS_OK)
-        rc = rank_descending(order, height_m, points, status);
     if (rc == STATUS_OK) {
-        for (size_t k = 0; k < points; k++)
-            out->height_m[k] = height_m[order[k]];
-        lay_areas(out, point, order);
-        lay_lines(out);
-        if (!(out->load[points - 1] > 0))
-            rc = status_fail(status, STATUS_MODEL, "the surface has no slope; measure a rough one");
+        for (size_t i = 0; i < points; i++)
+            height_m[i] = point[i].height_m;
+        rc = rank_descending(*order, height_m, points, status);
     }
+    if (rc == STATUS_OK)
+        for (size_t k = 0; k < points; k++)
+            out->height_m[k] = height_m[(*order)[k]];
     free(height_m);
+    return rc;
+}
+
+/** Sorted heights, and what is to be laid of them. */
+struct laying {
+    struct contacting_slopes *slopes;
+    const struct slope_point *point;
+    const size_t *order;
+};
+
+enum { LAY_AREAS, LAY_LINES, LAYINGS };
+
+/** Areas or lines: neither needs the other. */
+static enum status_code lay(void *context, size_t index, struct threads_turn *turn, struct status *status)
+{
+    const struct laying *laying = context;
+    (void)turn;
+    if (index == LAY_AREAS)
+        lay_areas(laying->slopes, laying->point, laying->order);
+    else
+        lay_lines(laying->slopes);
+    return status->code;
+}
+
+enum status_code contacting_slopes_make(struct contacting_slopes *out, const struct slope_point *point, size_t points,
+                                        double energy_factor, const struct threads *threads, struct status *status)
+{
+    size_t *order = NULL;
+    enum status_code rc = sort_heights(out, &order, point, points, status);
+    out->energy_factor = energy_factor;
+    if (rc == STATUS_OK) {
+        out->mean_square = malloc((points + 1) * sizeof *out->mean_square);
+        out->load = malloc((points + 1) * sizeof *out->load);
+        rc = out->mean_square && out->load ? STATUS_OK : status_memory(status);
+    }
+    struct laying laying = {out, point, order};
+    if (rc == STATUS_OK)
+        rc = threads_run(points >= SHARED_POINTS ? threads : NULL, LAYINGS, lay, &laying, status);
+    if (rc == STATUS_OK && !(out->load[points - 1] > 0))
+        rc = status_fail(status, STATUS_MODEL, "the surface has no slope; measure a rough one");
     free(order);
     if (rc != STATUS_OK)
         contacting_slopes_free(out);
+    return rc;
+}
+
+enum status_code contacting_slopes_lines(struct contacting_slopes *out, const struct slope_point *point, size_t points,
+                                         struct status *status)
+{
+    size_t *order = NULL;
+    enum status_code rc = sort_heights(out, &order, point, points, status);
+    if (rc == STATUS_OK)
+        lay_lines(out);
+    else
+        contacting_slopes_free(out);
+    free(order);
     return rc;
 }
 

@@ -3,6 +3,7 @@
 #ifndef CONTACT_MODEL_H
 #define CONTACT_MODEL_H
 
+#include "base/threads.h"
 #include "contact/asperity.h"
 #include "contact/contacting_slopes.h"
 #include "contact/quantity.h"
@@ -28,6 +29,7 @@ struct model_task {
     const struct slope_point
         *points; /* heights and slopes of the surface, for models that use_heights; NULL: not kept */
     size_t point_count;
+    const struct threads *threads; /* for models that can share one surface out; NULL: none but this one */
 };
 
 /** What answering took: visits of scales, asperity laws at quadrature nodes, and loads solved for a separation. */

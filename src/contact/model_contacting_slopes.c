@@ -46,7 +46,7 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
         return STATUS_OK;
     curve->work = work(row, task);
     enum status_code rc =
-        contacting_slopes_make(&slopes, task->points, task->point_count, persson_energy_factor, &none);
+        contacting_slopes_make(&slopes, task->points, task->point_count, persson_energy_factor, task->threads, &none);
     if (rc != STATUS_OK)
         return rc == STATUS_MEMORY ? status_memory(status) : STATUS_OK; /* too few points: no curve */
     if (persson_make(&persson, task->spectrum, persson_energy_factor, status) != STATUS_OK) {

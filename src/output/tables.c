@@ -9,7 +9,8 @@
 
 enum {
     SWEEP_ROWS = 200,
-    HELD_BYTES = 1 << 20 /* of rows before they are written; those of an ordinary surface wait for nobody then */
+    BLOCK_HARMONICS = 1 << 12, /* their rows are held whole */
+    HELD_BYTES = 1 << 20       /* of rows before they are written; those of an ordinary surface wait for nobody then */
 };
 
 /** A file being written; or what one surface adds to it, whose rows are written in the surfaces' order. */
@@ -173,12 +174,13 @@ static enum status_code write_surfaces(const struct results *results, const char
     return table_close(&table);
 }
 
-/** A row a harmonic, or a bin of them. */
-static void put_spectrum(struct table *table, const struct surface_record *record, bool binned)
+/** A row a harmonic, or a bin of them, of harmonics `first` to before `end`. */
+static void put_harmonics(struct table *table, const struct surface_record *record, bool binned, size_t first,
+                          size_t end)
 {
     const struct spectrum *spectrum = &record->spectrum;
     char count[24] = "";
-    for (size_t i = 0; i < spectrum->count;) {
+    for (size_t i = first; i < end;) {
         const struct spectrum_bin bin = binned ? spectrum_bin_from(spectrum, i) : spectrum_bin_of(spectrum, i);
         put_surface(table, &record->summary);
         put_number(table, "wavelength_m", bin.wavelength_m);
@@ -191,6 +193,35 @@ static void put_spectrum(struct table *table, const struct surface_record *recor
         end_row(table);
         i += bin.count;
     }
+}
+
+/** The harmonics of the one surface there is, shared out among threads. */
+struct spectrum_blocks {
+    const struct table *table;
+    const struct surface_record *record;
+};
+
+static enum status_code put_block(void *context, size_t index, struct threads_turn *turn, struct status *status)
+{
+    const struct spectrum_blocks *blocks = context;
+    struct table table = table_part(blocks->table, turn, status);
+    size_t first = index * BLOCK_HARMONICS, end = first + BLOCK_HARMONICS, all = blocks->record->spectrum.count;
+    put_harmonics(&table, blocks->record, false, first, end < all ? end : all);
+    return table_close(&table);
+}
+
+/** All of a surface; by `threads`, not NULL when the file is its alone, in blocks that are written in order. */
+static enum status_code put_spectrum(const struct table *file, const struct surface_record *record, bool binned,
+                                     const struct threads *threads, struct threads_turn *turn, struct status *status)
+{
+    size_t all = record->spectrum.count;
+    if (threads && !binned && all > BLOCK_HARMONICS) {
+        struct spectrum_blocks blocks = {file, record};
+        return threads_run(threads, (all + BLOCK_HARMONICS - 1) / BLOCK_HARMONICS, put_block, &blocks, status);
+    }
+    struct table table = table_part(file, turn, status);
+    put_harmonics(&table, record, binned, 0, all);
+    return table_close(&table);
 }
 
 static void contact_header(struct table *table, unsigned quantities)
@@ -273,6 +304,7 @@ struct curve_tables {
     const struct results *results;
     struct table spectrum, contact, bands; /* the last only where there are intervals */
     unsigned quantities, band_quantities;  /* QUANTITY_BITs that contact and bands have columns of */
+    const struct threads *inside;          /* of one surface, where there is but one; else NULL */
 };
 
 /** Writes what one surface adds to them. */
@@ -286,13 +318,11 @@ static enum status_code put_curves(void *context, size_t index, struct threads_t
     if (!record)
         return status_memory(status);
     if (surface_store_get_part(record, results->store, index, SURFACE_BYTES_SPECTRUM, status) == STATUS_OK) {
-        struct table spectrum = table_part(&all->spectrum, turn, status),
-                     contact = table_part(&all->contact, turn, status), bands = table_part(&all->bands, turn, status);
-        put_spectrum(&spectrum, record, scene_bins_spectra(results->scene));
+        struct table contact = table_part(&all->contact, turn, status), bands = table_part(&all->bands, turn, status);
+        (void)put_spectrum(&all->spectrum, record, scene_bins_spectra(results->scene), all->inside, turn, status);
         put_contact(&contact, record, all->quantities);
         if (bands.file)
             put_bands(&bands, record, all->band_quantities);
-        (void)table_close(&spectrum);
         (void)table_close(&contact);
         if (bands.file)
             (void)table_close(&bands);
@@ -305,7 +335,9 @@ static enum status_code put_curves(void *context, size_t index, struct threads_t
 static enum status_code write_curves(const struct results *results, const char *directory,
                                      const struct threads *threads, struct status *status)
 {
-    struct curve_tables all = {.results = results, .quantities = plan_quantities(results->plan)};
+    struct curve_tables all = {.results = results,
+                               .quantities = plan_quantities(results->plan),
+                               .inside = results->store->count == 1 ? threads : NULL};
     enum status_code rc = table_open(&all.spectrum, directory, "spectrum.csv", status);
     if (rc != STATUS_OK)
         return rc;

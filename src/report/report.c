@@ -85,7 +85,7 @@ enum status_code report_write(const struct results *results, const struct figure
     const struct section_context context = {results, &comparison, &baseline, figures, brief};
     enum status_code rc = comparison_make(&comparison, results, status);
     if (rc == STATUS_OK)
-        rc = surface_store_get(&baseline, results->store, results->baseline, status);
+        rc = surface_store_get_part(&baseline, results->store, results->baseline, SURFACE_BYTES_SPECTRUM, status);
     if (rc == STATUS_OK) {
         report_markdown(&markdown, &context);
         rc = write_file(directory, "report.md", &markdown, status);

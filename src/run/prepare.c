@@ -18,7 +18,7 @@ static enum status_code read_counterface(struct prepared *out, const struct scen
     out->counterface = calloc(1, sizeof *out->counterface);
     if (!out->counterface)
         return status_memory(status);
-    if (surface_describe(out->counterface, scene, &scene->counterface_surface, NULL, status) != STATUS_OK)
+    if (surface_describe(out->counterface, scene, &scene->counterface_surface, NULL, NULL, status) != STATUS_OK)
         return status->code;
     if (!out->counterface->summary.usable)
         return status_fail(status, STATUS_SCENE, "the counterface cannot be read: %s",

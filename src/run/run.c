@@ -80,10 +80,13 @@ static enum status_code run_baseline(struct run *run, struct status *status)
 {
     struct results *results = run->results;
     struct surface_record baseline = {0};
-    if (surface_store_get(&baseline, results->store, results->baseline, status) != STATUS_OK)
+    if (surface_store_get_part(&baseline, results->store, results->baseline,
+                               results->measured ? SURFACE_BYTES_ALL : SURFACE_BYTES_SPECTRUM, status) != STATUS_OK)
         return status->code;
     struct model_task task = surface_task(&baseline, results->scene, results->plan,
                                           results_loads(results, results->baseline), results->load_count);
+    const struct threads threads = {run->options->jobs, NULL};
+    task.threads = &threads;
     struct model_task one = surface_middle_task(&task);
     double unsure_m = fmax(sensitivity_cutoff(baseline.summary.spacing_m, results->scene->lambda_s_m),
                            results->scene->tip_radius_m); /* a tip rounds off what is shorter than its radius */

@@ -5,11 +5,12 @@
 #include "base/threads.h"
 
 #include <pthread.h>
+#include <stdint.h>
 #include <stdlib.h>
 
 /** A task on one surface; `record` is zeroed, and freed afterwards. */
 typedef enum status_code task_function(struct surface_record *record, const struct results *results, size_t index,
-                                       struct status *status);
+                                       const struct threads *threads, struct status *status);
 
 /** This process's surfaces: first, first + step, ...; `lock` guards `done` of them. */
 struct share {
@@ -17,14 +18,15 @@ struct share {
     const struct run_options *options;
     task_function *task;
     size_t first, step, count, done;
+    struct threads inside; /* of each surface, where there are more threads than surfaces */
     pthread_mutex_t lock;
 };
 
 static enum status_code describe(struct surface_record *record, const struct results *results, size_t index,
-                                 struct status *status)
+                                 const struct threads *threads, struct status *status)
 {
     const struct scene *scene = results->scene;
-    if (surface_describe(record, scene, &scene->surfaces[index], results->counterface, status) != STATUS_OK) {
+    if (surface_describe(record, scene, &scene->surfaces[index], results->counterface, threads, status) != STATUS_OK) {
         surface_record_free(record, true);
         return status->code;
     }
@@ -43,14 +45,14 @@ static enum status_code describe(struct surface_record *record, const struct res
 }
 
 static enum status_code run_models(struct surface_record *record, const struct results *results, size_t index,
-                                   struct status *status)
+                                   const struct threads *threads, struct status *status)
 {
     if (!results->store->summaries[index].usable)
         return STATUS_OK;
     if (surface_store_get(record, results->store, index, status) != STATUS_OK)
         return status->code;
     enum status_code rc = surface_run_models(record, results->scene, results->plan, results_loads(results, index),
-                                             results->load_count, status);
+                                             results->load_count, threads, status);
     results->store->summaries[index] = record->summary; /* its texts may have been made anew */
     if (rc != STATUS_OK)
         return rc;
@@ -67,7 +69,7 @@ static enum status_code run_task(void *context, size_t turn, struct threads_turn
     (void)unused;
     if (!record)
         return status_memory(status);
-    enum status_code rc = share->task(record, share->results, index, status);
+    enum status_code rc = share->task(record, share->results, index, &share->inside, status);
     surface_record_free(record, false);
     free(record);
     if (share->options->progress) {
@@ -91,6 +93,8 @@ enum status_code workers_share(const struct results *results, enum workers_task 
                           .step = step,
                           .count = first < all ? (all - first + step - 1) / step : 0,
                           .lock = PTHREAD_MUTEX_INITIALIZER};
+    size_t outside = threads_number(&threads, share.count);
+    share.inside.jobs = outside > 0 ? (unsigned)(threads_number(&threads, SIZE_MAX) / outside) : 1;
     enum status_code rc = threads_run(&threads, share.count, run_task, &share, status);
     pthread_mutex_destroy(&share.lock);
     return rc;

@@ -1,5 +1,7 @@
 #include "spectrum/parameters.h"
 
+#include "base/rank.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -122,7 +124,7 @@ static double element_width(const struct parameters_part *part)
 }
 
 /** The straight core of the material ratio curve, carried on to 0 and to 100 %. */
-struct core {
+struct parameters_core {
     double upper_m, lower_m;
     double upper_ratio, lower_ratio; /* where the curve crosses those heights */
     double peak_area_m, valley_area_m;
@@ -144,7 +146,7 @@ static double ratio_of(const struct parameters_part *part, size_t above, double 
     return ratio_at((double)above - 1 + share, part->points);
 }
 
-static struct core core_of(const struct parameters_part *part)
+static struct parameters_core core_of(const struct parameters_part *part)
 {
     const double *z = part->sorted_m;
     size_t n = part->points, width = (size_t)lround(core_share * (double)n), first = 0;
@@ -160,7 +162,7 @@ static struct core core_of(const struct parameters_part *part)
         norm += r * r;
     }
     double slope = along / norm;
-    struct core core = {.upper_m = mean - slope * middle, .lower_m = mean + slope * (1 - middle)};
+    struct parameters_core core = {.upper_m = mean - slope * middle, .lower_m = mean + slope * (1 - middle)};
     size_t above = 0, below = n;
     for (; above < n && z[above] > core.upper_m; above++)
         core.peak_area_m += (z[above] - core.upper_m) / (double)n;
@@ -173,30 +175,30 @@ static struct core core_of(const struct parameters_part *part)
 
 static double core_height(const struct parameters_part *part)
 {
-    struct core core = core_of(part);
+    const struct parameters_core core = *part->core;
     return core.upper_m - core.lower_m;
 }
 
 static double reduced_peak(const struct parameters_part *part)
 {
-    struct core core = core_of(part);
+    const struct parameters_core core = *part->core;
     return core.upper_ratio > 0 ? 2 * core.peak_area_m / core.upper_ratio : 0;
 }
 
 static double reduced_valley(const struct parameters_part *part)
 {
-    struct core core = core_of(part);
+    const struct parameters_core core = *part->core;
     return core.lower_ratio < 1 ? 2 * core.valley_area_m / (1 - core.lower_ratio) : 0;
 }
 
 static double peak_ratio(const struct parameters_part *part)
 {
-    return core_of(part).upper_ratio;
+    return part->core->upper_ratio;
 }
 
 static double valley_ratio(const struct parameters_part *part)
 {
-    return core_of(part).lower_ratio;
+    return part->core->lower_ratio;
 }
 
 const struct parameters_row parameters_rows[PARAMETERS_COUNT] = {
@@ -224,10 +226,16 @@ const struct parameters_row parameters_rows[PARAMETERS_COUNT] = {
      valley_ratio},
 };
 
-static int higher_first(const void *a, const void *b)
+/** The heights, highest first. */
+static enum status_code sort_heights(double *sorted_m, const double *height_m, size_t points, struct status *status)
 {
-    const double *first = a, *second = b;
-    return (*first < *second) - (*first > *second);
+    size_t *order = malloc(points * sizeof *order);
+    enum status_code rc = order ? rank_descending(order, height_m, points, status) : status_memory(status);
+    if (rc == STATUS_OK)
+        for (size_t k = 0; k < points; k++)
+            sorted_m[k] = height_m[order[k]];
+    free(order);
+    return rc;
 }
 
 static void fill_curve(struct parameters *out, const double *sorted_m, size_t points)
@@ -248,10 +256,14 @@ enum status_code parameters_compute(struct parameters *out, char letter, const d
     double *sorted_m = malloc(points * sizeof *sorted_m);
     if (!sorted_m)
         return status_memory(status);
-    memcpy(sorted_m, height_m, points * sizeof *sorted_m);
-    qsort(sorted_m, points, sizeof *sorted_m, higher_first);
+    if (sort_heights(sorted_m, height_m, points, status) != STATUS_OK) {
+        free(sorted_m);
+        return status->code;
+    }
     fill_curve(out, sorted_m, points);
-    struct parameters_part whole = {height_m, points, spacing_m, sorted_m};
+    struct parameters_part whole = {height_m, points, spacing_m, sorted_m, NULL};
+    const struct parameters_core core = core_of(&whole); /* once: five parameters are of it */
+    whole.core = &core;
     for (size_t p = 0; p < PARAMETERS_COUNT; p++) {
         const struct parameters_row *row = &parameters_rows[p];
         if (row->whole) {
@@ -260,7 +272,7 @@ enum status_code parameters_compute(struct parameters *out, char letter, const d
         }
         for (size_t s = 0; s < sampling_lengths; s++) {
             size_t first = s * points / sampling_lengths, end = (s + 1) * points / sampling_lengths;
-            struct parameters_part part = {height_m + first, end - first, spacing_m, NULL};
+            struct parameters_part part = {height_m + first, end - first, spacing_m, NULL, NULL};
             out->value[p] += row->evaluate(&part) / (double)sampling_lengths;
         }
     }

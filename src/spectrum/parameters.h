@@ -31,7 +31,8 @@ struct parameters_part {
     const double *height_m;
     size_t points;
     double spacing_m;
-    const double *sorted_m; /* the same heights, highest first; whole rows only */
+    const double *sorted_m;             /* the same heights, highest first; whole rows only */
+    const struct parameters_core *core; /* of those */
 };
 
 /** One row a parameter. */

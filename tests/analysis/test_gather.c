@@ -71,7 +71,7 @@ static void gather(char *name)
     struct status status = {0};
     if (strcmp(name, map_name) == 0)
         snprintf(surface.x_unit, sizeof surface.x_unit, "m"), snprintf(surface.z_unit, sizeof surface.z_unit, "m");
-    if (gather_file(record, &scans, &scene, &surface, name, &hash, &status) != STATUS_OK)
+    if (gather_file(record, &scans, &scene, &surface, name, &hash, NULL, &status) != STATUS_OK)
         fail_msg("%s", status.message);
 }
 
@@ -361,7 +361,7 @@ static void describe_laws(const size_t points[LAWS], const int order[LAWS])
     }
     surface_record_free(record, true);
     *record = (struct surface_record){0};
-    assert_int_equal(surface_describe(record, &scene, &surface, NULL, &status), STATUS_OK);
+    assert_int_equal(surface_describe(record, &scene, &surface, NULL, NULL, &status), STATUS_OK);
     assert_true(record->summary.usable);
     record->summary.scene = NULL;
 }
@@ -531,7 +531,7 @@ static double jump_share(double exponent, double jump_m, enum spectrum_window wi
     surface_record_free(record, true);
     *record = (struct surface_record){0};
     scene.window = window;
-    assert_int_equal(surface_describe(record, &scene, &surface, NULL, &status), STATUS_OK);
+    assert_int_equal(surface_describe(record, &scene, &surface, NULL, NULL, &status), STATUS_OK);
     assert_true(record->summary.usable);
     const struct power_law *law = &record->summary.power_law;
     assert_near(record->summary.jump_m, fabs(height_m[POINTS - 1] - height_m[0]), 1e-6);

@@ -2,7 +2,10 @@
 #include "cli/process.h"
 
 #include <locale.h>
+#include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 static void expect_same(const char *place, const char *reference, const char *report)
 {
@@ -58,6 +61,38 @@ static void test_same_bytes(void **state)
     free(reference);
 }
 
+/* spectrum.csv has every harmonic once, from the longest to the shortest wave. */
+static void expect_harmonics(const char *place, const char *path, size_t expected)
+{
+    char *text = workspace_read(place, path);
+    double longest_m = 0;
+    size_t n = 0;
+    for (const char *line = strchr(text, '\n') + 1; *line; line = strchr(line, '\n') + 1) {
+        double wavelength_m = strtod(strchr(line, ',') + 1, NULL);
+        longest_m = n++ == 0 ? wavelength_m : longest_m;
+        if (!(fabs(wavelength_m * (double)n / longest_m - 1) < 1e-12))
+            fail_msg("row %zu of '%s' has the wavelength %g m", n, path, wavelength_m);
+    }
+    assert_int_equal(n, expected);
+    free(text);
+}
+
+/* One scan so large that what is made of it is shared out among threads. */
+static void test_one_large_scan(void **state)
+{
+    const char *place = *state;
+    workspace_scan(place, "d/a.csv", 70000, 5);
+    workspace_write(place, "d/scene.yaml", "material: tin\nmodels: [multiscale, contacting-slopes]\n");
+    run(place, "one", "--jobs=1");
+    expect_harmonics(place, "one/data/spectrum.csv", 35000);
+    char *reference = workspace_digest(place, "one");
+    run(place, "two", "--jobs=2");
+    expect_same(place, reference, "two");
+    run(place, "seven", "--jobs=7");
+    expect_same(place, reference, "seven");
+    free(reference);
+}
+
 static void test_other_directories(void **state)
 {
     const char *place = *state;
@@ -96,6 +131,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         workspace_test(test_same_bytes),
+        workspace_test(test_one_large_scan),
         workspace_test(test_other_directories),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -60,9 +60,9 @@ static struct truth truth_of(const char *text)
     for (size_t s = 0; s < prepared.store.count; s++) {
         struct surface_record record;
         assert_int_equal(surface_store_get(&record, &prepared.store, s, &status), STATUS_OK);
-        assert_int_equal(
-            surface_run_models(&record, &scene, &prepared.plan, prepared.loads, prepared.results.load_count, &status),
-            STATUS_OK);
+        assert_int_equal(surface_run_models(&record, &scene, &prepared.plan, prepared.loads,
+                                            prepared.results.load_count, NULL, &status),
+                         STATUS_OK);
         prepared.store.summaries[s] = record.summary; /* it may have got a note */
         truth.plastic = fmax(truth.plastic, plastic_change(&record, "multiscale-elastic", "multiscale-plastic"));
         truth.plastic = fmax(truth.plastic, plastic_change(&record, "gw", "jg"));
@@ -166,7 +166,7 @@ static void law_below_the_sampling_limit_counts(void **state)
     struct surface_record record = {0};
     struct status status = {0};
     double area[2];
-    assert_int_equal(surface_describe(&record, &scene, &scene.surfaces[0], NULL, &status), STATUS_OK);
+    assert_int_equal(surface_describe(&record, &scene, &scene.surfaces[0], NULL, NULL, &status), STATUS_OK);
     for (int plastic = 0; plastic < 2; plastic++)
         area[plastic] = convergence_extend(&record.spectrum, &record.summary.tail, &record.summary.pair, plastic, 1e-2)
                             .area_extended;
