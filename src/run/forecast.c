@@ -163,7 +163,7 @@ enum status_code forecast_calibrate(struct forecast_rates *out, const struct res
     for (int r = 0; r < ROUNDS && rc == STATUS_OK; r++) {
         struct contacting_slopes slopes;
         double started = clock();
-        rc = contacting_slopes_make(&slopes, point, HEIGHTS, 1, status);
+        rc = contacting_slopes_make(&slopes, point, HEIGHTS, 1, NULL, status);
         best = note(best, clock() - started);
         if (rc == STATUS_OK)
             contacting_slopes_free(&slopes);
