@@ -27,17 +27,19 @@ const char *const forecast_names[FORECAST_STAGES] = {
 /* Typical times [s] on a core whose printf() takes `usual_print` for a number, and on which the program writes one in
  * `usual_number`: read from `report --verbose` of surfaces/chapter6
  * with 121 and with 10 000 loads and of 1000 scans of 8000 points. All but the first scale with the machine. */
-static const double usual_print = 0.33e-6, usual_number = 0.1e-6, process_seconds = 13e-3, drawn_seconds = 2.2e-3,
-                    figure_seconds = 1.6e-3, page_seconds = 15e-3, page_figure_seconds = 1.4e-3,
+static const double usual_print = 0.33e-6, usual_number = 0.1e-6, process_seconds = 26e-3, drawn_seconds = 4.4e-3,
+                    figure_seconds = 1.6e-3, page_seconds = 28e-3, page_figure_seconds = 2.6e-3,
                     surface_seconds = 0.2e-3, cost_seconds = 0.16, cost_load_seconds = 26e-6,
                     sweep_scale_seconds = 75e-9, start_seconds = 8e-3, stored_height_seconds = 20e-9,
-                    kept_height_seconds = 350e-9, point_seconds = 2e-6;
+                    kept_height_seconds = 500e-9, point_seconds = 0.5e-6;
 /* Shares of a written number: of one in JSON, of a curve's point in the charts and on the page. */
-static const double table_number = 0.72, json_number = 1.2, chart_number = 0.22, page_number = 0.055;
+static const double table_number = 1.6, json_number = 1.2, chart_number = 1.7, page_number = 1.3;
+/* Of the rate on the synthetic spectrum, which has nothing warm and few loads to spread what is done once over. */
+static const double model_share = 0.8;
 /* How often the methods that the section on cost compares sort heights. */
 static const double cost_sorts = 25;
 
-enum { ROUNDS = 2, NUMBERS_ROUNDS = 60, NUMBERS = 100, HEIGHTS = 2048, HARMONICS = 128, FEW = 4, LOADS = 28 };
+enum { ROUNDS = 4, NUMBERS_ROUNDS = 60, NUMBERS = 100, HEIGHTS = 2048, HARMONICS = 128, FEW = 4, LOADS = 28 };
 
 /** The least of some rounds' times. */
 static double note(double best, double seconds)
@@ -236,7 +238,7 @@ static void forecast_models(struct forecast *out, const struct results *results,
             if (!plan_runs_model(plan, m))
                 continue;
             struct model_work of_model = work_of_model(summary, m, results->scene, plan);
-            out->seconds[FORECAST_MODELS] += rates->model[m] * work_seconds(&of_model);
+            out->seconds[FORECAST_MODELS] += model_share * rates->model[m] * work_seconds(&of_model);
             if (model_rows[m]->uses_heights)
                 out->seconds[FORECAST_MODELS] += sort_seconds(rates, (double)summary->heights);
         }
@@ -254,12 +256,13 @@ struct forecast forecast_make(const struct results *results, const struct foreca
     const struct surface_store *store = results->store;
     double figures = options->brief ? 2 : count_figures(results, options->no_cost), numbers = count_numbers(results);
     double spectra = 0, most_heights = 0, heights = 0, points = 0, threads = threads_of(results, options);
+    bool bins = scene_bins_spectra(results->scene); /* then the curves are not in results.json either */
     for (size_t i = 0; i < store->count; i++) {
         const struct surface_summary *summary = &store->summaries[i];
         out.seconds[FORECAST_READ] += summary->times.read;
         out.seconds[FORECAST_LEVEL] += summary->times.prepare;
         out.seconds[FORECAST_SPECTRA] += summary->times.spectrum;
-        spectra += 3.5 * (double)summary->harmonics;
+        spectra += 3.5 * (bins ? 40 : (double)summary->harmonics); /* tenths of decades */
         most_heights = fmax(most_heights, (double)summary->heights);
         heights += (double)summary->heights;
         points += (double)summary->points;
@@ -273,7 +276,7 @@ struct forecast forecast_make(const struct results *results, const struct foreca
                                      cost_sorts * sort_seconds(rates, most_heights);
     double sweeps = plan_runs(results->plan, EFFECT_CONVERGENCE) ? 16000 : 0; /* 150 scales of each sweep */
     out.seconds[FORECAST_TABLES] =
-        rates->number * table_number * ((1 + json_number) * numbers + spectra + sweeps + NUMBERS);
+        rates->number * table_number * ((1 + (bins ? 0 : json_number)) * numbers + spectra + sweeps + NUMBERS);
     out.seconds[FORECAST_CHART_DATA] = rates->speed * figure_seconds * figures +
                                        rates->number * chart_number * shown + /* heights are sorted once more */
                                        sort_seconds(rates, most_heights);
@@ -283,14 +286,15 @@ struct forecast forecast_make(const struct results *results, const struct foreca
         rates->speed * (page_seconds + page_figure_seconds * figures + surface_seconds * (double)store->count) +
         rates->number * page_number * shown;
     double stored = rates->speed * stored_height_seconds * heights; /* each later stage takes them from the store */
-    out.seconds[FORECAST_TABLES] += 2 * stored;
     out.seconds[FORECAST_CHART_DATA] += stored;
     out.seconds[FORECAST_PAGE] += stored;
     out.seconds[FORECAST_OTHER] =
         rates->speed * (start_seconds + kept_height_seconds * heights + point_seconds * points);
     for (int s = 0; s < FORECAST_STAGES; s++)
         out.total +=
-            out.seconds[s] / (s <= FORECAST_MODELS || s == FORECAST_UNCERTAINTY || s == FORECAST_OTHER ? threads : 1);
+            out.seconds[s] /
+            (s <= FORECAST_MODELS || s == FORECAST_UNCERTAINTY || s == FORECAST_TABLES || s == FORECAST_OTHER ? threads
+                                                                                                              : 1);
     return out;
 }
 
