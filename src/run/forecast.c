@@ -273,7 +273,7 @@ struct forecast forecast_make(const struct results *results, const struct foreca
     forecast_models(&out, results, rates);
     if (!options->no_cost)
         out.seconds[FORECAST_COST] = rates->speed * (cost_seconds + cost_load_seconds * (double)results->load_count) +
-                                     cost_sorts * sort_seconds(rates, most_heights);
+                                     cost_sorts * sort_seconds(rates, fmin(most_heights, 2e5));
     double sweeps = plan_runs(results->plan, EFFECT_CONVERGENCE) ? 16000 : 0; /* 150 scales of each sweep */
     out.seconds[FORECAST_TABLES] =
         rates->number * table_number * ((1 + (bins ? 0 : json_number)) * numbers + spectra + sweeps + NUMBERS);
