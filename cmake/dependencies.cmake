@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Everything the program stands on, all of it from Debian's packages (listed in packages.txt).
 find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # What an installation holds. Components are the packages of package.cmake.
 set(install_folders ${CMAKE_INSTALL_BINDIR} ${CMAKE_INSTALL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_INCLUDEDIR}
     ${CMAKE_INSTALL_MANDIR}/man1 share/bash-completion/completions share/roughcontact share/doc/roughcontact)

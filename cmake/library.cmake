@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # libroughcontact: of the core only what src/library needs goes in, and only the functions of its header come out. The
 # program does not use it: it links the core itself, which starts faster and needs no search path.
 file(GLOB library_sources CONFIGURE_DEPENDS src/library/*.c)

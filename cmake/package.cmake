@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # cd build && cpack -G DEB: three Debian packages, the program, the library, and what it takes to
 # build with the library. Dependencies on libraries are found by dpkg-shlibdeps (of the package dpkg-dev).
 set(package_doc ${CMAKE_BINARY_DIR}/package)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Read by cpack before it packs: without dpkg-shlibdeps a package would come out that depends on nothing.
 find_program(dpkg_shlibdeps dpkg-shlibdeps)
 if(CPACK_GENERATOR STREQUAL "DEB" AND NOT dpkg_shlibdeps)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Run by an installation before it does anything: adds to `record` those of `folders`, and of what they lie in, that are
 # not there yet.
 cmake_path(IS_ABSOLUTE CMAKE_INSTALL_PREFIX whole)

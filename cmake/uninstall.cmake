@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # cmake -D MANIFEST=... -D RECORD=... -P uninstall.cmake: removes the files that the last installation put, and the
 # folders it made (those in RECORD, and all below them) as far as nothing is left in them. Nothing else.
 if(NOT EXISTS "${MANIFEST}")

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # bash completion of roughcontact. Written by `roughcontact help --completion`.
 _roughcontact()
 {

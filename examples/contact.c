@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a scan says of its surface: cc contact.c $(pkg-config --cflags --libs roughcontact) && ./a.out scan.csv [um] */
 #include <roughcontact.h>
 #include <stdio.h>

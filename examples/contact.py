@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What a scan says of its surface, as contact.c does: python3 contact.py scan.csv [um]"""
 import ctypes
 import sys

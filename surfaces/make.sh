@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Makes every scan below this directory again. ROUGHCONTACT names the program (default: the one in PATH).
 set -eu
 cd "$(dirname "$0")"

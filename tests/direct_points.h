@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Answers of the direct solution found in two ways. */
 #ifndef TEST_DIRECT_POINTS_H
 #define TEST_DIRECT_POINTS_H

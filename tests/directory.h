@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Temporary directories and the trees in them. */
 #ifndef TEST_DIRECTORY_H
 #define TEST_DIRECTORY_H

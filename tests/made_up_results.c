@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "made_up_results.h"
 
 #include "contact/convergence.h"

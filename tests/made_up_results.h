@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Results made up to order, without a run: every curve is a power law, so that what a report says of it can be worked
  * out by hand. */
 #ifndef TEST_MADE_UP_RESULTS_H

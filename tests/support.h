@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What every test program shares: relative comparison of doubles and reference tables.
  * cmocka 1.1.5 compares floats only, in single precision; hence a comparison of our own. */
 #ifndef TEST_SUPPORT_H

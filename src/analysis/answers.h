@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Answers to a scene's questions on one surface: the load that each target takes, by every model, and whether the
  * limits hold at the operating load. */
 #ifndef ANALYSIS_ANSWERS_H

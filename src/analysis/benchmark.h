@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What accuracy costs in time: the methods that could compute the report's numbers, each at several settings, timed and
  * held against an independent better result. */
 #ifndef ANALYSIS_BENCHMARK_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the curves cost: the sinusoid's closure, leaving out the shortest wavelengths, and the number of loads. */
 #include "analysis/benchmark.h"
 #include "contact/multiscale.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What accuracy costs, physically: each model's error against the direct solution over its time. */
 #include "analysis/benchmark.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Methods for the integrals of the statistical models (thesis 4.25, 4.26, 4.43), over the separations the curves span.
  */
 #include "analysis/benchmark.h"

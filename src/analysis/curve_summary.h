@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a curve says, in a few numbers: small, so that it can be kept for every model that runs, of a hundred thousand
  * surfaces. */
 #ifndef ANALYSIS_CURVE_SUMMARY_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* How the contact of one surface will be solved directly: grid, surfaces and loads from counts and fixed constants,
  * before anything runs, so that the same input gives the same numbers on every machine. */
 #ifndef ANALYSIS_DIRECT_PLAN_H

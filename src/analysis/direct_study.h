@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The models against a direct solution of the contact, on one and the same surface.
  *
  * A map is solved as it is, mirrored. For a profile, isotropic surfaces are made whose rows have the matched power law

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/effect_bounds.h"
 
 #include "analysis/work.h"

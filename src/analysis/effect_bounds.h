@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Cheap bounds on what an effect could change on a surface: `effects: auto` runs only what can matter. */
 #ifndef ANALYSIS_EFFECT_BOUNDS_H
 #define ANALYSIS_EFFECT_BOUNDS_H

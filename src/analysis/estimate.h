@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A number of a surface and how far it may be from what more scans would give: by the scans' own scatter, by blocks of
  * a map's rows, or, of one scan, by simulated records. */
 #ifndef ANALYSIS_ESTIMATE_H

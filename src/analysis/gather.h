@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* From the scans of a surface to its mean spectrum and roughness: read, conditioned, averaged. Private to src/analysis.
  */
 #ifndef ANALYSIS_GATHER_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A model's curve with what lies in and around its spots. */
 #ifndef ANALYSIS_JOINED_H
 #define ANALYSIS_JOINED_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Where a curve bends and where a model's validity ends, to the tolerance of a run: not read off its list of loads. */
 #ifndef ANALYSIS_LANDMARKS_H
 #define ANALYSIS_LANDMARKS_H

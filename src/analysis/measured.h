@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Measured contact resistance, to be held against the models (scene: `measured`). */
 #ifndef ANALYSIS_MEASURED_H
 #define ANALYSIS_MEASURED_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A piece of a profile, or a record made like one, as the models see it. */
 #ifndef ANALYSIS_PIECE_H
 #define ANALYSIS_PIECE_H

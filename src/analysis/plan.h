@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Which effects run and why (README, The scene: `effects: auto`). Decided once, before any model. */
 #ifndef ANALYSIS_PLAN_H
 #define ANALYSIS_PLAN_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Repeated scans of one surface. Each goes through the models alone, and the surface's curve is the geometric mean of
  * theirs: the curve of their mean spectrum is another quantity (every harmonic's scatter averaged away), two to four
  * standard deviations of a scan from it. The mean spectrum is there to be drawn and fitted. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the answers hang on: how area and resistance change when the shortest wavelength, the length of the scan or the
  * hardness is another. */
 #ifndef ANALYSIS_SENSITIVITY_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One surface from its scans to its curves: the pipeline scan -> profile -> spectrum + roughness -> contact. */
 #ifndef ANALYSIS_SURFACE_H
 #define ANALYSIS_SURFACE_H

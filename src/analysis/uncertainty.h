@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One scan of a surface: what scans of the same length at other places would answer, by records simulated from its
  * spectrum that go through levelling, spectrum and models as the scan did. */
 #ifndef ANALYSIS_UNCERTAINTY_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* How much was, or will be, evaluated. Predicted from the scene and the scans before any model runs, counted while they
  * run: the two agree exactly, because a model's work is fixed by what it is asked. How far down its stack of scales a
  * load gets is told by the areas alone; what simulated records take is counted as on the scan they are made of. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Monotonic time. */
 #ifndef BASE_CLOCK_H
 #define BASE_CLOCK_H

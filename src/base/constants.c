@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/constants.h"
 
 const double constant_boltzmann_J_per_K = 1.380649e-23;

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Constants of nature, exact by the definition of the SI (BIPM, The International System of Units, 9th edition 2019).
  */
 #ifndef BASE_CONSTANTS_H

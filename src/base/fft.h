@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Fourier transforms of real records by FFTW, whose planner is the one part of it that threads have to take turns at.
  * Small sizes are planned once. */
 #ifndef BASE_FFT_H

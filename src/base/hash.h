@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SHA-256 of the input files, so that a report names exactly what it was made from. */
 #ifndef BASE_HASH_H
 #define BASE_HASH_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Adaptive integration of a function of one variable. */
 #ifndef BASE_INTEGRAL_H
 #define BASE_INTEGRAL_H

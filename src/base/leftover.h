@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What must not outlive the program, however it ends: directories that are in the making, and what is true of OUT then.
  * Safe from any thread; costs nothing until the program is made to end. */
 #ifndef BASE_LEFTOVER_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/limits.h"
 
 const struct limit_row limit_rows[LIMIT_COUNT] = {

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a file may ask of the program at most, so that nothing from outside exhausts memory or time: one table, used by
  * the code, printed by `inspect --limits`, stated in docs/limits.md. */
 #ifndef BASE_LIMITS_H

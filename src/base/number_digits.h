@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The 17 significant digits that tell every double from every other one, faster than printf and with its bytes. */
 #ifndef BASE_NUMBER_DIGITS_H
 #define BASE_NUMBER_DIGITS_H

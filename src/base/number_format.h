@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Numbers as a reader wants them: rounded, with powers of ten as 1.2·10⁻⁵. */
 #ifndef BASE_NUMBER_FORMAT_H
 #define BASE_NUMBER_FORMAT_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Other programs: found in PATH, run without a shell, ended when they take too long or a signal asks to stop. */
 #ifndef BASE_PROGRAM_H
 #define BASE_PROGRAM_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The order of many numbers. */
 #ifndef BASE_RANK_H
 #define BASE_RANK_H

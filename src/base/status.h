@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One message per error, passed explicitly from where it happened to the command that prints it. */
 #ifndef BASE_STATUS_H
 #define BASE_STATUS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A growing text: report pages, CSV rows, messages. Owned by whoever declared it; text_free() ends it. */
 #ifndef BASE_TEXT_H
 #define BASE_TEXT_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/thread.h"
 
 bool thread_start(pthread_t *out, void *(*work)(void *context), void *context)

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Threads whose stack does not hang on `ulimit -s`. */
 #ifndef BASE_THREAD_H
 #define BASE_THREAD_H

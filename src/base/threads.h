@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The same done to many things by several threads, so that what they leave does not depend on how many there are. */
 #ifndef BASE_THREADS_H
 #define BASE_THREADS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Units of measurement as people write them: spelling, prefix, products, powers and quotients to a factor to SI. */
 #ifndef BASE_UNIT_H
 #define BASE_UNIT_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The program's version, as the build system has it. */
 #ifndef BASE_VERSION_H
 #define BASE_VERSION_H

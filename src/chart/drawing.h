@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One chart before it is drawn: its data, a block a curve, and the gnuplot script that draws them. Ranges, counts and
  * texts are reckoned here, so that gnuplot has nothing to work out and reads each row once or twice. Private to
  * src/chart, but for what draws a chart as text (figure.h, inspect). */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What accuracy costs: relative error against time, one line a method, the chosen setting ringed. An error below 1e-16
  * is none that double precision can show: its point stands on the lower edge, off the scale. */
 #include "chart/drawing_parts.h"

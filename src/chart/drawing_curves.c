@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Curves against a load, an area or a wavelength. A curve is solid where its model is valid and dashed outside; of what
  * lies under others dashes are drawn over these; the first two intervals of a mean are filled, more are bars. The steps
  * of a sweep are labelled at their ends. A row whose y is 0 on a logarithmic axis ends its curve at the chart's lower

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Charts of a panel a surface: profiles, spectra with their power laws, heights on normal-probability axes; and the
  * picture of where two bodies touch. */
 #include "chart/drawing_parts.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the scripts of all kinds of charts have in common. Private to src/chart/drawing*.c. */
 #ifndef CHART_DRAWING_PARTS_H
 #define CHART_DRAWING_PARTS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "chart/figure.h"
 
 #include "analysis/direct_study.h"

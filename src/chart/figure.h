@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The report's figures: one row each in figure_rows.c; how they are drawn: drawing.h. */
 #ifndef CHART_FIGURE_H
 #define CHART_FIGURE_H

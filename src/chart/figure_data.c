@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "chart/figure_data.h"
 
 #include "analysis/direct_study.h"

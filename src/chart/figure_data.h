@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The data of one figure: a block a curve. Private to src/chart. */
 #ifndef CHART_FIGURE_DATA_H
 #define CHART_FIGURE_DATA_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Lines of a chart that lie under others: what of them is drawn in dashes over these. Private to src/chart. */
 #ifndef CHART_FIGURE_HIDDEN_H
 #define CHART_FIGURE_HIDDEN_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Which figures a report may hold (docs/report.md, Figures). */
 #include "chart/figure.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One gnuplot process. */
 #ifndef CHART_GNUPLOT_H
 #define CHART_GNUPLOT_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a curve looks like, by its style word. Private to src/chart.
  *
  * A style word is a name: s1...s8 surfaces, two letters a model (its row in model.h), r1...r9 steps of a sweep, c1...c9

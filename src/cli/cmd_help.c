@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `help`: what a command takes, and the two files that an installation makes of the same tables. */
 #include "cli/command.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands on a scene, `report` and `plan`. */
 #include "base/clock.h"
 #include "cli/command.h"

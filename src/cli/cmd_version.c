@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What `--version` says: the program, and the libraries that it computes with here, whatever it was built with. */
 #include "base/program.h"
 #include "base/version.h"

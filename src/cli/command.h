@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The program's commands: one row each. A command parses its own arguments, prints, and returns the exit status. */
 #ifndef CLI_COMMAND_H
 #define CLI_COMMAND_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the commands print as JSON (docs/commands.md). */
 #ifndef CLI_COMMAND_JSON_H
 #define CLI_COMMAND_JSON_H

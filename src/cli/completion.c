@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Completion for bash: docs/roughcontact.bash is what this writes, which a test holds it to. */
 #include "base/unit.h"
 #include "cli/command.h"
@@ -167,6 +168,7 @@ void command_completion(struct text *out)
     struct text commands = {0};
     add_commands(&commands);
     text_add(out,
+             "# SPDX-License-Identifier: GPL-3.0-or-later\n"
              "# bash completion of roughcontact. Written by `roughcontact help --completion`.\n"
              "_roughcontact()\n"
              "{\n"

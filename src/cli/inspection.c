@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/inspection.h"
 #include "base/text.h"
 #include "cli/command_json.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What `inspect` finds out about one file. */
 #ifndef CLI_INSPECTION_H
 #define CLI_INSPECTION_H

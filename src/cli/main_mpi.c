@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The program over MPI's ranks: the first one is the program, the others solve with it. */
 #include "cli/command.h"
 #include "cli/signals.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The manual page roughcontact(1): docs/roughcontact.1 is what this writes, which a test holds it to. */
 #include "base/version.h"
 #include "cli/command.h"
@@ -145,7 +146,8 @@ enum {
 
 void command_manual(struct text *out)
 {
-    text_add(out, ".\\\" Written by `roughcontact help --man`.\n");
+    text_add(out, ".\\\" SPDX-License-Identifier: GPL-3.0-or-later\n"
+                  ".\\\" Written by `roughcontact help --man`.\n");
     text_add(out, ".TH ROUGHCONTACT 1 \"\" \"roughcontact %s\" \"User Commands\"\n.nh\n", version_string());
     text_add(out, ".SH NAME\nroughcontact \\- contact of measured rough surfaces\n.SH SYNOPSIS\n");
     for (size_t c = 0; c < command_count; c++) {

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What `report`, `direct` and `plan` print with --json (docs/commands.md). */
 #ifndef CLI_SCENE_JSON_H
 #define CLI_SCENE_JSON_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* How a signal ends the program: in order where it soon comes to that, else at once, and never with anything left. */
 #ifndef CLI_SIGNALS_H
 #define CLI_SIGNALS_H

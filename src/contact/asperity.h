@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One spherical asperity pressed by omega (4.27-4.38, 4.45); docs/equations.md, Statistical models. */
 #ifndef CONTACT_ASPERITY_H
 #define CONTACT_ASPERITY_H

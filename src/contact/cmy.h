@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Plastic truncation (CMY) and its elastic sister (Mikic): laws for truncation.h, and the correlations in use for them.
  * Cooper, Mikic and Yovanovich 1969, Int. J. Heat Mass Transfer 12, 279; Mikic 1974, ibid. 17, 205. */
 #ifndef CONTACT_CMY_H

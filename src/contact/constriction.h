@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Constriction resistance of contact spots (docs/equations.md, Contact resistance; 4.39-4.52): Holm's spot, the
  * alleviation factor of Cooper, Mikic and Yovanovich, and Prasher and Phelan's scale dependence. All results per
  * nominal area, R A_n. */

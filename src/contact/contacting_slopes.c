@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "contact/contacting_slopes.h"
 
 #include "base/rank.h"

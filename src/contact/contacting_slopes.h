@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Contact of an elastic surface whose heights are not Gaussian: Persson's area with the slope of the highest fraction A
  * of the surface, where it touches, in place of the slope of the whole (equations: contacting slopes). That the area
  * follows from the slope averaged over the true contact is Müser and Wang's (2018). */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Does the area converge as ever smaller scales are included? (4.53, 4.55; thesis 6.2); docs/equations.md,
  * Convergence. */
 #ifndef CONTACT_CONVERGENCE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "contact/effect.h"
 
 const struct effect_row effect_rows[EFFECT_COUNT] = {

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The effects a scene can call for. One row each: what it adds and which material properties it needs. */
 #ifndef CONTACT_EFFECT_H
 #define CONTACT_EFFECT_H

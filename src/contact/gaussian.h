@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Integrals of asperities over a Gaussian height distribution: F_n(h) = int_h^inf (s-h)^n phi(s) ds (docs/equations.md,
  * Statistical models). */
 #ifndef CONTACT_GAUSSIAN_H

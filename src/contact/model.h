@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The contact models side by side: one row each, from name to evaluation. A new model is one file, which ends in its
  * row, and one word in model_table.c. Nothing outside src/contact names a model: ask the rows. */
 #ifndef CONTACT_MODEL_H

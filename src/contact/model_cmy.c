@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Cooper, Mikic and Yovanovich's contact as a model: plastic, by truncation. */
 #include "contact/cmy.h"
 #include "contact/truncation_model.h"

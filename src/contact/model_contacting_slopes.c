@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Contacting slopes as a model: elastic, of a surface whose heights need not be Gaussian. */
 #include "contact/model.h"
 

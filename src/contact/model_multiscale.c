@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The thesis's multiscale models: every harmonic of the spectrum is a scale of the stack (thesis 4.1, 4.2, 4.11). */
 #include "contact/multiscale.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Persson's theory as a model: elastic, at any load. */
 #include "contact/model.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sridhar and Yovanovich's contact as a model: elastoplastic, by truncation. */
 #include "contact/sridhar_yovanovich.h"
 #include "contact/truncation_model.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* All models, in the order of tables and legends. */
 #include "contact/model.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The two-band models: the multiscale stack with two scales of equal elastic energy, elastic and with yield limited by
  * the hardness. What the direct solutions do not bear out is left empty. */
 #include "contact/two_band.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The multiscale models: every harmonic of the surface is a scale, stacked longest first (4.1, 4.2, 4.11*);
  * docs/equations.md, Stacked scales. The electrical and thermal resistance is summed in the same pass (4.42*, 4.48*).
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Persson's theory of elastic contact between a Gaussian, isotropic surface and a flat: area, mean separation and
  * conductance at any load (equations: Persson). Persson 2001, J. Chem. Phys. 115, 3840 (area); Persson 2007, Phys. Rev.
  * Lett. 99, 125502, Yang and Persson 2008, J. Phys.: Condens. Matter 20, 215214, and Almqvist, Campana, Prodanov and

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The two integrals that Persson's mean separation and its slope with load are made of, fast and to rounding. */
 #ifndef CONTACT_PERSSON_KERNEL_H
 #define CONTACT_PERSSON_KERNEL_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Gauss-Legendre panels for the statistical integrals: the asperity law is evaluated once at fixed interferences, so
  * that each separation costs one exponential a node and no law evaluation. */
 #ifndef CONTACT_QUADRATURE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a model says of a contact: one row a quantity, from its name in the data to its axis in a chart. Columns,
  * charts, captions and comparisons all loop over this table. */
 #ifndef CONTACT_QUANTITY_H

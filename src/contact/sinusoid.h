@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One scale of a rough surface pressed flat: a double-sinusoidal surface Delta cos(2 pi f x) cos(2 pi f y) against a
  * flat (4.3-4.18); docs/equations.md, One sinusoidal scale. Area ratio is real area / cell area, 0...1. */
 #ifndef CONTACT_SINUSOID_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Closure `numeric`: the elastic sinusoidal cell interpolated from a direct numerical solution (docs/equations.md,
  * One sinusoidal scale).
  * ln[G/(1-x)^(5/2)] and a/x^(2/3) are smooth in x^(1/3); Steffen's cubic keeps both monotone between the nodes.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Elastoplastic truncation: between Mikic's elastic and CMY's plastic contact. Sridhar and Yovanovich 1996, J. Heat
  * Transfer 118, 3. The source was not at hand: the constants pass five numerical checks (both limits, and the
  * correlations against the closed form), nothing more. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "contact/statistical.h"
 
 #include "contact/gaussian.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The statistical models: asperities of one radius with Gaussian heights against a flat at height d (docs/equations.md,
  * Statistical models; 4.25, 4.26, 4.29, 4.43-4.46, 4.49-4.51, 4.54). One asperity law gives GW (Hertz), the other JG
  * (Jackson and Green). */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Contact of Gaussian surfaces by truncation: what of one surface lies above the other's plane is contact, in the
  * proportion `fraction`; spots and conductance follow from how often a profile crosses that plane (equations:
  * truncation). Cooper, Mikic and Yovanovich 1969, Int. J. Heat Mass Transfer 12, 279 (plastic); Mikic 1974, ibid. 17,

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the models by truncation share: a law made of one surface and one pair of bodies, its curve, its spots, and the
  * correlation that handbooks print for it (docs/equations.md, Truncation). */
 #ifndef CONTACT_TRUNCATION_MODEL_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The two-band multiscale model: the stack of multiscale.h with two scales in place of every harmonic, each of which
  * takes half of the elastic energy of flattening the surface, so that the answer does not depend on the scan's length
  * (equations: two bands). */

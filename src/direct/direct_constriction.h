@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Resistance of a contact: the constriction of the current (or heat) that flows from one half space into the other.
  *
  * On the contact c both conductors share one potential, elsewhere no flux crosses; with a flat interface the potentials

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Contact of an elastic half space with a rigid rough surface, periodic, frictionless, without adhesion, by boundary
  * elements: conjugate gradients on the set of points in contact, projected onto the bounds of the pressure.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Processes that solve surfaces for the one that asks them. NULL everywhere stands for none but the caller. */
 #ifndef DIRECT_CREW_H
 #define DIRECT_CREW_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Direct solutions of several surfaces with one spectrum: what one random surface scatters by, averaged out.
  *
  * Q = mean over seeds on the coarse grid x Q_fine/Q_coarse of the first seed: seeds scatter by 5 to 20 %, the grid by 1

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The periodic elastic half space on a grid: convolutions by FFTW's real transforms, in place.
  *
  * A pressure p on the surface of a half space displaces it by u with û(q) = 2 p̂(q)/(E' |q|) (Johnson, Contact

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One surface under rising loads, each started from the solution before. */
 #ifndef DIRECT_LADDER_H
 #define DIRECT_LADDER_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A measured areal map made ready for the direct solution, which needs a periodic surface without noise at the spacing.
  */
 #ifndef DIRECT_MAP_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "direct/direct_predict.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a direct solution will cost, before it is begun. */
 #ifndef DIRECT_PREDICT_H
 #define DIRECT_PREDICT_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a solved contact amounts to: area, gap, patches. */
 #ifndef DIRECT_QUANTITIES_H
 #define DIRECT_QUANTITIES_H

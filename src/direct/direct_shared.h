@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Surfaces solved by a team, each rank holding a slab of the grid and no more. */
 #ifndef DIRECT_SHARED_H
 #define DIRECT_SHARED_H

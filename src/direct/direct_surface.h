@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Rough surfaces to solve the contact of, made from what a profile tells.
  *
  * Wave numbers are counted as harmonics of the cell: the mode (i, j) of an L x L surface has r = sqrt(i² + j²) waves in

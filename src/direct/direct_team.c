@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "direct/direct_team.h"
 
 #include <assert.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Processes that share one grid, each a slab of its rows; what they have to say to each other.
  *
  * A team of NULL is a single process that holds the whole grid: every function here then leaves its argument as it is.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Electrons' mean free path in metals, and the resistance of spots as small (equations: small spots). Wexler 1966,
  * Proc. Phys. Soc. 89, 927; Sharvin 1965, Sov. Phys. JETP 21, 655. */
 #ifndef JOINT_ELECTRON_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A thin insulating film on the spots (equations: films). Holm 1967, Electric Contacts, 4th edition. */
 #ifndef JOINT_FILM_H
 #define JOINT_FILM_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Heat through the gas in the gaps of a joint (equations: gas in the gaps). Yovanovich, DeVaal and Hegazy 1982, AIAA
  * 82-0888 (integral over the gaps); Kennard 1938, Kinetic Theory of Gases (temperature jump, accommodation). */
 #ifndef JOINT_GAS_H

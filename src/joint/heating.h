@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* How hot a contact gets that carries a current (equations: heating). Kohlrausch 1900; Holm 1967, Electric Contacts,
  * 4th edition. */
 #ifndef JOINT_HEATING_H

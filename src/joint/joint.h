@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What lies in and around the spots of a contact, added to a model's curve point by point (equations: gas in the gaps,
  * films, platings, heating). */
 #ifndef JOINT_JOINT_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A plating under the spots (equations: platings). */
 #ifndef JOINT_PLATING_H
 #define JOINT_PLATING_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "library/host.h"
 
 #include <fftw3.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the program that uses the library may have set for its threads, put aside while a call lasts. */
 #ifndef LIBRARY_HOST_H
 #define LIBRARY_HOST_H

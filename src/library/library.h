@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the parts of the public interface share. Every public function that computes puts the host's settings aside,
  * does its work with a `struct status`, and ends with library_end(). */
 #ifndef LIBRARY_LIBRARY_H

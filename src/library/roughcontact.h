@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* libroughcontact: what a measured rough surface does when it is pressed on a flat, for other programs.
  *
  * From a scan (a file, or bytes in memory) to a surface made ready (levelled, gaps bridged, filtered), its roughness,

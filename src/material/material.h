@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Materials: the built-in table and the pair of them that a contact is made of (docs/equations.md, Material). */
 #ifndef MATERIAL_MATERIAL_H
 #define MATERIAL_MATERIAL_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output/cell.h"
 
 #include "base/number_digits.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Numbers on their way into a file. NaN stands for what was not computed or does not exist; nothing is infinite. */
 #ifndef OUTPUT_CELL_H
 #define OUTPUT_CELL_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* results.json: everything, streamed surface by surface so that memory does not grow with their number. */
 #ifndef OUTPUT_JSON_H
 #define OUTPUT_JSON_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* JSON as text, as jansson indents it, its real numbers by number_digits_json(): a report has millions of them. */
 #ifndef OUTPUT_JSON_PRINT_H
 #define OUTPUT_JSON_PRINT_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* manifest.txt in OUT names the files of the report, one a line; only these are ever replaced or removed. */
 #ifndef OUTPUT_MANIFEST_H
 #define OUTPUT_MANIFEST_H

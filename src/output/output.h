@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* OUT is complete or untouched: a report is made in a hidden directory beside it and takes its place in one step. */
 #ifndef OUTPUT_OUTPUT_H
 #define OUTPUT_OUTPUT_H

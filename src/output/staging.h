@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The hidden directory beside OUT, `.roughcontact-XXXXXX`, in which a report is made. It holds
  *   lock    locked for as long as the process that made it lives
  *   run     a link to nowhere, whose text names the program, the start of its system and OUT: how it knows its own

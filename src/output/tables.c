@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output/tables.h"
 
 #include "analysis/direct_study.h"

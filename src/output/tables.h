@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The files of OUT/data (docs/report.md): CSV, every number SI with 17 digits. Columns and rows of effects that did
  * not run are absent; what a model does not compute is an empty cell. */
 #ifndef OUTPUT_TABLES_H

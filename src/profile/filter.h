@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The linear Gaussian profile filter (ISO 16610-21). */
 #ifndef PROFILE_FILTER_H
 #define PROFILE_FILTER_H

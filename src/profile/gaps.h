@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Missing points of a profile. */
 #ifndef PROFILE_GAPS_H
 #define PROFILE_GAPS_H

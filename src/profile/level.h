@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Levelling: what is no roughness is taken out of the heights, by least squares of the heights (not of distances). */
 #ifndef PROFILE_LEVEL_H
 #define PROFILE_LEVEL_H

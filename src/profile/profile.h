@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A scan made ready: gaps bridged, heights at a uniform spacing, levelled, filtered (docs/equations.md, From scan to
  * spectrum). Every step that did something leaves a line in `notes`. */
 #ifndef PROFILE_PROFILE_H

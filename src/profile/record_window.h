@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Whether a record closes on itself, and the window for one that does not: the spectrum of a record cut out of a longer
  * surface is spoilt by the step between its ends. */
 #ifndef PROFILE_RECORD_WINDOW_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Warnings about a profile: what makes its numbers doubtful where contact is concerned. */
 #ifndef PROFILE_SANITY_H
 #define PROFILE_SANITY_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Positions: uniform, rounded or uneven. */
 #ifndef PROFILE_SPACING_H
 #define PROFILE_SPACING_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A made-up profile that obeys a power law: the four surfaces of the thesis's table 6.2 come from here. */
 #ifndef PROFILE_SYNTH_H
 #define PROFILE_SYNTH_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "ranks/ranks.h"
 
 #include "direct/direct_shared.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The program over MPI's ranks. The first rank runs it; the others wait for surfaces to describe, to run the models on
  * and to solve. */
 #ifndef RANKS_H

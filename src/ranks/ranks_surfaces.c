@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "ranks/ranks_surfaces.h"
 
 #include "ranks/ranks_team.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Surfaces over MPI's ranks: every rank reads the scene, and does a task for each so many-th of its surfaces. */
 #ifndef RANKS_SURFACES_H
 #define RANKS_SURFACES_H

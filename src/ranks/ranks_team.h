@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A team (direct_team.h) of MPI's ranks. */
 #ifndef RANKS_TEAM_H
 #define RANKS_TEAM_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The HTML report: made from the Markdown one, charts inlined, in the skeleton templates/page.html. */
 #ifndef REPORT_HTML_H
 #define REPORT_HTML_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The report: Markdown section by section, HTML from the Markdown. Every number in it comes from the results. */
 #ifndef REPORT_REPORT_H
 #define REPORT_REPORT_H

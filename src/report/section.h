@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The sections of a report: one file each, which holds its prose, tables and captions. */
 #ifndef REPORT_SECTION_H
 #define REPORT_SECTION_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* All surfaces, model by model (thesis 6.4). */
 #include "report/section.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the user asked for: the load that each target takes, and whether the limits hold. */
 #include "report/report.h"
 #include "report/section.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One surface in every model, quantity by quantity (thesis 6.3). */
 #include "contact/multiscale.h"
 #include "report/section.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The models that the thesis has not, beside its four, on the baseline surface. */
 #include "report/section.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The findings of the thesis's chapter 6, each checked on these surfaces. A further check is one function and one row.
  */
 #include "report/section.h"

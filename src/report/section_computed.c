@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What was computed: effects with their work, settings, inputs, notes and refusals. */
 #include "report/section.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Does the area converge as smaller scales are included? (thesis 6.2) */
 #include "report/section.h"
 

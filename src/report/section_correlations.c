@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The correlations that handbooks print for contact by truncation, beside the closed forms they are fitted to. */
 #include "report/section.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What accuracy costs in time, and (at the end of the report) every method that was tried. */
 #include "report/section.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The first page's charts: the answer of all surfaces against load, and how far a direct solution is from it. */
 #include "report/section.h"
 

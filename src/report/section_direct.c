@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* How far each model is from a direct numerical solution on the same surface. */
 #include "analysis/direct_study.h"
 #include "report/section.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The end of the first page: what limits the answer, and what to measure next. */
 #include "report/section.h"
 #include "results/doubt.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What lies in and around the spots: gas or grease in the gaps, a film, a plating, a current. */
 #include "report/section.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Material and load: table 6.1, E' and the loads as pressures. */
 #include "report/section.h"
 

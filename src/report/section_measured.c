@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Measured contact resistance beside the models. */
 #include "report/section.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* How sure the numbers are: by the scatter of repeated scans, or by records simulated from a single one. */
 #include "report/section.h"
 

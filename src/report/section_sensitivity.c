@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Which results survive another cut-off, another scan length and another hardness. */
 #include "report/section.h"
 

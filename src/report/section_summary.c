@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What an engineer wants first: contact area, resistance, the best surface, and how far to trust it. */
 #include "report/section.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The surfaces: roughness, spectra and what they stand for. */
 #include "report/section.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A chart as inline SVG: gnuplot's drawing reduced to what the page needs, and to nothing that could act or load. */
 #ifndef REPORT_SVG_H
 #define REPORT_SVG_H

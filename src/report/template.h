@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The report's fixed words live in templates/report.md; what is computed comes in by name.
  *   {{name}}                 the field's text
  *   {{#name}} ... {{/name}}  kept when the field is not empty

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The compact table that `report` ends with on a terminal. */
 #include "report/report.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the leading model's answer hangs on, one thing changed at a time, and what to measure to be surer. */
 #ifndef RESULTS_DOUBT_H
 #define RESULTS_DOUBT_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Everything that a report is about: the record of every surface, and what was computed beside them. */
 #ifndef RESULTS_RESULTS_H
 #define RESULTS_RESULTS_H

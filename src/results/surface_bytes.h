@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A surface's record as bytes: for a file of this process, or for another process that runs the same program. Structs
  * go as they lie in memory. */
 #ifndef RESULTS_SURFACE_BYTES_H

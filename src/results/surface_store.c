@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "results/surface_store.h"
 
 #include <errno.h>

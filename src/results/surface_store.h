@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The surfaces' arrays on disk between evaluation and report, so that memory does not grow with their number.
  * Summaries stay in memory; spectra, curves and previews go to an unnamed temporary file. */
 #ifndef RESULTS_SURFACE_STORE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* How long a run is likely to take, stage by stage. What the scans took to be read is known by then; the rest is counts
  * times rates that are measured on the spot, with the program's own functions, in some milliseconds. A forecast never
  * goes into a report: the same input gives the same bytes. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What `plan` and `report` share: scans read and described, effects decided, work predicted. No model runs here. */
 #ifndef RUN_PREPARE_H
 #define RUN_PREPARE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The main job: from a directory of scans to a report. run.c reads as the program's architecture. */
 #ifndef RUN_RUN_H
 #define RUN_RUN_H

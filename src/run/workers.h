@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Runs one task a surface on several threads; results do not depend on how many. */
 #ifndef RUN_WORKERS_H
 #define RUN_WORKERS_H

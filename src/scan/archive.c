@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scan/archive.h"
 #include "base/limits.h"
 #include "scan/bytes.h"

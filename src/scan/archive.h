@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Zip archives in memory, entries stored or deflated (APPNOTE.TXT, 4.3 and 4.5.3 of PKWARE's specification). Nothing of
  * one is trusted: before an entry is unpacked their number, what all of them claim to unpack to and where they lie were
  * checked against base/limits.h and the file. */

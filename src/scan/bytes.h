@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Numbers in binary files: a cursor that never leaves the file. */
 #ifndef SCAN_BYTES_H
 #define SCAN_BYTES_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scan/foreign.h"
 #include "base/status.h"
 #include "scan/archive.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Files of known kinds that no reader reads: what they are, and how a scan comes out of them. */
 #ifndef SCAN_FOREIGN_H
 #define SCAN_FOREIGN_H

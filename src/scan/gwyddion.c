@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scan/gwyddion.h"
 #include "base/leftover.h"
 #include "base/program.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The program Gwyddion, where it is installed, reads what no reader here does. It is never needed. */
 #ifndef SCAN_GWYDDION_H
 #define SCAN_GWYDDION_H

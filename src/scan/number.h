@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Decimal numbers from bytes: correctly rounded, independent of the locale, fast. */
 #ifndef SCAN_NUMBER_H
 #define SCAN_NUMBER_H

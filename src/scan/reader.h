@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the readers share among themselves; nothing here is for other stages. */
 #ifndef SCAN_READER_H
 #define SCAN_READER_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Scan files: one reader a format, found by content (never by the file's ending). Everything leaves here in SI. */
 #ifndef SCAN_SCAN_H
 #define SCAN_SCAN_H

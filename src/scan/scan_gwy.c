@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Native Gwyddion files: `GWYP` and a serialized GwyContainer, whose components are a name, a letter for the type, and
  * the value; little-endian. `/N/data` are GwyDataFields (maps). Read is the first whose values are lengths. The format
  * is described in Gwyddion's user guide, Format of Gwyddion Files. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Any other format, packed by gzip (RFC 1952). */
 #include "base/limits.h"
 #include "base/text.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* NIST surface metrology database XML: <UNITS>, <NUMPOINTS>, <SPACING> and blocks of heights, one a line: the profile
  * as measured, and perhaps filtered to roughness or waviness. */
 #include "scan/number.h"

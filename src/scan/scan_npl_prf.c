@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* NPL and Taylor Hobson text PRF: `1 2`, a title, the axes CX and CZ, EOR; remarks with `SPACING CX s`, EOR; one
  * integer a height, EOR, EOF. A height is integer x factor x unit. */
 #include "scan/number.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Text scans: x and z, perhaps with an index or other columns beside them; heights below a line that names the spacing;
  * and maps: x y z lists on a grid, and matrices of heights with their pixel size. */
 #include "base/limits.h"

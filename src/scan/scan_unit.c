@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Names of units of length and of slope, in every spelling instruments write: more lenient than unit_read(), and
  * whatever their case. */
 #include "base/unit.h"

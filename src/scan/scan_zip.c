@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A zip archive that holds scans, as some instruments pack theirs: every entry that a reader knows by its content is
  * one; text only where nothing else is there, and where it has a row of numbers. options->entry says where the search
  * starts: entry i is at i, and at i + the number of entries when texts are sought. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A file beside a scan that says its units: `scan.dat` may have `scan.txt`, `scan.json`, `scan.hdr` or `scan.dat.txt`,
  * ... Two kinds are known: the JSON of the DABAM metrology database (X1_FACTOR, Y1_FACTOR, ...: metres or radians per
  * unit of a column), and lines or JSON members such as `x_unit: mm`, as in the header of a text scan. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Pieces of a text file in memory: views, the lines of a file, the cells of a line. Nothing is copied. */
 #ifndef SCAN_STRING_VIEW_H
 #define SCAN_STRING_VIEW_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the lines above the numbers of a text scan say: titles and units of the columns, and keys with values. */
 #ifndef SCAN_TEXT_HEADER_H
 #define SCAN_TEXT_HEADER_H

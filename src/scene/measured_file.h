@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The text file of a measurement: rows of load, resistance and perhaps its error, and the units it names. */
 #ifndef SCENE_MEASURED_FILE_H
 #define SCENE_MEASURED_FILE_H

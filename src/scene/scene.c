@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scene/scene.h"
 #include "joint/electron.h"
 #include "scene/scene_asked.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the user asks for: DIR/scene.yaml, with defaults for everything (README, The scene). */
 #ifndef SCENE_SCENE_H
 #define SCENE_SCENE_H

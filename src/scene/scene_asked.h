@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a scene asks of the contact: `targets`, whose load is sought, and `limits`, to be kept. Private to src/scene,
  * but for its table. */
 #ifndef SCENE_SCENE_ASKED_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Files of a directory as the repeated scans of one surface: those a pattern matches, or all. Private to src/scene. */
 #ifndef SCENE_SCENE_FILES_H
 #define SCENE_SCENE_FILES_H

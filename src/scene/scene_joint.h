@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What lies in and around the spots: 'gap' and 'plating' of a scene. Private to src/scene. */
 #ifndef SCENE_SCENE_JOINT_H
 #define SCENE_SCENE_JOINT_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The keys of scene.yaml. Private to src/scene. */
 #ifndef SCENE_SCENE_KEYS_H
 #define SCENE_SCENE_KEYS_H

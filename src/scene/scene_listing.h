@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Surfaces from the files of a directory, for a scene that lists none. Private to src/scene. */
 #ifndef SCENE_SCENE_LISTING_H
 #define SCENE_SCENE_LISTING_H

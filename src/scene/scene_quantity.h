@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A quantity as people write one: a number in SI, or a number with its unit. */
 #ifndef SCENE_SCENE_QUANTITY_H
 #define SCENE_SCENE_QUANTITY_H

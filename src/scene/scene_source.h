@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The text of a scene as a tree of nodes that know their lines, and readers for its values. Private to src/scene.
  * What returns false has failed: STATUS_SCENE with file, line and key, or STATUS_MEMORY, in source->status. */
 #ifndef SCENE_SCENE_SOURCE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scene/scene_surfaces.h"
 #include "base/limits.h"
 #include "scene/scene_files.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The bodies of a scene: its surfaces, what they are pressed against, and their materials. Private to src/scene. */
 #ifndef SCENE_SCENE_SURFACES_H
 #define SCENE_SCENE_SURFACES_H

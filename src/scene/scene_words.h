@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Names in messages: hostile text made printable, and the nearest known name for one that is unknown. */
 #ifndef SCENE_SCENE_WORDS_H
 #define SCENE_SCENE_WORDS_H

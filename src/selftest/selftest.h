@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Does this build compute correctly here? Numbers whose values are known from elsewhere (closed forms, printed figures
  * of other programs, evaluations of the same equations in 30 digits or by other methods), computed again from nothing
  * but what is compiled in: no file is read, and none written. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The direct solution of a wave and of a sphere on small grids, by another solver and by theory. */
 #include "direct/direct_constriction.h"
 #include "direct/direct_quantities.h"

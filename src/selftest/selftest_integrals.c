@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Quadrature, and the integrals of asperities over Gaussian heights. */
 #include "base/integral.h"
 #include "contact/gaussian.h"

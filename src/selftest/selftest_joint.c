@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What lies in and around the spots: gas, films, platings, heat, electrons. */
 #include "joint/electron.h"
 #include "joint/film.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Every contact model of the table, as a run calls it. */
 #include "contact/model.h"
 #include "selftest/selftest.h"

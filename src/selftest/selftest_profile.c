@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The profile with a plateau of tests/data/golden/contacting-slopes/profiles.csv. */
 #include "selftest/selftest_profile.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A profile to compute on: worn flat on top. Private to src/selftest. */
 #ifndef SELFTEST_SELFTEST_PROFILE_H
 #define SELFTEST_SELFTEST_PROFILE_H

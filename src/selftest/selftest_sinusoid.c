@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One sinusoidal scale of tin, elastic and elastic-plastic. */
 #include "contact/sinusoid.h"
 #include "material/material.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Software gauges (ISO 5436-2, type F2 data in its own file format): profiles that are formulas, read as a file would
  * be, and their parameters. */
 #include "base/text.h"

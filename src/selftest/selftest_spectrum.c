@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A profile made of the 255 waves of a power law gives them back; the band of a law is found in a rough spectrum. */
 #include "selftest/selftest.h"
 #include "spectrum/power_law.h"

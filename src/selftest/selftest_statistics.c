@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Student's quantiles, which every interval of the report stands on, and the interval of five scans. */
 #include "selftest/selftest.h"
 #include "statistics/interval.h"

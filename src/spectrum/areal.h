@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Figures of an areal map: heights over its plane, and its rows as profiles. */
 #ifndef SPECTRUM_AREAL_H
 #define SPECTRUM_AREAL_H

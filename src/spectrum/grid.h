@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Spectra of records of different lengths and spacings on one grid of wavelengths. */
 #ifndef SPECTRUM_GRID_H
 #define SPECTRUM_GRID_H

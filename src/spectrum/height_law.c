@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spectrum/height_law.h"
 
 #include "spectrum/simulated_record.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Are the heights of a scan Gaussian, as models take them to be that know only its spectrum or moments? The one
  * criterion of the program. */
 #ifndef SPECTRUM_HEIGHT_LAW_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Harmonics gathered in bins of equal width in log wavelength: mean logarithms of their amplitudes, unbiased under any
  * slope and little moved by a single line, with the covariance that Gaussian random heights give them. */
 #ifndef SPECTRUM_LOG_BIN_H

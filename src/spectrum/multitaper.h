@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Squared amplitudes of a record's harmonics by sine tapers of its first differences: the spectrum a power law is
  * fitted to. Whitening by differences and the tapers' small side lobes keep the steep long waves of an aperiodic record
  * out of the short ones; the mean of five tapers scatters less than one periodogram. */

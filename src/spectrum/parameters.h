@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Profile parameters of ISO 21920-2:2021 (as ISO 4287:1997 and ISO 13565-2:1996 have them), for P and R profiles.
  *
  * Conventions, under which the values that instruments print come out to their last digit (tests/spectrum):

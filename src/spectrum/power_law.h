@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The power law Delta = alpha lambda^gamma through a spectrum (4.53); docs/equations.md, From scan to spectrum. */
 #ifndef SPECTRUM_POWER_LAW_H
 #define SPECTRUM_POWER_LAW_H

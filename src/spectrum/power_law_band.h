@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The band of wavelengths in which a surface obeys a power law Delta = alpha lambda^gamma: found in its multitaper
  * spectrum, fitted there by generalised least squares, with standard errors that hold. Outside of it lie the roll-off
  * to a plateau, a filter's flank and the instrument's noise. */

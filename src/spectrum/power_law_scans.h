@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* From the scans of a surface to the spectrum its power law is fitted to: powers averaged over scans, and over how many
  * independent ones. */
 #ifndef SPECTRUM_POWER_LAW_SCANS_H

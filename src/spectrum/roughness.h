@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Statistical parameters of a levelled profile (docs/equations.md, Statistical models; 4.19-4.24, 4.30). */
 #ifndef SPECTRUM_ROUGHNESS_H
 #define SPECTRUM_ROUGHNESS_H

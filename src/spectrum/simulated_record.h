@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Gaussian random records with the spectrum of a measured one: how much an answer would change had the scan been taken
  * at another place of the same surface. */
 #ifndef SPECTRUM_SIMULATED_RECORD_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* From heights to harmonics (docs/equations.md, From scan to spectrum). */
 #ifndef SPECTRUM_SPECTRUM_H
 #define SPECTRUM_SPECTRUM_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* How far a mean may be from what more scans would give: Student's intervals for scans, for scans cut to pieces and for
  * rows that follow each other on one map. Values are logarithms of positive answers (area, resistance), or the answers
  * themselves where they may be zero or negative (separation). */

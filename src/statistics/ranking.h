@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Which surface is better, and whether more scans would say the same. */
 #ifndef STATISTICS_RANKING_H
 #define STATISTICS_RANKING_H

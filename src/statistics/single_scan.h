@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* How sure the answer of one scan is: what scans of the same length at other places of the surface would answer, by
  * records simulated from its spectrum, and whether its own quarters differ more than such records' do. */
 #ifndef STATISTICS_SINGLE_SCAN_H

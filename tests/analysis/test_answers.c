@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Loads for a target: against reference forces, the model itself, scans solved one by one here, and bands. Limits. */
 #include "analysis/answers.h"
 #include "analysis/surface.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What accuracy costs: each method on a real surface against what it must come to. Times are never tested. */
 #include "analysis/benchmark.h"
 #include "contact/convergence.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a curve is condensed to, on curves whose numbers follow from a formula. */
 #include "analysis/curve_summary.h"
 #include "support.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Which part of a curve lies inside a model's validity: light loads may be outside as well as heavy ones. */
 #include "analysis/curve_summary.h"
 #include "support.h"

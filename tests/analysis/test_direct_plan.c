@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What is decided before a direct solution runs: the matched law, loads, hardness, and the budget's order. */
 #include "analysis/direct_plan.h"
 #include "support.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* How the models' bounds decide on effects. The program has a table of its own, of models whose bounds are known. */
 #include "analysis/effect_bounds.h"
 #include "support.h"

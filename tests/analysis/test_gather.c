@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* From scans to one surface: averages, scans kept to run alone, their laws, the counterface, and what is said of a
  * jump. */
 #include "analysis/gather.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Elbow and limits of curves, solved to the tolerance whatever the list of loads. */
 #include "analysis/landmarks.h"
 #include "support.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/measured.h"
 #include "directory.h"
 #include "scene/measured_file.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A piece of a profile: levelled and windowed by whether it closes on itself. */
 #include "analysis/piece.h"
 #include "profile/record_window.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What is known of a number from its value of every scan, piece or row. Student's quantiles from tables. */
 #include "analysis/repeats.h"
 #include "contact/multiscale.h"

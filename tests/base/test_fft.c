@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Transforms of every kind of size against their defining sum, back again, and by several threads at once. */
 #include "base/fft.h"
 #include "support.h"

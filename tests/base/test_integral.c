@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Adaptive integration against integrals known in closed form. */
 #include "base/integral.h"
 #include "support.h"

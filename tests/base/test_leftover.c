@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What is noted goes, all of it, and nothing else; what is held is waited for. */
 #include "base/leftover.h"
 #include "directory.h"

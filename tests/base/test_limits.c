@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Every row of the table of limits, with values so small that files at a limit and just beyond it are made in memory:
  * the first are read, the others refused with the limit and what to do. The table here takes the place of the program's
  * own in this test. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The digits of every kind of double against printf's, byte by byte, and back again. */
 #include "base/number_digits.h"
 #include "support.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The order of numbers against a plain sort. */
 #include "base/rank.h"
 #include "support.h"

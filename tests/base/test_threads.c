@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What tasks leave in their turn, whatever the number of threads, and which failure is told. */
 #include "base/thread.h"
 #include "base/threads.h"

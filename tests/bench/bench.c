@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Times the program's kernels: case, method, evaluations, nanoseconds each, error, and how often the case fits into the
  * time of the same work by Simpson's rule with 1000 sub-intervals. cmake --workflow --preset bench.
  * Times are the least of several runs; ratios come from one run of this program. The direct solution follows: its

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Runs the built program (or another) without a shell, in a directory of its own that is removed at the end. */
 #ifndef TEST_CLI_PROCESS_H
 #define TEST_CLI_PROCESS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Scans no instrument measured, each beside a good one: the good one is reported, and nothing that is written holds a
  * number that is not one. */
 #include "cli/process.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Targets and limits on the command line: what they write, what they end with, and that without them there is nothing.
  */
 #include "cli/process.h"

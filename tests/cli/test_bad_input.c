@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What is wrong with the input is said in a line that names file, line and remedy, and nothing is half written. */
 #include "cli/process.h"
 

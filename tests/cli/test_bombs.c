@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Small files that would fill a memory or take for ever, and things in a directory that are no files: the program says
  * what is wrong with each within a bounded memory and time of the processor. */
 #include "base/limits.h"

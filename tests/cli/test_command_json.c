@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* --json: one value on standard output and nothing else, which says what the text says; docs/commands.md has its keys.
  */
 #include "cli/process.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* inspect, plan, synth, models, materials, and what the command line says about itself. */
 #include "cli/process.h"
 

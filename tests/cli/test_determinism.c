@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The same input gives the same bytes: whatever the threads, the directory one stands in, the locale, the time zone. */
 #include "cli/process.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The direct solution from the command line to the report: on call, what it writes, and nothing where it is not. */
 #include "cli/process.h"
 #include "support.h"

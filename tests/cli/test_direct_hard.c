@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The direct solution where there is little or nothing to solve, from the scene to the report: what has no answer
  * leaves no number anywhere, and says why. */
 #include "cli/process.h"

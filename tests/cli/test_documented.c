@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* docs/report.md against a report: every file of data/ and every column, key and section is described. */
 #include "cli/process.h"
 #include "contact/model.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Every file that is written, and all that is printed, of surfaces whose names hold control characters, bidirectional
  * overrides, bytes that are no UTF-8 and formulas: byte by byte, and read back. */
 #include "cli/process.h"

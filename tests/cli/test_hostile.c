@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Names and titles that try to be code: they appear as what they are, and run nowhere. */
 #include "cli/process.h"
 

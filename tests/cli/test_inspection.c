@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What `inspect` says of the real scans, against the figures computed beside them (reference.json). */
 #include "cli/inspection.h"
 #include "cli/process.h"

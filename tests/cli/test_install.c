@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* An installed tree: the program finds its templates there, and others the library, also after the tree has moved; and
  * it can be taken out again. */
 #include "cli/process.h"

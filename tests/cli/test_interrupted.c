@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* OUT is complete or untouched, whatever ends the run. */
 #include "cli/process.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The manual page and the completion: made of the tables, named nowhere else, and of use to man and bash. */
 #include "cli/command.h"
 #include "cli/process.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What lies beside scans, scans in archives, standard input, directories, and the help of another program. */
 #include "base/text.h"
 #include "cli/process.h"

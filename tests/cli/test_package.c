@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The Debian packages: made, looked over by lintian where that is installed, unpacked, and the program run from there.
  */
 #include "cli/process.h"

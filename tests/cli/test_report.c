@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The main job on the command line: options over the scene, real scans, the terminal's charts and times. */
 #include "base/text.h"
 #include "cli/process.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Whatever the program is doing when a signal comes, it ends, with all that it has started and made. */
 #include "base/clock.h"
 #include "base/leftover.h"

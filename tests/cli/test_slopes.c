@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Slopes, columns and sidecars from the command line to the report. */
 #include "cli/process.h"
 #include "support.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "model_support.h"
 
 struct model_curve model_support_run(struct contact_point *points, const char *model, const struct model_task *task)

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A model's row run on a surface made up for a test. */
 #ifndef TEST_MODEL_SUPPORT_H
 #define TEST_MODEL_SUPPORT_H

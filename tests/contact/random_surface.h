@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The surfaces of which direct solutions are at hand (tests/data/golden/two-band/truth_elastic.csv). */
 #ifndef TEST_RANDOM_SURFACE_H
 #define TEST_RANDOM_SURFACE_H

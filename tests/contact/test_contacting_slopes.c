@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Contacting slopes against tests/data/golden/contacting-slopes, against Persson's theory on Gaussian heights, and in
  * what must not change it. */
 #include "contact/contacting_slopes.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "contact/effect.h"
 #include "material/material.h"
 #include "support.h"

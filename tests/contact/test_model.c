@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What every model goes through: a curve that is not finite does not exist, and work is what was predicted. */
 #include "model_support.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Contacting slopes as a run calls it: which surfaces have a curve, and what it leaves empty. */
 #include "contact/persson.h"
 #include "model_support.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Persson's theory as a run calls it. */
 #include "contact/persson.h"
 #include "model_support.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* CMY and Sridhar-Yovanovich as a run calls them, against tests/data/golden/models, and their limits; Mikic's closed
  * form, which only its correlation needs. */
 #include "analysis/curve_summary.h"

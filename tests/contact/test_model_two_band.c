@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The two-band models as a run calls them: what they leave empty, what their rows promise, and scans of any length. */
 #include "contact/two_band.h"
 #include "model_support.h"

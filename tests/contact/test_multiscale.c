@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "contact/convergence.h"
 #include "contact/multiscale.h"
 #include "support.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Persson's area, separation and conductance against tests/data/golden/models/persson_lines.csv (a direct double
  * integral in 30 digits), against the sums over every wave, and in their limits. */
 #include "base/integral.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Number and radius of the spots of the asperity models, against integrals over asperities taken one by one. */
 #include "base/integral.h"
 #include "contact/statistical.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* CMY, Mikic and Sridhar-Yovanovich against tests/data/golden/models/truncation.csv, their correlations within the
  * ranges stated, and their limits. */
 #include "contact/cmy.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The two-band stack against tests/data/golden/two-band (40 digits), against direct solutions of random surfaces, and
  * in what it is made for: independence of the scan's length. */
 #include "contact/two_band.h"

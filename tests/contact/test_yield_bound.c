@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What yielding can change at most, against the same sums by a quadrature of their own. */
 #include "contact/multiscale.h"
 #include "contact/statistical.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "direct_support.h"
 
 #include "direct/direct_constriction.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the tests of the direct solution share. */
 #ifndef DIRECT_SUPPORT_H
 #define DIRECT_SUPPORT_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Measured areal maps. They are not part of the project; where they lie beside it, their direct solutions are compared
  * with reference numbers, and surfaces synthesised from their rows with the maps themselves. */
 #include "direct_support.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A grid shared by a team gives what one process gives, and an error or a stop on one rank ends all. */
 #include "direct_points.h"
 #include "direct_support.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "direct_support.h"
 
 /** Mean square at harmonic m of the rows of n x n heights, averaged over the rows. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Two models against direct solutions of surfaces with the power laws of chapter 6's four tin surfaces: the laws as the
  * fit has them, and the laws matched to the surfaces' own mean square height and slope. */
 #include "direct_support.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* CMY's resistance against the direct solution of the very islands it speaks of: what of a Gaussian surface lies above
  * a plane. Its islands are round and evenly spread, those of a surface are neither. */
 #include "contact/truncation_model.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A team (direct_team.h) of threads: what ranks do, without any of MPI. */
 #ifndef THREAD_TEAM_H
 #define THREAD_TEAM_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The documents against the program: what they name exists, and what exists is named. */
 #include "base/limits.h"
 #include "contact/model.h"
@@ -7,6 +8,7 @@
 #include "support.h"
 
 #include <dirent.h>
+#include <fts.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <unistd.h>
@@ -393,6 +395,48 @@ static size_t room_index(const struct rooms *rooms, const char *name, size_t len
     return i;
 }
 
+/** Is it a file that can hold a comment? */
+static bool takes_comments(const char *name)
+{
+    static const char *const endings[] = {".c",    ".h",   ".cmake", ".md",    ".html", ".py",   ".sh",
+                                          ".yaml", ".map", ".1",     ".pc.in", ".bash", ".dict", "CMakeLists.txt"};
+    size_t length = strlen(name);
+    for (size_t i = 0; i < sizeof endings / sizeof *endings; i++)
+        if (length >= strlen(endings[i]) && strcmp(name + length - strlen(endings[i]), endings[i]) == 0)
+            return true;
+    return false;
+}
+
+/** Every file says under which licence it is, at its beginning. What tests read is data, as outside files are. */
+static void licences_are_named(void **state)
+{
+    (void)state;
+    static char places[][sizeof PROJECT_SOURCE + 32] = {
+        PROJECT_SOURCE "/README.md", PROJECT_SOURCE "/CMakeLists.txt", PROJECT_SOURCE "/cmake",
+        PROJECT_SOURCE "/docs",      PROJECT_SOURCE "/examples",       PROJECT_SOURCE "/src",
+        PROJECT_SOURCE "/surfaces",  PROJECT_SOURCE "/templates",      PROJECT_SOURCE "/tests"};
+    char *paths[sizeof places / sizeof *places + 1] = {NULL};
+    for (size_t i = 0; i < sizeof places / sizeof *places; i++)
+        paths[i] = places[i];
+    FTS *tree = fts_open(paths, FTS_PHYSICAL | FTS_NOCHDIR, NULL);
+    assert_non_null(tree);
+    size_t files = 0;
+    for (FTSENT *entry; (entry = fts_read(tree));) {
+        const char *path = entry->fts_path + sizeof PROJECT_SOURCE;
+        if (entry->fts_info == FTS_D && (strcmp(path, "tests/data") == 0 || strcmp(path, "tests/fuzz/corpus") == 0))
+            fts_set(tree, entry, FTS_SKIP);
+        if (entry->fts_info != FTS_F || !takes_comments(entry->fts_name))
+            continue;
+        char *text = read_document(path), *named = strstr(text, "SPDX-License-Identifier: GPL-3.0-or-later");
+        if (!named || named - text > 64)
+            fail_msg("%s does not begin with its SPDX-License-Identifier", path);
+        free(text);
+        files++;
+    }
+    fts_close(tree);
+    assert_true(files > 500);
+}
+
 static void check_includes(const struct rooms *rooms, size_t room, const char *path)
 {
     char *text = read_document(path);
@@ -445,10 +489,15 @@ static void rooms_use_only_those_before(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(places_exist),           cmocka_unit_test(functions_carry_their_numbers),
-        cmocka_unit_test(equations_are_complete), cmocka_unit_test(paths_exist),
-        cmocka_unit_test(links_lead_somewhere),   cmocka_unit_test(tables_are_described),
-        cmocka_unit_test(limits_are_stated),      cmocka_unit_test(rooms_use_only_those_before),
+        cmocka_unit_test(places_exist),
+        cmocka_unit_test(functions_carry_their_numbers),
+        cmocka_unit_test(equations_are_complete),
+        cmocka_unit_test(paths_exist),
+        cmocka_unit_test(links_lead_somewhere),
+        cmocka_unit_test(tables_are_described),
+        cmocka_unit_test(limits_are_stated),
+        cmocka_unit_test(licences_are_named),
+        cmocka_unit_test(rooms_use_only_those_before),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

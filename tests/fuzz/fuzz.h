@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What is done with hostile bytes, the same by libFuzzer (cmake --workflow --preset fuzz) and by test_fuzz_corpus,
  * which replays the committed corpus. A broken promise ends the process with the line that says it. */
 #ifndef TEST_FUZZ_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The committed corpus of the fuzz drivers, through the same functions: what once crashed or was hard to reach stays
  * tested with every compiler. A broken promise aborts. */
 #include "fuzz/fuzz.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the hard cases share. Each program runs them twice: as they are and, given the argument `traps`, with every
  * invalid operation, division by zero and overflow a signal, which cmocka reports as a failure. */
 #ifndef HARD_SUPPORT_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One asperity at its limits: where it starts to yield, and pressed so far that a/R would exceed 1. */
 #include "contact/asperity.h"
 #include "hard_support.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The direct solution at its limits: one point and all in contact, a load at the hardness, a spike, exponents at both
  * ends, a coarse grid; and where it has no answer, none. */
 #include "direct/direct_constriction.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* All models as a run calls them, from no load to far beyond full contact of each. */
 #include "contact/model.h"
 #include "hard_support.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Stacks of scales: extreme power laws, loads over 36 decades, scales that are not there. */
 #include "contact/convergence.h"
 #include "contact/multiscale.h"

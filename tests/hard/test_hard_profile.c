@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Scans and scenes that strain the way from heights to loads: offsets, tilt, prime lengths, quantised heights. */
 #include "hard_support.h"
 #include "profile/profile.h"

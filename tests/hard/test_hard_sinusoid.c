@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One scale at its limits: complete contact, no pressure, the critical amplitude and the critical pressure. */
 #include "contact/constriction.h"
 #include "contact/sinusoid.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The statistical models far out: heights from 37 sigma_s down to -60, every Nayak parameter, every material. */
 #include "contact/gaussian.h"
 #include "contact/statistical.h"

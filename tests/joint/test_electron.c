@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Electrons' mean free path and small spots against tests/data/golden/models/electron.csv and sharvin_wexler.csv. */
 #include "base/constants.h"
 #include "joint/electron.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A film adds its resistance over the true contact area. */
 #include "joint/film.h"
 #include "support.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Gas in the gaps against tests/data/golden/models/gas.csv and gap.csv, and in its limits. */
 #include "joint/gas.h"
 #include "support.h"

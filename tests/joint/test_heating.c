@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Holm's voltage-temperature relation against tests/data/golden/models/holm.csv. */
 #include "joint/heating.h"
 #include "support.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What lies in and around the spots, added to points: in its limits, and off. */
 #include "joint/joint.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The plating factor against tests/data/golden/models/layer.csv, its Hankel integral, and its limits. */
 #include "joint/plating.h"
 #include "support.h"

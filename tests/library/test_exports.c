@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What libroughcontact.so shows: the functions of its header, no more and no fewer. */
 #include "cli/process.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a host program may have set, and gets back; and several threads at once. */
 #include "cli/process.h"
 #include "library/host.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The library against the program: the same numbers to the last bit, the same refusals; and that a fault of the caller
  * comes back as an error. Only the public header is used. */
 #include "cli/process.h"

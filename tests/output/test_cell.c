@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Numbers on their way into files: what is absent, and what must not be. */
 #include "output/cell.h"
 #include "support.h"

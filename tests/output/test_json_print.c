@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The text of JSON, byte by byte what jansson makes of the same. */
 #include "output/json_print.h"
 #include "support.h"

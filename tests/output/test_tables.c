@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "contact/model.h"
 #include "results/results.h"
 #include "run/pipeline.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Shared by the tests of conditioning: a scan in memory, and its profile with its notes. */
 #ifndef TEST_CONDITION_SUPPORT_H
 #define TEST_CONDITION_SUPPORT_H

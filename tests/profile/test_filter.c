@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The Gaussian filter: transmission of sinusoids, constants up to the ends, linearity, a direct sum. */
 #include "profile/filter.h"
 #include "support.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Missing points: bridged, cut off, counted, refused. */
 #include "condition_support.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Arcs, robust lines, and levelling over uneven positions. */
 #include "condition_support.h"
 #include "profile/level.h"

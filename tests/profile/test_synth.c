@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "profile/level.h"
 #include "profile/profile.h"
 #include "profile/synth.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What ranks solve for the first of them is what it would solve alone. Run by mpirun; how many ranks it should find is
  * the argument. */
 #include "direct/direct_ensemble.h"

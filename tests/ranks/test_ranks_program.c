@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The program over several processes: the plain program's report, its errors and its exit statuses. */
 #include "cli/process.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The page: structure, contents, charts, and that nothing in it acts or leads away. */
 #include "report/html.h"
 #include "support.h"

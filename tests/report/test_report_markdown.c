@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The report as Markdown: a section is there when what it speaks of ran, and nothing is left where one is not. */
 #include "report/section.h"
 #include "run/pipeline.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What all sections write with: names of surfaces. */
 #include "report/section.h"
 #include "support.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the report says of targets and limits, on results whose answers are put in by hand. */
 #include "made_up_results.h"
 #include "report/report.h"

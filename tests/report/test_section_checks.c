@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The findings of the thesis's chapter 6 as the report's section checks them, on results made up to order. */
 #include "report/section.h"
 #include "results/fake_results.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What each section says of results made up to order: made_up_results.h gives the numbers, the expected texts are
  * worked out by hand from them. */
 #include "made_up_results.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Drawings made inline: what is kept, what is changed, what must never come through. */
 #include "chart/look.h"
 #include "contact/model.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Results made up to order, without a run. */
 #ifndef TEST_FAKE_RESULTS_H
 #define TEST_FAKE_RESULTS_H

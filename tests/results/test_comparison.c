@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fake_results.h"
 
 static void test_ordered_surfaces(void **state)

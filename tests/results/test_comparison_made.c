@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* comparison_make() on curves made up to order: every count and ratio worked out by hand. */
 #include "made_up_results.h"
 #include "support.h"

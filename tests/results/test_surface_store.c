@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "directory.h"
 #include "results/surface_bytes.h"
 #include "results/surface_store.h"

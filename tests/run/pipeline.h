@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The whole program on a small scene in a temporary directory. */
 #ifndef TEST_PIPELINE_H
 #define TEST_PIPELINE_H

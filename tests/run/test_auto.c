@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `effects: auto` leaves out an effect only where no number of the report would move by more than the tolerance, also
  * those beyond the scene's loads, and does not run scale dependence for less. */
 #include "contact/convergence.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Bodies and loads of each surface, and no material at all, through the whole program. */
 #include "results/results.h"
 #include "run/pipeline.h"

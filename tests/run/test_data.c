@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What data/ holds of many surfaces, and that the number of threads that wrote it does not show. */
 #include "run/pipeline.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The first page against the data of the same report: what limits the answer, recomputed, and the page by itself. */
 #include "run/pipeline.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The power law, window and levelling that a run gives to periodic records and to records cut out of longer ones. */
 #include "base/text.h"
 #include "run/pipeline.h"

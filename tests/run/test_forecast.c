@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Forecasts: every stage is there, they add up, more work takes longer, and the rates come from the clock that is
  * given. */
 #include "run/forecast.h"

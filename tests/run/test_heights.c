@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Surfaces whose heights are not Gaussian, through the whole program: where contacting slopes runs, what the first page
  * says, and the normal-probability plot. */
 #include "run/pipeline.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Gas in the gaps, films, platings and heating through the whole program: every number of the section and of its
  * columns from what else is in data/. */
 #include "base/number_format.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A new model is a row: two more, registered here in place of model_table.c, run through a whole report. One stacks
  * scales and computes every quantity, one knows the area alone and never comes to full contact. */
 #include "contact/multiscale.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Several scans of a surface, one alone, and surfaces held against each other, through the whole program. */
 #include "run/pipeline.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Surfaces of several scans, maps, and two rough surfaces, through the whole program. */
 #include "run/pipeline.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* CMY and Sridhar-Yovanovich through the whole program: when they run, and the report's table of correlations against
  * what an engineer has from the same formulas by hand. */
 #include "run/pipeline.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Only what the scene calls for: each effect switched off removes exactly its work, the plan's counts are those done,
  * and `auto` leaves out what cannot change a number. */
 #include "run/prepare.h"

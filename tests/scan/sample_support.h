@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Small samples for the readers: every one holds the heights below (NaN where the sample has a missing point), 0.5 um
  * apart, a profile of six points or a map of three columns and two rows, 2 um apart. */
 #ifndef TEST_SAMPLE_SUPPORT_H

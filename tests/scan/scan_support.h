@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Shared by the tests of the readers: reading from text in memory, figures of a scan, mutations, the real scans. */
 #ifndef TEST_SCAN_SUPPORT_H
 #define TEST_SCAN_SUPPORT_H

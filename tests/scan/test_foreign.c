@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Files that no reader reads: known by their bytes, else by their name and that they are binary. */
 #include "scan/foreign.h"
 #include "zip_support.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* X3P and other scans in zip archives. */
 #include "zip_support.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Binary instrument formats. */
 #include "sample_support.h"
 

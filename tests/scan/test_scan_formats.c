@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Instrument formats that are text. */
 #include "sample_support.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Several scans in a zip archive, gzip, Gwyddion's own files. */
 #include "zip_support.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The collection of real scans against independently computed figures (tests/data/scan). */
 #include "scan_support.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Which unit a header gives to which axis, slopes and heights, the choice of columns, and sidecars. */
 #include "base/text.h"
 #include "scan_support.h"

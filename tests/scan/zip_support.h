@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Zip archives and gzip files made in memory. */
 #ifndef TEST_ZIP_SUPPORT_H
 #define TEST_ZIP_SUPPORT_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Scene directories made for one test, and reading them. */
 #ifndef TEST_SCENE_DIRECTORY_H
 #define TEST_SCENE_DIRECTORY_H

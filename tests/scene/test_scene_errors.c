@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Every way a scene can be wrong: the message names file, line and key, and what to do. */
 #include "scene_directory.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Hostile scenes: whatever the bytes, the answer is a valid scene or one line that says what is wrong. */
 #include "scene_directory.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A number in SI or one with its unit. */
 #include "scene/scene_quantity.h"
 #include "support.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The self-test: right as it is, wrong wherever a number or its expected value is planted wrong. */
 #include "contact/model.h"
 #include "selftest/selftest.h"

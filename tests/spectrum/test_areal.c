@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Maps: a plane under waves along x, with and without missing points. */
 #include "spectrum/areal.h"
 #include "support.h"

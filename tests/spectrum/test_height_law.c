@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The one criterion of heights that are not Gaussian: its limits, and chance where a scan has few long waves. */
 #include "spectrum/height_law.h"
 #include "support.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Parameters: closed forms, and the values that instruments and NIST print, to their last digit. */
 #include "profile/profile.h"
 #include "scan/scan_support.h"

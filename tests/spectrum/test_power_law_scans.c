@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spectrum/multitaper.h"
 #include "spectrum/power_law_scans.h"
 #include "support.h"

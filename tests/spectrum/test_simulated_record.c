@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/fft.h"
 #include "spectrum/log_bin.h"
 #include "spectrum/multitaper.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Simulated coverage of the statistical estimators, beside the figures they were published to have. Slow, and random to
  * the extent that each figure says; hence no test. cmake --workflow --preset statistics */
 #ifndef TESTS_STATISTICS_COVERAGE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "statistics/ranking.h"
 #include "statistics/single_scan.h"
 #include "support.h"

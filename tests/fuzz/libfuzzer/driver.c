@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* libFuzzer's side of a driver; FUZZ_TARGET is one of the functions of fuzz.h. */
 #include "fuzz/fuzz.h"
 
