@@ -363,9 +363,9 @@ static void print_heights(const struct surface_store *store)
     }
 }
 
-static void print_plan(const struct scene *scene, const struct prepared *prepared, const struct run_options *options)
+static void print_plan(const struct scene *scene, const struct prepared *prepared, const struct forecast *likely,
+                       bool brief)
 {
-    bool brief = options->brief;
     const struct plan *plan = &prepared->plan;
     struct text table = {0};
     prepare_table(&table, prepared, NULL);
@@ -385,15 +385,9 @@ static void print_plan(const struct scene *scene, const struct prepared *prepare
             "data/spectrum.csv holds bins of a tenth of a decade, as of more than %d surfaces; `data: full` has every "
             "harmonic\n",
             SCENE_DATA_SURFACES);
-    struct forecast_rates rates;
-    struct status status = {0};
-    if (forecast_calibrate(&rates, &prepared->results, clock_seconds, &status) == STATUS_OK) {
-        struct forecast likely = forecast_make(&prepared->results, &rates, options);
-        struct text stages = {0};
-        forecast_table(&stages, &likely, NULL);
-        printf("\n%s", text_string(&stages));
-        text_free(&stages);
-    }
+    forecast_table(&table, likely, NULL);
+    printf("\n%s", text_string(&table));
+    text_free(&table);
     if (scene->target_count > 0)
         printf("%zu target%s: a search each on every model's curve of each surface, counted in the evaluations above\n",
                scene->target_count, scene->target_count == 1 ? "" : "s");
@@ -425,11 +419,15 @@ int command_plan(int argc, char **argv)
     fputs(text_string(&messages), stderr);
     if (rc == STATUS_OK && refused == scene.surface_count)
         rc = status_fail(&status, STATUS_SCAN, "no readable scan in '%s'", scene.directory);
+    struct forecast_rates rates;
+    struct forecast likely = {0};
+    if (rc == STATUS_OK && (rc = forecast_calibrate(&rates, &prepared.results, clock_seconds, &status)) == STATUS_OK)
+        likely = forecast_make(&prepared.results, &rates, &arguments.run);
     if (rc == STATUS_OK && !arguments.json)
-        print_plan(&scene, &prepared, &arguments.run);
+        print_plan(&scene, &prepared, &likely, arguments.run.brief);
     int exit_status = rc != STATUS_OK ? command_fail(&status) : refused > 0 ? COMMAND_REFUSED : COMMAND_DONE;
     if (arguments.json)
-        scene_json_print_plan(rc == STATUS_OK ? &prepared : NULL, arguments.directory, arguments.run.brief,
+        scene_json_print_plan(rc == STATUS_OK ? &prepared : NULL, &likely, arguments.directory, arguments.run.brief,
                               text_string(&messages), exit_status, status.message);
     text_free(&messages);
     prepared_free(&prepared);

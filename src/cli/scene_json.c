@@ -119,8 +119,17 @@ static void add_effects(json_t *json, const struct prepared *prepared)
                         json_real(bytes + rows[EFFECT_CONVERGENCE + 1].bytes + rows[EFFECT_DIRECT + 1].bytes));
 }
 
-void scene_json_print_plan(const struct prepared *prepared, const char *directory, bool brief, const char *messages,
-                           int exit_status, const char *error)
+static json_t *stages_json(const struct forecast *likely)
+{
+    json_t *stages = json_array();
+    for (int s = 0; s < FORECAST_STAGES; s++)
+        json_array_append_new(stages,
+                              json_pack("{s:s, s:f}", "stage", forecast_names[s], "seconds", likely->seconds[s]));
+    return stages;
+}
+
+void scene_json_print_plan(const struct prepared *prepared, const struct forecast *likely, const char *directory,
+                           bool brief, const char *messages, int exit_status, const char *error)
 {
     json_t *json = begin(directory, messages, exit_status, prepared ? NULL : error);
     json_t *models = json_array();
@@ -132,6 +141,8 @@ void scene_json_print_plan(const struct prepared *prepared, const char *director
         const struct results *results = &prepared->results;
         const struct scene *scene = results->scene;
         add_effects(json, prepared);
+        json_object_set_new(json, "stages", stages_json(likely));
+        json_object_set_new(json, "elapsed_seconds", json_real(likely->total));
         json_object_set(json, "models", models);
         json_object_set_new(json, "surfaces", surfaces_json(&prepared->store));
         json_object_set_new(json, "material_known", json_boolean(results_has_material(results)));
