@@ -232,7 +232,6 @@ static void test_plan(void **state)
     assert_true(json_is_true(json_object_get(find(surfaces, "surface", "a"), "usable")));
     expect_part(text.err, text_of(find(surfaces, "surface", "broken"), "refused"));
     expect_described(json);
-    json_decref(json);
     struct process again = expect_exit(place, 1, "plan", "d", "--json");
     json_t *second = parse(again.out); /* the same, but for the times */
     static const char *const times[] = {"stages", "elapsed_seconds"};
@@ -240,6 +239,7 @@ static void test_plan(void **state)
         assert_true(json_object_del(json, times[i]) == 0 && json_object_del(second, times[i]) == 0);
     assert_true(json_equal(json, second));
     json_decref(second);
+    json_decref(json);
     process_free(&again);
     process_free(&process);
     process_free(&text);
