@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-enum { NAMES = 256, NAME = 64 };
+enum { NAMES = 1024, NAME = 64 };
 
 struct names {
     char name[NAMES][NAME];
