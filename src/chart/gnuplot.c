@@ -273,31 +273,25 @@ enum status_code gnuplot_take_text(struct text *out, const char *path, struct st
     return code == STATUS_OK && out->failed ? status_memory(status) : code;
 }
 
-/* `string` between two `mark`s, `first` before it; the characters `special` come out as `instead` at the same place. Of
- * "]]>", which gnuplot leaves as it is and XML does not allow in text, the last becomes U+203A. */
-static void gnuplot_enclose(char *out, size_t size, const char *string, char mark, const char *first,
-                            const char *special, const char *const *instead)
+void gnuplot_field(char *out, size_t size, const char *string)
 {
-    if (size < 3) { /* no room for the two marks */
+    if (size < 3) { /* no room for the two quotes */
         if (size > 0)
             out[0] = '\0';
         return;
     }
     size_t used = 0;
-    out[used++] = mark;
-    for (; *first && used + 2 < size; first++)
-        out[used++] = *first;
+    out[used++] = '"';
+    if (text_is_formula(string) && used + 2 < size)
+        out[used++] = '\'';
     while (*string) {
         struct text_shown shown = text_show(string);
-        if (*string == '>' && used >= 2 && memcmp(out + used - 2, "]]", 2) == 0)
-            strcpy(shown.text, "\u203A");
         char written[2 * sizeof shown.text];
         size_t bytes = 0;
         for (const char *c = shown.text; *c; c++) {
-            const char *found = strchr(special, *c), same[] = {*c, '\0'},
-                       *from = found ? instead[found - special] : same;
-            memcpy(written + bytes, from, strlen(from));
-            bytes += strlen(from);
+            if (*c == '\\')
+                written[bytes++] = '\\';
+            written[bytes++] = *c == '"' ? '\'' : *c;
         }
         if (used + bytes + 2 > size)
             break;
@@ -305,12 +299,6 @@ static void gnuplot_enclose(char *out, size_t size, const char *string, char mar
         used += bytes;
         string += shown.bytes;
     }
-    out[used++] = mark;
+    out[used++] = '"';
     out[used] = '\0';
-}
-
-void gnuplot_field(char *out, size_t size, const char *string)
-{
-    static const char *const instead[] = {"'", "\\\\"};
-    gnuplot_enclose(out, size, string, '"', text_is_formula(string) ? "'" : "", "\"\\", instead);
 }

@@ -373,7 +373,10 @@ static int remove_entry(const char *path, const struct stat *info, int type, str
  * many. */
 static double report_seconds(size_t scans, size_t points, size_t loads)
 {
-    char directory[] = "/tmp/roughcontact-bench-XXXXXX", path[120], output[64], text[200];
+    const char *temporary = getenv("TMPDIR");
+    char directory[256], path[300], output[300], text[200];
+    snprintf(directory, sizeof directory, "%s/roughcontact-bench-XXXXXX",
+             temporary && strlen(temporary) < 200 ? temporary : P_tmpdir);
     struct run_options options = {
         .output = output, .templates = PROJECT_SOURCE "/templates", .jobs = 1, .no_cost = true};
     struct status status = {0};

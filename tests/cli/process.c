@@ -345,3 +345,21 @@ size_t workspace_expect_numbers(const char *place, const char *path)
     free(whole);
     return files_seen;
 }
+
+bool workspace_can_run(const char *place, const char *line)
+{
+    const char *const command[] = {"sh", "-c", line, NULL};
+    struct process process = process_end(process_start_list(place, command, NULL));
+    int status = process.status;
+    process_free(&process);
+    return status == 0;
+}
+
+char *workspace_shell(const char *place, const char *line)
+{
+    const char *const command[] = {"sh", "-ec", line, NULL};
+    struct process process =
+        process_expect(process_end(process_start_list(place, command, NULL)), 0, __FILE__, __LINE__);
+    free(process.err);
+    return process.out;
+}

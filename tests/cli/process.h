@@ -68,5 +68,9 @@ void workspace_scan(const char *place, const char *path, size_t points, unsigned
 char *workspace_digest(const char *place, const char *path);
 /** How many entries, at any depth, have a name that begins with `prefix`. */
 size_t workspace_count(const char *place, const char *prefix);
+/** Does a shell's command line succeed in the workspace? */
+bool workspace_can_run(const char *place, const char *line);
+/** Runs a shell's command line, which must succeed; its stdout, to be freed. */
+char *workspace_shell(const char *place, const char *line);
 
 #endif

@@ -25,26 +25,6 @@ static int unlink_in(const char *place, const char *path)
     return unlink(full);
 }
 
-/** Does a shell's command line succeed? */
-static bool can_run(const char *place, const char *line)
-{
-    const char *const command[] = {"sh", "-c", line, NULL};
-    struct process process = process_end(process_start_list(place, command, NULL));
-    int status = process.status;
-    process_free(&process);
-    return status == 0;
-}
-
-/** Runs a shell's command line, which must succeed; its stdout, to be freed. */
-static char *shell(const char *place, const char *line)
-{
-    const char *const command[] = {"sh", "-ec", line, NULL};
-    struct process process =
-        process_expect(process_end(process_start_list(place, command, NULL)), 0, __FILE__, __LINE__);
-    free(process.err);
-    return process.out;
-}
-
 static void run_installed(const char *place, const char *program, const char *output)
 {
     const char *const arguments[] = {program, "report", "--no-cost", "d",          "-o", output,
@@ -135,10 +115,10 @@ static void test_examples(void **state)
     workspace_write(place, "bare.csv", "0,1\n1,2\n2,1\n");
 
     setenv("PKG_CONFIG_PATH", "moved/" LIBRARY_FOLDER "/pkgconfig", 1);
-    free(shell(place, C_COMPILER " -Wall -Wextra -Werror " SANITIZE_OPTIONS
-                                 " -o contact moved/share/roughcontact/examples/contact.c"
-                                 " $(pkg-config --cflags --libs roughcontact)"));
-    text = shell(place, "pkg-config --modversion roughcontact");
+    free(workspace_shell(place, C_COMPILER " -Wall -Wextra -Werror " SANITIZE_OPTIONS
+                                           " -o contact moved/share/roughcontact/examples/contact.c"
+                                           " $(pkg-config --cflags --libs roughcontact)"));
+    text = workspace_shell(place, "pkg-config --modversion roughcontact");
     struct process version = expect_exit(place, 0, "--version");
     text[strcspn(text, "\n")] = '\0';
     expect_part(version.out, text);
@@ -147,19 +127,19 @@ static void test_examples(void **state)
     unsetenv("PKG_CONFIG_PATH");
 
     setenv("LD_LIBRARY_PATH", "moved/" LIBRARY_FOLDER, 1);
-    char *of_c = shell(place, "./contact d/a.csv");
+    char *of_c = workspace_shell(place, "./contact d/a.csv");
     expect_table(place, of_c);
-    text = shell(place, "! ./contact bare.csv 2>&1");
+    text = workspace_shell(place, "! ./contact bare.csv 2>&1");
     expect_part(text, "bare.csv: ");
     expect_part(text, "unit");
     free(text);
-    if (*SANITIZE_OPTIONS || !can_run(place, "python3 -c 'import ctypes'")) {
+    if (*SANITIZE_OPTIONS || !workspace_can_run(place, "python3 -c 'import ctypes'")) {
         print_message("no Python here that could load the library\n");
     } else {
-        char *of_python = shell(place, "python3 moved/share/roughcontact/examples/contact.py d/a.csv");
+        char *of_python = workspace_shell(place, "python3 moved/share/roughcontact/examples/contact.py d/a.csv");
         assert_string_equal(of_python, of_c);
         free(of_python);
-        text = shell(place, "! python3 moved/share/roughcontact/examples/contact.py bare.csv 2>&1");
+        text = workspace_shell(place, "! python3 moved/share/roughcontact/examples/contact.py bare.csv 2>&1");
         expect_part(text, "bare.csv: ");
         free(text);
     }
@@ -208,7 +188,7 @@ static void test_uninstall(void **state)
     assert_int_equal(unlink_in(place, "shared/share/roughcontact/templates/page.html"), 0); /* gone already */
     process = process_expect(uninstall(place), 0, __FILE__, __LINE__);
     process_free(&process);
-    char *left = shell(place, "cd shared && find . | LC_ALL=C sort | tr '\\n' ' '"), *again;
+    char *left = workspace_shell(place, "cd shared && find . | LC_ALL=C sort | tr '\\n' ' '"), *again;
     assert_string_equal(left, ". ./bin ./include ./include/other.h ./share ./share/doc ./share/roughcontact "
                               "./share/roughcontact/surfaces ./share/roughcontact/surfaces/mine.csv "
                               "./share/roughcontact/templates ./share/roughcontact/templates/.hidden ");

@@ -8,21 +8,9 @@
 
 static bool is_there(const char *place, const char *program)
 {
-    const char *const command[] = {"sh", "-c", "command -v \"$0\"", program, NULL};
-    struct process process = process_end(process_start_list(place, command, NULL));
-    int status = process.status;
-    process_free(&process);
-    return status == 0;
-}
-
-/** Runs a shell's command line, which must succeed; its stdout, to be freed. */
-static char *shell(const char *place, const char *line)
-{
-    const char *const command[] = {"sh", "-ec", line, NULL};
-    struct process process =
-        process_expect(process_end(process_start_list(place, command, NULL)), 0, __FILE__, __LINE__);
-    free(process.err);
-    return process.out;
+    char line[64];
+    snprintf(line, sizeof line, "command -v %s", program);
+    return workspace_can_run(place, line);
 }
 
 static void test_package(void **state)
@@ -44,20 +32,21 @@ static void test_package(void **state)
     process_free(&process);
 
     /* what each depends on, and holds */
-    char *text = shell(place, "dpkg-deb -f packages/roughcontact_*.deb");
+    char *text = workspace_shell(place, "dpkg-deb -f packages/roughcontact_*.deb");
     expect_part(text, "Package: roughcontact\n");
     expect_part(text, "gnuplot-nox | gnuplot");
     expect_part(text, "libgsl27");
     free(text);
-    text = shell(place, "dpkg-deb -f packages/libroughcontact0_*.deb Depends");
+    text = workspace_shell(place, "dpkg-deb -f packages/libroughcontact0_*.deb Depends");
     expect_part(text, "libgsl27");
     expect_no_part(text, "gnuplot"); /* which the library has no use for */
     expect_no_part(text, "libyaml");
     free(text);
-    text = shell(place, "dpkg-deb -f packages/libroughcontact-dev_*.deb Depends");
+    text = workspace_shell(place, "dpkg-deb -f packages/libroughcontact-dev_*.deb Depends");
     expect_part(text, "libroughcontact0 (= ");
     free(text);
-    text = shell(place, "for p in packages/*.deb; do dpkg-deb -x $p root; done; cd root && find usr -type f | sort");
+    text = workspace_shell(place,
+                           "for p in packages/*.deb; do dpkg-deb -x $p root; done; cd root && find usr -type f | sort");
     expect_part(text, "usr/bin/roughcontact\n");
     expect_part(text, "usr/include/roughcontact.h\n");
     expect_part(text, "/pkgconfig/roughcontact.pc\n");
@@ -88,7 +77,7 @@ static void test_package(void **state)
         print_message("not looked over: there is no lintian\n");
         return;
     }
-    text = shell(place, "lintian --fail-on none packages/*.deb");
+    text = workspace_shell(place, "lintian --fail-on none packages/*.deb");
     expect_no_part(text, "E: ");
     free(text);
 }
