@@ -125,6 +125,24 @@ static void test_nobody_elses_is_touched(void **state)
         assert_true(directory_has(&place, names[i]));
 }
 
+/* Even root, who could, lets another user's be. */
+static void test_another_users_stays(void **state)
+{
+    enum { NOBODY = 65534 };
+    (void)state;
+    char dead[PATH_MAX];
+    pid_t process;
+    struct temporary made;
+    struct status status = {0};
+    if (geteuid() != 0)
+        skip();
+    leave(dead, true, &process);
+    assert_int_equal(chown(dead, NOBODY, NOBODY), 0);
+    assert_int_equal(temporary_make(&made, &status), STATUS_OK);
+    temporary_remove(&made);
+    assert_true(directory_has(&place, name_of(dead)));
+}
+
 static int make(void **state)
 {
     (void)state;
@@ -148,6 +166,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(test_it_is_made_and_removed, make, end),
         cmocka_unit_test_setup_teardown(test_what_the_dead_left_goes, make, end),
         cmocka_unit_test_setup_teardown(test_nobody_elses_is_touched, make, end),
+        cmocka_unit_test_setup_teardown(test_another_users_stays, make, end),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
