@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "base/leftover.h"
 #include "base/limits.h"
+#include "base/temporary.h"
 #include "chart/drawing.h"
 #include "chart/gnuplot.h"
 #include "cli/command.h"
@@ -194,7 +194,7 @@ static enum status_code write_chart(struct text *script, const char *directory, 
 {
     struct drawing drawing;
     struct text csv = {0};
-    char path[600];
+    char path[PATH_MAX + 32];
     make_chart(&drawing, f, spectrum);
     snprintf(path, sizeof path, "%s/%s.csv", directory, chart_names[spectrum]);
     enum status_code rc = drawing_script(script, &drawing, terminal_size, status);
@@ -211,34 +211,27 @@ static enum status_code draw(const struct inspection *f, struct status *status)
 {
     struct text script = {0}, charts = {0};
     struct gnuplot gnuplot;
-    const char *base = getenv("TMPDIR");
-    char directory[512], size[40];
+    struct temporary temporary;
+    char size[40];
     int columns, rows;
-    size_t number;
     command_terminal_size(&columns, &rows);
     snprintf(size, sizeof size, "%d,%d", columns, rows > 24 ? 24 : rows - 1);
-    snprintf(directory, sizeof directory, "%s/roughcontact-XXXXXX", base && strlen(base) < 400 ? base : P_tmpdir);
-    if (!leftover_make(directory, &number))
-        return status_fail(status, STATUS_IO, "cannot make a directory like '%s'", directory);
-    enum status_code rc = write_chart(&script, directory, f, false, size, status);
+    if (temporary_make(&temporary, status) != STATUS_OK)
+        return status->code;
+    enum status_code rc = write_chart(&script, temporary.path, f, false, size, status);
     if (rc == STATUS_OK)
-        rc = write_chart(&script, directory, f, true, size, status);
-    if (rc == STATUS_OK && (rc = gnuplot_start(&gnuplot, directory, status)) == STATUS_OK) {
+        rc = write_chart(&script, temporary.path, f, true, size, status);
+    if (rc == STATUS_OK && (rc = gnuplot_start(&gnuplot, temporary.path, status)) == STATUS_OK) {
         gnuplot_send(&gnuplot, "%s", text_string(&script));
         rc = gnuplot_finish(&gnuplot, status);
     }
     text_free(&script);
-    for (int i = 0; i < 2; i++) {
-        char path[600];
-        snprintf(path, sizeof path, "%s/%s.txt", directory, chart_names[i]);
-        if (rc == STATUS_OK)
-            rc = gnuplot_take_text(&charts, path, status);
-        unlink(path);
-        snprintf(path, sizeof path, "%s/%s.csv", directory, chart_names[i]);
-        unlink(path);
+    for (int i = 0; i < 2 && rc == STATUS_OK; i++) {
+        char path[PATH_MAX + 32];
+        snprintf(path, sizeof path, "%s/%s.txt", temporary.path, chart_names[i]);
+        rc = gnuplot_take_text(&charts, path, status);
     }
-    rmdir(directory);
-    leftover_forget(number);
+    temporary_remove(&temporary);
     fputs(text_string(&charts), stdout);
     text_free(&charts);
     return rc;

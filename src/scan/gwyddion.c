@@ -1,14 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scan/gwyddion.h"
-#include "base/leftover.h"
 #include "base/program.h"
+#include "base/temporary.h"
 
 #include <errno.h>
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 static const double most_seconds = 30;
 
@@ -37,22 +36,17 @@ static enum status_code convert(struct text *out, const char *program, const cha
 
 enum status_code gwyddion_convert(struct text *out, const char *path, struct status *status)
 {
-    char program[PATH_MAX], whole[PATH_MAX], directory[PATH_MAX];
-    const char *base = getenv("TMPDIR");
+    char program[PATH_MAX], whole[PATH_MAX];
+    struct temporary temporary;
     if (!program_find(program, sizeof program, "gwyddion"))
         return status_fail(status, STATUS_SCAN, "no gwyddion in PATH");
     if (!realpath(path, whole)) /* absolute: it can be no option */
         return status_fail(status, STATUS_IO, "cannot find '%s': %s", path, strerror(errno));
-    snprintf(directory, sizeof directory, "%s/roughcontact-XXXXXX", base && strlen(base) < 1000 ? base : P_tmpdir);
     sigset_t before;
     program_hold_signals(&before); /* until the directory is gone */
-    size_t number;
-    if (leftover_make(directory, &number)) {
-        (void)convert(out, program, whole, directory, status);
-        leftover_remove(directory);
-        leftover_forget(number);
-    } else {
-        status_fail(status, STATUS_IO, "cannot make a directory like '%s': %s", directory, strerror(errno));
+    if (temporary_make(&temporary, status) == STATUS_OK) {
+        (void)convert(out, program, whole, temporary.path, status);
+        temporary_remove(&temporary);
     }
     program_let_signals(&before);
     return status->code;

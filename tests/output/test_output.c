@@ -1151,6 +1151,37 @@ static void test_what_others_own_is_refused(void **state)
     assert_int_equal(directory_entries(place, "sticky"), 2);
 }
 
+/* Its path, of the one hidden directory that a killed run has left. */
+static void find_left(char out[static PATH_MAX], const struct directory *place)
+{
+    out[0] = '\0';
+    DIR *list = opendir(place->path);
+    assert_non_null(list);
+    for (const struct dirent *entry; (entry = readdir(list));)
+        if (strncmp(entry->d_name, ".roughcontact-", 14) == 0)
+            snprintf(out, PATH_MAX, "%s/%s", place->path, entry->d_name);
+    closedir(list);
+    assert_true(out[0]);
+}
+
+/* Even root, who could, lets another user's be. */
+static void test_what_another_users_run_left_stays(void **state)
+{
+    enum { NOBODY = 65534 };
+    const struct directory *place = *state;
+    char left[PATH_MAX];
+    if (geteuid() != 0)
+        skip();
+    kill_after(only_begin, place);
+    find_left(left, place);
+    assert_int_equal(chown(left, NOBODY, NOBODY), 0);
+    publish(place, "out", "one");
+    assert_int_equal(access(left, F_OK), 0);
+    assert_int_equal(chown(left, 0, 0), 0);
+    publish(place, "out", "two");
+    assert_int_equal(access(left, F_OK), -1);
+}
+
 /* Two runs into one OUT: each report is whole, the user's files outlive both, nothing is left. */
 static void test_runs_into_one_out(void **state)
 {
@@ -1265,6 +1296,7 @@ int main(void)
         TEST(test_a_full_disk_leaves_the_report_before),
         TEST(test_no_room_for_an_entry),
         TEST(test_what_others_own_is_refused),
+        TEST(test_what_another_users_run_left_stays),
         TEST(test_runs_into_one_out),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
