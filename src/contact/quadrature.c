@@ -181,6 +181,14 @@ static void find_range(size_t range[2], const struct quadrature *panels, double 
         range[1]++;
 }
 
+bool quadrature_same_nodes(const struct quadrature *panels, double d, double other)
+{
+    size_t range[2], others[2];
+    find_range(range, panels, d);
+    find_range(others, panels, other);
+    return range[0] == others[0] && range[1] == others[1];
+}
+
 /** The factor exp(log_factor) that all sums are without: exp(-d²/2) for d > 0. */
 static double log_factor_at(double d)
 {

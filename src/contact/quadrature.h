@@ -6,6 +6,7 @@
 
 #include "base/status.h"
 #include "contact/asperity.h"
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -52,6 +53,10 @@ void quadrature_sum(struct quadrature_sums *out, const struct quadrature *panels
  * integral with respect to d are made of. `law` is panels->area or panels->load. */
 void quadrature_moments(double moment[4], double *log_factor, const struct quadrature *panels, const double *law,
                         double d);
+
+/** Do the sums at both separations take the same nodes? Where not, one lies off the other's smooth course by a step of
+ * the size that terms are left out for. */
+bool quadrature_same_nodes(const struct quadrature *panels, double d, double other);
 
 /** Mean radius over the area of contact, int a³ phi/int a² phi [m], at separation d (in sigma_s) as above; nothing else
  * is summed for it. */

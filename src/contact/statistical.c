@@ -56,6 +56,12 @@ static struct logarithm panel_logarithm(const struct statistical *model, bool ar
                               -(cube - mean * (3 * square - 2 * mean * mean))};
 }
 
+/** Is the logarithm one smooth function between two separations? */
+static bool is_smooth(const struct statistical *model, double d, double other)
+{
+    return model->law == ASPERITY_HERTZ || quadrature_same_nodes(&model->panels, d, other);
+}
+
 /** Solves ln(A or P/(A_n E')) = log_target for d. The logarithm falls and is concave in d (both laws are log-concave),
  * so that after one step of Newton's the iterates close in from one side. The inverse function's series goes two terms
  * further (error of the fourth order), where they are small against Newton's; once that has not halved what is
@@ -78,9 +84,10 @@ static double solve(const struct statistical *model, bool area, double log_targe
         series = series && fabs(missing) <= most_missing;
         bool both = series && fabs(further) <= small;
         most_missing = both ? fabs(missing) / 2 : INFINITY;
-        d += both ? newton * (1 + further) : newton;
-        if (fabs(newton) <= (both ? 1e-4 : 1e-9) * fmax(1, fabs(d))) /* what is left is below rounding */
-            break;
+        double next = d + (both ? newton * (1 + further) : newton), size = fabs(newton) / fmax(1, fabs(d));
+        if (size <= 1e-9 || (both && size <= 1e-4 && is_smooth(model, d, next))) /* what is left is below rounding */
+            return next;
+        d = next;
     }
     return d;
 }
