@@ -50,10 +50,10 @@ static enum status_code simulate(struct roughness one[SCANS], const struct simul
     for (size_t k = 0; k < SCANS && rc == STATUS_OK; k++) {
         struct levelling levelling;
         rc = simulated_record_draw(height_m, record, FIRST_SEED + k, status);
-        if (rc == STATUS_OK) /* slopes do not matter: any spacing does */
+        if (rc == STATUS_OK) /* what was taken out does not matter: any spacing does */
             rc = level_remove(&levelling, height_m, NULL, record->points, 1, level, status);
         if (rc == STATUS_OK)
-            one[k] = roughness_of_heights(height_m, record->points, 1);
+            one[k] = roughness_of_heights_alone(height_m, record->points);
     }
     free(height_m);
     return rc;
