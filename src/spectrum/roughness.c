@@ -21,8 +21,8 @@ struct roughness roughness_of_heights_alone(const double *height_m, size_t point
         cube += z2 * height_m[i];
         fourth += z2 * z2;
         absolute += fabs(height_m[i]);
-        lowest = fmin(lowest, height_m[i]);
-        highest = fmax(highest, height_m[i]);
+        lowest = height_m[i] < lowest ? height_m[i] : lowest;
+        highest = height_m[i] > highest ? height_m[i] : highest;
     }
     return (struct roughness){.rq_m = sqrt(square / count),
                               .ra_m = absolute / count,
