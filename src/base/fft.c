@@ -2,47 +2,74 @@
 #include "base/fft.h"
 
 #include <pthread.h>
-#include <stdbool.h>
 
 enum {
     SMALL = 1 << 16, /* records up to it: planning a complex transform takes longer than many such transforms */
     KEPT = 32        /* plans of small sizes; a set of scans has a few */
 };
 
-/** A transform of a small record in its place, to or from FFTW's half-complex format: the real parts of harmonics 0 ...
- * n/2, then the imaginary ones backwards. */
+/** A transform of a small record: in its place, to or from FFTW's half-complex format (the real parts of harmonics 0
+ * ... n/2, then the imaginary ones backwards), or from complex harmonics to another place. */
+enum kind { TO_HALF_COMPLEX, FROM_HALF_COMPLEX, FROM_COMPLEX };
+
 static struct kept {
     size_t n;
-    bool forward;
+    enum kind kind;
+    size_t users; /* threads that run it now */
     fftw_plan plan;
 } kept[KEPT];
-static size_t kept_count;
+static size_t kept_count, kept_next;                        /* the next to make room for another size */
 static pthread_mutex_t planner = PTHREAD_MUTEX_INITIALIZER; /* of `kept` too */
 
-static fftw_plan plan_small(size_t n, bool forward, double *record)
+static fftw_plan plan_small(size_t n, enum kind kind, double *record, fftw_complex *wave)
 {
-    return fftw_plan_r2r_1d((int)n, record, record, forward ? FFTW_R2HC : FFTW_HC2R, FFTW_ESTIMATE);
+    if (kind == FROM_COMPLEX)
+        return fftw_plan_dft_c2r_1d((int)n, wave, record, FFTW_ESTIMATE);
+    fftw_r2r_kind way = kind == TO_HALF_COMPLEX ? FFTW_R2HC : FFTW_HC2R;
+    return fftw_plan_r2r_1d((int)n, record, record, way, FFTW_ESTIMATE);
 }
 
-/** Transforms in place by the plan kept of this size, which serves any record: all come from fftw_alloc. */
-static void run_small(double *record, size_t n, bool forward)
+/** A place for another plan, with the planner held: a free one, or one that nobody uses; NULL where all are in use. */
+static struct kept *find_place(void)
 {
-    fftw_plan plan = NULL;
+    if (kept_count < KEPT)
+        return &kept[kept_count++];
+    for (size_t i = 0; i < KEPT; i++) {
+        struct kept *place = &kept[kept_next++ % KEPT];
+        if (place->users == 0) {
+            fftw_destroy_plan(place->plan);
+            return place;
+        }
+    }
+    return NULL;
+}
+
+/** Transforms by the plan kept of this size, which serves any record: all come from fftw_alloc. */
+static void run_small(double *record, fftw_complex *wave, size_t n, enum kind kind)
+{
+    struct kept *found = NULL, own = {.n = n, .kind = kind};
     pthread_mutex_lock(&planner);
-    for (size_t i = 0; i < kept_count && !plan; i++)
-        if (kept[i].n == n && kept[i].forward == forward)
-            plan = kept[i].plan;
-    bool known = plan != NULL, keep = known || kept_count < KEPT;
-    if (!known)
-        plan = plan_small(n, forward, record);
-    if (!known && keep)
-        kept[kept_count++] = (struct kept){n, forward, plan};
+    for (size_t i = 0; i < kept_count && !found; i++)
+        if (kept[i].n == n && kept[i].kind == kind)
+            found = &kept[i];
+    if (!found) {
+        own.plan = plan_small(n, kind, record, wave);
+        found = find_place();
+        if (found)
+            *found = own;
+        else
+            found = &own;
+    }
+    found->users++;
     pthread_mutex_unlock(&planner);
-    fftw_execute_r2r(plan, record, record);
-    if (keep)
-        return;
+    if (kind == FROM_COMPLEX)
+        fftw_execute_dft_c2r(found->plan, wave, record);
+    else
+        fftw_execute_r2r(found->plan, record, record);
     pthread_mutex_lock(&planner);
-    fftw_destroy_plan(plan);
+    found->users--;
+    if (found == &own)
+        fftw_destroy_plan(own.plan);
     pthread_mutex_unlock(&planner);
 }
 
@@ -57,7 +84,7 @@ static void run(fftw_plan plan)
 void fft_forward(fftw_complex *out, double *in, size_t n)
 {
     if (n <= SMALL) {
-        run_small(in, n, true);
+        run_small(in, NULL, n, TO_HALF_COMPLEX);
         out[0][0] = in[0];
         for (size_t k = 1; k <= n / 2; k++) {
             out[k][0] = in[k];
@@ -82,11 +109,19 @@ void fft_backward(double *out, fftw_complex *in, size_t n)
             out[n - k] = in[k][1];
             out[k] = in[k][0]; /* at n/2 there is no imaginary part */
         }
-        run_small(out, n, false);
+        run_small(out, NULL, n, FROM_HALF_COMPLEX);
         return;
     }
     pthread_mutex_lock(&planner);
     fftw_plan plan = fftw_plan_dft_c2r_1d((int)n, in, out, FFTW_ESTIMATE);
     pthread_mutex_unlock(&planner);
     run(plan);
+}
+
+void fft_backward_often(double *out, fftw_complex *in, size_t n)
+{
+    if (n <= SMALL)
+        run_small(out, in, n, FROM_COMPLEX);
+    else
+        fft_backward(out, in, n);
 }

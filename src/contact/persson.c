@@ -4,6 +4,7 @@
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_eigen.h>
 #include <math.h>
+#include <pthread.h>
 #include <stdlib.h>
 
 const double persson_energy_factor = 0.45;
@@ -208,10 +209,27 @@ static enum status_code group(struct persson *persson, struct status *status)
     return rc;
 }
 
+/** That of the usual energy factor, made once in a process: its panels cost more than the waves of a short scan. */
+static struct persson_kernel usual_kernel;
+static pthread_once_t usual_kernel_made = PTHREAD_ONCE_INIT;
+
+static void make_usual_kernel(void)
+{
+    usual_kernel = persson_kernel(persson_energy_factor);
+}
+
+static struct persson_kernel kernel_of(double energy_factor)
+{
+    if (energy_factor != persson_energy_factor)
+        return persson_kernel(energy_factor);
+    pthread_once(&usual_kernel_made, make_usual_kernel);
+    return usual_kernel;
+}
+
 enum status_code persson_make(struct persson *out, const struct spectrum *spectrum, double energy_factor,
                               struct status *status)
 {
-    *out = (struct persson){.kernel = persson_kernel(energy_factor)};
+    *out = (struct persson){.kernel = kernel_of(energy_factor)};
     enum status_code rc = allocate(&out->rings, spectrum->count, status);
     if (rc == STATUS_OK)
         rc = allocate(&out->groups, spectrum->count, status);

@@ -167,23 +167,49 @@ void quadrature_free(struct quadrature *panels)
     *panels = (struct quadrature){0};
 }
 
-void quadrature_sum(struct quadrature_sums *out, const struct quadrature *panels, double d)
+/** Nodes range[0] ... range[1]-1: all that counts at d, for the shares of the load too. */
+static void find_range(size_t range[2], const struct quadrature *panels, double d)
 {
-    *out = (struct quadrature_sums){.log_factor = d > 0 ? -d * d / 2 : 0};
     double last = reach(d, panels->log_cut), first = -d - sqrt(2 * panels->log_cut);
     last = fmax(last, reach_from(panels->beyond_fit, d, panels->log_cut));
     last = fmax(last, reach_from(panels->radius_clamped, d, panels->log_cut));
-    for (size_t k = 0; k < panels->count && panels->node[k] <= last; k++) {
-        double u = panels->node[k];
-        if (u < first)
-            continue;
-        double height = u + d; /* exp(-height²/2), for d > 0 without its factor exp(-d²/2) */
-        double weight = exp(d > 0 ? -u * (u / 2 + d) : -height * height / 2);
-        double area = weight * panels->area[k], load = weight * panels->load[k];
-        out->area += area;
-        out->area_slope -= height * area;
+    range[0] = 0;
+    while (range[0] < panels->count && panels->node[range[0]] < first)
+        range[0]++;
+    range[1] = range[0];
+    while (range[1] < panels->count && panels->node[range[1]] <= last)
+        range[1]++;
+}
+
+bool quadrature_same_nodes(const struct quadrature *panels, double d, double other)
+{
+    size_t range[2], others[2];
+    find_range(range, panels, d);
+    find_range(others, panels, other);
+    return range[0] == others[0] && range[1] == others[1];
+}
+
+/** The factor exp(log_factor) that all sums are without: exp(-d²/2) for d > 0. */
+static double log_factor_at(double d)
+{
+    return d > 0 ? -d * d / 2 : 0;
+}
+
+/** exp(-(u + d)²/2 - log_factor). */
+static double weight_at(double u, double d)
+{
+    return exp(d > 0 ? -u * (u / 2 + d) : -(u + d) * (u + d) / 2);
+}
+
+void quadrature_sum(struct quadrature_sums *out, const struct quadrature *panels, double d)
+{
+    *out = (struct quadrature_sums){.log_factor = log_factor_at(d)};
+    size_t range[2];
+    find_range(range, panels, d);
+    for (size_t k = range[0]; k < range[1]; k++) {
+        double u = panels->node[k], weight = weight_at(u, d), load = weight * panels->load[k];
+        out->area += weight * panels->area[k];
         out->load += load;
-        out->load_slope -= height * load;
         if (u > panels->beyond_fit)
             out->load_beyond_fit += load;
         if (u > panels->radius_clamped)
@@ -193,12 +219,29 @@ void quadrature_sum(struct quadrature_sums *out, const struct quadrature *panels
     }
 }
 
+void quadrature_moments(double moment[4], double *log_factor, const struct quadrature *panels, const double *law,
+                        double d)
+{
+    double sum[4] = {0, 0, 0, 0};
+    size_t range[2];
+    find_range(range, panels, d);
+    for (size_t k = range[0]; k < range[1]; k++) {
+        double u = panels->node[k], term = weight_at(u, d) * law[k];
+        for (int j = 0; j < 4; j++) {
+            sum[j] += term;
+            term *= u;
+        }
+    }
+    for (int j = 0; j < 4; j++)
+        moment[j] = sum[j];
+    *log_factor = log_factor_at(d);
+}
+
 double quadrature_mean_radius(const struct quadrature *panels, double d)
 {
     double area = 0, area_radius = 0;
     for (size_t k = 0; k < panels->count; k++) {
-        double u = panels->node[k], height = u + d;
-        double weight = exp(d > 0 ? -u * (u / 2 + d) : -height * height / 2) * panels->area[k];
+        double weight = weight_at(panels->node[k], d) * panels->area[k];
         area += weight;
         if (panels->radius[k] > 0)
             area_radius += weight * (panels->area[k] / (M_PI * panels->radius[k])); /* pi a²/(pi a) */

@@ -6,6 +6,7 @@
 
 #include "base/status.h"
 #include "contact/asperity.h"
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -25,8 +26,7 @@ struct quadrature {
 
 /** int law(sigma_s u) phi(u + d) du of each quantity over u > 0, all without the factor exp(log_factor). */
 struct quadrature_sums {
-    double area, area_slope; /* slope: derivative of the integral with respect to d, same factor */
-    double load, load_slope;
+    double area, load;
     double load_beyond_fit, load_radius_clamped; /* on asperities with a/R > 0.41, and > 1 */
     double radius, radius_scale_dependent;
     double log_factor;
@@ -48,6 +48,15 @@ size_t quadrature_count(const struct asperity *asperity, double sigma_s_m, doubl
 
 /** All sums at separation d (in sigma_s) under the Gaussian of (4.23), d >= the lowest_d of quadrature_make(). */
 void quadrature_sum(struct quadrature_sums *out, const struct quadrature *panels, double d);
+
+/** sum_k law[k] u_k^j of the Gaussian at d, j = 0 ... 3, as above without exp(*log_factor): what the derivatives of one
+ * integral with respect to d are made of. `law` is panels->area or panels->load. */
+void quadrature_moments(double moment[4], double *log_factor, const struct quadrature *panels, const double *law,
+                        double d);
+
+/** Do the sums at both separations take the same nodes? Where not, one lies off the other's smooth course by a step of
+ * the size that terms are left out for. */
+bool quadrature_same_nodes(const struct quadrature *panels, double d, double other);
 
 /** Mean radius over the area of contact, int a³ phi/int a² phi [m], at separation d (in sigma_s) as above; nothing else
  * is summed for it. */

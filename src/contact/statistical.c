@@ -6,10 +6,10 @@
 #include <math.h>
 
 /** The integrals of (4.25), (4.26), (4.43*), (4.46*) at d, in closed form for GW, else from the panels; GW's
- * scale-dependent one, which alone needs its panels, only when it is `wanted`. */
-static void integrate(struct quadrature_sums *sums, const struct statistical *model, double d, unsigned wanted)
+ * scale-dependent one, which alone needs its panels, only when it is wanted. */
+static void integrate(struct quadrature_sums *sums, const struct statistical *model, double d)
 {
-    bool scale_dependence = wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT);
+    bool scale_dependence = model->wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT);
     if (model->law != ASPERITY_HERTZ || scale_dependence)
         quadrature_sum(sums, &model->panels, d);
     if (model->law != ASPERITY_HERTZ)
@@ -19,38 +19,75 @@ static void integrate(struct quadrature_sums *sums, const struct statistical *mo
     double scale_dependent = 0; /* the panels take out another factor */
     if (scale_dependence)
         scale_dependent = sums->radius_scale_dependent * exp(sums->log_factor - f.log_factor);
-    double area = M_PI * radius_m * sigma_s_m;
-    double load = 4.0 / 3 * model->asperity.effective_modulus_Pa * sqrt(radius_m * sigma_s_m) * sigma_s_m;
     *sums = (struct quadrature_sums){
-        .area = area * f.one,
-        .area_slope = -area * f.zero, /* dF_n/dh = -n F_{n-1} */
-        .load = load * f.three_halves,
-        .load_slope = -1.5 * load * f.half,
+        .area = M_PI * radius_m * sigma_s_m * f.one,
+        .load =
+            4.0 / 3 * model->asperity.effective_modulus_Pa * sqrt(radius_m * sigma_s_m) * sigma_s_m * f.three_halves,
         .radius = sqrt(radius_m * sigma_s_m) * f.half,
         .radius_scale_dependent = scale_dependent,
         .log_factor = f.log_factor,
     };
 }
 
-/** Solves ln(density integral(d)) = ln target, of (4.25) or (4.26), by Newton's method. The logarithm falls and is
- * concave in d (both laws are log-concave), so that after one step the iterates close in from one side. */
-static double solve(const struct statistical *model, bool for_area, double log_target, double d)
+/** ln of A (4.25) or P/(A_n E') (4.26) and its derivatives with respect to d. */
+struct logarithm {
+    double value, first, second, third;
+};
+
+/** Hertz's: F = F_n, n = 1 or 3/2, of which F' = -n F_{n-1} and F'' = n F - d F'. */
+static struct logarithm closed_logarithm(const struct statistical *model, bool area, double d)
+{
+    double radius_m = model->asperity.radius_m, sigma_s_m = model->surface.sigma_s_m, n = area ? 1 : 1.5;
+    struct gaussian_pair f = area ? gaussian_wholes(d) : gaussian_halves(d);
+    double scale = area ? M_PI * radius_m * sigma_s_m : 4.0 / 3 * sqrt(radius_m * sigma_s_m) * sigma_s_m;
+    double first = -n * f.lower / f.upper, second = n - first * (d + first);
+    return (struct logarithm){log(model->surface.density_per_m2 * scale * f.upper) + f.log_factor, first, second,
+                              -first - second * (d + 2 * first)};
+}
+
+/** Any law's: the derivatives are cumulants of the interference u, since phi(u + d) has -(u + d) as its logarithm's. */
+static struct logarithm panel_logarithm(const struct statistical *model, bool area, double d)
+{
+    double sum[4], log_factor;
+    double scale = model->surface.density_per_m2 / (area ? 1 : model->asperity.effective_modulus_Pa);
+    quadrature_moments(sum, &log_factor, &model->panels, area ? model->panels.area : model->panels.load, d);
+    double mean = sum[1] / sum[0], square = sum[2] / sum[0], cube = sum[3] / sum[0];
+    return (struct logarithm){log(scale * sum[0]) + log_factor, -mean - d, square - mean * mean - 1,
+                              -(cube - mean * (3 * square - 2 * mean * mean))};
+}
+
+/** Is the logarithm one smooth function between two separations? */
+static bool is_smooth(const struct statistical *model, double d, double other)
+{
+    return model->law == ASPERITY_HERTZ || quadrature_same_nodes(&model->panels, d, other);
+}
+
+/** Solves ln(A or P/(A_n E')) = log_target for d. The logarithm falls and is concave in d (both laws are log-concave),
+ * so that after one step of Newton's the iterates close in from one side. The inverse function's series goes two terms
+ * further (error of the fourth order), where they are small against Newton's; once that has not halved what is
+ * missing, Newton's goes on alone. */
+static double solve(const struct statistical *model, bool area, double log_target, double d)
 {
     static const double highest_d = 40; /* exp(-d²/2) is below the smallest double */
+    static const double small = 0.25;
+    double most_missing = INFINITY;
+    bool series = true;
     d = fmin(d, highest_d);
-    double log_scale = log(model->surface.density_per_m2);
-    if (!for_area)
-        log_scale -= log(model->asperity.effective_modulus_Pa);
     for (int iteration = 0; iteration < 200; iteration++) {
-        struct quadrature_sums sums;
-        integrate(&sums, model, d, 0);
-        double value = for_area ? sums.area : sums.load, slope = for_area ? sums.area_slope : sums.load_slope;
-        if (!(value > 0 && slope < 0))
+        struct logarithm f =
+            model->law == ASPERITY_HERTZ ? closed_logarithm(model, area, d) : panel_logarithm(model, area, d);
+        double missing = log_target - f.value, newton = missing / f.first;
+        if (!(isfinite(f.value) && f.first < 0))
             return NAN; /* beyond double: model_run() leaves the curve out */
-        double step = (log_scale + log(value) + sums.log_factor - log_target) * value / slope;
-        d -= step;
-        if (fabs(step) <= 1e-9 * fmax(1, fabs(d))) /* convergence is quadratic: the next step would be below rounding */
-            break;
+        double bend = f.second / (2 * f.first);
+        double further = newton * (newton * (2 * bend * bend - f.third / (6 * f.first)) - bend);
+        series = series && fabs(missing) <= most_missing;
+        bool both = series && fabs(further) <= small;
+        most_missing = both ? fabs(missing) / 2 : INFINITY;
+        double next = d + (both ? newton * (1 + further) : newton), size = fabs(newton) / fmax(1, fabs(d));
+        if (size <= 1e-9 || (both && size <= 1e-4 && is_smooth(model, d, next))) /* what is left is below rounding */
+            return next;
+        d = next;
     }
     return d;
 }
@@ -124,7 +161,7 @@ void statistical_free(struct statistical *model)
 void statistical_at(struct contact_point *out, const struct statistical *model, double d)
 {
     struct quadrature_sums sums;
-    integrate(&sums, model, d, model->wanted);
+    integrate(&sums, model, d);
     const struct asperities *surface = &model->surface;
     double scale = surface->density_per_m2 * exp(sums.log_factor);
     double area = scale * sums.area;

@@ -4,6 +4,7 @@
 #include "spectrum/simulated_record.h"
 #include <gsl/gsl_rng.h>
 #include <math.h>
+#include <stdbool.h>
 #include <stdlib.h>
 
 enum { SCANS = 256, LEAST_HARMONICS = 31, MOST_HARMONICS = 511, FIRST_SEED = 1, DRAWING_SEED = SCANS + 1 };
@@ -41,20 +42,68 @@ static size_t harmonics_held(const struct spectrum *spectrum)
     return n;
 }
 
-/** Moments of simulated scans, each levelled. */
+/** What levels by least squares take out of a record: forms orthonormal over its points, three a point. */
+enum { FORMS = 3 };
+static const enum level levels_of_forms[FORMS + 1] = {LEVEL_NONE, LEVEL_MEAN, LEVEL_LINE, LEVEL_PARABOLA};
+
+/** Powers of the place, each without what the level below takes out; 0 beyond `count` of them. */
+static enum status_code lay_forms(double (*form)[FORMS], size_t points, int count, struct status *status)
+{
+    double *power = malloc(points * sizeof *power);
+    enum status_code rc = power ? STATUS_OK : status_memory(status);
+    for (size_t i = 0; i < points; i++)
+        for (int k = 0; k < FORMS; k++)
+            form[i][k] = 0;
+    for (int k = 0; k < count && rc == STATUS_OK; k++) {
+        struct levelling levelling;
+        double square = 0;
+        for (size_t i = 0; i < points; i++)
+            power[i] = pow(2 * (double)i / (double)(points - 1) - 1, k);
+        rc = level_remove(&levelling, power, NULL, points, 1, levels_of_forms[k], status);
+        for (size_t i = 0; i < points; i++)
+            square += power[i] * power[i];
+        for (size_t i = 0; i < points; i++)
+            form[i][k] = power[i] / sqrt(square);
+    }
+    free(power);
+    return rc;
+}
+
+static void take_out_forms(double *height_m, double (*form)[FORMS], size_t points)
+{
+    double share[FORMS] = {0};
+    for (size_t i = 0; i < points; i++)
+        for (int k = 0; k < FORMS; k++)
+            share[k] += height_m[i] * form[i][k];
+    for (size_t i = 0; i < points; i++)
+        for (int k = 0; k < FORMS; k++)
+            height_m[i] -= share[k] * form[i][k];
+}
+
+/** Moments of simulated scans, each levelled: by forms laid once, where there are any (a robust line has none). */
 static enum status_code simulate(struct roughness one[SCANS], const struct simulated_record *record, enum level level,
                                  struct status *status)
 {
-    double *height_m = malloc(record->points * sizeof *height_m);
-    enum status_code rc = height_m ? STATUS_OK : status_memory(status);
+    size_t points = record->points;
+    double *height_m = malloc(points * sizeof *height_m), (*form)[FORMS] = malloc(points * sizeof *form);
+    int forms = 0;
+    while (forms <= FORMS && levels_of_forms[forms] != level)
+        forms++;
+    bool by_forms = forms <= FORMS;
+    enum status_code rc = height_m && form ? STATUS_OK : status_memory(status);
+    if (rc == STATUS_OK && by_forms)
+        rc = lay_forms(form, points, forms, status);
     for (size_t k = 0; k < SCANS && rc == STATUS_OK; k++) {
         struct levelling levelling;
         rc = simulated_record_draw(height_m, record, FIRST_SEED + k, status);
-        if (rc == STATUS_OK) /* slopes do not matter: any spacing does */
-            rc = level_remove(&levelling, height_m, NULL, record->points, 1, level, status);
+        if (rc == STATUS_OK && by_forms)
+            take_out_forms(height_m, form, points);
+        else if (rc == STATUS_OK) /* what was taken out does not matter: any spacing does */
+            rc = level_remove(&levelling, height_m, NULL, points, 1, level, status);
         if (rc == STATUS_OK)
-            one[k] = roughness_of_heights(height_m, record->points, 1);
+            one[k] = roughness_of_heights_alone(height_m, points);
     }
+    free(form);
     free(height_m);
     return rc;
 }

@@ -11,8 +11,7 @@ static const double summit_offset = 0.045944;         /* Front, thesis (4.30) */
 
 static const double most_nayak = 1e24; /* slopes beyond are what rounding leaves of the difference of equal heights */
 
-/** What needs no positions. */
-static struct roughness heights_alone(const double *height_m, size_t points)
+struct roughness roughness_of_heights_alone(const double *height_m, size_t points)
 {
     double square = 0, cube = 0, fourth = 0, absolute = 0, lowest = height_m[0], highest = height_m[0],
            count = (double)points;
@@ -22,8 +21,8 @@ static struct roughness heights_alone(const double *height_m, size_t points)
         cube += z2 * height_m[i];
         fourth += z2 * z2;
         absolute += fabs(height_m[i]);
-        lowest = fmin(lowest, height_m[i]);
-        highest = fmax(highest, height_m[i]);
+        lowest = height_m[i] < lowest ? height_m[i] : lowest;
+        highest = height_m[i] > highest ? height_m[i] : highest;
     }
     return (struct roughness){.rq_m = sqrt(square / count),
                               .ra_m = absolute / count,
@@ -35,7 +34,7 @@ static struct roughness heights_alone(const double *height_m, size_t points)
 
 struct roughness roughness_of_heights(const double *height_m, size_t points, double spacing_m)
 {
-    struct roughness roughness = heights_alone(height_m, points);
+    struct roughness roughness = roughness_of_heights_alone(height_m, points);
     double slope_square = 0, curve_square = 0;
     for (size_t i = 1; i + 1 < points; i++) {
         double slope = (height_m[i + 1] - height_m[i - 1]) / (2 * spacing_m);
@@ -50,7 +49,7 @@ struct roughness roughness_of_heights(const double *height_m, size_t points, dou
 
 struct roughness roughness_of_points(const double *x_m, const double *height_m, size_t points)
 {
-    struct roughness roughness = heights_alone(height_m, points);
+    struct roughness roughness = roughness_of_heights_alone(height_m, points);
     double slope_square = 0, curve_square = 0;
     for (size_t i = 1; i + 1 < points; i++) {
         double before = (height_m[i] - height_m[i - 1]) / (x_m[i] - x_m[i - 1]);

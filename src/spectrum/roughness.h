@@ -25,8 +25,11 @@ struct roughness {
  * the inner points (4.19, 4.20). */
 struct roughness roughness_of_heights(const double *height_m, size_t points, double spacing_m);
 
-/** The same of heights at uneven positions (ascending): m2 by (z[i+1] - z[i-1])/(x[i+1] - x[i-1]), m4 by the second
- * divided difference through three points (4.19, 4.20). */
+/** The same but for m2 and m4, which are left 0: positions do not matter. */
+struct roughness roughness_of_heights_alone(const double *height_m, size_t points);
+
+/** roughness_of_heights() of heights at uneven positions (ascending): m2 by (z[i+1] - z[i-1])/(x[i+1] - x[i-1]), m4 by
+ * the second divided difference through three points (4.19, 4.20). */
 struct roughness roughness_of_points(const double *x_m, const double *height_m, size_t points);
 
 /** m0, m2, m4 of the spectrum instead; the other fields are left as they are in `roughness`. */

@@ -76,8 +76,12 @@ enum status_code simulated_record_prepare(struct simulated_record *out, const do
     if (continue_line(&below, square_m2, count, status) != STATUS_OK)
         return status->code;
     out->deviation_m = calloc(waves + 1, sizeof *out->deviation_m);
-    if (!out->deviation_m)
+    out->record = fftw_alloc_real(2 * waves);
+    out->wave = fftw_alloc_complex(waves + 1);
+    if (!out->deviation_m || !out->record || !out->wave) {
+        simulated_record_free(out);
         return status_memory(status);
+    }
     for (size_t k = 1; k <= waves; k++) {
         double square = square_at((double)k / SIMULATED_RECORD_LONGER, square_m2, count, &below);
         /* a square is the sum of the cosine's and the sine's; density is square L/2, so squares go as 1/L */
@@ -156,27 +160,22 @@ enum status_code simulated_record_draw(double *height_m, const struct simulated_
                                        struct status *status)
 {
     size_t longer = spectrum->points * SIMULATED_RECORD_LONGER, waves = longer / 2;
-    double *record = fftw_alloc_real(longer);
-    fftw_complex *wave = fftw_alloc_complex(waves + 1);
-    if (!record || !wave ||
-        (!draw_kept(wave, spectrum, waves, seed) && draw_anew(wave, spectrum, waves, seed, status) != STATUS_OK)) {
-        fftw_free(record);
-        fftw_free(wave);
-        return status_memory(status);
-    }
+    fftw_complex *wave = spectrum->wave;
+    if (!draw_kept(wave, spectrum, waves, seed) && draw_anew(wave, spectrum, waves, seed, status) != STATUS_OK)
+        return status->code;
     wave[0][0] = wave[0][1] = 0;
     wave[waves][0] *= M_SQRT2; /* the Nyquist wave has half a band, no sine and no mirror image */
     wave[waves][1] = 0;
-    fft_backward(record, wave, longer);
+    fft_backward_often(spectrum->record, wave, longer);
     for (size_t i = 0; i < spectrum->points; i++)
-        height_m[i] = record[i];
-    fftw_free(record);
-    fftw_free(wave);
+        height_m[i] = spectrum->record[i];
     return STATUS_OK;
 }
 
 void simulated_record_free(struct simulated_record *spectrum)
 {
     free(spectrum->deviation_m);
+    fftw_free(spectrum->record);
+    fftw_free(spectrum->wave);
     *spectrum = (struct simulated_record){0};
 }

@@ -5,6 +5,7 @@
 #define SPECTRUM_SIMULATED_RECORD_H
 
 #include "base/status.h"
+#include <fftw3.h>
 #include <stddef.h>
 
 enum {
@@ -16,6 +17,8 @@ enum {
 struct simulated_record {
     double *deviation_m; /* of the cosine and of the sine part of frequency k/(4L), index k = 0 ... 2N */
     size_t points;       /* N, of the measured and of each simulated record */
+    double *record;      /* where records are drawn, one at a time */
+    fftw_complex *wave;
 };
 
 /** Takes the spectral density of a record of `points` N >= 16 heights from its multitaper spectrum square_m2[n-1], n =
@@ -29,8 +32,8 @@ MUST_CHECK enum status_code simulated_record_prepare(struct simulated_record *ou
 
 /** Draws a record: cosine and sine parts of independent Gaussian size at the frequencies k/(4L), k = 1 ... 2N, summed
  * by an inverse transform of 4N, of which the first N heights are kept, their mean not taken out. The same seed gives
- * the same record whatever was drawn before (MT19937 of GSL). Timmer & Koenig 1995, Astron. Astrophys. 300, 707. Error:
- * STATUS_MEMORY. */
+ * the same record whatever was drawn before (MT19937 of GSL). One thread at a time. Timmer & Koenig 1995, Astron.
+ * Astrophys. 300, 707. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code simulated_record_draw(double *height_m, const struct simulated_record *spectrum,
                                                   unsigned long seed, struct status *status);
 

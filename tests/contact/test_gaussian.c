@@ -16,17 +16,38 @@ static void matches_reference(void **state)
     table_free(&table);
 }
 
-/** The three ways meet where they hand over: values just below and above agree to the slope times the step. */
+/** At the borders of all panels and within each, and far to both sides: to the last digits. */
+static void panels_match_reference(void **state)
+{
+    (void)state;
+    struct table table = table_read("golden/gaussian_panels.csv");
+    assert_true(table.rows > 140);
+    for (size_t i = 0; i < table.rows; i++) {
+        double h = table_number(&table, i, "h");
+        struct gaussian_integrals f = gaussian_integrals(h);
+        struct gaussian_pair halves = gaussian_halves(h), wholes = gaussian_wholes(h);
+        assert_true(f.log_factor == (h < 1 ? 0 : -h * h / 2));
+        assert_near(f.zero, table_number(&table, i, "F_zero"), 1e-15);
+        assert_near(f.half, table_number(&table, i, "F_half"), 1e-15);
+        assert_near(f.one, table_number(&table, i, "F_one"), 1e-15);
+        assert_near(f.three_halves, table_number(&table, i, "F_three_halves"), 1e-15);
+        assert_true(halves.upper == f.three_halves && halves.lower == f.half && halves.log_factor == f.log_factor);
+        assert_true(wholes.upper == f.one && wholes.lower == f.zero && wholes.log_factor == f.log_factor);
+    }
+    table_free(&table);
+}
+
+/** Values just below and above each border of two panels, and where panels begin and end, agree to the slope times the
+ * step. */
 static void methods_meet(void **state)
 {
     (void)state;
-    static const double seams[] = {-8, 2};
-    for (int i = 0; i < 2; i++) {
-        double step = 1e-9, h = seams[i];
+    for (double h = -8; h <= 8; h += 0.25) {
+        double step = 1e-9;
         struct gaussian_integrals a = gaussian_integrals(h - step), b = gaussian_integrals(h + step);
         double fa = exp(a.log_factor), fb = exp(b.log_factor);
-        assert_near(a.three_halves * fa - 3 * step * 0.5 * (a.half * fa + b.half * fb), b.three_halves * fb, 1e-12);
-        assert_near(a.one * fa - 2 * step * 0.5 * (a.zero * fa + b.zero * fb), b.one * fb, 1e-12);
+        assert_near(a.three_halves * fa - 3 * step * 0.5 * (a.half * fa + b.half * fb), b.three_halves * fb, 1e-14);
+        assert_near(a.one * fa - 2 * step * 0.5 * (a.zero * fa + b.zero * fb), b.one * fb, 1e-14);
     }
 }
 
@@ -58,10 +79,8 @@ static void ratios_survive_underflow(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(matches_reference),
-        cmocka_unit_test(methods_meet),
-        cmocka_unit_test(recurrences_hold),
-        cmocka_unit_test(ratios_survive_underflow),
+        cmocka_unit_test(matches_reference), cmocka_unit_test(panels_match_reference),   cmocka_unit_test(methods_meet),
+        cmocka_unit_test(recurrences_hold),  cmocka_unit_test(ratios_survive_underflow),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

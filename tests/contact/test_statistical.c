@@ -109,7 +109,7 @@ static void solve_inverts_at(void **state)
             struct contact_point found, again;
             assert_true(statistical_solve(&found, &model, load, &d));
             statistical_at(&again, &model, d);
-            assert_near(again.load, load, 1e-10);
+            assert_near(again.load, load, 1e-13);
             assert_true(d < previous && found.area_ratio <= 1 + 1e-12);
             previous = d;
         }
@@ -117,6 +117,55 @@ static void solve_inverts_at(void **state)
         assert_false(statistical_solve(&unused, &model, model.full_load * (1 + 1e-12), &d));
         statistical_free(&model);
     }
+}
+
+/** A guess that one step is enough for leads to the same solution, to the last digits, also where a node of the
+ * quadrature comes in or drops out on the way: at a loose tolerance that is a step of 1e-7. */
+static void the_last_step_is_exact(void **state)
+{
+    (void)state;
+    static const double tolerances[] = {1e-10, 1e-3};
+    for (int law = 0; law < ASPERITY_MODEL_COUNT; law++)
+        for (int t = 0; t < 2; t++) {
+            struct statistical model =
+                make(3.3872e-11, 0.02, 2.4e10, (enum asperity_model_id)law, tolerances[t], INFINITY);
+            double from = 3;
+            for (double load = 1e-12; load < model.full_load * 0.9; load *= 1.013) {
+                struct contact_point point, again;
+                assert_true(statistical_solve(&point, &model, load, &from));
+                statistical_at(&again, &model, from);
+                assert_near(again.load, load, 1e-13);
+                for (int side = -1; side <= 1; side += 2) {
+                    double scale = fmax(1, fabs(from)), d = from + side * 0.99e-4 * scale;
+                    assert_true(statistical_solve(&point, &model, load, &d));
+                    assert_within(d, from, 3e-14 * scale);
+                }
+            }
+            statistical_free(&model);
+        }
+}
+
+/** Moments over the nodes are those of the sums: j = 0 the sum itself, j = 1 its slope with respect to d. */
+static void moments_are_derivatives(void **state)
+{
+    (void)state;
+    struct statistical model = make(3.3872e-11, 0.02, 2.4e10, ASPERITY_JG, 1e-10, -3);
+    for (double d = -3; d < 6; d += 0.7) {
+        struct quadrature_sums sums, before, after;
+        double moment[2][4], log_factor, step = 1e-5;
+        quadrature_sum(&sums, &model.panels, d);
+        quadrature_sum(&before, &model.panels, d - step);
+        quadrature_sum(&after, &model.panels, d + step);
+        quadrature_moments(moment[0], &log_factor, &model.panels, model.panels.area, d);
+        quadrature_moments(moment[1], &log_factor, &model.panels, model.panels.load, d);
+        assert_true(log_factor == sums.log_factor);
+        assert_near(moment[0][0], sums.area, 1e-15);
+        assert_near(moment[1][0], sums.load, 1e-15);
+        double lower = exp(before.log_factor - log_factor), upper = exp(after.log_factor - log_factor);
+        assert_near(moment[0][1] + d * sums.area, (before.area * lower - after.area * upper) / (2 * step), 1e-6);
+        assert_near(moment[1][1] + d * sums.load, (before.load * lower - after.load * upper) / (2 * step), 1e-6);
+    }
+    statistical_free(&model);
 }
 
 /** The share beyond a/R = 0.41 by an independent adaptive integration. */
@@ -226,6 +275,8 @@ int main(void)
         cmocka_unit_test(keeps_a_loose_tolerance),
         cmocka_unit_test(beta_matches_reference),
         cmocka_unit_test(solve_inverts_at),
+        cmocka_unit_test(the_last_step_is_exact),
+        cmocka_unit_test(moments_are_derivatives),
         cmocka_unit_test(outside_share_matches_adaptive_integration),
         cmocka_unit_test(load_shares_follow_the_tolerance),
         cmocka_unit_test(second_beta_is_a_least_squares_fit),

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The one criterion of heights that are not Gaussian: its limits, and chance where a scan has few long waves. */
 #include "spectrum/height_law.h"
+#include "spectrum/simulated_record.h"
 #include "support.h"
 
 enum { MOST = 511 };
@@ -106,6 +107,50 @@ static void the_limits_alone(void **state)
     assert_int_equal(law.verdict, HEIGHTS_NOT_GAUSSIAN);
 }
 
+/** Share of 256 records of 31 harmonics, levelled one by one, that are as far from the median as `own`, two-sided. */
+static double chance_by_hand(const struct simulated_record *record, enum level level, double own, bool kurtosis)
+{
+    int below = 0, above = 0;
+    for (unsigned long seed = 1; seed <= 256; seed++) {
+        double height_m[64];
+        struct levelling levelling;
+        struct status status = {0};
+        assert_int_equal(simulated_record_draw(height_m, record, seed, &status), STATUS_OK);
+        assert_int_equal(level_remove(&levelling, height_m, NULL, 64, 1, level, &status), STATUS_OK);
+        struct roughness roughness = roughness_of_heights(height_m, 64, 1);
+        double value = kurtosis ? roughness_kurtosis(&roughness) : roughness_skewness(&roughness);
+        below += value <= own;
+        above += value >= own;
+    }
+    return fmin(1, 2 * (below < above ? below : above) / 256.0);
+}
+
+/* Long waves, of which levels take out much: the chances are those of records levelled one by one, at every level. */
+static void records_are_levelled_like_the_scan(void **state)
+{
+    double amplitude_m[31], square_m2[31], before = 0;
+    struct spectrum spectrum = {amplitude_m, 31, 1e-3, false};
+    struct simulated_record record;
+    struct status status = {0};
+    (void)state;
+    for (int n = 1; n <= 31; n++) {
+        amplitude_m[n - 1] = 1e-7 * pow(n, -1.5);
+        square_m2[n - 1] = amplitude_m[n - 1] * amplitude_m[n - 1];
+    }
+    assert_int_equal(simulated_record_prepare(&record, square_m2, 64, &status), STATUS_OK);
+    for (int level = LEVEL_NONE; level < LEVEL_COUNT; level++) {
+        struct roughness own = with(0.55, 2.4);
+        struct height_law law;
+        enum level taken = level == LEVEL_CIRCLE ? LEVEL_PARABOLA : (enum level)level;
+        assert_int_equal(height_law_find(&law, &own, &spectrum, 1, (enum level)level, &status), STATUS_OK);
+        assert_true(law.chance[0] == chance_by_hand(&record, taken, roughness_skewness(&own), false));
+        assert_true(law.chance[1] == chance_by_hand(&record, taken, roughness_kurtosis(&own), true));
+        assert_true(law.chance[0] + law.chance[1] != before || level == LEVEL_CIRCLE); /* it tells levels apart */
+        before = law.chance[0] + law.chance[1];
+    }
+    simulated_record_free(&record);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -114,6 +159,7 @@ int main(void)
         cmocka_unit_test(few_long_waves_cannot_tell),
         cmocka_unit_test(only_what_is_beyond_counts),
         cmocka_unit_test(the_limits_alone),
+        cmocka_unit_test(records_are_levelled_like_the_scan),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
