@@ -142,16 +142,10 @@ double sinusoid_critical_full_pressure(const struct material_pair *pair)
     return sinusoid_full_pressure(sinusoid_critical_amplitude(1, pair), 1, pair->effective_modulus_Pa);
 }
 
-double sinusoid_closing_bound(double full_pressure_Pa, const struct material_pair *pair, bool plastic)
+double sinusoid_ordered_pressure(const struct material_pair *pair)
 {
-    static const double rounding = 1 + 1e-9;
     double flow_Pa = pair->yield_coefficient * pair->yield_strength_Pa;
-    double onset_Pa = cbrt(M_PI / 24) * flow_Pa; /* p_c = p* there */
-    if (!plastic || full_pressure_Pa <= onset_Pa || isinf(full_pressure_Pa))
-        return full_pressure_Pa * rounding;
-    onset_Pa = fmax(onset_Pa, sinusoid_critical_full_pressure(pair));
-    double over_critical = fmax(1, full_pressure_Pa / sinusoid_critical_full_pressure(pair));
-    return fmin(full_pressure_Pa, fmax(full_pressure_Pa * plastic_full_ratio(over_critical), onset_Pa)) * rounding;
+    return fmax(cbrt(M_PI / 24) * flow_Pa, sinusoid_critical_full_pressure(pair)); /* p_c = p* at the first */
 }
 
 bool sinusoid_steepest_fills_last(double full_pressure_Pa, const struct material_pair *pair)
