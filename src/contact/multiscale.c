@@ -172,19 +172,26 @@ void multiscale_free(struct multiscale *stack)
     *stack = (struct multiscale){0};
 }
 
+/** The scale of index i: the one that is kept, else made, in `own` where it cannot be. */
+static const struct sinusoid_scale *scale_at(struct sinusoid_scale *own, struct multiscale *stack, size_t i)
+{
+    struct sinusoid_scale *scale = i < stack->kept ? &stack->scales[i] : own;
+    if (scale == own || scale->frequency_per_m == 0)
+        *scale = make_scale(stack, i);
+    return scale;
+}
+
 struct sinusoid_scale multiscale_scale(struct multiscale *stack, size_t i)
 {
-    if (i >= stack->kept)
-        return make_scale(stack, i);
-    if (stack->scales[i].frequency_per_m == 0)
-        stack->scales[i] = make_scale(stack, i);
-    return stack->scales[i];
+    struct sinusoid_scale own;
+    return *scale_at(&own, stack, i);
 }
 
 /** The first scale from index i on that is not known to be closed: one steeper than `closed`. */
 static size_t next_open(const struct multiscale *stack, size_t i, double closed)
 {
-    return stack->spectrum ? next_steeper(stack, i, closed) : i;
+    bool itself = !stack->spectrum || (i < stack->count && steepness(stack->spectrum, i) > closed); /* mostly */
+    return itself ? i : next_steeper(stack, i, closed);
 }
 
 size_t multiscale_solve(struct contact_point *out, struct multiscale *stack, const struct constriction *spot,
@@ -199,14 +206,16 @@ size_t multiscale_solve(struct contact_point *out, struct multiscale *stack, con
     struct constriction_sum sum = {0};
     for (size_t i = 0;; i++) {
         double pressure_Pa = nominal_Pa / area;
-        closed = fmax(closed, pressure_Pa * stack->closed_steepness_per_Pa);
+        double too_low = pressure_Pa * stack->closed_steepness_per_Pa;
+        closed = too_low > closed ? too_low : closed;
         i = next_open(stack, i, closed);
         if (i >= stack->count)
             break;
         ++*evaluations;
-        const struct sinusoid_scale scale = multiscale_scale(stack, i);
+        struct sinusoid_scale own;
+        const struct sinusoid_scale *scale = scale_at(&own, stack, i);
         struct sinusoid_cell cell = {.gap_ratio = 1};
-        sinusoid_press(&cell, &scale, stack->closure, pressure_Pa, with_gap);
+        sinusoid_press(&cell, scale, stack->closure, pressure_Pa, with_gap);
         if (cell.area_complement <= 0 && cell.gap_ratio <= 0) {
             if (stack->spectrum && pressure_Pa > stack->ordered_Pa)
                 closed = fmax(closed, steepness(stack->spectrum, i) * (1 - rounding));
@@ -214,9 +223,9 @@ size_t multiscale_solve(struct contact_point *out, struct multiscale *stack, con
         }
         clamped += cell.limited;
         if (with_gap)
-            separation += scale.amplitude_m * cell.gap_ratio;
+            separation += scale->amplitude_m * cell.gap_ratio;
         if (conducts && cell.area_complement > 0)
-            constriction_add_scale(&sum, cell.area_ratio, cell.area_complement, scale.frequency_per_m, area);
+            constriction_add_scale(&sum, cell.area_ratio, cell.area_complement, scale->frequency_per_m, area);
         area *= cell.area_ratio;
     }
     *out = (struct contact_point){

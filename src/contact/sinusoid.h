@@ -39,7 +39,7 @@ struct sinusoid_scale {
     double full_pressure_Pa;         /* p* (4.7) */
     double critical_pressure_Pa;     /* p_c (4.14); INFINITY: elastic at any load */
     double plastic_full_pressure_Pa; /* p_p (4.18) */
-    double plastic_area_log;         /* ln of the factor of p^(q/(1+q)) in a_p (4.15) */
+    double plastic_area_log;         /* ln a_p (4.15) at p_p; elsewhere (p/p_p)^(q/(1+q)) times it */
     double plastic_area_exponent;    /* q/(1+q) (4.16) */
     double hardness_Pa;              /* mean pressure that a yielding scale bears at most; INFINITY: as published */
 };

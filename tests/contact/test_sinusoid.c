@@ -111,7 +111,9 @@ static void complement_does_not_cancel(void **state)
         double pressure = scale.plastic_full_pressure_Pa * (1 - rest);
         sinusoid_press(&cell, &scale, thesis, pressure, false);
         long double x = pressure / pp;
-        long double low = expl(scale.plastic_area_log + scale.plastic_area_exponent * logl((long double)pressure));
+        long double low =
+            expl(scale.plastic_area_log +
+                 scale.plastic_area_exponent * logl((long double)pressure / scale.plastic_full_pressure_Pa));
         long double area =
             low * (1 - powl(x, 1.51L)) + (1 - 3 / (2 * 3.14159265358979323846L) * (1 - x)) * powl(x, 1.04L);
         if (area < 1)
