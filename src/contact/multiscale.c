@@ -18,9 +18,6 @@ static double load_reaching(double pressure_Pa, double effective_modulus_Pa)
 /** Relative slack of comparisons by steepness in place of pressures, which are rounded otherwise. */
 static const double rounding = 1e-9;
 
-/** Scales that are kept once they are made, at most; beyond, they are made at every visit. */
-enum { KEPT_MOST = 65536 };
-
 /** Delta (i+1), in proportion to p* = sqrt2 pi E' Delta f. */
 static double steepness(const struct spectrum *spectrum, size_t i)
 {
@@ -140,9 +137,10 @@ void multiscale_make(struct multiscale *out, const struct spectrum *spectrum, co
     if (plastic) {
         out->ordered_Pa = sinusoid_ordered_pressure(pair) * (1 + rounding);
         out->critical_scales = count_critical(out, sinusoid_critical_full_pressure(pair) / unit_Pa);
-        out->kept = out->count < KEPT_MOST ? out->count : KEPT_MOST;
-        out->scales = calloc(out->kept, sizeof *out->scales);
-        out->kept = out->scales ? out->kept : 0;
+        out->scales = reallocarray(NULL, out->count, sizeof *out->scales + sizeof *out->made);
+        out->made = out->scales ? (bool *)(out->scales + out->count) : NULL;
+        for (size_t i = 0; out->made && i < out->count; i++)
+            out->made[i] = false;
     }
     if (!plastic || sinusoid_steepest_fills_last(most * unit_Pa, pair))
         least = most * (1 - rounding);
@@ -172,12 +170,14 @@ void multiscale_free(struct multiscale *stack)
     *stack = (struct multiscale){0};
 }
 
-/** The scale of index i: the one that is kept, else made, in `own` where it cannot be. */
+/** The scale of index i: the one that is kept, else made, in `own` where none are. */
 static const struct sinusoid_scale *scale_at(struct sinusoid_scale *own, struct multiscale *stack, size_t i)
 {
-    struct sinusoid_scale *scale = i < stack->kept ? &stack->scales[i] : own;
-    if (scale == own || scale->frequency_per_m == 0)
+    struct sinusoid_scale *scale = stack->scales ? &stack->scales[i] : own;
+    if (scale == own || (stack->made && !stack->made[i]))
         *scale = make_scale(stack, i);
+    if (stack->made)
+        stack->made[i] = true;
     return scale;
 }
 

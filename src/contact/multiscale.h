@@ -15,11 +15,10 @@ enum { MULTISCALE_GROUP = 16, MULTISCALE_LEVELS = 17 /* 16 fill the range of siz
 
 /** The stack of one surface in one material law. Owned: multiscale_free(). */
 struct multiscale {
-    struct sinusoid_scale *scales; /* the first `kept` of `count`, longest wavelength first; of no frequency: not yet
-                                      made */
-    size_t kept, count;
-    const struct spectrum *spectrum; /* what scales are made of when they are visited: the caller's; NULL: all are there
-                                      */
+    struct sinusoid_scale *scales; /* longest wavelength first; NULL: of elastic stacks, made at every visit */
+    bool *made;                    /* which of them are made, with them; NULL: all */
+    size_t count;
+    const struct spectrum *spectrum; /* that visited scales are made of: the caller's; NULL: all are made */
     struct material_pair pair;
     bool plastic;
     const struct sinusoid_fit *closure;
