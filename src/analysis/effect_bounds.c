@@ -133,30 +133,41 @@ static enum status_code bound_scale_dependence(struct surface_record *record, co
     return STATUS_OK;
 }
 
-enum status_code effect_bounds_surface(struct surface_record *record, const struct scene *scene,
-                                       const struct plan *plan, const double *loads, size_t load_count,
-                                       struct status *status)
+static enum status_code fill_bounds(struct surface_record *record, const struct scene *scene, const struct plan *plan,
+                                    const struct model_task *task, struct status *status)
 {
     struct surface_summary *summary = &record->summary;
-    struct model_task task = surface_task(record, scene, plan, loads, load_count);
-    for (size_t m = 0; m < model_count; m++)
-        if (plan_runs_model(plan, m) && !surface_bounds_room(summary, m))
-            return status_memory(status);
-    if (!summary->bounds) /* no model runs */
-        return STATUS_OK;
-    count_work(record, plan, &task);
-    count_sensitivity(record, plan, &task);
+    count_work(record, plan, task);
+    count_sensitivity(record, plan, task);
     if (plan_runs(plan, EFFECT_UNCERTAINTY) && summary->single_points > 0 &&
-        count_records(record, plan, &task, status) != STATUS_OK)
+        count_records(record, plan, task, status) != STATUS_OK)
         return status->code;
     if (!scene->effects_auto)
         return STATUS_OK;
     summary->bound = (struct effect_bounds){.converged = is_converged(record, scene)};
     for (size_t m = 0; m < model_count; m++)
         if (plan_runs_model(plan, m) && model_rows[m]->plastic)
-            summary->bounds[m]->yield = bound_yield(record, scene, plan, m, &task);
-    return plan_runs(plan, EFFECT_SCALE_DEPENDENT) ? bound_scale_dependence(record, scene, plan, &task, status)
+            summary->bounds[m]->yield = bound_yield(record, scene, plan, m, task);
+    return plan_runs(plan, EFFECT_SCALE_DEPENDENT) ? bound_scale_dependence(record, scene, plan, task, status)
                                                    : STATUS_OK;
+}
+
+enum status_code effect_bounds_surface(struct surface_record *record, const struct scene *scene,
+                                       const struct plan *plan, const double *loads, size_t load_count,
+                                       struct status *status)
+{
+    struct surface_summary *summary = &record->summary;
+    struct model_task task = surface_task(record, scene, plan, loads, load_count);
+    struct model_kept kept = {.spectrum = task.spectrum, .pair = task.pair};
+    task.kept = &kept;
+    for (size_t m = 0; m < model_count; m++)
+        if (plan_runs_model(plan, m) && !surface_bounds_room(summary, m))
+            return status_memory(status);
+    if (!summary->bounds) /* no model runs */
+        return STATUS_OK;
+    enum status_code rc = fill_bounds(record, scene, plan, &task, status);
+    model_kept_free(&kept);
+    return rc;
 }
 
 /** The largest bound of model `m` over the usable surfaces. */

@@ -3,13 +3,19 @@
 
 #include "contact/statistical.h"
 #include <assert.h>
-#include <gsl/gsl_integration.h>
 #include <math.h>
 #include <stdlib.h>
 
 const double landmarks_slope_step = M_LN10 / 24;
 
-enum { SEARCHES = 3, TRIALS = 4, LOADS_MOST = SEARCHES * TRIALS * 2, PASSES_MOST = 60, BETA_LOADS_MOST = 48 };
+enum {
+    SEARCHES = 3,
+    TRIALS = 4,
+    LOADS_MOST = SEARCHES * TRIALS * 2,
+    PASSES_MOST = 60,
+    BETA_PARTS_FIRST = 12,
+    BETA_PARTS = 96
+};
 
 struct search;
 /** What changes sign, from <= 0 below the landmark to > 0 above it; INFINITY is above. */
@@ -263,28 +269,49 @@ enum status_code landmarks_find(double ends[2], bool *found, const struct landma
     return STATUS_OK;
 }
 
-/** The mean at `count` of Gauss and Legendre's loads. */
-static enum status_code mean_beta(double *beta, const struct landmarks_curve *adjusted,
-                                  const struct landmarks_curve *multiscale, const double ends[2], size_t count,
-                                  double sigma_m, struct status *status)
+/** Weight of the load k of 1...parts - 1: (2/n) sin t sum over odd j < n of sin(j t)/j, t = pi k/n (Fejér 1933; Davis
+ * and Rabinowitz, Methods of Numerical Integration, 2.5.5). */
+static double fejer_weight(int k, int parts)
 {
-    struct contact_point low[BETA_LOADS_MOST + 1], high[BETA_LOADS_MOST + 1];
-    struct model_curve a = {.points = low}, b = {.points = high};
-    double loads[BETA_LOADS_MOST], weights[BETA_LOADS_MOST];
-    gsl_integration_glfixed_table *table = gsl_integration_glfixed_table_alloc(count);
-    if (!table)
-        return status_memory(status);
-    for (size_t i = 0; i < count; i++) {
-        gsl_integration_glfixed_point(0, 1, i, &loads[i], &weights[i], table);
-        loads[i] = ends[0] * pow(ends[1] / ends[0], loads[i]);
+    double angle = M_PI * k / parts, first = sin(angle), twice = 2 * cos(2 * angle);
+    double before = -first, sine = first, sum = 0; /* sin((j-2) t), sin(j t) */
+    for (int j = 1; j < parts; j += 2) {
+        double next = twice * sine - before;
+        sum += sine / j;
+        before = sine;
+        sine = next;
     }
-    gsl_integration_glfixed_table_free(table);
-    if (adjusted->evaluate(&a, loads, count, adjusted->context, status) != STATUS_OK ||
-        multiscale->evaluate(&b, loads, count, multiscale->context, status) != STATUS_OK)
-        return status->code;
-    *beta = a.count == count && b.count == count ? 0 : NAN;
-    for (size_t i = 0; i < count && isfinite(*beta); i++)
-        *beta += weights[i] * statistical_beta_multiscale(&low[i].separation_m, &high[i].separation_m, 1, sigma_m);
+    return 2 * first / parts * sum;
+}
+
+/** The mean separation over ln P, by Fejér's second rule on 11, 23, 47 and 95 loads, each list with those of the one
+ * before it, until two means agree to `allowed_m`; NaN where the curve does not reach them all. */
+static enum status_code mean_separation(double *mean_m, const struct landmarks_curve *curve, const double ends[2],
+                                        double allowed_m, struct status *status)
+{
+    double separation_m[BETA_PARTS];
+    *mean_m = NAN;
+    for (int parts = BETA_PARTS_FIRST; parts <= BETA_PARTS; parts *= 2) {
+        struct contact_point points[BETA_PARTS + 1];
+        struct model_curve added = {.points = points};
+        double loads[BETA_PARTS], before_m = *mean_m;
+        int every = BETA_PARTS / parts, step = parts == BETA_PARTS_FIRST ? 1 : 2;
+        size_t count = 0;
+        for (int k = 1; k < parts; k += step)
+            loads[count++] = ends[0] * pow(ends[1] / ends[0], (1 - cos(M_PI * k / parts)) / 2);
+        if (curve->evaluate(&added, loads, count, curve->context, status) != STATUS_OK)
+            return status->code;
+        *mean_m = NAN;
+        if (added.count != count)
+            return STATUS_OK;
+        for (int k = 1; k < parts; k += step)
+            separation_m[k * every] = points[(k - 1) / step].separation_m;
+        *mean_m = 0;
+        for (int k = 1; k < parts; k++)
+            *mean_m += fejer_weight(k, parts) * separation_m[k * every];
+        if (fabs(*mean_m - before_m) <= allowed_m)
+            break;
+    }
     return STATUS_OK;
 }
 
@@ -292,15 +319,14 @@ enum status_code landmarks_nearest_beta(double *beta, const struct landmarks_cur
                                         const struct landmarks_curve *multiscale, double from, double to,
                                         double sigma_m, struct status *status)
 {
-    const double ends[2] = {from, to};
-    double before = NAN;
+    const double ends[2] = {from, to}, unit_m = sigma_m / 4; /* of beta, in H */
+    double adjusted_m, multiscale_m;
     *beta = NAN;
-    for (size_t count = BETA_LOADS_MOST / 4; to > from && count <= BETA_LOADS_MOST; count *= 2) {
-        if (mean_beta(beta, adjusted, multiscale, ends, count, sigma_m, status) != STATUS_OK)
-            return status->code;
-        if (fabs(*beta - before) <= adjusted->tolerance * fmax(1, fabs(*beta)))
-            break;
-        before = *beta;
-    }
+    if (!(to > from))
+        return STATUS_OK;
+    if (mean_separation(&adjusted_m, adjusted, ends, 2 * unit_m * adjusted->tolerance, status) != STATUS_OK ||
+        mean_separation(&multiscale_m, multiscale, ends, unit_m * multiscale->tolerance, status) != STATUS_OK)
+        return status->code;
+    *beta = statistical_beta_multiscale(&adjusted_m, &multiscale_m, 1, sigma_m);
     return STATUS_OK;
 }

@@ -55,9 +55,9 @@ MUST_CHECK enum status_code landmarks_find(double ends[2], bool *found, const st
 
 /** The other estimate of beta (4.54), which brings delta_ADJ closest to the multiscale H in the mean square: the mean
  * of 4 (H - delta/2)/sigma over ln P, from `from` to `to` = P/(A_n E'), below the full contact of the adjusted model.
- * By Gauss and Legendre's 12, 24 and 48 loads, until two agree to the tolerance (of the greater of 1 and beta): where
- * the elastic-plastic H has steps, 48 loads are the last word. NaN where `to` is not above `from`. Error:
- * STATUS_MEMORY. */
+ * delta and H each by Fejér's second rule on 11, 23, 47 and 95 loads, each of which has those of the one before, until
+ * two agree to the tolerance (of 1, in beta): delta is smooth; where H has kinks and steps, 95 loads are the last word,
+ * within some 1e-4. NaN where `to` is not above `from`. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code landmarks_nearest_beta(double *beta, const struct landmarks_curve *adjusted,
                                                    const struct landmarks_curve *multiscale, double from, double to,
                                                    double sigma_m, struct status *status);

@@ -397,29 +397,39 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
     return run_sensitivity(record, m, task, status);
 }
 
+static enum status_code run_models(struct surface_record *record, const struct scene *scene, const struct plan *plan,
+                                   const struct model_task *task, struct status *status)
+{
+    for (size_t m = 0; m < model_count; m++)
+        if (plan_runs_model(plan, m) && run_model(record, m, task, scene, plan, status) != STATUS_OK)
+            return status->code;
+    if (plan_runs(plan, EFFECT_UNCERTAINTY) && record->height_m &&
+        run_uncertainty(record, scene, plan, task, status) != STATUS_OK)
+        return status->code;
+    for (size_t m = 0; m < model_count; m++)
+        if (surface_seeks_beta(plan, m) && estimate_beta(record, m, task, status) != STATUS_OK)
+            return status->code;
+    if (plan_runs(plan, EFFECT_CONVERGENCE))
+        extend(record, scene);
+    free_bounds(&record->summary);
+    return answers_find(record, scene, plan, task, status);
+}
+
 enum status_code surface_run_models(struct surface_record *record, const struct scene *scene, const struct plan *plan,
                                     const double *loads, size_t load_count, const struct threads *threads,
                                     struct status *status)
 {
     struct model_task task = surface_task(record, scene, plan, loads, load_count);
+    struct model_kept kept = {.spectrum = task.spectrum, .pair = task.pair};
     task.threads = threads;
+    task.kept = &kept;
     record->curves = calloc(model_count, sizeof *record->curves);
     record->bands = calloc(model_count, sizeof *record->bands);
     if (!record->curves || !record->bands)
         return status_memory(status);
-    for (size_t m = 0; m < model_count; m++)
-        if (plan_runs_model(plan, m) && run_model(record, m, &task, scene, plan, status) != STATUS_OK)
-            return status->code;
-    if (plan_runs(plan, EFFECT_UNCERTAINTY) && record->height_m &&
-        run_uncertainty(record, scene, plan, &task, status) != STATUS_OK)
-        return status->code;
-    for (size_t m = 0; m < model_count; m++)
-        if (surface_seeks_beta(plan, m) && estimate_beta(record, m, &task, status) != STATUS_OK)
-            return status->code;
-    if (plan_runs(plan, EFFECT_CONVERGENCE))
-        extend(record, scene);
-    free_bounds(&record->summary);
-    return answers_find(record, scene, plan, &task, status);
+    enum status_code rc = run_models(record, scene, plan, &task, status);
+    model_kept_free(&kept);
+    return rc;
 }
 
 /** Heights stay where a model that was asked for uses them, or unasked where they are not Gaussian; two rough bodies

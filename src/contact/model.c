@@ -69,6 +69,21 @@ enum status_code model_run(struct model_curve *curve, const struct model_row *ro
     return STATUS_OK;
 }
 
+struct model_kept_state *model_kept(const struct model_task *task, const struct model_row *row)
+{
+    size_t m = model_index(row);
+    bool same = task->kept && task->kept->spectrum == task->spectrum && task->kept->pair == task->pair;
+    return same && m < model_count ? &task->kept->of[m] : NULL;
+}
+
+void model_kept_free(struct model_kept *kept)
+{
+    for (size_t m = 0; m < model_count; m++)
+        if (kept->of[m].state)
+            kept->of[m].free(kept->of[m].state);
+    *kept = (struct model_kept){0};
+}
+
 enum quantity model_shown(const struct model_row *row, enum quantity quantity)
 {
     bool adjusts = quantity == QUANTITY_SEPARATION && (row->quantities & QUANTITY_BIT(QUANTITY_ADJUSTED));

@@ -14,6 +14,7 @@
 #include <stdint.h>
 
 struct truncation_model; /* contact/truncation_model.h */
+struct model_kept;
 
 /** What a model is asked: one surface, one pair of bodies, a list of loads. */
 struct model_task {
@@ -31,6 +32,7 @@ struct model_task {
         *points; /* heights and slopes of the surface, for models that use_heights; NULL: not kept */
     size_t point_count;
     const struct threads *threads; /* for models that can share one surface out; NULL: none but this one */
+    struct model_kept *kept;       /* what models have made of this surface and pair; NULL: nothing is kept */
 };
 
 /** What answering took: visits of scales, asperity laws at quadrature nodes, and loads solved for a separation. */
@@ -127,6 +129,22 @@ uint64_t model_find(const char *name);
 uint64_t model_defaults(void);
 /** May model `m` of the set `models` run with these EFFECT_BITs: a plastic one needs plasticity. */
 bool model_runs(size_t m, uint64_t models, unsigned effects);
+
+enum { MODEL_KEPT_MOST = 64 };
+
+/** What models have made of one surface in one pair, which does not hang on the loads: a curve, its landmarks and its
+ * bounds share it. For one thread. Zeroed but for the first two: nothing yet. Owned: model_kept_free(). */
+struct model_kept {
+    const struct spectrum *spectrum; /* a task of another one, or of another pair, keeps nothing */
+    const struct material_pair *pair;
+    struct model_kept_state {
+        void *state; /* the model's own; NULL: nothing yet */
+        void (*free)(void *state);
+    } of[MODEL_KEPT_MOST]; /* by index in model_rows */
+};
+/** Where `row` keeps what it made for the task; NULL: nowhere. */
+struct model_kept_state *model_kept(const struct model_task *task, const struct model_row *row);
+void model_kept_free(struct model_kept *kept);
 
 /** The place among its loads of the one where the summary stands. */
 size_t model_task_operating(const struct model_task *task);

@@ -4,6 +4,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 static struct model_work work_of(uint64_t visits, unsigned wanted)
 {
@@ -14,36 +15,61 @@ static struct model_work work_of(uint64_t visits, unsigned wanted)
     };
 }
 
-/** How far down the stack each load gets is known from the areas. */
+static void free_kept(void *state)
+{
+    multiscale_free(state);
+    free(state);
+}
+
+/** The stack of the task's surface: the one that is kept, else made, in `own` where none can be kept. */
+static struct multiscale *stack_of(struct multiscale *own, const struct model_row *row, const struct model_task *task)
+{
+    struct model_kept_state *kept = model_kept(task, row);
+    if (kept && kept->state)
+        return kept->state;
+    struct multiscale *stack = kept ? malloc(sizeof *stack) : NULL;
+    if (stack)
+        *kept = (struct model_kept_state){stack, free_kept};
+    else
+        stack = own;
+    multiscale_make(stack, task->spectrum, task->pair, row->plastic, task->sinusoid_fit);
+    return stack;
+}
+
+static void release(struct multiscale *stack, struct multiscale *own)
+{
+    if (stack == own)
+        multiscale_free(own);
+}
+
+/** Which scales each load visits is known from the areas. */
 static struct model_work work(const struct model_row *row, const struct model_task *task)
 {
-    struct multiscale stack;
-    multiscale_make(&stack, task->spectrum, task->pair, row->plastic, task->sinusoid_fit);
-    uint64_t visits = multiscale_visits(&stack, task->loads, task->load_count);
-    multiscale_free(&stack);
+    struct multiscale own, *stack = stack_of(&own, row, task);
+    uint64_t visits = multiscale_visits(stack, task->loads, task->load_count);
+    release(stack, &own);
     return work_of(visits, task->wanted);
 }
 
 static enum status_code run(struct model_curve *curve, const struct model_row *row, const struct model_task *task,
                             struct status *status)
 {
-    struct multiscale stack;
+    struct multiscale own, *stack = stack_of(&own, row, task);
     struct constriction constriction = constriction_make(task->pair);
     uint64_t visits = 0;
     (void)status;
-    multiscale_make(&stack, task->spectrum, task->pair, row->plastic, task->sinusoid_fit);
     for (size_t i = 0; i < task->load_count; i++)
         curve->clamped +=
-            multiscale_solve(&curve->points[i], &stack, &constriction, task->wanted, task->loads[i], &visits);
-    multiscale_solve(&curve->full, &stack, &constriction, task->wanted, stack.full_load, &visits);
+            multiscale_solve(&curve->points[i], stack, &constriction, task->wanted, task->loads[i], &visits);
+    multiscale_solve(&curve->full, stack, &constriction, task->wanted, stack->full_load, &visits);
     curve->count = task->load_count;
-    curve->full_load = stack.full_load;
-    curve->closed_load = stack.closed_load;
-    curve->yielding_scales = stack.critical_scales;
+    curve->full_load = stack->full_load;
+    curve->closed_load = stack->closed_load;
+    curve->yielding_scales = stack->critical_scales;
     curve->beta = NAN;
     curve->exists = true;
     curve->work = work_of(visits, task->wanted);
-    multiscale_free(&stack);
+    release(stack, &own);
     return STATUS_OK;
 }
 
@@ -76,7 +102,7 @@ static void yield_reason(char *out, size_t size, double bound, bool runs)
 
 /** What bounding the scale dependence of one stack takes along. */
 struct stack_study {
-    struct multiscale stack;
+    struct multiscale *stack;
     struct constriction constriction;
     const double *loads;
     double tolerance;
@@ -90,7 +116,7 @@ static double raise(const struct contact_point *point)
 
 static double raise_at(struct contact_point *point, struct stack_study *study, size_t load)
 {
-    multiscale_solve(point, &study->stack, &study->constriction,
+    multiscale_solve(point, study->stack, &study->constriction,
                      QUANTITY_BIT(QUANTITY_TCR) | QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT), study->loads[load],
                      &study->visits);
     return raise(point);
@@ -122,10 +148,12 @@ static double bound_between(struct stack_study *study, size_t low, const struct 
 static enum status_code scale_dependence_bound(double *most, uint64_t *visits, const struct model_row *row,
                                                const struct model_task *task, struct status *status)
 {
-    struct stack_study study = {
-        .constriction = constriction_make(task->pair), .loads = task->loads, .tolerance = task->tolerance};
+    struct multiscale own;
+    struct stack_study study = {.stack = stack_of(&own, row, task),
+                                .constriction = constriction_make(task->pair),
+                                .loads = task->loads,
+                                .tolerance = task->tolerance};
     (void)status;
-    multiscale_make(&study.stack, task->spectrum, task->pair, row->plastic, task->sinusoid_fit);
     struct contact_point first, last;
     *most = raise_at(&first, &study, 0);
     if (*most <= study.tolerance && task->load_count > 1)
@@ -133,7 +161,7 @@ static enum status_code scale_dependence_bound(double *most, uint64_t *visits, c
     if (*most <= study.tolerance)
         *most = fmax(*most, bound_between(&study, 0, &first, task->load_count - 1, &last));
     *visits += study.visits;
-    multiscale_free(&study.stack);
+    release(study.stack, &own);
     return STATUS_OK;
 }
 

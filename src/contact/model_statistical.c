@@ -8,10 +8,57 @@
 #include <assert.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 static enum asperity_model_id asperity_model_of(const struct model_row *row)
 {
     return (enum asperity_model_id)(row->asperity_model - asperity_models);
+}
+
+/** What is made of one surface for the quantities that are wanted. */
+struct prepared {
+    struct statistical model;
+    unsigned wanted;
+    uint64_t nodes; /* that making it took */
+};
+
+static void free_prepared(void *state)
+{
+    struct prepared *prepared = state;
+    statistical_free(&prepared->model);
+    free(prepared);
+}
+
+/** The task's surface, from what is kept of it or made. release() it. Error: STATUS_MEMORY. */
+static enum status_code prepare(struct prepared **out, const struct model_row *row, const struct model_task *task,
+                                struct status *status)
+{
+    struct model_kept_state *kept = model_kept(task, row);
+    *out = kept ? kept->state : NULL;
+    if (*out && (*out)->wanted == task->wanted)
+        return STATUS_OK;
+    if (*out) {
+        free_prepared(kept->state);
+        *kept = (struct model_kept_state){0};
+    }
+    struct prepared *prepared = *out = calloc(1, sizeof *prepared);
+    if (!prepared)
+        return status_memory(status);
+    prepared->wanted = task->wanted;
+    if (statistical_make(&prepared->model, task->asperities, task->pair, asperity_model_of(row), task->wanted,
+                         task->tolerance, INFINITY, &prepared->nodes, status) != STATUS_OK) {
+        free_prepared(prepared);
+        return status->code;
+    }
+    if (kept)
+        *kept = (struct model_kept_state){prepared, free_prepared};
+    return STATUS_OK;
+}
+
+static void release(struct prepared *prepared, const struct model_row *row, const struct model_task *task)
+{
+    if (!model_kept(task, row))
+        free_prepared(prepared);
 }
 
 /** Laws at nodes under the name of what they are for: GW has closed forms for all but scale dependence. */
@@ -38,27 +85,26 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
 {
     if (!task->asperities)
         return STATUS_OK;
-    struct statistical model;
-    uint64_t nodes = 0, separations = 0;
-    enum status_code rc = statistical_make(&model, task->asperities, task->pair, asperity_model_of(row), task->wanted,
-                                           task->tolerance, INFINITY, &nodes, status);
-    if (rc == STATUS_OK) {
-        double d = 3; /* a first guess; the solution of one load starts the next */
-        for (size_t i = 0; i < task->load_count; i++) {
-            separations++;
-            if (statistical_solve(&curve->points[curve->count], &model, task->loads[i], &d))
-                curve->count++;
-        }
-        statistical_full(&curve->full, &model);
-        if (curve->count < task->load_count)
-            curve->points[curve->count++] = curve->full;
-        curve->full_load = curve->closed_load = model.full_load;
-        curve->beta = model.beta;
-        curve->work = work_of(row, nodes, separations);
-        curve->exists = true;
+    struct prepared *prepared;
+    uint64_t separations = 0;
+    if (prepare(&prepared, row, task, status) != STATUS_OK)
+        return status->code;
+    const struct statistical *model = &prepared->model;
+    double d = 3; /* a first guess; the solution of one load starts the next */
+    for (size_t i = 0; i < task->load_count; i++) {
+        separations++;
+        if (statistical_solve(&curve->points[curve->count], model, task->loads[i], &d))
+            curve->count++;
     }
-    statistical_free(&model);
-    return rc;
+    statistical_full(&curve->full, model);
+    if (curve->count < task->load_count)
+        curve->points[curve->count++] = curve->full;
+    curve->full_load = curve->closed_load = model->full_load;
+    curve->beta = model->beta;
+    curve->work = work_of(row, prepared->nodes, separations);
+    curve->exists = true;
+    release(prepared, row, task);
+    return STATUS_OK;
 }
 
 static enum status_code spots(struct contact_spots *out, const struct model_row *row, const struct model_task *task,

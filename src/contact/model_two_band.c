@@ -12,6 +12,50 @@ enum {
                QUANTITY_RESISTANCES
 };
 
+/** What is made of one surface. */
+struct prepared {
+    bool splits; /* there is an amplitude */
+    struct two_band bands;
+    struct multiscale stack;
+};
+
+static void free_prepared(void *state)
+{
+    struct prepared *prepared = state;
+    multiscale_free(&prepared->stack);
+    free(prepared);
+}
+
+/** The task's surface, from what is kept or made. release() it. Error: STATUS_MEMORY. */
+static enum status_code prepare(struct prepared **out, const struct model_row *row, const struct model_task *task,
+                                struct status *status)
+{
+    struct model_kept_state *kept = model_kept(task, row);
+    if (kept && kept->state) {
+        *out = kept->state;
+        return STATUS_OK;
+    }
+    struct prepared *prepared = *out = calloc(1, sizeof *prepared);
+    if (!prepared)
+        return status_memory(status);
+    prepared->splits = two_band_split(&prepared->bands, task->spectrum);
+    if (prepared->splits &&
+        two_band_stack(&prepared->stack, &prepared->bands, task->pair, row->plastic,
+                       row->plastic ? task->hardness_Pa : INFINITY, task->sinusoid_fit, status) != STATUS_OK) {
+        free(prepared);
+        return status->code;
+    }
+    if (kept)
+        *kept = (struct model_kept_state){prepared, free_prepared};
+    return STATUS_OK;
+}
+
+static void release(struct prepared *prepared, const struct model_row *row, const struct model_task *task)
+{
+    if (!model_kept(task, row))
+        free_prepared(prepared);
+}
+
 /** Two scales at every load and at full contact, and the elastic separations. */
 static struct model_work work(const struct model_row *row, const struct model_task *task)
 {
@@ -54,22 +98,22 @@ static enum status_code elastic_separation(struct model_curve *curve, struct mul
 static enum status_code run(struct model_curve *curve, const struct model_row *row, const struct model_task *task,
                             struct status *status)
 {
-    struct two_band bands;
-    struct multiscale stack;
+    struct prepared *prepared;
     struct constriction constriction = constriction_make(task->pair);
     uint64_t visits = 0;
     unsigned gap = task->wanted & QUANTITY_BIT(QUANTITY_SEPARATION),
              wanted = row->plastic ? task->wanted : task->wanted & ~gap;
-    if (!two_band_split(&bands, task->spectrum)) {
+    if (prepare(&prepared, row, task, status) != STATUS_OK)
+        return status->code;
+    struct multiscale *stack = &prepared->stack;
+    if (!prepared->splits) {
         curve->work = work(row, task); /* as predicted, which knows no amplitudes */
+        release(prepared, row, task);
         return STATUS_OK;
     }
-    if (two_band_stack(&stack, &bands, task->pair, row->plastic, row->plastic ? task->hardness_Pa : INFINITY,
-                       task->sinusoid_fit, status) != STATUS_OK)
-        return status->code;
     for (size_t i = 0; i < task->load_count; i++)
-        curve->clamped += multiscale_solve(&curve->points[i], &stack, &constriction, wanted, task->loads[i], &visits);
-    multiscale_solve(&curve->full, &stack, &constriction, wanted, stack.full_load, &visits);
+        curve->clamped += multiscale_solve(&curve->points[i], stack, &constriction, wanted, task->loads[i], &visits);
+    multiscale_solve(&curve->full, stack, &constriction, wanted, stack->full_load, &visits);
     enum status_code rc = STATUS_OK;
     curve->work = (struct model_work){
         .scales = visits,
@@ -77,17 +121,17 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
         .constrictions = wanted & QUANTITY_RESISTANCES ? visits : 0,
     };
     if (!row->plastic && gap)
-        rc = elastic_separation(curve, &stack, task, status);
+        rc = elastic_separation(curve, stack, task, status);
     for (size_t i = 0; i < task->load_count; i++)
         blank(&curve->points[i], row, task);
     blank(&curve->full, row, task);
     curve->count = task->load_count;
-    curve->full_load = stack.full_load;
+    curve->full_load = stack->full_load;
     curve->closed_load = NAN;
-    curve->yielding_scales = stack.critical_scales;
+    curve->yielding_scales = stack->critical_scales;
     curve->beta = NAN;
     curve->exists = true;
-    multiscale_free(&stack);
+    release(prepared, row, task);
     return rc;
 }
 
@@ -97,7 +141,8 @@ static double yield_bound(const struct model_row *row, const struct model_task *
     struct two_band bands;
     double most = 0;
     (void)row;
-    for (int b = 0; two_band_split(&bands, task->spectrum) && b < TWO_BAND_COUNT; b++) {
+    bool splits = two_band_split(&bands, task->spectrum);
+    for (int b = 0; splits && b < TWO_BAND_COUNT; b++) {
         struct sinusoid_scale scale = sinusoid_scale(bands.amplitude_m[b], bands.frequency_per_m[b], task->pair, true);
         most = fmax(most, scale.full_pressure_Pa / scale.critical_pressure_Pa);
     }
@@ -116,22 +161,18 @@ static void yield_reason(char *out, size_t size, double bound, bool runs)
 static enum status_code scale_dependence_bound(double *most, uint64_t *visits, const struct model_row *row,
                                                const struct model_task *task, struct status *status)
 {
-    struct two_band bands;
-    struct multiscale stack;
+    struct prepared *prepared;
     struct constriction constriction = constriction_make(task->pair);
     *most = 0;
-    if (!two_band_split(&bands, task->spectrum))
-        return STATUS_OK;
-    if (two_band_stack(&stack, &bands, task->pair, row->plastic, row->plastic ? task->hardness_Pa : INFINITY,
-                       task->sinusoid_fit, status) != STATUS_OK)
+    if (prepare(&prepared, row, task, status) != STATUS_OK)
         return status->code;
-    for (size_t i = 0; i < task->load_count; i++) {
+    for (size_t i = 0; prepared->splits && i < task->load_count; i++) {
         struct contact_point point;
-        multiscale_solve(&point, &stack, &constriction, QUANTITY_RESISTANCES, task->loads[i], visits);
+        multiscale_solve(&point, &prepared->stack, &constriction, QUANTITY_RESISTANCES, task->loads[i], visits);
         if (point.tcr_K_m2_per_W > 0)
             *most = fmax(*most, point.tcr_sd_K_m2_per_W / point.tcr_K_m2_per_W - 1);
     }
-    multiscale_free(&stack);
+    release(prepared, row, task);
     return STATUS_OK;
 }
 

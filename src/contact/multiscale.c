@@ -15,12 +15,8 @@ static double load_reaching(double pressure_Pa, double effective_modulus_Pa)
     return load;
 }
 
-/** First scale of the k+1-th border's block: blocks grow by a sixteenth, so that a load visits few scales more than it
- * has to, and few borders are tested. */
-static size_t next_border(size_t border)
-{
-    return border + 1 + border / 16;
-}
+/** Relative slack of comparisons by steepness in place of pressures, which are rounded otherwise. */
+static const double rounding = 1e-9;
 
 /** Delta (i+1), in proportion to p* = sqrt2 pi E' Delta f. */
 static double steepness(const struct spectrum *spectrum, size_t i)
@@ -28,10 +24,62 @@ static double steepness(const struct spectrum *spectrum, size_t i)
     return spectrum->amplitude_m[i] * (double)(i + 1);
 }
 
-/** p* of a scale that steep. */
-static double full_pressure(const struct multiscale *stack, double steepness)
+/** The steepest scale of group `at` of a level; level 0 are the scales themselves. */
+static double steepest(const struct multiscale *stack, size_t level, size_t at)
 {
-    return sinusoid_full_pressure(steepness, 1 / stack->spectrum->length_m, stack->effective_modulus_Pa);
+    return level == 0 ? steepness(stack->spectrum, at) : stack->steepest[level - 1][at];
+}
+
+static size_t groups(size_t count)
+{
+    return (count + MULTISCALE_GROUP - 1) / MULTISCALE_GROUP;
+}
+
+/** Fills steepest[]; returns the steepness of the steepest scale. */
+static double find_steepest(struct multiscale *stack)
+{
+    size_t room = 0, size = stack->count;
+    double most = 0;
+    for (size_t n = size; n > 1; n = groups(n))
+        room += groups(n);
+    stack->steepest[0] = malloc((room ? room : 1) * sizeof *stack->steepest[0]);
+    for (size_t level = 0; stack->steepest[0] && size > 1; level++) {
+        for (size_t group = 0; group < groups(size); group++) {
+            size_t end = (group + 1) * MULTISCALE_GROUP < size ? (group + 1) * MULTISCALE_GROUP : size;
+            double of_group = 0;
+            for (size_t at = group * MULTISCALE_GROUP; at < end; at++) {
+                double own = steepest(stack, level, at);
+                of_group = own > of_group ? own : of_group;
+            }
+            stack->steepest[level][group] = of_group;
+        }
+        size = groups(size);
+        assert(level + 1 < MULTISCALE_LEVELS);
+        stack->steepest[level + 1] = stack->steepest[level] + size;
+        stack->levels = level + 1;
+    }
+    for (size_t at = 0; at < size; at++)
+        most = fmax(most, steepest(stack, stack->levels, at));
+    return most;
+}
+
+/** The first scale from index i on that is steeper than `than`; the count when there is none. Goes up to ever larger
+ * groups while none of theirs is, then down to the one. */
+static size_t next_steeper(const struct multiscale *stack, size_t i, double than)
+{
+    size_t level = 0, size = stack->count, at = i;
+    for (; at < size && !(steepest(stack, level, at) > than); at++)
+        while (level < stack->levels && (at + 1) % MULTISCALE_GROUP == 0) {
+            at /= MULTISCALE_GROUP;
+            size = groups(size);
+            level++;
+        }
+    if (at >= size)
+        return stack->count;
+    for (; level > 0; level--)
+        for (at *= MULTISCALE_GROUP; !(steepest(stack, level - 1, at) > than);)
+            at++;
+    return at;
 }
 
 static struct sinusoid_scale make_scale(const struct multiscale *stack, size_t i)
@@ -40,25 +88,16 @@ static struct sinusoid_scale make_scale(const struct multiscale *stack, size_t i
                           stack->plastic);
 }
 
-/** Fills closing_Pa; returns the largest steepness. */
-static double find_borders(struct multiscale *stack)
+/** How many scales have Delta > Delta_c, whose steepness is `critical`. */
+static size_t count_critical(const struct multiscale *stack, double critical)
 {
-    double most = 0;
-    for (size_t first = 0; first < stack->count; first = next_border(first)) {
-        size_t end = next_border(first) < stack->count ? next_border(first) : stack->count;
-        double block = 0;
-        for (size_t i = first; i < end; i++) {
-            double own = steepness(stack->spectrum, i);
-            block = own > block ? own : block;
-        }
-        assert(stack->borders < MULTISCALE_BORDERS_MOST);
-        stack->closing_Pa[stack->borders++] = block;
+    size_t count = 0;
+    for (size_t i = 0; i < stack->count; i++) {
+        double own = steepness(stack->spectrum, i);
+        if (own > critical * (1 - rounding))
+            count += own > critical * (1 + rounding) || isfinite(make_scale(stack, i).critical_pressure_Pa);
     }
-    for (size_t k = stack->borders; k-- > 0;) {
-        most = fmax(most, stack->closing_Pa[k]);
-        stack->closing_Pa[k] = sinusoid_closing_bound(full_pressure(stack, most), &stack->pair, stack->plastic);
-    }
-    return most;
+    return count;
 }
 
 /** Raises the pressures of full contact and of no gap to those of a scale. */
@@ -84,7 +123,6 @@ static void set_loads(struct multiscale *stack, double full_Pa, double closed_Pa
 void multiscale_make(struct multiscale *out, const struct spectrum *spectrum, const struct material_pair *pair,
                      bool plastic, enum sinusoid_fit_id closure)
 {
-    static const double rounding = 1e-9;
     *out = (struct multiscale){
         .count = spectrum->count,
         .spectrum = spectrum,
@@ -93,23 +131,23 @@ void multiscale_make(struct multiscale *out, const struct spectrum *spectrum, co
         .closure = &sinusoid_fits[closure],
         .effective_modulus_Pa = pair->effective_modulus_Pa,
     };
-    double most = find_borders(out), unit_Pa = full_pressure(out, 1), full_Pa = 0, closed_Pa = 0;
-    bool steepest = !plastic || sinusoid_steepest_fills_last(most * unit_Pa, pair);
-    double least = steepest ? most * (1 - rounding) : 0;
-    double critical = plastic ? sinusoid_critical_full_pressure(pair) / unit_Pa : INFINITY;
-    for (size_t i = 0; i < out->count; i++) {
-        double own = steepness(spectrum, i);
-        if (own < least && !(own > critical * (1 - rounding)))
-            continue;
-        bool clear = own > critical * (1 + rounding);
-        if (own < least && clear) {
-            out->critical_scales++;
-            continue;
-        }
-        struct sinusoid_scale scale = make_scale(out, i);
-        out->critical_scales += isfinite(scale.critical_pressure_Pa);
-        if (own >= least)
-            raise_full(&full_Pa, &closed_Pa, &scale);
+    double unit_Pa = sinusoid_full_pressure(1, 1 / spectrum->length_m, pair->effective_modulus_Pa);
+    double most = find_steepest(out), full_Pa = 0, closed_Pa = 0, least = 0;
+    out->closed_steepness_per_Pa = (1 - rounding) / unit_Pa;
+    if (plastic) {
+        out->ordered_Pa = sinusoid_ordered_pressure(pair) * (1 + rounding);
+        out->critical_scales = count_critical(out, sinusoid_critical_full_pressure(pair) / unit_Pa);
+        out->scales = reallocarray(NULL, out->count, sizeof *out->scales + sizeof *out->made);
+        out->made = out->scales ? (bool *)(out->scales + out->count) : NULL;
+        for (size_t i = 0; out->made && i < out->count; i++)
+            out->made[i] = false;
+    }
+    if (!plastic || sinusoid_steepest_fills_last(most * unit_Pa, pair))
+        least = most * (1 - rounding);
+    for (size_t i = 0; (i = next_steeper(out, i, least)) < out->count; i++) {
+        struct sinusoid_scale scale = multiscale_scale(out, i);
+        raise_full(&full_Pa, &closed_Pa, &scale);
+        least = fmax(least, full_Pa * out->closed_steepness_per_Pa); /* p* below: closed before */
     }
     set_loads(out, full_Pa, closed_Pa);
 }
@@ -128,26 +166,32 @@ void multiscale_complete(struct multiscale *stack)
 void multiscale_free(struct multiscale *stack)
 {
     free(stack->scales);
+    free(stack->steepest[0]);
     *stack = (struct multiscale){0};
+}
+
+/** The scale of index i: the one that is kept, else made, in `own` where none are. */
+static const struct sinusoid_scale *scale_at(struct sinusoid_scale *own, struct multiscale *stack, size_t i)
+{
+    struct sinusoid_scale *scale = stack->scales ? &stack->scales[i] : own;
+    if (scale == own || (stack->made && !stack->made[i]))
+        *scale = make_scale(stack, i);
+    if (stack->made)
+        stack->made[i] = true;
+    return scale;
 }
 
 struct sinusoid_scale multiscale_scale(struct multiscale *stack, size_t i)
 {
-    if (i < stack->made)
-        return stack->scales[i];
-    struct sinusoid_scale scale = make_scale(stack, i);
-    if (i > stack->made)
-        return scale;
-    if (stack->made == stack->room) {
-        size_t room = stack->room ? 2 * stack->room : 64;
-        struct sinusoid_scale *scales = reallocarray(stack->scales, room, sizeof *scales);
-        if (!scales)
-            return scale; /* it will be made again */
-        stack->scales = scales;
-        stack->room = room;
-    }
-    stack->scales[stack->made++] = scale;
-    return scale;
+    struct sinusoid_scale own;
+    return *scale_at(&own, stack, i);
+}
+
+/** The first scale from index i on that is not known to be closed: one steeper than `closed`. */
+static size_t next_open(const struct multiscale *stack, size_t i, double closed)
+{
+    bool itself = !stack->spectrum || (i < stack->count && steepness(stack->spectrum, i) > closed); /* mostly */
+    return itself ? i : next_steeper(stack, i, closed);
 }
 
 size_t multiscale_solve(struct contact_point *out, struct multiscale *stack, const struct constriction *spot,
@@ -157,25 +201,33 @@ size_t multiscale_solve(struct contact_point *out, struct multiscale *stack, con
     bool conducts = wanted & (QUANTITY_RESISTANCES);
     double nominal_Pa = load * stack->effective_modulus_Pa;
     double area = 1, separation = 0;
-    size_t clamped = 0, i = 0, border = 0, borders = 0;
+    double closed = 0; /* scales no steeper are: p rises from scale to scale, so that they stay it */
+    size_t clamped = 0;
     struct constriction_sum sum = {0};
-    for (; i < stack->count; i++) {
-        if (i == border && borders < stack->borders) {
-            if (nominal_Pa / area > stack->closing_Pa[borders++])
-                break;
-            border = next_border(border);
+    for (size_t i = 0;; i++) {
+        double pressure_Pa = nominal_Pa / area;
+        double too_low = pressure_Pa * stack->closed_steepness_per_Pa;
+        closed = too_low > closed ? too_low : closed;
+        i = next_open(stack, i, closed);
+        if (i >= stack->count)
+            break;
+        ++*evaluations;
+        struct sinusoid_scale own;
+        const struct sinusoid_scale *scale = scale_at(&own, stack, i);
+        struct sinusoid_cell cell = {.gap_ratio = 1};
+        sinusoid_press(&cell, scale, stack->closure, pressure_Pa, with_gap);
+        if (cell.area_complement <= 0 && cell.gap_ratio <= 0) {
+            if (stack->spectrum && pressure_Pa > stack->ordered_Pa)
+                closed = fmax(closed, steepness(stack->spectrum, i) * (1 - rounding));
+            continue;
         }
-        const struct sinusoid_scale scale = multiscale_scale(stack, i);
-        struct sinusoid_cell cell;
-        sinusoid_press(&cell, &scale, stack->closure, nominal_Pa / area, with_gap);
         clamped += cell.limited;
         if (with_gap)
-            separation += scale.amplitude_m * cell.gap_ratio;
+            separation += scale->amplitude_m * cell.gap_ratio;
         if (conducts && cell.area_complement > 0)
-            constriction_add_scale(&sum, cell.area_ratio, cell.area_complement, scale.frequency_per_m, area);
+            constriction_add_scale(&sum, cell.area_ratio, cell.area_complement, scale->frequency_per_m, area);
         area *= cell.area_ratio;
     }
-    *evaluations += i;
     *out = (struct contact_point){
         .load = load,
         .area_ratio = area,

@@ -11,13 +11,14 @@
 #include "spectrum/spectrum.h"
 #include <stdint.h>
 
-enum { MULTISCALE_BORDERS_MOST = 512 /* for any count that fits into memory */ };
+enum { MULTISCALE_GROUP = 16, MULTISCALE_LEVELS = 17 /* 16 fill the range of size_t */ };
 
 /** The stack of one surface in one material law. Owned: multiscale_free(). */
 struct multiscale {
-    struct sinusoid_scale *scales; /* the first `made` of `count`, longest wavelength first */
-    size_t made, room, count;
-    const struct spectrum *spectrum; /* what the others are made of when they are first visited: the caller's */
+    struct sinusoid_scale *scales; /* longest wavelength first; NULL: of elastic stacks, made at every visit */
+    bool *made;                    /* which of them are made, with them; NULL: all */
+    size_t count;
+    const struct spectrum *spectrum; /* that visited scales are made of: the caller's; NULL: all are made */
     struct material_pair pair;
     bool plastic;
     const struct sinusoid_fit *closure;
@@ -25,13 +26,15 @@ struct multiscale {
     double full_load;       /* P/(A_n E') from which A = A_n: the largest over the scales */
     double closed_load;     /* the same for no separation left */
     size_t critical_scales; /* scales with Delta > Delta_c: those that can yield */
-    /* at multiscale_border(k): at pressures above closing_Pa[k] every scale from there on is closed */
-    double closing_Pa[MULTISCALE_BORDERS_MOST];
-    size_t borders;
+    /* By steepness Delta n of harmonic n, in proportion to p*, the walk passes over scales that are closed. */
+    double closed_steepness_per_Pa; /* times a mean pressure: scales that steep, or less, are closed under it */
+    double ordered_Pa;              /* under a greater pressure, where a scale is closed all less steep ones are too */
+    double *steepest[MULTISCALE_LEVELS]; /* of every 16 scales, of every 16 such groups and so on: one allocation */
+    size_t levels;
 };
 
 /** Prepares the stack of `spectrum`, which has to be there as long as the stack, for `pair`, elastic-plastic when
- * `plastic`. Scales are made as they are visited: most loads are done with after a few. */
+ * `plastic`. Scales are made as they are visited: most are closed whenever it is their turn. */
 void multiscale_make(struct multiscale *out, const struct spectrum *spectrum, const struct material_pair *pair,
                      bool plastic, enum sinusoid_fit_id closure);
 /** Fills full_load, closed_load and critical_scales of a stack of few scales that are all made otherwise; all are
@@ -43,8 +46,8 @@ void multiscale_free(struct multiscale *stack);
 struct sinusoid_scale multiscale_scale(struct multiscale *stack, size_t i);
 
 /** Contact at P/(A_n E') = load > 0: A_i = a_i A_{i-1} (4.1) under p_i = P/A_{i-1} (4.2); H = sum Delta_i G_i
- * (4.11*); the resistances of `spot`, only the quantities in `wanted` (others stay NaN). Ends where p_i closes all
- * scales still to come: they would add nothing, and leave the area as it is. Adds the scales visited to *evaluations.
+ * (4.11*); the resistances of `spot`, only the quantities in `wanted` (others stay NaN). Passes over
+ * scales that p_i closes: they would add nothing, and leave the area as it is. Adds the scales visited to *evaluations.
  * Returns at how many of them the published plastic area had to be limited: cut off at 1 (4.17 exceeds it before p_p),
  * or raised to the elastic area (closure numeric). */
 size_t multiscale_solve(struct contact_point *out, struct multiscale *stack, const struct constriction *spot,

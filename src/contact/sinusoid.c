@@ -3,8 +3,7 @@
 
 #include <math.h>
 
-static const double link_area_low = 1.51; /* exponents of the linking equation (4.5) */
-static const double link_area_high = 1.04;
+static const double link_exponent = 0.01; /* the linking equation's exponents (4.5): 1.5 + 0.01 and 1 + 4 x 0.01 */
 const double sinusoid_link_switch = 0.8;
 static const double critical_strain =
     2.0 / 3; /* exp(2 nu/3) in Delta_c; the thesis's form, see docs/equations.md, Unsettled */
@@ -23,15 +22,19 @@ static double area_high_complement(double x)
 }
 
 /** The linking equation a_low (1-x^1.51) + a_2 x^1.04 for 0 < x < 1, with a_low elastic (4.5) or plastic (4.17*). Its
- * complement is summed from small terms where x is near 1, so that 1 - sqrt(a) keeps its digits. */
+ * complement is summed from small terms where x is near 1, so that 1 - sqrt(a) keeps its digits. x^1.51 is
+ * x sqrt(x) t, x^1.04 is x t^4 with t = x^0.01, which is all that needs an exponential. */
 static void link_areas(struct sinusoid_cell *cell, double low, double x, double ln_x)
 {
-    double high_complement = area_high_complement(x);
+    double high_complement = area_high_complement(x), root = sqrt(x);
     if (x < 0.5) {
-        cell->area_ratio = low * (1 - exp(link_area_low * ln_x)) + (1 - high_complement) * exp(link_area_high * ln_x);
+        double t = exp(link_exponent * ln_x), square = t * t;
+        cell->area_ratio = low * (1 - x * root * t) + (1 - high_complement) * x * square * square;
         cell->area_complement = 1 - cell->area_ratio;
-    } else {
-        double fall_low = -expm1(link_area_low * ln_x), fall_high = -expm1(link_area_high * ln_x);
+    } else { /* with s = 1 - t: 1 - x^1.5 t = 1 - x^1.5 + x^1.5 s, and 1 - t^4 = s (1 + t)(1 + t^2) */
+        double rest = 1 - x, s = -expm1(link_exponent * ln_x), t = 1 - s;
+        double fall_low = rest * (1 + x / (1 + root)) + x * root * s;
+        double fall_high = rest + x * s * (1 + t) * (1 + t * t);
         cell->area_complement = fall_high + high_complement * (1 - fall_high) - low * fall_low;
         cell->area_ratio = 1 - cell->area_complement;
     }
@@ -125,8 +128,8 @@ struct sinusoid_scale sinusoid_scale(double amplitude_m, double frequency_per_m,
     double q = 3.8 * pow(modulus * slope / pair->yield_strength_Pa, 0.11);
     double cell_critical_area = pow(flow_Pa / (8 * slope * modulus), 2) / M_PI;
     scale.plastic_area_exponent = q / (1 + q);
-    scale.plastic_area_log =
-        M_LN2 + log(cell_critical_area) / (1 + q) + scale.plastic_area_exponent * log(3 / (4 * flow_Pa));
+    scale.plastic_area_log = M_LN2 + log(cell_critical_area) / (1 + q) +
+                             scale.plastic_area_exponent * log(3 * scale.plastic_full_pressure_Pa / (4 * flow_Pa));
     return scale;
 }
 
@@ -142,16 +145,10 @@ double sinusoid_critical_full_pressure(const struct material_pair *pair)
     return sinusoid_full_pressure(sinusoid_critical_amplitude(1, pair), 1, pair->effective_modulus_Pa);
 }
 
-double sinusoid_closing_bound(double full_pressure_Pa, const struct material_pair *pair, bool plastic)
+double sinusoid_ordered_pressure(const struct material_pair *pair)
 {
-    static const double rounding = 1 + 1e-9;
     double flow_Pa = pair->yield_coefficient * pair->yield_strength_Pa;
-    double onset_Pa = cbrt(M_PI / 24) * flow_Pa; /* p_c = p* there */
-    if (!plastic || full_pressure_Pa <= onset_Pa || isinf(full_pressure_Pa))
-        return full_pressure_Pa * rounding;
-    onset_Pa = fmax(onset_Pa, sinusoid_critical_full_pressure(pair));
-    double over_critical = fmax(1, full_pressure_Pa / sinusoid_critical_full_pressure(pair));
-    return fmin(full_pressure_Pa, fmax(full_pressure_Pa * plastic_full_ratio(over_critical), onset_Pa)) * rounding;
+    return fmax(cbrt(M_PI / 24) * flow_Pa, sinusoid_critical_full_pressure(pair)); /* p_c = p* at the first */
 }
 
 bool sinusoid_steepest_fills_last(double full_pressure_Pa, const struct material_pair *pair)
@@ -193,7 +190,7 @@ bool sinusoid_press(struct sinusoid_cell *cell, const struct sinusoid_scale *sca
     double x = pressure_Pa / complete_Pa;
     if (plastic) {
         double ln_x = log(x);
-        double low = exp(scale->plastic_area_log + scale->plastic_area_exponent * log(pressure_Pa));
+        double low = exp(scale->plastic_area_log + scale->plastic_area_exponent * ln_x);
         link_areas(cell, low, x, ln_x);
         if (closure->floors_plastic)
             raise_to_elastic(cell, scale, closure, pressure_Pa);

@@ -39,7 +39,7 @@ struct sinusoid_scale {
     double full_pressure_Pa;         /* p* (4.7) */
     double critical_pressure_Pa;     /* p_c (4.14); INFINITY: elastic at any load */
     double plastic_full_pressure_Pa; /* p_p (4.18) */
-    double plastic_area_log;         /* ln of the factor of p^(q/(1+q)) in a_p (4.15) */
+    double plastic_area_log;         /* ln a_p (4.15) at p_p; elsewhere (p/p_p)^(q/(1+q)) times it */
     double plastic_area_exponent;    /* q/(1+q) (4.16) */
     double hardness_Pa;              /* mean pressure that a yielding scale bears at most; INFINITY: as published */
 };
@@ -66,10 +66,10 @@ double sinusoid_closed_pressure(const struct sinusoid_scale *scale);
 /** p* of a scale of critical amplitude: (2/3) S_y exp(2 nu/3) [Pa], the same at every frequency (4.7*, 4.18). */
 double sinusoid_critical_full_pressure(const struct material_pair *pair);
 
-/** A mean pressure [Pa] at which no scale whose p* is at most full_pressure_Pa is open: p* itself or, of scales that
- * may yield, p_p, which like p* rises with the slope Delta f alone; p_c falls with it from where p_c = p*, which bounds
- * it. */
-double sinusoid_closing_bound(double full_pressure_Pa, const struct material_pair *pair, bool plastic);
+/** A mean pressure [Pa] above which no elastic-plastic scale is open that is less steep than a closed one: p* and p_p
+ * rise with the slope Delta f alone; p_c falls with it, but is below this pressure from where p_c = p* on, and so is
+ * p* of scales that are elastic at any load. */
+double sinusoid_ordered_pressure(const struct material_pair *pair);
 
 /** Does an elastic-plastic scale of this p* fill and close later than all that are less steep? So it is between 3 and
  * 1000 S_y: below, p_c may fall short of p* of a scale just elastic; above, (4.17) is full ever sooner. */

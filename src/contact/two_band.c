@@ -50,7 +50,6 @@ enum status_code two_band_stack(struct multiscale *out, const struct two_band *b
 {
     *out = (struct multiscale){
         .scales = malloc(TWO_BAND_COUNT * sizeof *out->scales),
-        .made = TWO_BAND_COUNT,
         .count = TWO_BAND_COUNT,
         .closure = &sinusoid_fits[closure],
         .effective_modulus_Pa = pair->effective_modulus_Pa,

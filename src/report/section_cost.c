@@ -118,7 +118,8 @@ static void cost_text(struct text *out, const struct section_context *context)
     text_add(
         out,
         ". Each method's largest relative error, against a better result by another method, and its time (the least "
-        "of several runs, of integrals for 100 separations; evaluations do not depend on the machine). ");
+        "of several runs, of integrals for 100 separations, of curves of several loads without what a model makes of "
+        "the surface once; evaluations do not depend on the machine). ");
     integrals_text(out, cost);
     curves_text(out, cost);
 }

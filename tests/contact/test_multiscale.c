@@ -96,16 +96,15 @@ static void areas_fall_to_the_total(void **state)
 /* ---------------------------------------------------------------- every scale at every load, as the equations have it
  */
 
-/** What a walk through all scales gives, with nothing left out; `last` is how many scales take it to where the rest is
- * closed. */
-static size_t walk(struct contact_point *out, size_t *last, const struct sinusoid_scale *scales, size_t count,
+/** What a walk through all scales gives, with nothing left out; `open` is how many of them are not closed. */
+static size_t walk(struct contact_point *out, size_t *open, const struct sinusoid_scale *scales, size_t count,
                    const struct sinusoid_fit *closure, const struct material_pair *pair, double load)
 {
     const struct constriction spot = constriction_make(pair);
     struct constriction_sum sum = {0};
     double area = 1, separation_m = 0;
     size_t limited = 0;
-    *last = 0;
+    *open = 0;
     for (size_t i = 0; i < count; i++) {
         struct sinusoid_cell cell;
         sinusoid_press(&cell, &scales[i], closure, load * pair->effective_modulus_Pa / area, true);
@@ -114,7 +113,7 @@ static size_t walk(struct contact_point *out, size_t *last, const struct sinusoi
         if (cell.area_complement > 0)
             constriction_add_scale(&sum, cell.area_ratio, cell.area_complement, scales[i].frequency_per_m, area);
         area *= cell.area_ratio;
-        *last = cell.area_complement > 0 || cell.gap_ratio > 0 ? i + 1 : *last;
+        *open += cell.area_complement > 0 || cell.gap_ratio > 0;
     }
     *out = (struct contact_point){.load = load,
                                   .area_ratio = area,
@@ -146,11 +145,11 @@ static struct spectrum random_spectrum(uint64_t *state)
 
 /** The same bytes as of all scales, and the same loads of full contact, though only the scales that are open are
  * visited. */
-static void ends_where_the_rest_is_closed(void **state)
+static void passes_over_closed_scales(void **state)
 {
     (void)state;
     enum { STACKS = 400, TRIED = 24 };
-    uint64_t random = 12, visits = 0, all = 0;
+    uint64_t random = 12, visits = 0, all = 0, opens = 0;
     for (int k = 0; k < STACKS; k++) {
         struct material_pair pair = material_pair(material_find(k % 3 ? "tin" : "copper"), 0, NULL);
         bool plastic = k % 4 > 0;
@@ -177,23 +176,15 @@ static void ends_where_the_rest_is_closed(void **state)
         for (int i = 0; i < TRIED; i++) {
             struct contact_point point, expected;
             uint64_t visited = 0;
-            size_t last;
+            size_t open;
             loads[i] = i == 0 ? stack.full_load : stack.closed_load * pow(10, 1 - 0.4 * i);
             size_t limited = multiscale_solve(&point, &stack, &spot, EVERYTHING, loads[i], &visited);
             assert_int_equal(limited,
-                             walk(&expected, &last, scales, spectrum.count, &sinusoid_fits[closure], &pair, loads[i]));
+                             walk(&expected, &open, scales, spectrum.count, &sinusoid_fits[closure], &pair, loads[i]));
             assert_memory_equal(&point, &expected, sizeof point);
-            assert_true(visited >= last && visited <= spectrum.count);
-            double rest_closed_Pa = 0, rest_full_Pa = 0;
-            for (size_t r = last; r < spectrum.count; r++) {
-                rest_closed_Pa = fmax(rest_closed_Pa, sinusoid_closed_pressure(&scales[r]));
-                rest_full_Pa = fmax(rest_full_Pa, scales[r].full_pressure_Pa);
-            }
-            /* to the next border, unless the rest is only just closed, or known to be by a bound that is not sharp */
-            if ((!plastic || rest_full_Pa > 3 * pair.yield_strength_Pa) &&
-                loads[i] * pair.effective_modulus_Pa / point.area_ratio > rest_closed_Pa * (1 + 1e-8))
-                assert_true(visited <= last + 1 + last / 16);
+            assert_true(visited >= open && visited <= spectrum.count);
             own += visited;
+            opens += open;
         }
         visits += own;
         all += TRIED * spectrum.count;
@@ -208,7 +199,7 @@ static void ends_where_the_rest_is_closed(void **state)
         free(scales);
         spectrum_free(&spectrum);
     }
-    assert_true(visits < all / 3 * 2);
+    assert_true(visits < all / 2 && visits < opens + opens / 20);
 }
 
 /** On a steep law a load far below full contact is done with after a few scales, whatever their number. */
@@ -239,7 +230,7 @@ int main(void)
         cmocka_unit_test(matches_reference),
         cmocka_unit_test(full_load_is_sharp),
         cmocka_unit_test(areas_fall_to_the_total),
-        cmocka_unit_test(ends_where_the_rest_is_closed),
+        cmocka_unit_test(passes_over_closed_scales),
         cmocka_unit_test(visits_do_not_grow_with_the_scales),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
