@@ -7,7 +7,6 @@
 #include "spectrum/grid.h"
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 const struct sensitivity_change_row sensitivity_changes[SENSITIVITY_CHANGES] = {
     [SENSITIVITY_CUTOFF_DOUBLED] = {"cut-off x2", "cut-off × 2", "Doubling the cut-off", false},
@@ -50,8 +49,7 @@ static enum status_code add_smooth(struct sensitivity *out, const struct profile
     double *smooth_m = malloc(points * sizeof *smooth_m);
     if (!smooth_m)
         return status_memory(status);
-    memcpy(smooth_m, profile->height_m, points * sizeof *smooth_m);
-    enum status_code rc = filter_gaussian(smooth_m, points, profile->spacing_m, cutoff_m, status);
+    enum status_code rc = filter_gaussian(smooth_m, profile->height_m, points, profile->spacing_m, cutoff_m, status);
     if (rc == STATUS_OK)
         rc = add_variant(&out->variants[SENSITIVITY_CUTOFF], out->scans, smooth_m, points, profile->spacing_m, how,
                          status);

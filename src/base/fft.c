@@ -2,7 +2,6 @@
 #include "base/fft.h"
 
 #include <pthread.h>
-#include <stdbool.h>
 
 enum {
     SMALL = 1 << 16, /* records up to it: planning a complex transform takes longer than many such transforms */
@@ -44,6 +43,25 @@ static void run_small(double *record, size_t n, bool forward)
     pthread_mutex_lock(&planner);
     fftw_destroy_plan(plan);
     pthread_mutex_unlock(&planner);
+}
+
+bool fft_room_make(struct fft_room *out, size_t n)
+{
+    bool shared = n > SMALL;
+    out->transform = fftw_alloc_complex(n / 2 + 1);
+    out->record = shared ? (double *)out->transform : fftw_alloc_real(n);
+    if (out->record && out->transform)
+        return true;
+    fft_room_free(out);
+    return false;
+}
+
+void fft_room_free(struct fft_room *room)
+{
+    if (room->record != (double *)room->transform)
+        fftw_free(room->record);
+    fftw_free(room->transform);
+    *room = (struct fft_room){0};
 }
 
 static void run(fftw_plan plan)

@@ -5,9 +5,21 @@
 #define BASE_FFT_H
 
 #include <fftw3.h>
+#include <stdbool.h>
 #include <stddef.h>
 
-/** out[k] = sum in[j] exp(-2 pi i jk/n), k = 0 ... n/2. Both arrays from fftw_alloc; `in` may be overwritten. */
+/** A record and its transform: of a large one in the same place, so that half of the memory does, else each its own. */
+struct fft_room {
+    double *record;          /* n heights */
+    fftw_complex *transform; /* n/2 + 1 */
+};
+
+/** Room for records of n; false: out of memory. Owned: fft_room_free(). */
+bool fft_room_make(struct fft_room *out, size_t n);
+void fft_room_free(struct fft_room *room);
+
+/** out[k] = sum in[j] exp(-2 pi i jk/n), k = 0 ... n/2. Both arrays from fftw_alloc or fft_room_make();
+ * `in` may be overwritten. */
 void fft_forward(fftw_complex *out, double *in, size_t n);
 /** The inverse times n. `in` may be overwritten. */
 void fft_backward(double *out, fftw_complex *in, size_t n);

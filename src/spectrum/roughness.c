@@ -22,8 +22,8 @@ static struct roughness heights_alone(const double *height_m, size_t points)
         cube += z2 * height_m[i];
         fourth += z2 * z2;
         absolute += fabs(height_m[i]);
-        lowest = fmin(lowest, height_m[i]);
-        highest = fmax(highest, height_m[i]);
+        lowest = height_m[i] < lowest ? height_m[i] : lowest;
+        highest = height_m[i] > highest ? height_m[i] : highest;
     }
     return (struct roughness){.rq_m = sqrt(square / count),
                               .ra_m = absolute / count,
@@ -66,9 +66,11 @@ struct roughness roughness_of_points(const double *x_m, const double *height_m, 
 
 void roughness_from_spectrum(struct roughness *roughness, const struct spectrum *spectrum)
 {
-    roughness->m0_m2 = spectrum_moment(spectrum, 0);
-    roughness->m2 = spectrum_moment(spectrum, 1);
-    roughness->m4_per_m2 = spectrum_moment(spectrum, 2);
+    double moments[SPECTRUM_MOMENTS];
+    spectrum_moments(moments, spectrum);
+    roughness->m0_m2 = moments[0];
+    roughness->m2 = moments[1];
+    roughness->m4_per_m2 = moments[2];
 }
 
 void roughness_average(struct roughness *mean, const struct roughness *other, size_t so_far)

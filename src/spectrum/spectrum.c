@@ -41,23 +41,20 @@ enum status_code spectrum_compute(struct spectrum *out, const double *height_m, 
     assert(window != SPECTRUM_WINDOW_AUTO);
     size_t count = points / 2;
     *out = (struct spectrum){.count = count, .length_m = (double)points * spacing_m, .has_nyquist = points % 2 == 0};
-    double *record = fftw_alloc_real(points);
-    fftw_complex *transform = fftw_alloc_complex(count + 1);
+    struct fft_room room;
+    bool fits = fft_room_make(&room, points);
     out->amplitude_m = malloc(count * sizeof *out->amplitude_m);
-    if (!record || !transform || !out->amplitude_m) {
-        fftw_free(record);
-        fftw_free(transform);
+    if (!fits || !out->amplitude_m) {
+        fft_room_free(&room);
         return status_memory(status);
     }
-    take_window(record, height_m, points, window);
-    fft_forward(transform, record, points);
+    take_window(room.record, height_m, points, window);
+    fft_forward(room.transform, room.record, points);
     for (size_t n = 1; n <= count; n++)
-        out->amplitude_m[n - 1] = 2 * hypot(transform[n][0], transform[n][1]) / (double)points;
+        out->amplitude_m[n - 1] = 2 * hypot(room.transform[n][0], room.transform[n][1]) / (double)points;
     if (out->has_nyquist)
         out->amplitude_m[count - 1] /= 2;
-
-    fftw_free(record);
-    fftw_free(transform);
+    fft_room_free(&room);
     return STATUS_OK;
 }
 
@@ -126,13 +123,22 @@ double spectrum_power(const struct spectrum *spectrum, size_t i)
     return spectrum->has_nyquist && i + 1 == spectrum->count ? square : square / 2;
 }
 
+void spectrum_moments(double moment[SPECTRUM_MOMENTS], const struct spectrum *spectrum)
+{
+    moment[0] = moment[1] = moment[2] = 0;
+    for (size_t i = 0; i < spectrum->count; i++) {
+        double wave_number = 2 * M_PI * spectrum_frequency(spectrum, i), square = wave_number * wave_number;
+        double power_m2 = spectrum_power(spectrum, i);
+        moment[0] += power_m2;
+        moment[1] += square * power_m2;
+        moment[2] += square * square * power_m2;
+    }
+}
+
 double spectrum_moment(const struct spectrum *spectrum, int k)
 {
-    double sum = 0;
-    for (size_t i = 0; i < spectrum->count; i++) {
-        double wave_number = 2 * M_PI * spectrum_frequency(spectrum, i);
-        double factor = k == 0 ? 1 : k == 1 ? wave_number * wave_number : pow(wave_number, 4);
-        sum += factor * spectrum_power(spectrum, i);
-    }
-    return sum;
+    double moment[SPECTRUM_MOMENTS];
+    assert(k >= 0 && k < SPECTRUM_MOMENTS);
+    spectrum_moments(moment, spectrum);
+    return moment[k];
 }
