@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/piece.h"
 
+#include "base/large.h"
 #include "profile/record_window.h"
 #include <stdlib.h>
 #include <string.h>
@@ -18,7 +19,7 @@ enum status_code piece_describe(struct spectrum *spectrum, struct roughness *rou
     struct levelling levelling;
     struct status none = {0};
     *spectrum = (struct spectrum){0};
-    double *own_m = malloc(points * sizeof *own_m);
+    double *own_m = large_alloc(points, sizeof *own_m);
     if (!own_m)
         return status_memory(status);
     memcpy(own_m, height_m, points * sizeof *own_m);

@@ -2,6 +2,7 @@
 #include "analysis/sensitivity.h"
 
 #include "analysis/piece.h"
+#include "base/large.h"
 #include "profile/filter.h"
 #include "profile/record_window.h"
 #include "spectrum/grid.h"
@@ -46,7 +47,7 @@ static enum status_code add_smooth(struct sensitivity *out, const struct profile
                                    const struct piece_how *how, struct status *status)
 {
     size_t points = profile->points;
-    double *smooth_m = malloc(points * sizeof *smooth_m);
+    double *smooth_m = large_alloc(points, sizeof *smooth_m);
     if (!smooth_m)
         return status_memory(status);
     enum status_code rc = filter_gaussian(smooth_m, profile->height_m, points, profile->spacing_m, cutoff_m, status);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/fft.h"
 
+#include "base/large.h"
 #include <pthread.h>
 
 enum {
@@ -47,9 +48,10 @@ static void run_small(double *record, size_t n, bool forward)
 
 bool fft_room_make(struct fft_room *out, size_t n)
 {
-    bool shared = n > SMALL;
+    out->record = fftw_alloc_real(n);
     out->transform = fftw_alloc_complex(n / 2 + 1);
-    out->record = shared ? (double *)out->transform : fftw_alloc_real(n);
+    large_pages(out->record, n * sizeof *out->record);
+    large_pages(out->transform, (n / 2 + 1) * sizeof *out->transform);
     if (out->record && out->transform)
         return true;
     fft_room_free(out);
@@ -58,8 +60,7 @@ bool fft_room_make(struct fft_room *out, size_t n)
 
 void fft_room_free(struct fft_room *room)
 {
-    if (room->record != (double *)room->transform)
-        fftw_free(room->record);
+    fftw_free(room->record);
     fftw_free(room->transform);
     *room = (struct fft_room){0};
 }

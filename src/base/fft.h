@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/** A record and its transform: of a large one in the same place, so that half of the memory does, else each its own. */
+/** A record and its transform. */
 struct fft_room {
     double *record;          /* n heights */
     fftw_complex *transform; /* n/2 + 1 */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "profile/profile.h"
 
+#include "base/large.h"
 #include "profile/filter.h"
 #include "profile/gaps.h"
 #include "profile/level.h"
@@ -100,7 +101,7 @@ static enum status_code take_level(struct profile *profile, const struct profile
 /** The heights smoothed, malloc'ed; NULL: out of memory. */
 static double *smoothed(const struct profile *profile, double cutoff_m, struct status *status)
 {
-    double *smooth_m = malloc(profile->points * sizeof *smooth_m);
+    double *smooth_m = large_alloc(profile->points, sizeof *smooth_m);
     if (!smooth_m) {
         (void)status_memory(status);
         return NULL;
@@ -171,7 +172,7 @@ enum status_code profile_make(struct profile *out, const struct scan *scan, size
     struct spacing spacing = spacing_judge(scan);
     out->grid = spacing.grid;
     out->spacing_m = spacing.step_m;
-    out->height_m = malloc(out->points * sizeof *out->height_m);
+    out->height_m = large_alloc(out->points, sizeof *out->height_m);
     if (!out->height_m)
         return status_memory(status);
     memcpy(out->height_m, scan->z_m + row * scan->nx, out->points * sizeof *out->height_m);

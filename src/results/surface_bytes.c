@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "results/surface_bytes.h"
 
+#include "base/large.h"
 #include <assert.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -98,7 +99,7 @@ static void *get_array(FILE *file, size_t size, size_t count, bool *ok)
 {
     if (count == 0 || !*ok)
         return NULL;
-    void *array = malloc(size * count);
+    void *array = large_alloc(count, size);
     if (array && fread(array, size, count, file) == count)
         return array;
     free(array);

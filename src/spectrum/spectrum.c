@@ -2,6 +2,7 @@
 #include "spectrum/spectrum.h"
 
 #include "base/fft.h"
+#include "base/large.h"
 #include "profile/record_window.h"
 #include <assert.h>
 #include <math.h>
@@ -43,7 +44,7 @@ enum status_code spectrum_compute(struct spectrum *out, const double *height_m, 
     *out = (struct spectrum){.count = count, .length_m = (double)points * spacing_m, .has_nyquist = points % 2 == 0};
     struct fft_room room;
     bool fits = fft_room_make(&room, points);
-    out->amplitude_m = malloc(count * sizeof *out->amplitude_m);
+    out->amplitude_m = large_alloc(count, sizeof *out->amplitude_m);
     if (!fits || !out->amplitude_m) {
         fft_room_free(&room);
         return status_memory(status);
@@ -76,7 +77,7 @@ void spectrum_average(struct spectrum *mean, const struct spectrum *other, size_
 enum status_code spectrum_copy(struct spectrum *out, const struct spectrum *in, struct status *status)
 {
     *out = *in;
-    out->amplitude_m = malloc(in->count * sizeof *out->amplitude_m);
+    out->amplitude_m = large_alloc(in->count, sizeof *out->amplitude_m);
     if (!out->amplitude_m)
         return status_memory(status);
     memcpy(out->amplitude_m, in->amplitude_m, in->count * sizeof *in->amplitude_m);
