@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spectrum/spectrum.h"
 
-#include "base/fft.h"
 #include "base/large.h"
 #include "profile/record_window.h"
 #include <assert.h>
@@ -26,37 +25,45 @@ static double mean_of(const double *values, size_t count)
     return sum / (double)count;
 }
 
-/** Copies the heights without their mean, under the window. */
-static void take_window(double *record, const double *height_m, size_t points, enum spectrum_window window)
+/** Takes the mean out and puts the heights under the window. */
+static void take_window(double *record, size_t points, enum spectrum_window window)
 {
-    double mean = mean_of(height_m, points);
+    double mean = mean_of(record, points);
     for (size_t i = 0; i < points; i++)
-        record[i] = height_m[i] - mean;
+        record[i] -= mean;
     if (window == SPECTRUM_WINDOW_HANN)
         record_window_hann(record, points);
+}
+
+enum status_code spectrum_of_record(struct spectrum *out, struct fft_room *room, size_t points, double spacing_m,
+                                    enum spectrum_window window, struct status *status)
+{
+    assert(window != SPECTRUM_WINDOW_AUTO);
+    size_t count = points / 2;
+    *out = (struct spectrum){.count = count, .length_m = (double)points * spacing_m, .has_nyquist = points % 2 == 0};
+    out->amplitude_m = large_alloc(count, sizeof *out->amplitude_m);
+    if (!out->amplitude_m)
+        return status_memory(status);
+    take_window(room->record, points, window);
+    fft_forward(room->transform, room->record, points);
+    for (size_t n = 1; n <= count; n++)
+        out->amplitude_m[n - 1] = 2 * hypot(room->transform[n][0], room->transform[n][1]) / (double)points;
+    if (out->has_nyquist)
+        out->amplitude_m[count - 1] /= 2;
+    return STATUS_OK;
 }
 
 enum status_code spectrum_compute(struct spectrum *out, const double *height_m, size_t points, double spacing_m,
                                   enum spectrum_window window, struct status *status)
 {
-    assert(window != SPECTRUM_WINDOW_AUTO);
-    size_t count = points / 2;
-    *out = (struct spectrum){.count = count, .length_m = (double)points * spacing_m, .has_nyquist = points % 2 == 0};
     struct fft_room room;
-    bool fits = fft_room_make(&room, points);
-    out->amplitude_m = large_alloc(count, sizeof *out->amplitude_m);
-    if (!fits || !out->amplitude_m) {
-        fft_room_free(&room);
+    *out = (struct spectrum){0};
+    if (!fft_room_make(&room, points))
         return status_memory(status);
-    }
-    take_window(room.record, height_m, points, window);
-    fft_forward(room.transform, room.record, points);
-    for (size_t n = 1; n <= count; n++)
-        out->amplitude_m[n - 1] = 2 * hypot(room.transform[n][0], room.transform[n][1]) / (double)points;
-    if (out->has_nyquist)
-        out->amplitude_m[count - 1] /= 2;
+    memcpy(room.record, height_m, points * sizeof *height_m);
+    enum status_code rc = spectrum_of_record(out, &room, points, spacing_m, window, status);
     fft_room_free(&room);
-    return STATUS_OK;
+    return rc;
 }
 
 void spectrum_average(struct spectrum *mean, const struct spectrum *other, size_t so_far)

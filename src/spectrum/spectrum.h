@@ -3,6 +3,7 @@
 #ifndef SPECTRUM_SPECTRUM_H
 #define SPECTRUM_SPECTRUM_H
 
+#include "base/fft.h"
 #include "base/status.h"
 #include <stdbool.h>
 #include <stddef.h>
@@ -33,6 +34,10 @@ struct spectrum {
  * Errors: STATUS_MEMORY. */
 MUST_CHECK enum status_code spectrum_compute(struct spectrum *out, const double *height_m, size_t points,
                                              double spacing_m, enum spectrum_window window, struct status *status);
+
+/** The same of the heights in room->record, which are used up. */
+MUST_CHECK enum status_code spectrum_of_record(struct spectrum *out, struct fft_room *room, size_t points,
+                                               double spacing_m, enum spectrum_window window, struct status *status);
 
 /** Adds another scan's spectrum to a mean over scans: powers averaged harmonic by harmonic; the mean keeps the fewest
  * harmonics and the first scan's length. `so_far` is how many scans `mean` holds. */
