@@ -3,6 +3,7 @@
 
 #include "analysis/piece.h"
 #include "base/clock.h"
+#include "base/fft.h"
 #include "spectrum/areal.h"
 #include "spectrum/grid.h"
 #include "statistics/interval.h"
@@ -359,9 +360,9 @@ static enum status_code add_scan(struct repeat_set *set, const char *file, struc
     return STATUS_OK;
 }
 
-/** Every row of a scan (a profile has one) into the surface. A row of a map that cannot be used (all missing, flat) is
- * left out and counted; the map is refused when none is left. */
-static enum status_code add_rows(struct surface_record *record, struct power_law_scans *scans, const struct scan *scan,
+/** Every row of a scan (a profile has one, whose heights are taken over) into the surface. A row of a map that cannot
+ * be used (all missing, flat) is left out and counted; the map is refused when none is left. */
+static enum status_code add_rows(struct surface_record *record, struct power_law_scans *scans, struct scan *scan,
                                  const struct scene *scene, const char *scene_file, const struct threads *threads,
                                  struct status *status)
 {
@@ -378,7 +379,8 @@ static enum status_code add_rows(struct surface_record *record, struct power_law
         struct profile profile;
         struct status problem = {0};
         double started = clock_seconds();
-        enum status_code rc = profile_make(&profile, scan, row, &how, &problem);
+        enum status_code rc = scan->kind == SCAN_PROFILE ? profile_take(&profile, scan, &how, &problem)
+                                                         : profile_make(&profile, scan, row, &how, &problem);
         summary->times.prepare += clock_seconds() - started;
         if (rc == STATUS_OK && row == unusable) /* the first usable one speaks for all */
             note_scan(summary, scan, &profile, file);
@@ -389,9 +391,11 @@ static enum status_code add_rows(struct surface_record *record, struct power_law
                                 .scene = scene,
                                 .scans = scans,
                                 .window = spectrum_window_for(scene->window, rc == STATUS_OK && profile.periodic)};
+        fft_hold(profile.points);
         if (rc == STATUS_OK)
             rc = threads_run(scan->ny == 1 && profile.points >= SHARED_POINTS ? threads : NULL, MAKINGS, make_one,
                              &making, &problem);
+        fft_release();
         if (rc == STATUS_OK && scan->kind == SCAN_PROFILE && keeps_direct(record, scene))
             rc = keep_direct(record, scan, &profile, &problem);
         if (rc == STATUS_OK)

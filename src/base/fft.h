@@ -12,7 +12,14 @@
 struct fft_room {
     double *record;          /* n heights */
     fftw_complex *transform; /* n/2 + 1 */
+    size_t most;             /* n there is room for */
 };
+
+/** From the first of these to the last fft_release(), of whatever threads, what large transforms of no more than `most`
+ * points leave is kept for the next ones: rooms, which the system need not clear again, and plans, whose sines need not
+ * be computed again. */
+void fft_hold(size_t most);
+void fft_release(void);
 
 /** Room for records of n; false: out of memory. Owned: fft_room_free(). */
 bool fft_room_make(struct fft_room *out, size_t n);

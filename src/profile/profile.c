@@ -8,6 +8,7 @@
 #include "profile/record_window.h"
 #include "profile/sanity.h"
 #include "profile/spacing.h"
+#include <assert.h>
 #include <float.h>
 #include <math.h>
 #include <stdarg.h>
@@ -165,17 +166,15 @@ static enum status_code take_filters(struct profile *profile, const struct profi
     return STATUS_OK;
 }
 
-enum status_code profile_make(struct profile *out, const struct scan *scan, size_t row,
-                              const struct profile_options *options, struct status *status)
+/** From the raw heights in out->height_m, nx of them, to the profile. */
+static enum status_code make_ready(struct profile *out, const struct scan *scan, const struct profile_options *options,
+                                   struct status *status)
 {
-    *out = (struct profile){.points = scan->nx, .radius_m = INFINITY};
     struct spacing spacing = spacing_judge(scan);
+    out->points = scan->nx;
+    out->radius_m = INFINITY;
     out->grid = spacing.grid;
     out->spacing_m = spacing.step_m;
-    out->height_m = large_alloc(out->points, sizeof *out->height_m);
-    if (!out->height_m)
-        return status_memory(status);
-    memcpy(out->height_m, scan->z_m + row * scan->nx, out->points * sizeof *out->height_m);
 
     size_t first = 0;
     if (gaps_close(out, &first, scan->x_m, options->max_missing, status) != STATUS_OK)
@@ -201,6 +200,25 @@ enum status_code profile_make(struct profile *out, const struct scan *scan, size
         return status->code;
     out->end_jump_m = out->height_m[out->points - 1] - out->height_m[0];
     return STATUS_OK;
+}
+
+enum status_code profile_make(struct profile *out, const struct scan *scan, size_t row,
+                              const struct profile_options *options, struct status *status)
+{
+    *out = (struct profile){.height_m = large_alloc(scan->nx, sizeof *out->height_m)};
+    if (!out->height_m)
+        return status_memory(status);
+    memcpy(out->height_m, scan->z_m + row * scan->nx, scan->nx * sizeof *out->height_m);
+    return make_ready(out, scan, options, status);
+}
+
+enum status_code profile_take(struct profile *out, struct scan *scan, const struct profile_options *options,
+                              struct status *status)
+{
+    assert(scan->ny == 1);
+    *out = (struct profile){.height_m = scan->z_m};
+    scan->z_m = NULL;
+    return make_ready(out, scan, options, status);
 }
 
 void profile_free(struct profile *profile)
