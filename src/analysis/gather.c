@@ -3,6 +3,7 @@
 
 #include "analysis/piece.h"
 #include "base/clock.h"
+#include "base/fft.h"
 #include "spectrum/areal.h"
 #include "spectrum/grid.h"
 #include "statistics/interval.h"
@@ -123,22 +124,18 @@ static bool make_room(struct repeat_set *set)
     return true;
 }
 
-/** Keeps the profile for a run of its own. Takes the spectrum over. */
-static enum status_code keep_part(struct repeat_set *set, enum part part, const struct profile *profile,
+/** Keeps the profile for a run of its own. Takes the spectrum over, and the heights of a scan. */
+static enum status_code keep_part(struct repeat_set *set, enum part part, struct profile *profile,
                                   struct spectrum *spectrum, const struct roughness *roughness, struct status *status)
 {
-    double *height_m = NULL;
     bool fits = part == PART_NONE || make_room(set);
-    if (part == PART_SCAN && fits) {
-        height_m = malloc(profile->points * sizeof *height_m);
-        fits = height_m != NULL;
-        if (fits)
-            memcpy(height_m, profile->height_m, profile->points * sizeof *height_m);
-    }
     if (part == PART_NONE || !fits) {
         spectrum_free(spectrum);
         return fits ? STATUS_OK : status_memory(status);
     }
+    double *height_m = part == PART_SCAN ? profile->height_m : NULL;
+    if (height_m)
+        profile->height_m = NULL;
     set->parts[set->count++] = (struct repeat){.spectrum = *spectrum,
                                                .roughness = *roughness,
                                                .scan = set->scan_count - 1,
@@ -284,8 +281,9 @@ static enum status_code make_points(struct making *making, struct status *status
 }
 
 /** None needs what another makes. The law first: a profile it refuses leaves nothing behind, on one thread, which is
- * what rows of a map are made on; and it takes the longest. */
-enum { MAKE_LAW, MAKE_SPECTRUM, MAKE_VARIANT, MAKE_POINTS = MAKE_VARIANT + SENSITIVITY_VARIANTS, MAKINGS };
+ * what rows of a map are made on; and it takes the longest. The halves of the scan, which are variants, last: threads
+ * end together then. */
+enum { MAKE_LAW, MAKE_SPECTRUM, MAKE_POINTS, MAKE_VARIANT, MAKINGS = MAKE_VARIANT + SENSITIVITY_VARIANTS };
 
 static enum status_code make_one(void *context, size_t index, struct threads_turn *turn, struct status *status)
 {
@@ -303,12 +301,13 @@ static enum status_code make_one(void *context, size_t index, struct threads_tur
     }
 }
 
-/** Adds one profile to the surface: averages its spectrum and moments into the record's. Takes the spectrum over. */
-static enum status_code add_profile(struct making *making, enum part part, struct status *status)
+/** Adds one profile to the surface: averages its spectrum and moments into the record's. Takes over the spectrum and
+ * what a part of its own keeps of the profile. */
+static enum status_code add_profile(struct making *making, struct profile *profile, enum part part,
+                                    struct status *status)
 {
     struct surface_record *record = making->record;
     struct surface_summary *summary = &record->summary;
-    const struct profile *profile = making->profile;
     struct spectrum spectrum = making->spectrum;
     struct roughness roughness = making->roughness;
     summary->periodic += profile->periodic;
@@ -361,9 +360,9 @@ static enum status_code add_scan(struct repeat_set *set, const char *file, struc
     return STATUS_OK;
 }
 
-/** Every row of a scan (a profile has one) into the surface. A row of a map that cannot be used (all missing, flat) is
- * left out and counted; the map is refused when none is left. */
-static enum status_code add_rows(struct surface_record *record, struct power_law_scans *scans, const struct scan *scan,
+/** Every row of a scan (a profile has one, whose heights are taken over) into the surface. A row of a map that cannot
+ * be used (all missing, flat) is left out and counted; the map is refused when none is left. */
+static enum status_code add_rows(struct surface_record *record, struct power_law_scans *scans, struct scan *scan,
                                  const struct scene *scene, const char *scene_file, const struct threads *threads,
                                  struct status *status)
 {
@@ -380,7 +379,8 @@ static enum status_code add_rows(struct surface_record *record, struct power_law
         struct profile profile;
         struct status problem = {0};
         double started = clock_seconds();
-        enum status_code rc = profile_make(&profile, scan, row, &how, &problem);
+        enum status_code rc = scan->kind == SCAN_PROFILE ? profile_take(&profile, scan, &how, &problem)
+                                                         : profile_make(&profile, scan, row, &how, &problem);
         summary->times.prepare += clock_seconds() - started;
         if (rc == STATUS_OK && row == unusable) /* the first usable one speaks for all */
             note_scan(summary, scan, &profile, file);
@@ -391,19 +391,21 @@ static enum status_code add_rows(struct surface_record *record, struct power_law
                                 .scene = scene,
                                 .scans = scans,
                                 .window = spectrum_window_for(scene->window, rc == STATUS_OK && profile.periodic)};
+        fft_hold(profile.points);
         if (rc == STATUS_OK)
             rc = threads_run(scan->ny == 1 && profile.points >= SHARED_POINTS ? threads : NULL, MAKINGS, make_one,
                              &making, &problem);
+        fft_release();
+        if (rc == STATUS_OK && scan->kind == SCAN_PROFILE && keeps_direct(record, scene))
+            rc = keep_direct(record, scan, &profile, &problem);
         if (rc == STATUS_OK)
-            rc = add_profile(&making,
+            rc = add_profile(&making, &profile,
                              scan->ny == 1               ? PART_SCAN
                              : row_is_run(row, scan->ny) ? PART_ROW
                                                          : PART_NONE,
                              &problem);
         else
             spectrum_free(&making.spectrum);
-        if (rc == STATUS_OK && scan->kind == SCAN_PROFILE && keeps_direct(record, scene))
-            rc = keep_direct(record, scan, &profile, &problem);
         profile_free(&profile);
         if (rc == STATUS_MEMORY)
             return status_memory(status);
@@ -449,6 +451,65 @@ struct profile_options gather_profile_options(const struct scene *scene)
                                     .periodic_mean = !scene->level_given};
 }
 
+/** A file as it was read, and what is made of it. */
+struct file_task {
+    struct surface_record *record;
+    struct power_law_scans *scans;
+    const struct scene *scene;
+    const struct scene_surface *surface;
+    const char *file, *path;
+    const struct text *bytes;
+    struct hash *hash;
+    const struct threads *threads;
+    char *sidecar; /* a file whose text belongs to it; owned, NULL: none */
+};
+
+/** Reads the scans out of the bytes, of which an archive may hold several, and adds them. */
+static enum status_code add_scans(struct file_task *task, struct status *status)
+{
+    struct surface_summary *summary = &task->record->summary;
+    const struct scene_surface *surface = task->surface;
+    struct scan_options options = {.x_unit = surface->x_unit,
+                                   .z_unit = surface->z_unit,
+                                   .quantity = surface->quantity,
+                                   .x_column = surface->x_column,
+                                   .z_column = surface->z_column};
+    enum status_code rc = STATUS_OK;
+    for (bool more = true; more;) {
+        double started = clock_seconds();
+        struct scan scan = {0};
+        struct scan_bytes content = {task->bytes->data, task->bytes->length, task->file};
+        rc = scan_read_beside(&scan, &content, task->path, &options, status);
+        if (rc == STATUS_OK && scan.sidecar && options.entry == 0 && !(task->sidecar = strdup(scan.sidecar)))
+            rc = status_memory(status);
+        if (rc == STATUS_OK && scan.kind == SCAN_AREAL && task->scene->direction == SCAN_DIRECTION_Y)
+            rc = scan_transpose(&scan, status);
+        summary->times.read += clock_seconds() - started;
+        if (rc == STATUS_OK) {
+            snprintf(summary->format, sizeof summary->format, "%s", scan.format);
+            snprintf(summary->units, sizeof summary->units, "x %s, z %s", scan.x_unit, scan.z_unit);
+            rc = add_rows(task->record, task->scans, &scan, task->scene, task->file, task->threads, status);
+        }
+        options.entry = scan.next_entry;
+        more = rc == STATUS_OK && options.entry > 0;
+        scan_free(&scan);
+    }
+    return rc;
+}
+
+/** The hash first: it is of a file that is refused, too. */
+enum { TASK_HASH, TASK_SCANS, FILE_TASKS };
+
+static enum status_code run_file_task(void *context, size_t index, struct threads_turn *turn, struct status *status)
+{
+    struct file_task *task = context;
+    (void)turn;
+    if (index == TASK_SCANS)
+        return add_scans(task, status);
+    hash_add(task->hash, task->bytes->data, task->bytes->length);
+    return STATUS_OK;
+}
+
 static enum status_code hash_file(struct hash *hash, const char *path, struct status *status)
 {
     struct text bytes = {0};
@@ -463,40 +524,21 @@ enum status_code gather_file(struct surface_record *record, struct power_law_sca
                              const struct scene_surface *surface, const char *file, struct hash *hash,
                              const struct threads *threads, struct status *status)
 {
-    struct surface_summary *summary = &record->summary;
+    enum { SHARED_BYTES = 1 << 20 };
     struct text bytes = {0};
     char *path = scene_file_path(scene, file);
     if (!path)
         return status_memory(status);
-    struct scan_options options = {.x_unit = surface->x_unit,
-                                   .z_unit = surface->z_unit,
-                                   .quantity = surface->quantity,
-                                   .x_column = surface->x_column,
-                                   .z_column = surface->z_column};
-
+    struct file_task task = {record, scans, scene, surface, file, path, &bytes, hash, threads, NULL};
     double started = clock_seconds();
     enum status_code rc = text_read_file(&bytes, path, status);
+    record->summary.times.read += clock_seconds() - started;
     if (rc == STATUS_OK)
-        hash_add(hash, bytes.data, bytes.length);
-    for (bool more = rc == STATUS_OK; more;) { /* an archive may hold several */
-        struct scan scan = {0};
-        struct scan_bytes content = {bytes.data, bytes.length, file};
-        rc = scan_read_beside(&scan, &content, path, &options, status);
-        if (rc == STATUS_OK && scan.sidecar && options.entry == 0)
-            rc = hash_file(hash, scan.sidecar, status); /* what it says changes the numbers too */
-        if (rc == STATUS_OK && scan.kind == SCAN_AREAL && scene->direction == SCAN_DIRECTION_Y)
-            rc = scan_transpose(&scan, status);
-        summary->times.read += clock_seconds() - started;
-        if (rc == STATUS_OK) {
-            snprintf(summary->format, sizeof summary->format, "%s", scan.format);
-            snprintf(summary->units, sizeof summary->units, "x %s, z %s", scan.x_unit, scan.z_unit);
-            rc = add_rows(record, scans, &scan, scene, file, threads, status);
-        }
-        options.entry = scan.next_entry;
-        more = rc == STATUS_OK && options.entry > 0;
-        scan_free(&scan);
-        started = clock_seconds();
-    }
+        rc = threads_run(bytes.length >= SHARED_BYTES ? threads : NULL, FILE_TASKS, run_file_task, &task, status);
+    struct status problem = {0}; /* what a sidecar says changes the numbers too */
+    if (task.sidecar && hash_file(hash, task.sidecar, &problem) != STATUS_OK && rc == STATUS_OK)
+        rc = status_fail(status, problem.code, "%s", problem.message);
+    free(task.sidecar);
     text_free(&bytes);
     free(path);
     return rc;

@@ -21,4 +21,9 @@ MUST_CHECK enum status_code piece_describe(struct spectrum *spectrum, struct rou
                                            const double *height_m, size_t points, double spacing_m,
                                            const struct piece_how *how, struct status *status);
 
+/** The same of the heights in room->record, which are used up. */
+MUST_CHECK enum status_code piece_of_record(struct spectrum *spectrum, struct roughness *roughness,
+                                            struct fft_room *room, size_t points, double spacing_m,
+                                            const struct piece_how *how, struct status *status);
+
 #endif

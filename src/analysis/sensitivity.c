@@ -24,53 +24,51 @@ double sensitivity_cutoff(double spacing_m, double lambda_s_m)
     return lambda_s_m > 0 ? lambda_s_m : 2 * spacing_m;
 }
 
-static enum status_code add_variant(struct sensitivity_scan *out, size_t so_far, const double *height_m, size_t points,
-                                    double spacing_m, const struct piece_how *how, struct status *status)
+/** Adds the spectrum, which it takes over, and the roughness of one scan to the means over `so_far` of them. */
+static enum status_code add_means(struct sensitivity_scan *out, size_t so_far, struct spectrum *spectrum,
+                                  const struct roughness *roughness, struct status *status)
 {
-    struct spectrum spectrum;
-    struct roughness roughness;
-    enum status_code rc = piece_describe(&spectrum, &roughness, height_m, points, spacing_m, how, status);
-    if (rc == STATUS_OK && so_far == 0) {
-        out->roughness = roughness;
-        out->spectrum = spectrum;
-        return rc;
+    if (so_far == 0) {
+        out->roughness = *roughness;
+        out->spectrum = *spectrum;
+        return STATUS_OK;
     }
-    if (rc == STATUS_OK) {
-        roughness_average(&out->roughness, &roughness, so_far);
-        rc = grid_average(&out->spectrum, &spectrum, so_far, status);
-    }
-    spectrum_free(&spectrum);
+    roughness_average(&out->roughness, roughness, so_far);
+    enum status_code rc = grid_average(&out->spectrum, spectrum, so_far, status);
+    spectrum_free(spectrum);
     return rc;
 }
 
-static enum status_code add_smooth(struct sensitivity *out, const struct profile *profile, double cutoff_m,
-                                   const struct piece_how *how, struct status *status)
+/** Half of the profile, or the whole of it smoothed, in room->record. */
+static enum status_code take_variant(struct fft_room *room, size_t points, enum sensitivity_variant variant,
+                                     const struct profile *profile, double lambda_s_m, struct status *status)
 {
-    size_t points = profile->points;
-    double *smooth_m = malloc(points * sizeof *smooth_m);
-    if (!smooth_m)
-        return status_memory(status);
-    memcpy(smooth_m, profile->height_m, points * sizeof *smooth_m);
-    enum status_code rc = filter_gaussian(smooth_m, points, profile->spacing_m, cutoff_m, status);
-    if (rc == STATUS_OK)
-        rc = add_variant(&out->variants[SENSITIVITY_CUTOFF], out->scans, smooth_m, points, profile->spacing_m, how,
-                         status);
-    free(smooth_m);
-    return rc;
+    double cutoff_m = 2 * sensitivity_cutoff(profile->spacing_m, lambda_s_m);
+    if (variant == SENSITIVITY_CUTOFF)
+        return filter_gaussian(room->record, profile->height_m, points, profile->spacing_m, cutoff_m, status);
+    const double *first_m = profile->height_m + (variant == SENSITIVITY_FIRST_HALF ? 0 : profile->points - points);
+    memcpy(room->record, first_m, points * sizeof *first_m);
+    return STATUS_OK;
 }
 
 enum status_code sensitivity_add(struct sensitivity *out, enum sensitivity_variant variant,
                                  const struct profile *profile, const struct profile_options *how,
                                  enum spectrum_window window, enum roughness_moments moments, struct status *status)
 {
-    size_t half = profile->points / 2;
+    size_t points = variant == SENSITIVITY_CUTOFF ? profile->points : profile->points / 2;
     const struct piece_how piece = {how->level, how->periodic_mean, profile->periodic, window, moments};
+    struct fft_room room;
+    struct spectrum spectrum;
+    struct roughness roughness;
     if (profile->points < LEAST_POINTS)
         return STATUS_OK;
-    if (variant == SENSITIVITY_CUTOFF)
-        return add_smooth(out, profile, 2 * sensitivity_cutoff(profile->spacing_m, how->lambda_s_m), &piece, status);
-    const double *first_m = profile->height_m + (variant == SENSITIVITY_FIRST_HALF ? 0 : profile->points - half);
-    return add_variant(&out->variants[variant], out->scans, first_m, half, profile->spacing_m, &piece, status);
+    if (!fft_room_make(&room, points))
+        return status_memory(status);
+    enum status_code rc = take_variant(&room, points, variant, profile, how->lambda_s_m, status);
+    if (rc == STATUS_OK)
+        rc = piece_of_record(&spectrum, &roughness, &room, points, profile->spacing_m, &piece, status);
+    fft_room_free(&room);
+    return rc == STATUS_OK ? add_means(&out->variants[variant], out->scans, &spectrum, &roughness, status) : rc;
 }
 
 void sensitivity_end(struct sensitivity *out, const struct profile *profile)

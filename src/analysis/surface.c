@@ -125,22 +125,47 @@ static enum status_code fit_band(struct surface_record *record, struct power_law
     return STATUS_OK;
 }
 
+/** What is fitted to the spectra of a surface. */
+struct fitting {
+    struct surface_record *record;
+    struct power_law_scans *scans;
+    const struct scene *scene;
+};
+
+enum { FIT_LAW, FIT_TAIL, FITTINGS };
+
+static enum status_code fit_one(void *context, size_t index, struct threads_turn *turn, struct status *status)
+{
+    struct fitting *fitting = context;
+    struct surface_record *record = fitting->record;
+    struct surface_summary *summary = &record->summary;
+    (void)turn;
+    if (index == FIT_TAIL) {
+        summary->tail = convergence_tail(&record->spectrum);
+        return STATUS_OK;
+    }
+    if (fitting->scene->fit != POWER_LAW_THESIS)
+        return fit_band(record, fitting->scans, fitting->scene, status);
+    summary->power_law = power_law_fit(&record->spectrum, fitting->scene->fit_band_m);
+    note_thesis_fit(summary);
+    return STATUS_OK;
+}
+
+enum { SHARED_POINTS = 1 << 16 }; /* with fewer, threads take longer to start than they save */
+
 /** Power law and statistical parameters. */
 static enum status_code describe(struct surface_record *record, struct power_law_scans *scans,
-                                 const struct scene *scene, struct status *status)
+                                 const struct scene *scene, const struct threads *threads, struct status *status)
 {
     struct surface_summary *summary = &record->summary;
     struct status none = {0};
+    struct fitting fitting = {record, scans, scene};
     double started = clock_seconds();
     summary->harmonics = record->spectrum.count;
-    summary->tail = convergence_tail(&record->spectrum);
     summary->independent = fmax(1, scans->independent);
-    if (scene->fit == POWER_LAW_THESIS) {
-        summary->power_law = power_law_fit(&record->spectrum, scene->fit_band_m);
-        note_thesis_fit(summary);
-    } else if (fit_band(record, scans, scene, status) != STATUS_OK) {
+    if (threads_run(summary->points >= SHARED_POINTS ? threads : NULL, FITTINGS, fit_one, &fitting, status) !=
+        STATUS_OK)
         return status->code;
-    }
     summary->times.spectrum += clock_seconds() - started;
     summary->has_asperities = roughness_asperities(&summary->asperities, &summary->roughness, &none) == STATUS_OK;
     if (!summary->has_asperities)
@@ -234,7 +259,6 @@ static void extend(struct surface_record *record, const struct scene *scene)
 static enum status_code make_band(struct surface_record *record, size_t m, const struct model_task *task,
                                   struct status *status)
 {
-    record->band_count = task->load_count;
     record->bands[m] = repeats_band_make(task->loads, task->load_count);
     return record->bands[m] ? STATUS_OK : status_memory(status);
 }
@@ -246,12 +270,7 @@ static enum status_code run_repeats(struct surface_record *record, size_t m, con
     if (make_band(record, m, task, status) != STATUS_OK)
         return status->code;
     result->band = record->bands[m];
-    if (repeats_model(&record->curves[m], result, &record->repeats, model_rows[m], task, status) != STATUS_OK)
-        return status->code;
-    if (result->left_out > 0 && record->curves[m].exists)
-        gather_note(&record->summary, "%s has no solution for %zu of the scans run alone; its curve is of the others",
-                    model_rows[m]->label, result->left_out);
-    return STATUS_OK;
+    return repeats_model(&record->curves[m], result, &record->repeats, model_rows[m], task, status);
 }
 
 /** What simulated records say of how far another place of a surface with one scan may answer. */
@@ -362,13 +381,39 @@ static enum status_code keep_estimates(struct curve_summary *model, const struct
     return curve_summary_put_estimates(model, all, status);
 }
 
-static enum status_code run_model(struct surface_record *record, size_t m, const struct model_task *task,
-                                  const struct scene *scene, const struct plan *plan, struct status *status)
+/** What the models of a surface run on. */
+struct modelling {
+    struct surface_record *record;
+    const struct scene *scene;
+    const struct plan *plan;
+    struct model_task task;
+};
+
+/** What a model that has run leaves to say. */
+static void note_model(struct surface_record *record, size_t m, size_t left_out)
 {
+    const struct model_curve *curve = &record->curves[m];
+    if (left_out > 0 && curve->exists)
+        gather_note(&record->summary, "%s has no solution for %zu of the scans run alone; its curve is of the others",
+                    model_rows[m]->label, left_out);
+    if (curve->overflows)
+        gather_note(&record->summary,
+                    "no %s: its numbers leave what can be computed with; check the units, the material and the loads",
+                    model_rows[m]->label);
+}
+
+/** One model; none needs what another makes, and only their notes have an order. */
+static enum status_code run_model(void *context, size_t m, struct threads_turn *turn, struct status *status)
+{
+    const struct modelling *modelling = context;
+    struct surface_record *record = modelling->record;
+    const struct model_task *task = &modelling->task;
+    if (!plan_runs_model(modelling->plan, m))
+        return STATUS_OK;
     struct model_curve *curve = &record->curves[m];
-    struct curve_summary *model = surface_model_room(&record->summary, m);
+    struct curve_summary *model = record->summary.models[m];
     curve->points = calloc(task->load_count + 1, sizeof *curve->points);
-    if (!model || !curve->points)
+    if (!curve->points)
         return status_memory(status);
     double started = clock_seconds();
     bool several = repeats_several(&record->repeats, model_rows[m]);
@@ -376,7 +421,7 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
     if (several ? run_repeats(record, m, task, &result, status) != STATUS_OK
                 : model_run(curve, model_rows[m], task, status) != STATUS_OK)
         return status->code;
-    const struct joint_task joint = surface_joint(record, scene, plan, task);
+    const struct joint_task joint = surface_joint(record, modelling->scene, modelling->plan, task);
     if (joined_curve(curve, model_rows[m], task, &joint, status) != STATUS_OK) /* of several scans, the mean curve's */
         return status->code;
     if (curve->exists) {
@@ -388,21 +433,41 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
     }
     model->work.searches++;
     model->seconds = clock_seconds() - started;
-    if (several && keep_estimates(model, &result, status) != STATUS_OK)
+    if ((several && keep_estimates(model, &result, status) != STATUS_OK) ||
+        run_sensitivity(record, m, task, status) != STATUS_OK)
         return status->code;
-    if (curve->overflows)
-        gather_note(&record->summary,
-                    "no %s: its numbers leave what can be computed with; check the units, the material and the loads",
-                    model_rows[m]->label);
-    return run_sensitivity(record, m, task, status);
+    bool says = curve->overflows || (curve->exists && result.left_out > 0);
+    if (says && threads_wait(turn)) /* few do: else none waits */
+        note_model(record, m, result.left_out);
+    return STATUS_OK;
 }
 
-static enum status_code run_models(struct surface_record *record, const struct scene *scene, const struct plan *plan,
-                                   const struct model_task *task, struct status *status)
+/** Room for what the models leave: all of it before the first runs. */
+static enum status_code make_model_room(struct surface_record *record, const struct plan *plan, size_t load_count,
+                                        struct status *status)
 {
+    record->curves = calloc(model_count, sizeof *record->curves);
+    record->bands = calloc(model_count, sizeof *record->bands);
+    record->band_count = load_count;
+    if (!record->curves || !record->bands)
+        return status_memory(status);
     for (size_t m = 0; m < model_count; m++)
-        if (plan_runs_model(plan, m) && run_model(record, m, task, scene, plan, status) != STATUS_OK)
-            return status->code;
+        if (plan_runs_model(plan, m) && !surface_model_room(&record->summary, m))
+            return status_memory(status);
+    return STATUS_OK;
+}
+
+/** All that is asked for of the models. */
+static enum status_code run_models(struct modelling *modelling, size_t load_count, struct status *status)
+{
+    struct surface_record *record = modelling->record;
+    const struct scene *scene = modelling->scene;
+    const struct plan *plan = modelling->plan;
+    const struct model_task *task = &modelling->task;
+    if (make_model_room(record, plan, load_count, status) != STATUS_OK ||
+        threads_run(record->spectrum.count >= SHARED_POINTS / 2 ? task->threads : NULL, model_count, run_model,
+                    modelling, status) != STATUS_OK)
+        return status->code;
     if (plan_runs(plan, EFFECT_UNCERTAINTY) && record->height_m &&
         run_uncertainty(record, scene, plan, task, status) != STATUS_OK)
         return status->code;
@@ -419,15 +484,11 @@ enum status_code surface_run_models(struct surface_record *record, const struct 
                                     const double *loads, size_t load_count, const struct threads *threads,
                                     struct status *status)
 {
-    struct model_task task = surface_task(record, scene, plan, loads, load_count);
-    struct model_kept kept = {.spectrum = task.spectrum, .pair = task.pair};
-    task.threads = threads;
-    task.kept = &kept;
-    record->curves = calloc(model_count, sizeof *record->curves);
-    record->bands = calloc(model_count, sizeof *record->bands);
-    if (!record->curves || !record->bands)
-        return status_memory(status);
-    enum status_code rc = run_models(record, scene, plan, &task, status);
+    struct modelling modelling = {record, scene, plan, surface_task(record, scene, plan, loads, load_count)};
+    struct model_kept kept = {.spectrum = modelling.task.spectrum, .pair = modelling.task.pair};
+    modelling.task.threads = threads;
+    modelling.task.kept = &kept;
+    enum status_code rc = run_models(&modelling, load_count, status);
     model_kept_free(&kept);
     return rc;
 }
@@ -465,11 +526,11 @@ static const char **sorted_files(const struct scene_surface *surface)
 /** From what was gathered to the description of the surface. */
 static enum status_code conclude(struct surface_record *record, struct power_law_scans *scans,
                                  const struct scene *scene, const struct surface_record *counterface,
-                                 struct status *status)
+                                 const struct threads *threads, struct status *status)
 {
     if (counterface && gather_counterface(record, scans, counterface, status) != STATUS_OK)
         return status->code;
-    if (describe(record, scans, scene, status) != STATUS_OK)
+    if (describe(record, scans, scene, threads, status) != STATUS_OK)
         return status->code;
     const struct spectrum *spectrum = record->tapered.count > 0 ? &record->tapered : &record->spectrum;
     if (height_law_find(&record->summary.height_law, &record->summary.roughness, spectrum, record->summary.independent,
@@ -504,7 +565,7 @@ enum status_code surface_describe(struct surface_record *out, const struct scene
     free(files);
     if (rc == STATUS_OK) {
         summary->usable = true;
-        rc = conclude(out, &scans, scene, counterface, &problem);
+        rc = conclude(out, &scans, scene, counterface, threads, &problem);
     }
     power_law_scans_free(&scans);
     if (rc == STATUS_MEMORY)

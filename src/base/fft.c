@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/fft.h"
 
+#include "base/large.h"
 #include <pthread.h>
 
 enum {
     SMALL = 1 << 16, /* records up to it: planning a complex transform takes longer than many such transforms */
-    KEPT = 32        /* plans of small sizes; a set of scans has a few */
+    KEPT = 32,       /* plans of small sizes; a set of scans has a few */
+    HELD = 3         /* rooms and plans of large ones */
 };
 
 /** A transform of a small record: in its place, to or from FFTW's half-complex format (the real parts of harmonics 0
@@ -73,11 +75,105 @@ static void run_small(double *record, fftw_complex *wave, size_t n, enum kind ki
     pthread_mutex_unlock(&planner);
 }
 
-static void run(fftw_plan plan)
+/** What is kept of large transforms while someone holds it; the planner's lock guards it. */
+static struct {
+    size_t holders, most;
+    struct fft_room room[HELD];
+    fftw_plan plan[HELD]; /* of those done last; NULL: none */
+    size_t next;          /* the place of the plan that goes first */
+} held;
+
+void fft_hold(size_t most)
+{
+    pthread_mutex_lock(&planner);
+    held.holders++;
+    held.most = most > held.most ? most : held.most;
+    pthread_mutex_unlock(&planner);
+}
+
+void fft_release(void)
+{
+    pthread_mutex_lock(&planner);
+    held.holders--;
+    for (size_t i = 0; i < HELD && held.holders == 0; i++) {
+        fftw_free(held.room[i].record);
+        fftw_free(held.room[i].transform);
+        held.room[i] = (struct fft_room){0};
+        if (held.plan[i])
+            fftw_destroy_plan(held.plan[i]);
+        held.plan[i] = NULL;
+    }
+    if (held.holders == 0)
+        held.most = 0;
+    pthread_mutex_unlock(&planner);
+}
+
+/** The smallest room held that is large enough; none: all zero. */
+static struct fft_room take_held(size_t n)
+{
+    struct fft_room out = {0}, *best = NULL;
+    pthread_mutex_lock(&planner);
+    for (size_t i = 0; i < HELD; i++)
+        if (held.room[i].most >= n && (!best || held.room[i].most < best->most))
+            best = &held.room[i];
+    if (best) {
+        out = *best;
+        *best = (struct fft_room){0};
+    }
+    pthread_mutex_unlock(&planner);
+    return out;
+}
+
+/** Keeps the room, which is all zero then, where someone holds it and there is a place. */
+static void keep_room(struct fft_room *room)
+{
+    pthread_mutex_lock(&planner);
+    for (size_t i = 0; i < HELD && room->most > 0 && room->most <= held.most; i++)
+        if (held.room[i].most == 0) {
+            held.room[i] = *room;
+            *room = (struct fft_room){0};
+        }
+    pthread_mutex_unlock(&planner);
+}
+
+bool fft_room_make(struct fft_room *out, size_t n)
+{
+    *out = n > SMALL ? take_held(n) : (struct fft_room){0};
+    if (out->most > 0)
+        return true;
+    out->most = n;
+    out->record = fftw_alloc_real(n);
+    out->transform = fftw_alloc_complex(n / 2 + 1);
+    large_pages(out->record, n * sizeof *out->record);
+    large_pages(out->transform, (n / 2 + 1) * sizeof *out->transform);
+    if (out->record && out->transform)
+        return true;
+    fft_room_free(out);
+    return false;
+}
+
+void fft_room_free(struct fft_room *room)
+{
+    if (room->most > SMALL && room->record && room->transform)
+        keep_room(room);
+    fftw_free(room->record);
+    fftw_free(room->transform);
+    *room = (struct fft_room){0};
+}
+
+/** Runs a plan of a large record of n, and ends it or keeps it. */
+static void run(fftw_plan plan, size_t n)
 {
     fftw_execute(plan);
     pthread_mutex_lock(&planner);
-    fftw_destroy_plan(plan);
+    if (n <= held.most) {
+        fftw_plan oldest = held.plan[held.next];
+        held.plan[held.next] = plan;
+        held.next = (held.next + 1) % HELD;
+        plan = oldest;
+    }
+    if (plan)
+        fftw_destroy_plan(plan);
     pthread_mutex_unlock(&planner);
 }
 
@@ -98,7 +194,7 @@ void fft_forward(fftw_complex *out, double *in, size_t n)
     pthread_mutex_lock(&planner);
     fftw_plan plan = fftw_plan_dft_r2c_1d((int)n, in, out, FFTW_ESTIMATE);
     pthread_mutex_unlock(&planner);
-    run(plan);
+    run(plan, n);
 }
 
 void fft_backward(double *out, fftw_complex *in, size_t n)
@@ -115,7 +211,7 @@ void fft_backward(double *out, fftw_complex *in, size_t n)
     pthread_mutex_lock(&planner);
     fftw_plan plan = fftw_plan_dft_c2r_1d((int)n, in, out, FFTW_ESTIMATE);
     pthread_mutex_unlock(&planner);
-    run(plan);
+    run(plan, n);
 }
 
 void fft_backward_often(double *out, fftw_complex *in, size_t n)

@@ -5,9 +5,28 @@
 #define BASE_FFT_H
 
 #include <fftw3.h>
+#include <stdbool.h>
 #include <stddef.h>
 
-/** out[k] = sum in[j] exp(-2 pi i jk/n), k = 0 ... n/2. Both arrays from fftw_alloc; `in` may be overwritten. */
+/** A record and its transform. */
+struct fft_room {
+    double *record;          /* n heights */
+    fftw_complex *transform; /* n/2 + 1 */
+    size_t most;             /* n there is room for */
+};
+
+/** From the first of these to the last fft_release(), of whatever threads, what large transforms of no more than `most`
+ * points leave is kept for the next ones: rooms, which the system need not clear again, and plans, whose sines need not
+ * be computed again. */
+void fft_hold(size_t most);
+void fft_release(void);
+
+/** Room for records of n; false: out of memory. Owned: fft_room_free(). */
+bool fft_room_make(struct fft_room *out, size_t n);
+void fft_room_free(struct fft_room *room);
+
+/** out[k] = sum in[j] exp(-2 pi i jk/n), k = 0 ... n/2. Both arrays from fftw_alloc or fft_room_make();
+ * `in` may be overwritten. */
 void fft_forward(fftw_complex *out, double *in, size_t n);
 /** The inverse times n. `in` may be overwritten. */
 void fft_backward(double *out, fftw_complex *in, size_t n);

@@ -106,7 +106,8 @@ static bool decimal(uint64_t *digits, int *exponent, double value)
         mantissa |= UINT64_C(1) << 52;
     int zeros = __builtin_clzll(mantissa), binary = (biased > 0 ? biased : 1) - 1075 - zeros;
     mantissa <<= zeros;
-    *exponent = (int)floor((binary + 63) * 0.30102999566398120); /* log10(2): right, or one too small */
+    *exponent =
+        (int)((binary + 63) * INT64_C(1292913986) >> 32); /* floor(log10(2) (binary + 63)): right, or 1 too small */
     if (!scale(digits, mantissa, binary, DIGITS - 1 - *exponent))
         return false;
     if (*digits >= most) {
@@ -121,7 +122,7 @@ static bool decimal(uint64_t *digits, int *exponent, double value)
     return true;
 }
 
-/** Eight digits, two at a time. */
+/** Eight digits, two at a time, whose quotients do not wait for one another. */
 static void put_eight(char *out, uint32_t eight)
 {
     static const char pairs[] = "0001020304050607080910111213141516171819"
@@ -129,10 +130,11 @@ static void put_eight(char *out, uint32_t eight)
                                 "4041424344454647484950515253545556575859"
                                 "6061626364656667686970717273747576777879"
                                 "8081828384858687888990919293949596979899";
-    for (int i = 6; i >= 0; i -= 2) {
-        memcpy(out + i, pairs + 2 * (eight % 100), 2);
-        eight /= 100;
-    }
+    uint32_t high = eight / 10000, low = eight % 10000;
+    memcpy(out, pairs + 2 * (high / 100), 2);
+    memcpy(out + 2, pairs + 2 * (high % 100), 2);
+    memcpy(out + 4, pairs + 2 * (low / 100), 2);
+    memcpy(out + 6, pairs + 2 * (low % 100), 2);
 }
 
 static char *put_exponent(char *out, int exponent)
@@ -167,12 +169,12 @@ size_t number_digits(char out[NUMBER_DIGITS_SIZE], double value)
         *end++ = text[0];
         if (count > 1)
             *end++ = '.';
-        memcpy(end, text + 1, (size_t)count - 1);
+        memcpy(end, text + 1, DIGITS - 1); /* all: that many at once is quicker */
         end = put_exponent(end + count - 1, exponent);
     } else if (exponent < 0) {
         memcpy(end, "0.0000", 6);
         end += 1 - exponent;
-        memcpy(end, text, (size_t)count);
+        memcpy(end, text, DIGITS);
         end += count;
     } else {
         int whole = exponent + 1;

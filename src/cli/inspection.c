@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/inspection.h"
 #include "base/text.h"
+#include "base/threads.h"
 #include "cli/command_json.h"
 
 #include <math.h>
@@ -46,20 +47,6 @@ static enum status_code compute_parameters(struct inspection *out, struct status
     return status->code;
 }
 
-static enum status_code look_at_profile(struct inspection *out, struct status *status)
-{
-    struct profile *profile = &out->profile;
-    if (profile_make(profile, &out->scan, 0, &out->options, status) != STATUS_OK)
-        return status->code;
-    out->roughness = profile->measured_x_m
-                         ? roughness_of_points(profile->measured_x_m, profile->measured_z_m, profile->points)
-                         : roughness_of_heights(profile->height_m, profile->points, profile->spacing_m);
-    if (compute_parameters(out, status) != STATUS_OK)
-        return status->code;
-    return spectrum_compute(&out->spectrum, profile->height_m, profile->points, profile->spacing_m,
-                            spectrum_window_for(SPECTRUM_WINDOW_AUTO, profile->periodic), status);
-}
-
 /** The law as a report would fit it. */
 static enum status_code fit_law(struct inspection *out, struct status *status)
 {
@@ -85,6 +72,37 @@ static enum status_code fit_law(struct inspection *out, struct status *status)
     return code;
 }
 
+/** What is made of a profile; none needs what another makes, but for a law fitted to the spectrum, which comes last. */
+enum { LOOK_PARAMETERS, LOOK_LAW, LOOK_SPECTRUM, LOOKS };
+
+static enum status_code look_one(void *context, size_t index, struct threads_turn *turn, struct status *status)
+{
+    struct inspection *out = context;
+    const struct profile *profile = &out->profile;
+    (void)turn;
+    if (index == LOOK_LAW)
+        return out->fit == POWER_LAW_THESIS ? STATUS_OK : fit_law(out, status);
+    if (index == LOOK_PARAMETERS)
+        return compute_parameters(out, status);
+    return spectrum_compute(&out->spectrum, profile->height_m, profile->points, profile->spacing_m,
+                            spectrum_window_for(SPECTRUM_WINDOW_AUTO, profile->periodic), status);
+}
+
+static enum status_code look_at_profile(struct inspection *out, struct status *status)
+{
+    enum { SHARED_POINTS = 1 << 16 }; /* with fewer, threads take longer to start than they save */
+    static const struct threads all = {0};
+    struct profile *profile = &out->profile;
+    if (profile_make(profile, &out->scan, 0, &out->options, status) != STATUS_OK)
+        return status->code;
+    out->roughness = profile->measured_x_m
+                         ? roughness_of_points(profile->measured_x_m, profile->measured_z_m, profile->points)
+                         : roughness_of_heights(profile->height_m, profile->points, profile->spacing_m);
+    if (threads_run(profile->points >= SHARED_POINTS ? &all : NULL, LOOKS, look_one, out, status) != STATUS_OK)
+        return status->code;
+    return out->fit == POWER_LAW_THESIS ? fit_law(out, status) : STATUS_OK;
+}
+
 enum status_code inspection_make(struct inspection *out, const char *path, const struct scan_bytes *bytes,
                                  const struct scan_options *units, const struct profile_options *options,
                                  enum power_law_method fit, struct status *status)
@@ -95,7 +113,7 @@ enum status_code inspection_make(struct inspection *out, const char *path, const
     if (code != STATUS_OK)
         return code;
     code = out->scan.kind == SCAN_AREAL ? look_at_map(out, status) : look_at_profile(out, status);
-    if (code == STATUS_OK)
+    if (code == STATUS_OK && out->scan.kind == SCAN_AREAL)
         code = fit_law(out, status);
     return code == STATUS_OK ? STATUS_OK : status_prefix(status, "%s", path);
 }

@@ -9,6 +9,8 @@
 static const double filter_alpha = 0.46971863934982566; /* sqrt(ln 2/pi), ISO 16610-21 */
 static const double filter_smallest = 1e-9;             /* weight at which the tail is cut, of the largest */
 
+enum { SHORT_REACH = 16 }; /* up to it a sum over the neighbours is quicker than three transforms, and rounds less */
+
 /** A length the transform is quick at: 2^a, 3 2^a or 5 2^a. */
 static size_t quick_length(size_t least)
 {
@@ -29,14 +31,29 @@ static size_t reach_of(size_t points, double spacing_m, double cutoff_m)
     return reach < (double)(points - 1) ? (size_t)reach : points - 1;
 }
 
+/** Sum of the weighted heights within the record around each point. */
+static void sum_neighbours(double *smooth, const double *height_m, const double *kernel, size_t points, size_t reach)
+{
+    for (size_t i = 0; i < points; i++) {
+        double sum = kernel[0] * height_m[i];
+        if (i >= reach && i + reach < points)
+            for (size_t k = 1; k <= reach; k++)
+                sum += kernel[k] * (height_m[i - k] + height_m[i + k]);
+        else
+            for (size_t k = 1; k <= reach; k++)
+                sum += kernel[k] * ((i >= k ? height_m[i - k] : 0) + (i + k < points ? height_m[i + k] : 0));
+        smooth[i] = sum;
+    }
+}
+
 /** Divides by the sum of the weights that lie within the record. `kernel` holds weight k at [k]. */
-static void renormalise(double *height_m, const double *smooth, const double *kernel, size_t points, size_t reach)
+static void renormalise(double *smooth, const double *kernel, size_t points, size_t reach)
 {
     double right = kernel[0], left = 0; /* of the point itself and those after it; of those before */
     for (size_t k = 1; k <= reach; k++)
         right += kernel[k];
     for (size_t i = 0; i < points; i++) {
-        height_m[i] = smooth[i] / (left + right);
+        smooth[i] /= left + right;
         if (i + 1 <= reach)
             left += kernel[i + 1];
         if (points - 1 - i <= reach)
@@ -44,18 +61,18 @@ static void renormalise(double *height_m, const double *smooth, const double *ke
     }
 }
 
-enum status_code filter_gaussian(double *height_m, size_t points, double spacing_m, double cutoff_m,
-                                 struct status *status)
+/** The weighted sums of all points at once, by transforms: n log n whatever the reach. */
+static enum status_code convolve(double *smooth, const double *height_m, const double *kernel, size_t points,
+                                 size_t reach, struct status *status)
 {
-    size_t reach = reach_of(points, spacing_m, cutoff_m), length = quick_length(points + reach);
-    double *kernel = malloc((reach + 1) * sizeof *kernel), *record = fftw_alloc_real(length);
+    size_t length = quick_length(points + reach);
+    double *record = fftw_alloc_real(length);
     fftw_complex *weights = fftw_alloc_complex(length / 2 + 1), *heights = fftw_alloc_complex(length / 2 + 1);
     enum status_code code = STATUS_OK;
-    if (kernel && record && weights && heights) {
+    if (record && weights && heights) {
         memset(record, 0, length * sizeof *record);
         for (size_t k = 0; k <= reach; k++) {
-            double x = (double)k * spacing_m / (filter_alpha * cutoff_m);
-            kernel[k] = record[k] = exp(-M_PI * x * x);
+            record[k] = kernel[k];
             record[(length - k) % length] = record[k];
         }
         fft_forward(weights, record, length);
@@ -67,13 +84,34 @@ enum status_code filter_gaussian(double *height_m, size_t points, double spacing
             heights[k][1] *= weights[k][0] / (double)length;
         }
         fft_backward(record, heights, length);
-        renormalise(height_m, record, kernel, points, reach);
+        memcpy(smooth, record, points * sizeof *smooth);
     } else {
         code = status_memory(status);
     }
     fftw_free(heights);
     fftw_free(weights);
     fftw_free(record);
+    return code;
+}
+
+enum status_code filter_gaussian(double *smooth_m, const double *height_m, size_t points, double spacing_m,
+                                 double cutoff_m, struct status *status)
+{
+    size_t reach = reach_of(points, spacing_m, cutoff_m);
+    double *kernel = malloc((reach + 1) * sizeof *kernel);
+    if (!kernel)
+        return status_memory(status);
+    for (size_t k = 0; k <= reach; k++) {
+        double x = (double)k * spacing_m / (filter_alpha * cutoff_m);
+        kernel[k] = exp(-M_PI * x * x);
+    }
+    enum status_code code = STATUS_OK;
+    if (reach <= SHORT_REACH)
+        sum_neighbours(smooth_m, height_m, kernel, points, reach);
+    else
+        code = convolve(smooth_m, height_m, kernel, points, reach, status);
+    if (code == STATUS_OK)
+        renormalise(smooth_m, kernel, points, reach);
     free(kernel);
     return code;
 }

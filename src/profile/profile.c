@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "profile/profile.h"
 
+#include "base/large.h"
 #include "profile/filter.h"
 #include "profile/gaps.h"
 #include "profile/level.h"
 #include "profile/record_window.h"
 #include "profile/sanity.h"
 #include "profile/spacing.h"
+#include <assert.h>
 #include <float.h>
 #include <math.h>
 #include <stdarg.h>
@@ -30,8 +32,9 @@ static double peak_to_valley(const struct profile *profile)
 {
     double highest = -INFINITY, lowest = INFINITY;
     for (size_t i = 0; i < profile->points; i++) {
-        highest = fmax(highest, profile->height_m[i]);
-        lowest = fmin(lowest, profile->height_m[i]);
+        double z = profile->height_m[i];
+        highest = z > highest ? z : highest;
+        lowest = z < lowest ? z : lowest;
     }
     return highest - lowest;
 }
@@ -96,6 +99,21 @@ static enum status_code take_level(struct profile *profile, const struct profile
     return STATUS_OK;
 }
 
+/** The heights smoothed, malloc'ed; NULL: out of memory. */
+static double *smoothed(const struct profile *profile, double cutoff_m, struct status *status)
+{
+    double *smooth_m = large_alloc(profile->points, sizeof *smooth_m);
+    if (!smooth_m) {
+        (void)status_memory(status);
+        return NULL;
+    }
+    if (filter_gaussian(smooth_m, profile->height_m, profile->points, profile->spacing_m, cutoff_m, status) ==
+        STATUS_OK)
+        return smooth_m;
+    free(smooth_m);
+    return NULL;
+}
+
 static enum status_code low_pass(struct profile *profile, double cutoff_m, struct status *status)
 {
     if (cutoff_m < 2 * profile->spacing_m)
@@ -103,7 +121,12 @@ static enum status_code low_pass(struct profile *profile, double cutoff_m, struc
                      cutoff_m * 1e6);
     profile_note(profile, "gaussian low-pass lambda_s = %.6g um (ISO 16610-21; weights renormalised at the ends)",
                  cutoff_m * 1e6);
-    return filter_gaussian(profile->height_m, profile->points, profile->spacing_m, cutoff_m, status);
+    double *smooth_m = smoothed(profile, cutoff_m, status);
+    if (!smooth_m)
+        return status->code;
+    free(profile->height_m);
+    profile->height_m = smooth_m;
+    return STATUS_OK;
 }
 
 static enum status_code high_pass(struct profile *profile, double cutoff_m, struct status *status)
@@ -114,17 +137,15 @@ static enum status_code high_pass(struct profile *profile, double cutoff_m, stru
         return status_fail(status, STATUS_SCAN,
                            "lambda_c_m is %.6g, longer than the scan of %.6g m; give a shorter one", cutoff_m,
                            length_m);
-    double *waviness_m = malloc(points * sizeof *waviness_m);
+    double *waviness_m = smoothed(profile, cutoff_m, status);
     if (!waviness_m)
-        return status_memory(status);
-    memcpy(waviness_m, profile->height_m, points * sizeof *waviness_m);
-    enum status_code code = filter_gaussian(waviness_m, points, profile->spacing_m, cutoff_m, status);
+        return status->code;
     for (size_t i = 0; i < points; i++)
         profile->height_m[i] -= waviness_m[i];
     free(waviness_m);
     profile_note(profile, "gaussian high-pass lambda_c = %.6g um (ISO 16610-21; weights renormalised at the ends)",
                  cutoff_m * 1e6);
-    return code;
+    return STATUS_OK;
 }
 
 static enum status_code take_filters(struct profile *profile, const struct profile_options *options,
@@ -145,17 +166,15 @@ static enum status_code take_filters(struct profile *profile, const struct profi
     return STATUS_OK;
 }
 
-enum status_code profile_make(struct profile *out, const struct scan *scan, size_t row,
-                              const struct profile_options *options, struct status *status)
+/** From the raw heights in out->height_m, nx of them, to the profile. */
+static enum status_code make_ready(struct profile *out, const struct scan *scan, const struct profile_options *options,
+                                   struct status *status)
 {
-    *out = (struct profile){.points = scan->nx, .radius_m = INFINITY};
     struct spacing spacing = spacing_judge(scan);
+    out->points = scan->nx;
+    out->radius_m = INFINITY;
     out->grid = spacing.grid;
     out->spacing_m = spacing.step_m;
-    out->height_m = malloc(out->points * sizeof *out->height_m);
-    if (!out->height_m)
-        return status_memory(status);
-    memcpy(out->height_m, scan->z_m + row * scan->nx, out->points * sizeof *out->height_m);
 
     size_t first = 0;
     if (gaps_close(out, &first, scan->x_m, options->max_missing, status) != STATUS_OK)
@@ -181,6 +200,25 @@ enum status_code profile_make(struct profile *out, const struct scan *scan, size
         return status->code;
     out->end_jump_m = out->height_m[out->points - 1] - out->height_m[0];
     return STATUS_OK;
+}
+
+enum status_code profile_make(struct profile *out, const struct scan *scan, size_t row,
+                              const struct profile_options *options, struct status *status)
+{
+    *out = (struct profile){.height_m = large_alloc(scan->nx, sizeof *out->height_m)};
+    if (!out->height_m)
+        return status_memory(status);
+    memcpy(out->height_m, scan->z_m + row * scan->nx, scan->nx * sizeof *out->height_m);
+    return make_ready(out, scan, options, status);
+}
+
+enum status_code profile_take(struct profile *out, struct scan *scan, const struct profile_options *options,
+                              struct status *status)
+{
+    assert(scan->ny == 1);
+    *out = (struct profile){.height_m = scan->z_m};
+    scan->z_m = NULL;
+    return make_ready(out, scan, options, status);
 }
 
 void profile_free(struct profile *profile)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "results/surface_bytes.h"
 
+#include "base/large.h"
 #include <assert.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -58,13 +59,11 @@ static struct contact_point *get_points(FILE *file, size_t count, bool *ok)
     return NULL;
 }
 
-bool surface_bytes_put(FILE *file, const struct surface_record *record)
+bool surface_bytes_put_curves(FILE *file, const struct surface_record *record)
 {
     bool ok = put_array(file, record, offsetof(struct surface_record, preview_x_m), 1);
     ok = ok && put_array(file, record->preview_x_m, sizeof(double), record->preview_points);
     ok = ok && put_array(file, record->preview_z_m, sizeof(double), record->preview_points);
-    ok = ok && put_array(file, record->spectrum.amplitude_m, sizeof(double), record->spectrum.count);
-    ok = ok && put_array(file, record->tapered.amplitude_m, sizeof(double), record->tapered.count);
     ok = ok && put_array(file, record->curves, sizeof *record->curves, record->curves ? model_count : 0);
     ok = ok && put_array(file, record->bands, sizeof *record->bands, record->bands ? model_count : 0);
     for (size_t m = 0; record->curves && m < model_count; m++) {
@@ -73,6 +72,13 @@ bool surface_bytes_put(FILE *file, const struct surface_record *record)
         ok = ok &&
              put_array(file, record->bands[m], sizeof(struct repeats_band), record->bands[m] ? record->band_count : 0);
     }
+    return ok;
+}
+
+bool surface_bytes_put_arrays(FILE *file, const struct surface_record *record)
+{
+    bool ok = put_array(file, record->spectrum.amplitude_m, sizeof(double), record->spectrum.count);
+    ok = ok && put_array(file, record->tapered.amplitude_m, sizeof(double), record->tapered.count);
     for (int v = 0; v < SENSITIVITY_VARIANTS; v++) {
         const struct spectrum *changed = &record->sensitivity.variants[v].spectrum;
         ok = ok && put_array(file, changed->amplitude_m, sizeof(double), changed->count);
@@ -93,7 +99,7 @@ static void *get_array(FILE *file, size_t size, size_t count, bool *ok)
 {
     if (count == 0 || !*ok)
         return NULL;
-    void *array = malloc(size * count);
+    void *array = large_alloc(count, size);
     if (array && fread(array, size, count, file) == count)
         return array;
     free(array);
@@ -113,12 +119,6 @@ static void get_repeats(struct repeat_set *set, FILE *file, bool *ok)
         part->spectrum.amplitude_m = get_array(file, sizeof(double), part->spectrum.count, ok);
         part->height_m = NULL;
     }
-}
-
-/** Leaves out the next array. */
-static void skip_array(FILE *file, size_t size, size_t count, bool *ok)
-{
-    *ok = *ok && (count == 0 || fseek(file, (long)(size * count), SEEK_CUR) == 0);
 }
 
 /** What the record says apart from its large arrays, of which it then has none. */
@@ -145,9 +145,10 @@ static void get_curves(struct surface_record *out, FILE *file, bool *ok)
     }
 }
 
-/** The arrays behind the curves. */
+/** The arrays behind the spectrum. */
 static void get_rest(struct surface_record *out, FILE *file, bool *ok)
 {
+    out->tapered.amplitude_m = get_array(file, sizeof(double), out->tapered.count, ok);
     for (int v = 0; v < SENSITIVITY_VARIANTS; v++) {
         struct spectrum *changed = &out->sensitivity.variants[v].spectrum;
         changed->amplitude_m = get_array(file, sizeof(double), changed->count, ok);
@@ -158,9 +159,10 @@ static void get_rest(struct surface_record *out, FILE *file, bool *ok)
     get_repeats(&out->repeats, file, ok);
 }
 
-/** Of the arrays behind the curves: none. */
+/** Of the arrays behind the spectrum: none. */
 static void leave_rest(struct surface_record *out)
 {
+    out->tapered = (struct spectrum){0};
     for (int v = 0; v < SENSITIVITY_VARIANTS; v++)
         out->sensitivity.variants[v].spectrum = (struct spectrum){0};
     out->points = NULL;
@@ -169,23 +171,18 @@ static void leave_rest(struct surface_record *out)
     out->repeats = (struct repeat_set){0};
 }
 
-bool surface_bytes_get(struct surface_record *out, FILE *file, const struct surface_summary *summary,
+bool surface_bytes_get(struct surface_record *out, FILE *file, long arrays_at, const struct surface_summary *summary,
                        enum surface_bytes_part part)
 {
     bool ok = true;
     get_header(out, file, &ok);
     out->summary = *summary;
-    if (part == SURFACE_BYTES_CURVES) {
-        skip_array(file, sizeof(double), out->spectrum.count, &ok);
-        out->spectrum = (struct spectrum){0};
-    } else
-        out->spectrum.amplitude_m = get_array(file, sizeof(double), out->spectrum.count, &ok);
-    if (part != SURFACE_BYTES_ALL) {
-        skip_array(file, sizeof(double), out->tapered.count, &ok);
-        out->tapered = (struct spectrum){0};
-    } else
-        out->tapered.amplitude_m = get_array(file, sizeof(double), out->tapered.count, &ok);
     get_curves(out, file, &ok);
+    if (part == SURFACE_BYTES_CURVES)
+        out->spectrum = (struct spectrum){0};
+    else if (arrays_at != SURFACE_BYTES_FOLLOW)
+        ok = ok && fseek(file, arrays_at, SEEK_SET) == 0;
+    out->spectrum.amplitude_m = get_array(file, sizeof(double), out->spectrum.count, &ok);
     if (part == SURFACE_BYTES_ALL)
         get_rest(out, file, &ok);
     else
@@ -298,7 +295,8 @@ enum status_code surface_bytes_pack(char **bytes, size_t *size, const struct sur
     FILE *file = open_memstream(bytes, size);
     bool ok = file && put_summary(file, &record->summary, scene);
     if (ok && record->summary.usable)
-        ok = surface_bytes_put(file, record) && put_scan_files(file, &record->repeats, record->summary.scene);
+        ok = surface_bytes_put_curves(file, record) && surface_bytes_put_arrays(file, record) &&
+             put_scan_files(file, &record->repeats, record->summary.scene);
     if (file && fclose(file) != 0)
         ok = false;
     if (ok)
@@ -316,7 +314,7 @@ enum status_code surface_bytes_unpack(struct surface_record *out, char *bytes, s
     bool ok = file && get_summary(&summary, file, scene, index);
     *out = (struct surface_record){.summary = summary};
     if (ok && summary.usable)
-        ok = surface_bytes_get(out, file, &summary, SURFACE_BYTES_ALL) &&
+        ok = surface_bytes_get(out, file, SURFACE_BYTES_FOLLOW, &summary, SURFACE_BYTES_ALL) &&
              get_scan_files(&out->repeats, file, summary.scene);
     if (file)
         fclose(file);

@@ -7,8 +7,10 @@
 #include "analysis/surface.h"
 #include <stdio.h>
 
-/** Writes a record's arrays; false: an error of the file. */
-bool surface_bytes_put(FILE *file, const struct surface_record *record);
+/** Writes the arrays that a record has from its description: spectra, heights, scans; false: an error of the file. */
+bool surface_bytes_put_arrays(FILE *file, const struct surface_record *record);
+/** Writes the rest: what stands in the record itself, how much the arrays hold, curves. */
+bool surface_bytes_put_curves(FILE *file, const struct surface_record *record);
 /** How much of a record is wanted: a spectrum has millions of numbers, a curve a hundred. */
 enum surface_bytes_part {
     SURFACE_BYTES_CURVES,   /* curves, bands, what stands in the record itself; the other arrays are NULL, of count 0 */
@@ -16,10 +18,13 @@ enum surface_bytes_part {
     SURFACE_BYTES_ALL
 };
 
-/** Reads a part of them back into `out`, which takes `summary` as its own; false: an error of the file, or no memory.
- * Whatever comes back: surface_record_free(). */
-bool surface_bytes_get(struct surface_record *out, FILE *file, const struct surface_summary *summary,
+/** Reads a part of them back into `out`, which takes `summary` as its own: what surface_bytes_put_curves() wrote, from
+ * where the file stands, then the arrays from `arrays_at` of it, SURFACE_BYTES_FOLLOW: right behind; those that the
+ * record has dropped since they were written stay away. False: an error of the file, or no memory. Whatever comes back:
+ * surface_record_free(). */
+bool surface_bytes_get(struct surface_record *out, FILE *file, long arrays_at, const struct surface_summary *summary,
                        enum surface_bytes_part part);
+enum { SURFACE_BYTES_FOLLOW = -1 };
 
 /** The record of a surface of `scene` with all that its summary owns: malloc'ed bytes. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code surface_bytes_pack(char **bytes, size_t *size, const struct surface_record *record,

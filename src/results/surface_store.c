@@ -11,8 +11,8 @@ enum status_code surface_store_open(struct surface_store *out, const char *direc
 {
     *out = (struct surface_store){.count = count, .lock = PTHREAD_MUTEX_INITIALIZER};
     out->summaries = calloc(count, sizeof *out->summaries);
-    out->offsets = calloc(count, sizeof *out->offsets);
-    if (!out->summaries || !out->offsets)
+    out->places = calloc(count, sizeof *out->places);
+    if (!out->summaries || !out->places)
         return status_memory(status);
     if (!directory)
         return STATUS_OK;
@@ -39,27 +39,49 @@ void surface_store_close(struct surface_store *store)
     for (size_t i = 0; store->summaries && i < store->count; i++)
         surface_summary_free(&store->summaries[i]);
     free(store->summaries);
-    free(store->offsets);
+    free(store->places);
     if (store->file)
         fclose(store->file);
     *store = (struct surface_store){0};
 }
 
+/** Appends a part of a record; *place is where. */
+static enum status_code append(struct surface_store *store, long *place,
+                               bool (*put)(FILE *file, const struct surface_record *record),
+                               const struct surface_record *record, struct status *status)
+{
+    if (!record->summary.usable || !store->file)
+        return STATUS_OK;
+    pthread_mutex_lock(&store->lock);
+    bool ok = fseek(store->file, 0, SEEK_END) == 0 && (*place = ftell(store->file)) >= 0;
+    ok = ok && put(store->file, record);
+    int reason = errno;
+    pthread_mutex_unlock(&store->lock);
+    return ok ? STATUS_OK
+              : status_fail(status, STATUS_IO, "cannot write results to a temporary file: %s", status_reason(reason));
+}
+
+enum status_code surface_store_put_arrays(struct surface_store *store, size_t index,
+                                          const struct surface_record *record, struct status *status)
+{
+    return append(store, &store->places[index].arrays, surface_bytes_put_arrays, record, status);
+}
+
+enum status_code surface_store_update(struct surface_store *store, size_t index, const struct surface_record *record,
+                                      struct status *status)
+{
+    if (append(store, &store->places[index].curves, surface_bytes_put_curves, record, status) != STATUS_OK)
+        return status->code;
+    store->summaries[index] = record->summary;
+    return STATUS_OK;
+}
+
 enum status_code surface_store_put(struct surface_store *store, size_t index, const struct surface_record *record,
                                    struct status *status)
 {
-    if (record->summary.usable && store->file) {
-        pthread_mutex_lock(&store->lock);
-        bool ok = fseek(store->file, 0, SEEK_END) == 0 && (store->offsets[index] = ftell(store->file)) >= 0;
-        ok = ok && surface_bytes_put(store->file, record);
-        int reason = errno;
-        pthread_mutex_unlock(&store->lock);
-        if (!ok)
-            return status_fail(status, STATUS_IO, "cannot write results to a temporary file: %s",
-                               status_reason(reason));
-    }
-    store->summaries[index] = record->summary;
-    return STATUS_OK;
+    return surface_store_put_arrays(store, index, record, status) == STATUS_OK
+               ? surface_store_update(store, index, record, status)
+               : status->code;
 }
 
 enum status_code surface_store_get_part(struct surface_record *out, struct surface_store *store, size_t index,
@@ -67,8 +89,9 @@ enum status_code surface_store_get_part(struct surface_record *out, struct surfa
 {
     *out = (struct surface_record){0};
     pthread_mutex_lock(&store->lock);
-    bool ok = fseek(store->file, store->offsets[index], SEEK_SET) == 0 &&
-              surface_bytes_get(out, store->file, &store->summaries[index], part);
+    const struct surface_place *place = &store->places[index];
+    bool ok = fseek(store->file, place->curves, SEEK_SET) == 0 &&
+              surface_bytes_get(out, store->file, place->arrays, &store->summaries[index], part);
     pthread_mutex_unlock(&store->lock);
     if (ok)
         return STATUS_OK;

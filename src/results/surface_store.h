@@ -8,9 +8,14 @@
 #include <pthread.h>
 #include <stdio.h>
 
+/** Where a surface's bytes begin. */
+struct surface_place {
+    long arrays, curves;
+};
+
 struct surface_store {
     struct surface_summary *summaries; /* one a surface of the scene, in its order */
-    long *offsets;                     /* of its arrays in `file` */
+    struct surface_place *places;      /* the same, in `file` */
     size_t count;
     FILE *file;
     pthread_mutex_t lock;
@@ -26,6 +31,15 @@ void surface_store_close(struct surface_store *store);
  * from several threads. Error: STATUS_IO; then the texts are still the caller's. */
 MUST_CHECK enum status_code surface_store_put(struct surface_store *store, size_t index,
                                               const struct surface_record *record, struct status *status);
+/** The arrays alone, while the rest of the record is still being made; surface_store_update() follows. Error:
+ * STATUS_IO.
+ */
+MUST_CHECK enum status_code surface_store_put_arrays(struct surface_store *store, size_t index,
+                                                     const struct surface_record *record, struct status *status);
+/** Stores the record of which the arrays have been stored, and are as they were or have been dropped: models change
+ * none. Else as surface_store_put(). */
+MUST_CHECK enum status_code surface_store_update(struct surface_store *store, size_t index,
+                                                 const struct surface_record *record, struct status *status);
 /** Reads a part back, from any thread; else as surface_store_get(). */
 MUST_CHECK enum status_code surface_store_get_part(struct surface_record *out, struct surface_store *store,
                                                    size_t index, enum surface_bytes_part part, struct status *status);

@@ -23,6 +23,35 @@ struct share {
     pthread_mutex_t lock;
 };
 
+/** A described surface, of which something is left to do. */
+struct closing {
+    struct surface_record *record;
+    const struct results *results;
+    size_t index;
+};
+
+enum { CLOSING_BOUNDS, CLOSING_ARRAYS, CLOSINGS };
+enum { SHARED_POINTS = 1 << 16 }; /* with fewer, threads take longer to start than they save */
+
+/** Plans the models, which adds to the summary alone, or stores the arrays, which takes about as long. */
+static enum status_code close_one(void *context, size_t part, struct threads_turn *turn, struct status *status)
+{
+    struct closing *closing = context;
+    struct surface_record *record = closing->record;
+    const struct results *results = closing->results;
+    const double *loads = results_loads(results, closing->index);
+    (void)turn;
+    if (!record->summary.usable)
+        return STATUS_OK;
+    if (part == CLOSING_ARRAYS)
+        return surface_store_put_arrays(results->store, closing->index, record, status);
+    enum status_code rc =
+        effect_bounds_surface(record, results->scene, results->plan, loads, results->load_count, status);
+    return rc == STATUS_OK && plan_runs(results->plan, EFFECT_DIRECT)
+               ? direct_study_plan(record, results->scene, results->plan, loads, results->load_count, status)
+               : rc;
+}
+
 static enum status_code describe(struct surface_record *record, const struct results *results, size_t index,
                                  const struct threads *threads, struct status *status)
 {
@@ -31,15 +60,12 @@ static enum status_code describe(struct surface_record *record, const struct res
         surface_record_free(record, true);
         return status->code;
     }
-    enum status_code rc = STATUS_OK;
-    if (record->summary.usable)
-        rc = effect_bounds_surface(record, scene, results->plan, results_loads(results, index), results->load_count,
-                                   status);
-    if (rc == STATUS_OK && record->summary.usable && plan_runs(results->plan, EFFECT_DIRECT))
-        rc =
-            direct_study_plan(record, scene, results->plan, results_loads(results, index), results->load_count, status);
+    spectrum_free(&record->tapered); /* asked for again of a counterface alone */
+    struct closing closing = {record, results, index};
+    bool large = record->summary.points >= SHARED_POINTS;
+    enum status_code rc = threads_run(large ? threads : NULL, CLOSINGS, close_one, &closing, status);
     if (rc == STATUS_OK)
-        rc = surface_store_put(results->store, index, record, status);
+        rc = surface_store_update(results->store, index, record, status);
     if (rc != STATUS_OK)
         surface_record_free(record, true);
     return rc;
@@ -59,7 +85,7 @@ static enum status_code run_models(struct surface_record *record, const struct r
         return rc;
     if (!results->measured || index != results->baseline) /* else no later stage asks for them */
         surface_drop_scans(record);
-    return surface_store_put(results->store, index, record, status);
+    return surface_store_update(results->store, index, record, status);
 }
 
 static enum status_code run_task(void *context, size_t turn, struct threads_turn *unused, struct status *status)

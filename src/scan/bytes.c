@@ -21,14 +21,17 @@ void bytes_skip(struct bytes *bytes, size_t count)
 }
 
 /* `size` bytes as one number, whatever the order of this machine. */
-static void take(struct bytes *bytes, void *value, size_t size)
+static inline void take(struct bytes *bytes, void *value, size_t size)
 {
     const char *from = bytes->at;
     bytes_skip(bytes, size);
     if (bytes->overrun)
         return;
-    for (size_t i = 0; i < size; i++)
-        ((char *)value)[__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__ ? i : size - 1 - i] = from[i];
+    if (__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__)
+        memcpy(value, from, size);
+    else
+        for (size_t i = 0; i < size; i++)
+            ((char *)value)[size - 1 - i] = from[i];
 }
 
 #define BYTES_READ(NAME, name, ctype)                                                                                  \

@@ -37,6 +37,14 @@ static void transform_at(double out[2], const fftw_complex *transform, size_t po
 static double tapers_mean(const fftw_complex *transform, size_t points, size_t n)
 {
     double sum = 0, below[2], above[2];
+    if (2 * n >= MULTITAPER_TAPERS && 2 * n + MULTITAPER_TAPERS <= points) { /* as nearly all: no copies */
+        const fftw_complex *middle = transform + 2 * n;
+        for (long k = 1; k <= MULTITAPER_TAPERS; k++) {
+            double real = middle[-k][0] - middle[k][0], imaginary = middle[-k][1] - middle[k][1];
+            sum += real * real + imaginary * imaginary;
+        }
+        return sum / MULTITAPER_TAPERS / (2 * (double)points);
+    }
     for (long k = 1; k <= MULTITAPER_TAPERS; k++) {
         transform_at(below, transform, points, 2 * (long)n - k);
         transform_at(above, transform, points, 2 * (long)n + k);
@@ -52,23 +60,18 @@ enum status_code multitaper_square(double *square_m2, const double *height_m, si
     for (size_t i = 0; i < points; i++)
         if (!isfinite(height_m[i]))
             return status_fail(status, STATUS_SCAN, "height %zu of %zu is not a finite number", i + 1, points);
-    double *record = fftw_alloc_real(2 * points);
-    fftw_complex *transform = fftw_alloc_complex(points + 1);
-    if (!record || !transform) {
-        fftw_free(record);
-        fftw_free(transform);
+    struct fft_room room;
+    if (!fft_room_make(&room, 2 * points))
         return status_memory(status);
-    }
-    whiten(record, height_m, points);
-    fft_forward(transform, record, 2 * points);
+    whiten(room.record, height_m, points);
+    fft_forward(room.transform, room.record, 2 * points);
     bool finite = true;
     for (size_t n = 1; n <= multitaper_count(points); n++) {
         double whitening = 2 * sin(M_PI * (double)n / (double)points);
-        square_m2[n - 1] = 4 * tapers_mean(transform, points, n) / ((double)points * whitening * whitening);
+        square_m2[n - 1] = 4 * tapers_mean(room.transform, points, n) / ((double)points * whitening * whitening);
         finite = finite && isfinite(square_m2[n - 1]);
     }
-    fftw_free(record);
-    fftw_free(transform);
+    fft_room_free(&room);
     if (!finite)
         return status_fail(status, STATUS_SCAN, "the heights are too large for a spectrum; check their unit");
     return STATUS_OK;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spectrum/spectrum.h"
 
-#include "base/fft.h"
+#include "base/large.h"
 #include "profile/record_window.h"
 #include <assert.h>
 #include <math.h>
@@ -25,40 +25,45 @@ static double mean_of(const double *values, size_t count)
     return sum / (double)count;
 }
 
-/** Copies the heights without their mean, under the window. */
-static void take_window(double *record, const double *height_m, size_t points, enum spectrum_window window)
+/** Takes the mean out and puts the heights under the window. */
+static void take_window(double *record, size_t points, enum spectrum_window window)
 {
-    double mean = mean_of(height_m, points);
+    double mean = mean_of(record, points);
     for (size_t i = 0; i < points; i++)
-        record[i] = height_m[i] - mean;
+        record[i] -= mean;
     if (window == SPECTRUM_WINDOW_HANN)
         record_window_hann(record, points);
+}
+
+enum status_code spectrum_of_record(struct spectrum *out, struct fft_room *room, size_t points, double spacing_m,
+                                    enum spectrum_window window, struct status *status)
+{
+    assert(window != SPECTRUM_WINDOW_AUTO);
+    size_t count = points / 2;
+    *out = (struct spectrum){.count = count, .length_m = (double)points * spacing_m, .has_nyquist = points % 2 == 0};
+    out->amplitude_m = large_alloc(count, sizeof *out->amplitude_m);
+    if (!out->amplitude_m)
+        return status_memory(status);
+    take_window(room->record, points, window);
+    fft_forward(room->transform, room->record, points);
+    for (size_t n = 1; n <= count; n++)
+        out->amplitude_m[n - 1] = 2 * hypot(room->transform[n][0], room->transform[n][1]) / (double)points;
+    if (out->has_nyquist)
+        out->amplitude_m[count - 1] /= 2;
+    return STATUS_OK;
 }
 
 enum status_code spectrum_compute(struct spectrum *out, const double *height_m, size_t points, double spacing_m,
                                   enum spectrum_window window, struct status *status)
 {
-    assert(window != SPECTRUM_WINDOW_AUTO);
-    size_t count = points / 2;
-    *out = (struct spectrum){.count = count, .length_m = (double)points * spacing_m, .has_nyquist = points % 2 == 0};
-    double *record = fftw_alloc_real(points);
-    fftw_complex *transform = fftw_alloc_complex(count + 1);
-    out->amplitude_m = malloc(count * sizeof *out->amplitude_m);
-    if (!record || !transform || !out->amplitude_m) {
-        fftw_free(record);
-        fftw_free(transform);
+    struct fft_room room;
+    *out = (struct spectrum){0};
+    if (!fft_room_make(&room, points))
         return status_memory(status);
-    }
-    take_window(record, height_m, points, window);
-    fft_forward(transform, record, points);
-    for (size_t n = 1; n <= count; n++)
-        out->amplitude_m[n - 1] = 2 * hypot(transform[n][0], transform[n][1]) / (double)points;
-    if (out->has_nyquist)
-        out->amplitude_m[count - 1] /= 2;
-
-    fftw_free(record);
-    fftw_free(transform);
-    return STATUS_OK;
+    memcpy(room.record, height_m, points * sizeof *height_m);
+    enum status_code rc = spectrum_of_record(out, &room, points, spacing_m, window, status);
+    fft_room_free(&room);
+    return rc;
 }
 
 void spectrum_average(struct spectrum *mean, const struct spectrum *other, size_t so_far)
@@ -79,7 +84,7 @@ void spectrum_average(struct spectrum *mean, const struct spectrum *other, size_
 enum status_code spectrum_copy(struct spectrum *out, const struct spectrum *in, struct status *status)
 {
     *out = *in;
-    out->amplitude_m = malloc(in->count * sizeof *out->amplitude_m);
+    out->amplitude_m = large_alloc(in->count, sizeof *out->amplitude_m);
     if (!out->amplitude_m)
         return status_memory(status);
     memcpy(out->amplitude_m, in->amplitude_m, in->count * sizeof *in->amplitude_m);
@@ -126,13 +131,22 @@ double spectrum_power(const struct spectrum *spectrum, size_t i)
     return spectrum->has_nyquist && i + 1 == spectrum->count ? square : square / 2;
 }
 
+void spectrum_moments(double moment[SPECTRUM_MOMENTS], const struct spectrum *spectrum)
+{
+    moment[0] = moment[1] = moment[2] = 0;
+    for (size_t i = 0; i < spectrum->count; i++) {
+        double wave_number = 2 * M_PI * spectrum_frequency(spectrum, i), square = wave_number * wave_number;
+        double power_m2 = spectrum_power(spectrum, i);
+        moment[0] += power_m2;
+        moment[1] += square * power_m2;
+        moment[2] += square * square * power_m2;
+    }
+}
+
 double spectrum_moment(const struct spectrum *spectrum, int k)
 {
-    double sum = 0;
-    for (size_t i = 0; i < spectrum->count; i++) {
-        double wave_number = 2 * M_PI * spectrum_frequency(spectrum, i);
-        double factor = k == 0 ? 1 : k == 1 ? wave_number * wave_number : pow(wave_number, 4);
-        sum += factor * spectrum_power(spectrum, i);
-    }
-    return sum;
+    double moment[SPECTRUM_MOMENTS];
+    assert(k >= 0 && k < SPECTRUM_MOMENTS);
+    spectrum_moments(moment, spectrum);
+    return moment[k];
 }

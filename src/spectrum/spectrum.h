@@ -3,6 +3,7 @@
 #ifndef SPECTRUM_SPECTRUM_H
 #define SPECTRUM_SPECTRUM_H
 
+#include "base/fft.h"
 #include "base/status.h"
 #include <stdbool.h>
 #include <stddef.h>
@@ -34,6 +35,10 @@ struct spectrum {
 MUST_CHECK enum status_code spectrum_compute(struct spectrum *out, const double *height_m, size_t points,
                                              double spacing_m, enum spectrum_window window, struct status *status);
 
+/** The same of the heights in room->record, which are used up. */
+MUST_CHECK enum status_code spectrum_of_record(struct spectrum *out, struct fft_room *room, size_t points,
+                                               double spacing_m, enum spectrum_window window, struct status *status);
+
 /** Adds another scan's spectrum to a mean over scans: powers averaged harmonic by harmonic; the mean keeps the fewest
  * harmonics and the first scan's length. `so_far` is how many scans `mean` holds. */
 void spectrum_average(struct spectrum *mean, const struct spectrum *other, size_t so_far);
@@ -61,5 +66,8 @@ double spectrum_frequency(const struct spectrum *spectrum, size_t i);
 double spectrum_power(const struct spectrum *spectrum, size_t i);
 /** Spectral moment m_{2k} = sum (2 pi f)^{2k} power [m^(2-2k)], k = 0, 1, 2. */
 double spectrum_moment(const struct spectrum *spectrum, int k);
+enum { SPECTRUM_MOMENTS = 3 };
+/** All of them, [k]. */
+void spectrum_moments(double moment[SPECTRUM_MOMENTS], const struct spectrum *spectrum);
 
 #endif
