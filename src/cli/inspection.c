@@ -54,9 +54,15 @@ static enum status_code look_at_profile(struct inspection *out, struct status *s
     out->roughness = profile->measured_x_m
                          ? roughness_of_points(profile->measured_x_m, profile->measured_z_m, profile->points)
                          : roughness_of_heights(profile->height_m, profile->points, profile->spacing_m);
-    if (compute_parameters(out, status) != STATUS_OK)
-        return status->code;
-    return spectrum_compute(&out->spectrum, profile->height_m, profile->points, profile->spacing_m,
+    return compute_parameters(out, status);
+}
+
+enum status_code inspection_spectrum(struct inspection *inspection, struct status *status)
+{
+    const struct profile *profile = &inspection->profile;
+    if (inspection->scan.kind == SCAN_AREAL || inspection->spectrum.count > 0)
+        return STATUS_OK;
+    return spectrum_compute(&inspection->spectrum, profile->height_m, profile->points, profile->spacing_m,
                             spectrum_window_for(SPECTRUM_WINDOW_AUTO, profile->periodic), status);
 }
 
@@ -68,6 +74,8 @@ static enum status_code fit_law(struct inspection *out, struct status *status)
     const double cut[2] = {map ? 0 : options->lambda_s_m,
                            !map && options->lambda_c_m > 0 ? options->lambda_c_m : INFINITY};
     if (out->fit == POWER_LAW_THESIS) {
+        if (inspection_spectrum(out, status) != STATUS_OK)
+            return status->code;
         out->power_law = power_law_fit(&out->spectrum, cut);
         return STATUS_OK;
     }
