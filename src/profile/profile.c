@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "profile/profile.h"
 
+#include "base/extremes.h"
 #include "profile/filter.h"
 #include "profile/gaps.h"
 #include "profile/level.h"
@@ -30,8 +31,8 @@ static double peak_to_valley(const struct profile *profile)
 {
     double highest = -INFINITY, lowest = INFINITY;
     for (size_t i = 0; i < profile->points; i++) {
-        highest = fmax(highest, profile->height_m[i]);
-        lowest = fmin(lowest, profile->height_m[i]);
+        highest = extremes_larger(highest, profile->height_m[i]);
+        lowest = extremes_smaller(lowest, profile->height_m[i]);
     }
     return highest - lowest;
 }
