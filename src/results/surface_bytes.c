@@ -73,6 +73,7 @@ bool surface_bytes_put(FILE *file, const struct surface_record *record)
         ok = ok &&
              put_array(file, record->bands[m], sizeof(struct repeats_band), record->bands[m] ? record->band_count : 0);
     }
+    ok = ok && put_array(file, record->work, sizeof *record->work, record->work ? model_count : 0);
     for (int v = 0; v < SENSITIVITY_VARIANTS; v++) {
         const struct spectrum *changed = &record->sensitivity.variants[v].spectrum;
         ok = ok && put_array(file, changed->amplitude_m, sizeof(double), changed->count);
@@ -148,6 +149,7 @@ static void get_curves(struct surface_record *out, FILE *file, bool *ok)
 /** The arrays behind the curves. */
 static void get_rest(struct surface_record *out, FILE *file, bool *ok)
 {
+    out->work = get_array(file, sizeof *out->work, out->work ? model_count : 0, ok);
     for (int v = 0; v < SENSITIVITY_VARIANTS; v++) {
         struct spectrum *changed = &out->sensitivity.variants[v].spectrum;
         changed->amplitude_m = get_array(file, sizeof(double), changed->count, ok);
@@ -163,6 +165,7 @@ static void leave_rest(struct surface_record *out)
 {
     for (int v = 0; v < SENSITIVITY_VARIANTS; v++)
         out->sensitivity.variants[v].spectrum = (struct spectrum){0};
+    out->work = NULL;
     out->points = NULL;
     out->direct_m = out->height_m = NULL;
     out->direct_count = 0;
@@ -270,6 +273,8 @@ static bool put_summary(FILE *file, const struct surface_summary *summary, const
     bool ok = put_array(file, summary, sizeof *summary, 1);
     ok = ok && put_text(file, summary->refusal) && put_text(file, summary->notes);
     ok = ok && put_models(file, summary);
+    ok = ok && put_array(file, summary->repeats, sizeof *summary->repeats, summary->repeats ? 1 : 0);
+    ok = ok && put_array(file, summary->simulated, sizeof *summary->simulated, summary->simulated ? 1 : 0);
     ok = ok && put_array(file, summary->direct, sizeof *summary->direct, summary->direct ? 1 : 0);
     ok = ok && put_array(file, summary->answers, sizeof *summary->answers,
                          summary->answers ? scene->target_count * model_count : 0);
@@ -285,6 +290,8 @@ static bool get_summary(struct surface_summary *out, FILE *file, const struct sc
     out->refusal = get_text(file, &ok);
     out->notes = get_text(file, &ok);
     get_models(out, file, &ok);
+    out->repeats = get_array(file, sizeof *out->repeats, out->repeats ? 1 : 0, &ok);
+    out->simulated = get_array(file, sizeof *out->simulated, out->simulated ? 1 : 0, &ok);
     out->direct = get_array(file, sizeof *out->direct, out->direct ? 1 : 0, &ok);
     out->answers = get_array(file, sizeof *out->answers, out->answers ? scene->target_count * model_count : 0, &ok);
     out->limits = get_array(file, sizeof *out->limits, out->limits ? scene->limit_count : 0, &ok);

@@ -52,6 +52,8 @@ enum status_code surface_store_put(struct surface_store *store, size_t index, co
         pthread_mutex_lock(&store->lock);
         bool ok = fseek(store->file, 0, SEEK_END) == 0 && (store->offsets[index] = ftell(store->file)) >= 0;
         ok = ok && surface_bytes_put(store->file, record);
+        for (size_t m = 0; ok && record->work && m < model_count; m++)
+            work_add(&store->models_done, m, &record->work[m]);
         int reason = errno;
         pthread_mutex_unlock(&store->lock);
         if (!ok)
