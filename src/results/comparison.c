@@ -37,17 +37,31 @@ static void count_case(struct comparison_tally *tally, double x, double y, doubl
     tally->opposed += !tie && x > y;
 }
 
+/** What the cases of a run are counted by. */
+struct counting {
+    unsigned quantities; /* QUANTITY_BITs that it may have; the others are NaN throughout */
+    double tolerance;
+};
+
+static struct counting counting_of(const struct results *results)
+{
+    return (struct counting){quantity_with_made(results->plan->wanted), results->scene->tolerance};
+}
+
 /** The same for two points, quantity by quantity: has `p` the larger area, the smaller of the others? */
 static void count_points(struct comparison_tally tallies[QUANTITY_COUNT], const struct contact_point *p,
-                         double p_sigma_m, const struct contact_point *q, double q_sigma_m, size_t m, double tolerance)
+                         double p_sigma_m, const struct contact_point *q, double q_sigma_m, size_t m,
+                         const struct counting *how)
 {
     if (p->area_ratio == 1 && q->area_ratio == 1)
         return; /* both full: nothing to compare */
     for (int k = QUANTITY_AREA; k < QUANTITY_COUNT; k++) {
+        if (!(how->quantities & QUANTITY_BIT(k)))
+            continue;
         double x = comparison_value(p, (enum quantity)k, m, p_sigma_m);
         double y = comparison_value(q, (enum quantity)k, m, q_sigma_m);
         double scale = quantity_rows[k].over_sigma ? 1 : 0;
-        count_case(&tallies[k], k == QUANTITY_AREA ? y : x, k == QUANTITY_AREA ? x : y, tolerance, scale);
+        count_case(&tallies[k], k == QUANTITY_AREA ? y : x, k == QUANTITY_AREA ? x : y, how->tolerance, scale);
     }
 }
 
@@ -77,7 +91,7 @@ static void compare_neighbours(struct comparison *out, const struct surface_reco
 {
     const double *smooth_loads = results_loads(results, results->by_roughness[pair]);
     const double *rough_loads = results_loads(results, results->by_roughness[pair + 1]);
-    double tolerance = results->scene->tolerance;
+    const struct counting how = counting_of(results);
     for (size_t m = 0; m < model_count; m++) {
         if (!plan_runs_model(results->plan, m))
             continue;
@@ -88,7 +102,7 @@ static void compare_neighbours(struct comparison *out, const struct surface_reco
         for (size_t i = 0; i < count; i++) {
             const struct contact_point *p = &a->points[i], *q = &b->points[i];
             count_points(out->models[m].rank, p, smooth->summary.asperities.sigma_m, q,
-                         rough->summary.asperities.sigma_m, m, tolerance);
+                         rough->summary.asperities.sigma_m, m, &how);
             double step = log10(resistance(q) / resistance(p));
             if (isfinite(step)) {
                 sum += step;
@@ -101,7 +115,7 @@ static void compare_neighbours(struct comparison *out, const struct surface_reco
 
 /** Plastic model `m` against its elastic partner. */
 static void compare_laws(struct comparison_plastic *out, const struct model_curve *elastic,
-                         const struct model_curve *plastic, size_t m, double sigma_m, double tolerance)
+                         const struct model_curve *plastic, size_t m, double sigma_m, const struct counting *how)
 {
     if (!elastic->exists || !plastic->exists)
         return;
@@ -109,13 +123,13 @@ static void compare_laws(struct comparison_plastic *out, const struct model_curv
     for (size_t i = 0; i < count; i++) {
         const struct contact_point *p = &plastic->points[i], *q = &elastic->points[i];
         double ratio = p->area_ratio / q->area_ratio;
-        count_points(out->changes, p, sigma_m, q, sigma_m, m, tolerance);
+        count_points(out->changes, p, sigma_m, q, sigma_m, m, how);
         if (p->area_ratio == 1 && q->area_ratio == 1)
             continue;
         out->least = out->most > 0 ? fmin(out->least, ratio) : ratio;
         out->most = fmax(out->most, ratio);
     }
-    count_case(&out->sooner, plastic->full_load, elastic->full_load, tolerance, 0);
+    count_case(&out->sooner, plastic->full_load, elastic->full_load, how->tolerance, 0);
 }
 
 static void check_proportion(struct comparison *out, const struct surface_record *record)
@@ -284,14 +298,15 @@ static bool take_in(struct comparison *out, const struct results *results, const
                     size_t k, const struct surface_record *previous)
 {
     const struct model_curve *curves = record->curves;
-    double tolerance = results->scene->tolerance, sigma_m = record->summary.asperities.sigma_m;
+    const struct counting how = counting_of(results);
+    double sigma_m = record->summary.asperities.sigma_m;
     size_t index = results->by_roughness[k];
     if (previous)
         compare_neighbours(out, previous, record, k - 1, results);
     for (size_t m = 0; m < model_count; m++) {
         size_t elastic = model_index(model_rows[m]->elastic), counterpart = model_index(model_rows[m]->counterpart);
         if (elastic < model_count)
-            compare_laws(&out->models[m].plastic, &curves[elastic], &curves[m], m, sigma_m, tolerance);
+            compare_laws(&out->models[m].plastic, &curves[elastic], &curves[m], m, sigma_m, &how);
         if (is_paired(results, m))
             out->models[m].gaps[index] = gap_between(&curves[counterpart], &curves[m], sigma_m);
     }

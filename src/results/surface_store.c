@@ -2,6 +2,7 @@
 #include "results/surface_store.h"
 
 #include <errno.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -67,7 +68,7 @@ enum status_code surface_store_put(struct surface_store *store, size_t index, co
 enum status_code surface_store_get_part(struct surface_record *out, struct surface_store *store, size_t index,
                                         enum surface_bytes_part part, struct status *status)
 {
-    *out = (struct surface_record){0};
+    memset(out, 0, offsetof(struct surface_record, preview_x_m)); /* the rest is 16 KB, of which few are used */
     pthread_mutex_lock(&store->lock);
     bool ok = fseek(store->file, store->offsets[index], SEEK_SET) == 0 &&
               surface_bytes_get(out, store->file, &store->summaries[index], part);
