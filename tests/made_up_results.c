@@ -203,14 +203,14 @@ static void make_surface(struct made_up *made, size_t index, void (*change)(stru
             if (index == 0)
                 make_bands(record, m);
         }
-        if (index == 0)
-            summary->repeats = (struct repeats){.count = 2,
-                                                .scans = 2,
-                                                .rq_m = about(rq_m, 0.05, true),
-                                                .gamma = about(gamma, 0.02, false),
-                                                .psd_m3 = about(1e-20, 0.1, true)};
-        else
-            summary->repeats = (struct repeats){.rq_m = estimate_none, .gamma = estimate_none, .psd_m3 = estimate_none};
+        if (index == 0) {
+            assert_non_null(surface_repeats_room(summary));
+            *summary->repeats = (struct repeats){.count = 2,
+                                                 .scans = 2,
+                                                 .rq_m = about(rq_m, 0.05, true),
+                                                 .gamma = about(gamma, 0.02, false),
+                                                 .psd_m3 = about(1e-20, 0.1, true)};
+        }
     }
     assert_int_equal(surface_store_put(&made->store, index, record, &status), STATUS_OK);
     surface_record_free(record, false);
@@ -330,14 +330,16 @@ void made_up_make_of(struct made_up *made, uint64_t models, unsigned effects,
     struct status status = {0};
     *made = (struct made_up){.files = {"scan.csv"}, .order = {1, 0, 2}, .shown = {0, 1, 2}};
     make_plan(&made->plan, models, effects);
-    for (size_t i = 0; i < MADE_UP_SURFACES; i++)
+    for (size_t i = 0; i < MADE_UP_SURFACES; i++) {
+        made->bodies[i] = (struct scene_bodies){.material = *material_find("tin"),
+                                                .counterface_kind = MATERIAL_COUNTERFACE_RIGID,
+                                                .counterface = material_unknown("rigid"),
+                                                .hardness_Pa = NAN};
         made->names[i] = (struct scene_surface){.name = i < MADE_UP_USABLE ? surfaces[i].name : "broken",
                                                 .files = made->files,
                                                 .file_count = 1,
-                                                .bodies = {.material = *material_find("tin"),
-                                                           .counterface_kind = MATERIAL_COUNTERFACE_RIGID,
-                                                           .counterface = material_unknown("rigid"),
-                                                           .hardness_Pa = NAN}};
+                                                .bodies = &made->bodies[i]};
+    }
     for (size_t i = 0; i < MADE_UP_LOADS; i++)
         made->loads[i] = pow(10, -6 + (double)i / 2);
     made->scene = (struct scene){
@@ -347,7 +349,7 @@ void made_up_make_of(struct made_up *made, uint64_t models, unsigned effects,
         .tolerance = 1e-8,
         .fit = POWER_LAW_THESIS,
         .fit_band_m = {0, INFINITY},
-        .bodies = made->names[0].bodies,
+        .bodies = made->bodies[0],
         .convergence = {.alpha = 0.1, .gamma = 1.5, .load = 1e-3, .scan_length_m = 1e-3, .scales = MADE_UP_SCALES},
         .surfaces = made->names,
         .surface_count = MADE_UP_SURFACES,

@@ -25,6 +25,7 @@ enum { MADE_UP_SURFACES = 4, MADE_UP_USABLE = 3, MADE_UP_LOADS = 9, MADE_UP_SCAL
 struct made_up {
     struct scene scene;
     struct plan plan;
+    struct scene_bodies bodies[MADE_UP_SURFACES];
     struct scene_surface names[MADE_UP_SURFACES];
     char *files[1];
     double loads[MADE_UP_LOADS];

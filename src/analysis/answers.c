@@ -333,7 +333,6 @@ enum status_code answers_find(struct surface_record *record, const struct scene 
         struct curve_summary *model = surface_model_room(summary, m);
         if (!model)
             return status_memory(status);
-        model->work.searches += scene->target_count;
         model->seconds += clock_seconds() - started;
     }
     for (size_t l = 0; l < scene->limit_count; l++)

@@ -120,7 +120,6 @@ void curve_summary_make(struct curve_summary *model, const struct model_curve *c
         .area_low = curve->count > 0 ? curve->points[0].area_ratio : NAN,
         .yielding_scales = curve->yielding_scales,
         .clamped = curve->clamped,
-        .work = curve->work,
         .sensitivity = model->sensitivity,
         .seconds = model->seconds,
     };

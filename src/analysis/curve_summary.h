@@ -44,8 +44,8 @@ struct curve_summary {
     size_t yielding_scales;
     uint64_t clamped;           /* visits in which the published plastic area was cut off at 1 */
     double most_radius_clamped; /* largest share of the load on asperities whose a/R is clamped to 1 */
-    struct model_work work;
-    bool extended; /* the fitted power law was carried on below the sampling limit */
+    uint64_t evaluations;       /* that the curve and what is known of it took */
+    bool extended;              /* the fitted power law was carried on below the sampling limit */
     struct convergence_extension extension;
     struct curve_estimates *estimates; /* owned; NULL: none known */
     struct sensitivity_factors sensitivity;

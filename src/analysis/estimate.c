@@ -6,8 +6,7 @@
 #include <stdlib.h>
 
 const double estimate_level = 0.95;
-const struct estimate estimate_none = {
-    .mean = NAN, .sd = NAN, .s = NAN, .degrees = NAN, .half_width = NAN, .next_half_width = NAN, .effective = NAN};
+const struct estimate estimate_none = ESTIMATE_NONE;
 
 /** The value, or its logarithm; NaN where there is none. */
 static double scaled(double value, bool logarithmic)

@@ -23,6 +23,10 @@ struct estimate {
 };
 
 /** Not known. */
+#define ESTIMATE_NONE                                                                                                  \
+    {                                                                                                                  \
+        .mean = NAN, .sd = NAN, .s = NAN, .degrees = NAN, .half_width = NAN, .next_half_width = NAN, .effective = NAN  \
+    }
 extern const struct estimate estimate_none;
 
 /** Of `count` scans in any order, of the weights given (NULL: 1 each); values as they are, not their logarithms. A

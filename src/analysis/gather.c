@@ -603,8 +603,12 @@ enum status_code gather_describe_repeats(struct surface_record *record, const st
         spectrum_free(own);
         *own = same;
     }
-    return repeats_laws(&record->summary.repeats, set,
-                        scene->fit == POWER_LAW_THESIS ? &record->summary.power_law : NULL, status);
+    if (set->count == 0)
+        return STATUS_OK;
+    struct repeats *repeats = surface_repeats_room(&record->summary);
+    if (!repeats)
+        return status_memory(status);
+    return repeats_laws(repeats, set, scene->fit == POWER_LAW_THESIS ? &record->summary.power_law : NULL, status);
 }
 
 /** Is every part the first once more? */
@@ -700,8 +704,11 @@ static enum status_code cut_to_shortest(struct surface_record *record, const str
         part->spectrum = (struct spectrum){0};
         part->height_m = NULL;
     }
-    if (longer > 0)
-        record->summary.repeats.cut = cut.count;
+    struct repeats *repeats = longer > 0 && rc == STATUS_OK ? surface_repeats_room(&record->summary) : NULL;
+    if (repeats)
+        repeats->cut = cut.count;
+    else if (longer > 0 && rc == STATUS_OK)
+        rc = status_memory(status);
     set->scans = NULL;
     repeats_free(set);
     *set = cut;

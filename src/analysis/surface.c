@@ -88,9 +88,9 @@ static enum status_code fit_alone(struct surface_record *record, const struct po
                                   const struct scene *scene, struct status *status)
 {
     const struct power_law_scans_def def = fit_def(scene);
-    struct repeats *repeats = &record->summary.repeats;
+    struct repeats *repeats = record->summary.repeats;
     const struct repeats_grouping of = {&record->repeats, scans->file, scans->scan_count};
-    if (repeats->count == 0)
+    if (!repeats)
         return STATUS_OK;
     double *gamma = malloc(2 * of.count * sizeof *gamma);
     if (!gamma)
@@ -181,6 +181,19 @@ const struct curve_summary *surface_model(const struct surface_summary *summary,
 {
     static const struct curve_summary none;
     return summary->models && summary->models[m] ? summary->models[m] : &none;
+}
+
+const struct repeats *surface_repeats(const struct surface_summary *summary)
+{
+    static const struct repeats none = {.rq_m = ESTIMATE_NONE, .gamma = ESTIMATE_NONE, .psd_m3 = ESTIMATE_NONE};
+    return summary->repeats ? summary->repeats : &none;
+}
+
+struct repeats *surface_repeats_room(struct surface_summary *summary)
+{
+    if (!summary->repeats)
+        summary->repeats = calloc(1, sizeof *summary->repeats);
+    return summary->repeats;
 }
 
 const struct curve_bounds *surface_bounds(const struct surface_summary *summary, size_t m)
@@ -284,7 +297,10 @@ static enum status_code run_uncertainty(struct surface_record *record, const str
     struct uncertainty *all = calloc(model_count, sizeof *all);
     if (!all)
         return status_memory(status);
-    enum status_code rc = uncertainty_run(all, &scan, plan, &summary->simulated, status);
+    if (!summary->simulated)
+        summary->simulated = calloc(1, sizeof *summary->simulated);
+    enum status_code rc =
+        summary->simulated ? uncertainty_run(all, &scan, plan, summary->simulated, status) : status_memory(status);
     for (size_t m = 0; m < model_count && rc == STATUS_OK; m++) {
         const struct model_curve *curve = &record->curves[m];
         if (!curve->exists || !uncertainty_holds(plan, m))
@@ -324,7 +340,7 @@ static enum status_code run_sensitivity(struct surface_record *record, size_t m,
             as_is = record->curves[m].points[i];
     bool averaged = record->repeats.count > 0; /* as the changed scans are: the curve is not of the mean spectrum */
     return sensitivity_run(&model->sensitivity, &record->sensitivity, model_rows[m], &one, averaged ? NULL : &as_is,
-                           &model->work, status);
+                           &record->work[m], status);
 }
 
 /** Where model `m` bends and its validity ends on this surface. */
@@ -352,7 +368,7 @@ static enum status_code estimate_beta(struct surface_record *record, size_t m, c
     const struct model_row *counterpart = model_rows[m]->counterpart;
     const struct model_curve *curve = &record->curves[m];
     struct curve_summary *model = record->summary.models[m];
-    model->work.searches++;
+    record->work[m].searches++;
     if (!curve->exists || !record->curves[model_index(counterpart)].exists)
         return STATUS_OK;
     struct landmarks_model own = {model_rows[m], *task, quantities, &record->repeats},
@@ -428,10 +444,9 @@ static enum status_code run_model(void *context, size_t m, struct threads_turn *
         curve_summary_make(model, curve, model_rows[m], record->summary.asperities.sigma_m);
         if (run_landmarks(record, m, task, status) != STATUS_OK)
             return status->code;
-    } else {
-        model->work = curve->work;
     }
-    model->work.searches++;
+    record->work[m] = curve->work;
+    record->work[m].searches++;
     model->seconds = clock_seconds() - started;
     if ((several && keep_estimates(model, &result, status) != STATUS_OK) ||
         run_sensitivity(record, m, task, status) != STATUS_OK)
@@ -448,8 +463,9 @@ static enum status_code make_model_room(struct surface_record *record, const str
 {
     record->curves = calloc(model_count, sizeof *record->curves);
     record->bands = calloc(model_count, sizeof *record->bands);
+    record->work = calloc(model_count, sizeof *record->work);
     record->band_count = load_count;
-    if (!record->curves || !record->bands)
+    if (!record->curves || !record->bands || !record->work)
         return status_memory(status);
     for (size_t m = 0; m < model_count; m++)
         if (plan_runs_model(plan, m) && !surface_model_room(&record->summary, m))
@@ -477,7 +493,16 @@ static enum status_code run_models(struct modelling *modelling, size_t load_coun
     if (plan_runs(plan, EFFECT_CONVERGENCE))
         extend(record, scene);
     free_bounds(&record->summary);
-    return answers_find(record, scene, plan, task, status);
+    if (answers_find(record, scene, plan, task, status) != STATUS_OK)
+        return status->code;
+    for (size_t m = 0; record->summary.models && m < model_count; m++) {
+        struct curve_summary *model = record->summary.models[m];
+        if (!model)
+            continue;
+        record->work[m].searches += scene->target_count;
+        model->evaluations = model_evaluations(&record->work[m]);
+    }
+    return STATUS_OK;
 }
 
 enum status_code surface_run_models(struct surface_record *record, const struct scene *scene, const struct plan *plan,
@@ -552,7 +577,7 @@ enum status_code surface_describe(struct surface_record *out, const struct scene
     struct power_law_scans scans = {0};
     struct hash hash = hash_start();
     summary->scene = surface;
-    summary->pair = scene_pair(&surface->bodies);
+    summary->pair = scene_pair(surface->bodies);
     const char **files = sorted_files(surface);
     if (!files)
         return status_memory(status);
@@ -596,9 +621,13 @@ void surface_summary_free(struct surface_summary *summary)
             free(summary->models[m]);
         }
     free(summary->models);
+    free(summary->repeats);
+    free(summary->simulated);
     free(summary->direct);
     free(summary->answers);
     free(summary->limits);
+    summary->repeats = NULL;
+    summary->simulated = NULL;
     summary->direct = NULL;
     summary->answers = NULL;
     summary->limits = NULL;
@@ -618,8 +647,10 @@ void surface_record_free(struct surface_record *record, bool with_summary)
     }
     free(record->curves);
     free(record->bands);
+    free(record->work);
     record->curves = NULL;
     record->bands = NULL;
+    record->work = NULL;
     free(record->points);
     record->points = NULL;
     free(record->direct_m);

@@ -36,12 +36,12 @@ struct surface_summary {
     char *notes;                       /* one line a warning; owned, NULL: none */
     char hash[65];                     /* SHA-256 of the first file (of all of them one after another), hexadecimal */
     char format[32];
-    char units[40];                    /* "x mm, z um" as read */
-    size_t scans;                      /* averaged: files, or rows of a map */
-    struct repeats repeats;            /* what they say apart */
-    size_t single_points;              /* of a surface with one scan, which records can be simulated of; else 0 */
-    struct uncertainty_work simulated; /* that was */
-    size_t points;                     /* of the first */
+    char units[40];                     /* "x mm, z um" as read */
+    size_t scans;                       /* averaged: files, or rows of a map */
+    struct repeats *repeats;            /* what they say apart; owned like the texts, NULL: surface_repeats() */
+    size_t single_points;               /* of a surface with one scan, which records can be simulated of; else 0 */
+    struct uncertainty_work *simulated; /* that was; likewise, NULL: nothing */
+    size_t points;                      /* of the first */
     double spacing_m, length_m;
     enum profile_spacing grid;
     double tilt;
@@ -81,6 +81,7 @@ struct surface_record {
     struct model_curve *curves;  /* model_count of them, NULL before any model ran */
     struct repeats_band **bands; /* the same, each band_count long; NULL: none */
     size_t band_count;
+    struct model_work *work;        /* [model]: what each took; the same */
     struct sensitivity sensitivity; /* scans 0 where there is a rough counterface */
     struct slope_point *points;     /* heights and slopes of all its scans, where a model uses them; NULL: not kept */
     double *direct_m;               /* where a direct solution is called for: heights of the profiles, or the square of
@@ -90,6 +91,10 @@ struct surface_record {
     double preview_x_m[SURFACE_PREVIEW], preview_z_m[SURFACE_PREVIEW]; /* last, as few of them are used */
 };
 
+/** What the scans of a surface say apart: nothing, of a single one. */
+const struct repeats *surface_repeats(const struct surface_summary *summary);
+/** The same, to be filled. NULL: out of memory. */
+struct repeats *surface_repeats_room(struct surface_summary *summary);
 /** What model `m` said of a surface; where it did not run, a curve that does not exist. */
 const struct curve_summary *surface_model(const struct surface_summary *summary, size_t m);
 /** The same, to be filled: zeroed where there was none. NULL: out of memory. */

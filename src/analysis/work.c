@@ -72,16 +72,17 @@ struct work work_predict(const struct surface_summary *surfaces, size_t count, c
     return work;
 }
 
-struct work work_done(const struct surface_summary *surfaces, size_t count, uint64_t sweep_scales)
+struct work work_done(const struct work *models, const struct surface_summary *surfaces, size_t count,
+                      uint64_t sweep_scales)
 {
-    struct work work = {.sweep_scales = sweep_scales};
+    struct work work = *models;
+    work.sweep_scales = sweep_scales;
     for (size_t i = 0; i < count; i++) {
         work.bounds += surfaces[i].bound.visits;
-        add_simulated(&work.simulated, &surfaces[i].simulated);
-        for (size_t m = 0; m < model_count; m++) {
-            model_work_add(share_of(&work, m), &surface_model(&surfaces[i], m)->work);
+        if (surfaces[i].simulated)
+            add_simulated(&work.simulated, surfaces[i].simulated);
+        for (size_t m = 0; m < model_count; m++)
             work.extensions += surface_model(&surfaces[i], m)->extended;
-        }
     }
     return work;
 }

@@ -41,8 +41,9 @@ double work_seconds(const struct model_work *work);
 struct uncertainty_work work_simulated(const struct surface_summary *surfaces, size_t count, const struct plan *plan);
 /** Its evaluations, heights and answers of the models, and their likely seconds on one core. */
 uint64_t work_uncertainty(const struct uncertainty_work *work, double *seconds);
-/** Work that was done; `sweep_scales` is what the convergence study counted. */
-struct work work_done(const struct surface_summary *surfaces, size_t count, uint64_t sweep_scales);
+/** Work that was done: by the `models`, whose sum it is; `sweep_scales` is what the convergence study counted. */
+struct work work_done(const struct work *models, const struct surface_summary *surfaces, size_t count,
+                      uint64_t sweep_scales);
 /** Adds what model `m` takes or took besides. */
 void work_add(struct work *work, size_t m, const struct model_work *more);
 /** Evaluations of all rows of the plan, and their likely seconds on one core. */

@@ -268,9 +268,9 @@ enum status_code text_read_stream(struct text *text, FILE *file, const char *nam
     size_t most = limit_most(LIMIT_FILE_BYTES);
     bool known = fstat(fileno(file), &info) == 0 && S_ISREG(info.st_mode), large = known && (size_t)info.st_size > most;
     if (known && !large)
-        text_reserve(text, (size_t)info.st_size + 1);
+        text_reserve(text, (size_t)info.st_size + 1); /* one more: to meet the end */
     while (!large) {
-        if (!text_reserve(text, 65536))
+        if (!text_reserve(text, text->length + 1 < text->capacity ? 1 : 65536))
             return status_memory(status);
         size_t got = fread(text->data + text->length, 1, text->capacity - text->length - 1, file);
         text->length += got;
@@ -303,6 +303,7 @@ enum status_code text_read_file(struct text *text, const char *path, struct stat
         close(descriptor);
         return status_fail(status, STATUS_IO, "cannot open '%s': %s", path, strerror(errno));
     }
+    setvbuf(file, NULL, _IONBF, 0); /* into `text` at once */
     enum status_code code = text_read_stream(text, file, path, status);
     fclose(file);
     return code;

@@ -255,7 +255,7 @@ static void refuse(struct outcome *outcome, const struct arguments *arguments, c
 }
 
 static void show(struct outcome *outcome, const struct arguments *arguments, const char *path,
-                 const struct inspection *inspection)
+                 struct inspection *inspection)
 {
     struct status chart = {0};
     outcome->scans++;
@@ -267,8 +267,9 @@ static void show(struct outcome *outcome, const struct arguments *arguments, con
     }
     inspection_print(path, inspection);
     bool wanted = !arguments->no_chart && (arguments->chart || isatty(STDOUT_FILENO));
-    if (wanted && inspection->profile.points > 0 && inspection->spectrum.count > 0 &&
-        draw(inspection, &chart) != STATUS_OK)
+    if (wanted && inspection->profile.points > 0 &&
+        (inspection_spectrum(inspection, &chart) != STATUS_OK ||
+         (inspection->spectrum.count > 0 && draw(inspection, &chart) != STATUS_OK)))
         command_complain("no charts: ", chart.message);
 }
 

@@ -5,6 +5,7 @@
 #include "cli/scene_json.h"
 #include "cli/signals.h"
 #include "run/forecast.h"
+#include "run/messages.h"
 #include "run/prepare.h"
 #include "run/run.h"
 
@@ -415,7 +416,7 @@ int command_plan(int argc, char **argv)
     enum status_code rc = scene_read(&scene, arguments.directory, &arguments.overrides, &status);
     if (rc == STATUS_OK)
         rc = prepare(&prepared, &scene, &arguments.run, NULL, &status);
-    size_t refused = prepare_messages(&messages, &scene, &prepared.store);
+    size_t refused = messages_add(&messages, &scene, &prepared.store, false);
     fputs(text_string(&messages), stderr);
     if (rc == STATUS_OK && refused == scene.surface_count)
         rc = status_fail(&status, STATUS_SCAN, "no readable scan in '%s'", scene.directory);

@@ -47,6 +47,15 @@ static enum status_code compute_parameters(struct inspection *out, struct status
     return status->code;
 }
 
+enum status_code inspection_spectrum(struct inspection *inspection, struct status *status)
+{
+    const struct profile *profile = &inspection->profile;
+    if (inspection->scan.kind == SCAN_AREAL || inspection->spectrum.count > 0)
+        return STATUS_OK;
+    return spectrum_compute(&inspection->spectrum, profile->height_m, profile->points, profile->spacing_m,
+                            spectrum_window_for(SPECTRUM_WINDOW_AUTO, profile->periodic), status);
+}
+
 /** The law as a report would fit it. */
 static enum status_code fit_law(struct inspection *out, struct status *status)
 {
@@ -55,6 +64,8 @@ static enum status_code fit_law(struct inspection *out, struct status *status)
     const double cut[2] = {map ? 0 : options->lambda_s_m,
                            !map && options->lambda_c_m > 0 ? options->lambda_c_m : INFINITY};
     if (out->fit == POWER_LAW_THESIS) {
+        if (inspection_spectrum(out, status) != STATUS_OK)
+            return status->code;
         out->power_law = power_law_fit(&out->spectrum, cut);
         return STATUS_OK;
     }
@@ -72,20 +83,14 @@ static enum status_code fit_law(struct inspection *out, struct status *status)
     return code;
 }
 
-/** What is made of a profile; none needs what another makes, but for a law fitted to the spectrum, which comes last. */
-enum { LOOK_PARAMETERS, LOOK_LAW, LOOK_SPECTRUM, LOOKS };
+/** What is made of a profile; neither needs what the other makes. */
+enum { LOOK_PARAMETERS, LOOK_LAW, LOOKS };
 
 static enum status_code look_one(void *context, size_t index, struct threads_turn *turn, struct status *status)
 {
     struct inspection *out = context;
-    const struct profile *profile = &out->profile;
     (void)turn;
-    if (index == LOOK_LAW)
-        return out->fit == POWER_LAW_THESIS ? STATUS_OK : fit_law(out, status);
-    if (index == LOOK_PARAMETERS)
-        return compute_parameters(out, status);
-    return spectrum_compute(&out->spectrum, profile->height_m, profile->points, profile->spacing_m,
-                            spectrum_window_for(SPECTRUM_WINDOW_AUTO, profile->periodic), status);
+    return index == LOOK_LAW ? fit_law(out, status) : compute_parameters(out, status);
 }
 
 static enum status_code look_at_profile(struct inspection *out, struct status *status)
@@ -98,9 +103,7 @@ static enum status_code look_at_profile(struct inspection *out, struct status *s
     out->roughness = profile->measured_x_m
                          ? roughness_of_points(profile->measured_x_m, profile->measured_z_m, profile->points)
                          : roughness_of_heights(profile->height_m, profile->points, profile->spacing_m);
-    if (threads_run(profile->points >= SHARED_POINTS ? &all : NULL, LOOKS, look_one, out, status) != STATUS_OK)
-        return status->code;
-    return out->fit == POWER_LAW_THESIS ? fit_law(out, status) : STATUS_OK;
+    return threads_run(profile->points >= SHARED_POINTS ? &all : NULL, LOOKS, look_one, out, status);
 }
 
 enum status_code inspection_make(struct inspection *out, const char *path, const struct scan_bytes *bytes,

@@ -18,7 +18,7 @@ struct inspection {
     struct scan scan;
     struct profile profile;   /* of a map its middle row, for a chart; empty if that is none */
     struct areal areal;       /* its spectrum is moved to `spectrum` */
-    struct spectrum spectrum; /* count 0: a map without one complete row */
+    struct spectrum spectrum; /* of a map, without one complete row of count 0; of a profile: inspection_spectrum() */
     struct roughness roughness;
     struct power_law_band band; /* fit: auto */
     struct power_law power_law;
@@ -33,6 +33,9 @@ struct inspection {
 MUST_CHECK enum status_code inspection_make(struct inspection *out, const char *path, const struct scan_bytes *bytes,
                                             const struct scan_options *units, const struct profile_options *options,
                                             enum power_law_method fit, struct status *status);
+/** Makes the spectrum of a profile, if there is none yet: a chart shows it, the figures do not hang on it. Error:
+ * STATUS_MEMORY. */
+MUST_CHECK enum status_code inspection_spectrum(struct inspection *inspection, struct status *status);
 void inspection_free(struct inspection *inspection);
 
 /** Spacing along x [m] and first to last point [m]. */

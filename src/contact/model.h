@@ -133,8 +133,8 @@ bool model_runs(size_t m, uint64_t models, unsigned effects);
 enum { MODEL_KEPT_MOST = 64 };
 
 /** What models have made of one surface in one pair, which does not hang on the loads: a curve, its landmarks and its
- * bounds share it. Each model touches what is its own: one
- * thread a model. Zeroed but for the first two: nothing yet. Owned: model_kept_free(). */
+ * bounds share it. Each model touches its own alone: a thread a model may. Zeroed but for the first two: nothing yet.
+ * Owned: model_kept_free(). */
 struct model_kept {
     const struct spectrum *spectrum; /* a task of another one, or of another pair, keeps nothing */
     const struct material_pair *pair;

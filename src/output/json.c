@@ -187,7 +187,7 @@ static json_t *curve_json(const struct model_curve *curve, const struct curve_su
                              cell_json(guard, "beta_from_multiscale", model->beta_multiscale), "area_load_slope",
                              cell_json(guard, "area_load_slope", model->area_slope), "largest_load_share_beyond_fit",
                              cell_json(guard, "largest_load_share_beyond_fit", model->most_beyond_fit), "evaluations",
-                             (json_int_t)model_evaluations(&model->work));
+                             (json_int_t)model->evaluations);
     json_object_set_new(json, "areas_limited", json_integer((json_int_t)model->clamped));
     set(json, guard, "largest_load_share_clamped_at_radius", model->most_radius_clamped);
     if (!scene_bins_spectra(scene)) /* else contact.csv alone has them */
@@ -215,7 +215,7 @@ static json_t *estimate_json(const struct estimate *estimate, const struct cell_
 /** What repeated scans say apart. */
 static json_t *repeats_json(const struct surface_summary *summary, const struct cell_guard *guard)
 {
-    const struct repeats *spread = &summary->repeats;
+    const struct repeats *spread = surface_repeats(summary);
     json_t *json =
         json_pack("{s:I, s:I}", "scans_run_alone", (json_int_t)spread->count, "files", (json_int_t)spread->scans);
     json_object_set_new(json, "rq_m", estimate_json(&spread->rq_m, guard));
@@ -307,9 +307,9 @@ static json_t *surface_json(const struct surface_record *record, const struct sc
         }
     json_t *json = json_pack("{s:o, s:o, s:s, s:s, s:s}", "surface", string(s->scene->name), "files", files, "sha256",
                              s->hash, "format", s->format, "units", s->units);
-    if (s->scene->bodies.material_given || s->scene->bodies.counterface_given) {
-        json_object_set_new(json, "material", material_json(&s->scene->bodies.material, guard));
-        json_object_set_new(json, "counterface", counterface_json(&s->scene->bodies, guard));
+    if (s->scene->bodies->material_given || s->scene->bodies->counterface_given) {
+        json_object_set_new(json, "material", material_json(&s->scene->bodies->material, guard));
+        json_object_set_new(json, "counterface", counterface_json(s->scene->bodies, guard));
         set(json, guard, "effective_modulus_Pa", s->pair.effective_modulus_Pa);
     }
     const struct {
@@ -355,7 +355,7 @@ static json_t *surface_json(const struct surface_record *record, const struct sc
     json_object_set_new(json, "scans_periodic", json_integer((json_int_t)s->periodic));
     json_object_set_new(json, "scans_windowed", json_integer((json_int_t)s->windowed));
     set(json, guard, "scans_independent", s->independent);
-    if (s->repeats.count > 0)
+    if (surface_repeats(s)->count > 0)
         json_object_set_new(json, "spread", repeats_json(s, guard));
     json_object_set_new(json, "notes", lines_json(s->notes));
     json_object_set_new(json, "models", models);

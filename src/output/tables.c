@@ -440,7 +440,7 @@ static enum status_code write_spread(const struct results *results, const char *
         const struct surface_summary *s = &results->store->summaries[i];
         if (!s->usable)
             continue;
-        const struct repeats *repeats = &s->repeats;
+        const struct repeats *repeats = surface_repeats(s);
         char quantity[80];
         if (repeats->count > 0) {
             put_spread_number(&table, s, "rq_m", &repeats->rq_m);

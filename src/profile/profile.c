@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "profile/profile.h"
 
+#include "base/extremes.h"
 #include "base/large.h"
 #include "profile/filter.h"
 #include "profile/gaps.h"
@@ -32,9 +33,8 @@ static double peak_to_valley(const struct profile *profile)
 {
     double highest = -INFINITY, lowest = INFINITY;
     for (size_t i = 0; i < profile->points; i++) {
-        double z = profile->height_m[i];
-        highest = z > highest ? z : highest;
-        lowest = z < lowest ? z : lowest;
+        highest = extremes_larger(highest, profile->height_m[i]);
+        lowest = extremes_smaller(lowest, profile->height_m[i]);
     }
     return highest - lowest;
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "profile/spacing.h"
 
+#include "base/extremes.h"
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_spline.h>
 #include <math.h>
@@ -17,9 +18,9 @@ static enum profile_spacing judge(const double *x_m, size_t points, double spaci
     size_t kind_count = 0; /* distinct steps, up to SPACING_KINDS */
     for (size_t i = 1; i < points; i++) {
         double step = x_m[i] - x_m[i - 1];
-        shortest = fmin(shortest, step);
-        longest = fmax(longest, step);
-        deviation = fmax(deviation, fabs(x_m[i] - x_m[0] - (double)i * spacing_m));
+        shortest = extremes_smaller(shortest, step);
+        longest = extremes_larger(longest, step);
+        deviation = extremes_larger(deviation, fabs(x_m[i] - x_m[0] - (double)i * spacing_m));
         size_t k = 0;
         while (k < kind_count && fabs(step - kinds[k]) > spacing_same * spacing_m)
             k++;

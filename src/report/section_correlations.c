@@ -110,7 +110,7 @@ static void write(struct text *out, const struct section_context *context)
                           " µm and the mean absolute slope m = ");
     number_format(out, truncation_model_slope(&task), 4);
     text_add(out, ", both of its spectrum%s. ",
-             context->baseline->summary.repeats.count > 0
+             surface_repeats(&context->baseline->summary)->count > 0
                  ? ", averaged over its scans (curves are means over the scans)"
                  : "");
     text_add(out, "Handbooks print powers of the load for the contact conductance h of such a surface; here they stand "

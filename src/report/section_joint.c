@@ -20,10 +20,12 @@ static bool called_for(const struct section_context *context)
 static size_t numbers_of(const struct section_context *context, size_t m)
 {
     size_t count = 0;
-    for (size_t i = 0; i < context->results->store->count; i++)
+    for (size_t i = 0; i < context->results->store->count; i++) {
+        const struct contact_point point = comparison_middle(context->comparison, m, i);
         for (int q = 0; q < QUANTITY_COUNT; q++)
             count += quantity_rows[q].from && section_surface(context, i)->usable &&
-                     isfinite(quantity_value(&context->comparison->models[m].middle[i], (enum quantity)q));
+                     isfinite(quantity_value(&point, (enum quantity)q));
+    }
     return count;
 }
 
@@ -44,9 +46,9 @@ static size_t speaking_model(const struct section_context *context)
 }
 
 /** What model `m` says of a surface at the middle load; all NaN where it says nothing. */
-static const struct contact_point *middle_of(const struct section_context *context, size_t m, size_t index)
+static struct contact_point middle_of(const struct section_context *context, size_t m, size_t index)
 {
-    return &context->comparison->models[m].middle[index];
+    return comparison_middle(context->comparison, m, index);
 }
 
 static double gap_share(const struct contact_point *p, const struct joint *joint)
@@ -75,7 +77,7 @@ static double voltage_of(const struct contact_point *p, const struct joint *join
 /** The body that yields first, whose metal softens first. */
 static const struct material *softer_body(const struct section_context *context, size_t index)
 {
-    const struct scene_bodies *bodies = &section_surface(context, index)->scene->bodies;
+    const struct scene_bodies *bodies = section_surface(context, index)->scene->bodies;
     bool other = bodies->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC &&
                  bodies->counterface.yield_strength_Pa < bodies->material.yield_strength_Pa;
     return other ? &bodies->counterface : &bodies->material;
@@ -131,7 +133,7 @@ static bool has_column(const struct section_context *context, const struct colum
 /** The cells of one model on one surface. */
 static void cells(struct text *out, const struct section_context *context, size_t m, size_t index)
 {
-    const struct contact_point *p = middle_of(context, m, index);
+    const struct contact_point own = middle_of(context, m, index), *p = &own;
     const struct joint *joint = &context->results->scene->joint;
     for (int c = 0; c < COLUMNS; c++) {
         const struct column *column = &columns[c];
@@ -177,7 +179,7 @@ static void models_table(struct text *out, const struct section_context *context
     text_add(out, " at that load in every model:\n\n");
     head(out, context, "model");
     for (size_t m = 0; m < model_count; m++)
-        if (plan_runs_model(context->results->plan, m) && isfinite(middle_of(context, m, index)->load)) {
+        if (plan_runs_model(context->results->plan, m) && isfinite(middle_of(context, m, index).load)) {
             text_add(out, "| %s", model_rows[m]->label);
             section_mark(out, context, index, m);
             cells(out, context, m, index);
@@ -198,9 +200,8 @@ static struct range range_of(const struct section_context *context, size_t m,
 {
     struct range range = {INFINITY, -INFINITY, 0};
     for (size_t i = 0; i < context->results->store->count; i++) {
-        double value = section_surface(context, i)->usable
-                           ? number(middle_of(context, m, i), &context->results->scene->joint)
-                           : NAN;
+        const struct contact_point point = middle_of(context, m, i);
+        double value = section_surface(context, i)->usable ? number(&point, &context->results->scene->joint) : NAN;
         if (!isfinite(value))
             continue;
         range.least = fmin(range.least, value);
@@ -244,7 +245,7 @@ static void introduction(struct text *out, const struct section_context *context
         text_add(out,
                  "n spots of radius a: the model's own%s, else equal ones that have its area and ECR; they depend "
                  "on how finely the surface was measured. ",
-                 context->baseline->summary.repeats.count > 0 ? ", of the mean over the scans" : "");
+                 surface_repeats(&context->baseline->summary)->count > 0 ? ", of the mean over the scans" : "");
     size_t leading = plan_leading_model(context->results->plan), speaking = speaking_model(context);
     text_add(out, "In **%s**", model_rows[speaking]->label);
     if (speaking != leading)
@@ -305,7 +306,7 @@ static void heating_sentence(struct text *out, const struct section_context *con
     if (!runs(context, EFFECT_HEATING) || voltage.count == 0)
         return;
     for (size_t i = context->results->store->count; i-- > 0;) {
-        double voltage_V = section_surface(context, i)->usable ? middle_of(context, m, i)->contact_voltage_V : NAN;
+        double voltage_V = section_surface(context, i)->usable ? middle_of(context, m, i).contact_voltage_V : NAN;
         enum state state = state_at(context, i, voltage_V);
         soft += state >= STATE_SOFT;
         first = state >= STATE_SOFT ? i : first;

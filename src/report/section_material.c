@@ -42,7 +42,7 @@ static size_t find_metals(struct metal metals[METALS], const struct results *res
     for (int side = 0; side < 2; side++)
         for (size_t k = 0; k < results->store->count && count < METALS; k++) {
             const struct surface_summary *surface = &results->store->summaries[k];
-            const struct scene_bodies *bodies = &surface->scene->bodies;
+            const struct scene_bodies *bodies = surface->scene->bodies;
             if (!surface->usable || (side == 1 && bodies->counterface_kind != MATERIAL_COUNTERFACE_ELASTIC))
                 continue;
             const struct material *metal = side == 1 ? &bodies->counterface : &bodies->material;
@@ -67,7 +67,7 @@ static void metal_name(struct text *out, const struct metal *metals, size_t coun
 
 static void table_6_1(struct text *out, const struct section_context *context, const struct metal *metals, size_t count)
 {
-    const struct scene_bodies *bodies = &context->baseline->summary.scene->bodies;
+    const struct scene_bodies *bodies = context->baseline->summary.scene->bodies;
     bool both = bodies->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC && count == 1;
     text_add(out, "| property | symbol");
     for (size_t i = 0; i < count; i++) {

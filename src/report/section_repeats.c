@@ -19,7 +19,7 @@ static bool called_for(const struct section_context *context)
 static bool has_several(const struct section_context *context)
 {
     for (size_t k = 0; k < context->results->usable_count; k++)
-        if (section_smoothest(context, k)->repeats.count > 0)
+        if (surface_repeats(section_smoothest(context, k))->count > 0)
             return true;
     return false;
 }
@@ -28,7 +28,7 @@ static bool has_several(const struct section_context *context)
 static void origin(struct text *out, const struct surface_summary *summary, const struct estimate *middle,
                    bool simulated)
 {
-    const struct repeats *repeats = &summary->repeats;
+    const struct repeats *repeats = surface_repeats(summary);
     text_add(out, " | ");
     if (repeats->count == 0) {
         text_add(out, summary->single_points > 0 && simulated ? "1 scan, %d simulated records" : "1 scan",
@@ -59,8 +59,8 @@ static void surface_row(struct text *out, const struct section_context *context,
     section_mark(out, context, index, leading);
     origin(out, summary, middle, plan_runs(context->results->plan, EFFECT_UNCERTAINTY));
     if (has_several(context)) {
-        interval_cell(out, &summary->repeats.rq_m, 1e6);
-        interval_cell(out, &summary->repeats.gamma, 1);
+        interval_cell(out, &surface_repeats(summary)->rq_m, 1e6);
+        interval_cell(out, &surface_repeats(summary)->gamma, 1);
         interval_cell(out, curve_summary_estimate(surface_model(summary, leading), CURVE_FULL_LOAD), 1);
     }
     text_add(out, " | ");

@@ -9,7 +9,7 @@
 
 static const struct scene_bodies *bodies_of(const struct results *results, size_t surface)
 {
-    return &results->store->summaries[surface].scene->bodies;
+    return results->store->summaries[surface].scene->bodies;
 }
 
 /** Have all usable surfaces bodies of one name? */
@@ -203,8 +203,8 @@ static void pair_text(struct text *out, const struct section_context *context, s
         text_add(out, ", one scan each)");
     else
         text_add(out, ", %zu and %zu %s)", counts[0], counts[1],
-                 section_surface(context, ranking->surface[i])->repeats.scans == 1 ? "scans or blocks of rows"
-                                                                                   : "scans");
+                 surface_repeats(section_surface(context, ranking->surface[i]))->scans == 1 ? "scans or blocks of rows"
+                                                                                            : "scans");
 }
 
 /** "surface 2": at place i. */
@@ -427,9 +427,9 @@ static void hard(struct text *list, const struct section_context *context, size_
     double most = 0;
     char what[120], then[60];
     for (size_t k = 0; k < results->usable_count; k++) {
-        const struct contact_point *point = &context->comparison->models[m].middle[results->by_roughness[k]];
-        double pressure = section_contact_pressure(context, results->by_roughness[k], point);
-        if (!(point->area_ratio < 1) || !(pressure > section_hardest(context, results->by_roughness[k])))
+        const struct contact_point point = comparison_middle(context->comparison, m, results->by_roughness[k]);
+        double pressure = section_contact_pressure(context, results->by_roughness[k], &point);
+        if (!(point.area_ratio < 1) || !(pressure > section_hardest(context, results->by_roughness[k])))
             continue;
         count++;
         most = fmax(most, pressure);
@@ -615,8 +615,8 @@ static void ranking_cells(struct text *out, const struct comparison_ranking *ran
 static void surface_key(struct text *out, const struct section_context *context, size_t index)
 {
     const struct surface_summary *s = section_surface(context, index);
-    const struct contact_point *point = &context->comparison->middle[index];
     size_t leading = context->comparison->leading;
+    const struct contact_point own = comparison_middle(context->comparison, leading, index), *point = &own;
     section_mark(out, context, index, leading);
     section_cell(out, s->roughness.rq_m * 1e6, 3);
     for (int q = 0; q < QUANTITY_COUNT; q++)
@@ -681,8 +681,8 @@ static void key_table(struct text *out, const struct section_context *context)
 static void surface_heights(struct text *out, const struct section_context *context, size_t index)
 {
     const struct surface_summary *s = section_surface(context, index);
-    const struct comparison_model *model = &context->comparison->models[section_heights_model(context)];
-    const struct contact_point *point = &model->middle[index];
+    const struct contact_point own = comparison_middle(context->comparison, section_heights_model(context), index),
+                               *point = &own;
     section_cell(out, roughness_skewness(&s->roughness), 3);
     section_cell(out, roughness_kurtosis(&s->roughness), 3);
     section_cell(out, 100 * point->area_ratio, 3);

@@ -37,17 +37,31 @@ static void count_case(struct comparison_tally *tally, double x, double y, doubl
     tally->opposed += !tie && x > y;
 }
 
+/** What the cases of a run are counted by. */
+struct counting {
+    unsigned quantities; /* QUANTITY_BITs that it may have; the others are NaN throughout */
+    double tolerance;
+};
+
+static struct counting counting_of(const struct results *results)
+{
+    return (struct counting){quantity_with_made(results->plan->wanted), results->scene->tolerance};
+}
+
 /** The same for two points, quantity by quantity: has `p` the larger area, the smaller of the others? */
 static void count_points(struct comparison_tally tallies[QUANTITY_COUNT], const struct contact_point *p,
-                         double p_sigma_m, const struct contact_point *q, double q_sigma_m, size_t m, double tolerance)
+                         double p_sigma_m, const struct contact_point *q, double q_sigma_m, size_t m,
+                         const struct counting *how)
 {
     if (p->area_ratio == 1 && q->area_ratio == 1)
         return; /* both full: nothing to compare */
     for (int k = QUANTITY_AREA; k < QUANTITY_COUNT; k++) {
+        if (!(how->quantities & QUANTITY_BIT(k)))
+            continue;
         double x = comparison_value(p, (enum quantity)k, m, p_sigma_m);
         double y = comparison_value(q, (enum quantity)k, m, q_sigma_m);
         double scale = quantity_rows[k].over_sigma ? 1 : 0;
-        count_case(&tallies[k], k == QUANTITY_AREA ? y : x, k == QUANTITY_AREA ? x : y, tolerance, scale);
+        count_case(&tallies[k], k == QUANTITY_AREA ? y : x, k == QUANTITY_AREA ? x : y, how->tolerance, scale);
     }
 }
 
@@ -77,7 +91,7 @@ static void compare_neighbours(struct comparison *out, const struct surface_reco
 {
     const double *smooth_loads = results_loads(results, results->by_roughness[pair]);
     const double *rough_loads = results_loads(results, results->by_roughness[pair + 1]);
-    double tolerance = results->scene->tolerance;
+    const struct counting how = counting_of(results);
     for (size_t m = 0; m < model_count; m++) {
         if (!plan_runs_model(results->plan, m))
             continue;
@@ -88,7 +102,7 @@ static void compare_neighbours(struct comparison *out, const struct surface_reco
         for (size_t i = 0; i < count; i++) {
             const struct contact_point *p = &a->points[i], *q = &b->points[i];
             count_points(out->models[m].rank, p, smooth->summary.asperities.sigma_m, q,
-                         rough->summary.asperities.sigma_m, m, tolerance);
+                         rough->summary.asperities.sigma_m, m, &how);
             double step = log10(resistance(q) / resistance(p));
             if (isfinite(step)) {
                 sum += step;
@@ -101,7 +115,7 @@ static void compare_neighbours(struct comparison *out, const struct surface_reco
 
 /** Plastic model `m` against its elastic partner. */
 static void compare_laws(struct comparison_plastic *out, const struct model_curve *elastic,
-                         const struct model_curve *plastic, size_t m, double sigma_m, double tolerance)
+                         const struct model_curve *plastic, size_t m, double sigma_m, const struct counting *how)
 {
     if (!elastic->exists || !plastic->exists)
         return;
@@ -109,13 +123,13 @@ static void compare_laws(struct comparison_plastic *out, const struct model_curv
     for (size_t i = 0; i < count; i++) {
         const struct contact_point *p = &plastic->points[i], *q = &elastic->points[i];
         double ratio = p->area_ratio / q->area_ratio;
-        count_points(out->changes, p, sigma_m, q, sigma_m, m, tolerance);
+        count_points(out->changes, p, sigma_m, q, sigma_m, m, how);
         if (p->area_ratio == 1 && q->area_ratio == 1)
             continue;
         out->least = out->most > 0 ? fmin(out->least, ratio) : ratio;
         out->most = fmax(out->most, ratio);
     }
-    count_case(&out->sooner, plastic->full_load, elastic->full_load, tolerance, 0);
+    count_case(&out->sooner, plastic->full_load, elastic->full_load, how->tolerance, 0);
 }
 
 static void check_proportion(struct comparison *out, const struct surface_record *record)
@@ -206,15 +220,52 @@ double comparison_largest_spread(const struct results *results, const struct com
     return largest;
 }
 
-/** Takes the surface's values at the middle load. */
-static void note_middle(struct comparison *out, const struct surface_record *record, size_t index, double load)
+static bool same_number(double a, double b)
+{
+    return a == b || (isnan(a) && isnan(b));
+}
+
+/** Keeps a point, number by number. False: out of memory. */
+static bool keep_middle(struct comparison_model *model, const struct contact_point *point, size_t index,
+                        size_t surfaces)
+{
+    const struct contact_point nothing = quantity_nothing();
+    const double *value = (const double *)point, *none = (const double *)&nothing;
+    for (size_t c = 0; c < COMPARISON_NUMBERS; c++) {
+        if (!model->middle[c] && same_number(value[c], none[c]))
+            continue;
+        if (!model->middle[c]) {
+            if (!(model->middle[c] = malloc(surfaces * sizeof(double))))
+                return false;
+            for (size_t i = 0; i < surfaces; i++)
+                model->middle[c][i] = none[c];
+        }
+        model->middle[c][index] = value[c];
+    }
+    return true;
+}
+
+struct contact_point comparison_middle(const struct comparison *comparison, size_t model, size_t surface)
+{
+    struct contact_point point = quantity_nothing();
+    double *value = (double *)&point;
+    for (size_t c = 0; c < COMPARISON_NUMBERS; c++)
+        if (comparison->models[model].middle[c])
+            value[c] = comparison->models[model].middle[c][surface];
+    return point;
+}
+
+/** Takes the surface's values at the middle load. False: out of memory. */
+static bool note_middle(struct comparison *out, const struct surface_record *record, size_t index, double load,
+                        size_t surfaces)
 {
     for (size_t m = 0; m < model_count; m++)
         for (size_t i = 0; i < record->curves[m].count; i++) {
             const struct contact_point *point = &record->curves[m].points[i];
             if (point->load != load)
                 continue;
-            out->models[m].middle[index] = *point;
+            if (!keep_middle(&out->models[m], point, index, surfaces))
+                return false;
             for (int q = 0; q < QUANTITY_COUNT; q++) {
                 struct comparison_extremes *extremes = &out->models[m].extremes[q];
                 double value = comparison_value(point, (enum quantity)q, m, record->summary.asperities.sigma_m);
@@ -232,53 +283,61 @@ static void note_middle(struct comparison *out, const struct surface_record *rec
             }
             break;
         }
+    return true;
 }
 
-/** What the k-th smoothest surface adds; `previous` is the next smoother one, NULL for the first. */
-static void take_in(struct comparison *out, const struct results *results, const struct surface_record *record,
+/** Does model `m` run, and have a counterpart that it may be held against? */
+static bool is_paired(const struct results *results, size_t m)
+{
+    return plan_runs_model(results->plan, m) && model_index(model_rows[m]->counterpart) < model_count;
+}
+
+/** What the k-th smoothest surface adds; `previous` is the next smoother one, NULL for the first. False: out of memory.
+ */
+static bool take_in(struct comparison *out, const struct results *results, const struct surface_record *record,
                     size_t k, const struct surface_record *previous)
 {
     const struct model_curve *curves = record->curves;
-    double tolerance = results->scene->tolerance, sigma_m = record->summary.asperities.sigma_m;
+    const struct counting how = counting_of(results);
+    double sigma_m = record->summary.asperities.sigma_m;
     size_t index = results->by_roughness[k];
     if (previous)
         compare_neighbours(out, previous, record, k - 1, results);
     for (size_t m = 0; m < model_count; m++) {
         size_t elastic = model_index(model_rows[m]->elastic), counterpart = model_index(model_rows[m]->counterpart);
         if (elastic < model_count)
-            compare_laws(&out->models[m].plastic, &curves[elastic], &curves[m], m, sigma_m, tolerance);
-        if (counterpart < model_count && plan_runs_model(results->plan, m))
+            compare_laws(&out->models[m].plastic, &curves[elastic], &curves[m], m, sigma_m, &how);
+        if (is_paired(results, m))
             out->models[m].gaps[index] = gap_between(&curves[counterpart], &curves[m], sigma_m);
     }
     check_proportion(out, record);
-    note_middle(out, record, index, results_operating_load(results, index));
     note_extents(out, results, record, results_loads(results, index));
+    return note_middle(out, record, index, results_operating_load(results, index), results->store->count);
 }
 
 /** The arrays of the models, with nothing in them yet; models that do not run share the first set, which stays so. */
 static enum status_code allocate(struct comparison *out, const struct results *results, struct status *status)
 {
-    size_t surfaces = results->store->count, loads = results->load_count, sets = 1, next = 1;
-    for (size_t m = 0; m < model_count; m++)
+    size_t surfaces = results->store->count, loads = results->load_count, sets = 1, next = 1, pairs = 1, next_pair = 1;
+    for (size_t m = 0; m < model_count; m++) {
         sets += plan_runs_model(results->plan, m);
+        pairs += is_paired(results, m);
+    }
     out->models = calloc(model_count, sizeof *out->models);
     if (!out->models)
         return status_memory(status);
-    out->middles = malloc(sets * surfaces * sizeof *out->middles);
-    out->gaps = malloc(sets * surfaces * sizeof *out->gaps);
+    out->gaps = malloc(pairs * surfaces * sizeof *out->gaps);
     out->steps = malloc(sets * surfaces * sizeof *out->steps);
     out->extents = calloc(sets * loads, sizeof *out->extents);
-    if (!out->middles || !out->gaps || !out->steps || !out->extents)
+    if (!out->gaps || !out->steps || !out->extents)
         return status_memory(status);
-    for (size_t i = 0; i < sets * surfaces; i++) {
-        out->middles[i] = quantity_nothing();
+    for (size_t i = 0; i < pairs * surfaces; i++)
         out->gaps[i] = (struct comparison_gap){NAN, NAN, NAN, NAN};
+    for (size_t i = 0; i < sets * surfaces; i++)
         out->steps[i] = NAN;
-    }
     for (size_t m = 0; m < model_count; m++) {
         size_t set = plan_runs_model(results->plan, m) ? next++ : 0;
-        out->models[m].middle = out->middles + set * surfaces;
-        out->models[m].gaps = out->gaps + set * surfaces;
+        out->models[m].gaps = out->gaps + (is_paired(results, m) ? next_pair++ : 0) * surfaces;
         out->models[m].steps = out->steps + set * surfaces;
         out->models[m].extents = out->extents + set * loads;
     }
@@ -363,6 +422,12 @@ const struct comparison_pair *comparison_pair_of(const struct comparison_ranking
     return &ranking->pairs[ranking_pair(i, j, ranking->count)];
 }
 
+static double leading_value(const struct comparison *comparison, enum quantity quantity, size_t surface)
+{
+    const struct contact_point point = comparison_middle(comparison, comparison->leading, surface);
+    return quantity_value(&point, quantity);
+}
+
 /** Ranks the surfaces that have an answer in the leading model at the middle load. */
 static enum status_code rank(struct comparison *out, const struct results *results, struct status *status)
 {
@@ -378,12 +443,12 @@ static enum status_code rank(struct comparison *out, const struct results *resul
     if (!ranking->surface || !ranking->pairs)
         return status_memory(status);
     for (size_t i = 0; i < results->store->count; i++) {
-        double value = quantity_value(&out->middle[i], by);
+        double value = leading_value(out, by, i);
         if (isnan(value))
             continue;
         size_t at = ranking->count++;
-        while (at > 0 && (by == QUANTITY_AREA ? value > quantity_value(&out->middle[ranking->surface[at - 1]], by)
-                                              : value < quantity_value(&out->middle[ranking->surface[at - 1]], by))) {
+        while (at > 0 && (by == QUANTITY_AREA ? value > leading_value(out, by, ranking->surface[at - 1])
+                                              : value < leading_value(out, by, ranking->surface[at - 1]))) {
             ranking->surface[at] = ranking->surface[at - 1];
             at--;
         }
@@ -393,8 +458,8 @@ static enum status_code rank(struct comparison *out, const struct results *resul
         for (size_t j = i + 1; j < ranking->count; j++) {
             size_t a = ranking->surface[i], b = ranking->surface[j];
             struct comparison_pair *pair = &ranking->pairs[ranking_pair(i, j, ranking->count)];
-            *pair = compare_pair(middle_estimate(results, out->leading, by, a), quantity_value(&out->middle[a], by),
-                                 middle_estimate(results, out->leading, by, b), quantity_value(&out->middle[b], by));
+            *pair = compare_pair(middle_estimate(results, out->leading, by, a), leading_value(out, by, a),
+                                 middle_estimate(results, out->leading, by, b), leading_value(out, by, b));
             ranking->tested += pair->test != COMPARISON_NOT_TESTED;
         }
     if (adjust(ranking, pairs, status) != STATUS_OK)
@@ -409,7 +474,6 @@ enum status_code comparison_make(struct comparison *out, const struct results *r
                                .leading = plan_leading_model(results->plan)};
     if (allocate(out, results, status) != STATUS_OK)
         return status->code;
-    out->middle = out->models[out->leading].middle;
     struct surface_record previous = {0};
     for (size_t k = 0; k < results->usable_count; k++) {
         struct surface_record record;
@@ -418,9 +482,13 @@ enum status_code comparison_make(struct comparison *out, const struct results *r
             surface_record_free(&previous, false);
             return status->code;
         }
-        take_in(out, results, &record, k, k > 0 ? &previous : NULL);
+        bool taken = take_in(out, results, &record, k, k > 0 ? &previous : NULL);
         surface_record_free(&previous, false);
         previous = record;
+        if (!taken) {
+            surface_record_free(&previous, false);
+            return status_memory(status);
+        }
     }
     surface_record_free(&previous, false);
     return rank(out, results, status);
@@ -428,7 +496,9 @@ enum status_code comparison_make(struct comparison *out, const struct results *r
 
 void comparison_free(struct comparison *comparison)
 {
-    free(comparison->middles);
+    for (size_t m = 0; comparison->models && m < model_count; m++)
+        for (size_t c = 0; c < COMPARISON_NUMBERS; c++)
+            free(comparison->models[m].middle[c]);
     free(comparison->gaps);
     free(comparison->steps);
     free(comparison->extents);

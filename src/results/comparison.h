@@ -43,6 +43,9 @@ struct comparison_extent {
 /** What the surfaces have in common at a load. */
 enum comparison_spread { COMPARISON_AREAS, COMPARISON_RESISTANCES, COMPARISON_SPREADS };
 
+/** Of a point. */
+enum { COMPARISON_NUMBERS = sizeof(struct contact_point) / sizeof(double) };
+
 /** What one model adds to the comparison. The arrays are the comparison's; models that do not run have one set of them
  * together, with nothing in it. */
 struct comparison_model {
@@ -50,9 +53,9 @@ struct comparison_model {
                                                      larger area, the smaller shown separation/sigma and resistance */
     struct comparison_plastic plastic;            /* against its elastic partner */
     struct comparison_gap *gaps;                  /* against its counterpart, one a surface of the scene */
-    struct comparison_extremes extremes[QUANTITY_COUNT];     /* at the middle load */
-    struct contact_point *middle;                            /* at the middle load, one a surface of the scene; all NaN
-                                                                where it has no point */
+    struct comparison_extremes extremes[QUANTITY_COUNT]; /* at the middle load */
+    double *middle[COMPARISON_NUMBERS]; /* comparison_middle(), one a surface of the scene: those numbers of its points
+                                           that differ from quantity_nothing()'s on any; NULL: others */
     struct comparison_extent (*extents)[COMPARISON_SPREADS]; /* one a load of the list */
     double *steps; /* mean log10 of the resistance of the (k+1)-th smoothest surface over the k-th's, over their common
                       loads of partial contact; one a pair of neighbours; NaN: none */
@@ -89,9 +92,7 @@ struct comparison {
     double proportional_error;       /* largest |TCR/ECR / (1/(rho k)) - 1|; NaN: not both computed */
     double middle_load;              /* where surfaces and models are compared: P/(A_n E') of the baseline surface */
     size_t leading;                  /* the model the summary speaks of: the running one of the greatest precedence */
-    struct contact_point *middle;    /* the leading model at the middle load: models[leading].middle */
-    struct contact_point *middles;   /* the models' arrays, set after set; owned, as are: */
-    struct comparison_gap *gaps;
+    struct comparison_gap *gaps;     /* the models' arrays, set after set; owned, as are: */
     struct comparison_extent (*extents)[COMPARISON_SPREADS];
     double *steps;
 };
@@ -106,6 +107,8 @@ const struct comparison_pair *comparison_pair_of(const struct comparison_ranking
 /** Was a difference between the two found that more scans would show again? */
 bool comparison_told_apart(const struct comparison_pair *pair);
 
+/** What a model says of a surface at the middle load; quantity_nothing() where it has no point. */
+struct contact_point comparison_middle(const struct comparison *comparison, size_t model, size_t surface);
 /** Value of a quantity of a model's point, as tables and charts show it. */
 double comparison_value(const struct contact_point *point, enum quantity quantity, size_t model, double sigma_m);
 

@@ -72,6 +72,7 @@ bool surface_bytes_put_curves(FILE *file, const struct surface_record *record)
         ok = ok &&
              put_array(file, record->bands[m], sizeof(struct repeats_band), record->bands[m] ? record->band_count : 0);
     }
+    ok = ok && put_array(file, record->work, sizeof *record->work, record->work ? model_count : 0);
     return ok;
 }
 
@@ -133,7 +134,7 @@ static void get_header(struct surface_record *out, FILE *file, bool *ok)
           fread(out->preview_z_m, sizeof(double), preview, file) == preview;
 }
 
-/** The curves and their bands, of which the record has the place. */
+/** The curves, their bands and what they took, of which the record has the place. */
 static void get_curves(struct surface_record *out, FILE *file, bool *ok)
 {
     out->curves = get_array(file, sizeof *out->curves, out->curves ? model_count : 0, ok);
@@ -143,6 +144,7 @@ static void get_curves(struct surface_record *out, FILE *file, bool *ok)
         if (out->bands && out->bands[m])
             out->bands[m] = get_array(file, sizeof(struct repeats_band), out->band_count, ok);
     }
+    out->work = get_array(file, sizeof *out->work, out->work ? model_count : 0, ok);
 }
 
 /** The arrays behind the spectrum. */
@@ -267,6 +269,8 @@ static bool put_summary(FILE *file, const struct surface_summary *summary, const
     bool ok = put_array(file, summary, sizeof *summary, 1);
     ok = ok && put_text(file, summary->refusal) && put_text(file, summary->notes);
     ok = ok && put_models(file, summary);
+    ok = ok && put_array(file, summary->repeats, sizeof *summary->repeats, summary->repeats ? 1 : 0);
+    ok = ok && put_array(file, summary->simulated, sizeof *summary->simulated, summary->simulated ? 1 : 0);
     ok = ok && put_array(file, summary->direct, sizeof *summary->direct, summary->direct ? 1 : 0);
     ok = ok && put_array(file, summary->answers, sizeof *summary->answers,
                          summary->answers ? scene->target_count * model_count : 0);
@@ -282,6 +286,8 @@ static bool get_summary(struct surface_summary *out, FILE *file, const struct sc
     out->refusal = get_text(file, &ok);
     out->notes = get_text(file, &ok);
     get_models(out, file, &ok);
+    out->repeats = get_array(file, sizeof *out->repeats, out->repeats ? 1 : 0, &ok);
+    out->simulated = get_array(file, sizeof *out->simulated, out->simulated ? 1 : 0, &ok);
     out->direct = get_array(file, sizeof *out->direct, out->direct ? 1 : 0, &ok);
     out->answers = get_array(file, sizeof *out->answers, out->answers ? scene->target_count * model_count : 0, &ok);
     out->limits = get_array(file, sizeof *out->limits, out->limits ? scene->limit_count : 0, &ok);

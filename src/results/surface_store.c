@@ -2,6 +2,7 @@
 #include "results/surface_store.h"
 
 #include <errno.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -72,6 +73,10 @@ enum status_code surface_store_update(struct surface_store *store, size_t index,
 {
     if (append(store, &store->places[index].curves, surface_bytes_put_curves, record, status) != STATUS_OK)
         return status->code;
+    pthread_mutex_lock(&store->lock);
+    for (size_t m = 0; record->work && m < model_count; m++)
+        work_add(&store->models_done, m, &record->work[m]);
+    pthread_mutex_unlock(&store->lock);
     store->summaries[index] = record->summary;
     return STATUS_OK;
 }
@@ -87,7 +92,7 @@ enum status_code surface_store_put(struct surface_store *store, size_t index, co
 enum status_code surface_store_get_part(struct surface_record *out, struct surface_store *store, size_t index,
                                         enum surface_bytes_part part, struct status *status)
 {
-    *out = (struct surface_record){0};
+    memset(out, 0, offsetof(struct surface_record, preview_x_m)); /* the rest is 16 KB, of which few are used */
     pthread_mutex_lock(&store->lock);
     const struct surface_place *place = &store->places[index];
     bool ok = fseek(store->file, place->curves, SEEK_SET) == 0 &&

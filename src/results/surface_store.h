@@ -4,6 +4,7 @@
 #ifndef RESULTS_SURFACE_STORE_H
 #define RESULTS_SURFACE_STORE_H
 
+#include "analysis/work.h"
 #include "results/surface_bytes.h"
 #include <pthread.h>
 #include <stdio.h>
@@ -18,7 +19,8 @@ struct surface_store {
     struct surface_place *places;      /* the same, in `file` */
     size_t count;
     FILE *file;
-    pthread_mutex_t lock;
+    struct work models_done; /* by the models, of all surfaces stored */
+    pthread_mutex_t lock;    /* guards both */
 };
 
 /** `directory` is where the temporary file goes (it is unlinked at once), "" the system's place for such; NULL: only
@@ -28,7 +30,8 @@ MUST_CHECK enum status_code surface_store_open(struct surface_store *out, const 
 void surface_store_close(struct surface_store *store);
 
 /** Stores surface `index`, in place of what was stored for it before, and takes its summary's texts over; may be called
- * from several threads. Error: STATUS_IO; then the texts are still the caller's. */
+ * from several threads. What its models took is counted: once they have run, a surface is stored once. Error:
+ * STATUS_IO; then the texts are still the caller's. */
 MUST_CHECK enum status_code surface_store_put(struct surface_store *store, size_t index,
                                               const struct surface_record *record, struct status *status);
 /** The arrays alone, while the rest of the record is still being made; surface_store_update() follows. Error:

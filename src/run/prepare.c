@@ -166,11 +166,11 @@ static enum status_code predict_answers(struct results *results, struct status *
 static enum status_code make_loads(struct prepared *out, const struct scene *scene, struct status *status)
 {
     struct results *results = &out->results;
-    struct material_pair first = scene_pair(&scene->surfaces[0].bodies);
+    struct material_pair first = scene_pair(scene->surfaces[0].bodies);
     size_t operating, count, surfaces = scene->surface_count;
     for (size_t i = 1; i < surfaces && scene->load.kind != UNIT_NUMBER; i++)
-        results->loads_apart = results->loads_apart || scene_pair(&scene->surfaces[i].bodies).effective_modulus_Pa !=
-                                                           first.effective_modulus_Pa;
+        results->loads_apart = results->loads_apart ||
+                               scene_pair(scene->surfaces[i].bodies).effective_modulus_Pa != first.effective_modulus_Pa;
     if (scene_loads(&out->loads, &results->load_count, &operating, scene, &first, status) != STATUS_OK)
         return status->code;
     out->plan.operating_place = operating + 1;
@@ -181,7 +181,7 @@ static enum status_code make_loads(struct prepared *out, const struct scene *sce
         out->loads = all;
     }
     for (size_t i = 1; i < surfaces && results->loads_apart; i++) {
-        struct material_pair pair = scene_pair(&scene->surfaces[i].bodies);
+        struct material_pair pair = scene_pair(scene->surfaces[i].bodies);
         double *own;
         if (scene_loads(&own, &count, &operating, scene, &pair, status) != STATUS_OK)
             return status->code;
@@ -241,37 +241,6 @@ void prepared_free(struct prepared *prepared)
     free(prepared->loads);
     free(prepared->results.by_roughness);
     *prepared = (struct prepared){0};
-}
-
-static void add_message(struct text *messages, const char *surface, const char *what, const char *message)
-{
-    text_add(messages, "surface '");
-    text_add_shown(messages, surface);
-    text_add(messages, "'%s: ", what);
-    text_add_shown(messages, message);
-    text_add(messages, "\n");
-}
-
-size_t prepare_messages(struct text *messages, const struct scene *scene, const struct surface_store *store)
-{
-    size_t refused = 0;
-    if (scene->passed_over)
-        text_add(messages, "%s\n", scene->passed_over);
-    for (size_t i = 0; i < store->count; i++) {
-        const struct surface_summary *summary = &store->summaries[i];
-        refused += summary->refusal != NULL;
-        if (summary->refusal)
-            add_message(messages, summary->scene->name, " refused", summary->refusal);
-        for (const char *line = summary->notes; line && *line;) {
-            size_t length = strcspn(line, "\n");
-            struct text one = {0};
-            text_add_bytes(&one, line, length);
-            add_message(messages, summary->scene->name, "", text_string(&one));
-            text_free(&one);
-            line += length + (line[length] == '\n');
-        }
-    }
-    return refused;
 }
 
 void prepare_table(struct text *out, const struct prepared *prepared, const struct work *done)

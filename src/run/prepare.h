@@ -36,7 +36,4 @@ bool prepare_solves(const struct results *results, size_t index);
  * prediction when `done` is not NULL. */
 void prepare_table(struct text *out, const struct prepared *prepared, const struct work *done);
 
-/** Says what was passed over, refused and warned of, a line each; returns how many surfaces were refused. */
-size_t prepare_messages(struct text *messages, const struct scene *scene, const struct surface_store *store);
-
 #endif

@@ -9,6 +9,7 @@
 #include "output/tables.h"
 #include "report/report.h"
 #include "run/forecast.h"
+#include "run/messages.h"
 #include "run/prepare.h"
 #include "run/workers.h"
 #include <jansson.h>
@@ -179,8 +180,6 @@ static enum status_code evaluate(struct run *run, struct run_outcome *out, struc
     struct prepared *prepared = &run->prepared;
     enum status_code rc = prepare(prepared, run->scene, run->options, run->output.staging, status);
     run->results = &prepared->results;
-    out->refused = prepare_messages(&out->messages, run->scene, &prepared->store);
-    out->surfaces = prepared->store.count - out->refused;
     if (rc == STATUS_OK && run->results->usable_count == 0)
         rc = status_fail(status, STATUS_SCAN, "no readable scan in '%s'", run->scene->directory);
     if (rc == STATUS_OK && run->options->forecast) {
@@ -190,10 +189,6 @@ static enum status_code evaluate(struct run *run, struct run_outcome *out, struc
     }
     if (rc == STATUS_OK)
         rc = workers_run(run->results, WORKERS_MODEL, run->options, status);
-    if (rc == STATUS_OK) { /* once more: the models may have something to say */
-        text_free(&out->messages);
-        prepare_messages(&out->messages, run->scene, &prepared->store);
-    }
     if (rc == STATUS_OK)
         rc = run_baseline(run, status);
     double last = clock_seconds();
@@ -210,7 +205,8 @@ static enum status_code evaluate(struct run *run, struct run_outcome *out, struc
     if (rc != STATUS_OK)
         return rc;
     struct work *done = &run->results->done;
-    *done = work_done(prepared->store.summaries, prepared->store.count, run->sweep_scales);
+    *done =
+        work_done(&prepared->store.models_done, prepared->store.summaries, prepared->store.count, run->sweep_scales);
     done->contacts = run->contacts;
     done->contact_seconds = run->results->predicted.contact_seconds;
     done->contact_bytes = run->results->predicted.contact_bytes;
@@ -298,6 +294,8 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
     }
     if (rc == STATUS_OK && asprintf(&out->path, "%s/report.html", run.output.target) < 0)
         rc = status_memory(status);
+    out->refused = messages_add(&out->messages, scene, &run.prepared.store, rc == STATUS_OK);
+    out->surfaces = run.prepared.store.count - out->refused;
     if (options->outline && run.results)
         out->outline = json_outline(run.results, rc == STATUS_OK);
     prepared_free(&run.prepared);

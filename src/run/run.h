@@ -37,7 +37,7 @@ struct run_times {
 
 struct run_outcome {
     size_t surfaces, refused;
-    struct text messages;     /* one line a refused surface and a warning */
+    struct text messages;     /* messages_add(): one line a refused surface and a warning */
     struct text table;        /* the compact table for a terminal */
     struct text answers;      /* to the scene's targets and limits, a line each */
     struct text missed;       /* one line a surface and limit that it misses */

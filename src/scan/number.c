@@ -29,15 +29,17 @@ static bool is_digit(char c)
 
 static const char *scan_digits(struct decimal *decimal, const char *at, const char *end)
 {
-    for (; at < end && is_digit(*at); at++) {
-        if (decimal->digits == 0) {
-            if (*at == '0')
-                continue;
-            decimal->first = at;
-        }
-        if (++decimal->digits <= 19)
-            decimal->mantissa = decimal->mantissa * 10 + (uint64_t)(*at - '0');
-    }
+    while (decimal->digits == 0 && at < end && *at == '0')
+        at++;
+    const char *first = at;
+    uint64_t mantissa = decimal->mantissa;
+    for (size_t digits = decimal->digits; at < end && is_digit(*at); at++)
+        if (++digits <= 19)
+            mantissa = mantissa * 10 + (uint64_t)(*at - '0');
+    if (decimal->digits == 0)
+        decimal->first = first;
+    decimal->mantissa = mantissa;
+    decimal->digits += (size_t)(at - first);
     return at;
 }
 

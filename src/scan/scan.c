@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scan/scan.h"
+#include "base/extremes.h"
 #include "base/limits.h"
 #include "base/text.h"
 #include "scan/foreign.h"
@@ -87,11 +88,11 @@ static enum status_code check_lengths(const struct scan *scan, const struct scan
 {
     double step_m = scan->dx_m, largest_m = 0, highest_m = -INFINITY, lowest_m = INFINITY;
     for (size_t i = 1; scan->x_m && i < scan->nx; i++)
-        step_m = fmin(step_m, scan->x_m[i] - scan->x_m[i - 1]);
-    for (size_t i = 0; i < scan->nx * scan->ny; i++) { /* fmax() and fmin() pass over missing points */
-        largest_m = fmax(largest_m, fabs(scan->z_m[i]));
-        highest_m = fmax(highest_m, scan->z_m[i]);
-        lowest_m = fmin(lowest_m, scan->z_m[i]);
+        step_m = extremes_smaller(step_m, scan->x_m[i] - scan->x_m[i - 1]);
+    for (size_t i = 0; i < scan->nx * scan->ny; i++) { /* missing points are passed over */
+        largest_m = extremes_larger(largest_m, fabs(scan->z_m[i]));
+        highest_m = extremes_larger(highest_m, scan->z_m[i]);
+        lowest_m = extremes_smaller(lowest_m, scan->z_m[i]);
     }
     if (check_length(step_m, "a spacing", 'x', file, status) != STATUS_OK ||
         check_length((double)scan->nx * scan->dx_m, "a length", 'x', file, status) != STATUS_OK)

@@ -308,14 +308,25 @@ static enum status_code complete_all_bodies(struct scene *scene, struct scene_so
 {
     bool used = scene->surface_count == 0;
     for (size_t i = 0; i < scene->surface_count; i++)
-        used = used || !scene->surfaces[i].bodies.material_given;
+        used = used || !scene->surfaces[i].bodies || !scene->surfaces[i].bodies->material_given;
     struct scene_bodies whole = scene->bodies;
     whole.material_given = whole.counterface_given = true;
     if (used && complete_bodies(&whole, scene, source, NULL) != STATUS_OK)
         return source->status->code;
-    for (size_t i = 0; i < scene->surface_count; i++)
-        if (complete_bodies(&scene->surfaces[i].bodies, scene, source, scene->surfaces[i].name) != STATUS_OK)
+    struct scene_bodies *shared = malloc(sizeof *shared);
+    if (!shared)
+        return status_memory(source->status);
+    *shared = (struct scene_bodies){.hardness_Pa = NAN};
+    scene->shared_bodies = shared;
+    bool is_shared = false;
+    for (size_t i = 0; i < scene->surface_count; i++) {
+        struct scene_surface *surface = &scene->surfaces[i];
+        bool done = !surface->bodies && is_shared;
+        is_shared = is_shared || !surface->bodies;
+        surface->bodies = surface->bodies ? surface->bodies : shared;
+        if (!done && complete_bodies(surface->bodies, scene, source, surface->name) != STATUS_OK)
             return source->status->code;
+    }
     whole.material_given = scene->bodies.material_given;
     whole.counterface_given = scene->bodies.counterface_given;
     scene->bodies = whole;
@@ -330,8 +341,8 @@ static enum status_code check_load_kind(const struct scene *scene, struct scene_
 {
     const struct scene_bodies *lacking = scene->surface_count == 0 ? &scene->bodies : NULL;
     for (size_t i = 0; i < scene->surface_count && !lacking; i++)
-        if (isnan(scene->surfaces[i].bodies.material.youngs_modulus_Pa))
-            lacking = &scene->surfaces[i].bodies;
+        if (isnan(scene->surfaces[i].bodies->material.youngs_modulus_Pa))
+            lacking = scene->surfaces[i].bodies;
     if (kind == UNIT_FORCE && isnan(scene->nominal_area_m2))
         scene_source_fail(source, line, "'%s' is a force, but on which area? add 'nominal_area'", key);
     else if (kind != UNIT_NUMBER && lacking && isnan(lacking->material.youngs_modulus_Pa))
@@ -345,15 +356,15 @@ static enum status_code check_load_kind(const struct scene *scene, struct scene_
 static bool has_one_modulus(const struct scene *scene)
 {
     for (size_t i = 1; i < scene->surface_count; i++)
-        if (scene_pair(&scene->surfaces[i].bodies).effective_modulus_Pa !=
-            scene_pair(&scene->surfaces[0].bodies).effective_modulus_Pa)
+        if (scene_pair(scene->surfaces[i].bodies).effective_modulus_Pa !=
+            scene_pair(scene->surfaces[0].bodies).effective_modulus_Pa)
             return false;
     return true;
 }
 
 static const struct scene_bodies *first_bodies(const struct scene *scene)
 {
-    return scene->surface_count > 0 ? &scene->surfaces[0].bodies : &scene->bodies;
+    return scene->surface_count > 0 ? scene->surfaces[0].bodies : &scene->bodies;
 }
 
 /* The operating load in the kind of the others; 0: none. */
@@ -475,9 +486,10 @@ enum status_code scene_read_text(struct scene *out, const char *directory, const
 void scene_free(struct scene *scene)
 {
     for (size_t i = 0; i < scene->surface_count; i++)
-        scene_surfaces_free(&scene->surfaces[i]);
+        scene_surfaces_free(&scene->surfaces[i], scene->shared_bodies);
     free(scene->surfaces);
-    scene_surfaces_free(&scene->counterface_surface);
+    scene_surfaces_free(&scene->counterface_surface, NULL);
+    free(scene->shared_bodies);
     free(scene->measured.file);
     free(scene->targets);
     free(scene->limits);
@@ -520,7 +532,7 @@ static void fill_decades(double *loads, const struct scene_load *load)
 
 struct material_pair scene_pair(const struct scene_bodies *bodies)
 {
-    if (isnan(bodies->material.youngs_modulus_Pa))
+    if (!bodies || isnan(bodies->material.youngs_modulus_Pa))
         return material_pair_unknown();
     struct material_pair pair = material_pair(&bodies->material, bodies->counterface_kind, &bodies->counterface);
     if (bodies->hardness_Pa > 0)
@@ -531,7 +543,7 @@ struct material_pair scene_pair(const struct scene_bodies *bodies)
 bool scene_has_material(const struct scene *scene)
 {
     for (size_t i = 0; i < scene->surface_count; i++)
-        if (!isnan(scene->surfaces[i].bodies.material.youngs_modulus_Pa))
+        if (!isnan(scene->surfaces[i].bodies->material.youngs_modulus_Pa))
             return true;
     return !isnan(scene->bodies.material.youngs_modulus_Pa);
 }

@@ -27,14 +27,15 @@ struct scene_bodies {
 
 /** One surface to report: one scan file, or repeated scans of it. */
 struct scene_surface {
-    struct scene_bodies bodies; /* its own, or the scene's */
-    char *name;                 /* as printed; hostile until escaped */
-    char **files;               /* file_count paths as given: see scene_file_path() */
+    struct scene_bodies
+        *bodies;  /* once the scene is read: its own, or those that it shares (see scene.shared_bodies) */
+    char *name;   /* as printed; hostile until escaped */
+    char **files; /* file_count paths as given: see scene_file_path() */
     size_t file_count;
     char x_unit[16]; /* "" when the scene gives none */
     char z_unit[16];
-    enum scan_quantity quantity;     /* slopes are integrated to heights */
-    char x_column[64], z_column[64]; /* number from 1 or title; "": the file's header decides */
+    enum scan_quantity quantity; /* slopes are integrated to heights */
+    char *x_column, *z_column;   /* number from 1 or title; NULL: the file's header decides */
 };
 
 /** Loads as given, in SI; scene_loads() turns them into P/(A_n E'). */
@@ -150,11 +151,12 @@ struct scene {
     uint64_t models;   /* MODEL_BITs asked for */
     bool models_named; /* by the scene, so that they run whatever the surfaces are */
     bool effects_auto;
-    unsigned effects;           /* EFFECT_BITs asked for, and those they build on, when !effects_auto */
-    unsigned called;            /* EFFECT_BITs whose key the scene gives (effect_row.key): they run */
-    struct joint joint;         /* what those keys say */
-    struct scene_bodies bodies; /* of every surface that has none of its own */
-    double nominal_area_m2;     /* NaN: resistances stay per area */
+    unsigned effects;                   /* EFFECT_BITs asked for, and those they build on, when !effects_auto */
+    unsigned called;                    /* EFFECT_BITs whose key the scene gives (effect_row.key): they run */
+    struct joint joint;                 /* what those keys say */
+    struct scene_bodies bodies;         /* of every surface that has none of its own */
+    struct scene_bodies *shared_bodies; /* the same, where all such surfaces point to; owned */
+    double nominal_area_m2;             /* NaN: resistances stay per area */
     enum scene_mean_free_path mean_free_path;
     struct scene_load load;
     struct scene_operating operating;
@@ -219,7 +221,8 @@ bool scene_bins_spectra(const struct scene *scene);
 /** Where a surface's file is: `file` if absolute, else below the scene's directory. malloc'ed; NULL: out of memory. */
 char *scene_file_path(const struct scene *scene, const char *file);
 
-/** The pair of bodies of a surface, or of the scene; material_pair_unknown() without a material. */
+/** The pair of bodies of a surface, or of the scene; material_pair_unknown() without a material, or without bodies
+ * (NULL). */
 struct material_pair scene_pair(const struct scene_bodies *bodies);
 /** Is any material given, of the scene or of a surface? */
 bool scene_has_material(const struct scene *scene);

@@ -169,8 +169,8 @@ static bool check_effects(const struct scene *scene, struct scene_source *source
                                      asked->row->name, effect_rows[e].name, asked->row->name);
         for (size_t i = 0; i < scene->surface_count; i++) {
             const struct scene_surface *surface = &scene->surfaces[i];
-            const char *property = lacks(&surface->bodies, &effect_rows[e]);
-            if (property && isnan(surface->bodies.material.youngs_modulus_Pa))
+            const char *property = lacks(surface->bodies, &effect_rows[e]);
+            if (property && isnan(surface->bodies->material.youngs_modulus_Pa))
                 return scene_source_fail(source, asked->line, "'%s' needs a material; add 'material' or leave '%s' out",
                                          asked->row->name, asked->row->name);
             if (property)

@@ -307,7 +307,7 @@ static bool read_measured_file(struct scene_source *source, const struct scene_k
                                  one.file_count);
     if (good && !(*file = strdup(one.files[0])))
         good = scene_source_memory(source);
-    scene_surfaces_free(&one);
+    scene_surfaces_free(&one, NULL);
     return good;
 }
 

@@ -156,7 +156,7 @@ static void drop_sidecars(struct scene *scene)
     scene->surface_count = scans;
     for (size_t i = scans; i < count; i++) {
         if (has_scan(scene, scans, all[i].files[0]))
-            scene_surfaces_free(&all[i]);
+            scene_surfaces_free(&all[i], NULL);
         else
             all[scene->surface_count++] = all[i];
     }
@@ -260,7 +260,7 @@ static enum status_code drop_others(struct scene *scene, struct status *status)
         }
         surface.file_count = left;
         if (left == 0)
-            scene_surfaces_free(&surface);
+            scene_surfaces_free(&surface, NULL);
         else
             scene->surfaces[kept++] = surface;
     }
@@ -293,7 +293,7 @@ static enum status_code add_directory(struct scene *scene, int directory, const 
     surface->file_count = kept;
     free(pattern);
     if (kept == 0 && code == STATUS_OK) {
-        scene_surfaces_free(surface);
+        scene_surfaces_free(surface, NULL);
         scene->surface_count--;
     }
     return code;

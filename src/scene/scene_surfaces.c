@@ -136,10 +136,10 @@ bool scene_surfaces_files(struct scene_source *source, const struct scene_key *k
 }
 
 /* Columns count from 1; what is no number is a title. */
-static bool read_column(struct scene_source *source, const char *name, const yaml_node_t *value, char *column,
-                        size_t size)
+static bool read_column(struct scene_source *source, const char *name, const yaml_node_t *value, char **out)
 {
-    struct scene_key key = {name, scene_source_short_text, column, .most = (double)size};
+    char column[64] = "";
+    struct scene_key key = {name, scene_source_short_text, column, .most = sizeof column};
     if (!scene_source_short_text(source, &key, value))
         return false;
     const char *number = column + (*column == '+' || *column == '-');
@@ -147,22 +147,23 @@ static bool read_column(struct scene_source *source, const char *name, const yam
         (number[strspn(number, "0123456789")] || number > column || !number[strspn(number, "0")]))
         return scene_source_fail(source, scene_source_line(value),
                                  "'%s' is '%s'; give a column's number, from 1, or its title", name, column);
-    return true;
+    free(*out); /* of the x of a pair given before */
+    *out = *column ? strdup(column) : NULL;
+    return *out || !*column || scene_source_memory(source);
 }
 
 /* A column or two of them, x and z, into a struct scene_surface. */
 static bool read_columns(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
 {
     struct scene_surface *surface = key->field;
-    enum { SIZE = sizeof surface->z_column };
     if (value->type == YAML_SCALAR_NODE)
-        return read_column(source, key->name, value, surface->z_column, SIZE);
+        return read_column(source, key->name, value, &surface->z_column);
     if (value->type != YAML_SEQUENCE_NODE || scene_source_item_count(value) != 2)
         return scene_source_fail(source, scene_source_line(value),
                                  "'%s' is no column; give one, as in `column: 3`, or x and z, as in `column: [1, 3]`",
                                  key->name);
-    return read_column(source, key->name, scene_source_item(source, value, 0), surface->x_column, SIZE) &&
-           read_column(source, key->name, scene_source_item(source, value, 1), surface->z_column, SIZE);
+    return read_column(source, key->name, scene_source_item(source, value, 0), &surface->x_column) &&
+           read_column(source, key->name, scene_source_item(source, value, 1), &surface->z_column);
 }
 
 /* How the files of a surface are read: keys of a surface and of the counterface alike. */
@@ -219,18 +220,23 @@ bool scene_surfaces_counterface(struct scene_source *source, const struct scene_
 
 static bool read_surface(struct scene_source *source, const yaml_node_t *node, struct scene_surface *surface)
 {
+    struct scene_bodies own = {.hardness_Pa = NAN};
     struct scene_key keys[] = {
         {"name", scene_source_text, .field = &surface->name},
         {"file", scene_surfaces_files, .field = surface},
-        {"material", scene_surfaces_body, .field = &surface->bodies},
-        {"counterface", read_body, .field = &surface->bodies},
-        {"hardness", SCENE_QUANTITY(surface->bodies.hardness_Pa, UNIT_PRESSURE, 1e3, 1e12), .alias = "hardness_Pa"},
+        {"material", scene_surfaces_body, .field = &own},
+        {"counterface", read_body, .field = &own},
+        {"hardness", SCENE_QUANTITY(own.hardness_Pa, UNIT_PRESSURE, 1e3, 1e12), .alias = "hardness_Pa"},
         READING_KEYS(surface)};
-    surface->bodies = (struct scene_bodies){.hardness_Pa = NAN};
     if (!scene_source_mapping(source, node, "surfaces", keys, SCENE_COUNT(keys)))
         return false;
     if (scene_source_line_of(keys, "file") == 0)
         return scene_source_fail(source, scene_source_line(node), "a surface has no 'file'; add one");
+    if (own.material_given || own.counterface_given || !isnan(own.hardness_Pa)) {
+        if (!(surface->bodies = malloc(sizeof own)))
+            return scene_source_memory(source);
+        *surface->bodies = own;
+    }
     if (!surface->name)
         surface->name = scene_surfaces_name(surface->files[0], false);
     return surface->name || scene_source_memory(source);
@@ -292,8 +298,12 @@ char *scene_surfaces_name(const char *file, bool ending)
     return !ending && dot && dot > start ? strndup(start, (size_t)(dot - start)) : strdup(start);
 }
 
-void scene_surfaces_free(struct scene_surface *surface)
+void scene_surfaces_free(struct scene_surface *surface, const struct scene_bodies *shared)
 {
+    if (surface->bodies != shared)
+        free(surface->bodies);
+    free(surface->x_column);
+    free(surface->z_column);
     for (size_t i = 0; i < surface->file_count; i++)
         free(surface->files[i]);
     free(surface->files);

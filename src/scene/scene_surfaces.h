@@ -26,7 +26,7 @@ size_t scene_surfaces_materials(const char *names[SCENE_SURFACES_MATERIALS], con
                                 size_t word_count);
 /** The name of a surface read from `file`: its last component, without the ending unless `ending`; malloc'ed. */
 char *scene_surfaces_name(const char *file, bool ending);
-/** Frees what one surface holds. */
-void scene_surfaces_free(struct scene_surface *surface);
+/** Frees what one surface holds, its bodies unless they are the `shared` ones. */
+void scene_surfaces_free(struct scene_surface *surface, const struct scene_bodies *shared);
 
 #endif

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spectrum/parameters.h"
 
+#include "base/extremes.h"
 #include "base/rank.h"
 
 #include <math.h>
@@ -27,7 +28,7 @@ static double highest(const struct parameters_part *part)
 {
     double most = part->height_m[0];
     for (size_t i = 1; i < part->points; i++)
-        most = fmax(most, part->height_m[i]);
+        most = extremes_larger(most, part->height_m[i]);
     return most;
 }
 
@@ -35,7 +36,7 @@ static double deepest(const struct parameters_part *part)
 {
     double least = part->height_m[0];
     for (size_t i = 1; i < part->points; i++)
-        least = fmin(least, part->height_m[i]);
+        least = extremes_smaller(least, part->height_m[i]);
     return -least;
 }
 

@@ -155,13 +155,13 @@ static void test_which_scans_are_kept(void **state)
         assert_null(set->parts[p].height_m); /* once concluded */
         assert_near(set->scans[p].weight, 1, 0);
     }
-    assert_int_equal(record->summary.repeats.count, MANY);
-    assert_int_equal(record->summary.repeats.cut, 0);
+    assert_int_equal(surface_repeats(&record->summary)->count, MANY);
+    assert_int_equal(surface_repeats(&record->summary)->cut, 0);
     assert_false(repeats_are_rows(set));
     double mean = 0; /* the geometric one of what they have alone */
     for (int i = 1; i <= MANY; i++)
         mean += log(1e-8 * i * sqrt(0.5 + 0.125)) / MANY;
-    assert_near(record->summary.repeats.rq_m.mean, mean, 1e-5);
+    assert_near(surface_repeats(&record->summary)->rq_m.mean, mean, 1e-5);
 }
 
 /** A map of `rows`, row r with the amplitude r + 1 nanometres. */
@@ -205,7 +205,7 @@ static void test_which_rows_are_kept(void **state)
         }
         for (int b = 0; b < ESTIMATE_BLOCKS; b++)
             assert_int_equal(of_block[b], REPEATS_BLOCK_ROWS);
-        assert_int_equal(record->summary.repeats.rq_m.count, ESTIMATE_BLOCKS);
+        assert_int_equal(surface_repeats(&record->summary)->rq_m.count, ESTIMATE_BLOCKS);
         assert_int_equal(has_note("128 of them, evenly spaced, go through the models"), rows[m] > 128);
     }
 }
@@ -221,7 +221,7 @@ static void test_one_scan_is_no_repeat(void **state)
         add_scan(1e-6, 0, 1);
         conclude();
         assert_int_equal(record->repeats.count, 0);
-        assert_int_equal(record->summary.repeats.count, 0);
+        assert_int_equal(surface_repeats(&record->summary)->count, 0);
         assert_int_equal(record->height_m != NULL, listed);
         assert_int_equal(record->summary.single_points, listed ? POINTS : 0);
     }
@@ -237,7 +237,7 @@ static void test_identical_scans_are_one(void **state)
     assert_near(scans.independent, 3, 0);
     conclude();
     assert_int_equal(record->repeats.count, 0);
-    assert_int_equal(record->summary.repeats.count, 0);
+    assert_int_equal(surface_repeats(&record->summary)->count, 0);
     assert_int_equal(record->summary.heights, POINTS - 2);
     assert_near(scans.independent, 1, 0);
     assert_true(has_note("its 3 scans are the same to the last digit: they count as one"));
@@ -263,8 +263,8 @@ static void test_scans_of_another_length(void **state)
     add_scan(1e-6, 0, 1.25);
     conclude();
     assert_int_equal(record->repeats.count, 2);
-    assert_int_equal(record->summary.repeats.count, 2);
-    assert_int_equal(record->summary.repeats.cut, 2);
+    assert_int_equal(surface_repeats(&record->summary)->count, 2);
+    assert_int_equal(surface_repeats(&record->summary)->cut, 2);
     assert_int_equal(record->repeats.parts[1].points, 51); /* 64 um of the 80, in steps of 1.25 */
     assert_near(record->summary.length_m, POINTS * 1e-6, 1e-9);
     for (int p = 0; p < 2; p++) {
@@ -289,7 +289,7 @@ static void test_scans_are_cut_to_the_shortest(void **state)
     conclude();
     assert_int_equal(set->scan_count, 3);
     assert_int_equal(set->count, 5);
-    assert_int_equal(record->summary.repeats.cut, 5);
+    assert_int_equal(surface_repeats(&record->summary)->cut, 5);
     for (size_t p = 0; p < 5; p++) {
         double height_m[3 * POINTS];
         struct spectrum expected;
@@ -311,9 +311,9 @@ static void test_scans_are_cut_to_the_shortest(void **state)
     assert_near(set->scans[2].weight, 2, 0);
     double log_rq =
         2 * log(1) + log(2) + 2 * log(3); /* every piece has its scan's, nearly: of half waves a little more */
-    assert_near(exp(record->summary.repeats.rq_m.mean), 1e-6 * sqrt(0.5 + 0.125) * exp(log_rq / 5), 1e-2);
-    assert_near(record->summary.repeats.rq_m.effective, 5, 1e-12);
-    assert_near(record->summary.repeats.rq_m.degrees, 2, 0);
+    assert_near(exp(surface_repeats(&record->summary)->rq_m.mean), 1e-6 * sqrt(0.5 + 0.125) * exp(log_rq / 5), 1e-2);
+    assert_near(surface_repeats(&record->summary)->rq_m.effective, 5, 1e-12);
+    assert_near(surface_repeats(&record->summary)->rq_m.degrees, 2, 0);
     assert_false(has_note("less than half as long"));
 }
 
@@ -400,8 +400,8 @@ static void test_each_scans_law_of_the_thesis(void **state)
     assert_near(middle_m, sqrt(2e-6 * LAW_POINTS * 1e-6), 1e-9);
     for (int i = 0; i < LAWS; i++)
         log_psd[i] = log(pow(1e-7 * pow(middle_m / 1e-5, made_gamma[i]), 2) * LAW_POINTS * 1e-6 / 2);
-    assert_estimate(&s->repeats.gamma, made_gamma, alike, 1e-4);
-    assert_estimate(&s->repeats.psd_m3, log_psd, alike, 1e-4);
+    assert_estimate(&surface_repeats(s)->gamma, made_gamma, alike, 1e-4);
+    assert_estimate(&surface_repeats(s)->psd_m3, log_psd, alike, 1e-4);
     assert_int_equal(record->tapered.count, 0);
 }
 
@@ -438,8 +438,8 @@ static void test_each_scans_law_in_the_band_found(void **state)
     scene.fit = POWER_LAW_AUTO;
     describe_laws(one_length, in_order);
     find_laws(gamma, log_psd, one_length);
-    assert_estimate(&record->summary.repeats.gamma, gamma, alike, 1e-5);
-    assert_estimate(&record->summary.repeats.psd_m3, log_psd, alike, 1e-5);
+    assert_estimate(&surface_repeats(&record->summary)->gamma, gamma, alike, 1e-5);
+    assert_estimate(&surface_repeats(&record->summary)->psd_m3, log_psd, alike, 1e-5);
     assert_true(record->tapered.count > 0);
     assert_near(record->summary.independent, LAWS, 0);
 }
@@ -455,8 +455,8 @@ static void test_the_law_of_a_longer_scan(void **state)
     describe_laws(points, in_order);
     assert_int_equal(record->repeats.count, 4);
     find_laws(gamma, log_psd, points);
-    assert_estimate(&record->summary.repeats.gamma, gamma, weight, 1e-5);
-    assert_estimate(&record->summary.repeats.psd_m3, log_psd, weight, 1e-5);
+    assert_estimate(&surface_repeats(&record->summary)->gamma, gamma, weight, 1e-5);
+    assert_estimate(&surface_repeats(&record->summary)->psd_m3, log_psd, weight, 1e-5);
 }
 
 /* What comes out does not depend on the order in which the files are listed, to the last bit. */
@@ -469,6 +469,7 @@ static void test_the_order_of_the_files(void **state)
         scene.fit = (enum power_law_method)fit;
         describe_laws(points, in_order);
         struct surface_summary first = record->summary;
+        const struct repeats apart = *surface_repeats(&record->summary);
         struct spectrum spectrum;
         struct status status = {0};
         assert_int_equal(spectrum_copy(&spectrum, &record->spectrum, &status), STATUS_OK);
@@ -476,9 +477,9 @@ static void test_the_order_of_the_files(void **state)
         assert_string_equal(record->summary.hash, first.hash);
         assert_memory_equal(record->spectrum.amplitude_m, spectrum.amplitude_m, spectrum.count * sizeof(double));
         assert_near(record->summary.power_law.gamma, first.power_law.gamma, 0);
-        assert_near(record->summary.repeats.rq_m.half_width, first.repeats.rq_m.half_width, 0);
-        assert_near(record->summary.repeats.gamma.mean, first.repeats.gamma.mean, 0);
-        assert_near(record->summary.repeats.psd_m3.half_width, first.repeats.psd_m3.half_width, 0);
+        assert_near(surface_repeats(&record->summary)->rq_m.half_width, apart.rq_m.half_width, 0);
+        assert_near(surface_repeats(&record->summary)->gamma.mean, apart.gamma.mean, 0);
+        assert_near(surface_repeats(&record->summary)->psd_m3.half_width, apart.psd_m3.half_width, 0);
         spectrum_free(&spectrum);
     }
 }

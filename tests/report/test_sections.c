@@ -103,7 +103,7 @@ static void test_sections_without_cause_are_left_out(void **state)
     made.results.convergence = NULL;
     made.results.measured = NULL;
     made.results.benchmark = NULL;
-    made_up_surface(&made, 0)->repeats.count = 0;
+    made_up_surface(&made, 0)->repeats->count = 0;
     for (size_t i = 0; i < MADE_UP_USABLE; i++)
         for (size_t m = 0; m < model_count; m++)
             for (int c = 0; c < SENSITIVITY_CHANGES; c++)
@@ -631,13 +631,13 @@ static void test_two_bodies(void **state)
 {
     (void)state;
     for (size_t i = 0; i < MADE_UP_SURFACES; i++) {
-        made.names[i].bodies.counterface_kind = MATERIAL_COUNTERFACE_ELASTIC;
-        made.names[i].bodies.counterface = *material_find("copper");
+        made.bodies[i].counterface_kind = MATERIAL_COUNTERFACE_ELASTIC;
+        made.bodies[i].counterface = *material_find("copper");
     }
     expect(&section_summary, "pressed against a smooth flat of copper");
     expect(&section_material, "| property | symbol | tin | copper | unit |\n|---|---|---:|---:|---|\n");
     for (size_t i = 0; i < MADE_UP_SURFACES; i++)
-        made.names[i].bodies.counterface = made.names[i].bodies.material;
+        made.bodies[i].counterface = made.bodies[i].material;
     expect(&section_material, "| property | symbol | tin, both bodies | unit |\n");
     plan_switch_off(&made.plan, EFFECT_PLASTICITY);
     expect_not(&section_material, "| S_y |");

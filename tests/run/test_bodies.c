@@ -89,7 +89,7 @@ static void bodies_are_completed(void **state)
                                              material_pair(silver, MATERIAL_COUNTERFACE_RIGID, tin)};
     const double hardness_Pa[] = {50e6, 50e6, 90e6};
     for (int s = 0; s < 3; s++) {
-        struct material_pair pair = scene_pair(&scene.surfaces[s].bodies);
+        struct material_pair pair = scene_pair(scene.surfaces[s].bodies);
         assert_near(pair.effective_modulus_Pa, expected[s].effective_modulus_Pa, 0);
         assert_near(pair.resistivity_ohm_m, expected[s].resistivity_ohm_m, 0);
         assert_near(pair.hardness_Pa, hardness_Pa[s], 0);
@@ -196,7 +196,7 @@ static void whose_mean_free_path(void **state)
         write_scene(place, "in", text);
         snprintf(directory, sizeof directory, "%s", directory_path(place, "in"));
         assert_int_equal(scene_read(&scene, directory, &(struct scene_overrides){0}, &status), STATUS_OK);
-        assert_near(scene_pair(&scene.surfaces[0].bodies).mean_free_path_m[0], expected_nm[k] * 1e-9, 1e-5);
+        assert_near(scene_pair(scene.surfaces[0].bodies).mean_free_path_m[0], expected_nm[k] * 1e-9, 1e-5);
         scene_free(&scene);
         assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
         struct text report = directory_read(place, "out/report.md");

@@ -98,7 +98,7 @@ static void check_valid(const struct scene *scene)
     size_t count, operating;
     struct status status = {0};
     assert_true(scene->tolerance >= 1e-14 && scene->tolerance <= 0.1);
-    const struct material *material = &scene->surfaces[0].bodies.material;
+    const struct material *material = &scene->surfaces[0].bodies->material;
     assert_true(isnan(material->youngs_modulus_Pa) ||
                 (material->youngs_modulus_Pa > 0 && material->poisson_ratio >= 0));
     assert_true(strlen(scene->title) > 0 && scene->surface_count > 0);

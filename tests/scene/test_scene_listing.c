@@ -216,11 +216,11 @@ static void test_columns_and_quantity(void **state)
         enum scan_quantity quantity;
         const char *x, *z;
     } expected[] = {
-        {SCAN_HEIGHT, "", ""}, {SCAN_SLOPE, "", "3"}, {SCAN_HEIGHT, "1", "4"}, {SCAN_SLOPE, "t", "Slope (urad)"}};
+        {SCAN_HEIGHT, NULL, NULL}, {SCAN_SLOPE, NULL, "3"}, {SCAN_HEIGHT, "1", "4"}, {SCAN_SLOPE, "t", "Slope (urad)"}};
     for (size_t i = 0; i < COUNT(expected); i++) {
         assert_int_equal(surface[i]->quantity, expected[i].quantity);
-        assert_string_equal(surface[i]->x_column, expected[i].x);
-        assert_string_equal(surface[i]->z_column, expected[i].z);
+        assert_string_equal(surface[i]->x_column ? surface[i]->x_column : "-", expected[i].x ? expected[i].x : "-");
+        assert_string_equal(surface[i]->z_column ? surface[i]->z_column : "-", expected[i].z ? expected[i].z : "-");
     }
     scene_free(&scene);
     scene_directory_remove(&directory);

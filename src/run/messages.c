@@ -1,0 +1,119 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "run/messages.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { KINDS = 64 }; /* of others every message is said */
+
+/** Messages that differ in nothing but their numbers and names. */
+struct kind {
+    uint64_t key;
+    size_t count;
+    const char *surface; /* the last that was said */
+    const char *what, *line;
+    size_t length;
+};
+
+struct kinds {
+    struct kind of[KINDS]; /* in the order in which they were met */
+    size_t count;
+};
+
+static bool is_of_number(char c)
+{
+    return (c >= '0' && c <= '9') || c == '.';
+}
+
+/** FNV-1a of what a message says without its digits and what stands between single quotes. */
+static uint64_t key_of(const char *what, const char *line, size_t length)
+{
+    uint64_t key = UINT64_C(0xcbf29ce484222325);
+    bool quoted = false;
+    for (; *what; what++)
+        key = (key ^ (unsigned char)*what) * UINT64_C(0x100000001b3);
+    for (size_t i = 0; i < length; i++) {
+        quoted = quoted != (line[i] == '\'');
+        if (!quoted && !is_of_number(line[i]))
+            key = (key ^ (unsigned char)line[i]) * UINT64_C(0x100000001b3);
+    }
+    return key;
+}
+
+/** The kind of that key; NULL: a new one for which there is no room. */
+static struct kind *kind_of(struct kinds *kinds, uint64_t key, const char *what)
+{
+    size_t at = 0;
+    while (at < kinds->count && kinds->of[at].key != key)
+        at++;
+    if (at == KINDS)
+        return NULL;
+    if (at == kinds->count)
+        kinds->of[kinds->count++] = (struct kind){.key = key, .what = what};
+    return &kinds->of[at];
+}
+
+static void say(struct text *messages, const char *surface, const char *what, const char *line, size_t length)
+{
+    struct text one = {0};
+    text_add_bytes(&one, line, length);
+    text_add(messages, "surface '");
+    text_add_shown(messages, surface);
+    text_add(messages, "'%s: ", what);
+    text_add_shown(messages, text_string(&one));
+    text_add(messages, "\n");
+    text_free(&one);
+}
+
+/** Says a message, or counts it. */
+static void take(struct text *messages, struct kinds *kinds, const char *surface, const char *what, const char *line,
+                 size_t length)
+{
+    uint64_t key = kinds ? key_of(what, line, length) : 0;
+    struct kind *kind = kinds ? kind_of(kinds, key, what) : NULL;
+    if (kind && kind->count++ >= MESSAGES_OF_A_KIND)
+        return;
+    say(messages, surface, what, line, length);
+    if (kind) {
+        kind->surface = surface;
+        kind->line = line;
+        kind->length = length;
+    }
+}
+
+/** How many more there are of each kind. */
+static void say_more(struct text *messages, const struct kinds *kinds)
+{
+    for (size_t k = 0; k < kinds->count; k++) {
+        const struct kind *kind = &kinds->of[k];
+        if (kind->count <= MESSAGES_OF_A_KIND)
+            continue;
+        text_add(messages, "... and %zu more like this, all in results.json: ", kind->count - MESSAGES_OF_A_KIND);
+        say(messages, kind->surface, kind->what, kind->line, kind->length);
+    }
+}
+
+size_t messages_add(struct text *messages, const struct scene *scene, const struct surface_store *store, bool reported)
+{
+    size_t refused = 0;
+    struct kinds *kinds = reported ? calloc(1, sizeof *kinds) : NULL; /* out of memory: all are said */
+    if (scene->passed_over)
+        text_add(messages, "%s\n", scene->passed_over);
+    for (size_t i = 0; store->summaries && i < store->count; i++) {
+        const struct surface_summary *summary = &store->summaries[i];
+        const char *name = summary->scene ? summary->scene->name : NULL;
+        refused += summary->refusal != NULL;
+        if (summary->refusal)
+            take(messages, kinds, name, " refused", summary->refusal, strlen(summary->refusal));
+        for (const char *line = summary->notes; line && *line;) { /* of a refused one the report has none */
+            size_t length = strcspn(line, "\n");
+            take(messages, summary->refusal ? NULL : kinds, name, "", line, length);
+            line += length + (line[length] == '\n');
+        }
+    }
+    if (kinds)
+        say_more(messages, kinds);
+    free(kinds);
+    return refused;
+}

@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What a run says of its surfaces on stderr: what was passed over, refused and warned of. */
+#ifndef RUN_MESSAGES_H
+#define RUN_MESSAGES_H
+
+#include "results/surface_store.h"
+
+enum { MESSAGES_OF_A_KIND = 20 };
+
+/** A line each; returns how many surfaces were refused. Where they stand in a report too (`reported`), of those that
+ * differ in nothing but numbers and names in quotes only the first MESSAGES_OF_A_KIND, and how many there are more. */
+size_t messages_add(struct text *messages, const struct scene *scene, const struct surface_store *store, bool reported);
+
+#endif

@@ -1,0 +1,123 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What is said of very many surfaces: the first of each kind, then how many more; all of it where no report has it. */
+#include "run/messages.h"
+#include "support.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SURFACES = 50 };
+
+static struct scene_surface surfaces[SURFACES];
+static struct surface_summary summaries[SURFACES];
+static char names[SURFACES][32], notes[SURFACES][200], refusals[SURFACES][200];
+
+/* Every surface has a note of one kind, every second one of another besides, every fifth is refused for the same. */
+static struct surface_store make(void)
+{
+    for (size_t i = 0; i < SURFACES; i++) {
+        snprintf(names[i], sizeof names[i], "s%zu", i);
+        snprintf(notes[i], sizeof notes[i], "holds from %g to 20 um%s", 1.5 + (double)i,
+                 i % 2 ? "\nlooks like 'a.csv', too" : "");
+        snprintf(refusals[i], sizeof refusals[i], "s%zu.csv:%zu: 'x%c' is no number", i, i + 3, 'a' + (char)(i % 26));
+        surfaces[i] = (struct scene_surface){.name = names[i]};
+        bool refused = i % 5 == 4;
+        summaries[i] = (struct surface_summary){
+            .scene = &surfaces[i], .notes = refused ? NULL : notes[i], .refusal = refused ? refusals[i] : NULL};
+    }
+    return (struct surface_store){.summaries = summaries, .count = SURFACES};
+}
+
+static size_t lines_with(const struct text *text, const char *part)
+{
+    size_t count = 0;
+    for (const char *at = text_string(text); (at = strstr(at, part)); at++)
+        count++;
+    return count;
+}
+
+static void all_are_said_without_a_report(void **state)
+{
+    (void)state;
+    struct scene scene = {.passed_over = NULL};
+    struct surface_store store = make();
+    struct text text = {0};
+    assert_int_equal(messages_add(&text, &scene, &store, false), 10);
+    assert_int_equal(lines_with(&text, "holds from"), 40);
+    assert_int_equal(lines_with(&text, "looks like"), 20);
+    assert_int_equal(lines_with(&text, " refused: "), 10);
+    assert_int_equal(lines_with(&text, "more like this"), 0);
+    text_free(&text);
+}
+
+static void the_first_of_each_kind_are_said_beside_a_report(void **state)
+{
+    (void)state;
+    struct scene scene = {.passed_over = NULL};
+    struct surface_store store = make();
+    struct text text = {0};
+    assert_int_equal(messages_add(&text, &scene, &store, true), 10);
+    assert_int_equal(lines_with(&text, "holds from"), MESSAGES_OF_A_KIND + 1);
+    assert_int_equal(lines_with(&text, "looks like"), 20); /* no more than are said */
+    assert_int_equal(lines_with(&text, " refused: "), 10);
+    assert_non_null(strstr(text_string(&text), "surface 's23': holds from 24.5 to 20 um\n"));
+    assert_null(strstr(text_string(&text), "surface 's25': holds from"));
+    /* 40 are noted; of the first 20 the last is that of the 25th surface */
+    assert_non_null(strstr(text_string(&text), "... and 20 more like this, all in results.json: "
+                                               "surface 's23': holds from 24.5 to 20 um\n"));
+    text_free(&text);
+}
+
+/* More kinds than are told apart: nothing is held back. */
+static void what_is_of_no_kind_is_said(void **state)
+{
+    (void)state;
+    enum { MANY = 300 };
+    struct scene scene = {.passed_over = NULL};
+    struct scene_surface *all = calloc(MANY, sizeof *all);
+    struct surface_summary *said = calloc(MANY, sizeof *said);
+    char(*note)[8] = calloc(MANY, sizeof *note);
+    assert_true(all && said && note);
+    for (size_t i = 0; i < MANY; i++) {
+        snprintf(note[i], sizeof *note, "%c%c%c", (char)('a' + i % 25), (char)('a' + i / 25), 'a');
+        all[i].name = note[i];
+        said[i] = (struct surface_summary){.scene = &all[i], .notes = note[i]};
+    }
+    struct surface_store store = {.summaries = said, .count = MANY};
+    struct text text = {0};
+    assert_int_equal(messages_add(&text, &scene, &store, true), 0);
+    assert_int_equal(lines_with(&text, "\n"), MANY);
+    text_free(&text);
+    free(note);
+    free(said);
+    free(all);
+}
+
+/* A refused surface's notes are in no report: none is left out. */
+static void notes_of_the_refused_are_said(void **state)
+{
+    (void)state;
+    struct scene scene = {.passed_over = NULL};
+    struct surface_store store = make();
+    for (size_t i = 0; i < SURFACES; i++) {
+        summaries[i].notes = notes[i];
+        summaries[i].refusal = refusals[i];
+    }
+    struct text text = {0};
+    assert_int_equal(messages_add(&text, &scene, &store, true), SURFACES);
+    assert_int_equal(lines_with(&text, "holds from"), SURFACES);
+    assert_int_equal(lines_with(&text, " refused: "), MESSAGES_OF_A_KIND + 1);
+    text_free(&text);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(all_are_said_without_a_report),
+        cmocka_unit_test(the_first_of_each_kind_are_said_beside_a_report),
+        cmocka_unit_test(what_is_of_no_kind_is_said),
+        cmocka_unit_test(notes_of_the_refused_are_said),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
