@@ -23,7 +23,8 @@ struct gaussian_integrals {
     double log_factor;
 };
 
-/** Of F_n = Gamma(n+1)/sqrt(2 pi) exp(-h²/4) D_{-n-1}(h), D the parabolic cylinder function, for both pairs:
+/** Of F_n = Gamma(n+1)/sqrt(2 pi) exp(-h²/4) D_{-n-1}(h), D the parabolic cylinder function, for both pairs, under the
+ * Gaussian of (4.23):
  *  -8 <= h < 8  Taylor series about the middle of a panel of width 1/4; the first call in a process takes the
  *               coefficients of all 64 from F_n(0), by such series from panel to panel, and above 1 as below
  *  h >= 8       backward continued fraction of F_n/F_{n-1}, and the Wronskian with the integrals at -h

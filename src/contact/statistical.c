@@ -62,10 +62,10 @@ static bool is_smooth(const struct statistical *model, double d, double other)
     return model->law == ASPERITY_HERTZ || quadrature_same_nodes(&model->panels, d, other);
 }
 
-/** Solves ln(A or P/(A_n E')) = log_target for d. The logarithm falls and is concave in d (both laws are log-concave),
- * so that after one step of Newton's the iterates close in from one side. The inverse function's series goes two terms
- * further (error of the fourth order), where they are small against Newton's; once that has not halved what is
- * missing, Newton's goes on alone. */
+/** Solves ln A (4.25) or ln(P/(A_n E')) (4.26) = log_target for d. The logarithm falls and is concave in d (both laws
+ * are log-concave), so that after one step of Newton's the iterates close in from one side. The inverse function's
+ * series goes two terms further (error of the fourth order), where they are small against Newton's; once that has not
+ * halved what is missing, Newton's goes on alone. */
 static double solve(const struct statistical *model, bool area, double log_target, double d)
 {
     static const double highest_d = 40; /* exp(-d²/2) is below the smallest double */

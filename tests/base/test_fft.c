@@ -79,7 +79,7 @@ static void test_large_sizes(void **state)
     }
 }
 
-enum { THREADS = 8, ROUNDS = 60, POINTS = 20000, SIZES = 20, APART = 32 };
+enum { THREADS = 8, ROUNDS = 40, POINTS = 20000, SIZES = 20, APART = 32 };
 
 /** There and back over and over, to `context`, in more sizes than plans are kept of: they make room for each other
  * while other threads run them. */
