@@ -202,6 +202,43 @@ static void passes_over_closed_scales(void **state)
     assert_true(visits < all / 2 && visits < opens + opens / 20);
 }
 
+/** Where scales just yield, less steep ones can stay open longer: those are not passed over. */
+static void scales_that_just_yield(void **state)
+{
+    (void)state;
+    enum { SCALES = 60, STACKS = 40, TRIED = 200 };
+    struct material_pair pair = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
+    struct constriction spot = constriction_make(&pair);
+    uint64_t random = 5;
+    pair.poisson_ratio = 0.49;
+    pair.yield_coefficient = 1.295 * exp(0.736 * pair.poisson_ratio);
+    const double ordered_Pa = sinusoid_ordered_pressure(&pair);
+    for (int k = 0; k < STACKS; k++) {
+        struct spectrum spectrum = law_spectrum(3e-4, 1, 1, SCALES);
+        struct sinusoid_scale scales[SCALES];
+        struct multiscale stack;
+        for (size_t i = 0; i < SCALES; i++) {
+            double frequency = spectrum_frequency(&spectrum, i);
+            spectrum.amplitude_m[i] = ordered_Pa * (0.995 + 0.01 * uniform(&random)) /
+                                      sinusoid_full_pressure(1, frequency, pair.effective_modulus_Pa);
+            scales[i] = sinusoid_scale(spectrum.amplitude_m[i], frequency, &pair, true);
+        }
+        multiscale_make(&stack, &spectrum, &pair, true, SINUSOID_FIT_THESIS);
+        for (int t = 0; t < TRIED; t++) {
+            struct contact_point point, expected;
+            uint64_t visited = 0;
+            size_t open;
+            double load = ordered_Pa / pair.effective_modulus_Pa * (0.99 + 0.012 * t / TRIED);
+            multiscale_solve(&point, &stack, &spot, EVERYTHING, load, &visited);
+            walk(&expected, &open, scales, SCALES, &sinusoid_fits[SINUSOID_FIT_THESIS], &pair, load);
+            assert_memory_equal(&point, &expected, sizeof point);
+            assert_true(visited >= open);
+        }
+        multiscale_free(&stack);
+        spectrum_free(&spectrum);
+    }
+}
+
 /** On a steep law a load far below full contact is done with after a few scales, whatever their number. */
 static void visits_do_not_grow_with_the_scales(void **state)
 {
@@ -227,11 +264,9 @@ static void visits_do_not_grow_with_the_scales(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(matches_reference),
-        cmocka_unit_test(full_load_is_sharp),
-        cmocka_unit_test(areas_fall_to_the_total),
-        cmocka_unit_test(passes_over_closed_scales),
-        cmocka_unit_test(visits_do_not_grow_with_the_scales),
+        cmocka_unit_test(matches_reference),       cmocka_unit_test(full_load_is_sharp),
+        cmocka_unit_test(areas_fall_to_the_total), cmocka_unit_test(passes_over_closed_scales),
+        cmocka_unit_test(scales_that_just_yield),  cmocka_unit_test(visits_do_not_grow_with_the_scales),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
