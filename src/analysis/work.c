@@ -253,7 +253,7 @@ double work_memory(const struct surface_summary *surfaces, size_t count, unsigne
     size_t most = 0;
     for (size_t i = 0; i < count; i++)
         most = surfaces[i].points > most ? surfaces[i].points : most;
-    double program = 11e6, a_point = 96; /* text and numbers of a scan, its profile, transform and spectrum [bytes] */
+    double program = 11e6, a_point = 108; /* text and numbers of a scan, its profile, transform and spectrum [bytes] */
     double threads = fmin(jobs, (double)count);
     double a_summary = (double)(sizeof *surfaces + model_count * sizeof(struct curve_summary));
     return program + threads * ((double)most * a_point + 2 * sizeof(struct surface_record)) + (double)count * a_summary;

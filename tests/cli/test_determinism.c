@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The same input gives the same bytes: whatever the threads, the directory one stands in, the locale, the time zone. */
+#include "base/hash.h"
 #include "cli/process.h"
 
 #include <locale.h>
@@ -78,6 +79,20 @@ static void expect_harmonics(const char *place, const char *path, size_t expecte
     free(text);
 }
 
+/* results.json has the hash of the bytes of the one file, which is large enough to be hashed beside being read. */
+static void expect_hash(const char *place, const char *path, const char *file)
+{
+    char *text = workspace_read(place, path), *bytes = workspace_read(place, file), digits[65], line[90];
+    struct hash hash = hash_start();
+    assert_true(strlen(bytes) > 1 << 20);
+    hash_add(&hash, bytes, strlen(bytes));
+    hash_finish(&hash, digits);
+    snprintf(line, sizeof line, "\"sha256\": \"%s\"", digits);
+    expect_part(text, line);
+    free(bytes);
+    free(text);
+}
+
 /* One scan so large that what is made of it is shared out among threads; of some models and of all. */
 static void test_one_large_scan(void **state)
 {
@@ -88,6 +103,7 @@ static void test_one_large_scan(void **state)
         workspace_write(place, "d/scene.yaml", scenes[s]);
         run(place, "one", "--jobs=1");
         expect_harmonics(place, "one/data/spectrum.csv", 35000);
+        expect_hash(place, "one/results.json", "d/a.csv");
         char *reference = workspace_digest(place, "one");
         run(place, "two", "--jobs=2");
         expect_same(place, reference, "two");
