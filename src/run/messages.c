@@ -7,12 +7,12 @@
 
 enum { KINDS = 64 }; /* of others every message is said */
 
-/** Messages that differ in nothing but their numbers and names. */
+/** Notes that differ in nothing but their numbers and names. */
 struct kind {
     uint64_t key;
     size_t count;
     const char *surface; /* the last that was said */
-    const char *what, *line;
+    const char *line;
     size_t length;
 };
 
@@ -27,12 +27,10 @@ static bool is_of_number(char c)
 }
 
 /** FNV-1a of what a message says without its digits and what stands between single quotes. */
-static uint64_t key_of(const char *what, const char *line, size_t length)
+static uint64_t key_of(const char *line, size_t length)
 {
     uint64_t key = UINT64_C(0xcbf29ce484222325);
     bool quoted = false;
-    for (; *what; what++)
-        key = (key ^ (unsigned char)*what) * UINT64_C(0x100000001b3);
     for (size_t i = 0; i < length; i++) {
         quoted = quoted != (line[i] == '\'');
         if (!quoted && !is_of_number(line[i]))
@@ -42,7 +40,7 @@ static uint64_t key_of(const char *what, const char *line, size_t length)
 }
 
 /** The kind of that key; NULL: a new one for which there is no room. */
-static struct kind *kind_of(struct kinds *kinds, uint64_t key, const char *what)
+static struct kind *kind_of(struct kinds *kinds, uint64_t key)
 {
     size_t at = 0;
     while (at < kinds->count && kinds->of[at].key != key)
@@ -50,7 +48,7 @@ static struct kind *kind_of(struct kinds *kinds, uint64_t key, const char *what)
     if (at == KINDS)
         return NULL;
     if (at == kinds->count)
-        kinds->of[kinds->count++] = (struct kind){.key = key, .what = what};
+        kinds->of[kinds->count++] = (struct kind){.key = key};
     return &kinds->of[at];
 }
 
@@ -66,15 +64,13 @@ static void say(struct text *messages, const char *surface, const char *what, co
     text_free(&one);
 }
 
-/** Says a message, or counts it. */
-static void take(struct text *messages, struct kinds *kinds, const char *surface, const char *what, const char *line,
-                 size_t length)
+/** Says a note, or counts it. */
+static void take(struct text *messages, struct kinds *kinds, const char *surface, const char *line, size_t length)
 {
-    uint64_t key = kinds ? key_of(what, line, length) : 0;
-    struct kind *kind = kinds ? kind_of(kinds, key, what) : NULL;
+    struct kind *kind = kinds ? kind_of(kinds, key_of(line, length)) : NULL;
     if (kind && kind->count++ >= MESSAGES_OF_A_KIND)
         return;
-    say(messages, surface, what, line, length);
+    say(messages, surface, "", line, length);
     if (kind) {
         kind->surface = surface;
         kind->line = line;
@@ -90,7 +86,7 @@ static void say_more(struct text *messages, const struct kinds *kinds)
         if (kind->count <= MESSAGES_OF_A_KIND)
             continue;
         text_add(messages, "... and %zu more like this, all in results.json: ", kind->count - MESSAGES_OF_A_KIND);
-        say(messages, kind->surface, kind->what, kind->line, kind->length);
+        say(messages, kind->surface, "", kind->line, kind->length);
     }
 }
 
@@ -105,10 +101,10 @@ size_t messages_add(struct text *messages, const struct scene *scene, const stru
         const char *name = summary->scene ? summary->scene->name : NULL;
         refused += summary->refusal != NULL;
         if (summary->refusal)
-            take(messages, kinds, name, " refused", summary->refusal, strlen(summary->refusal));
+            say(messages, name, " refused", summary->refusal, strlen(summary->refusal));
         for (const char *line = summary->notes; line && *line;) { /* of a refused one the report has none */
             size_t length = strcspn(line, "\n");
-            take(messages, summary->refusal ? NULL : kinds, name, "", line, length);
+            take(messages, summary->refusal ? NULL : kinds, name, line, length);
             line += length + (line[length] == '\n');
         }
     }

@@ -7,7 +7,7 @@
 
 enum { MESSAGES_OF_A_KIND = 20 };
 
-/** A line each; returns how many surfaces were refused. Where they stand in a report too (`reported`), of those that
+/** A line each; returns how many surfaces were refused. Where notes stand in a report too (`reported`), of those that
  * differ in nothing but numbers and names in quotes only the first MESSAGES_OF_A_KIND, and how many there are more. */
 size_t messages_add(struct text *messages, const struct scene *scene, const struct surface_store *store, bool reported);
 
