@@ -24,10 +24,10 @@ bool two_band_split(struct two_band *out, const struct spectrum *spectrum)
     if (!(total > 0))
         return false;
     size_t m = 0;
-    double below = 0; /* E_{m-1} */
-    while (below + energy(spectrum, m) < total / 2)
-        below += energy(spectrum, m++);
-    double share = (total / 2 - below) / energy(spectrum, m);
+    double below = 0, next = energy(spectrum, 0); /* E_{m-1} and e_m */
+    for (; below + next < total / 2; next = energy(spectrum, ++m))
+        below += next;
+    double share = (total / 2 - below) / next;
 
     *out = (struct two_band){.split_harmonic = m + 1, .split_share = share};
     for (int band = 0; band < TWO_BAND_COUNT; band++) {
