@@ -625,14 +625,16 @@ static bool are_identical(const struct repeat_set *set)
 }
 
 /** One scan: the surface itself, of which others may be simulated. */
-static enum status_code keep_single(struct surface_record *record, const struct scene *scene, struct status *status)
+static enum status_code keep_single(struct surface_record *record, const struct power_law_scans *scans,
+                                    const struct scene *scene, struct status *status)
 {
     struct repeat *part = &record->repeats.parts[0];
+    const struct spectrum *tapered = scans->scan_count == 1 ? &scans->scan[0] : NULL;
     bool listed = scene->effects & EFFECT_BIT(EFFECT_UNCERTAINTY), simulable = false;
     if (part->height_m && scene->counterface_surface.file_count == 0 && (scene->effects_auto || listed)) {
         simulable = true;
         if ((listed || uncertainty_affordable(part->points)) &&
-            uncertainty_possible(&simulable, part->height_m, part->points, status) != STATUS_OK)
+            uncertainty_possible(&simulable, part->height_m, part->points, tapered, status) != STATUS_OK)
             return status->code;
         record->summary.single_points = simulable ? part->points : 0;
         if (simulable && (listed || uncertainty_affordable(part->points))) {
@@ -735,7 +737,7 @@ enum status_code gather_conclude(struct surface_record *record, struct power_law
         scans->independent = 1;
     }
     if (set->count == 1)
-        return keep_single(record, scene, status);
+        return keep_single(record, scans, scene, status);
     if (profiles && cut_to_shortest(record, scene, status) != STATUS_OK)
         return status->code;
     for (size_t p = 0; p < set->count; p++) {

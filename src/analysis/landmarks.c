@@ -307,8 +307,9 @@ static enum status_code mean_separation(double *mean_m, const struct landmarks_c
         for (int k = 1; k < parts; k += step)
             separation_m[k * every] = points[(k - 1) / step].separation_m;
         *mean_m = 0;
-        for (int k = 1; k < parts; k++)
-            *mean_m += fejer_weight(k, parts) * separation_m[k * every];
+        for (int k = 1; k < parts / 2; k++) /* weights are the same from both ends */
+            *mean_m += fejer_weight(k, parts) * (separation_m[k * every] + separation_m[(parts - k) * every]);
+        *mean_m += fejer_weight(parts / 2, parts) * separation_m[BETA_PARTS / 2];
         if (fabs(*mean_m - before_m) <= allowed_m)
             break;
     }

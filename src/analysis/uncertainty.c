@@ -230,31 +230,29 @@ static enum status_code simulate(struct pass *pass, const struct simulated_recor
     return take_quarters(pass, pass->scan->height_m, RECORDS, status);
 }
 
-/** The spectrum to draw from; *possible: whether there is one. */
-static enum status_code prepare_simulation(struct simulated_record *out, bool *possible, const double *height_m,
-                                           size_t points, struct status *status)
+/** The squared amplitudes of the multitaper spectrum, malloc'ed. */
+static enum status_code squares(double **out, const double *height_m, size_t points, struct status *status)
 {
-    struct status none = {0};
-    *possible = false;
-    if (points < SIMULATED_RECORD_LEAST_POINTS)
-        return STATUS_OK;
-    double *square_m2 = malloc(points * sizeof *square_m2);
-    if (!square_m2)
+    *out = malloc(points * sizeof **out);
+    if (!*out)
         return status_memory(status);
-    enum status_code rc = multitaper_square(square_m2, height_m, points, &none);
-    if (rc == STATUS_OK)
-        rc = simulated_record_prepare(out, square_m2, points, &none);
-    free(square_m2);
-    *possible = rc == STATUS_OK;
-    return rc == STATUS_MEMORY ? status_memory(status) : STATUS_OK;
+    return multitaper_square(*out, height_m, points, status);
 }
 
-enum status_code uncertainty_possible(bool *out, const double *height_m, size_t points, struct status *status)
+enum status_code uncertainty_possible(bool *out, const double *height_m, size_t points, const struct spectrum *tapered,
+                                      struct status *status)
 {
-    struct simulated_record spectrum = {0};
-    enum status_code rc = prepare_simulation(&spectrum, out, height_m, points, status);
-    simulated_record_free(&spectrum);
-    return rc;
+    *out = false;
+    if (tapered || points < SIMULATED_RECORD_LEAST_POINTS) {
+        *out = tapered && simulated_record_possible(tapered->amplitude_m, points);
+        return STATUS_OK;
+    }
+    struct status none = {0};
+    double *square_m2;
+    enum status_code rc = squares(&square_m2, height_m, points, &none);
+    *out = rc == STATUS_OK && simulated_record_possible(square_m2, points);
+    free(square_m2);
+    return rc == STATUS_MEMORY ? status_memory(status) : STATUS_OK;
 }
 
 bool uncertainty_affordable(size_t points)
@@ -268,11 +266,14 @@ enum status_code uncertainty_run(struct uncertainty *out, const struct uncertain
     struct simulated_record spectrum = {0};
     struct pass pass = {calloc(model_count, sizeof *pass.answers), scan, plan, work};
     double *height_m = malloc(scan->points * sizeof *height_m);
-    bool possible = false;
+    double *square_m2 = NULL;
     enum status_code rc = pass.answers && height_m ? STATUS_OK : status_memory(status);
     if (rc == STATUS_OK)
-        rc = prepare_simulation(&spectrum, &possible, scan->height_m, scan->points, status);
-    assert(rc != STATUS_OK || possible);
+        rc = squares(&square_m2, scan->height_m, scan->points, status);
+    if (rc == STATUS_OK)
+        rc = simulated_record_prepare(&spectrum, square_m2, scan->points, status);
+    free(square_m2);
+    assert(rc != STATUS_SCAN);
     if (rc == STATUS_OK)
         rc = simulate(&pass, &spectrum, height_m, status);
     for (size_t m = 0; m < model_count && rc == STATUS_OK; m++)

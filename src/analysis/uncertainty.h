@@ -45,9 +45,10 @@ bool uncertainty_holds(const struct plan *plan, size_t model);
 MUST_CHECK enum status_code uncertainty_run(struct uncertainty *out, const struct uncertainty_scan *scan,
                                             const struct plan *plan, struct uncertainty_work *work,
                                             struct status *status);
-/** Can records be simulated of this scan: is it long enough, with power in its spectrum? Error: STATUS_MEMORY. */
+/** Can records be simulated of this scan: is it long enough, with power in its spectrum? tapered: the multitaper
+ * spectrum of these heights, as amplitudes; NULL: not known yet. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code uncertainty_possible(bool *out, const double *height_m, size_t points,
-                                                 struct status *status);
+                                                 const struct spectrum *tapered, struct status *status);
 /** Would one scan of `points` alone leave `effects: auto` any of its second? */
 bool uncertainty_affordable(size_t points);
 /** Seconds, by a count, that `effects: auto` spends at most. */

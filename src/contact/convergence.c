@@ -11,17 +11,27 @@ const struct convergence_sweep_row convergence_sweeps[CONVERGENCE_SWEEP_COUNT] =
     [CONVERGENCE_GAMMA] = {"gamma", 9, {0, 0.25, 0.5, 0.75, 1, 1.25, 1.5, 1.75, 2}},
 };
 
+/** Presses a scale that is not kept. At p* and above it is closed whether it yields or not (p_p <= p*), so that nothing
+ * else need be known of it. */
+static struct sinusoid_cell press(double amplitude_m, double frequency_per_m, const struct material_pair *pair,
+                                  bool plastic, double pressure_Pa)
+{
+    struct sinusoid_cell cell = {.area_ratio = 1};
+    if (pressure_Pa >= sinusoid_full_pressure(amplitude_m, frequency_per_m, pair->effective_modulus_Pa))
+        return cell;
+    struct sinusoid_scale scale = sinusoid_scale(amplitude_m, frequency_per_m, pair, plastic);
+    sinusoid_press(&cell, &scale, &sinusoid_fits[SINUSOID_FIT_THESIS], pressure_Pa, false);
+    return cell;
+}
+
 void convergence_areas(double *area_ratio, const struct convergence_law *law, const struct material_pair *pair,
                        bool plastic, uint64_t *evaluations)
 {
-    const struct sinusoid_fit *closure = &sinusoid_fits[SINUSOID_FIT_THESIS];
     double nominal_Pa = law->load * pair->effective_modulus_Pa, area = 1;
     for (size_t i = 0; i < law->scales; i++) {
         double frequency = (double)(i + 1) / law->length_m;
         double amplitude_m = law->alpha * pow(1 / frequency, law->gamma);
-        struct sinusoid_scale scale = sinusoid_scale(amplitude_m, frequency, pair, plastic);
-        struct sinusoid_cell cell;
-        sinusoid_press(&cell, &scale, closure, nominal_Pa / area, false);
+        struct sinusoid_cell cell = press(amplitude_m, frequency, pair, plastic, nominal_Pa / area);
         area *= cell.area_ratio;
         area_ratio[i] = area;
     }
@@ -55,7 +65,6 @@ double convergence_tail_amplitude(const struct convergence_tail *tail, double wa
 struct convergence_extension convergence_extend(const struct spectrum *spectrum, const struct convergence_tail *tail,
                                                 const struct material_pair *pair, bool plastic, double load)
 {
-    const struct sinusoid_fit *closure = &sinusoid_fits[SINUSOID_FIT_THESIS];
     struct convergence_extension out = {1, 1, NAN, 0};
     double nominal_Pa = load * pair->effective_modulus_Pa;
     bool rising = tail->gamma < 1; /* p* ~ lambda^(gamma-1) (4.55) */
@@ -64,9 +73,8 @@ struct convergence_extension convergence_extend(const struct spectrum *spectrum,
         bool measured = n <= (double)spectrum->count;
         double amplitude_m =
             measured ? spectrum->amplitude_m[(size_t)n - 1] : convergence_tail_amplitude(tail, wavelength_m);
-        struct sinusoid_scale scale = sinusoid_scale(amplitude_m, n / spectrum->length_m, pair, plastic);
-        struct sinusoid_cell cell;
-        sinusoid_press(&cell, &scale, closure, nominal_Pa / out.area_extended, false);
+        struct sinusoid_cell cell =
+            press(amplitude_m, n / spectrum->length_m, pair, plastic, nominal_Pa / out.area_extended);
         out.scales++;
         out.area_extended *= cell.area_ratio;
         if (measured) {
@@ -81,7 +89,8 @@ struct convergence_extension convergence_extend(const struct spectrum *spectrum,
          * (2pi/3)(1-gamma)/n of p*, so the last scale's complete pressure gives the area without visiting the rest. */
         if (rising && n > 1000 && cell.area_complement < 1e-3) {
             double last_m = convergence_atom_m;
-            scale = sinusoid_scale(convergence_tail_amplitude(tail, last_m), 1 / last_m, pair, plastic);
+            struct sinusoid_scale scale =
+                sinusoid_scale(convergence_tail_amplitude(tail, last_m), 1 / last_m, pair, plastic);
             out.area_extended = fmin(out.area_extended, nominal_Pa / sinusoid_full_area_pressure(&scale));
             break;
         }

@@ -36,12 +36,11 @@ bool model_runs(size_t m, uint64_t models, unsigned effects)
            (!model_rows[m]->plastic || (effects & EFFECT_BIT(EFFECT_PLASTICITY)));
 }
 
-/** Is everything there that was wanted and is always computed, and nothing infinite? */
-static bool is_finite(const struct contact_point *point, const struct model_row *row, unsigned wanted)
+/** Is the quantity infinite at none of the points, and there where it is `needed`? */
+static bool is_finite(const struct contact_point *points, size_t count, enum quantity quantity, bool needed)
 {
-    for (int q = 0; q < QUANTITY_COUNT; q++) {
-        double value = quantity_value(point, (enum quantity)q);
-        bool needed = wanted & row->quantities & ~row->may_be_empty & QUANTITY_BIT(q);
+    for (size_t i = 0; i < count; i++) {
+        double value = quantity_value(&points[i], quantity);
         if (isinf(value) || (needed && isnan(value)))
             return false;
     }
@@ -58,9 +57,15 @@ enum status_code model_run(struct model_curve *curve, const struct model_row *ro
     quantity_empty_made(&curve->full);
     /* a model that knows of no full contact says nothing of it */
     bool full = curve->exists && !(isnan(curve->full_load) && isnan(curve->full.area_ratio));
-    bool finite = !full || is_finite(&curve->full, row, task->wanted);
-    for (size_t i = 0; i < curve->count && finite; i++)
-        finite = is_finite(&curve->points[i], row, task->wanted);
+    unsigned always = task->wanted & row->quantities & ~row->may_be_empty;
+    bool finite = true;
+    for (int q = 0; q < QUANTITY_COUNT && finite; q++) {
+        bool needed = always & QUANTITY_BIT(q);
+        if (quantity_rows[q].from && !needed)
+            continue; /* has just been emptied */
+        finite = is_finite(curve->points, curve->count, (enum quantity)q, needed) &&
+                 (!full || is_finite(&curve->full, 1, (enum quantity)q, needed));
+    }
     if (!finite) {
         curve->exists = false;
         curve->overflows = true;

@@ -24,10 +24,10 @@ bool two_band_split(struct two_band *out, const struct spectrum *spectrum)
     if (!(total > 0))
         return false;
     size_t m = 0;
-    double below = 0; /* E_{m-1} */
-    while (below + energy(spectrum, m) < total / 2)
-        below += energy(spectrum, m++);
-    double share = (total / 2 - below) / energy(spectrum, m);
+    double below = 0, next = energy(spectrum, 0); /* E_{m-1} and e_m */
+    for (; below + next < total / 2; next = energy(spectrum, ++m))
+        below += next;
+    double share = (total / 2 - below) / next;
 
     *out = (struct two_band){.split_harmonic = m + 1, .split_share = share};
     for (int band = 0; band < TWO_BAND_COUNT; band++) {
@@ -72,6 +72,10 @@ struct resistance_length {
 };
 
 static const struct constriction unit = {.resistivity_ohm_m = 1};
+
+/** Steps of the load up to this factor are tried with fewer points: mostly enough for what changes by a few per cent.
+ */
+static const double short_step = 1.2;
 
 static double length_at(const struct resistance_length *length, double load)
 {
@@ -141,6 +145,8 @@ void two_band_separation(double *separation_m, const double *load, size_t count,
             struct resistance_length length = {stack, end, evaluations};
             if (lower > end / 2)
                 separation += integral(over_root, &length, sqrt(fmax(end - upper, 0)), sqrt(end - lower), tolerance);
+            else if (upper < short_step * lower)
+                separation += integral_short(over_logarithm, &length, log(lower), log(upper), tolerance);
             else
                 separation += integral(over_logarithm, &length, log(lower), log(upper), tolerance);
             upper = lower;

@@ -9,11 +9,10 @@
 #include <gsl/gsl_rng.h>
 #include <math.h>
 #include <pthread.h>
-#include <stdbool.h>
 #include <stdlib.h>
 
 static const double least_slope = 0, most_slope = 2;
-enum { SLOPE_BINS = 6 };
+enum { SLOPE_BINS = 6, SLOPE_HARMONICS = 20 /* as many hold those bins: the next begins at 5 x 10^0.6 */ };
 
 /** log10 amplitude = middle + slope (log10 wavelength - x), wavelengths in units of L. */
 struct continuation {
@@ -24,7 +23,8 @@ static enum status_code continue_line(struct continuation *out, const double *sq
                                       struct status *status)
 {
     struct log_bin bin[LOG_BIN_MOST];
-    size_t bins = log_bin_fill(bin, square_m2, count, 1, 1, NULL), used = 0;
+    size_t held = count < SLOPE_HARMONICS ? count : SLOPE_HARMONICS;
+    size_t bins = log_bin_fill(bin, square_m2, held, 1, 1, NULL), used = 0;
     double x = 0, y = 0, xx = 0, xy = 0;
     for (size_t j = 0; j < bins && j < SLOPE_BINS; j++)
         if (isfinite(bin[j].y)) {
@@ -60,6 +60,26 @@ static double square_at(double n, const double *square_m2, size_t count, const s
     return low * pow(high / low, log(n / (double)before) / log1p(1 / (double)before));
 }
 
+/** What is not as it has to be to draw from. */
+static enum status_code check(struct continuation *below, const double *square_m2, size_t count, struct status *status)
+{
+    for (size_t i = 0; i < count; i++)
+        if (!(square_m2[i] >= 0) || !isfinite(square_m2[i]))
+            return status_fail(status, STATUS_SCAN,
+                               "the squared amplitude of harmonic %zu is %g; it must be finite and "
+                               "not negative",
+                               i + 1, square_m2[i]);
+    return continue_line(below, square_m2, count, status);
+}
+
+bool simulated_record_possible(const double *square_m2, size_t points)
+{
+    struct continuation below;
+    struct status none = {0};
+    return points >= SIMULATED_RECORD_LEAST_POINTS &&
+           check(&below, square_m2, multitaper_count(points), &none) == STATUS_OK;
+}
+
 enum status_code simulated_record_prepare(struct simulated_record *out, const double *square_m2, size_t points,
                                           struct status *status)
 {
@@ -67,13 +87,7 @@ enum status_code simulated_record_prepare(struct simulated_record *out, const do
     size_t count = multitaper_count(points), waves = points * SIMULATED_RECORD_LONGER / 2;
     struct continuation below;
     *out = (struct simulated_record){.points = points};
-    for (size_t i = 0; i < count; i++)
-        if (!(square_m2[i] >= 0) || !isfinite(square_m2[i]))
-            return status_fail(status, STATUS_SCAN,
-                               "the squared amplitude of harmonic %zu is %g; it must be finite and "
-                               "not negative",
-                               i + 1, square_m2[i]);
-    if (continue_line(&below, square_m2, count, status) != STATUS_OK)
+    if (check(&below, square_m2, count, status) != STATUS_OK)
         return status->code;
     out->deviation_m = calloc(waves + 1, sizeof *out->deviation_m);
     out->record = fftw_alloc_real(2 * waves);

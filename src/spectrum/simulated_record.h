@@ -6,6 +6,7 @@
 
 #include "base/status.h"
 #include <fftw3.h>
+#include <stdbool.h>
 #include <stddef.h>
 
 enum {
@@ -29,6 +30,8 @@ struct simulated_record {
  * every harmonic; STATUS_MEMORY. */
 MUST_CHECK enum status_code simulated_record_prepare(struct simulated_record *out, const double *square_m2,
                                                      size_t points, struct status *status);
+/** Will it find what it needs? Amplitudes in place of their squares answer the same; fewer than 16 heights never do. */
+bool simulated_record_possible(const double *square_m2, size_t points);
 
 /** Draws a record: cosine and sine parts of independent Gaussian size at the frequencies k/(4L), k = 1 ... 2N, summed
  * by an inverse transform of 4N, of which the first N heights are kept, their mean not taken out. The same seed gives

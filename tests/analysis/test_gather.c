@@ -5,6 +5,7 @@
 #include "analysis/piece.h"
 #include "directory.h"
 #include "profile/synth.h"
+#include "spectrum/simulated_record.h"
 #include "statistics/interval.h"
 
 enum { POINTS = 64 };
@@ -210,20 +211,25 @@ static void test_which_rows_are_kept(void **state)
     }
 }
 
-/* It is the surface itself; its heights are kept where records like it are asked for. */
+/* It is the surface itself; its heights are kept where records like it are asked for and can be simulated: not of
+ * 15 points. The same whether its multitaper spectrum is there, for the law, or not. */
 static void test_one_scan_is_no_repeat(void **state)
 {
     (void)state;
-    for (int listed = 0; listed < 2; listed++) {
+    for (int tried = 0; tried < 8; tried++) {
+        bool listed = tried & 1, brief = tried & 2, kept = listed && !brief;
         scene.effects = listed ? EFFECT_BIT(EFFECT_UNCERTAINTY) : 0;
+        scene.fit = tried & 4 ? POWER_LAW_AUTO : POWER_LAW_THESIS;
         surface_record_free(record, true);
         *record = (struct surface_record){0};
-        add_scan(1e-6, 0, 1);
+        power_law_scans_free(&scans);
+        add_long_scan(brief ? SIMULATED_RECORD_LEAST_POINTS - 1 : POINTS, 1e-6, 0, 1);
+        assert_int_equal(scans.scan_count, scene.fit == POWER_LAW_AUTO);
         conclude();
         assert_int_equal(record->repeats.count, 0);
         assert_int_equal(surface_repeats(&record->summary)->count, 0);
-        assert_int_equal(record->height_m != NULL, listed);
-        assert_int_equal(record->summary.single_points, listed ? POINTS : 0);
+        assert_int_equal(record->height_m != NULL, kept);
+        assert_int_equal(record->summary.single_points, kept ? POINTS : 0);
     }
 }
 

@@ -188,10 +188,71 @@ static void test_what_is_kept(void **state)
         spectrum_free(&spectra[i]);
 }
 
+static struct contact_point answered[2], answered_full;
+
+static enum status_code answer(struct model_curve *curve, const struct model_row *row, const struct model_task *task,
+                               struct status *status)
+{
+    (void)row;
+    (void)task;
+    (void)status;
+    curve->points[0] = answered[0];
+    curve->points[1] = answered[1];
+    curve->count = 2;
+    curve->full = answered_full;
+    curve->full_load = answered_full.load;
+    curve->exists = true;
+    return STATUS_OK;
+}
+
+/** Does the curve of these points exist? */
+static bool stands(void)
+{
+    static const struct model_row row = {.run = answer,
+                                         .quantities = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) |
+                                                       QUANTITY_BIT(QUANTITY_ECR) | QUANTITY_BIT(QUANTITY_TCR),
+                                         .may_be_empty = QUANTITY_BIT(QUANTITY_ECR)};
+    static const struct model_task task = {.wanted = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) |
+                                                     QUANTITY_BIT(QUANTITY_SEPARATION) | QUANTITY_BIT(QUANTITY_ECR)};
+    struct contact_point points[2];
+    struct model_curve curve = {.points = points};
+    struct status status = {0};
+    assert_int_equal(model_run(&curve, &row, &task, &status), STATUS_OK);
+    assert_true(curve.exists == !curve.overflows && curve.count == (curve.exists ? 2 : 0));
+    return curve.exists;
+}
+
+/* No number may be infinite, wanted or not; what is wanted and always computed has to be there. */
+static void test_a_curve_that_leaves_the_numbers(void **state)
+{
+    (void)state;
+    struct contact_point good = quantity_nothing();
+    good.load = 1e-3;
+    good.area_ratio = 0.1;
+    struct contact_point *const tried[] = {&answered[0], &answered[1], &answered_full};
+    for (size_t t = 0; t < 3; t++) {
+        answered[0] = answered[1] = answered_full = good;
+        assert_true(stands());
+        tried[t]->ecr_ohm_m2 = INFINITY;
+        assert_false(stands());
+        tried[t]->ecr_ohm_m2 = NAN; /* may be empty */
+        tried[t]->tcr_sd_K_m2_per_W = -INFINITY;
+        assert_false(stands());
+        tried[t]->tcr_sd_K_m2_per_W = NAN;
+        tried[t]->gap_W_per_m2K = INFINITY; /* made later: what is there is left from before */
+        assert_true(stands());
+        tried[t]->area_ratio = NAN;
+        assert_false(stands());
+    }
+    answered_full.load = answered_full.area_ratio = NAN; /* says nothing of full contact */
+    answered_full.ecr_ohm_m2 = INFINITY;
+    assert_true(stands());
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_numbers_beyond_double),
-                                       cmocka_unit_test(test_work_is_as_predicted),
-                                       cmocka_unit_test(test_what_is_kept)};
+                                       cmocka_unit_test(test_work_is_as_predicted), cmocka_unit_test(test_what_is_kept),
+                                       cmocka_unit_test(test_a_curve_that_leaves_the_numbers)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

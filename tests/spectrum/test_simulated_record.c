@@ -195,6 +195,11 @@ static void test_what_cannot_be_simulated(void **state)
     struct status status = {0};
     assert_int_equal(simulated_record_prepare(&spectrum, square_m2, POINTS, &status), STATUS_SCAN);
     assert_non_null(strstr(status.message, "too few harmonics"));
+    assert_false(simulated_record_possible(square_m2, POINTS));
+    law(square_m2, POINTS, 1);
+    assert_true(simulated_record_possible(square_m2, POINTS));
+    assert_true(simulated_record_possible(square_m2, SIMULATED_RECORD_LEAST_POINTS));
+    assert_false(simulated_record_possible(square_m2, SIMULATED_RECORD_LEAST_POINTS - 1));
     const double bad[] = {NAN, INFINITY, -1};
     for (size_t b = 0; b < 3; b++) {
         law(square_m2, POINTS, 1);
@@ -202,7 +207,32 @@ static void test_what_cannot_be_simulated(void **state)
         status = (struct status){0};
         assert_int_equal(simulated_record_prepare(&spectrum, square_m2, POINTS, &status), STATUS_SCAN);
         assert_non_null(strstr(status.message, "harmonic 3"));
+        assert_false(simulated_record_possible(square_m2, POINTS));
     }
+}
+
+/** The slope below is that of the first six bins, harmonics 5 ... 19: none beyond moves it, and one of them does. */
+static void test_what_the_slope_below_is_of(void **state)
+{
+    (void)state;
+    double square_m2[POINTS];
+    law(square_m2, POINTS, 1);
+    struct simulated_record plain = prepare(square_m2, POINTS);
+    for (size_t n = 1; n <= 25; n++) {
+        law(square_m2, POINTS, 1);
+        square_m2[n - 1] *= 2;
+        struct simulated_record other = prepare(square_m2, POINTS);
+        bool moved = other.deviation_m[1] != plain.deviation_m[1];
+        assert_int_equal(moved, n >= 5 && n <= 19);
+        simulated_record_free(&other);
+    }
+    simulated_record_free(&plain);
+    law(square_m2, POINTS, 1);
+    for (size_t n = 8; n <= 19; n++) /* two bins are enough: harmonics 5 and 6, and 7 */
+        square_m2[n - 1] = 0;
+    assert_true(simulated_record_possible(square_m2, POINTS));
+    square_m2[6] = 0;
+    assert_false(simulated_record_possible(square_m2, POINTS));
 }
 
 int main(void)
@@ -212,6 +242,7 @@ int main(void)
         cmocka_unit_test(test_a_gap_in_the_spectrum_is_bridged), cmocka_unit_test(test_mean_squares),
         cmocka_unit_test(test_the_spectrum_comes_back),          cmocka_unit_test(test_a_seed_makes_a_record),
         cmocka_unit_test(test_what_is_kept_changes_nothing),     cmocka_unit_test(test_what_cannot_be_simulated),
+        cmocka_unit_test(test_what_the_slope_below_is_of),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
