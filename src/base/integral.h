@@ -10,8 +10,5 @@ typedef double integral_function(double x, void *context);
  * points with bisection, 30 times at most: a jump costs its last part only.
  * Piessens et al., QUADPACK, 1983. */
 double integral(integral_function *f, void *context, double from, double to, double tolerance);
-/** The same of a stretch over which f hardly changes: Gauss and Kronrod's 3 and 7 points where these leave no doubt of
- * more than 1e-13, else integral(). */
-double integral_short(integral_function *f, void *context, double from, double to, double tolerance);
 
 #endif

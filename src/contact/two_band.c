@@ -73,10 +73,6 @@ struct resistance_length {
 
 static const struct constriction unit = {.resistivity_ohm_m = 1};
 
-/** Steps of the load up to this factor are tried with fewer points: mostly enough for what changes by a few per cent.
- */
-static const double short_step = 1.2;
-
 static double length_at(const struct resistance_length *length, double load)
 {
     struct contact_point point;
@@ -145,8 +141,6 @@ void two_band_separation(double *separation_m, const double *load, size_t count,
             struct resistance_length length = {stack, end, evaluations};
             if (lower > end / 2)
                 separation += integral(over_root, &length, sqrt(fmax(end - upper, 0)), sqrt(end - lower), tolerance);
-            else if (upper < short_step * lower)
-                separation += integral_short(over_logarithm, &length, log(lower), log(upper), tolerance);
             else
                 separation += integral(over_logarithm, &length, log(lower), log(upper), tolerance);
             upper = lower;
