@@ -2,6 +2,7 @@
 #include "spectrum/height_law.h"
 
 #include "spectrum/simulated_record.h"
+#include <assert.h>
 #include <gsl/gsl_rng.h>
 #include <math.h>
 #include <stdbool.h>
@@ -69,41 +70,75 @@ static enum status_code lay_forms(double (*form)[FORMS], size_t points, int coun
     return rc;
 }
 
-static void take_out_forms(double *height_m, double (*form)[FORMS], size_t points)
+enum { ABREAST = 4 }; /* records whose sums are added at the same time: one alone waits for each addition */
+static_assert(SCANS % ABREAST == 0, "the last records are measured too");
+
+/** Moments of records side by side, what their forms share taken out. Each as roughness_of_heights_alone(). */
+static void level_and_measure(struct roughness out[ABREAST], double (*height_m)[ABREAST], double (*form)[FORMS],
+                              size_t points)
 {
-    double share[FORMS] = {0};
+    double share[FORMS][ABREAST] = {0}, square[ABREAST] = {0}, cube[ABREAST] = {0}, fourth[ABREAST] = {0};
     for (size_t i = 0; i < points; i++)
         for (int k = 0; k < FORMS; k++)
-            share[k] += height_m[i] * form[i][k];
+            for (int j = 0; j < ABREAST; j++)
+                share[k][j] += height_m[i][j] * form[i][k];
     for (size_t i = 0; i < points; i++)
-        for (int k = 0; k < FORMS; k++)
-            height_m[i] -= share[k] * form[i][k];
+        for (int j = 0; j < ABREAST; j++) {
+            double z = height_m[i][j];
+            for (int k = 0; k < FORMS; k++)
+                z -= share[k][j] * form[i][k];
+            double z2 = z * z;
+            square[j] += z2;
+            cube[j] += z2 * z;
+            fourth[j] += z2 * z2;
+        }
+    for (int j = 0; j < ABREAST; j++)
+        out[j] = (struct roughness){.m0_m2 = square[j] / (double)points,
+                                    .cube_m3 = cube[j] / (double)points,
+                                    .fourth_m4 = fourth[j] / (double)points};
 }
 
-/** Moments of simulated scans, each levelled: by forms laid once, where there are any (a robust line has none). */
+/** Moments of simulated scans, each levelled by forms laid once. */
+static enum status_code simulate_by_forms(struct roughness one[SCANS], const struct simulated_record *record, int forms,
+                                          struct status *status)
+{
+    size_t points = record->points;
+    double(*height_m)[ABREAST] = malloc(points * sizeof *height_m), (*form)[FORMS] = malloc(points * sizeof *form),
+    *drawn_m = malloc(points * sizeof *drawn_m);
+    enum status_code rc = height_m && form && drawn_m ? STATUS_OK : status_memory(status);
+    if (rc == STATUS_OK)
+        rc = lay_forms(form, points, forms, status);
+    for (size_t k = 0; k < SCANS && rc == STATUS_OK; k++) {
+        rc = simulated_record_draw(drawn_m, record, FIRST_SEED + k, status);
+        for (size_t i = 0; i < points && rc == STATUS_OK; i++)
+            height_m[i][k % ABREAST] = drawn_m[i];
+        if (rc == STATUS_OK && (k + 1) % ABREAST == 0)
+            level_and_measure(&one[k + 1 - ABREAST], height_m, form, points);
+    }
+    free(drawn_m);
+    free(form);
+    free(height_m);
+    return rc;
+}
+
+/** Moments of simulated scans, each levelled: what no forms take out, as a robust line, by itself. */
 static enum status_code simulate(struct roughness one[SCANS], const struct simulated_record *record, enum level level,
                                  struct status *status)
 {
+    for (int forms = 0; forms <= FORMS; forms++)
+        if (levels_of_forms[forms] == level)
+            return simulate_by_forms(one, record, forms, status);
     size_t points = record->points;
-    double *height_m = malloc(points * sizeof *height_m), (*form)[FORMS] = malloc(points * sizeof *form);
-    int forms = 0;
-    while (forms <= FORMS && levels_of_forms[forms] != level)
-        forms++;
-    bool by_forms = forms <= FORMS;
-    enum status_code rc = height_m && form ? STATUS_OK : status_memory(status);
-    if (rc == STATUS_OK && by_forms)
-        rc = lay_forms(form, points, forms, status);
+    double *height_m = malloc(points * sizeof *height_m);
+    enum status_code rc = height_m ? STATUS_OK : status_memory(status);
     for (size_t k = 0; k < SCANS && rc == STATUS_OK; k++) {
         struct levelling levelling;
         rc = simulated_record_draw(height_m, record, FIRST_SEED + k, status);
-        if (rc == STATUS_OK && by_forms)
-            take_out_forms(height_m, form, points);
-        else if (rc == STATUS_OK) /* what was taken out does not matter: any spacing does */
+        if (rc == STATUS_OK) /* what was taken out does not matter: any spacing does */
             rc = level_remove(&levelling, height_m, NULL, points, 1, level, status);
         if (rc == STATUS_OK)
             one[k] = roughness_of_heights_alone(height_m, points);
     }
-    free(form);
     free(height_m);
     return rc;
 }

@@ -312,16 +312,71 @@ static void what_is_to_be_trusted(void **state)
     assert_false(two_band_plastic_gap_trusted(0.76, 1e6, 40e6));
 }
 
+/** Many loads at once at the usual tolerance are as exact as each at the finest, and take fewer visits of scales than
+ * rules of four points a load; the finest takes few too, as nothing is halved over where the law is pieced together. */
+static void ladder_is_exact(struct multiscale *stack)
+{
+    enum { LADDER = 121 };
+    double load[LADDER], usual[LADDER], alone;
+    uint64_t visits = 0;
+    for (int i = 0; i < LADDER; i++)
+        load[i] = 1e-6 * pow(stack->full_load / 1e-6, i / 110.0);
+    two_band_separation(usual, load, LADDER, stack, 1e-6, &visits);
+    assert_true(visits < 8 * LADDER);
+    for (int i = 0; i < LADDER && load[i] < stack->full_load * (1 - 1e-6); i++) {
+        visits = 0;
+        two_band_separation(&alone, &load[i], 1, stack, 1e-12, &visits);
+        assert_true(visits < 1200);
+        assert_near(usual[i], alone, 1e-11);
+    }
+}
+
+/** Loads that come twice, where a scale completes too, have what they have alone. */
+static void loads_may_come_twice(struct multiscale *stack)
+{
+    double complete = stack->scales[0].full_pressure_Pa / stack->effective_modulus_Pa, twice[6], alone;
+    double load[6] = {complete / 2, complete / 2, complete / 2, complete, complete, complete};
+    uint64_t uncounted = 0;
+    two_band_separation(twice, load, 6, stack, 1e-12, &uncounted);
+    for (int i = 0; i < 6; i++) {
+        two_band_separation(&alone, &load[i], 1, stack, 1e-12, &uncounted);
+        assert_within(twice[i], alone, 1e-11 * alone);
+    }
+}
+
+static void ladders_are_exact(void **state)
+{
+    (void)state;
+    static const char *const sets[] = {"law_a", "law_b", "random60"};
+    struct material_pair pair = tin();
+    for (size_t set = 0; set < 3; set++) {
+        struct spectrum spectrum = reference_spectrum(sets[set]);
+        struct multiscale stack = stack_of(&spectrum, &pair, false, INFINITY);
+        ladder_is_exact(&stack);
+        loads_may_come_twice(&stack);
+        multiscale_free(&stack);
+        spectrum_free(&spectrum);
+    }
+    /* a second band that completes before the first, at any part of its law, and after it */
+    for (double amplitude_m = 1e-9; amplitude_m < 1e-6; amplitude_m *= 1.5) {
+        struct two_band bands = {.amplitude_m = {1e-6, amplitude_m}, .frequency_per_m = {1e4, 1e5}};
+        struct multiscale stack;
+        struct status status = {0};
+        assert_int_equal(two_band_stack(&stack, &bands, &pair, false, INFINITY, SINUSOID_FIT_THESIS, &status),
+                         STATUS_OK);
+        ladder_is_exact(&stack);
+        loads_may_come_twice(&stack);
+        multiscale_free(&stack);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bands_match_reference),
-        cmocka_unit_test(points_match_reference),
-        cmocka_unit_test(separation_is_the_integral),
-        cmocka_unit_test(bands_keep_the_surface),
-        cmocka_unit_test(scan_length_does_not_matter),
-        cmocka_unit_test(direct_solutions),
-        cmocka_unit_test(extreme_loads),
+        cmocka_unit_test(bands_match_reference),      cmocka_unit_test(points_match_reference),
+        cmocka_unit_test(separation_is_the_integral), cmocka_unit_test(ladders_are_exact),
+        cmocka_unit_test(bands_keep_the_surface),     cmocka_unit_test(scan_length_does_not_matter),
+        cmocka_unit_test(direct_solutions),           cmocka_unit_test(extreme_loads),
         cmocka_unit_test(what_is_to_be_trusted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
