@@ -95,13 +95,13 @@ enum status_code uncertainty_outline(struct curve_bounds *bounds, const struct m
     return STATUS_OK;
 }
 
-/** What a record, or a quarter of one, of `points` takes. */
-static void add_work(struct uncertainty_work *work, size_t points, const struct plan *plan,
+/** What `count` records, or quarters of them, of `points` each take. */
+static void add_work(struct uncertainty_work *work, size_t count, size_t points, const struct plan *plan,
                      struct curve_bounds *const *bounds, bool quarter)
 {
-    work->heights += points;
+    work->heights += count * points;
     for (size_t m = 0; m < model_count; m++)
-        if (uncertainty_holds(plan, m))
+        for (size_t i = 0, added = uncertainty_holds(plan, m) ? count : 0; i < added; i++)
             model_work_add(&work->models, quarter ? &bounds[m]->quarter_work : &bounds[m]->record_work);
 }
 
@@ -109,10 +109,9 @@ struct uncertainty_work uncertainty_predict(size_t points, const struct plan *pl
 {
     struct uncertainty_work work = {0};
     bool quartered = points >= LEAST_POINTS;
-    for (int b = 0; b < RECORDS; b++)
-        add_work(&work, points, plan, bounds, false);
-    for (int k = 0; k < (RECORDS + 1) * QUARTERS && quartered; k++)
-        add_work(&work, points / QUARTERS, plan, bounds, true);
+    add_work(&work, RECORDS, points, plan, bounds, false);
+    if (quartered)
+        add_work(&work, (RECORDS + 1) * QUARTERS, points / QUARTERS, plan, bounds, true);
     return work;
 }
 
@@ -155,7 +154,7 @@ static enum status_code take(struct pass *pass, const double *height_m, size_t p
     bool has_asperities = roughness_asperities(&asperities, &roughness, &none) == STATUS_OK;
     struct model_task task = record_task(scan->task, &spectrum, has_asperities ? &asperities : NULL, &loads);
     enum status_code rc = STATUS_OK;
-    add_work(pass->work, points, pass->plan, scan->bounds, quarter != QUARTERS);
+    add_work(pass->work, 1, points, pass->plan, scan->bounds, quarter != QUARTERS);
     for (size_t m = 0; m < model_count && rc == STATUS_OK; m++) {
         struct contact_point room[UNCERTAINTY_LOADS + 1];
         struct model_curve curve = {.points = room};

@@ -2,6 +2,7 @@
 #include "output/tables.h"
 
 #include "analysis/direct_study.h"
+#include "base/number_digits.h"
 #include "output/cell.h"
 #include <errno.h>
 #include <math.h>
@@ -242,8 +243,42 @@ static void contact_header(struct table *table, unsigned quantities)
     end_row(table);
 }
 
-static void put_contact(struct table *table, const struct surface_record *record, unsigned quantities)
+/** The tables that are made of the surfaces' arrays, in one pass over the store. */
+struct curve_tables {
+    const struct results *results;
+    struct table spectrum, contact, bands; /* the last only where there are intervals */
+    unsigned quantities, band_quantities;  /* QUANTITY_BITs that contact and bands have columns of */
+    struct load_cell *loads;               /* of the list that all surfaces share; owned */
+    size_t load_count;                     /* 0: they share none */
+    const struct threads *inside;          /* of one surface, where there is but one; else NULL */
+};
+
+/** A load of the list, written: every curve has it again. */
+struct load_cell {
+    double load;
+    size_t length;
+    char text[1 + NUMBER_DIGITS_SIZE];
+};
+
+static enum status_code write_loads(struct curve_tables *all, struct status *status)
 {
+    const struct results *results = all->results;
+    all->loads = calloc(results->load_count, sizeof *all->loads);
+    if (!all->loads)
+        return status_memory(status);
+    all->load_count = results->loads_apart ? 0 : results->load_count;
+    for (size_t i = 0; i < all->load_count; i++) {
+        struct load_cell *cell = &all->loads[i];
+        cell->load = results->loads[i];
+        cell->text[0] = ',';
+        cell->length = 1 + number_digits(cell->text + 1, cell->load);
+    }
+    return STATUS_OK;
+}
+
+static void put_contact(struct table *table, const struct surface_record *record, const struct curve_tables *all)
+{
+    unsigned quantities = all->quantities;
     double sigma_m = record->summary.asperities.sigma_m;
     for (size_t m = 0; m < model_count; m++)
         for (size_t i = 0; i < record->curves[m].count; i++) {
@@ -255,7 +290,9 @@ static void put_contact(struct table *table, const struct surface_record *record
                 if (!(quantities & QUANTITY_BIT(q)))
                     continue;
                 double value = quantity_value(point, (enum quantity)q);
-                if (row->column)
+                if (q == QUANTITY_LOAD && i < all->load_count && value == all->loads[i].load)
+                    text_add_bytes(&table->rows, all->loads[i].text, all->loads[i].length);
+                else if (row->column)
                     put_number(table, row->column, value);
                 if (q == QUANTITY_LOAD)
                     put_number(table, "pressure_Pa", material_pair_pressure(&record->summary.pair, value));
@@ -300,14 +337,6 @@ static enum status_code open_bands(struct table *bands, unsigned *quantities, co
     return STATUS_OK;
 }
 
-/** The tables that are made of the surfaces' arrays, in one pass over the store. */
-struct curve_tables {
-    const struct results *results;
-    struct table spectrum, contact, bands; /* the last only where there are intervals */
-    unsigned quantities, band_quantities;  /* QUANTITY_BITs that contact and bands have columns of */
-    const struct threads *inside;          /* of one surface, where there is but one; else NULL */
-};
-
 /** Writes what one surface adds to them. */
 static enum status_code put_curves(void *context, size_t index, struct threads_turn *turn, struct status *status)
 {
@@ -321,7 +350,7 @@ static enum status_code put_curves(void *context, size_t index, struct threads_t
     if (surface_store_get_part(record, results->store, index, SURFACE_BYTES_SPECTRUM, status) == STATUS_OK) {
         struct table contact = table_part(&all->contact, turn, status), bands = table_part(&all->bands, turn, status);
         (void)put_spectrum(&all->spectrum, record, scene_bins_spectra(results->scene), all->inside, turn, status);
-        put_contact(&contact, record, all->quantities);
+        put_contact(&contact, record, all);
         if (bands.file)
             put_bands(&bands, record, all->band_quantities);
         (void)table_close(&contact);
@@ -348,6 +377,8 @@ static enum status_code write_curves(const struct results *results, const char *
     rc = table_open(&all.contact, directory, "contact.csv", status);
     if (rc == STATUS_OK)
         contact_header(&all.contact, all.quantities);
+    if (rc == STATUS_OK)
+        rc = write_loads(&all, status);
     if (rc == STATUS_OK && results_intervals(results))
         rc = open_bands(&all.bands, &all.band_quantities, results, directory, status);
     if (rc == STATUS_OK) { /* headers first */
@@ -361,6 +392,7 @@ static enum status_code write_curves(const struct results *results, const char *
                                  all.bands.file ? table_close(&all.bands) : STATUS_OK};
     for (int i = 0; i < 3; i++)
         rc = rc != STATUS_OK ? rc : closed[i];
+    free(all.loads);
     return rc;
 }
 

@@ -77,16 +77,15 @@ void report_markdown(struct text *out, const struct section_context *context)
     squeeze(out);
 }
 
-enum status_code report_write(const struct results *results, const struct figure_list *figures, bool brief,
-                              const char *directory, const char *templates, struct status *status)
+enum status_code report_write(const struct results *results, const struct comparison *comparison,
+                              const struct figure_list *figures, bool brief, const char *directory,
+                              const char *templates, struct status *status)
 {
-    struct comparison comparison = {0};
     struct surface_record baseline = {0};
     struct text markdown = {0}, html = {0};
-    const struct section_context context = {results, &comparison, &baseline, figures, brief};
-    enum status_code rc = comparison_make(&comparison, results, status);
-    if (rc == STATUS_OK)
-        rc = surface_store_get_part(&baseline, results->store, results->baseline, SURFACE_BYTES_SPECTRUM, status);
+    const struct section_context context = {results, comparison, &baseline, figures, brief};
+    enum status_code rc =
+        surface_store_get_part(&baseline, results->store, results->baseline, SURFACE_BYTES_SPECTRUM, status);
     if (rc == STATUS_OK) {
         report_markdown(&markdown, &context);
         rc = write_file(directory, "report.md", &markdown, status);
@@ -96,7 +95,6 @@ enum status_code report_write(const struct results *results, const struct figure
     if (rc == STATUS_OK)
         rc = write_file(directory, "report.html", &html, status);
     surface_record_free(&baseline, false);
-    comparison_free(&comparison);
     text_free(&markdown);
     text_free(&html);
     return rc;

@@ -7,6 +7,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 /** An array of nothing may be NULL, which fwrite() must not be given. */
 static bool put_array(FILE *file, const void *array, size_t size, size_t count)
@@ -40,15 +41,51 @@ static bool put_points(FILE *file, const struct contact_point *points, size_t co
     return ok;
 }
 
-static struct contact_point *get_points(FILE *file, size_t count, bool *ok)
+/** Where bytes come from: memory, or a place of a file, which any number of threads read at once. */
+struct source {
+    const char *next; /* held, not taken yet: `left` of them */
+    size_t left;
+    int file; /* -1: there are no others */
+    off_t at; /* where in it the others begin */
+    char *held;
+};
+
+enum { SOURCE_HELD = 1 << 15 /* the curves of an ordinary surface; larger arrays go past it */ };
+
+static bool get_bytes(struct source *from, void *out, size_t size)
+{
+    char *to = out;
+    while (size > 0) {
+        bool past = size >= SOURCE_HELD;
+        if (from->left == 0) {
+            ssize_t got =
+                from->file < 0 ? 0 : pread(from->file, past ? to : from->held, past ? size : SOURCE_HELD, from->at);
+            if (got <= 0)
+                return false;
+            from->at += got;
+            from->next = past ? to : from->held;
+            from->left = (size_t)got;
+        }
+        size_t taken = from->left < size ? from->left : size;
+        if (from->next != to)
+            memcpy(to, from->next, taken);
+        from->next += taken;
+        from->left -= taken;
+        to += taken;
+        size -= taken;
+    }
+    return true;
+}
+
+static struct contact_point *get_points(struct source *file, size_t count, bool *ok)
 {
     struct contact_point *points = malloc(count * sizeof *points);
     double *value = (double *)points, *column = malloc(count * sizeof *column);
     uint32_t varied;
-    *ok = *ok && points && column && fread(&varied, sizeof varied, 1, file) == 1;
+    *ok = *ok && points && column && get_bytes(file, &varied, sizeof varied);
     for (size_t c = 0; c < POINT_COLUMNS && *ok; c++) {
         bool one = !(varied >> c & 1);
-        *ok = fread(column, sizeof *column, one ? 1 : count, file) == (one ? 1 : count);
+        *ok = get_bytes(file, column, (one ? 1 : count) * sizeof *column);
         for (size_t i = 0; i < count && *ok; i++)
             value[i * POINT_COLUMNS + c] = column[one ? 0 : i];
     }
@@ -95,13 +132,13 @@ bool surface_bytes_put_arrays(FILE *file, const struct surface_record *record)
     return ok;
 }
 
-/** The next array of the file, malloc'ed; NULL for one of nothing. */
-static void *get_array(FILE *file, size_t size, size_t count, bool *ok)
+/** The next array, malloc'ed; NULL for one of nothing. */
+static void *get_array(struct source *file, size_t size, size_t count, bool *ok)
 {
     if (count == 0 || !*ok)
         return NULL;
     void *array = large_alloc(count, size);
-    if (array && fread(array, size, count, file) == count)
+    if (array && get_bytes(file, array, count * size))
         return array;
     free(array);
     *ok = false;
@@ -109,7 +146,7 @@ static void *get_array(FILE *file, size_t size, size_t count, bool *ok)
 }
 
 /** The scans run alone; set->count and set->scan_count are already there. */
-static void get_repeats(struct repeat_set *set, FILE *file, bool *ok)
+static void get_repeats(struct repeat_set *set, struct source *file, bool *ok)
 {
     size_t count = set->count;
     set->scans = get_array(file, sizeof *set->scans, set->scan_count, ok);
@@ -123,19 +160,19 @@ static void get_repeats(struct repeat_set *set, FILE *file, bool *ok)
 }
 
 /** What the record says apart from its large arrays, of which it then has none. */
-static void get_header(struct surface_record *out, FILE *file, bool *ok)
+static void get_header(struct surface_record *out, struct source *file, bool *ok)
 {
     size_t preview = 0;
-    *ok = *ok && fread(out, offsetof(struct surface_record, preview_x_m), 1, file) == 1;
+    *ok = *ok && get_bytes(file, out, offsetof(struct surface_record, preview_x_m));
     if (!*ok)
         *out = (struct surface_record){0};
     preview = out->preview_points;
-    *ok = *ok && preview <= SURFACE_PREVIEW && fread(out->preview_x_m, sizeof(double), preview, file) == preview &&
-          fread(out->preview_z_m, sizeof(double), preview, file) == preview;
+    *ok = *ok && preview <= SURFACE_PREVIEW && get_bytes(file, out->preview_x_m, preview * sizeof(double)) &&
+          get_bytes(file, out->preview_z_m, preview * sizeof(double));
 }
 
 /** The curves, their bands and what they took, of which the record has the place. */
-static void get_curves(struct surface_record *out, FILE *file, bool *ok)
+static void get_curves(struct surface_record *out, struct source *file, bool *ok)
 {
     out->curves = get_array(file, sizeof *out->curves, out->curves ? model_count : 0, ok);
     out->bands = get_array(file, sizeof *out->bands, out->bands ? model_count : 0, ok);
@@ -148,7 +185,7 @@ static void get_curves(struct surface_record *out, FILE *file, bool *ok)
 }
 
 /** The arrays behind the spectrum. */
-static void get_rest(struct surface_record *out, FILE *file, bool *ok)
+static void get_rest(struct surface_record *out, struct source *file, bool *ok)
 {
     out->tapered.amplitude_m = get_array(file, sizeof(double), out->tapered.count, ok);
     for (int v = 0; v < SENSITIVITY_VARIANTS; v++) {
@@ -173,8 +210,9 @@ static void leave_rest(struct surface_record *out)
     out->repeats = (struct repeat_set){0};
 }
 
-bool surface_bytes_get(struct surface_record *out, FILE *file, long arrays_at, const struct surface_summary *summary,
-                       enum surface_bytes_part part)
+/** The arrays follow the curves, or stand at *arrays_at of the file. */
+static bool get_record(struct surface_record *out, struct source *file, const off_t *arrays_at,
+                       const struct surface_summary *summary, enum surface_bytes_part part)
 {
     bool ok = true;
     get_header(out, file, &ok);
@@ -182,13 +220,26 @@ bool surface_bytes_get(struct surface_record *out, FILE *file, long arrays_at, c
     get_curves(out, file, &ok);
     if (part == SURFACE_BYTES_CURVES)
         out->spectrum = (struct spectrum){0};
-    else if (arrays_at != SURFACE_BYTES_FOLLOW)
-        ok = ok && fseek(file, arrays_at, SEEK_SET) == 0;
+    else if (arrays_at) {
+        file->at = *arrays_at;
+        file->left = 0;
+    }
     out->spectrum.amplitude_m = get_array(file, sizeof(double), out->spectrum.count, &ok);
     if (part == SURFACE_BYTES_ALL)
         get_rest(out, file, &ok);
     else
         leave_rest(out);
+    return ok;
+}
+
+bool surface_bytes_get(struct surface_record *out, int file, off_t curves_at, off_t arrays_at,
+                       const struct surface_summary *summary, enum surface_bytes_part part)
+{
+    struct source source = {.file = file, .at = curves_at, .held = malloc(SOURCE_HELD)};
+    if (!source.held)
+        source.file = -1;
+    bool ok = get_record(out, &source, &arrays_at, summary, part);
+    free(source.held);
     return ok;
 }
 
@@ -199,10 +250,10 @@ static bool put_text(FILE *file, const char *text)
     return put_array(file, &size, sizeof size, 1) && put_array(file, text, 1, size);
 }
 
-static char *get_text(FILE *file, bool *ok)
+static char *get_text(struct source *file, bool *ok)
 {
     size_t size = 0;
-    *ok = *ok && fread(&size, sizeof size, 1, file) == 1;
+    *ok = *ok && get_bytes(file, &size, sizeof size);
     return get_array(file, 1, size, ok);
 }
 
@@ -219,12 +270,12 @@ static bool put_scan_files(FILE *file, const struct repeat_set *set, const struc
     return ok;
 }
 
-static bool get_scan_files(struct repeat_set *set, FILE *file, const struct scene_surface *surface)
+static bool get_scan_files(struct repeat_set *set, struct source *file, const struct scene_surface *surface)
 {
     bool ok = true;
     for (size_t s = 0; s < set->scan_count && ok; s++) {
         size_t which;
-        ok = fread(&which, sizeof which, 1, file) == 1 && which < surface->file_count;
+        ok = get_bytes(file, &which, sizeof which) && which < surface->file_count;
         set->scans[s].file = ok ? surface->files[which] : NULL;
     }
     return ok;
@@ -247,7 +298,7 @@ static bool put_models(FILE *file, const struct surface_summary *summary)
     return ok;
 }
 
-static void get_models(struct surface_summary *out, FILE *file, bool *ok)
+static void get_models(struct surface_summary *out, struct source *file, bool *ok)
 {
     out->bounds = get_array(file, sizeof *out->bounds, out->bounds ? model_count : 0, ok);
     for (size_t m = 0; out->bounds && m < model_count; m++)
@@ -259,7 +310,7 @@ static void get_models(struct surface_summary *out, FILE *file, bool *ok)
         uint32_t known = 0;
         if (!model || !model->estimates)
             continue;
-        *ok = fread(&known, sizeof known, 1, file) == 1;
+        *ok = get_bytes(file, &known, sizeof known);
         model->estimates = get_array(file, curve_estimates_size(known), 1, ok);
     }
 }
@@ -277,9 +328,9 @@ static bool put_summary(FILE *file, const struct surface_summary *summary, const
     return ok && put_array(file, summary->limits, sizeof *summary->limits, summary->limits ? scene->limit_count : 0);
 }
 
-static bool get_summary(struct surface_summary *out, FILE *file, const struct scene *scene, size_t index)
+static bool get_summary(struct surface_summary *out, struct source *file, const struct scene *scene, size_t index)
 {
-    bool ok = fread(out, sizeof *out, 1, file) == 1;
+    bool ok = get_bytes(file, out, sizeof *out);
     if (!ok)
         *out = (struct surface_summary){0};
     out->scene = &scene->surfaces[index];
@@ -316,14 +367,12 @@ enum status_code surface_bytes_unpack(struct surface_record *out, char *bytes, s
                                       size_t index, struct status *status)
 {
     struct surface_summary summary = {0};
-    FILE *file = fmemopen(bytes, size, "rb");
-    bool ok = file && get_summary(&summary, file, scene, index);
+    struct source source = {.next = bytes, .left = size, .file = -1};
+    bool ok = get_summary(&summary, &source, scene, index);
     *out = (struct surface_record){.summary = summary};
     if (ok && summary.usable)
-        ok = surface_bytes_get(out, file, SURFACE_BYTES_FOLLOW, &summary, SURFACE_BYTES_ALL) &&
-             get_scan_files(&out->repeats, file, summary.scene);
-    if (file)
-        fclose(file);
+        ok = get_record(out, &source, NULL, &summary, SURFACE_BYTES_ALL) &&
+             get_scan_files(&out->repeats, &source, summary.scene);
     if (ok)
         return STATUS_OK;
     surface_record_free(out, true);

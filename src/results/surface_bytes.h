@@ -6,6 +6,7 @@
 
 #include "analysis/surface.h"
 #include <stdio.h>
+#include <sys/types.h>
 
 /** Writes the arrays that a record has from its description: spectra, heights, scans; false: an error of the file. */
 bool surface_bytes_put_arrays(FILE *file, const struct surface_record *record);
@@ -19,12 +20,11 @@ enum surface_bytes_part {
 };
 
 /** Reads a part of them back into `out`, which takes `summary` as its own: what surface_bytes_put_curves() wrote, from
- * where the file stands, then the arrays from `arrays_at` of it, SURFACE_BYTES_FOLLOW: right behind; those that the
- * record has dropped since they were written stay away. False: an error of the file, or no memory. Whatever comes back:
- * surface_record_free(). */
-bool surface_bytes_get(struct surface_record *out, FILE *file, long arrays_at, const struct surface_summary *summary,
-                       enum surface_bytes_part part);
-enum { SURFACE_BYTES_FOLLOW = -1 };
+ * `curves_at` of the file, then the arrays from `arrays_at`; those that the record has dropped since they were written
+ * stay away. Where the file stands does not matter, so that several threads may read at once. False: an error of the
+ * file, or no memory. Whatever comes back: surface_record_free(). */
+bool surface_bytes_get(struct surface_record *out, int file, off_t curves_at, off_t arrays_at,
+                       const struct surface_summary *summary, enum surface_bytes_part part);
 
 /** The record of a surface of `scene` with all that its summary owns: malloc'ed bytes. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code surface_bytes_pack(char **bytes, size_t *size, const struct surface_record *record,

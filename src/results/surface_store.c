@@ -47,15 +47,15 @@ void surface_store_close(struct surface_store *store)
 }
 
 /** Appends a part of a record; *place is where. */
-static enum status_code append(struct surface_store *store, long *place,
+static enum status_code append(struct surface_store *store, off_t *place,
                                bool (*put)(FILE *file, const struct surface_record *record),
                                const struct surface_record *record, struct status *status)
 {
     if (!record->summary.usable || !store->file)
         return STATUS_OK;
     pthread_mutex_lock(&store->lock);
-    bool ok = fseek(store->file, 0, SEEK_END) == 0 && (*place = ftell(store->file)) >= 0;
-    ok = ok && put(store->file, record);
+    bool ok = (*place = ftello(store->file)) >= 0; /* it stands at its end: readers do not move it */
+    ok = ok && put(store->file, record) && fflush(store->file) == 0;
     int reason = errno;
     pthread_mutex_unlock(&store->lock);
     return ok ? STATUS_OK
@@ -93,12 +93,8 @@ enum status_code surface_store_get_part(struct surface_record *out, struct surfa
                                         enum surface_bytes_part part, struct status *status)
 {
     memset(out, 0, offsetof(struct surface_record, preview_x_m)); /* the rest is 16 KB, of which few are used */
-    pthread_mutex_lock(&store->lock);
     const struct surface_place *place = &store->places[index];
-    bool ok = fseek(store->file, place->curves, SEEK_SET) == 0 &&
-              surface_bytes_get(out, store->file, place->arrays, &store->summaries[index], part);
-    pthread_mutex_unlock(&store->lock);
-    if (ok)
+    if (surface_bytes_get(out, fileno(store->file), place->curves, place->arrays, &store->summaries[index], part))
         return STATUS_OK;
     surface_record_free(out, false);
     return status_fail(status, STATUS_IO, "cannot read the results back");

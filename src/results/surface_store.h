@@ -11,16 +11,16 @@
 
 /** Where a surface's bytes begin. */
 struct surface_place {
-    long arrays, curves;
+    off_t arrays, curves;
 };
 
 struct surface_store {
     struct surface_summary *summaries; /* one a surface of the scene, in its order */
     struct surface_place *places;      /* the same, in `file` */
     size_t count;
-    FILE *file;
+    FILE *file;              /* stands at its end */
     struct work models_done; /* by the models, of all surfaces stored */
-    pthread_mutex_t lock;    /* guards both */
+    pthread_mutex_t lock;    /* guards both while they are added to */
 };
 
 /** `directory` is where the temporary file goes (it is unlinked at once), "" the system's place for such; NULL: only

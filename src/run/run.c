@@ -3,6 +3,7 @@
 
 #include "analysis/direct_study.h"
 #include "base/clock.h"
+#include "base/threads.h"
 #include "chart/figure.h"
 #include "output/json.h"
 #include "output/output.h"
@@ -28,6 +29,7 @@ struct run {
     struct benchmark benchmark;
     struct sensitivity_curves sensitivity;
     struct measured_answers answers;
+    struct comparison comparison;
     struct figure_list figures;
     double *sweeps;
     uint64_t sweep_scales;
@@ -224,6 +226,22 @@ static bool stopped(const struct run *run)
     return run->options->stop && *run->options->stop;
 }
 
+/** What is made of every surface's curves: the files of numbers, and beside them what the report compares, in one
+ * thread more, which takes a small part of their time. */
+enum { GOING_OVER_FILES, GOING_OVER_COMPARISON, GOINGS_OVER };
+
+static enum status_code go_over(void *context, size_t part, struct threads_turn *turn, struct status *status)
+{
+    struct run *run = context;
+    const char *staging = run->output.staging;
+    const struct threads threads = {run->options->jobs, run->options->stop};
+    (void)turn;
+    if (part == GOING_OVER_COMPARISON)
+        return comparison_make(&run->comparison, run->results, status);
+    enum status_code rc = tables_write(run->results, staging, &threads, status);
+    return rc == STATUS_OK && !stopped(run) ? json_write(run->results, staging, &threads, status) : rc;
+}
+
 /** From the evaluated surfaces to the files of the report. */
 static enum status_code write_all(struct run *run, struct run_outcome *out, struct status *status)
 {
@@ -231,9 +249,7 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
     const char *staging = run->output.staging;
     const struct threads threads = {options->jobs, options->stop};
     double last = clock_seconds();
-    if (tables_write(run->results, staging, &threads, status) != STATUS_OK || stopped(run))
-        return status->code;
-    if (json_write(run->results, staging, &threads, status) != STATUS_OK || stopped(run))
+    if (threads_run(&threads, GOINGS_OVER, go_over, run, status) != STATUS_OK || stopped(run))
         return status->code;
     out->times.tables = lap(&last);
     if (figure_list_make(&run->figures, run->results, status) != STATUS_OK)
@@ -247,7 +263,8 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
     if (figure_draw_all(&run->figures, staging, options->jobs, &out->charts, &out->times.gnuplot, status) != STATUS_OK)
         return status->code;
     last = clock_seconds();
-    if (report_write(run->results, &run->figures, options->brief, staging, options->templates, status) != STATUS_OK)
+    if (report_write(run->results, &run->comparison, &run->figures, options->brief, staging, options->templates,
+                     status) != STATUS_OK)
         return status->code;
     report_terminal_table(&out->table, run->results);
     report_terminal_answers(&out->answers, run->results);
@@ -307,6 +324,7 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
     free(run.direct);
     sensitivity_curves_free(&run.sensitivity);
     measured_answers_free(&run.answers);
+    comparison_free(&run.comparison);
     figure_list_free(&run.figures);
     out->times.total = clock_seconds() - started;
     if (rc == STATUS_OK && options->forecast) {
