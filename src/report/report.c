@@ -77,7 +77,7 @@ void report_markdown(struct text *out, const struct section_context *context)
     squeeze(out);
 }
 
-enum status_code report_write(const struct results *results, const struct comparison *comparison,
+enum status_code report_write(const struct results *results, struct comparison *comparison,
                               const struct figure_list *figures, bool brief, const char *directory,
                               const char *templates, struct status *status)
 {
@@ -88,6 +88,7 @@ enum status_code report_write(const struct results *results, const struct compar
         surface_store_get_part(&baseline, results->store, results->baseline, SURFACE_BYTES_SPECTRUM, status);
     if (rc == STATUS_OK) {
         report_markdown(&markdown, &context);
+        comparison_free(comparison); /* before the page is made, which takes most memory of all */
         rc = write_file(directory, "report.md", &markdown, status);
     }
     if (rc == STATUS_OK)

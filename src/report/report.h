@@ -7,9 +7,9 @@
 #include "chart/figure.h"
 #include "results/comparison.h"
 
-/** Writes report.md and report.html into `directory`, whose `figures` are drawn; `comparison` is of the results; brief:
- * the first page alone. Errors: STATUS_IO, STATUS_MEMORY. */
-MUST_CHECK enum status_code report_write(const struct results *results, const struct comparison *comparison,
+/** Writes report.md and report.html into `directory`, whose `figures` are drawn; `comparison`, of the results, ends
+ * here; brief: the first page alone. Errors: STATUS_IO, STATUS_MEMORY. */
+MUST_CHECK enum status_code report_write(const struct results *results, struct comparison *comparison,
                                          const struct figure_list *figures, bool brief, const char *directory,
                                          const char *templates, struct status *status);
 
