@@ -20,6 +20,7 @@ enum { SURFACE_PREVIEW = 1000 }; /* points of a profile kept for the chart */
 /** Where a run's time goes, by stage [s]. */
 struct surface_times {
     double read, prepare, spectrum, convergence;
+    double described; /* elapsed from the first of these to the end of the third and of the models' bounds */
 };
 
 /** What `effects: auto` decides by, besides the bounds of each model. */

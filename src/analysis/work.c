@@ -8,7 +8,7 @@
 /** Typical times of one evaluation on one core [s], from the benchmark (cmake --workflow --preset bench). They are for
  * planning only; a report prints what it took. */
 static const double scale_seconds = 40e-9, gap_seconds = 20e-9, constriction_seconds = 10e-9, node_seconds = 120e-9,
-                    separation_seconds = 8e-6, search_seconds = 0.15e-3, extension_seconds = 0.5e-3;
+                    separation_seconds = 0.4e-6, search_seconds = 25e-6, extension_seconds = 0.2e-3;
 
 static struct model_work *share_of(struct work *work, size_t m)
 {

@@ -30,13 +30,15 @@ const char *const forecast_names[FORECAST_STAGES] = {
  * with 121 and with 10 000 loads and of 1000 scans of 8000 points. All but the first scale with the machine. */
 static const double usual_print = 0.33e-6, usual_number = 0.1e-6, process_seconds = 26e-3, drawn_seconds = 4.4e-3,
                     figure_seconds = 1.6e-3, page_seconds = 28e-3, page_figure_seconds = 2.6e-3,
-                    surface_seconds = 0.2e-3, cost_seconds = 0.16, cost_load_seconds = 26e-6,
+                    surface_seconds = 0.06e-3, cost_seconds = 0.16, cost_load_seconds = 26e-6,
                     sweep_scale_seconds = 75e-9, start_seconds = 8e-3, stored_height_seconds = 20e-9,
-                    kept_height_seconds = 500e-9, point_seconds = 0.5e-6;
+                    kept_height_seconds = 500e-9;
 /* Shares of a written number: of one in JSON, of a curve's point in the charts and on the page. */
-static const double table_number = 1.6, json_number = 1.2, chart_number = 1.7, page_number = 1.3;
+static const double table_number = 1.6, json_number = 1.2, chart_number = 1.7, page_number = 0.5;
 /* Of the rate on the synthetic spectrum, which has nothing warm and few loads to spread what is done once over. */
 static const double model_share = 0.8;
+/* Of the models' time: bounds aside, what is asked of them once their curves are there (sensitivity, nearest beta). */
+static const double model_rest = 0.8;
 /* How often the methods that the section on cost compares sort heights. */
 static const double cost_sorts = 25;
 
@@ -247,7 +249,7 @@ static void forecast_models(struct forecast *out, const struct results *results,
     out->seconds[FORECAST_CONVERGENCE] = rates->speed * sweep_scale_seconds * (double)work->sweep_scales;
     work_uncertainty(&work->simulated, &out->seconds[FORECAST_UNCERTAINTY]);
     out->seconds[FORECAST_UNCERTAINTY] *= rates->speed;
-    out->seconds[FORECAST_DIRECT] = work->contact_seconds;
+    out->seconds[FORECAST_DIRECT] = rates->speed * work->contact_seconds;
 }
 
 struct forecast forecast_make(const struct results *results, const struct forecast_rates *rates,
@@ -256,7 +258,7 @@ struct forecast forecast_make(const struct results *results, const struct foreca
     struct forecast out = {{0}, 0};
     const struct surface_store *store = results->store;
     double figures = options->brief ? 2 : count_figures(results, options->no_cost), numbers = count_numbers(results);
-    double spectra = 0, most_heights = 0, heights = 0, points = 0, threads = threads_of(results, options);
+    double spectra = 0, most_heights = 0, heights = 0, described = 0, threads = threads_of(results, options);
     bool bins = scene_bins_spectra(results->scene); /* then the curves are not in results.json either */
     for (size_t i = 0; i < store->count; i++) {
         const struct surface_summary *summary = &store->summaries[i];
@@ -266,7 +268,7 @@ struct forecast forecast_make(const struct results *results, const struct foreca
         spectra += 3.5 * (bins ? 40 : (double)summary->harmonics); /* tenths of decades */
         most_heights = fmax(most_heights, (double)summary->heights);
         heights += (double)summary->heights;
-        points += (double)summary->points;
+        described += summary->times.described;
     }
     double shown = results->usable_count > 0 /* curves of some surfaces alone are drawn */
                        ? numbers * (double)results->shown_count / (double)results->usable_count
@@ -289,13 +291,15 @@ struct forecast forecast_make(const struct results *results, const struct foreca
     double stored = rates->speed * stored_height_seconds * heights; /* each later stage takes them from the store */
     out.seconds[FORECAST_CHART_DATA] += stored;
     out.seconds[FORECAST_PAGE] += stored;
-    out.seconds[FORECAST_OTHER] =
-        rates->speed * (start_seconds + kept_height_seconds * heights + point_seconds * points);
-    for (int s = 0; s < FORECAST_STAGES; s++)
+    double read = out.seconds[FORECAST_READ] + out.seconds[FORECAST_LEVEL] + out.seconds[FORECAST_SPECTRA];
+    out.seconds[FORECAST_OTHER] = rates->speed * (start_seconds + kept_height_seconds * heights) +
+                                  model_rest * out.seconds[FORECAST_MODELS] + fmax(0, described - read);
+    for (int s = FORECAST_MODELS; s < FORECAST_STAGES; s++)
         out.total +=
             out.seconds[s] /
-            (s <= FORECAST_MODELS || s == FORECAST_UNCERTAINTY || s == FORECAST_TABLES || s == FORECAST_OTHER ? threads
+            (s == FORECAST_MODELS || s == FORECAST_UNCERTAINTY || s == FORECAST_TABLES || s == FORECAST_OTHER ? threads
                                                                                                               : 1);
+    out.total += fmin(described, read) / threads; /* parts of a large scan are read side by side */
     return out;
 }
 

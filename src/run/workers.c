@@ -3,6 +3,7 @@
 
 #include "analysis/direct_study.h"
 #include "analysis/effect_bounds.h"
+#include "base/clock.h"
 #include "base/threads.h"
 
 #include <pthread.h>
@@ -56,6 +57,7 @@ static enum status_code describe(struct surface_record *record, const struct res
                                  const struct threads *threads, struct status *status)
 {
     const struct scene *scene = results->scene;
+    double started = clock_seconds();
     if (surface_describe(record, scene, &scene->surfaces[index], results->counterface, threads, status) != STATUS_OK) {
         surface_record_free(record, true);
         return status->code;
@@ -64,6 +66,7 @@ static enum status_code describe(struct surface_record *record, const struct res
     struct closing closing = {record, results, index};
     bool large = record->summary.points >= SHARED_POINTS;
     enum status_code rc = threads_run(large ? threads : NULL, CLOSINGS, close_one, &closing, status);
+    record->summary.times.described = clock_seconds() - started;
     if (rc == STATUS_OK)
         rc = surface_store_update(results->store, index, record, status);
     if (rc != STATUS_OK)

@@ -112,13 +112,15 @@ static struct stream {
     double *deviate;
     size_t count;
 } streams[STREAMS];
-static size_t kept_count; /* of all of them */
-static pthread_mutex_t keeper = PTHREAD_MUTEX_INITIALIZER;
+static size_t kept_count;                                    /* of all of them */
+static pthread_rwlock_t keeper = PTHREAD_RWLOCK_INITIALIZER; /* many draw, one lengthens */
 
-/** Makes a stream at least `count` long, if there is room. */
+/** Makes a stream at least `count` long, if it is not and there is room. */
 static void lengthen(struct stream *stream, unsigned long seed, size_t count)
 {
     size_t size = STREAM_LEAST;
+    if (stream->count >= count)
+        return;
     while (size < count)
         size *= 2;
     if (kept_count - stream->count + size > KEPT_MOST)
@@ -138,21 +140,30 @@ static void lengthen(struct stream *stream, unsigned long seed, size_t count)
     gsl_rng_free(random);
 }
 
+/** Sizes of the waves by the stream; false: it is too short. */
+static bool draw_from(const struct stream *stream, fftw_complex *wave, const struct simulated_record *spectrum,
+                      size_t waves)
+{
+    pthread_rwlock_rdlock(&keeper);
+    bool kept = stream->count >= 2 * waves;
+    for (size_t k = 1; k <= waves && kept; k++)
+        for (size_t part = 0; part < 2; part++)
+            wave[k][part] = spectrum->deviation_m[k] * stream->deviate[2 * (k - 1) + part] / 2;
+    pthread_rwlock_unlock(&keeper);
+    return kept;
+}
+
 /** Sizes of the waves by a stream that is kept; false: it is not. */
 static bool draw_kept(fftw_complex *wave, const struct simulated_record *spectrum, size_t waves, unsigned long seed)
 {
     if (seed >= STREAMS || waves > KEPT_MOST / 2)
         return false;
-    pthread_mutex_lock(&keeper);
-    struct stream *stream = &streams[seed];
-    if (stream->count < 2 * waves)
-        lengthen(stream, seed, 2 * waves);
-    bool kept = stream->count >= 2 * waves;
-    for (size_t k = 1; k <= waves && kept; k++)
-        for (size_t part = 0; part < 2; part++)
-            wave[k][part] = spectrum->deviation_m[k] * stream->deviate[2 * (k - 1) + part] / 2;
-    pthread_mutex_unlock(&keeper);
-    return kept;
+    if (draw_from(&streams[seed], wave, spectrum, waves))
+        return true;
+    pthread_rwlock_wrlock(&keeper);
+    lengthen(&streams[seed], seed, 2 * waves);
+    pthread_rwlock_unlock(&keeper);
+    return draw_from(&streams[seed], wave, spectrum, waves);
 }
 
 /** The same of any other. Error: STATUS_MEMORY. */

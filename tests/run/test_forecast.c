@@ -33,6 +33,8 @@ static int place_teardown(void **state)
     return 0;
 }
 
+static double described = 1.75; /* what reading a surface took in all */
+
 /* Forecasts the scene with rates of a clock of `tick` seconds a look; 0: a clock that stands still. */
 static struct forecast forecast_of(const struct directory *place, const char *scene_text, struct run_options options,
                                    double tick, struct forecast_rates *rates)
@@ -46,7 +48,7 @@ static struct forecast forecast_of(const struct directory *place, const char *sc
     assert_int_equal(scene_read(&scene, directory, &(struct scene_overrides){0}, &status), STATUS_OK);
     assert_int_equal(prepare(&prepared, &scene, &options, NULL, &status), STATUS_OK);
     for (size_t i = 0; i < prepared.store.count; i++) /* what reading took is none of the forecast's own */
-        prepared.store.summaries[i].times = (struct surface_times){0.25, 0.5, 1, 0};
+        prepared.store.summaries[i].times = (struct surface_times){0.25, 0.5, 1, 0, described};
     step = tick;
     looks = 0;
     assert_int_equal(forecast_calibrate(rates, &prepared.results, ticking, &status), STATUS_OK);
@@ -73,9 +75,10 @@ static void rates_come_from_the_clock(void **state)
     assert_near(slow.number, 2 * fast.number, 1e-9);
     assert_near(slow.speed, 2 * fast.speed, 1e-9);
     assert_near(slow.sort, 2 * fast.sort, 1e-9);
-    for (int s = FORECAST_CONVERGENCE; s < FORECAST_STAGES; s++)
+    for (int s = FORECAST_CONVERGENCE; s < FORECAST_OTHER; s++)
         assert_near(long_run.seconds[s], 2 * short_run.seconds[s], 1e-9);
-    struct forecast fixed = forecast_of(*state, TWO ALL FEW, one_thread, 0, &still); /* too coarse: as usual */
+    assert_true(long_run.seconds[FORECAST_OTHER] > short_run.seconds[FORECAST_OTHER]); /* some of it goes with models */
+    struct forecast fixed = forecast_of(*state, TWO ALL FEW, one_thread, 0, &still);   /* too coarse: as usual */
     assert_near(still.speed, 1, 1e-12);
     assert_true(fixed.seconds[FORECAST_MODELS] > 0 && fixed.seconds[FORECAST_GNUPLOT] > 0);
 }
@@ -101,6 +104,23 @@ static void stages_add_up(void **state)
         assert_non_null(strstr(text_string(&table), forecast_names[s]));
     assert_non_null(strstr(table.data, "all, elapsed"));
     text_free(&table);
+}
+
+/* What describing took besides is the rest's; where parts of it ran side by side, the whole counts. */
+static void describing_counts_once(void **state)
+{
+    struct forecast_rates rates;
+    struct forecast plain = forecast_of(*state, TWO ALL FEW, one_thread, 0, &rates);
+    described = 2;
+    struct forecast longer = forecast_of(*state, TWO ALL FEW, one_thread, 0, &rates);
+    described = 1;
+    struct forecast shared = forecast_of(*state, TWO ALL FEW, one_thread, 0, &rates);
+    described = 1.75;
+    assert_near(longer.seconds[FORECAST_OTHER] - plain.seconds[FORECAST_OTHER], 2 * 0.25, 1e-6);
+    assert_near(longer.total - plain.total, 2 * 0.25, 1e-6);
+    assert_near(shared.seconds[FORECAST_OTHER], plain.seconds[FORECAST_OTHER], 1e-6);
+    assert_near(plain.total - shared.total, 2 * 0.75, 1e-6);
+    assert_near(shared.seconds[FORECAST_SPECTRA], 2, 1e-12);
 }
 
 static void more_work_takes_longer(void **state)
@@ -181,8 +201,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rates_come_from_the_clock), cmocka_unit_test(stages_add_up),
-        cmocka_unit_test(more_work_takes_longer),    cmocka_unit_test(heights_are_sorted),
-        cmocka_unit_test(the_report_does_not_tell),
+        cmocka_unit_test(describing_counts_once),    cmocka_unit_test(more_work_takes_longer),
+        cmocka_unit_test(heights_are_sorted),        cmocka_unit_test(the_report_does_not_tell),
     };
     return cmocka_run_group_tests(tests, place_setup, place_teardown);
 }
