@@ -3,7 +3,6 @@
 
 #include "analysis/piece.h"
 #include "base/clock.h"
-#include "base/fft.h"
 #include "spectrum/areal.h"
 #include "spectrum/grid.h"
 #include "statistics/interval.h"
@@ -391,11 +390,9 @@ static enum status_code add_rows(struct surface_record *record, struct power_law
                                 .scene = scene,
                                 .scans = scans,
                                 .window = spectrum_window_for(scene->window, rc == STATUS_OK && profile.periodic)};
-        fft_hold(profile.points);
         if (rc == STATUS_OK)
             rc = threads_run(scan->ny == 1 && profile.points >= SHARED_POINTS ? threads : NULL, MAKINGS, make_one,
                              &making, &problem);
-        fft_release();
         if (rc == STATUS_OK && scan->kind == SCAN_PROFILE && keeps_direct(record, scene))
             rc = keep_direct(record, scan, &profile, &problem);
         if (rc == STATUS_OK)

@@ -7,11 +7,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/** order[k] = index of the k-th lowest of `count` < 2^31 finite values, equal ones (also -0 and 0) by index. By radix,
- * in linear time. `order` has 2 count elements, of which the second half is room to work in. */
+/** order[k] = index of the k-th lowest of `count` finite values, equal ones by index. */
 void rank_ascending(uint64_t *order, const double *value, size_t count);
 
-/** order[k] = index of the k-th highest of `count` < 2^31 finite values, equal ones by index. Error: STATUS_MEMORY. */
+/** order[k] = index of the k-th highest of `count` finite values, equal ones by index. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code rank_descending(size_t *order, const double *value, size_t count, struct status *status);
 
 #endif

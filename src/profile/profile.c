@@ -2,7 +2,6 @@
 #include "profile/profile.h"
 
 #include "base/extremes.h"
-#include "base/large.h"
 #include "profile/filter.h"
 #include "profile/gaps.h"
 #include "profile/level.h"
@@ -102,7 +101,7 @@ static enum status_code take_level(struct profile *profile, const struct profile
 /** The heights smoothed, malloc'ed; NULL: out of memory. */
 static double *smoothed(const struct profile *profile, double cutoff_m, struct status *status)
 {
-    double *smooth_m = large_alloc(profile->points, sizeof *smooth_m);
+    double *smooth_m = reallocarray(NULL, profile->points, sizeof *smooth_m);
     if (!smooth_m) {
         (void)status_memory(status);
         return NULL;
@@ -205,7 +204,7 @@ static enum status_code make_ready(struct profile *out, const struct scan *scan,
 enum status_code profile_make(struct profile *out, const struct scan *scan, size_t row,
                               const struct profile_options *options, struct status *status)
 {
-    *out = (struct profile){.height_m = large_alloc(scan->nx, sizeof *out->height_m)};
+    *out = (struct profile){.height_m = reallocarray(NULL, scan->nx, sizeof *out->height_m)};
     if (!out->height_m)
         return status_memory(status);
     memcpy(out->height_m, scan->z_m + row * scan->nx, scan->nx * sizeof *out->height_m);

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "results/surface_bytes.h"
 
-#include "base/large.h"
 #include <assert.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -137,7 +136,7 @@ static void *get_array(struct source *file, size_t size, size_t count, bool *ok)
 {
     if (count == 0 || !*ok)
         return NULL;
-    void *array = large_alloc(count, size);
+    void *array = reallocarray(NULL, count, size);
     if (array && get_bytes(file, array, count * size))
         return array;
     free(array);

@@ -2,8 +2,8 @@
 #include "spectrum/parameters.h"
 
 #include "base/extremes.h"
-#include "base/rank.h"
 
+#include <gsl/gsl_sort.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -229,15 +229,13 @@ const struct parameters_row parameters_rows[PARAMETERS_COUNT] = {
 };
 
 /** The heights, highest first. */
-static enum status_code sort_heights(double *sorted_m, const double *height_m, size_t points, struct status *status)
+static void sort_heights(double *sorted_m, const double *height_m, size_t points)
 {
-    size_t *order = malloc(points * sizeof *order);
-    enum status_code rc = order ? rank_descending(order, height_m, points, status) : status_memory(status);
-    if (rc == STATUS_OK)
-        for (size_t k = 0; k < points; k++)
-            sorted_m[k] = height_m[order[k]];
-    free(order);
-    return rc;
+    for (size_t k = 0; k < points; k++)
+        sorted_m[k] = -height_m[k];
+    gsl_sort(sorted_m, 1, points);
+    for (size_t k = 0; k < points; k++)
+        sorted_m[k] = -sorted_m[k];
 }
 
 static void fill_curve(struct parameters *out, const double *sorted_m, size_t points)
@@ -258,10 +256,7 @@ enum status_code parameters_compute(struct parameters *out, char letter, const d
     double *sorted_m = malloc(points * sizeof *sorted_m);
     if (!sorted_m)
         return status_memory(status);
-    if (sort_heights(sorted_m, height_m, points, status) != STATUS_OK) {
-        free(sorted_m);
-        return status->code;
-    }
+    sort_heights(sorted_m, height_m, points);
     fill_curve(out, sorted_m, points);
     struct parameters_part whole = {height_m, points, spacing_m, sorted_m, NULL};
     const struct parameters_core core = core_of(&whole); /* once: five parameters are of it */

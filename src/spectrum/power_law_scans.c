@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spectrum/power_law_scans.h"
 
-#include "base/large.h"
 #include "spectrum/grid.h"
 #include "spectrum/multitaper.h"
 #include "statistics/interval.h"
@@ -15,7 +14,7 @@ static enum status_code taper(struct spectrum *out, const double *height_m, size
                               struct status *status)
 {
     size_t count = multitaper_count(points);
-    *out = (struct spectrum){.amplitude_m = large_alloc(count, sizeof *out->amplitude_m),
+    *out = (struct spectrum){.amplitude_m = reallocarray(NULL, count, sizeof *out->amplitude_m),
                              .count = count,
                              .length_m = (double)points * spacing_m};
     if (!out->amplitude_m)
@@ -60,7 +59,7 @@ enum status_code power_law_scans_add(struct power_law_scans *scans, const double
 /** Squares of the amplitudes, malloc'ed. */
 static double *squares_of(const struct spectrum *spectrum)
 {
-    double *square_m2 = large_alloc(spectrum->count + 1, sizeof *square_m2);
+    double *square_m2 = reallocarray(NULL, spectrum->count + 1, sizeof *square_m2);
     for (size_t i = 0; square_m2 && i < spectrum->count; i++)
         square_m2[i] = spectrum->amplitude_m[i] * spectrum->amplitude_m[i];
     return square_m2;

@@ -8,7 +8,6 @@
 #include <gsl/gsl_randist.h>
 #include <gsl/gsl_rng.h>
 #include <math.h>
-#include <pthread.h>
 #include <stdlib.h>
 
 static const double least_slope = 0, most_slope = 2;
@@ -104,72 +103,11 @@ enum status_code simulated_record_prepare(struct simulated_record *out, const do
     return STATUS_OK;
 }
 
-enum { STREAMS = 512, STREAM_LEAST = 256, KEPT_MOST = 1 << 20 /* numbers: 8 MB */ };
-
-/** Standard normal numbers of a seed, from its first on. Every surface's records take the same seeds, and drawing
- * costs more than all else that is done with a short record. */
-static struct stream {
-    double *deviate;
-    size_t count;
-} streams[STREAMS];
-static size_t kept_count;                                    /* of all of them */
-static pthread_rwlock_t keeper = PTHREAD_RWLOCK_INITIALIZER; /* many draw, one lengthens */
-
-/** Makes a stream at least `count` long, if it is not and there is room. */
-static void lengthen(struct stream *stream, unsigned long seed, size_t count)
+enum status_code simulated_record_draw(double *height_m, const struct simulated_record *spectrum, unsigned long seed,
+                                       struct status *status)
 {
-    size_t size = STREAM_LEAST;
-    if (stream->count >= count)
-        return;
-    while (size < count)
-        size *= 2;
-    if (kept_count - stream->count + size > KEPT_MOST)
-        return;
-    double *deviate = malloc(size * sizeof *deviate);
-    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
-    if (deviate && random) {
-        gsl_rng_set(random, seed);
-        for (size_t i = 0; i < size; i++)
-            deviate[i] = gsl_ran_gaussian_ziggurat(random, 1);
-        kept_count += size - stream->count;
-        free(stream->deviate);
-        *stream = (struct stream){deviate, size};
-    } else {
-        free(deviate);
-    }
-    gsl_rng_free(random);
-}
-
-/** Sizes of the waves by the stream; false: it is too short. */
-static bool draw_from(const struct stream *stream, fftw_complex *wave, const struct simulated_record *spectrum,
-                      size_t waves)
-{
-    pthread_rwlock_rdlock(&keeper);
-    bool kept = stream->count >= 2 * waves;
-    for (size_t k = 1; k <= waves && kept; k++)
-        for (size_t part = 0; part < 2; part++)
-            wave[k][part] = spectrum->deviation_m[k] * stream->deviate[2 * (k - 1) + part] / 2;
-    pthread_rwlock_unlock(&keeper);
-    return kept;
-}
-
-/** Sizes of the waves by a stream that is kept; false: it is not. */
-static bool draw_kept(fftw_complex *wave, const struct simulated_record *spectrum, size_t waves, unsigned long seed)
-{
-    if (seed >= STREAMS || waves > KEPT_MOST / 2)
-        return false;
-    if (draw_from(&streams[seed], wave, spectrum, waves))
-        return true;
-    pthread_rwlock_wrlock(&keeper);
-    lengthen(&streams[seed], seed, 2 * waves);
-    pthread_rwlock_unlock(&keeper);
-    return draw_from(&streams[seed], wave, spectrum, waves);
-}
-
-/** The same of any other. Error: STATUS_MEMORY. */
-static enum status_code draw_anew(fftw_complex *wave, const struct simulated_record *spectrum, size_t waves,
-                                  unsigned long seed, struct status *status)
-{
+    size_t longer = spectrum->points * SIMULATED_RECORD_LONGER, waves = longer / 2;
+    fftw_complex *wave = spectrum->wave;
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
     if (!random)
         return status_memory(status);
@@ -178,20 +116,10 @@ static enum status_code draw_anew(fftw_complex *wave, const struct simulated_rec
         for (int part = 0; part < 2; part++)
             wave[k][part] = gsl_ran_gaussian_ziggurat(random, spectrum->deviation_m[k]) / 2;
     gsl_rng_free(random);
-    return STATUS_OK;
-}
-
-enum status_code simulated_record_draw(double *height_m, const struct simulated_record *spectrum, unsigned long seed,
-                                       struct status *status)
-{
-    size_t longer = spectrum->points * SIMULATED_RECORD_LONGER, waves = longer / 2;
-    fftw_complex *wave = spectrum->wave;
-    if (!draw_kept(wave, spectrum, waves, seed) && draw_anew(wave, spectrum, waves, seed, status) != STATUS_OK)
-        return status->code;
     wave[0][0] = wave[0][1] = 0;
     wave[waves][0] *= M_SQRT2; /* the Nyquist wave has half a band, no sine and no mirror image */
     wave[waves][1] = 0;
-    fft_backward_often(spectrum->record, wave, longer);
+    fft_backward(spectrum->record, wave, longer);
     for (size_t i = 0; i < spectrum->points; i++)
         height_m[i] = spectrum->record[i];
     return STATUS_OK;

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spectrum/spectrum.h"
 
-#include "base/large.h"
 #include "profile/record_window.h"
 #include <assert.h>
 #include <math.h>
@@ -41,7 +40,7 @@ enum status_code spectrum_of_record(struct spectrum *out, struct fft_room *room,
     assert(window != SPECTRUM_WINDOW_AUTO);
     size_t count = points / 2;
     *out = (struct spectrum){.count = count, .length_m = (double)points * spacing_m, .has_nyquist = points % 2 == 0};
-    out->amplitude_m = large_alloc(count, sizeof *out->amplitude_m);
+    out->amplitude_m = reallocarray(NULL, count, sizeof *out->amplitude_m);
     if (!out->amplitude_m)
         return status_memory(status);
     take_window(room->record, points, window);
@@ -84,7 +83,7 @@ void spectrum_average(struct spectrum *mean, const struct spectrum *other, size_
 enum status_code spectrum_copy(struct spectrum *out, const struct spectrum *in, struct status *status)
 {
     *out = *in;
-    out->amplitude_m = large_alloc(in->count, sizeof *out->amplitude_m);
+    out->amplitude_m = reallocarray(NULL, in->count, sizeof *out->amplitude_m);
     if (!out->amplitude_m)
         return status_memory(status);
     memcpy(out->amplitude_m, in->amplitude_m, in->count * sizeof *in->amplitude_m);
