@@ -326,13 +326,15 @@ enum status_code answers_find(struct surface_record *record, const struct scene 
         double started = clock_seconds();
         if (!plan_runs_model(plan, m))
             continue;
-        for (size_t t = 0; t < scene->target_count; t++)
-            if (answer_target(&summary->answers[t * model_count + m], record, m, &scene->targets[t], task, &joint,
-                              status) != STATUS_OK)
-                return status->code;
         struct curve_summary *model = surface_model_room(summary, m);
         if (!model)
             return status_memory(status);
+        struct model_task own = *task;
+        own.evaluations = &model->evaluations;
+        for (size_t t = 0; t < scene->target_count; t++)
+            if (answer_target(&summary->answers[t * model_count + m], record, m, &scene->targets[t], &own, &joint,
+                              status) != STATUS_OK)
+                return status->code;
         model->seconds += clock_seconds() - started;
     }
     for (size_t l = 0; l < scene->limit_count; l++)

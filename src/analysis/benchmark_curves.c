@@ -141,7 +141,7 @@ static double interpolation_error(const struct model_curve *curve)
 }
 
 static enum status_code load_grid(struct benchmark *cost, const struct benchmark_task *task, size_t model,
-                                  struct model_kept *kept, struct status *status)
+                                  struct status *status)
 {
     static const size_t counts[] = {5, 9, 17, 33, 65, 129};
     /* A map has millions of heights, which would be sorted again for every number of loads: what these cost shows in
@@ -156,9 +156,8 @@ static enum status_code load_grid(struct benchmark *cost, const struct benchmark
         for (size_t i = 0; i < both; i++)
             loads[i] = first * pow(last / first, (double)i / (double)(both - 1));
         struct grid_attempt attempt = {.row = model_rows[model], .curve = {.points = points}};
-        attempt.task = surface_task(task->surface, task->scene, task->plan, loads, both);
+        attempt.task = surface_model_task(task->surface, task->scene, task->plan, loads, both);
         attempt.task.wanted = 0;
-        attempt.task.kept = kept;
         if (attempt.task.point_count > HEIGHTS_MOST)
             attempt.task.point_count = HEIGHTS_MOST;
         solve_grid(&attempt);
@@ -171,7 +170,7 @@ static enum status_code load_grid(struct benchmark *cost, const struct benchmark
             loads[i] = first * pow(last / first, (double)i / (double)(n - 1));
         attempt.task.load_count = n;
         row.seconds = benchmark_time(solve_grid, &attempt);
-        row.evaluations = model_evaluations(&attempt.curve.work);
+        row.evaluations = attempt.curve.evaluations;
         snprintf(row.setting, sizeof row.setting, "%zu", n);
         rc = attempt.failed ? status_memory(status) : benchmark_add(cost, &row, status);
     }
@@ -181,14 +180,12 @@ static enum status_code load_grid(struct benchmark *cost, const struct benchmark
 enum status_code benchmark_curves(struct benchmark *cost, const struct benchmark_task *task, struct status *status)
 {
     const struct surface_record *surface = task->surface;
-    struct model_kept kept = {.spectrum = &surface->spectrum, .pair = &surface->summary.pair};
     enum status_code rc = plan_stacks_scales(task->plan) ? closures(cost, task, status) : STATUS_OK;
     for (size_t m = 0; m < model_count && rc == STATUS_OK; m++)
         if (model_rows[m]->stacks_scales && surface->curves[m].exists)
             rc = cut_off(cost, task, m, status);
     for (size_t m = 0; m < model_count && rc == STATUS_OK; m++)
         if (surface->curves[m].exists)
-            rc = load_grid(cost, task, m, &kept, status);
-    model_kept_free(&kept);
+            rc = load_grid(cost, task, m, status);
     return rc;
 }

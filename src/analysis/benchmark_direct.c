@@ -20,7 +20,7 @@ static enum status_code add_model(struct benchmark *cost, const struct benchmark
         return STATUS_OK;
     struct benchmark_row row = {.model = model_rows[m],
                                 .method = model_rows[m]->label,
-                                .evaluations = model_evaluations(&study->models[m].work) / 3,
+                                .evaluations = study->models[m].evaluations / 3,
                                 .seconds = study->model_seconds[m],
                                 .error = distance.mean_factor - 1,
                                 .chart = charts[q]};

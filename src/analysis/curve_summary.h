@@ -10,11 +10,8 @@
 
 /** What is known of a model on a surface before it runs, until it has run. */
 struct curve_bounds {
-    double yield;              /* model_row.yield_bound: of the surface, its scans alone and its extension */
-    double scale_dependence;   /* model_row.scale_dependence_bound */
-    struct model_work work[2]; /* what the scans will take: without and with scale dependence */
-    struct model_work sensitivity_work;
-    struct model_work record_work, quarter_work; /* uncertainty_outline() */
+    double yield;            /* model_row.yield_bound: of the surface, its scans alone and its extension */
+    double scale_dependence; /* model_row.scale_dependence_bound */
 };
 
 /** Numbers of a curve that scans run alone, or simulated records, say how far off may be: each quantity at the middle

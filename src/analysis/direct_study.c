@@ -331,7 +331,8 @@ static enum status_code run_models(struct maker *maker, const double *height_m, 
     for (size_t i = 0; i < plan->loads; i++)
         for (int side = -1; side <= 1; side++)
             study->load_triples[3 * i + (size_t)(side + 1)] = plan->load[i] * (1 + side * load_step);
-    struct model_task ask = surface_task(task->surface, task->scene, task->plan, study->load_triples, 3 * plan->loads);
+    struct model_task ask =
+        surface_model_task(task->surface, task->scene, task->plan, study->load_triples, 3 * plan->loads);
     ask.spectrum = &study->rows;
     ask.asperities = has_asperities ? &asperities : NULL;
     ask.points = slopes;

@@ -187,22 +187,6 @@ static bool answers(const struct measured *measured, size_t m, size_t load_count
     return load_count > 0 && (model_rows[m]->quantities & QUANTITY_BIT(quantity_of(measured)));
 }
 
-enum status_code measured_work(struct model_work *out, const struct measured *measured, size_t m,
-                               const struct model_task *task, const struct repeat_set *scans, struct status *status)
-{
-    double *loads = calloc(measured->count, sizeof *loads);
-    *out = (struct model_work){0};
-    if (!loads)
-        return status_memory(status);
-    size_t count = loads_within(loads, measured, task);
-    struct model_task asked = task_at(measured, task, loads, count);
-    if (answers(measured, m, count))
-        *out = repeats_several(scans, model_rows[m]) ? repeats_work(scans, model_rows[m], &asked)
-                                                     : model_rows[m]->work(model_rows[m], &asked);
-    free(loads);
-    return STATUS_OK;
-}
-
 /** The resistance at a load, NaN where the curve has none above 0. */
 static double resistance_at(const struct model_curve *curve, double load, enum quantity quantity)
 {
@@ -233,9 +217,8 @@ enum status_code measured_answer(struct measured_answers *out, const struct meas
     const enum quantity quantity = measured_quantity(measured, joint->effects);
     double *loads = calloc(measured->count, sizeof *loads);
     struct contact_point *points = malloc((measured->count + 1) * sizeof *points);
-    *out = (struct measured_answers){.resistance = malloc(model_count * measured->count * sizeof *out->resistance),
-                                     .work = calloc(model_count, sizeof *out->work)};
-    bool stored = loads && points && out->resistance && out->work;
+    *out = (struct measured_answers){.resistance = malloc(model_count * measured->count * sizeof *out->resistance)};
+    bool stored = loads && points && out->resistance;
     size_t count = stored ? loads_within(loads, measured, task) : 0;
     struct model_task asked = task_at(measured, task, loads, count);
     enum status_code rc = stored ? STATUS_OK : status_memory(status);
@@ -245,7 +228,6 @@ enum status_code measured_answer(struct measured_answers *out, const struct meas
             rc = run_model(&curve, model_rows[m], &asked, scans, status);
         if (rc == STATUS_OK && quantity_rows[quantity].from)
             rc = joined_curve(&curve, model_rows[m], &asked, joint, status);
-        out->work[m] = curve.work;
         for (size_t i = 0; i < measured->count; i++)
             out->resistance[m * measured->count + i] = resistance_at(&curve, measured->load[i], quantity);
     }
@@ -257,7 +239,6 @@ enum status_code measured_answer(struct measured_answers *out, const struct meas
 void measured_answers_free(struct measured_answers *out)
 {
     free(out->resistance);
-    free(out->work);
     *out = (struct measured_answers){0};
 }
 

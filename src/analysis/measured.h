@@ -22,15 +22,9 @@ struct measured {
 
 /** What the models say at the measured loads, as far as these lie within the run's. Owned: measured_answers_free(). */
 struct measured_answers {
-    double *resistance;      /* [model][measured point]; NaN: beyond the run's loads, or none */
-    struct model_work *work; /* what each model took */
+    double *resistance; /* [model][measured point]; NaN: beyond the run's loads, or none */
 };
 
-/** Work of model `m` at the measured loads: what measured_answer() will take. `task` is that of the surface; of its
- * arrays only the loads are needed, and of its scans (`scans`) the lengths. Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code measured_work(struct model_work *out, const struct measured *measured, size_t m,
-                                          const struct model_task *task, const struct repeat_set *scans,
-                                          struct status *status);
 /** The models' quantity that measurements are held against with these EFFECT_BITs: the resistance with film and plating
  * where these are called for. */
 enum quantity measured_quantity(const struct measured *measured, unsigned effects);

@@ -176,20 +176,6 @@ struct model_task repeats_run_task(struct asperities *asperities, size_t *scan, 
     return own;
 }
 
-struct model_work repeats_work(const struct repeat_set *set, const struct model_row *model,
-                               const struct model_task *task)
-{
-    struct model_work sum = {0};
-    for (size_t r = 0; r < repeats_runs(set, model); r++) {
-        struct asperities asperities;
-        size_t scan;
-        struct model_task own = repeats_run_task(&asperities, &scan, set, r, model, task);
-        struct model_work work = model->work(model, &own);
-        model_work_add(&sum, &work);
-    }
-    return sum;
-}
-
 /** The curves of all runs on which the model has a solution. */
 struct runs {
     struct model_curve *curves;
@@ -225,7 +211,7 @@ static enum status_code run_all(struct runs *out, struct model_curve *curve, str
         *own = (struct model_curve){.points = out->points + out->count * room};
         if (model_run(own, model, &alone, status) != STATUS_OK)
             return status->code;
-        model_work_add(&curve->work, &own->work);
+        curve->evaluations += own->evaluations;
         curve->overflows = curve->overflows || own->overflows;
         curve->clamped += own->clamped;
         curve->yielding_scales =

@@ -112,8 +112,4 @@ bool repeats_several(const struct repeat_set *set, const struct model_row *model
 MUST_CHECK enum status_code repeats_model(struct model_curve *curve, struct repeats_result *result,
                                           const struct repeat_set *set, const struct model_row *model,
                                           const struct model_task *task, struct status *status);
-/** What repeats_model() will take for this task. */
-struct model_work repeats_work(const struct repeat_set *set, const struct model_row *model,
-                               const struct model_task *task);
-
 #endif

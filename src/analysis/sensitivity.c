@@ -103,7 +103,7 @@ static struct model_task variant_task(struct asperities *asperities, const struc
 
 /** One load through a model; NaN throughout where it has no answer there. */
 static enum status_code solve_one(struct contact_point *out, const struct model_row *model,
-                                  const struct model_task *task, struct model_work *work, struct status *status)
+                                  const struct model_task *task, struct status *status)
 {
     struct contact_point points[2] = {{0}};
     struct model_curve curve = {.points = points};
@@ -112,7 +112,6 @@ static enum status_code solve_one(struct contact_point *out, const struct model_
         return status->code;
     if (curve.exists && curve.count > 0 && points[0].load == task->loads[0])
         *out = points[0];
-    model_work_add(work, &curve.work);
     return STATUS_OK;
 }
 
@@ -130,13 +129,13 @@ static struct model_task harder_task(struct material_pair *pair, const struct mo
 
 static enum status_code run_variants(struct sensitivity_factors *out, const struct sensitivity *sensitivity,
                                      const struct model_row *model, const struct model_task *task,
-                                     const struct contact_point *as_is, struct model_work *work, struct status *status)
+                                     const struct contact_point *as_is, struct status *status)
 {
     struct contact_point points[SENSITIVITY_VARIANTS];
     for (int v = 0; v < SENSITIVITY_VARIANTS; v++) {
         struct asperities asperities;
         struct model_task own = variant_task(&asperities, &sensitivity->variants[v], task);
-        if (solve_one(&points[v], model, &own, work, status) != STATUS_OK)
+        if (solve_one(&points[v], model, &own, status) != STATUS_OK)
             return status->code;
     }
     const struct contact_point *first = &points[SENSITIVITY_FIRST_HALF], *second = &points[SENSITIVITY_SECOND_HALF];
@@ -151,12 +150,12 @@ static enum status_code run_variants(struct sensitivity_factors *out, const stru
 
 static enum status_code run_harder(struct sensitivity_factors *out, const struct model_row *model,
                                    const struct model_task *task, const struct contact_point *as_is,
-                                   struct model_work *work, struct status *status)
+                                   struct status *status)
 {
     struct material_pair pair;
     struct contact_point point;
     struct model_task own = harder_task(&pair, task);
-    if (solve_one(&point, model, &own, work, status) != STATUS_OK)
+    if (solve_one(&point, model, &own, status) != STATUS_OK)
         return status->code;
     out->area[SENSITIVITY_HARDNESS_RAISED] = point.area_ratio / as_is->area_ratio;
     if (as_is->ecr_ohm_m2 > 0)
@@ -166,7 +165,7 @@ static enum status_code run_harder(struct sensitivity_factors *out, const struct
 
 enum status_code sensitivity_run(struct sensitivity_factors *out, const struct sensitivity *sensitivity,
                                  const struct model_row *model, const struct model_task *task,
-                                 const struct contact_point *as_is, struct model_work *work, struct status *status)
+                                 const struct contact_point *as_is, struct status *status)
 {
     struct contact_point itself;
     for (int c = 0; c < SENSITIVITY_CHANGES; c++)
@@ -177,69 +176,32 @@ enum status_code sensitivity_run(struct sensitivity_factors *out, const struct s
         as_is = &itself;
         struct model_task own = *task;
         own.wanted &= variant_wanted;
-        if (solve_one(&itself, model, &own, work, status) != STATUS_OK)
+        if (solve_one(&itself, model, &own, status) != STATUS_OK)
             return status->code;
     }
-    if (run_variants(out, sensitivity, model, task, as_is, work, status) == STATUS_OK && model->plastic)
-        (void)run_harder(out, model, task, as_is, work, status);
+    if (run_variants(out, sensitivity, model, task, as_is, status) == STATUS_OK && model->plastic)
+        (void)run_harder(out, model, task, as_is, status);
     return status->code;
 }
 
-struct model_work sensitivity_work(const struct sensitivity *sensitivity, const struct model_row *model,
-                                   const struct model_task *task, bool as_is_known)
+/** The models on the spectrum cut off at wavelength `w` of the list. */
+static enum status_code cut_at(struct sensitivity_curves *out, size_t w, const struct model_task *task, uint64_t models,
+                               struct status *status)
 {
-    struct model_work sum = {0}, work;
-    struct model_task own = *task;
-    struct asperities asperities;
-    struct material_pair pair;
-    if (sensitivity->scans == 0 || model->uses_heights)
-        return sum;
-    own.wanted &= variant_wanted;
-    if (!as_is_known) {
-        work = model->work(model, &own);
-        model_work_add(&sum, &work);
-    }
-    for (int v = 0; v < SENSITIVITY_VARIANTS; v++) {
-        own = variant_task(&asperities, &sensitivity->variants[v], task);
-        work = model->work(model, &own);
-        model_work_add(&sum, &work);
-    }
-    if (model->plastic) {
-        own = harder_task(&pair, task);
-        work = model->work(model, &own);
-        model_work_add(&sum, &work);
-    }
-    return sum;
-}
-
-/** What the cuts of one spectrum share. */
-struct cutting {
-    struct sensitivity_curves *out;
-    const struct model_task *task;
-    uint64_t models;
-};
-
-/** The models on the spectrum cut off at one wavelength, the shortest first: they take the longest. */
-static enum status_code cut_at(void *context, size_t index, struct threads_turn *turn, struct status *status)
-{
-    const struct cutting *cutting = context;
-    const struct spectrum *all = cutting->task->spectrum;
-    size_t w = SENSITIVITY_WAVELENGTHS - 1 - index;
+    const struct spectrum *all = task->spectrum;
     double share = (double)w / (SENSITIVITY_WAVELENGTHS - 1);
     struct sensitivity_scan cut = {.spectrum = *all};
-    (void)turn;
     cut.spectrum.count = (size_t)fmax(1, round(pow((double)all->count, share)));
     cut.spectrum.has_nyquist = all->has_nyquist && cut.spectrum.count == all->count;
     roughness_from_spectrum(&cut.roughness, &cut.spectrum);
-    cutting->out->wavelength_m[w] = all->length_m / (double)cut.spectrum.count;
+    out->wavelength_m[w] = all->length_m / (double)cut.spectrum.count;
     for (size_t m = 0; m < model_count; m++) {
-        struct contact_point *point = &cutting->out->points[m * SENSITIVITY_WAVELENGTHS + w];
+        struct contact_point *point = &out->points[m * SENSITIVITY_WAVELENGTHS + w];
         struct asperities asperities;
-        struct model_task own = variant_task(&asperities, &cut, cutting->task);
-        struct model_work work = {0};
+        struct model_task own = variant_task(&asperities, &cut, task);
         *point = quantity_nothing();
-        if ((cutting->models & MODEL_BIT(m)) && !model_rows[m]->uses_heights &&
-            solve_one(point, model_rows[m], &own, &work, status) != STATUS_OK)
+        if ((models & MODEL_BIT(m)) && !model_rows[m]->uses_heights &&
+            solve_one(point, model_rows[m], &own, status) != STATUS_OK)
             return status->code;
     }
     return STATUS_OK;
@@ -252,8 +214,10 @@ enum status_code sensitivity_curves_make(struct sensitivity_curves *out, const s
                                        .unsure_m = unsure_m};
     if (!out->points)
         return status_memory(status);
-    struct cutting cutting = {out, task, models};
-    return threads_run(task->threads, SENSITIVITY_WAVELENGTHS, cut_at, &cutting, status);
+    for (size_t w = 0; w < SENSITIVITY_WAVELENGTHS; w++)
+        if (cut_at(out, w, task, models, status) != STATUS_OK)
+            return status->code;
+    return STATUS_OK;
 }
 
 void sensitivity_curves_free(struct sensitivity_curves *curves)

@@ -58,15 +58,10 @@ void sensitivity_free(struct sensitivity *sensitivity);
 
 /** Runs a model on the variants, and with the hardness raised, at the one load of `task`, whose surface is as it is,
  * and compares with `as_is` (NULL: what the model answers for `task` itself, which it then runs too); of the halves the
- * geometric mean counts. Adds what it took to *work. Error: STATUS_MEMORY. */
+ * geometric mean counts. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code sensitivity_run(struct sensitivity_factors *out, const struct sensitivity *sensitivity,
                                             const struct model_row *model, const struct model_task *task,
-                                            const struct contact_point *as_is, struct model_work *work,
-                                            struct status *status);
-/** What sensitivity_run() will take. */
-struct model_work sensitivity_work(const struct sensitivity *sensitivity, const struct model_row *model,
-                                   const struct model_task *task, bool as_is_known);
-
+                                            const struct contact_point *as_is, struct status *status);
 enum { SENSITIVITY_WAVELENGTHS = 25 };
 
 /** Area and resistance of every running model against the shortest wavelength included, of one surface. */

@@ -9,7 +9,6 @@
 #include "analysis/plan.h"
 #include "analysis/uncertainty.h"
 #include "base/text.h"
-#include "base/threads.h"
 #include "contact/model.h"
 #include "profile/profile.h"
 #include "spectrum/height_law.h"
@@ -19,14 +18,7 @@ enum { SURFACE_PREVIEW = 1000 }; /* points of a profile kept for the chart */
 
 /** Where a run's time goes, by stage [s]. */
 struct surface_times {
-    double read, prepare, spectrum, convergence;
-    double described; /* elapsed from the first of these to the end of the third and of the models' bounds */
-};
-
-/** What `effects: auto` decides by, besides the bounds of each model. */
-struct effect_bounds {
-    uint64_t visits; /* scales visited to bound scale dependence */
-    bool converged;  /* no scale below the sampling limit can take any area at the convergence study's load */
+    double read, prepare, spectrum, convergence, uncertainty;
 };
 
 struct surface_summary {
@@ -37,12 +29,13 @@ struct surface_summary {
     char *notes;                       /* one line a warning; owned, NULL: none */
     char hash[65];                     /* SHA-256 of the first file (of all of them one after another), hexadecimal */
     char format[32];
-    char units[40];                     /* "x mm, z um" as read */
-    size_t scans;                       /* averaged: files, or rows of a map */
-    struct repeats *repeats;            /* what they say apart; owned like the texts, NULL: surface_repeats() */
-    size_t single_points;               /* of a surface with one scan, which records can be simulated of; else 0 */
-    struct uncertainty_work *simulated; /* that was; likewise, NULL: nothing */
-    size_t points;                      /* of the first */
+    char units[40];                 /* "x mm, z um" as read */
+    size_t scans;                   /* averaged: files, or rows of a map */
+    struct repeats *repeats;        /* what they say apart; owned like the texts, NULL: surface_repeats() */
+    size_t single_points;           /* of a surface with one scan, which records can be simulated of; else 0 */
+    bool simulates;                 /* they will be, or have been, simulated */
+    uint64_t simulated_evaluations; /* of the models, on those */
+    size_t points;                  /* of the first */
     double spacing_m, length_m;
     enum profile_spacing grid;
     double tilt;
@@ -58,9 +51,8 @@ struct surface_summary {
     size_t windowed;              /* of the scans: those whose spectrum was taken under a Hann window */
     struct convergence_tail tail; /* the spectrum's own short end, carried on below the sampling limit */
     size_t harmonics;
-    struct effect_bounds bound;
-    struct curve_bounds **bounds;  /* [model]: of those that may run, from the description until the models have run;
-                                      owned like the texts; NULL elsewhere, and where none is */
+    struct curve_bounds *bounds; /* [model], of an `auto` scene; owned like the texts, NULL: effects are listed */
+    bool converged; /* no scale below the sampling limit can take any area at the convergence study's load; the same */
     struct curve_summary **models; /* [model]: of those that have run, NULL of others; the same: surface_model() */
     struct answer *answers;        /* [target][model]; owned, NULL: the scene has no targets */
     struct limit_check *limits;    /* one a limit of the scene; the same */
@@ -71,7 +63,7 @@ struct surface_summary {
     struct surface_times times;
 };
 
-/** Everything of one surface; `points`, `spectrum` and the preview live as long as the record. */
+/** Everything of one surface. Owned: surface_record_free(). */
 struct surface_record {
     struct surface_summary summary;
     struct spectrum spectrum;
@@ -82,14 +74,13 @@ struct surface_record {
     struct model_curve *curves;  /* model_count of them, NULL before any model ran */
     struct repeats_band **bands; /* the same, each band_count long; NULL: none */
     size_t band_count;
-    struct model_work *work;        /* [model]: what each took; the same */
     struct sensitivity sensitivity; /* scans 0 where there is a rough counterface */
     struct slope_point *points;     /* heights and slopes of all its scans, where a model uses them; NULL: not kept */
     double *direct_m;               /* where a direct solution is called for: heights of the profiles, or the square of
                                        a map row after row, as measured; else NULL */
     size_t direct_count;
     size_t preview_points;
-    double preview_x_m[SURFACE_PREVIEW], preview_z_m[SURFACE_PREVIEW]; /* last, as few of them are used */
+    double *preview_x_m, *preview_z_m; /* the first scan's profile, thinned */
 };
 
 /** What the scans of a surface say apart: nothing, of a single one. */
@@ -100,30 +91,18 @@ struct repeats *surface_repeats_room(struct surface_summary *summary);
 const struct curve_summary *surface_model(const struct surface_summary *summary, size_t m);
 /** The same, to be filled: zeroed where there was none. NULL: out of memory. */
 struct curve_summary *surface_model_room(struct surface_summary *summary, size_t m);
-/** Bounds of model `m`; where it does not run, zeros. */
-const struct curve_bounds *surface_bounds(const struct surface_summary *summary, size_t m);
-/** The same, to be filled. */
-struct curve_bounds *surface_bounds_room(struct surface_summary *summary, size_t m);
+/** Adds a line to the surface's notes; a note that cannot be stored for want of memory is dropped. */
+void surface_note(struct surface_summary *summary, const char *format, ...) PRINTF_LIKE(2, 3);
 
-/** Is the beta of model `m` sought that is nearest to its multiscale counterpart? */
-bool surface_seeks_beta(const struct plan *plan, size_t m);
+/** gamma at short wavelengths, where convergence is decided. */
+double surface_short_gamma(const struct power_law *law);
 /** The one criterion of divergence (4.55): gamma is below 1 by more than its standard error; where two slopes fit
  * better than one law, the one at short wavelengths. False without a law. */
 bool surface_diverges(const struct surface_summary *summary);
 
-/** Reads and describes one surface: everything but the models. What is wrong with its files is no error: then
- * summary.usable is false and summary.refusal says why in one line. `counterface` is the described rough
- * counterface, NULL for a smooth one; what comes out does not depend on `threads`. Error: STATUS_MEMORY. Owned:
- * surface_record_free().
- */
-MUST_CHECK enum status_code surface_describe(struct surface_record *out, const struct scene *scene,
-                                             const struct scene_surface *surface,
-                                             const struct surface_record *counterface, const struct threads *threads,
-                                             struct status *status);
-
 /** What the models are asked of a described surface at `loads`, P/(A_n E') of its pair. */
-struct model_task surface_task(const struct surface_record *record, const struct scene *scene, const struct plan *plan,
-                               const double *loads, size_t load_count);
+struct model_task surface_model_task(const struct surface_record *record, const struct scene *scene,
+                                     const struct plan *plan, const double *loads, size_t load_count);
 
 /** What lies in the joint of a surface whose models are asked `task`. */
 struct joint_task surface_joint(const struct surface_record *record, const struct scene *scene, const struct plan *plan,
@@ -132,21 +111,14 @@ struct joint_task surface_joint(const struct surface_record *record, const struc
 /** The same at the middle load alone. */
 struct model_task surface_middle_task(const struct model_task *task);
 
-/** Runs the models that `plan` calls for on a described surface, one after another, those that can on all of
- * `threads`. Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code surface_run_models(struct surface_record *record, const struct scene *scene,
-                                               const struct plan *plan, const double *loads, size_t load_count,
-                                               const struct threads *threads, struct status *status);
 /** Will the fitted law of a described surface be carried on below its sampling limit, if the effect convergence runs?
  */
 bool surface_extends(const struct surface_summary *summary, const struct scene *scene);
 
 /** Frees the scans that only the models need: those run alone, the heights of a single one. */
 void surface_drop_scans(struct surface_record *record);
-
-/** Frees what a summary owns. */
-void surface_summary_free(struct surface_summary *summary);
-/** Frees the arrays of a record; what its summary owns too when `with_summary`. */
-void surface_record_free(struct surface_record *record, bool with_summary);
+/** Frees all arrays; the summary stays. */
+void surface_drop_arrays(struct surface_record *record);
+void surface_record_free(struct surface_record *record);
 
 #endif

@@ -68,53 +68,6 @@ static struct model_task record_task(const struct model_task *task, const struct
     return own;
 }
 
-/** A quarter of the scan has every fourth of its harmonics, each with the power of four. */
-static enum status_code quarter_spectrum(struct spectrum *out, const struct spectrum *scan, struct status *status)
-{
-    *out = (struct spectrum){.count = scan->count / QUARTERS, .length_m = scan->length_m / QUARTERS};
-    out->amplitude_m = malloc((out->count + 1) * sizeof *out->amplitude_m);
-    if (!out->amplitude_m)
-        return status_memory(status);
-    for (size_t i = 0; i < out->count; i++)
-        out->amplitude_m[i] = sqrt(QUARTERS) * scan->amplitude_m[QUARTERS * (i + 1) - 1];
-    return STATUS_OK;
-}
-
-enum status_code uncertainty_outline(struct curve_bounds *bounds, const struct model_row *row,
-                                     const struct model_task *task, struct status *status)
-{
-    struct spectrum quarter;
-    struct loads all = record_loads(task), middle = middle_load(task);
-    if (quarter_spectrum(&quarter, task->spectrum, status) != STATUS_OK)
-        return status->code;
-    struct model_task whole = record_task(task, task->spectrum, task->asperities, &all),
-                      part = record_task(task, &quarter, task->asperities, &middle);
-    bounds->record_work = row->work(row, &whole);
-    bounds->quarter_work = row->work(row, &part);
-    spectrum_free(&quarter);
-    return STATUS_OK;
-}
-
-/** What `count` records, or quarters of them, of `points` each take. */
-static void add_work(struct uncertainty_work *work, size_t count, size_t points, const struct plan *plan,
-                     struct curve_bounds *const *bounds, bool quarter)
-{
-    work->heights += count * points;
-    for (size_t m = 0; m < model_count; m++)
-        for (size_t i = 0, added = uncertainty_holds(plan, m) ? count : 0; i < added; i++)
-            model_work_add(&work->models, quarter ? &bounds[m]->quarter_work : &bounds[m]->record_work);
-}
-
-struct uncertainty_work uncertainty_predict(size_t points, const struct plan *plan, struct curve_bounds *const *bounds)
-{
-    struct uncertainty_work work = {0};
-    bool quartered = points >= LEAST_POINTS;
-    add_work(&work, RECORDS, points, plan, bounds, false);
-    if (quartered)
-        add_work(&work, (RECORDS + 1) * QUARTERS, points / QUARTERS, plan, bounds, true);
-    return work;
-}
-
 static double answer(const struct contact_point *point, enum quantity quantity, const struct model_row *model)
 {
     double value = quantity_value(point, model_shown(model, quantity));
@@ -126,7 +79,6 @@ struct pass {
     struct answers *answers; /* model_count */
     const struct uncertainty_scan *scan;
     const struct plan *plan;
-    struct uncertainty_work *work;
 };
 
 static double *place(struct answers *answers, enum quantity quantity, size_t load, size_t record, size_t quarter)
@@ -154,7 +106,6 @@ static enum status_code take(struct pass *pass, const double *height_m, size_t p
     bool has_asperities = roughness_asperities(&asperities, &roughness, &none) == STATUS_OK;
     struct model_task task = record_task(scan->task, &spectrum, has_asperities ? &asperities : NULL, &loads);
     enum status_code rc = STATUS_OK;
-    add_work(pass->work, 1, points, pass->plan, scan->bounds, quarter != QUARTERS);
     for (size_t m = 0; m < model_count && rc == STATUS_OK; m++) {
         struct contact_point room[UNCERTAINTY_LOADS + 1];
         struct model_curve curve = {.points = room};
@@ -260,10 +211,10 @@ bool uncertainty_affordable(size_t points)
 }
 
 enum status_code uncertainty_run(struct uncertainty *out, const struct uncertainty_scan *scan, const struct plan *plan,
-                                 struct uncertainty_work *work, struct status *status)
+                                 struct status *status)
 {
     struct simulated_record spectrum = {0};
-    struct pass pass = {calloc(model_count, sizeof *pass.answers), scan, plan, work};
+    struct pass pass = {calloc(model_count, sizeof *pass.answers), scan, plan};
     double *height_m = malloc(scan->points * sizeof *height_m);
     double *square_m2 = NULL;
     enum status_code rc = pass.answers && height_m ? STATUS_OK : status_memory(status);

@@ -11,20 +11,13 @@
 
 enum { UNCERTAINTY_LOADS = 3 /* first, middle and last: in between the deviation goes straight in ln load */ };
 
-/** What a surface's simulated records take. */
-struct uncertainty_work {
-    uint64_t heights;         /* of records and of the quarters that are looked at, through levelling and spectrum */
-    struct model_work models; /* asked of the models on them, as far as the scan itself tells */
-};
-
 /** A scan to be simulated. */
 struct uncertainty_scan {
     const double *height_m; /* levelled */
     size_t points;
     double spacing_m;
     struct piece_how how;
-    const struct model_task *task;      /* of the scan itself */
-    struct curve_bounds *const *bounds; /* [model], of those it holds of: uncertainty_outline() has filled them */
+    const struct model_task *task; /* of the scan itself */
 };
 
 /** Deviations of one model's answers, all of ln answer, of a separation itself: of the quantities of a repeats_band, as
@@ -43,8 +36,7 @@ bool uncertainty_holds(const struct plan *plan, size_t model);
  * 64 points on their quarters, and the scan's own, at the middle load. out: model_count. The same scan, which must be
  * uncertainty_possible(), gives the same records. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code uncertainty_run(struct uncertainty *out, const struct uncertainty_scan *scan,
-                                            const struct plan *plan, struct uncertainty_work *work,
-                                            struct status *status);
+                                            const struct plan *plan, struct status *status);
 /** Can records be simulated of this scan: is it long enough, with power in its spectrum? tapered: the multitaper
  * spectrum of these heights, as amplitudes; NULL: not known yet. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code uncertainty_possible(bool *out, const double *height_m, size_t points,
@@ -55,14 +47,6 @@ bool uncertainty_affordable(size_t points);
 extern const double uncertainty_most_seconds;
 /** Likely seconds of a height on one core: drawn, levelled, transformed. */
 extern const double uncertainty_height_seconds;
-
-/** Fills record_work and quarter_work: what a record of the scan, and a quarter of one, are taken to cost a model. No
- * record is there to be asked: it is what the scan itself costs, with its asperities, and for a quarter with every
- * fourth harmonic. Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code uncertainty_outline(struct curve_bounds *bounds, const struct model_row *row,
-                                                const struct model_task *task, struct status *status);
-/** What that will take of a scan of `points`, from the bounds of its models. */
-struct uncertainty_work uncertainty_predict(size_t points, const struct plan *plan, struct curve_bounds *const *bounds);
 
 /** What follows for the answer at the middle load, and in a band: half-widths at every load of a curve. */
 struct estimate uncertainty_estimate(const struct uncertainty *uncertainty, enum quantity quantity, double value);

@@ -46,7 +46,7 @@ static bool is_called_for(const struct figure_row *row, const struct results *re
         return results->sensitivity && (plan_quantities(plan) & QUANTITY_BIT(row->y));
     case FIGURE_PROBABILITY:
         for (size_t k = 0; k < results->shown_count; k++)
-            if (figure_data_heights_model(&results->store->summaries[results->shown[k]]) < model_count)
+            if (figure_data_heights_model(&results->surfaces[results->shown[k]].summary) < model_count)
                 return true;
         return false;
     case FIGURE_PROFILES:

@@ -335,7 +335,7 @@ static enum status_code put_probability(struct figure_file *out, const struct su
     double area_ratio = area_known(record, m, load);
     size_t points = record->summary.heights;
     if (isnan(area_ratio)
-            ? contacting_slopes_make(&slopes, record->points, points, persson_energy_factor, NULL, status) != STATUS_OK
+            ? contacting_slopes_make(&slopes, record->points, points, persson_energy_factor, status) != STATUS_OK
             : contacting_slopes_lines(&slopes, record->points, points, status) != STATUS_OK)
         return status->code;
     drawing_begin(&out->drawing, style, legend);
@@ -613,27 +613,13 @@ static void put_own(struct figure_file *file, const struct results *results, con
 enum status_code figure_data_put(struct figure_file *files, size_t count, const struct results *results,
                                  struct status *status)
 {
-    struct surface_record record;
-    enum surface_bytes_part part = SURFACE_BYTES_CURVES; /* what any figure shows of a surface */
-    for (size_t i = 0; i < count; i++) {
-        enum figure_kind kind = files[i].figure->row->kind;
-        if (kind == FIGURE_PROBABILITY || (kind == FIGURE_SPECTRA && part != SURFACE_BYTES_ALL))
-            part = kind == FIGURE_PROBABILITY ? SURFACE_BYTES_ALL : SURFACE_BYTES_SPECTRUM;
-    }
-    if (surface_store_get_part(&record, results->store, results->baseline, SURFACE_BYTES_SPECTRUM, status) != STATUS_OK)
-        return status->code;
-    for (size_t i = 0; i < count; i++)
-        put_own(&files[i], results, &record);
-    surface_record_free(&record, false);
     enum status_code rc = STATUS_OK;
-    for (size_t k = 0; k < results->shown_count && rc == STATUS_OK; k++) {
-        if (surface_store_get_part(&record, results->store, results->shown[k], part, status) != STATUS_OK)
-            return status->code;
+    for (size_t i = 0; i < count; i++)
+        put_own(&files[i], results, &results->surfaces[results->baseline]);
+    for (size_t k = 0; k < results->shown_count; k++)
         for (size_t i = 0; i < count && rc == STATUS_OK; i++)
             if (is_of_surfaces(&files[i]))
-                rc = put_surface(&files[i], results, k, &record, status);
-        surface_record_free(&record, false);
-    }
+                rc = put_surface(&files[i], results, k, &results->surfaces[results->shown[k]], status);
     for (size_t i = 0; i < count && results->counterface; i++)
         if (files[i].figure->row->kind == FIGURE_PROFILES)
             put_counterface(&files[i], results->counterface);

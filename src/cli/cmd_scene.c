@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands on a scene, `report` and `plan`. */
-#include "base/clock.h"
 #include "cli/command.h"
 #include "cli/scene_json.h"
 #include "cli/signals.h"
-#include "run/forecast.h"
 #include "run/messages.h"
 #include "run/prepare.h"
 #include "run/run.h"
@@ -171,12 +169,10 @@ static error_t parse_report(int key, char *value, struct argp_state *state)
 
 /* Of the program over several processes; argp leads past main(). */
 static const struct direct_crew *contact_crew;
-static const struct workers_crew *surface_crew;
 
-void command_use_crews(const struct direct_crew *contacts, const struct workers_crew *surfaces)
+void command_use_crew(const struct direct_crew *contacts)
 {
     contact_crew = contacts;
-    surface_crew = surfaces;
 }
 
 static void progress(size_t done, size_t total, const char *name)
@@ -204,6 +200,7 @@ static void print_times(const struct run_times *times)
     for (size_t m = 0; m < model_count; m++)
         print_time(model_rows[m]->label, times->models[m]);
     print_time("convergence", times->convergence);
+    print_time("uncertainty", times->uncertainty);
     print_time("direct solution", times->direct);
     print_time("what accuracy costs", times->cost);
     print_time("tables and json", times->tables);
@@ -243,11 +240,8 @@ static int report(char **written, struct arguments *arguments, struct scene *sce
     arguments->run.templates = text_string(&templates);
     arguments->run.terminal_size = arguments->show ? size : NULL;
     arguments->run.crew = contact_crew;
-    arguments->run.workers = surface_crew;
-    arguments->run.overrides = &arguments->overrides;
     arguments->run.outline = arguments->json;
     arguments->run.stop = signals_stop(STOP_MS);
-    arguments->run.forecast = arguments->verbose;
     arguments->run.progress = isatty(STDERR_FILENO) ? progress : NULL;
     signal(SIGPIPE, SIG_IGN); /* who reads the output may go: the report is still made, and command_finish() says so */
     enum status_code rc = run_report(&outcome, scene, &arguments->run, status);
@@ -266,20 +260,9 @@ static int report(char **written, struct arguments *arguments, struct scene *sce
             fputs(text_string(&outcome.missed), stderr);
             exit_status = COMMAND_MISSED; /* the refused are named too, but this is what was asked */
         }
-        const struct run_times *times = &outcome.times;
-        double models = times->convergence + times->direct;
-        for (size_t m = 0; m < model_count; m++)
-            models += times->models[m];
-        fprintf(stderr, "models: %llu evaluations%s; %.3g s predicted, %.3g s taken\n",
-                (unsigned long long)outcome.evaluations, outcome.work_agrees ? ", as predicted" : "",
-                outcome.predicted_seconds, models);
-        if (arguments->verbose)
-            fprintf(stderr, "\n%s", text_string(&outcome.work));
-        if (!outcome.work_agrees)
-            fputs("roughcontact: the evaluations done are not those predicted; please report this\n", stderr);
         if (arguments->verbose) {
+            fprintf(stderr, "\n%s", text_string(&outcome.work));
             print_times(&outcome.times);
-            fprintf(stderr, "\n%s", text_string(&outcome.stages));
         }
         if (arguments->json)
             scene_json_print_report(&outcome, arguments->directory, exit_status, NULL);
@@ -346,10 +329,10 @@ int command_report(int argc, char **argv)
 }
 
 /** The surfaces whose heights the models may take for what they are not. */
-static void print_heights(const struct surface_store *store)
+static void print_heights(const struct results *results)
 {
-    for (size_t i = 0; i < store->count; i++) {
-        const struct surface_summary *summary = &store->summaries[i];
+    for (size_t i = 0; i < results->surface_count; i++) {
+        const struct surface_summary *summary = &results->surfaces[i].summary;
         if (!summary->usable || summary->height_law.verdict == HEIGHTS_GAUSSIAN)
             continue;
         struct text shown = {0};
@@ -364,45 +347,42 @@ static void print_heights(const struct surface_store *store)
     }
 }
 
-static void print_plan(const struct scene *scene, const struct prepared *prepared, const struct forecast *likely,
-                       bool brief)
+static void print_plan(const struct results *results, double rough_seconds, bool brief)
 {
-    const struct plan *plan = &prepared->plan;
+    const struct plan *plan = results->plan;
+    const struct scene *scene = results->scene;
     struct text table = {0};
-    prepare_table(&table, prepared, NULL);
+    prepare_table(&table, results, false);
     fputs(text_string(&table), stdout);
     text_free(&table);
     printf("\n%-28s %-8s %s\n", "model", "", "valid");
     for (size_t m = 0; m < model_count; m++)
         printf("%-28s %-8s %s\n", model_rows[m]->label, plan_runs_model(plan, m) ? "run" : "skipped",
                model_rows[m]->valid);
-    if (!results_has_material(&prepared->results))
+    if (!results_has_material(results))
         printf("\n%s\n", results_without_material);
-    printf("\n%zu surface%s, %zu loads, tolerance %g, closure %s\n", scene->surface_count,
-           scene->surface_count == 1 ? "" : "s", prepared->results.load_count, scene->tolerance,
-           sinusoid_fits[scene->closure].name);
+    printf("\n%zu surface%s, %zu loads, tolerance %g, closure %s: about %.2g s\n", scene->surface_count,
+           scene->surface_count == 1 ? "" : "s", results->load_count, scene->tolerance,
+           sinusoid_fits[scene->closure].name, rough_seconds);
     if (scene_bins_spectra(scene))
         printf(
             "data/spectrum.csv holds bins of a tenth of a decade, as of more than %d surfaces; `data: full` has every "
             "harmonic\n",
             SCENE_DATA_SURFACES);
-    forecast_table(&table, likely, NULL);
-    printf("\n%s", text_string(&table));
-    text_free(&table);
     if (scene->target_count > 0)
-        printf("%zu target%s: a search each on every model's curve of each surface, counted in the evaluations above\n",
-               scene->target_count, scene->target_count == 1 ? "" : "s");
+        printf("%zu target%s: a search each on every model's curve of each surface\n", scene->target_count,
+               scene->target_count == 1 ? "" : "s");
     if (brief)
         puts("brief: the report is its first page alone, and no other figures are drawn; all of the above runs, for "
              "data/ and results.json");
-    print_heights(&prepared->store);
+    print_heights(results);
 }
 
 const struct argp command_plan_argp = {
     .options = plan_options,
     .parser = parse_plan,
     .args_doc = "DIR",
-    .doc = "Says what `report DIR` would simulate, why, and at which cost. Reads the scans and runs no model.",
+    .doc = "Says what `report DIR` would simulate, why, and roughly how long. Reads the scans and runs no model.",
     .children = scene_child};
 
 int command_plan(int argc, char **argv)
@@ -415,20 +395,18 @@ int command_plan(int argc, char **argv)
     command_parse(&command_plan_argp, argc, argv, &arguments);
     enum status_code rc = scene_read(&scene, arguments.directory, &arguments.overrides, &status);
     if (rc == STATUS_OK)
-        rc = prepare(&prepared, &scene, &arguments.run, NULL, &status);
-    size_t refused = messages_add(&messages, &scene, &prepared.store, false);
+        rc = prepare(&prepared, &scene, &arguments.run, true, NULL, &status);
+    const struct results *results = &prepared.results;
+    size_t refused = messages_add(&messages, results, false);
     fputs(text_string(&messages), stderr);
     if (rc == STATUS_OK && refused == scene.surface_count)
         rc = status_fail(&status, STATUS_SCAN, "no readable scan in '%s'", scene.directory);
-    struct forecast_rates rates;
-    struct forecast likely = {0};
-    if (rc == STATUS_OK && (rc = forecast_calibrate(&rates, &prepared.results, clock_seconds, &status)) == STATUS_OK)
-        likely = forecast_make(&prepared.results, &rates, &arguments.run);
+    double seconds = rc == STATUS_OK ? prepare_rough_seconds(results, &arguments.run) : 0;
     if (rc == STATUS_OK && !arguments.json)
-        print_plan(&scene, &prepared, &likely, arguments.run.brief);
+        print_plan(results, seconds, arguments.run.brief);
     int exit_status = rc != STATUS_OK ? command_fail(&status) : refused > 0 ? COMMAND_REFUSED : COMMAND_DONE;
     if (arguments.json)
-        scene_json_print_plan(rc == STATUS_OK ? &prepared : NULL, &likely, arguments.directory, arguments.run.brief,
+        scene_json_print_plan(rc == STATUS_OK ? results : NULL, seconds, arguments.directory, arguments.run.brief,
                               text_string(&messages), exit_status, status.message);
     text_free(&messages);
     prepared_free(&prepared);

@@ -56,7 +56,7 @@ static int run(int argc, char **argv)
     }
     if (argc > 1 && (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 || strcmp(argv[1], "help") == 0))
         print_help();
-    command_use_crews(ranks_crew(&options), ranks_workers());
+    command_use_crew(ranks_crew(&options));
     exit(signals_status(command_main(argc, argv))); /* which lets the others go first */
 }
 

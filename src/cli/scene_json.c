@@ -32,11 +32,17 @@ static json_t *times_json(const struct run_times *times)
         const char *name;
         double seconds;
     } stages[] = {
-        {"read", times->read},        {"level", times->prepare},
-        {"spectra", times->spectrum}, {"convergence", times->convergence},
-        {"direct", times->direct},    {"cost", times->cost},
-        {"tables", times->tables},    {"chart_data", times->figures},
-        {"gnuplot", times->gnuplot},  {"report", times->report},
+        {"read", times->read},
+        {"level", times->prepare},
+        {"spectra", times->spectrum},
+        {"convergence", times->convergence},
+        {"direct", times->direct},
+        {"cost", times->cost},
+        {"tables", times->tables},
+        {"chart_data", times->figures},
+        {"gnuplot", times->gnuplot},
+        {"report", times->report},
+        {"uncertainty", times->uncertainty},
         {"total", times->total},
     };
     for (size_t i = 0; i < sizeof stages / sizeof stages[0]; i++)
@@ -49,8 +55,7 @@ static json_t *times_json(const struct run_times *times)
 
 static json_t *work_json(const struct run_outcome *outcome)
 {
-    return json_pack("{s:I, s:b, s:f, s:o}", "evaluations", (json_int_t)outcome->evaluations, "as_predicted",
-                     outcome->work_agrees, "predicted_s", outcome->predicted_seconds, "taken_s",
+    return json_pack("{s:I, s:o}", "evaluations", (json_int_t)outcome->evaluations, "taken_s",
                      times_json(&outcome->times));
 }
 
@@ -78,11 +83,11 @@ void scene_json_print_report(const struct run_outcome *outcome, const char *dire
     print(json);
 }
 
-static json_t *surfaces_json(const struct surface_store *store)
+static json_t *surfaces_json(const struct results *results)
 {
     json_t *surfaces = json_array();
-    for (size_t i = 0; i < store->count; i++) {
-        const struct surface_summary *s = &store->summaries[i];
+    for (size_t i = 0; i < results->surface_count; i++) {
+        const struct surface_summary *s = &results->surfaces[i].summary;
         json_t *json = json_pack("{s:o, s:b, s:o}", "surface", command_json_text(s->scene->name), "usable", s->usable,
                                  "refused", command_json_optional(s->refusal));
         if (s->usable) {
@@ -95,56 +100,33 @@ static json_t *surfaces_json(const struct surface_store *store)
     return surfaces;
 }
 
-/** The rows of the plan's table, with the sums below it. */
-static void add_effects(json_t *json, const struct prepared *prepared)
+static json_t *effects_json(const struct results *results)
 {
-    struct work_row rows[WORK_ROWS];
-    const struct results *results = &prepared->results;
-    long processors = sysconf(_SC_NPROCESSORS_ONLN);
-    double seconds, bytes = work_memory(prepared->store.summaries, prepared->store.count,
-                                        processors > 0 ? (unsigned)processors : 1);
-    uint64_t evaluations = work_total(&results->predicted, &prepared->plan, &seconds);
+    struct effects_row rows[EFFECTS_ROWS];
     json_t *effects = json_array();
-    work_table(rows, &results->predicted, &prepared->plan);
-    for (int r = 0; r < WORK_ROWS; r++)
-        json_array_append_new(effects, json_pack("{s:s, s:b, s:o, s:o, s:I, s:f, s:f}", "effect", rows[r].name, "runs",
-                                                 rows[r].runs, "reason", command_json_text(rows[r].reason), "method",
-                                                 command_json_text(rows[r].method), "evaluations",
-                                                 (json_int_t)rows[r].evaluations, "seconds", rows[r].seconds,
-                                                 "memory_bytes", r == 0 ? bytes : rows[r].bytes));
-    json_object_set_new(json, "effects", effects);
-    json_object_set_new(json, "evaluations", json_integer((json_int_t)evaluations));
-    json_object_set_new(json, "seconds", json_real(seconds));
-    json_object_set_new(json, "memory_bytes",
-                        json_real(bytes + rows[EFFECT_CONVERGENCE + 1].bytes + rows[EFFECT_DIRECT + 1].bytes));
+    effects_account(rows, results->plan, results->surfaces, results->surface_count, &results->studies);
+    for (int r = 0; r < EFFECTS_ROWS; r++)
+        json_array_append_new(effects, json_pack("{s:s, s:b, s:o, s:o}", "effect", rows[r].name, "runs", rows[r].runs,
+                                                 "reason", command_json_text(rows[r].reason), "method",
+                                                 command_json_text(rows[r].method)));
+    return effects;
 }
 
-static json_t *stages_json(const struct forecast *likely)
+void scene_json_print_plan(const struct results *results, double rough_seconds, const char *directory, bool brief,
+                           const char *messages, int exit_status, const char *error)
 {
-    json_t *stages = json_array();
-    for (int s = 0; s < FORECAST_STAGES; s++)
-        json_array_append_new(stages,
-                              json_pack("{s:s, s:f}", "stage", forecast_names[s], "seconds", likely->seconds[s]));
-    return stages;
-}
-
-void scene_json_print_plan(const struct prepared *prepared, const struct forecast *likely, const char *directory,
-                           bool brief, const char *messages, int exit_status, const char *error)
-{
-    json_t *json = begin(directory, messages, exit_status, prepared ? NULL : error);
+    json_t *json = begin(directory, messages, exit_status, results ? NULL : error);
     json_t *models = json_array();
-    for (size_t m = 0; m < model_count && prepared; m++)
+    for (size_t m = 0; m < model_count && results; m++)
         json_array_append_new(models, json_pack("{s:s, s:s, s:b, s:s}", "model", model_rows[m]->name, "label",
-                                                model_rows[m]->label, "runs", plan_runs_model(&prepared->plan, m),
+                                                model_rows[m]->label, "runs", plan_runs_model(results->plan, m),
                                                 "valid", model_rows[m]->valid));
-    if (prepared) {
-        const struct results *results = &prepared->results;
+    if (results) {
         const struct scene *scene = results->scene;
-        add_effects(json, prepared);
-        json_object_set_new(json, "stages", stages_json(likely));
-        json_object_set_new(json, "elapsed_seconds", json_real(likely->total));
+        json_object_set_new(json, "effects", effects_json(results));
+        json_object_set_new(json, "seconds", json_real(rough_seconds));
         json_object_set(json, "models", models);
-        json_object_set_new(json, "surfaces", surfaces_json(&prepared->store));
+        json_object_set_new(json, "surfaces", surfaces_json(results));
         json_object_set_new(json, "material_known", json_boolean(results_has_material(results)));
         json_object_set_new(json, "loads", json_integer((json_int_t)results->load_count));
         json_object_set_new(json, "targets", json_integer((json_int_t)scene->target_count));

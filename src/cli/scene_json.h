@@ -3,7 +3,6 @@
 #ifndef CLI_SCENE_JSON_H
 #define CLI_SCENE_JSON_H
 
-#include "run/forecast.h"
 #include "run/prepare.h"
 #include "run/run.h"
 
@@ -11,9 +10,9 @@
 void scene_json_print_report(const struct run_outcome *outcome, const char *directory, int exit_status,
                              const char *error);
 
-/** The plan of a whole report, or of its first page (`brief`), and how long that is likely to take: `prepared` NULL
- * where there is none, and `error` says why. */
-void scene_json_print_plan(const struct prepared *prepared, const struct forecast *likely, const char *directory,
-                           bool brief, const char *messages, int exit_status, const char *error);
+/** The plan of a whole report, or of its first page (`brief`), and roughly how long that takes: `results` NULL where
+ * there is none, and `error` says why. */
+void scene_json_print_plan(const struct results *results, double rough_seconds, const char *directory, bool brief,
+                           const char *messages, int exit_status, const char *error);
 
 #endif

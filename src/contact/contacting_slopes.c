@@ -7,8 +7,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { SHARED_POINTS = 1 << 16 }; /* with fewer, threads take longer to start than they save */
-
 const size_t contacting_slopes_least = 30;
 const double contacting_slopes_separation_area = 0.15;
 
@@ -106,29 +104,8 @@ static enum status_code sort_heights(struct contacting_slopes *out, size_t **ord
     return rc;
 }
 
-/** Sorted heights, and what is to be laid of them. */
-struct laying {
-    struct contacting_slopes *slopes;
-    const struct slope_point *point;
-    const size_t *order;
-};
-
-enum { LAY_AREAS, LAY_LINES, LAYINGS };
-
-/** Areas or lines: neither needs the other. */
-static enum status_code lay(void *context, size_t index, struct threads_turn *turn, struct status *status)
-{
-    const struct laying *laying = context;
-    (void)turn;
-    if (index == LAY_AREAS)
-        lay_areas(laying->slopes, laying->point, laying->order);
-    else
-        lay_lines(laying->slopes);
-    return status->code;
-}
-
 enum status_code contacting_slopes_make(struct contacting_slopes *out, const struct slope_point *point, size_t points,
-                                        double energy_factor, const struct threads *threads, struct status *status)
+                                        double energy_factor, struct status *status)
 {
     size_t *order = NULL;
     enum status_code rc = sort_heights(out, &order, point, points, status);
@@ -138,9 +115,10 @@ enum status_code contacting_slopes_make(struct contacting_slopes *out, const str
         out->load = malloc((points + 1) * sizeof *out->load);
         rc = out->mean_square && out->load ? STATUS_OK : status_memory(status);
     }
-    struct laying laying = {out, point, order};
-    if (rc == STATUS_OK)
-        rc = threads_run(points >= SHARED_POINTS ? threads : NULL, LAYINGS, lay, &laying, status);
+    if (rc == STATUS_OK) {
+        lay_areas(out, point, order);
+        lay_lines(out);
+    }
     if (rc == STATUS_OK && !(out->load[points - 1] > 0))
         rc = status_fail(status, STATUS_MODEL, "the surface has no slope; measure a rough one");
     free(order);

@@ -6,7 +6,6 @@
 #define CONTACT_CONTACTING_SLOPES_H
 
 #include "base/status.h"
-#include "base/threads.h"
 #include "contact/persson.h"
 #include <stdbool.h>
 #include <stddef.h>
@@ -48,12 +47,11 @@ struct contacting_slopes {
 };
 
 /** Sorts `point` (highest first, ties by index) and prepares A(p): p_k = erf^-1(A_k) sqrt(m2(k) (g + (1-g) A_k)), made
- * monotone, A_k = k/M, k = 30...M-1; and the least-squares lines, beside each other where there are two threads.
+ * monotone, A_k = k/M, k = 30...M-1; and the least-squares lines.
  * Errors: STATUS_MEMORY; STATUS_MODEL for fewer than 31
  * points or without any slope. */
 MUST_CHECK enum status_code contacting_slopes_make(struct contacting_slopes *out, const struct slope_point *point,
-                                                   size_t points, double energy_factor, const struct threads *threads,
-                                                   struct status *status);
+                                                   size_t points, double energy_factor, struct status *status);
 /** The heights and the lines alone, without any area: what a chart of the heights needs. Errors: STATUS_MEMORY;
  * STATUS_MODEL for fewer than 31 points. */
 MUST_CHECK enum status_code contacting_slopes_lines(struct contacting_slopes *out, const struct slope_point *point,

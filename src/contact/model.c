@@ -52,6 +52,8 @@ enum status_code model_run(struct model_curve *curve, const struct model_row *ro
 {
     if (row->run(curve, row, task, status) != STATUS_OK)
         return status->code;
+    if (task->evaluations)
+        *task->evaluations += curve->evaluations;
     for (size_t i = 0; i < curve->count; i++)
         quantity_empty_made(&curve->points[i]);
     quantity_empty_made(&curve->full);
@@ -74,41 +76,10 @@ enum status_code model_run(struct model_curve *curve, const struct model_row *ro
     return STATUS_OK;
 }
 
-struct model_kept_state *model_kept(const struct model_task *task, const struct model_row *row)
-{
-    size_t m = model_index(row);
-    bool same = task->kept && task->kept->spectrum == task->spectrum && task->kept->pair == task->pair;
-    return same && m < model_count ? &task->kept->of[m] : NULL;
-}
-
-void model_kept_free(struct model_kept *kept)
-{
-    for (size_t m = 0; m < model_count; m++)
-        if (kept->of[m].state)
-            kept->of[m].free(kept->of[m].state);
-    *kept = (struct model_kept){0};
-}
-
 enum quantity model_shown(const struct model_row *row, enum quantity quantity)
 {
     bool adjusts = quantity == QUANTITY_SEPARATION && (row->quantities & QUANTITY_BIT(QUANTITY_ADJUSTED));
     return adjusts ? QUANTITY_ADJUSTED : quantity;
-}
-
-void model_work_add(struct model_work *sum, const struct model_work *more)
-{
-    sum->scales += more->scales;
-    sum->gaps += more->gaps;
-    sum->constrictions += more->constrictions;
-    sum->nodes += more->nodes;
-    sum->scale_dependent_nodes += more->scale_dependent_nodes;
-    sum->separations += more->separations;
-    sum->searches += more->searches;
-}
-
-uint64_t model_evaluations(const struct model_work *work)
-{
-    return work->scales + work->nodes + work->scale_dependent_nodes + work->separations + work->searches;
 }
 
 size_t model_task_operating(const struct model_task *task)

@@ -4,7 +4,6 @@
 #ifndef CONTACT_MODEL_H
 #define CONTACT_MODEL_H
 
-#include "base/threads.h"
 #include "contact/asperity.h"
 #include "contact/contacting_slopes.h"
 #include "contact/quantity.h"
@@ -14,7 +13,6 @@
 #include <stdint.h>
 
 struct truncation_model; /* contact/truncation_model.h */
-struct model_kept;
 
 /** What a model is asked: one surface, one pair of bodies, a list of loads. */
 struct model_task {
@@ -31,19 +29,8 @@ struct model_task {
     const struct slope_point
         *points; /* heights and slopes of the surface, for models that use_heights; NULL: not kept */
     size_t point_count;
-    const struct threads *threads; /* for models that can share one surface out; NULL: none but this one */
-    struct model_kept *kept;       /* what models have made of this surface and pair; NULL: nothing is kept */
-};
-
-/** What answering took: visits of scales, asperity laws at quadrature nodes, and loads solved for a separation. */
-struct model_work {
-    uint64_t scales;                /* area of a scale at a load */
-    uint64_t gaps;                  /* gap of a scale at a load */
-    uint64_t constrictions;         /* resistance of a scale at a load */
-    uint64_t nodes;                 /* asperity laws at a quadrature node */
-    uint64_t scale_dependent_nodes; /* the same, needed for nothing but scale dependence */
-    uint64_t separations;           /* loads of a statistical model solved for a separation */
-    uint64_t searches;              /* curves searched for their landmarks, by as many loads as the tolerance takes */
+    uint64_t *evaluations; /* what running models takes is added here: visits of scales, laws at quadrature nodes, loads
+                              solved for a separation; NULL: it is not counted */
 };
 
 /** What it answers. `points` is the caller's, load_count + 1 long. */
@@ -58,7 +45,7 @@ struct model_curve {
     struct contact_point full; /* at full_load itself; all NaN where that is */
     size_t yielding_scales;    /* plastic, stacked scales: those that can yield; else 0 */
     uint64_t clamped;          /* the same: visits in which the published area was limited: see multiscale_solve() */
-    struct model_work work;
+    uint64_t evaluations;      /* that it took */
 };
 
 struct model_row {
@@ -93,8 +80,6 @@ struct model_row {
     const char *valid;
     const char *method;                 /* how its numbers come about */
     const char *scale_dependent_method; /* the same for scale dependence; NULL: in the same pass */
-    /** What `run` will take, known before it runs. */
-    struct model_work (*work)(const struct model_row *row, const struct model_task *task);
     /** Fills the curve. Error: STATUS_MEMORY. */
     enum status_code (*run)(struct model_curve *curve, const struct model_row *row, const struct model_task *task,
                             struct status *status);
@@ -109,10 +94,10 @@ struct model_row {
     double (*yield_bound)(const struct model_row *row, const struct model_task *task);
     /** Says why yielding runs or not, from the largest bound of all surfaces. */
     void (*yield_reason)(char *out, size_t size, double bound, bool runs);
-    /** The largest TCR_sd/TCR - 1 over the loads, exact or above where it decides against task->tolerance; adds the
-     * visits of scales it took. Error: STATUS_MEMORY. */
-    enum status_code (*scale_dependence_bound)(double *most, uint64_t *visits, const struct model_row *row,
-                                               const struct model_task *task, struct status *status);
+    /** The largest TCR_sd/TCR - 1 over the loads, exact or above where it decides against task->tolerance. Error:
+     * STATUS_MEMORY. */
+    enum status_code (*scale_dependence_bound)(double *most, const struct model_row *row, const struct model_task *task,
+                                               struct status *status);
 };
 
 extern const struct model_row *const model_rows[];
@@ -130,23 +115,6 @@ uint64_t model_defaults(void);
 /** May model `m` of the set `models` run with these EFFECT_BITs: a plastic one needs plasticity. */
 bool model_runs(size_t m, uint64_t models, unsigned effects);
 
-enum { MODEL_KEPT_MOST = 64 };
-
-/** What models have made of one surface in one pair, which does not hang on the loads: a curve, its landmarks and its
- * bounds share it. Each model touches its own alone: a thread a model may. Zeroed but for the first two: nothing yet.
- * Owned: model_kept_free(). */
-struct model_kept {
-    const struct spectrum *spectrum; /* a task of another one, or of another pair, keeps nothing */
-    const struct material_pair *pair;
-    struct model_kept_state {
-        void *state; /* the model's own; NULL: nothing yet */
-        void (*free)(void *state);
-    } of[MODEL_KEPT_MOST]; /* by index in model_rows */
-};
-/** Where `row` keeps what it made for the task; NULL: nowhere. */
-struct model_kept_state *model_kept(const struct model_task *task, const struct model_row *row);
-void model_kept_free(struct model_kept *kept);
-
 /** The place among its loads of the one where the summary stands. */
 size_t model_task_operating(const struct model_task *task);
 /** `task` at other loads, which have no operating load of their own. */
@@ -160,10 +128,5 @@ MUST_CHECK enum status_code model_run(struct model_curve *curve, const struct mo
 
 /** The separation to show: the adjusted one of models that have it. Other quantities are as they are. */
 enum quantity model_shown(const struct model_row *row, enum quantity quantity);
-
-/** Adds `more` to `sum`. */
-void model_work_add(struct model_work *sum, const struct model_work *more);
-/** Visits of scales, laws at nodes and loads solved together. */
-uint64_t model_evaluations(const struct model_work *work);
 
 #endif

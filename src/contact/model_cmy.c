@@ -46,7 +46,6 @@ const struct model_row model_cmy = {
              "spots on, resistance 0.6 to 1.1 of direct solutions of the same islands, which are neither round nor "
              "evenly spread",
     .method = "closed form",
-    .work = truncation_model_work,
     .run = truncation_model_run,
     .spots = truncation_model_spots,
 };

@@ -9,12 +9,6 @@ enum {
     BEYOND_AREA = QUANTITY_BIT(QUANTITY_SEPARATION) | QUANTITY_BIT(QUANTITY_ECR) | QUANTITY_BIT(QUANTITY_TCR)
 };
 
-static struct model_work work(const struct model_row *row, const struct model_task *task)
-{
-    (void)row;
-    return (struct model_work){.separations = task->point_count > 0 ? task->load_count : 0};
-}
-
 static void solve(struct contact_point *out, const struct contacting_slopes *slopes, const struct persson *persson,
                   const struct model_task *task, double load)
 {
@@ -43,11 +37,12 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
     struct contacting_slopes slopes;
     struct persson persson;
     struct status none = {0};
+    (void)row;
     if (task->point_count == 0)
         return STATUS_OK;
-    curve->work = work(row, task);
+    curve->evaluations = task->load_count;
     enum status_code rc =
-        contacting_slopes_make(&slopes, task->points, task->point_count, persson_energy_factor, task->threads, &none);
+        contacting_slopes_make(&slopes, task->points, task->point_count, persson_energy_factor, &none);
     if (rc != STATUS_OK)
         return rc == STATUS_MEMORY ? status_memory(status) : STATUS_OK; /* too few points: no curve */
     if (persson_make(&persson, task->spectrum, persson_energy_factor, status) != STATUS_OK) {
@@ -86,6 +81,5 @@ const struct model_row model_contacting_slopes = {
     .valid = "area at any load within a factor 0.7 to 1.3 of direct solutions of skewed surfaces, separation and "
              "resistance up to A/A_n = 0.15 (empty beyond); dashed where fewer than 30 points touch",
     .method = "one sort; separation by Persson's sum",
-    .work = work,
     .run = run,
 };

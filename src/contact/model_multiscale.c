@@ -6,70 +6,30 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static struct model_work work_of(uint64_t visits, unsigned wanted)
+static struct multiscale stack_of(const struct model_row *row, const struct model_task *task)
 {
-    return (struct model_work){
-        .scales = visits,
-        .gaps = wanted & QUANTITY_BIT(QUANTITY_SEPARATION) ? visits : 0,
-        .constrictions = wanted & QUANTITY_RESISTANCES ? visits : 0,
-    };
-}
-
-static void free_kept(void *state)
-{
-    multiscale_free(state);
-    free(state);
-}
-
-/** The stack of the task's surface: the one that is kept, else made, in `own` where none can be kept. */
-static struct multiscale *stack_of(struct multiscale *own, const struct model_row *row, const struct model_task *task)
-{
-    struct model_kept_state *kept = model_kept(task, row);
-    if (kept && kept->state)
-        return kept->state;
-    struct multiscale *stack = kept ? malloc(sizeof *stack) : NULL;
-    if (stack)
-        *kept = (struct model_kept_state){stack, free_kept};
-    else
-        stack = own;
-    multiscale_make(stack, task->spectrum, task->pair, row->plastic, task->sinusoid_fit);
+    struct multiscale stack;
+    multiscale_make(&stack, task->spectrum, task->pair, row->plastic, task->sinusoid_fit);
     return stack;
-}
-
-static void release(struct multiscale *stack, struct multiscale *own)
-{
-    if (stack == own)
-        multiscale_free(own);
-}
-
-/** Which scales each load visits is known from the areas. */
-static struct model_work work(const struct model_row *row, const struct model_task *task)
-{
-    struct multiscale own, *stack = stack_of(&own, row, task);
-    uint64_t visits = multiscale_visits(stack, task->loads, task->load_count);
-    release(stack, &own);
-    return work_of(visits, task->wanted);
 }
 
 static enum status_code run(struct model_curve *curve, const struct model_row *row, const struct model_task *task,
                             struct status *status)
 {
-    struct multiscale own, *stack = stack_of(&own, row, task);
+    struct multiscale stack = stack_of(row, task);
     struct constriction constriction = constriction_make(task->pair);
-    uint64_t visits = 0;
     (void)status;
     for (size_t i = 0; i < task->load_count; i++)
-        curve->clamped +=
-            multiscale_solve(&curve->points[i], stack, &constriction, task->wanted, task->loads[i], &visits);
-    multiscale_solve(&curve->full, stack, &constriction, task->wanted, stack->full_load, &visits);
+        curve->clamped += multiscale_solve(&curve->points[i], &stack, &constriction, task->wanted, task->loads[i],
+                                           &curve->evaluations);
+    multiscale_solve(&curve->full, &stack, &constriction, task->wanted, stack.full_load, &curve->evaluations);
     curve->count = task->load_count;
-    curve->full_load = stack->full_load;
-    curve->closed_load = stack->closed_load;
-    curve->yielding_scales = stack->critical_scales;
+    curve->full_load = stack.full_load;
+    curve->closed_load = stack.closed_load;
+    curve->yielding_scales = stack.critical_scales;
     curve->beta = NAN;
     curve->exists = true;
-    curve->work = work_of(visits, task->wanted);
-    release(stack, &own);
+    multiscale_free(&stack);
     return STATUS_OK;
 }
 
@@ -102,7 +62,7 @@ static void yield_reason(char *out, size_t size, double bound, bool runs)
 
 /** What bounding the scale dependence of one stack takes along. */
 struct stack_study {
-    struct multiscale *stack;
+    struct multiscale stack;
     struct constriction constriction;
     const double *loads;
     double tolerance;
@@ -116,7 +76,7 @@ static double raise(const struct contact_point *point)
 
 static double raise_at(struct contact_point *point, struct stack_study *study, size_t load)
 {
-    multiscale_solve(point, study->stack, &study->constriction,
+    multiscale_solve(point, &study->stack, &study->constriction,
                      QUANTITY_BIT(QUANTITY_TCR) | QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT), study->loads[load],
                      &study->visits);
     return raise(point);
@@ -145,11 +105,10 @@ static double bound_between(struct stack_study *study, size_t low, const struct 
     return most;
 }
 
-static enum status_code scale_dependence_bound(double *most, uint64_t *visits, const struct model_row *row,
-                                               const struct model_task *task, struct status *status)
+static enum status_code scale_dependence_bound(double *most, const struct model_row *row, const struct model_task *task,
+                                               struct status *status)
 {
-    struct multiscale own;
-    struct stack_study study = {.stack = stack_of(&own, row, task),
+    struct stack_study study = {.stack = stack_of(row, task),
                                 .constriction = constriction_make(task->pair),
                                 .loads = task->loads,
                                 .tolerance = task->tolerance};
@@ -160,8 +119,7 @@ static enum status_code scale_dependence_bound(double *most, uint64_t *visits, c
         *most = fmax(*most, raise_at(&last, &study, task->load_count - 1));
     if (*most <= study.tolerance)
         *most = fmax(*most, bound_between(&study, 0, &first, task->load_count - 1, &last));
-    *visits += study.visits;
-    release(study.stack, &own);
+    multiscale_free(&study.stack);
     return STATUS_OK;
 }
 
@@ -193,7 +151,6 @@ const struct model_row model_multiscale_elastic = {
                "no yield",
     .valid = "any area ratio; needs a spectrum that converges (gamma >= 1)",
     .method = "direct sum over scales",
-    .work = work,
     .run = run,
     .scale_dependence_bound = scale_dependence_bound,
 };
@@ -221,7 +178,6 @@ const struct model_row model_multiscale_plastic = {
     .assumes = "as multiscale elastic, with yield of every scale above its critical amplitude; no hardening",
     .valid = "any area ratio; the area steps up by up to 8 % where a scale begins to yield",
     .method = "direct sum over scales",
-    .work = work,
     .run = run,
     .yield_bound = yield_bound,
     .yield_reason = yield_reason,

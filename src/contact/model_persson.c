@@ -5,16 +5,11 @@
 #include "contact/persson.h"
 #include <math.h>
 
-static struct model_work work(const struct model_row *row, const struct model_task *task)
-{
-    (void)row;
-    return (struct model_work){.separations = task->load_count};
-}
-
 static enum status_code run(struct model_curve *curve, const struct model_row *row, const struct model_task *task,
                             struct status *status)
 {
     struct persson persson;
+    (void)row;
     bool beyond_area =
         task->wanted & (QUANTITY_BIT(QUANTITY_SEPARATION) | QUANTITY_BIT(QUANTITY_ECR) | QUANTITY_BIT(QUANTITY_TCR));
     if (persson_make(&persson, task->spectrum, persson_energy_factor, status) != STATUS_OK)
@@ -42,7 +37,7 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
     /* complete only in the limit of an infinite load: there is no point of full contact */
     curve->full = quantity_nothing();
     curve->full_load = curve->closed_load = curve->beta = NAN;
-    curve->work = work(row, task);
+    curve->evaluations = task->load_count;
     persson_free(&persson);
     return STATUS_OK;
 }
@@ -65,6 +60,5 @@ const struct model_row model_persson = {
     .assumes = "isotropic Gaussian surface; no yield",
     .valid = "any area ratio: area within a factor 0.4 to 1.2, separation 0.7 to 1.4 of direct solutions",
     .method = "closed form for the area; grouped sum over rings for the separation",
-    .work = work,
     .run = run,
 };

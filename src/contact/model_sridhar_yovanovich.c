@@ -49,7 +49,6 @@ const struct model_row model_sridhar_yovanovich = {
     .valid = "Gaussian heights, first loading, P/H_ep up to 0.1: beyond, islands run together; it ends at P/H_ep = f; "
              "resistance no nearer than that of CMY",
     .method = "closed form",
-    .work = truncation_model_work,
     .run = truncation_model_run,
     .spots = truncation_model_spots,
 };

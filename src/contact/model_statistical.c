@@ -15,95 +15,30 @@ static enum asperity_model_id asperity_model_of(const struct model_row *row)
     return (enum asperity_model_id)(row->asperity_model - asperity_models);
 }
 
-/** What is made of one surface for the quantities that are wanted. */
-struct prepared {
-    struct statistical model;
-    unsigned wanted;
-    uint64_t nodes; /* that making it took */
-};
-
-static void free_prepared(void *state)
-{
-    struct prepared *prepared = state;
-    statistical_free(&prepared->model);
-    free(prepared);
-}
-
-/** The task's surface, from what is kept of it or made. release() it. Error: STATUS_MEMORY. */
-static enum status_code prepare(struct prepared **out, const struct model_row *row, const struct model_task *task,
-                                struct status *status)
-{
-    struct model_kept_state *kept = model_kept(task, row);
-    *out = kept ? kept->state : NULL;
-    if (*out && (*out)->wanted == task->wanted)
-        return STATUS_OK;
-    if (*out) {
-        free_prepared(kept->state);
-        *kept = (struct model_kept_state){0};
-    }
-    struct prepared *prepared = *out = calloc(1, sizeof *prepared);
-    if (!prepared)
-        return status_memory(status);
-    prepared->wanted = task->wanted;
-    if (statistical_make(&prepared->model, task->asperities, task->pair, asperity_model_of(row), task->wanted,
-                         task->tolerance, INFINITY, &prepared->nodes, status) != STATUS_OK) {
-        free_prepared(prepared);
-        return status->code;
-    }
-    if (kept)
-        *kept = (struct model_kept_state){prepared, free_prepared};
-    return STATUS_OK;
-}
-
-static void release(struct prepared *prepared, const struct model_row *row, const struct model_task *task)
-{
-    if (!model_kept(task, row))
-        free_prepared(prepared);
-}
-
-/** Laws at nodes under the name of what they are for: GW has closed forms for all but scale dependence. */
-static struct model_work work_of(const struct model_row *row, uint64_t nodes, uint64_t separations)
-{
-    struct model_work work = {.separations = separations};
-    *(row->plastic ? &work.nodes : &work.scale_dependent_nodes) = nodes;
-    return work;
-}
-
-/** The law at the quadrature's nodes, and one solution a load. */
-static struct model_work work(const struct model_row *row, const struct model_task *task)
-{
-    if (!task->asperities)
-        return (struct model_work){0};
-    return work_of(
-        row,
-        statistical_node_count(task->asperities, task->pair, asperity_model_of(row), task->wanted, task->tolerance),
-        task->load_count);
-}
-
 static enum status_code run(struct model_curve *curve, const struct model_row *row, const struct model_task *task,
                             struct status *status)
 {
     if (!task->asperities)
         return STATUS_OK;
-    struct prepared *prepared;
-    uint64_t separations = 0;
-    if (prepare(&prepared, row, task, status) != STATUS_OK)
+    struct statistical model;
+    if (statistical_make(&model, task->asperities, task->pair, asperity_model_of(row), task->wanted, task->tolerance,
+                         INFINITY, &curve->evaluations, status) != STATUS_OK) {
+        statistical_free(&model);
         return status->code;
-    const struct statistical *model = &prepared->model;
+    }
     double d = 3; /* a first guess; the solution of one load starts the next */
     for (size_t i = 0; i < task->load_count; i++) {
-        separations++;
-        if (statistical_solve(&curve->points[curve->count], model, task->loads[i], &d))
+        curve->evaluations++;
+        if (statistical_solve(&curve->points[curve->count], &model, task->loads[i], &d))
             curve->count++;
     }
-    statistical_full(&curve->full, model);
+    statistical_full(&curve->full, &model);
     if (curve->count < task->load_count)
         curve->points[curve->count++] = curve->full;
-    curve->full_load = curve->closed_load = model->full_load;
-    curve->beta = model->beta;
-    curve->work = work_of(row, prepared->nodes, separations);
+    curve->full_load = curve->closed_load = model.full_load;
+    curve->beta = model.beta;
     curve->exists = true;
-    release(prepared, row, task);
+    statistical_free(&model);
     return STATUS_OK;
 }
 
@@ -203,11 +138,10 @@ static void yield_reason(char *out, size_t size, double bound, bool runs)
         snprintf(out, size, "JG stays within %.2g of GW up to full contact", bound);
 }
 
-static enum status_code scale_dependence_bound(double *most, uint64_t *visits, const struct model_row *row,
-                                               const struct model_task *task, struct status *status)
+static enum status_code scale_dependence_bound(double *most, const struct model_row *row, const struct model_task *task,
+                                               struct status *status)
 {
     static const double jg_load_most = 1.08; /* JG's load over Hertz's, at 1.9 omega_c for nu = 0 */
-    (void)visits;
     (void)status;
     *most = 0;
     if (!task->asperities)
@@ -248,7 +182,6 @@ const struct model_row model_gw = {
     .valid = "A/A_n up to 0.1: asperities must not touch each other",
     .method = "closed forms",
     .scale_dependent_method = "Gauss-Legendre panels, since no closed form exists",
-    .work = work,
     .run = run,
     .spots = spots,
     .scale_dependence_bound = scale_dependence_bound,
@@ -278,7 +211,6 @@ const struct model_row model_jg = {
     .assumes = "as GW, with Jackson and Green's elastic-plastic sphere",
     .valid = "A/A_n up to 0.1; fitted for contact radius / asperity radius up to 0.41",
     .method = "Gauss-Legendre panels split where its law changes",
-    .work = work,
     .run = run,
     .spots = spots,
     .yield_bound = yield_bound,

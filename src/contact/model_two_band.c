@@ -12,61 +12,16 @@ enum {
                QUANTITY_RESISTANCES
 };
 
-/** What is made of one surface. */
-struct prepared {
-    bool splits; /* there is an amplitude */
+/** The stack of the task's surface, empty where that has no amplitude; multiscale_free() it. Error: STATUS_MEMORY. */
+static enum status_code make_stack(struct multiscale *out, const struct model_row *row, const struct model_task *task,
+                                   struct status *status)
+{
     struct two_band bands;
-    struct multiscale stack;
-};
-
-static void free_prepared(void *state)
-{
-    struct prepared *prepared = state;
-    multiscale_free(&prepared->stack);
-    free(prepared);
-}
-
-/** The task's surface, from what is kept or made. release() it. Error: STATUS_MEMORY. */
-static enum status_code prepare(struct prepared **out, const struct model_row *row, const struct model_task *task,
-                                struct status *status)
-{
-    struct model_kept_state *kept = model_kept(task, row);
-    if (kept && kept->state) {
-        *out = kept->state;
+    *out = (struct multiscale){0};
+    if (!two_band_split(&bands, task->spectrum))
         return STATUS_OK;
-    }
-    struct prepared *prepared = *out = calloc(1, sizeof *prepared);
-    if (!prepared)
-        return status_memory(status);
-    prepared->splits = two_band_split(&prepared->bands, task->spectrum);
-    if (prepared->splits &&
-        two_band_stack(&prepared->stack, &prepared->bands, task->pair, row->plastic,
-                       row->plastic ? task->hardness_Pa : INFINITY, task->sinusoid_fit, status) != STATUS_OK) {
-        free(prepared);
-        return status->code;
-    }
-    if (kept)
-        *kept = (struct model_kept_state){prepared, free_prepared};
-    return STATUS_OK;
-}
-
-static void release(struct prepared *prepared, const struct model_row *row, const struct model_task *task)
-{
-    if (!model_kept(task, row))
-        free_prepared(prepared);
-}
-
-/** Two scales at every load and at full contact, and the elastic separations. */
-static struct model_work work(const struct model_row *row, const struct model_task *task)
-{
-    uint64_t visits = TWO_BAND_COUNT * (task->load_count + 1);
-    bool gap = task->wanted & QUANTITY_BIT(QUANTITY_SEPARATION);
-    return (struct model_work){
-        .scales = visits,
-        .gaps = gap && row->plastic ? visits : 0,
-        .constrictions = task->wanted & QUANTITY_RESISTANCES ? visits : 0,
-        .separations = gap && !row->plastic ? task->load_count : 0,
-    };
+    return two_band_stack(out, &bands, task->pair, row->plastic, row->plastic ? task->hardness_Pa : INFINITY,
+                          task->sinusoid_fit, status);
 }
 
 /** Takes out what should not be trusted at this point. */
@@ -84,13 +39,11 @@ static enum status_code elastic_separation(struct model_curve *curve, struct mul
                                            const struct model_task *task, struct status *status)
 {
     double *separation_m = malloc(task->load_count * sizeof *separation_m);
-    uint64_t visits = 0; /* as many as the tolerance takes; the plan counts loads */
     if (!separation_m)
         return status_memory(status);
-    two_band_separation(separation_m, task->loads, task->load_count, stack, task->tolerance, &visits);
+    two_band_separation(separation_m, task->loads, task->load_count, stack, task->tolerance, &curve->evaluations);
     for (size_t i = 0; i < task->load_count; i++)
         curve->points[i].separation_m = separation_m[i];
-    curve->work.separations = task->load_count;
     free(separation_m);
     return STATUS_OK;
 }
@@ -98,40 +51,29 @@ static enum status_code elastic_separation(struct model_curve *curve, struct mul
 static enum status_code run(struct model_curve *curve, const struct model_row *row, const struct model_task *task,
                             struct status *status)
 {
-    struct prepared *prepared;
+    struct multiscale stack;
     struct constriction constriction = constriction_make(task->pair);
-    uint64_t visits = 0;
     unsigned gap = task->wanted & QUANTITY_BIT(QUANTITY_SEPARATION),
              wanted = row->plastic ? task->wanted : task->wanted & ~gap;
-    if (prepare(&prepared, row, task, status) != STATUS_OK)
+    if (make_stack(&stack, row, task, status) != STATUS_OK || stack.count == 0)
         return status->code;
-    struct multiscale *stack = &prepared->stack;
-    if (!prepared->splits) {
-        curve->work = work(row, task); /* as predicted, which knows no amplitudes */
-        release(prepared, row, task);
-        return STATUS_OK;
-    }
     for (size_t i = 0; i < task->load_count; i++)
-        curve->clamped += multiscale_solve(&curve->points[i], stack, &constriction, wanted, task->loads[i], &visits);
-    multiscale_solve(&curve->full, stack, &constriction, wanted, stack->full_load, &visits);
+        curve->clamped +=
+            multiscale_solve(&curve->points[i], &stack, &constriction, wanted, task->loads[i], &curve->evaluations);
+    multiscale_solve(&curve->full, &stack, &constriction, wanted, stack.full_load, &curve->evaluations);
     enum status_code rc = STATUS_OK;
-    curve->work = (struct model_work){
-        .scales = visits,
-        .gaps = wanted & gap ? visits : 0,
-        .constrictions = wanted & QUANTITY_RESISTANCES ? visits : 0,
-    };
     if (!row->plastic && gap)
-        rc = elastic_separation(curve, stack, task, status);
+        rc = elastic_separation(curve, &stack, task, status);
     for (size_t i = 0; i < task->load_count; i++)
         blank(&curve->points[i], row, task);
     blank(&curve->full, row, task);
     curve->count = task->load_count;
-    curve->full_load = stack->full_load;
+    curve->full_load = stack.full_load;
     curve->closed_load = NAN;
-    curve->yielding_scales = stack->critical_scales;
+    curve->yielding_scales = stack.critical_scales;
     curve->beta = NAN;
     curve->exists = true;
-    release(prepared, row, task);
+    multiscale_free(&stack);
     return rc;
 }
 
@@ -158,21 +100,22 @@ static void yield_reason(char *out, size_t size, double bound, bool runs)
 }
 
 /** Two scales are quick: every load. */
-static enum status_code scale_dependence_bound(double *most, uint64_t *visits, const struct model_row *row,
-                                               const struct model_task *task, struct status *status)
+static enum status_code scale_dependence_bound(double *most, const struct model_row *row, const struct model_task *task,
+                                               struct status *status)
 {
-    struct prepared *prepared;
+    struct multiscale stack;
     struct constriction constriction = constriction_make(task->pair);
+    uint64_t visits = 0;
     *most = 0;
-    if (prepare(&prepared, row, task, status) != STATUS_OK)
+    if (make_stack(&stack, row, task, status) != STATUS_OK)
         return status->code;
-    for (size_t i = 0; prepared->splits && i < task->load_count; i++) {
+    for (size_t i = 0; stack.count > 0 && i < task->load_count; i++) {
         struct contact_point point;
-        multiscale_solve(&point, &prepared->stack, &constriction, QUANTITY_RESISTANCES, task->loads[i], visits);
+        multiscale_solve(&point, &stack, &constriction, QUANTITY_RESISTANCES, task->loads[i], &visits);
         if (point.tcr_K_m2_per_W > 0)
             *most = fmax(*most, point.tcr_sd_K_m2_per_W / point.tcr_K_m2_per_W - 1);
     }
-    release(prepared, row, task);
+    multiscale_free(&stack);
     return STATUS_OK;
 }
 
@@ -197,7 +140,6 @@ const struct model_row model_two_band_elastic = {
     .valid = "area at A/A_n from 0.001 on within a factor 0.5 to 1.3 of direct solutions, separation and resistance up "
              "to A/A_n = 0.75 (empty beyond); not for a single wave",
     .method = "direct sum over two scales; separation by adaptive quadrature",
-    .work = work,
     .run = run,
     .scale_dependence_bound = scale_dependence_bound,
 };
@@ -224,7 +166,6 @@ const struct model_row model_two_band_plastic = {
     .valid = "area and resistance within a factor 0.56 to 1.31 of direct solutions with the same hardness; separation "
              "up to a quarter of the hardness, both up to A/A_n = 0.75 (empty beyond)",
     .method = "direct sum over two scales",
-    .work = work,
     .run = run,
     .yield_bound = yield_bound,
     .yield_reason = yield_reason,

@@ -241,13 +241,3 @@ size_t multiscale_solve(struct contact_point *out, struct multiscale *stack, con
     };
     return clamped;
 }
-
-uint64_t multiscale_visits(struct multiscale *stack, const double *loads, size_t count)
-{
-    static const struct constriction none = {0};
-    struct contact_point point;
-    uint64_t visits = 0;
-    for (size_t i = 0; i <= count; i++)
-        multiscale_solve(&point, stack, &none, 0, i < count ? loads[i] : stack->full_load, &visits);
-    return visits;
-}

@@ -52,8 +52,6 @@ struct sinusoid_scale multiscale_scale(struct multiscale *stack, size_t i);
  * or raised to the elastic area (closure numeric). */
 size_t multiscale_solve(struct contact_point *out, struct multiscale *stack, const struct constriction *spot,
                         unsigned wanted, double load, uint64_t *evaluations);
-/** Visits of scales that the loads, and the load of full contact, take: walks the areas alone. */
-uint64_t multiscale_visits(struct multiscale *stack, const double *loads, size_t count);
 
 /** The rows of this stack (model_multiscale.c); the statistical models name them as counterparts. */
 extern const struct model_row model_multiscale_elastic, model_multiscale_plastic;

@@ -100,14 +100,6 @@ static double log_cut_for(double tolerance)
     return 8 - log(tolerance);
 }
 
-size_t quadrature_count(const struct asperity *asperity, double sigma_s_m, double knudsen_length_m, double lowest_d,
-                        double tolerance)
-{
-    double border[PANELS_MOST];
-    return panel_order(tolerance) *
-           lay_panels(border, asperity, sigma_s_m, knudsen_length_m, lowest_d, log_cut_for(tolerance));
-}
-
 static enum status_code allocate(struct quadrature *panels, struct status *status)
 {
     double **arrays[] = {&panels->node, &panels->area, &panels->load, &panels->radius, &panels->radius_scale_dependent};

@@ -42,10 +42,6 @@ MUST_CHECK enum status_code quadrature_make(struct quadrature *out, const struct
                                             struct status *status);
 void quadrature_free(struct quadrature *panels);
 
-/** How many nodes (law evaluations) quadrature_make() takes for the same arguments. */
-size_t quadrature_count(const struct asperity *asperity, double sigma_s_m, double knudsen_length_m, double lowest_d,
-                        double tolerance);
-
 /** All sums at separation d (in sigma_s) under the Gaussian of (4.23), d >= the lowest_d of quadrature_make(). */
 void quadrature_sum(struct quadrature_sums *out, const struct quadrature *panels, double d);
 

@@ -126,15 +126,6 @@ static double knudsen_length(const struct statistical *model)
     return model->wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT) ? model->spot.knudsen_length_m : 0;
 }
 
-size_t statistical_node_count(const struct asperities *surface, const struct material_pair *pair,
-                              enum asperity_model_id law, unsigned wanted, double tolerance)
-{
-    struct statistical model = outline(surface, pair, law, wanted, tolerance);
-    return is_closed(law, wanted)
-               ? 0
-               : quadrature_count(&model.asperity, surface->sigma_s_m, knudsen_length(&model), model.full_d, tolerance);
-}
-
 enum status_code statistical_make(struct statistical *out, const struct asperities *surface,
                                   const struct material_pair *pair, enum asperity_model_id law, unsigned wanted,
                                   double tolerance, double lowest_d, uint64_t *evaluations, struct status *status)

@@ -34,9 +34,6 @@ MUST_CHECK enum status_code statistical_make(struct statistical *out, const stru
                                              const struct material_pair *pair, enum asperity_model_id law,
                                              unsigned wanted, double tolerance, double lowest_d, uint64_t *evaluations,
                                              struct status *status);
-/** Law evaluations that statistical_make() takes for the same arguments, lowest_d = INFINITY. */
-size_t statistical_node_count(const struct asperities *surface, const struct material_pair *pair,
-                              enum asperity_model_id law, unsigned wanted, double tolerance);
 void statistical_free(struct statistical *model);
 
 /** Contact with the flat at d = `d` sigma_s: A (4.25), P (4.26), delta (4.29), delta_ADJ (4.54), and the resistances

@@ -24,12 +24,6 @@ bool truncation_model_tested(const struct truncation_model *model, double pressu
     return pressure_over_hardness >= model->least && pressure_over_hardness <= model->most;
 }
 
-struct model_work truncation_model_work(const struct model_row *row, const struct model_task *task)
-{
-    (void)row;
-    return (struct model_work){.separations = task->load_count};
-}
-
 /** The law of a surface that has one: with a slope, and a hardness that is known. */
 static bool law_of(struct truncation *out, const struct model_row *row, const struct model_task *task)
 {
@@ -43,7 +37,7 @@ enum status_code truncation_model_run(struct model_curve *curve, const struct mo
     struct truncation law;
     struct truncation_contact contact;
     (void)status;
-    curve->work = truncation_model_work(row, task);
+    curve->evaluations = task->load_count;
     bool has_law = law_of(&law, row, task), gap = task->wanted & QUANTITY_BIT(QUANTITY_SEPARATION);
     for (size_t i = 0; i < task->load_count && has_law; i++) {
         if (!truncation_press(&contact, &law, truncation_model_ratio(&law, task, task->loads[i])))

@@ -32,10 +32,9 @@ double truncation_model_slope(const struct model_task *task);
 /** P/H at P/(A_n E') = load. */
 double truncation_model_ratio(const struct truncation *law, const struct model_task *task, double load);
 
-/* For model_row: work, run and spots. The curve ends where the law does, at P/H = f; there is no point of full contact.
+/* For model_row: run and spots. The curve ends where the law does, at P/H = f; there is no point of full contact.
  * The separation is empty from f/2 on, where the other's plane would lie below the mean plane: that is no gap.
  * No curve where the surface has no slope, the hardness is not known, or every load is beyond that end. */
-struct model_work truncation_model_work(const struct model_row *row, const struct model_task *task);
 enum status_code truncation_model_run(struct model_curve *curve, const struct model_row *row,
                                       const struct model_task *task, struct status *status);
 enum status_code truncation_model_spots(struct contact_spots *spots, const struct model_row *row,

@@ -4,7 +4,6 @@
 #include "analysis/direct_study.h"
 #include "base/version.h"
 #include "output/cell.h"
-#include "output/json_print.h"
 #include <errno.h>
 #include <jansson.h>
 #include <math.h>
@@ -134,7 +133,7 @@ static json_t *scene_json(const struct results *results, const struct cell_guard
     set(json, guard, "lambda_s_m", scene->lambda_s_m);
     set(json, guard, "lambda_c_m", scene->lambda_c_m);
     set(json, guard, "tip_radius_m", scene->tip_radius_m);
-    json_object_set_new(json, "baseline", string(results->store->summaries[results->baseline].scene->name));
+    json_object_set_new(json, "baseline", string(results->surfaces[results->baseline].summary.scene->name));
     if (scene->measured.file)
         json_object_set_new(json, "measured_file", string(scene->measured.file));
     if (results->counterface)
@@ -295,7 +294,8 @@ static json_t *surface_json(const struct surface_record *record, const struct sc
         json_array_append_new(files, string(s->scene->files[f]));
     for (size_t m = 0; m < model_count; m++)
         if (surface_model(s, m)->exists) {
-            json_t *model = curve_json(&record->curves[m], surface_model(s, m), &s->pair, scene, plan, guard);
+            json_t *model = curve_json(record->curves ? &record->curves[m] : NULL, surface_model(s, m), &s->pair, scene,
+                                       plan, guard);
             json_t *intervals = intervals_json(surface_model(s, m), guard);
             if (json_object_size(intervals) > 0)
                 json_object_set(model, "at_middle_load", intervals);
@@ -398,7 +398,7 @@ static json_t *direct_curve_json(const struct direct_study *study, const struct 
 
 static json_t *direct_json(const struct direct_study *study, const struct results *results, struct status *status)
 {
-    const struct surface_summary *surface = &results->store->summaries[study->surface];
+    const struct surface_summary *surface = &results->surfaces[study->surface].summary;
     const struct cell_guard guard = {surface->scene->name, status};
     const struct direct_plan *plan = &study->plan;
     json_t *solutions = json_array(), *ratios = json_object();
@@ -433,17 +433,14 @@ static json_t *direct_json(const struct direct_study *study, const struct result
     return json;
 }
 
-/** Evaluations by effect, predicted and done. */
+/** Evaluations by effect. */
 static json_t *work_json(const struct results *results)
 {
-    struct work_row predicted[WORK_ROWS], done[WORK_ROWS];
+    struct effects_row rows[EFFECTS_ROWS];
     json_t *json = json_object();
-    work_table(predicted, &results->predicted, results->plan);
-    work_table(done, &results->done, results->plan);
-    for (int r = 0; r < WORK_ROWS; r++)
-        json_object_set_new(json, predicted[r].name,
-                            json_pack("{s:I, s:I}", "evaluations_predicted", (json_int_t)predicted[r].evaluations,
-                                      "evaluations_done", (json_int_t)done[r].evaluations));
+    effects_account(rows, results->plan, results->surfaces, results->surface_count, &results->studies);
+    for (int r = 0; r < EFFECTS_ROWS; r++)
+        json_object_set_new(json, rows[r].name, json_pack("{s:I}", "evaluations", (json_int_t)rows[r].evaluations));
     return json;
 }
 
@@ -451,7 +448,7 @@ static json_t *work_json(const struct results *results)
 static json_t *answer_json(const struct results *results, size_t surface, size_t m, size_t t, struct status *status)
 {
     const struct scene_asked *target = &results->scene->targets[t];
-    const struct surface_summary *s = &results->store->summaries[surface];
+    const struct surface_summary *s = &results->surfaces[surface].summary;
     const struct answer *answer = &s->answers[t * model_count + m];
     const struct cell_guard guard = {s->scene->name, status};
     bool met = answer->kind == ANSWER_LOAD || answer->kind == ANSWER_LIGHTEST;
@@ -473,8 +470,8 @@ static json_t *answer_json(const struct results *results, size_t surface, size_t
 static json_t *answers_json(const struct results *results, struct status *status)
 {
     json_t *answers = json_array();
-    for (size_t i = 0; i < results->store->count; i++)
-        for (size_t m = 0; m < model_count && results->store->summaries[i].usable; m++)
+    for (size_t i = 0; i < results->surface_count; i++)
+        for (size_t m = 0; m < model_count && results->surfaces[i].summary.usable; m++)
             for (size_t t = 0; t < results->scene->target_count && plan_runs_model(results->plan, m); t++)
                 json_array_append_new(answers, answer_json(results, i, m, t, status));
     return answers;
@@ -488,9 +485,9 @@ static json_t *limits_json(const struct results *results, struct status *status)
                                            [LIMIT_MISSED] = "misses",
                                            [LIMIT_CANNOT_TELL] = "cannot tell"};
     json_t *limits = json_array();
-    for (size_t i = 0; i < results->store->count; i++)
-        for (size_t l = 0; l < results->scene->limit_count && results->store->summaries[i].usable; l++) {
-            const struct surface_summary *s = &results->store->summaries[i];
+    for (size_t i = 0; i < results->surface_count; i++)
+        for (size_t l = 0; l < results->scene->limit_count && results->surfaces[i].summary.usable; l++) {
+            const struct surface_summary *s = &results->surfaces[i].summary;
             const struct scene_asked *limit = &results->scene->limits[l];
             const struct limit_check *check = &s->limits[l];
             const struct cell_guard guard = {s->scene->name, status};
@@ -543,8 +540,8 @@ json_t *json_outline(const struct results *results, bool complete)
 {
     struct status ignored = {0}; /* json_write() has said it */
     json_t *surfaces = json_array(), *json = json_object();
-    for (size_t i = 0; i < results->store->count; i++) {
-        const struct surface_summary *s = &results->store->summaries[i];
+    for (size_t i = 0; i < results->surface_count; i++) {
+        const struct surface_summary *s = &results->surfaces[i].summary;
         const struct cell_guard guard = {s->scene ? s->scene->name : NULL, &ignored};
         if (s->scene) /* else the run ended before it came to it */
             json_array_append_new(surfaces, outline_surface_json(s, results->plan, complete, &guard));
@@ -568,61 +565,28 @@ json_t *json_outline(const struct results *results, bool complete)
 /** Prints one value; takes it over. */
 static bool print(FILE *file, json_t *json)
 {
-    struct text text = {.failed = !json};
-    if (json)
-        json_print(&text, json);
-    bool ok = !text.failed && fwrite(text.data, 1, text.length, file) == text.length;
-    text_free(&text);
+    bool ok = json && json_dumpf(json, file, JSON_INDENT(1) | JSON_REAL_PRECISION(17) | JSON_ENCODE_ANY) == 0;
     json_decref(json);
     return ok;
 }
 
-/** The surfaces' part of the file. */
-struct surfaces_json {
-    const struct results *results;
-    FILE *file;
-    size_t first; /* of the usable ones */
-};
-
-/** Prints one of them, in turn. */
-static enum status_code print_surface(void *context, size_t index, struct threads_turn *turn, struct status *status)
+/** The usable surfaces, one at a time: all of them together would be large. */
+static bool print_surfaces(FILE *file, const struct results *results, struct status *status)
 {
-    const struct surfaces_json *all = context;
-    const struct results *results = all->results;
-    if (!results->store->summaries[index].usable)
-        return STATUS_OK;
-    struct surface_record *record = malloc(sizeof *record);
-    if (!record)
-        return status_memory(status);
-    if (surface_store_get_part(record, results->store, index, SURFACE_BYTES_CURVES, status) == STATUS_OK) {
+    bool ok = true, first = true;
+    for (size_t i = 0; i < results->surface_count && ok; i++) {
+        const struct surface_record *record = &results->surfaces[i];
+        if (!record->summary.usable)
+            continue;
         const struct cell_guard guard = {record->summary.scene->name, status};
-        struct text text = {0};
-        json_t *json = surface_json(record, results->scene, results->plan, &guard);
-        text_add(&text, index == all->first ? "\n" : ",\n");
-        json_print(&text, json);
-        json_decref(json);
-        if (text.failed)
-            (void)status_memory(status);
-        else if (threads_wait(turn))
-            fwrite(text.data, 1, text.length, all->file);
-        text_free(&text);
-        surface_record_free(record, false);
+        fputs(first ? "\n" : ",\n", file);
+        first = false;
+        ok = print(file, surface_json(record, results->scene, results->plan, &guard));
     }
-    free(record);
-    return status->code;
+    return ok;
 }
 
-static enum status_code print_surfaces(FILE *file, const struct results *results, const struct threads *threads,
-                                       struct status *status)
-{
-    struct surfaces_json all = {results, file, 0};
-    while (all.first < results->store->count && !results->store->summaries[all.first].usable)
-        all.first++;
-    return threads_run(threads, results->store->count, print_surface, &all, status);
-}
-
-enum status_code json_write(const struct results *results, const char *directory, const struct threads *threads,
-                            struct status *status)
+enum status_code json_write(const struct results *results, const char *directory, struct status *status)
 {
     struct text path = {0};
     text_add(&path, "%s/results.json", directory);
@@ -634,11 +598,11 @@ enum status_code json_write(const struct results *results, const char *directory
     fprintf(file, "{\"program\": \"roughcontact\",\n\"version\": \"%s\",\n\"scene\": ", version_string());
     bool ok = print(file, scene_json(results, &of_scene)), first = true;
     fputs(",\n\"surfaces\": [", file);
-    ok = ok && print_surfaces(file, results, threads, status) == STATUS_OK;
+    ok = ok && print_surfaces(file, results, status);
     fputs("],\n\"refused\": [", file);
     first = true;
-    for (size_t i = 0; i < results->store->count && ok; i++) {
-        const struct surface_summary *s = &results->store->summaries[i];
+    for (size_t i = 0; i < results->surface_count && ok; i++) {
+        const struct surface_summary *s = &results->surfaces[i].summary;
         if (s->usable)
             continue;
         fputs(first ? "\n" : ",\n", file);

@@ -3,13 +3,10 @@
 #ifndef OUTPUT_JSON_H
 #define OUTPUT_JSON_H
 
-#include "base/threads.h"
 #include "results/results.h"
 
-/** Writes results.json into `directory`, the surfaces by `threads` in their order. Errors: STATUS_IO, STATUS_MEMORY,
- * STATUS_NUMBER, STATUS_INTERRUPTED. */
-MUST_CHECK enum status_code json_write(const struct results *results, const char *directory,
-                                       const struct threads *threads, struct status *status);
+/** Writes results.json into `directory`. Errors: STATUS_IO, STATUS_MEMORY, STATUS_NUMBER. */
+MUST_CHECK enum status_code json_write(const struct results *results, const char *directory, struct status *status);
 
 /** In short, for a script, keys as in results.json: `surfaces` (those refused with why), and of a run that is
  * `complete` the numbers of the terminal's table, `answers`, `limits` and the `missed_limits` among them. To be

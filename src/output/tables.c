@@ -11,8 +11,7 @@
 
 enum {
     SWEEP_ROWS = 200,
-    BLOCK_HARMONICS = 1 << 12, /* their rows are held whole */
-    HELD_BYTES = 1 << 20       /* of rows before they are written; those of an ordinary surface wait for nobody then */
+    HELD_BYTES = 1 << 20 /* of rows before they are written; those of an ordinary surface wait for nobody then */
 };
 
 /** A file being written; or what one surface adds to it, whose rows are written in the surfaces' order. */
@@ -22,7 +21,8 @@ struct table {
     struct text rows;          /* not written yet */
     struct text lead;          /* how rows of guard.surface begin */
     struct cell_guard guard;   /* names the surface of the row */
-    struct threads_turn *turn; /* NULL: the file is this table's alone */
+    bool part;                 /* of a file that others write in, too */
+    struct threads_turn *turn; /* of a part; NULL: no other thread writes */
 };
 
 static enum status_code table_open(struct table *out, const char *directory, const char *name, struct status *status)
@@ -83,7 +83,7 @@ static enum status_code table_close(struct table *table)
     bad = bad || ferror(table->file);
     text_free(&table->rows);
     text_free(&table->lead);
-    if ((table->file && !table->turn && fclose(table->file) != 0) || bad)
+    if ((table->file && !table->part && fclose(table->file) != 0) || bad)
         return status_fail(table->guard.status, STATUS_IO, "cannot write '%s': %s", table->name, strerror(errno));
     return table->guard.status->code; /* of a number that could not be written */
 }
@@ -91,7 +91,7 @@ static enum status_code table_close(struct table *table)
 /** What one surface adds to an open table. */
 static struct table table_part(const struct table *table, struct threads_turn *turn, struct status *status)
 {
-    return (struct table){.file = table->file, .name = table->name, .guard = {NULL, status}, .turn = turn};
+    return (struct table){.file = table->file, .name = table->name, .guard = {NULL, status}, .part = true, .turn = turn};
 }
 
 /** What surfaces.csv says of a surface besides its name, files and points. */
@@ -150,8 +150,8 @@ static enum status_code write_surfaces(const struct results *results, const char
         if (has_beta(plan, m))
             text_add(&table.rows, ",beta_%s", model_rows[m]->name);
     end_row(&table);
-    for (size_t i = 0; i < results->store->count; i++) {
-        const struct surface_summary *s = &results->store->summaries[i];
+    for (size_t i = 0; i < results->surface_count; i++) {
+        const struct surface_summary *s = &results->surfaces[i].summary;
         if (!s->usable)
             continue;
         put_surface(&table, s);
@@ -177,12 +177,11 @@ static enum status_code write_surfaces(const struct results *results, const char
 }
 
 /** A row a harmonic, or a bin of them, of harmonics `first` to before `end`. */
-static void put_harmonics(struct table *table, const struct surface_record *record, bool binned, size_t first,
-                          size_t end)
+static void put_spectrum(struct table *table, const struct surface_record *record, bool binned)
 {
     const struct spectrum *spectrum = &record->spectrum;
     char count[24] = "";
-    for (size_t i = first; i < end;) {
+    for (size_t i = 0; i < spectrum->count;) {
         const struct spectrum_bin bin = binned ? spectrum_bin_from(spectrum, i) : spectrum_bin_of(spectrum, i);
         put_surface(table, &record->summary);
         put_number(table, "wavelength_m", bin.wavelength_m);
@@ -195,35 +194,6 @@ static void put_harmonics(struct table *table, const struct surface_record *reco
         end_row(table);
         i += bin.count;
     }
-}
-
-/** The harmonics of the one surface there is, shared out among threads. */
-struct spectrum_blocks {
-    const struct table *table;
-    const struct surface_record *record;
-};
-
-static enum status_code put_block(void *context, size_t index, struct threads_turn *turn, struct status *status)
-{
-    const struct spectrum_blocks *blocks = context;
-    struct table table = table_part(blocks->table, turn, status);
-    size_t first = index * BLOCK_HARMONICS, end = first + BLOCK_HARMONICS, all = blocks->record->spectrum.count;
-    put_harmonics(&table, blocks->record, false, first, end < all ? end : all);
-    return table_close(&table);
-}
-
-/** All of a surface; by `threads`, not NULL when the file is its alone, in blocks that are written in order. */
-static enum status_code put_spectrum(const struct table *file, const struct surface_record *record, bool binned,
-                                     const struct threads *threads, struct threads_turn *turn, struct status *status)
-{
-    size_t all = record->spectrum.count;
-    if (threads && !binned && all > BLOCK_HARMONICS) {
-        struct spectrum_blocks blocks = {file, record};
-        return threads_run(threads, (all + BLOCK_HARMONICS - 1) / BLOCK_HARMONICS, put_block, &blocks, status);
-    }
-    struct table table = table_part(file, turn, status);
-    put_harmonics(&table, record, binned, 0, all);
-    return table_close(&table);
 }
 
 static void contact_header(struct table *table, unsigned quantities)
@@ -243,14 +213,13 @@ static void contact_header(struct table *table, unsigned quantities)
     end_row(table);
 }
 
-/** The tables that are made of the surfaces' arrays, in one pass over the store. */
 struct curve_tables {
     const struct results *results;
-    struct table spectrum, contact, bands; /* the last only where there are intervals */
+    const char *directory;
+    struct table spectrum, contact, bands; /* the last is opened with the first row */
     unsigned quantities, band_quantities;  /* QUANTITY_BITs that contact and bands have columns of */
     struct load_cell *loads;               /* of the list that all surfaces share; owned */
     size_t load_count;                     /* 0: they share none */
-    const struct threads *inside;          /* of one surface, where there is but one; else NULL */
 };
 
 /** A load of the list, written: every curve has it again. */
@@ -303,97 +272,106 @@ static void put_contact(struct table *table, const struct surface_record *record
         }
 }
 
-static void put_bands(struct table *table, const struct surface_record *record, unsigned quantities)
+/** Opens bands.csv with its header. */
+static enum status_code open_bands(struct curve_tables *all, struct status *status)
 {
-    for (size_t m = 0; m < model_count; m++)
-        for (size_t i = 0; record->bands && record->bands[m] && i < record->band_count; i++) {
-            const struct repeats_band *band = &record->bands[m][i];
-            put_surface(table, &record->summary);
-            put_word(table, model_rows[m]->name);
-            put_number(table, quantity_rows[QUANTITY_LOAD].column, band->load);
-            for (int q = 0; q < QUANTITY_COUNT; q++)
-                for (int end = 0; end < 4 && (quantities & QUANTITY_BIT(q)); end++)
-                    put_number(table, quantity_rows[q].column, end < 2 ? band->mean[q][end] : band->next[q][end - 2]);
-            end_row(table);
-        }
-}
-
-/** Opens bands.csv with its header, of the quantities returned. */
-static enum status_code open_bands(struct table *bands, unsigned *quantities, const struct results *results,
-                                   const char *directory, struct status *status)
-{
-    *quantities = 0;
-    if (table_open(bands, directory, "bands.csv", status) != STATUS_OK)
+    struct table *bands = &all->bands;
+    if (table_open(bands, all->directory, "bands.csv", status) != STATUS_OK)
         return status->code;
     text_add(&bands->rows, "surface,model,%s", quantity_rows[QUANTITY_LOAD].column);
     for (int q = 0; q < QUANTITY_COUNT; q++)
-        if (repeats_band_holds((enum quantity)q) && (results->plan->wanted & QUANTITY_BIT(q))) {
+        if (all->band_quantities & QUANTITY_BIT(q)) {
             const char *name = quantity_rows[q].column;
             text_add(&bands->rows, ",%s_mean_low_95,%s_mean_high_95,%s_next_scan_low_95,%s_next_scan_high_95", name,
                      name, name, name);
-            *quantities |= QUANTITY_BIT(q);
         }
     end_row(bands);
+    write_rows(bands);
     return STATUS_OK;
 }
 
-/** Writes what one surface adds to them. */
-static enum status_code put_curves(void *context, size_t index, struct threads_turn *turn, struct status *status)
+static enum status_code put_bands(struct curve_tables *all, const struct surface_record *record,
+                                  struct threads_turn *turn, struct status *status)
 {
-    const struct curve_tables *all = context;
-    const struct results *results = all->results;
-    if (!results->store->summaries[index].usable)
-        return STATUS_OK;
-    struct surface_record *record = malloc(sizeof *record);
-    if (!record)
+    struct table table = table_part(&all->bands, turn, status);
+    for (size_t m = 0; m < model_count; m++)
+        for (size_t i = 0; record->bands && record->bands[m] && i < record->band_count; i++) {
+            const struct repeats_band *band = &record->bands[m][i];
+            put_surface(&table, &record->summary);
+            put_word(&table, model_rows[m]->name);
+            put_number(&table, quantity_rows[QUANTITY_LOAD].column, band->load);
+            for (int q = 0; q < QUANTITY_COUNT; q++)
+                for (int end = 0; end < 4 && (all->band_quantities & QUANTITY_BIT(q)); end++)
+                    put_number(&table, quantity_rows[q].column, end < 2 ? band->mean[q][end] : band->next[q][end - 2]);
+            text_add_bytes(&table.rows, "\n", 1);
+        }
+    if (table.rows.length > 0 && threads_wait(turn) && !all->bands.file && open_bands(all, status) != STATUS_OK)
+        return status->code;
+    table.file = all->bands.file;
+    return table.file ? table_close(&table) : STATUS_OK;
+}
+
+enum status_code curve_tables_put(struct curve_tables *all, const struct surface_record *record,
+                                  struct threads_turn *turn, struct status *status)
+{
+    struct table spectrum = table_part(&all->spectrum, turn, status), contact = table_part(&all->contact, turn, status);
+    put_spectrum(&spectrum, record, scene_bins_spectra(all->results->scene));
+    put_contact(&contact, record, all);
+    (void)table_close(&spectrum);
+    (void)table_close(&contact);
+    return status->code == STATUS_OK ? put_bands(all, record, turn, status) : status->code;
+}
+
+enum status_code curve_tables_open(struct curve_tables **out, const struct results *results, const struct plan *plan,
+                                   const char *directory, struct status *status)
+{
+    struct curve_tables *all = *out = calloc(1, sizeof *all);
+    if (!all)
         return status_memory(status);
-    if (surface_store_get_part(record, results->store, index, SURFACE_BYTES_SPECTRUM, status) == STATUS_OK) {
-        struct table contact = table_part(&all->contact, turn, status), bands = table_part(&all->bands, turn, status);
-        (void)put_spectrum(&all->spectrum, record, scene_bins_spectra(results->scene), all->inside, turn, status);
-        put_contact(&contact, record, all);
-        if (bands.file)
-            put_bands(&bands, record, all->band_quantities);
-        (void)table_close(&contact);
-        if (bands.file)
-            (void)table_close(&bands);
-        surface_record_free(record, false);
+    *all = (struct curve_tables){.results = results, .directory = directory, .quantities = plan_quantities(plan)};
+    for (int q = 0; q < QUANTITY_COUNT; q++)
+        if (repeats_band_holds((enum quantity)q) && (plan->wanted & QUANTITY_BIT(q)))
+            all->band_quantities |= QUANTITY_BIT(q);
+    if (table_open(&all->spectrum, directory, "spectrum.csv", status) != STATUS_OK ||
+        table_open(&all->contact, directory, "contact.csv", status) != STATUS_OK ||
+        write_loads(all, status) != STATUS_OK)
+        return status->code;
+    text_add(&all->spectrum.rows, "surface,wavelength_m,amplitude_m,fit_m%s",
+             scene_bins_spectra(results->scene) ? ",harmonics" : "");
+    end_row(&all->spectrum);
+    contact_header(&all->contact, all->quantities);
+    write_rows(&all->spectrum);
+    write_rows(&all->contact);
+    return STATUS_OK;
+}
+
+enum status_code curve_tables_close(struct curve_tables *all, struct status *status)
+{
+    if (!all)
+        return status->code;
+    struct table *tables[] = {&all->spectrum, &all->contact, &all->bands};
+    for (int t = 0; t < 3; t++) {
+        if (!tables[t]->file)
+            continue;
+        struct status problem = {0};
+        tables[t]->guard.status = &problem;
+        if (table_close(tables[t]) != STATUS_OK && status->code == STATUS_OK)
+            *status = problem;
     }
-    free(record);
+    free(all->loads);
+    free(all);
     return status->code;
 }
 
-static enum status_code write_curves(const struct results *results, const char *directory,
-                                     const struct threads *threads, struct status *status)
+/** Of surfaces whose arrays are all in memory. */
+static enum status_code write_curves(const struct results *results, const char *directory, struct status *status)
 {
-    struct curve_tables all = {.results = results,
-                               .quantities = plan_quantities(results->plan),
-                               .inside = results->store->count == 1 ? threads : NULL};
-    enum status_code rc = table_open(&all.spectrum, directory, "spectrum.csv", status);
-    if (rc != STATUS_OK)
-        return rc;
-    text_add(&all.spectrum.rows, "surface,wavelength_m,amplitude_m,fit_m%s",
-             scene_bins_spectra(results->scene) ? ",harmonics" : "");
-    end_row(&all.spectrum);
-    rc = table_open(&all.contact, directory, "contact.csv", status);
-    if (rc == STATUS_OK)
-        contact_header(&all.contact, all.quantities);
-    if (rc == STATUS_OK)
-        rc = write_loads(&all, status);
-    if (rc == STATUS_OK && results_intervals(results))
-        rc = open_bands(&all.bands, &all.band_quantities, results, directory, status);
-    if (rc == STATUS_OK) { /* headers first */
-        write_rows(&all.spectrum);
-        write_rows(&all.contact);
-        if (all.bands.file)
-            write_rows(&all.bands);
-        rc = threads_run(threads, results->store->count, put_curves, &all, status);
-    }
-    enum status_code closed[] = {table_close(&all.spectrum), table_close(&all.contact),
-                                 all.bands.file ? table_close(&all.bands) : STATUS_OK};
-    for (int i = 0; i < 3; i++)
-        rc = rc != STATUS_OK ? rc : closed[i];
-    free(all.loads);
-    return rc;
+    struct curve_tables *all;
+    enum status_code rc = curve_tables_open(&all, results, results->plan, directory, status);
+    for (size_t i = 0; i < results->surface_count && rc == STATUS_OK; i++)
+        if (results->surfaces[i].summary.usable)
+            rc = curve_tables_put(all, &results->surfaces[i], NULL, status);
+    return curve_tables_close(all, status);
 }
 
 static enum status_code write_convergence(const struct results *results, const char *directory, struct status *status)
@@ -468,8 +446,8 @@ static enum status_code write_spread(const struct results *results, const char *
     text_add(&table.rows, "surface,quantity,scans,effective,mean,standard_deviation,mean_low_95,mean_high_95,"
                           "next_scan_low_95,next_scan_high_95");
     end_row(&table);
-    for (size_t i = 0; i < results->store->count; i++) {
-        const struct surface_summary *s = &results->store->summaries[i];
+    for (size_t i = 0; i < results->surface_count; i++) {
+        const struct surface_summary *s = &results->surfaces[i].summary;
         if (!s->usable)
             continue;
         const struct repeats *repeats = surface_repeats(s);
@@ -502,9 +480,9 @@ static enum status_code write_sensitivity(const struct results *results, const c
         return status->code;
     text_add(&table.rows, "surface,model,change,area_factor%s", ecr ? ",ecr_factor" : "");
     end_row(&table);
-    for (size_t i = 0; i < results->store->count; i++)
+    for (size_t i = 0; i < results->surface_count; i++)
         for (size_t m = 0; m < model_count; m++) {
-            const struct surface_summary *s = &results->store->summaries[i];
+            const struct surface_summary *s = &results->surfaces[i].summary;
             if (!s->usable || !surface_model(s, m)->exists || model_rows[m]->uses_heights)
                 continue;
             for (int c = 0; c < SENSITIVITY_CHANGES; c++) {
@@ -524,7 +502,7 @@ static enum status_code write_sensitivity(const struct results *results, const c
 static void put_answer(struct table *table, const struct results *results, size_t surface, size_t m, size_t t)
 {
     const struct scene_asked *target = &results->scene->targets[t];
-    const struct surface_summary *s = &results->store->summaries[surface];
+    const struct surface_summary *s = &results->surfaces[surface].summary;
     const struct answer *answer = &s->answers[t * model_count + m];
     bool met = answer->kind == ANSWER_LOAD || answer->kind == ANSWER_LIGHTEST;
     double force_N = scene_load_divisor(results->scene, UNIT_FORCE, &s->pair),
@@ -553,8 +531,8 @@ static enum status_code write_answers(const struct results *results, const char 
         return status->code;
     text_add(&table.rows, "surface,model,target,load_N,load_over_AnEp,low,high,note");
     end_row(&table);
-    for (size_t i = 0; i < results->store->count; i++)
-        for (size_t m = 0; m < model_count && results->store->summaries[i].usable; m++)
+    for (size_t i = 0; i < results->surface_count; i++)
+        for (size_t m = 0; m < model_count && results->surfaces[i].summary.usable; m++)
             for (size_t t = 0; t < results->scene->target_count && plan_runs_model(results->plan, m); t++)
                 put_answer(&table, results, i, m, t);
     return table_close(&table);
@@ -583,7 +561,7 @@ static void put_direct(struct table *table, const struct results *results, const
 {
     const struct direct_study_curve *curve = &study->curves[kind];
     for (size_t i = 0; curve->points && i < curve->loads; i++) {
-        put_surface(table, &results->store->summaries[study->surface]);
+        put_surface(table, &results->surfaces[study->surface].summary);
         text_add(&table->rows, ",%s", study->plan.side > 0 ? "map" : "law");
         put_number(table, "load_over_AnEp", study->plan.load[i]);
         for (int c = 0; c < DIRECT_COLUMNS; c++) {
@@ -642,7 +620,7 @@ static enum status_code write_direct_ratio(const struct results *results, const 
             const struct direct_study *study = &results->direct[k];
             size_t loads = study->curves[direct_study_kind_of(study, m)].loads;
             for (size_t i = 0; study->models[m].exists && i < loads; i++) {
-                put_surface(&table, &results->store->summaries[study->surface]);
+                put_surface(&table, &results->surfaces[study->surface].summary);
                 put_word(&table, model_rows[m]->name);
                 put_number(&table, "load_over_AnEp", study->plan.load[i]);
                 for (int c = 0; c < DIRECT_COLUMNS; c++)
@@ -659,12 +637,11 @@ static enum status_code write_direct_ratio(const struct results *results, const 
     return table_close(&table);
 }
 
-enum status_code tables_write(const struct results *results, const char *directory, const struct threads *threads,
-                              struct status *status)
+enum status_code tables_write(const struct results *results, const char *directory, struct status *status)
 {
     enum status_code rc = write_surfaces(results, directory, status);
-    if (rc == STATUS_OK)
-        rc = write_curves(results, directory, threads, status);
+    if (rc == STATUS_OK && !scene_bins_spectra(results->scene))
+        rc = write_curves(results, directory, status);
     if (rc == STATUS_OK)
         rc = write_sensitivity(results, directory, status);
     if (rc == STATUS_OK && results->scene->target_count > 0)

@@ -81,21 +81,15 @@ enum status_code report_write(const struct results *results, struct comparison *
                               const struct figure_list *figures, bool brief, const char *directory,
                               const char *templates, struct status *status)
 {
-    struct surface_record baseline = {0};
     struct text markdown = {0}, html = {0};
-    const struct section_context context = {results, comparison, &baseline, figures, brief};
-    enum status_code rc =
-        surface_store_get_part(&baseline, results->store, results->baseline, SURFACE_BYTES_SPECTRUM, status);
-    if (rc == STATUS_OK) {
-        report_markdown(&markdown, &context);
-        comparison_free(comparison); /* before the page is made, which takes most memory of all */
-        rc = write_file(directory, "report.md", &markdown, status);
-    }
+    const struct section_context context = {results, comparison, &results->surfaces[results->baseline], figures, brief};
+    report_markdown(&markdown, &context);
+    comparison_free(comparison); /* before the page is made, which takes most memory of all */
+    enum status_code rc = write_file(directory, "report.md", &markdown, status);
     if (rc == STATUS_OK)
         rc = html_render(&html, text_string(&markdown), results->scene->title, directory, templates, status);
     if (rc == STATUS_OK)
         rc = write_file(directory, "report.html", &html, status);
-    surface_record_free(&baseline, false);
     text_free(&markdown);
     text_free(&html);
     return rc;

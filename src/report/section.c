@@ -8,12 +8,12 @@
 
 void section_surface_name(struct text *out, const struct results *results, size_t index)
 {
-    text_add_markdown(out, results->store->summaries[index].scene->name);
+    text_add_markdown(out, results->surfaces[index].summary.scene->name);
 }
 
 void section_named(struct text *out, const char *article, const struct results *results, size_t index)
 {
-    const char *name = results->store->summaries[index].scene->name;
+    const char *name = results->surfaces[index].summary.scene->name;
     if (strncasecmp(name, article, strlen(article) - 1) != 0)
         text_add(out, "%s", article);
     section_surface_name(out, results, index);
@@ -58,7 +58,7 @@ static void figure_marks(struct text *out, const struct section_context *context
     bool any = false;
     for (int v = HEIGHT_VERDICTS - 1; v > HEIGHTS_GAUSSIAN; v--) {
         size_t named = 0;
-        for (size_t i = 0; i < context->results->store->count; i++) {
+        for (size_t i = 0; i < context->results->surface_count; i++) {
             if (!shows(context, figure, i) || !section_is_marked(context, i, figure->model) ||
                 section_surface(context, i)->height_law.verdict != (enum height_verdict)v)
                 continue;
@@ -168,7 +168,7 @@ void section_to(struct text *out, enum quantity quantity, double value)
 
 const struct surface_summary *section_surface(const struct section_context *context, size_t index)
 {
-    return &context->results->store->summaries[index];
+    return &context->results->surfaces[index].summary;
 }
 
 const struct surface_summary *section_smoothest(const struct section_context *context, size_t k)
@@ -201,7 +201,7 @@ static bool has_mark(const struct section_context *context, size_t index, enum h
 size_t section_marked(const struct section_context *context, enum height_verdict verdict)
 {
     size_t count = 0;
-    for (size_t i = 0; i < context->results->store->count; i++)
+    for (size_t i = 0; i < context->results->surface_count; i++)
         count += has_mark(context, i, verdict);
     return count;
 }
@@ -210,7 +210,7 @@ void section_marked_names(struct text *out, const struct section_context *contex
 {
     enum { MOST = 4 };
     size_t all = section_marked(context, verdict), named = 0;
-    for (size_t i = 0; i < context->results->store->count && named < MOST; i++)
+    for (size_t i = 0; i < context->results->surface_count && named < MOST; i++)
         if (has_mark(context, i, verdict)) {
             text_add(out, named == 0 ? "" : named + 1 == all ? " and " : ", ");
             section_named(out, "surface ", context->results, i);
@@ -393,7 +393,7 @@ void section_each_surface(struct text *out, const struct section_context *contex
                           void (*row)(struct text *out, const struct section_context *context, size_t index))
 {
     size_t rows = 0;
-    for (size_t i = 0; i < context->results->store->count && rows < SECTION_ROWS; i++)
+    for (size_t i = 0; i < context->results->surface_count && rows < SECTION_ROWS; i++)
         if (section_surface(context, i)->usable) {
             text_add(out, "| ");
             section_surface_name(out, context->results, i);

@@ -33,13 +33,13 @@ static void put_surface(const struct page *page, size_t index)
         return;
     }
     text_add(page->out, "surface '");
-    text_add_shown(page->out, page->results->store->summaries[index].scene->name);
+    text_add_shown(page->out, page->results->surfaces[index].summary.scene->name);
     text_add(page->out, "'");
 }
 
 static const struct answer *answer_of(const struct results *results, size_t surface, size_t target, size_t m)
 {
-    return &results->store->summaries[surface].answers[target * model_count + m];
+    return &results->surfaces[surface].summary.answers[target * model_count + m];
 }
 
 /** What loads of a surface stand in: the scene's unit, else N, else MPa, else P/(A_n E'). */
@@ -242,7 +242,7 @@ static void each_surface(const struct section_context *context, const struct pag
                          bool spots)
 {
     size_t rows = 0;
-    for (size_t i = 0; i < context->results->store->count && rows < SECTION_ROWS; i++) {
+    for (size_t i = 0; i < context->results->surface_count && rows < SECTION_ROWS; i++) {
         if (!section_surface(context, i)->usable)
             continue;
         text_add(page->out, "| ");
@@ -301,7 +301,7 @@ static void limit_sentence(const struct page *page, size_t limit)
     const struct results *results = page->results;
     size_t counts[LIMIT_CANNOT_TELL + 1] = {0};
     for (size_t k = 0; k < results->usable_count; k++)
-        counts[results->store->summaries[results->by_roughness[k]].limits[limit].verdict]++;
+        counts[results->surfaces[results->by_roughness[k]].summary.limits[limit].verdict]++;
     text_add(page->out, page->markdown ? "- Limit **" : "limit ");
     put_asked(page, &scene_of(page)->limits[limit], scene_of(page)->limits[limit].is_most);
     text_add(page->out, page->markdown ? "**" : "");
@@ -330,7 +330,7 @@ static void limit_table(const struct section_context *context, const struct page
     for (size_t l = 0; l < scene->limit_count; l++)
         text_add(page->out, "|---");
     text_add(page->out, "|\n");
-    for (size_t i = 0; i < page->results->store->count && rows < SECTION_ROWS; i++) {
+    for (size_t i = 0; i < page->results->surface_count && rows < SECTION_ROWS; i++) {
         const struct surface_summary *summary = section_surface(context, i);
         if (!summary->usable)
             continue;
@@ -370,9 +370,9 @@ size_t report_missed_limits(struct text *out, const struct results *results)
 {
     const struct page page = {out, results, false};
     size_t missed = 0;
-    for (size_t i = 0; i < results->store->count; i++)
-        for (size_t l = 0; l < results->scene->limit_count && results->store->summaries[i].usable; l++) {
-            const struct limit_check *check = &results->store->summaries[i].limits[l];
+    for (size_t i = 0; i < results->surface_count; i++)
+        for (size_t l = 0; l < results->scene->limit_count && results->surfaces[i].summary.usable; l++) {
+            const struct limit_check *check = &results->surfaces[i].summary.limits[l];
             if (check->verdict != LIMIT_MISSED)
                 continue;
             put_surface(&page, i);

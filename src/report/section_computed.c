@@ -8,16 +8,15 @@
 
 static void work_rows(struct text *out, const struct section_context *context)
 {
-    struct work_row predicted[WORK_ROWS], done[WORK_ROWS];
+    struct effects_row rows[EFFECTS_ROWS];
     const struct results *results = context->results;
-    work_table(predicted, &results->predicted, results->plan);
-    work_table(done, &results->done, results->plan);
-    text_add(out, "| effect | | why | method | evaluations predicted | done |\n|---|---|---|---|---:|---:|\n");
-    for (int r = 0; r < WORK_ROWS; r++) {
-        text_add(out, "| %s | %s | ", predicted[r].name, predicted[r].runs ? "run" : "skipped");
-        text_add_markdown(out, predicted[r].reason); /* may name a surface */
-        text_add(out, " | %s | %llu | %llu |\n", predicted[r].method, (unsigned long long)predicted[r].evaluations,
-                 (unsigned long long)done[r].evaluations);
+    effects_account(rows, results->plan, results->surfaces, results->surface_count, &results->studies);
+    text_add(out, "| effect | | why | how | evaluations |\n|---|---|---|---|---:|\n");
+    for (int r = 0; r < EFFECTS_ROWS; r++) {
+        text_add(out, "| %s | %s | ", rows[r].name, rows[r].runs ? "run" : "skipped");
+        text_add_markdown(out, rows[r].reason); /* may name a surface */
+        text_add(out, " | %s | ", rows[r].method);
+        text_add(out, rows[r].evaluations > 0 ? "%llu |\n" : "– |\n", (unsigned long long)rows[r].evaluations);
     }
 }
 
@@ -63,7 +62,7 @@ static void list_item(struct text *out, const struct section_context *context, s
 static void notes(struct text *out, const struct section_context *context)
 {
     size_t items = 0;
-    for (size_t i = 0; i < context->results->store->count; i++)
+    for (size_t i = 0; i < context->results->surface_count; i++)
         for (const char *line = section_surface(context, i)->notes; line && *line;) {
             char single[1200];
             size_t length = strcspn(line, "\n");
@@ -79,7 +78,7 @@ static void notes(struct text *out, const struct section_context *context)
 static void refused(struct text *out, const struct section_context *context)
 {
     size_t items = 0;
-    for (size_t i = 0; i < context->results->store->count; i++)
+    for (size_t i = 0; i < context->results->surface_count; i++)
         if (section_surface(context, i)->refusal && items++ < SECTION_ROWS)
             list_item(out, context, i, section_surface(context, i)->refusal);
     if (items > SECTION_ROWS)

@@ -102,8 +102,8 @@ static void law_line(struct text *out, const struct section_context *context, co
 static void write(struct text *out, const struct section_context *context)
 {
     const struct results *results = context->results;
-    const struct model_task task = surface_task(context->baseline, results->scene, results->plan,
-                                                results_loads(results, results->baseline), results->load_count);
+    const struct model_task task = surface_model_task(context->baseline, results->scene, results->plan,
+                                                      results_loads(results, results->baseline), results->load_count);
     text_add(out, "## Correlations in use\n\n");
     section_named(out, "Surface ", results, results->baseline);
     number_format_between(out, ": σ = ", truncation_model_sigma(&task) * 1e6, 4,

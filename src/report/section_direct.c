@@ -83,7 +83,7 @@ static void introduction(struct text *out, const struct section_context *context
 {
     section_named(out, "Surface ", context->results, study->surface);
     text_add(out, ", solved by boundary elements without the models' assumptions:");
-    resolution(out, study, &context->results->store->summaries[study->surface].power_law);
+    resolution(out, study, &context->results->surfaces[study->surface].summary.power_law);
     heights(out, context, study);
     text_add(out,
              " The models are given the spectrum of the same surface%s rows, so a ratio is the model's error and "
@@ -307,7 +307,7 @@ static bool called_for(const struct section_context *context)
 static void not_solved(struct text *out, const struct section_context *context)
 {
     const struct results *results = context->results;
-    for (size_t i = 0; i < results->store->count; i++) {
+    for (size_t i = 0; i < results->surface_count; i++) {
         const struct surface_summary *s = section_surface(context, i);
         if (!s->usable || !s->direct || s->direct->possible ||
             strstr(results->plan->effects[EFFECT_DIRECT].reason, s->direct->problem)) /* said already */
@@ -332,18 +332,11 @@ static void write_direct(struct text *out, const struct section_context *context
     }
     for (size_t k = 0; k < results->direct_count && k < SECTION_ROWS; k++) {
         const struct direct_study *study = &results->direct[k];
-        struct surface_record scan = {0};
-        struct status status = {0};
-        bool baseline = study->surface == results->baseline;
-        if (!baseline && surface_store_get(&scan, results->store, study->surface, &status) != STATUS_OK)
-            continue;
         introduction(out, context, study);
         sentences(out, context, study);
-        table(out, context, study, baseline ? context->baseline : &scan);
-        if (baseline)
+        table(out, context, study, &results->surfaces[study->surface]);
+        if (study->surface == results->baseline)
             section_figures(out, context, "direct", section_direct_caption);
-        else
-            surface_record_free(&scan, false);
     }
     not_solved(out, context);
     if (results->scene->direct.budget_s > 0) {

@@ -20,7 +20,7 @@ static bool called_for(const struct section_context *context)
 static size_t numbers_of(const struct section_context *context, size_t m)
 {
     size_t count = 0;
-    for (size_t i = 0; i < context->results->store->count; i++) {
+    for (size_t i = 0; i < context->results->surface_count; i++) {
         const struct contact_point point = comparison_middle(context->comparison, m, i);
         for (int q = 0; q < QUANTITY_COUNT; q++)
             count += quantity_rows[q].from && section_surface(context, i)->usable &&
@@ -199,7 +199,7 @@ static struct range range_of(const struct section_context *context, size_t m,
                              double (*number)(const struct contact_point *p, const struct joint *joint))
 {
     struct range range = {INFINITY, -INFINITY, 0};
-    for (size_t i = 0; i < context->results->store->count; i++) {
+    for (size_t i = 0; i < context->results->surface_count; i++) {
         const struct contact_point point = middle_of(context, m, i);
         double value = section_surface(context, i)->usable ? number(&point, &context->results->scene->joint) : NAN;
         if (!isfinite(value))
@@ -305,7 +305,7 @@ static void heating_sentence(struct text *out, const struct section_context *con
     size_t soft = 0, unknown = 0, first = 0;
     if (!runs(context, EFFECT_HEATING) || voltage.count == 0)
         return;
-    for (size_t i = context->results->store->count; i-- > 0;) {
+    for (size_t i = context->results->surface_count; i-- > 0;) {
         double voltage_V = section_surface(context, i)->usable ? middle_of(context, m, i).contact_voltage_V : NAN;
         enum state state = state_at(context, i, voltage_V);
         soft += state >= STATE_SOFT;

@@ -40,8 +40,8 @@ static size_t find_metals(struct metal metals[METALS], const struct results *res
 {
     size_t count = 0;
     for (int side = 0; side < 2; side++)
-        for (size_t k = 0; k < results->store->count && count < METALS; k++) {
-            const struct surface_summary *surface = &results->store->summaries[k];
+        for (size_t k = 0; k < results->surface_count && count < METALS; k++) {
+            const struct surface_summary *surface = &results->surfaces[k].summary;
             const struct scene_bodies *bodies = surface->scene->bodies;
             if (!surface->usable || (side == 1 && bodies->counterface_kind != MATERIAL_COUNTERFACE_ELASTIC))
                 continue;
@@ -146,8 +146,8 @@ static void material_text(struct text *out, const struct section_context *contex
     if (one_pair(results)) {
         pair_text(out, results, pair);
     } else {
-        for (size_t k = 0; k < results->store->count; k++) {
-            if (!results->store->summaries[k].usable)
+        for (size_t k = 0; k < results->surface_count; k++) {
+            if (!results->surfaces[k].summary.usable)
                 continue;
             section_named(out, out->length > 0 && k > 0 ? "; surface " : "Surface ", results, k);
             text_add(out, ": ");

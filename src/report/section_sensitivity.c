@@ -98,7 +98,7 @@ static void table(struct text *out, const struct section_context *context)
     }
     text_add(out, " |\n|---|---|%s\n", text_string(&rule));
     text_free(&rule);
-    for (size_t i = 0; i < context->results->store->count && rows < SECTION_ROWS; i++)
+    for (size_t i = 0; i < context->results->surface_count && rows < SECTION_ROWS; i++)
         if (section_surface(context, i)->usable) {
             surface_rows(out, context, i);
             rows++;

@@ -9,7 +9,7 @@
 
 static const struct scene_bodies *bodies_of(const struct results *results, size_t surface)
 {
-    return results->store->summaries[surface].scene->bodies;
+    return results->surfaces[surface].summary.scene->bodies;
 }
 
 /** Have all usable surfaces bodies of one name? */
@@ -30,11 +30,11 @@ static bool same_bodies(const struct results *results)
 static void of_what(struct text *out, const struct results *results)
 {
     size_t named = 0;
-    for (size_t i = 0; i < results->store->count; i++) {
+    for (size_t i = 0; i < results->surface_count; i++) {
         const char *name = bodies_of(results, i)->material.name;
-        bool known = !results->store->summaries[i].usable || !name[0];
+        bool known = !results->surfaces[i].summary.usable || !name[0];
         for (size_t j = 0; j < i && !known; j++)
-            known = results->store->summaries[j].usable && strcmp(bodies_of(results, j)->material.name, name) == 0;
+            known = results->surfaces[j].summary.usable && strcmp(bodies_of(results, j)->material.name, name) == 0;
         if (known)
             continue;
         text_add(out, named++ == 0 ? ", of " : ", ");
@@ -500,7 +500,7 @@ static void direct_advice(struct text *out, const struct section_context *contex
     double least = INFINITY, most = 0;
     struct direct_plan outline;
     char problem[sizeof outline.problem] = "";
-    for (size_t i = 0; i < results->store->count; i++) {
+    for (size_t i = 0; i < results->surface_count; i++) {
         if (!section_is_marked(context, i, model_count))
             continue;
         if (is_solved(results, i)) {
@@ -567,7 +567,7 @@ static void heights(struct text *out, const struct section_context *context)
 
 static void summary(struct text *out, const struct section_context *context)
 {
-    size_t refused = context->results->store->count - context->results->usable_count;
+    size_t refused = context->results->surface_count - context->results->usable_count;
     for (size_t k = 0; k < sizeof leads / sizeof *leads; k++)
         leads[k](out, context);
     surfaces(out, context);
@@ -713,7 +713,7 @@ static void heights_table(struct text *out, const struct section_context *contex
         }
     text_add(out, " |\n%s\n", text_string(&rule));
     text_free(&rule);
-    for (size_t i = 0; i < context->results->store->count && rows < SECTION_ROWS; i++)
+    for (size_t i = 0; i < context->results->surface_count && rows < SECTION_ROWS; i++)
         if (section_is_marked(context, i, model_count)) {
             text_add(out, "| ");
             section_surface_name(out, context->results, i);

@@ -214,8 +214,8 @@ static void legend(struct text *out, const struct results *results)
         [HEIGHTS_NOT_GAUSSIAN] = "heights not Gaussian, as the models take them: see the report",
     };
     for (int v = HEIGHT_VERDICTS - 1; v > HEIGHTS_GAUSSIAN; v--)
-        for (size_t i = 0; i < results->store->count; i++) {
-            const struct surface_summary *summary = &results->store->summaries[i];
+        for (size_t i = 0; i < results->surface_count; i++) {
+            const struct surface_summary *summary = &results->surfaces[i].summary;
             if (summary->usable && summary->height_law.verdict == (enum height_verdict)v &&
                 *mark_of(summary, results->plan)) {
                 text_add(out, "%s %s\n", height_verdicts[v].mark, meaning[v]);
@@ -243,17 +243,17 @@ void report_terminal_table(struct text *out, const struct results *results)
         return;
     }
     put_heads(&table, results->plan);
-    for (size_t i = 0; i < results->store->count && row <= listed; i++)
-        if (results->store->summaries[i].usable)
-            put_surface(&table, row++, &results->store->summaries[i], results->plan,
+    for (size_t i = 0; i < results->surface_count && row <= listed; i++)
+        if (results->surfaces[i].summary.usable)
+            put_surface(&table, row++, &results->surfaces[i].summary, results->plan,
                         results_load_axis(results, i).scale);
     for (size_t c = 1; c < table.columns; c++)
         numbers += 1 + (widths[c] = widest(&table, c));
     int room = TERMINAL_WIDTH - numbers > TERMINAL_NAME ? TERMINAL_WIDTH - numbers : TERMINAL_NAME;
     row = 1;
-    for (size_t i = 0; i < results->store->count && row <= listed; i++)
-        if (results->store->summaries[i].usable)
-            put_marked_name(cell_at(&table, row++, 0), &results->store->summaries[i], results->plan, room);
+    for (size_t i = 0; i < results->surface_count && row <= listed; i++)
+        if (results->surfaces[i].summary.usable)
+            put_marked_name(cell_at(&table, row++, 0), &results->surfaces[i].summary, results->plan, room);
     widths[0] = widest(&table, 0);
     if (!results_has_material(results))
         text_add(out, "%s\n", results_without_material);

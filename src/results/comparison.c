@@ -312,13 +312,13 @@ static bool take_in(struct comparison *out, const struct results *results, const
     }
     check_proportion(out, record);
     note_extents(out, results, record, results_loads(results, index));
-    return note_middle(out, record, index, results_operating_load(results, index), results->store->count);
+    return note_middle(out, record, index, results_operating_load(results, index), results->surface_count);
 }
 
 /** The arrays of the models, with nothing in them yet; models that do not run share the first set, which stays so. */
 static enum status_code allocate(struct comparison *out, const struct results *results, struct status *status)
 {
-    size_t surfaces = results->store->count, loads = results->load_count, sets = 1, next = 1, pairs = 1, next_pair = 1;
+    size_t surfaces = results->surface_count, loads = results->load_count, sets = 1, next = 1, pairs = 1, next_pair = 1;
     for (size_t m = 0; m < model_count; m++) {
         sets += plan_runs_model(results->plan, m);
         pairs += is_paired(results, m);
@@ -347,7 +347,7 @@ static enum status_code allocate(struct comparison *out, const struct results *r
 static const struct estimate *middle_estimate(const struct results *results, size_t leading, enum quantity quantity,
                                               size_t surface)
 {
-    return curve_summary_estimate(surface_model(&results->store->summaries[surface], leading), quantity);
+    return curve_summary_estimate(surface_model(&results->surfaces[surface].summary, leading), quantity);
 }
 
 /** Both surfaces' estimates in place i before j, the better first. */
@@ -442,7 +442,7 @@ static enum status_code rank(struct comparison *out, const struct results *resul
     ranking->pairs = calloc(pairs + 1, sizeof *ranking->pairs);
     if (!ranking->surface || !ranking->pairs)
         return status_memory(status);
-    for (size_t i = 0; i < results->store->count; i++) {
+    for (size_t i = 0; i < results->surface_count; i++) {
         double value = leading_value(out, by, i);
         if (isnan(value))
             continue;
@@ -474,23 +474,13 @@ enum status_code comparison_make(struct comparison *out, const struct results *r
                                .leading = plan_leading_model(results->plan)};
     if (allocate(out, results, status) != STATUS_OK)
         return status->code;
-    struct surface_record previous = {0};
+    const struct surface_record *previous = NULL;
     for (size_t k = 0; k < results->usable_count; k++) {
-        struct surface_record record;
-        size_t index = results->by_roughness[k];
-        if (surface_store_get_part(&record, results->store, index, SURFACE_BYTES_CURVES, status) != STATUS_OK) {
-            surface_record_free(&previous, false);
-            return status->code;
-        }
-        bool taken = take_in(out, results, &record, k, k > 0 ? &previous : NULL);
-        surface_record_free(&previous, false);
-        previous = record;
-        if (!taken) {
-            surface_record_free(&previous, false);
+        const struct surface_record *record = &results->surfaces[results->by_roughness[k]];
+        if (!take_in(out, results, record, k, previous))
             return status_memory(status);
-        }
+        previous = record;
     }
-    surface_record_free(&previous, false);
     return rank(out, results, status);
 }
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the curves say when they are held against each other: the figures behind the report's checks. One pass over the
- * store, surfaces from smoothest to roughest, two in memory at a time. */
+ * surfaces from smoothest to roughest. */
 #ifndef RESULTS_COMPARISON_H
 #define RESULTS_COMPARISON_H
 

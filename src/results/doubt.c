@@ -9,7 +9,7 @@ const double doubt_tolerance = 0.05;
 static const struct curve_summary *leading_of(const struct results *results, const struct comparison *comparison,
                                               size_t surface)
 {
-    return surface_model(&results->store->summaries[surface], comparison->leading);
+    return surface_model(&results->surfaces[surface].summary, comparison->leading);
 }
 
 /** Is there a direct solution of the surface that the leading model can be held against: a plastic one against one with
@@ -43,7 +43,7 @@ static double against_direct(const struct results *results, const struct compari
 static double other_models(const struct results *results, const struct comparison *comparison, enum quantity quantity,
                            size_t surface)
 {
-    const struct surface_summary *summary = &results->store->summaries[surface];
+    const struct surface_summary *summary = &results->surfaces[surface].summary;
     const struct contact_point leading = comparison_middle(comparison, comparison->leading, surface);
     double own = quantity_value(&leading, quantity), factor = NAN;
     if (isfinite(against_direct(results, comparison, quantity, surface)))
@@ -138,8 +138,8 @@ static bool farthest(struct doubt *out, const struct doubt_row *row, const struc
 {
     enum quantity quantity = results_criterion(results);
     size_t count = 0;
-    for (size_t i = 0; i < results->store->count; i++) {
-        double factor = results->store->summaries[i].usable ? row->factor(results, comparison, quantity, i) : NAN;
+    for (size_t i = 0; i < results->surface_count; i++) {
+        double factor = results->surfaces[i].summary.usable ? row->factor(results, comparison, quantity, i) : NAN;
         if (!(factor > 0) || !isfinite(factor))
             continue;
         if (count == 0)

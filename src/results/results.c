@@ -48,8 +48,8 @@ size_t results_sweep_scales(size_t *index, size_t most, size_t scales)
 
 bool results_intervals(const struct results *results)
 {
-    for (size_t i = 0; i < results->store->count; i++) {
-        const struct surface_summary *summary = &results->store->summaries[i];
+    for (size_t i = 0; i < results->surface_count; i++) {
+        const struct surface_summary *summary = &results->surfaces[i].summary;
         if (summary->usable && (surface_repeats(summary)->count > 0 ||
                                 (summary->single_points > 0 && plan_runs(results->plan, EFFECT_UNCERTAINTY))))
             return true;
@@ -79,13 +79,13 @@ double results_operating_load(const struct results *results, size_t surface)
 
 const struct material_pair *results_pair(const struct results *results, size_t surface)
 {
-    return &results->store->summaries[surface].pair;
+    return &results->surfaces[surface].summary.pair;
 }
 
 bool results_has_material(const struct results *results)
 {
-    for (size_t i = 0; i < results->store->count; i++)
-        if (!results->store->summaries[i].pair.unknown)
+    for (size_t i = 0; i < results->surface_count; i++)
+        if (!results->surfaces[i].summary.pair.unknown)
             return true;
     return false;
 }

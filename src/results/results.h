@@ -4,9 +4,8 @@
 #define RESULTS_RESULTS_H
 
 #include "analysis/benchmark.h"
+#include "analysis/effects.h"
 #include "analysis/measured.h"
-#include "analysis/work.h"
-#include "results/surface_store.h"
 
 struct direct_study; /* analysis/direct_study.h */
 
@@ -16,9 +15,10 @@ struct results {
     const struct plan *plan;
     const double *loads; /* P/(A_n E'): of each surface one after another where loads_apart, else of all */
     size_t load_count;
-    bool loads_apart; /* surfaces of different E' share pressures or forces */
-    struct surface_store *store;
-    struct work predicted, done;
+    bool loads_apart;                /* surfaces of different E' share pressures or forces */
+    struct surface_record *surfaces; /* one a surface of the scene, in its order */
+    size_t surface_count;
+    struct effects_studies studies;               /* what the studies below took */
     const struct surface_record *counterface;     /* described; NULL: smooth */
     const struct measured *measured;              /* NULL: none */
     const struct measured_answers *answers;       /* the models' on the baseline surface; NULL: nothing measured */

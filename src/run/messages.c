@@ -90,14 +90,14 @@ static void say_more(struct text *messages, const struct kinds *kinds)
     }
 }
 
-size_t messages_add(struct text *messages, const struct scene *scene, const struct surface_store *store, bool reported)
+size_t messages_add(struct text *messages, const struct results *results, bool reported)
 {
     size_t refused = 0;
     struct kinds *kinds = reported ? calloc(1, sizeof *kinds) : NULL; /* out of memory: all are said */
-    if (scene->passed_over)
-        text_add(messages, "%s\n", scene->passed_over);
-    for (size_t i = 0; store->summaries && i < store->count; i++) {
-        const struct surface_summary *summary = &store->summaries[i];
+    if (results->scene && results->scene->passed_over)
+        text_add(messages, "%s\n", results->scene->passed_over);
+    for (size_t i = 0; results->surfaces && i < results->surface_count; i++) {
+        const struct surface_summary *summary = &results->surfaces[i].summary;
         const char *name = summary->scene ? summary->scene->name : NULL;
         refused += summary->refusal != NULL;
         if (summary->refusal)

@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "run/prepare.h"
 
+#include "analysis/describe.h"
 #include "analysis/direct_study.h"
-#include "analysis/effect_bounds.h"
-#include "run/workers.h"
+#include "analysis/evaluate.h"
+#include "base/threads.h"
 #include <math.h>
+#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 enum { SHOWN_MOST = 8 };
 
@@ -19,7 +20,7 @@ static enum status_code read_counterface(struct prepared *out, const struct scen
     out->counterface = calloc(1, sizeof *out->counterface);
     if (!out->counterface)
         return status_memory(status);
-    if (surface_describe(out->counterface, scene, &scene->counterface_surface, NULL, NULL, status) != STATUS_OK)
+    if (describe_surface(out->counterface, scene, &scene->counterface_surface, NULL, status) != STATUS_OK)
         return status->code;
     if (!out->counterface->summary.usable)
         return status_fail(status, STATUS_SCENE, "the counterface cannot be read: %s",
@@ -30,44 +31,43 @@ static enum status_code read_counterface(struct prepared *out, const struct scen
 
 static int compare_roughness(const void *a, const void *b, void *context)
 {
-    const struct surface_summary *summaries = context;
+    const struct surface_record *surfaces = context;
     size_t i = *(const size_t *)a, j = *(const size_t *)b;
-    double x = summaries[i].roughness.rq_m, y = summaries[j].roughness.rq_m;
+    double x = surfaces[i].summary.roughness.rq_m, y = surfaces[j].summary.roughness.rq_m;
     return x < y ? -1 : x > y ? 1 : i < j ? -1 : 1;
 }
 
 /** Ranks the usable surfaces and chooses which the charts show and which is the baseline. */
 static enum status_code rank_surfaces(struct results *results, struct status *status)
 {
-    const struct surface_store *store = results->store;
     const char *baseline = results->scene->baseline;
-    size_t usable = 0, *order = malloc((store->count + SHOWN_MOST) * sizeof *order);
+    size_t usable = 0, *order = malloc((results->surface_count + SHOWN_MOST) * sizeof *order);
     if (!order)
         return status_memory(status);
-    for (size_t i = 0; i < store->count; i++)
-        if (store->summaries[i].usable)
+    for (size_t i = 0; i < results->surface_count; i++)
+        if (results->surfaces[i].summary.usable)
             order[usable++] = i;
     results->by_roughness = order;
     results->usable_count = usable;
     if (usable == 0)
         return STATUS_OK;
-    results->shown = order + store->count;
+    results->shown = order + results->surface_count;
     results->shown_count = usable < SHOWN_MOST ? usable : SHOWN_MOST;
     memcpy(results->shown, order, results->shown_count * sizeof *order);
-    qsort_r(order, usable, sizeof *order, compare_roughness, store->summaries);
+    qsort_r(order, usable, sizeof *order, compare_roughness, results->surfaces);
     for (size_t k = 0; usable > SHOWN_MOST && k < SHOWN_MOST; k++) /* from smoothest to roughest, evenly */
         results->shown[k] = order[k * (usable - 1) / (SHOWN_MOST - 1)];
     results->baseline = order[usable > 1 ? 1 : 0];
     if (baseline)
         for (size_t i = 0; i < usable; i++)
-            if (strcmp(store->summaries[order[i]].scene->name, baseline) == 0)
+            if (strcmp(results->surfaces[order[i]].summary.scene->name, baseline) == 0)
                 results->baseline = order[i];
     return STATUS_OK;
 }
 
 bool prepare_solves(const struct results *results, size_t index)
 {
-    const struct surface_summary *summary = &results->store->summaries[index];
+    const struct surface_summary *summary = &results->surfaces[index].summary;
     bool called = results->scene->direct.surfaces == SCENE_DIRECT_ALL || index == results->baseline;
     return called && summary->usable && summary->direct && summary->direct->possible;
 }
@@ -89,33 +89,29 @@ static void describe_direct(char *out, size_t size, const struct direct_plan *pl
                  plan->law.gamma > 0 && plan->law.gamma < 1.5 ? ", its area falling with lambda_s" : "");
 }
 
-/** The direct solution's part of the plan: its work, and what it says of itself, or would cost. */
+/** The direct solution's part of the plan: what it says of itself, or would cost. */
 static void plan_direct(struct plan *plan, struct results *results)
 {
     struct plan_effect *effect = &plan->effects[EFFECT_DIRECT];
-    struct surface_store *store = results->store;
+    const struct surface_summary *baseline = &results->surfaces[results->baseline].summary;
     const struct direct_plan *first = NULL;
-    struct work *work = &results->predicted;
     size_t surfaces = 0;
     char cost[320];
     if (results->usable_count == 0)
         return;
-    for (size_t i = 0; i < store->count && effect->runs; i++) {
-        struct surface_summary *summary = &store->summaries[i];
+    for (size_t i = 0; i < results->surface_count && effect->runs; i++) {
+        struct surface_summary *summary = &results->surfaces[i].summary;
         if (summary->direct && !plan_runs(plan, EFFECT_PLASTICITY))
             direct_plan_elastic(summary->direct);
         if (!prepare_solves(results, i))
             continue;
-        work->contacts += summary->direct->solutions;
-        work->contact_seconds += summary->direct->seconds;
-        work->contact_bytes = fmax(work->contact_bytes, summary->direct->bytes);
         first = first && i != results->baseline ? first : summary->direct;
         surfaces++;
     }
     if (!effect->runs) {
         struct direct_plan outline;
-        direct_study_outline(&outline, &store->summaries[results->baseline], results->scene, plan,
-                             results_loads(results, results->baseline), results->load_count);
+        direct_study_outline(&outline, baseline, results->scene, plan, results_loads(results, results->baseline),
+                             results->load_count);
         describe_direct(cost, sizeof cost, &outline);
         if (outline.possible)
             snprintf(effect->reason, sizeof effect->reason,
@@ -123,7 +119,7 @@ static void plan_direct(struct plan *plan, struct results *results)
         else
             snprintf(effect->reason, sizeof effect->reason, "not called for; %s", outline.problem);
     } else if (!first) {
-        const struct direct_plan *none = store->summaries[results->baseline].direct;
+        const struct direct_plan *none = baseline->direct;
         snprintf(effect->reason, sizeof effect->reason, "called for, but %s",
                  none ? none->problem : "no surface can be solved");
     } else {
@@ -141,27 +137,6 @@ static void plan_direct(struct plan *plan, struct results *results)
     }
 }
 
-/** Adds what the models take at the measured loads, on the baseline surface. */
-static enum status_code predict_answers(struct results *results, struct status *status)
-{
-    struct surface_record record = {0};
-    if (results->usable_count == 0)
-        return STATUS_OK;
-    enum status_code rc = surface_store_get(&record, results->store, results->baseline, status);
-    struct model_task task = surface_task(&record, results->scene, results->plan,
-                                          results_loads(results, results->baseline), results->load_count);
-    for (size_t m = 0; m < model_count && rc == STATUS_OK; m++) {
-        struct model_work more;
-        if (!plan_runs_model(results->plan, m))
-            continue;
-        rc = measured_work(&more, results->measured, m, &task, &record.repeats, status);
-        if (rc == STATUS_OK)
-            work_add(&results->predicted, m, &more);
-    }
-    surface_record_free(&record, false);
-    return rc;
-}
-
 /** The loads of every surface: the same list, or each its own of as many. */
 static enum status_code make_loads(struct prepared *out, const struct scene *scene, struct status *status)
 {
@@ -173,7 +148,7 @@ static enum status_code make_loads(struct prepared *out, const struct scene *sce
                                scene_pair(scene->surfaces[i].bodies).effective_modulus_Pa != first.effective_modulus_Pa;
     if (scene_loads(&out->loads, &results->load_count, &operating, scene, &first, status) != STATUS_OK)
         return status->code;
-    out->plan.operating_place = operating + 1;
+    out->allowed.operating_place = operating + 1;
     if (results->loads_apart) {
         double *all = reallocarray(out->loads, surfaces * results->load_count, sizeof *all);
         if (!all)
@@ -192,84 +167,142 @@ static enum status_code make_loads(struct prepared *out, const struct scene *sce
     return STATUS_OK;
 }
 
-enum status_code prepare_begin(struct prepared *out, const struct scene *scene, const char *directory,
-                               struct status *status)
+/** All surfaces; `lock` guards what is done of them. */
+struct surfaces {
+    struct prepared *prepared;
+    const struct run_options *options;
+    struct curve_tables *tables;
+    bool describe_only;
+    size_t done;
+    pthread_mutex_t lock;
+};
+
+static struct evaluate_task task_of(const struct surfaces *all, size_t index)
 {
-    *out = (struct prepared){0};
-    plan_make(&out->plan, scene);
-    out->results = (struct results){.scene = scene, .plan = &out->plan, .store = &out->store};
-    if (scene->surface_count == 0)
-        return status_fail(status, STATUS_SCAN, "no scan in '%s': put the profilometer's files there",
-                           scene->directory);
-    if (make_loads(out, scene, status) != STATUS_OK)
-        return status->code;
-    if (read_counterface(out, scene, status) != STATUS_OK)
-        return status->code;
-    /* measured loads are answered on every scan of the baseline, so a plan too has to keep the scans */
-    const char *place = directory ? directory : scene->measured.file ? "" : NULL;
-    return surface_store_open(&out->store, place, scene->surface_count, status);
+    const struct results *results = &all->prepared->results;
+    return (struct evaluate_task){.scene = results->scene,
+                                  .surface = &results->scene->surfaces[index],
+                                  .counterface = all->prepared->counterface,
+                                  .plan = &all->prepared->allowed,
+                                  .loads = results_loads(results, index),
+                                  .load_count = results->load_count,
+                                  .describe_only = all->describe_only,
+                                  .keep_scans = results->scene->measured.file != NULL};
+}
+
+static enum status_code run_surface(void *context, size_t index, struct threads_turn *turn, struct status *status)
+{
+    struct surfaces *all = context;
+    const struct results *results = &all->prepared->results;
+    struct surface_record *record = &results->surfaces[index];
+    const struct evaluate_task task = task_of(all, index);
+    enum status_code rc = evaluate_surface(record, &task, status);
+    if (rc == STATUS_OK && all->tables && record->summary.usable)
+        rc = curve_tables_put(all->tables, record, turn, status);
+    if (all->tables || all->describe_only)
+        surface_drop_arrays(record);
+    if (all->options->progress) {
+        pthread_mutex_lock(&all->lock);
+        all->options->progress(++all->done, results->surface_count, results->scene->surfaces[index].name);
+        pthread_mutex_unlock(&all->lock);
+    }
+    return rc;
+}
+
+/** Runs the surfaces once more that the report shows, when the others' arrays have gone. */
+static enum status_code run_shown(struct surfaces *all, struct status *status)
+{
+    struct results *results = &all->prepared->results;
+    for (size_t k = 0; k < results->shown_count + 1 && results->usable_count > 0; k++) {
+        size_t index = k < results->shown_count ? results->shown[k] : results->baseline;
+        const struct evaluate_task task = task_of(all, index);
+        if (results->surfaces[index].curves)
+            continue;
+        surface_record_free(&results->surfaces[index]);
+        if (evaluate_surface(&results->surfaces[index], &task, status) != STATUS_OK)
+            return status->code;
+    }
+    return STATUS_OK;
 }
 
 enum status_code prepare(struct prepared *out, const struct scene *scene, const struct run_options *options,
-                         const char *directory, struct status *status)
+                         bool describe_only, const char *curves, struct status *status)
 {
-    if (prepare_begin(out, scene, directory, status) != STATUS_OK ||
-        workers_run(&out->results, WORKERS_DESCRIBE, options, status) != STATUS_OK)
+    *out = (struct prepared){0};
+    plan_make(&out->allowed, scene);
+    struct results *results = &out->results;
+    *results = (struct results){.scene = scene, .plan = &out->plan, .surface_count = scene->surface_count};
+    if (scene->surface_count == 0)
+        return status_fail(status, STATUS_SCAN, "no scan in '%s': put the profilometer's files there",
+                           scene->directory);
+    if (!(results->surfaces = calloc(scene->surface_count, sizeof *results->surfaces)))
+        return status_memory(status);
+    if (make_loads(out, scene, status) != STATUS_OK || read_counterface(out, scene, status) != STATUS_OK)
         return status->code;
-    effect_bounds_heights(&out->plan, scene, out->store.summaries, out->store.count);
-    effect_bounds_plan(&out->plan, scene, out->store.summaries, out->store.count);
-    if (rank_surfaces(&out->results, status) != STATUS_OK)
+    struct curve_tables *tables = NULL;
+    if (curves && curve_tables_open(&tables, results, &out->allowed, curves, status) != STATUS_OK)
+        return curve_tables_close(tables, status);
+    const struct threads threads = {.jobs = options->jobs, .stop = options->stop};
+    struct surfaces all = {.prepared = out,
+                           .options = options,
+                           .tables = tables,
+                           .describe_only = describe_only,
+                           .lock = PTHREAD_MUTEX_INITIALIZER};
+    enum status_code rc = threads_run(&threads, scene->surface_count, run_surface, &all, status);
+    pthread_mutex_destroy(&all.lock);
+    if (curve_tables_close(tables, status) != STATUS_OK)
+        rc = status->code;
+    out->plan = out->allowed;
+    effects_decide(&out->plan, scene, results->surfaces, results->surface_count);
+    if (rc != STATUS_OK || rank_surfaces(results, status) != STATUS_OK)
         return status->code;
-    out->results.predicted = work_predict(out->store.summaries, out->store.count, scene, &out->plan);
-    plan_direct(&out->plan, &out->results);
+    plan_direct(&out->plan, results);
+    if (curves && run_shown(&all, status) != STATUS_OK)
+        return status->code;
     if (!scene->measured.file)
         return STATUS_OK;
-    if (measured_read(&out->measured, scene, &out->plan, results_pair(&out->results, out->results.baseline), status) !=
-        STATUS_OK)
+    if (measured_read(&out->measured, scene, &out->plan, results_pair(results, results->baseline), status) != STATUS_OK)
         return status->code;
-    out->results.measured = &out->measured;
-    return predict_answers(&out->results, status);
+    results->measured = &out->measured;
+    return STATUS_OK;
 }
 
 void prepared_free(struct prepared *prepared)
 {
-    surface_store_close(&prepared->store);
+    for (size_t i = 0; prepared->results.surfaces && i < prepared->results.surface_count; i++)
+        surface_record_free(&prepared->results.surfaces[i]);
+    free(prepared->results.surfaces);
     measured_free(&prepared->measured);
     if (prepared->counterface)
-        surface_record_free(prepared->counterface, true);
+        surface_record_free(prepared->counterface);
     free(prepared->counterface);
     free(prepared->loads);
     free(prepared->results.by_roughness);
     *prepared = (struct prepared){0};
 }
 
-void prepare_table(struct text *out, const struct prepared *prepared, const struct work *done)
+void prepare_table(struct text *out, const struct results *results, bool done)
 {
-    struct work_row predicted[WORK_ROWS], actual[WORK_ROWS];
-    double seconds, unused;
-    long processors = sysconf(_SC_NPROCESSORS_ONLN);
-    double memory =
-        work_memory(prepared->store.summaries, prepared->store.count, processors > 0 ? (unsigned)processors : 1);
-    uint64_t total = work_total(&prepared->results.predicted, &prepared->plan, &seconds);
-    uint64_t total_done = work_total(done ? done : &prepared->results.predicted, &prepared->plan, &unused);
-    work_table(predicted, &prepared->results.predicted, &prepared->plan);
-    work_table(actual, done ? done : &prepared->results.predicted, &prepared->plan);
-    text_add(out, "%-16s %-8s %14s%s %10s %8s  %s\n", "effect", "", "evaluations", done ? "           done" : "",
-             "seconds", "memory", "why; how");
-    for (int r = 0; r < WORK_ROWS; r++) {
-        const struct work_row *row = &predicted[r];
-        text_add(out, "%-16s %-8s %14llu", row->name, row->runs ? "run" : "skipped",
-                 (unsigned long long)row->evaluations);
+    struct effects_row rows[EFFECTS_ROWS];
+    effects_account(rows, results->plan, results->surfaces, results->surface_count, &results->studies);
+    text_add(out, "%-16s %-8s%s  %s\n", "effect", "", done ? "  evaluations    seconds" : "", "why; how");
+    for (int r = 0; r < EFFECTS_ROWS; r++) {
+        text_add(out, "%-16s %-8s", rows[r].name, rows[r].runs ? "run" : "skipped");
         if (done)
-            text_add(out, " %14llu", (unsigned long long)actual[r].evaluations);
-        double bytes = r == 0 ? memory : row->bytes; /* the area's arrays serve the others too */
-        text_add(out, " %10.4f %5.1f MB  ", row->seconds, bytes / 1e6);
-        text_add_shown(out, row->reason); /* may name a surface */
-        text_add(out, "%s%s\n", row->runs ? "; " : "", row->method);
+            text_add(out, " %12llu %10.4f", (unsigned long long)rows[r].evaluations, rows[r].seconds);
+        text_add(out, "  ");
+        text_add_shown(out, rows[r].reason); /* may name a surface */
+        text_add(out, "%s%s\n", rows[r].runs ? "; " : "", rows[r].method);
     }
-    text_add(out, "%-16s %-8s %14llu", "all", "", (unsigned long long)total);
-    if (done)
-        text_add(out, " %14llu", (unsigned long long)total_done);
-    text_add(out, " %10.4f %5.1f MB\n", seconds,
-             (memory + predicted[EFFECT_CONVERGENCE + 1].bytes + predicted[EFFECT_DIRECT + 1].bytes) / 1e6);
+}
+
+double prepare_rough_seconds(const struct results *results, const struct run_options *options)
+{
+    const struct threads threads = {.jobs = options->jobs};
+    double direct = 0;
+    for (size_t i = 0; i < results->surface_count && plan_runs(results->plan, EFFECT_DIRECT); i++)
+        if (prepare_solves(results, i))
+            direct += results->surfaces[i].summary.direct->seconds;
+    return effects_rough_seconds(results->plan, results->surfaces, results->surface_count, results->load_count, direct,
+                                 threads_number(&threads, SIZE_MAX));
 }

@@ -1,39 +1,38 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What `plan` and `report` share: scans read and described, effects decided, work predicted. No model runs here. */
+/* What `plan` and `report` share: every surface of the scene in one pass, its effects joined, surfaces ranked. */
 #ifndef RUN_PREPARE_H
 #define RUN_PREPARE_H
 
 #include "analysis/measured.h"
+#include "output/tables.h"
 #include "results/results.h"
 #include "run/run.h"
 
 /** Owned: prepared_free(). Not to be moved: its parts point at each other. */
 struct prepared {
-    struct plan plan;
-    double *loads; /* P/(A_n E') */
-    struct surface_store store;
+    struct plan allowed, plan;          /* effects that the scene allows, and those of them that a surface called for */
+    double *loads;                      /* P/(A_n E') */
     struct surface_record *counterface; /* NULL: smooth */
     struct measured measured;
     struct results results;
 };
 
-/** Makes room for the surfaces of the scene and reads the rough counterface, if there is one: what every process needs
- * that works on some of them. Errors and `directory` as of prepare(). */
-MUST_CHECK enum status_code prepare_begin(struct prepared *out, const struct scene *scene, const char *directory,
-                                          struct status *status);
-
-/** Reads every surface of the scene; arrays go to a temporary file in `directory`, or nowhere when it is NULL. A
- * surface that cannot be read is marked in the store. Errors: STATUS_SCAN when the scene has no surface; STATUS_IO,
- * STATUS_MEMORY, STATUS_INTERRUPTED. */
+/** Runs every surface of the scene, one a thread: describes it and, unless `describe_only`, runs its models. A surface
+ * that cannot be read is marked. Curves stay in memory; where `curves` is not NULL they go to the
+ * files of curve_tables_open() in that directory, and stay only of the surfaces that the report shows. Errors:
+ * STATUS_SCAN when the scene has no surface; STATUS_IO, STATUS_MEMORY, STATUS_INTERRUPTED. */
 MUST_CHECK enum status_code prepare(struct prepared *out, const struct scene *scene, const struct run_options *options,
-                                    const char *directory, struct status *status);
+                                    bool describe_only, const char *curves, struct status *status);
 void prepared_free(struct prepared *prepared);
 
 /** Is surface `index` to be solved directly? */
 bool prepare_solves(const struct results *results, size_t index);
 
-/** The plan as a table for a terminal: effect, run or skipped, evaluations, seconds; the work that was done beside the
- * prediction when `done` is not NULL. */
-void prepare_table(struct text *out, const struct prepared *prepared, const struct work *done);
+/** The plan as a table for a terminal: effect, run or skipped, why, how; with what was done and the time it took when
+ * `done`. */
+void prepare_table(struct text *out, const struct results *results, bool done);
+
+/** Roughly how long the report will take here [s]. */
+double prepare_rough_seconds(const struct results *results, const struct run_options *options);
 
 #endif

@@ -9,10 +9,8 @@
 #include "output/output.h"
 #include "output/tables.h"
 #include "report/report.h"
-#include "run/forecast.h"
 #include "run/messages.h"
 #include "run/prepare.h"
-#include "run/workers.h"
 #include <jansson.h>
 #include <math.h>
 #include <stdio.h>
@@ -32,11 +30,8 @@ struct run {
     struct comparison comparison;
     struct figure_list figures;
     double *sweeps;
-    uint64_t sweep_scales;
     struct direct_study *direct;
     size_t direct_count;
-    uint64_t contacts;
-    struct forecast forecast;
 };
 
 /** The convergence study: every sweep by every model that stacks scales. */
@@ -60,21 +55,22 @@ static enum status_code run_sweeps(struct run *run, struct status *status)
                 double *area = run->sweeps + (results_sweep(run->results, (enum convergence_sweep)s, m, v) -
                                               run->results->convergence);
                 convergence_areas(area, &law, results_pair(run->results, run->results->baseline),
-                                  model_rows[m]->plastic, &run->sweep_scales);
+                                  model_rows[m]->plastic, &run->results->studies.sweep_scales);
             }
     return STATUS_OK;
 }
 
-static void add_times(struct run_times *times, const struct surface_store *store)
+static void add_times(struct run_times *times, const struct results *results)
 {
-    for (size_t i = 0; i < store->count; i++) {
-        const struct surface_times *t = &store->summaries[i].times;
-        times->read += t->read;
-        times->prepare += t->prepare;
-        times->spectrum += t->spectrum;
-        times->convergence += t->convergence;
+    for (size_t i = 0; i < results->surface_count; i++) {
+        const struct surface_summary *summary = &results->surfaces[i].summary;
+        times->read += summary->times.read;
+        times->prepare += summary->times.prepare;
+        times->spectrum += summary->times.spectrum;
+        times->convergence += summary->times.convergence;
+        times->uncertainty += summary->times.uncertainty;
         for (size_t m = 0; times->models && m < model_count; m++)
-            times->models[m] += surface_model(&store->summaries[i], m)->seconds;
+            times->models[m] += surface_model(summary, m)->seconds;
     }
 }
 
@@ -83,48 +79,42 @@ static void add_times(struct run_times *times, const struct surface_store *store
 static enum status_code run_baseline(struct run *run, struct status *status)
 {
     struct results *results = run->results;
-    struct surface_record baseline = {0};
-    if (surface_store_get_part(&baseline, results->store, results->baseline,
-                               results->measured ? SURFACE_BYTES_ALL : SURFACE_BYTES_SPECTRUM, status) != STATUS_OK)
-        return status->code;
-    struct model_task task = surface_task(&baseline, results->scene, results->plan,
-                                          results_loads(results, results->baseline), results->load_count);
-    const struct threads threads = {run->options->jobs, NULL};
-    task.threads = &threads;
+    const struct surface_record *baseline = &results->surfaces[results->baseline];
+    struct model_task task = surface_model_task(baseline, results->scene, results->plan,
+                                                results_loads(results, results->baseline), results->load_count);
     struct model_task one = surface_middle_task(&task);
-    double unsure_m = fmax(sensitivity_cutoff(baseline.summary.spacing_m, results->scene->lambda_s_m),
+    double unsure_m = fmax(sensitivity_cutoff(baseline->summary.spacing_m, results->scene->lambda_s_m),
                            results->scene->tip_radius_m); /* a tip rounds off what is shorter than its radius */
     uint64_t models = 0;
     for (size_t m = 0; m < model_count; m++)
         models |= plan_runs_model(results->plan, m) ? MODEL_BIT(m) : 0;
-    enum status_code rc = STATUS_OK;
-    if (baseline.sensitivity.scans > 0) {
-        rc = sensitivity_curves_make(&run->sensitivity, &one, models, unsure_m, status);
+    if (baseline->sensitivity.scans > 0) {
+        if (sensitivity_curves_make(&run->sensitivity, &one, models, unsure_m, status) != STATUS_OK)
+            return status->code;
         results->sensitivity = &run->sensitivity;
     }
-    if (rc == STATUS_OK && results->measured) {
-        const struct joint_task joint = surface_joint(&baseline, results->scene, results->plan, &task);
-        rc = measured_answer(&run->answers, results->measured, models, &task, &joint, &baseline.repeats, status);
+    if (results->measured) {
+        const struct joint_task joint = surface_joint(baseline, results->scene, results->plan, &task);
+        if (measured_answer(&run->answers, results->measured, models, &task, &joint, &baseline->repeats, status) !=
+            STATUS_OK)
+            return status->code;
         results->answers = &run->answers;
     }
-    surface_record_free(&baseline, false);
-    return rc;
+    return STATUS_OK;
 }
 
 /** The direct solutions that the plan calls for, one surface after another, each on all threads. */
 static enum status_code run_direct(struct run *run, struct status *status)
 {
     struct results *results = run->results;
-    run->direct = calloc(results->store->count, sizeof *run->direct);
+    run->direct = calloc(results->surface_count, sizeof *run->direct);
     if (!run->direct)
         return status_memory(status);
-    for (size_t i = 0; i < results->store->count; i++) {
-        struct surface_record record = {0};
+    for (size_t i = 0; i < results->surface_count; i++) {
         if (!prepare_solves(results, i))
             continue;
-        if (surface_store_get(&record, results->store, i, status) != STATUS_OK)
-            return status->code;
-        struct direct_study_task task = {&record,
+        const struct surface_record *record = &results->surfaces[i];
+        struct direct_study_task task = {record,
                                          i,
                                          results->scene,
                                          results->plan,
@@ -135,17 +125,13 @@ static enum status_code run_direct(struct run *run, struct status *status)
         struct status problem = {0};
         enum status_code rc = direct_study_run(&run->direct[run->direct_count], &task, &problem);
         if (rc == STATUS_OK) {
-            run->contacts += run->direct[run->direct_count++].solutions;
+            results->studies.contacts += run->direct[run->direct_count++].solutions;
         } else if (rc == STATUS_MODEL) { /* no number then; the models' curves stand */
             direct_study_free(&run->direct[run->direct_count]);
-            direct_plan_give_up(results->store->summaries[i].direct, problem.message);
-            rc = STATUS_OK;
+            direct_plan_give_up(record->summary.direct, problem.message);
         } else
-            rc = status_fail(status, rc, "surface '%s', solved directly: %s", record.summary.scene->name,
-                             problem.message);
-        surface_record_free(&record, false);
-        if (rc != STATUS_OK)
-            return rc;
+            return status_fail(status, rc, "surface '%s', solved directly: %s", record->summary.scene->name,
+                               problem.message);
     }
     results->direct = run->direct_count > 0 ? run->direct : NULL;
     results->direct_count = run->direct_count;
@@ -156,16 +142,11 @@ static enum status_code run_direct(struct run *run, struct status *status)
 static enum status_code measure_cost(struct run *run, struct status *status)
 {
     const struct results *results = run->results;
-    struct surface_record baseline = {0};
-    const struct benchmark_task task = {&baseline,           results->scene,
-                                        results->plan,       results_loads(results, results->baseline),
-                                        results->load_count, figure_direct(results)};
-    enum status_code rc = surface_store_get(&baseline, results->store, results->baseline, status);
-    if (rc == STATUS_OK)
-        rc = benchmark_measure(&run->benchmark, &task, status);
-    surface_record_free(&baseline, false);
+    const struct benchmark_task task = {
+        &results->surfaces[results->baseline],     results->scene,      results->plan,
+        results_loads(results, results->baseline), results->load_count, figure_direct(results)};
     run->results->benchmark = &run->benchmark;
-    return rc;
+    return benchmark_measure(&run->benchmark, &task, status);
 }
 
 /** A stage's wall time: from the last call to this one. */
@@ -176,48 +157,36 @@ static double lap(double *last)
     return passed;
 }
 
-/** Scans, effects, models. */
+/** Scans, effects, models, studies. */
 static enum status_code evaluate(struct run *run, struct run_outcome *out, struct status *status)
 {
     struct prepared *prepared = &run->prepared;
-    enum status_code rc = prepare(prepared, run->scene, run->options, run->output.staging, status);
-    run->results = &prepared->results;
-    if (rc == STATUS_OK && run->results->usable_count == 0)
+    struct effects_row rows[EFFECTS_ROWS];
+    const char *curves = scene_bins_spectra(run->scene) ? run->output.staging : NULL;
+    enum status_code rc = prepare(prepared, run->scene, run->options, false, curves, status);
+    struct results *results = run->results = &prepared->results;
+    if (rc == STATUS_OK && results->usable_count == 0)
         rc = status_fail(status, STATUS_SCAN, "no readable scan in '%s'", run->scene->directory);
-    if (rc == STATUS_OK && run->options->forecast) {
-        struct forecast_rates rates;
-        rc = forecast_calibrate(&rates, run->results, clock_seconds, status);
-        run->forecast = forecast_make(run->results, &rates, run->options);
-    }
-    if (rc == STATUS_OK)
-        rc = workers_run(run->results, WORKERS_MODEL, run->options, status);
     if (rc == STATUS_OK)
         rc = run_baseline(run, status);
     double last = clock_seconds();
     if (rc == STATUS_OK && plan_runs(&prepared->plan, EFFECT_CONVERGENCE))
         rc = run_sweeps(run, status);
-    out->times.convergence = lap(&last);
+    out->times.convergence = results->studies.sweep_seconds = lap(&last);
     if (rc == STATUS_OK && plan_runs(&prepared->plan, EFFECT_DIRECT))
         rc = run_direct(run, status);
-    out->times.direct = lap(&last);
+    out->times.direct = results->studies.contact_seconds = lap(&last);
     if (rc == STATUS_OK && !run->options->no_cost) {
         rc = measure_cost(run, status);
         out->times.cost = run->benchmark.seconds;
     }
     if (rc != STATUS_OK)
         return rc;
-    struct work *done = &run->results->done;
-    *done =
-        work_done(&prepared->store.models_done, prepared->store.summaries, prepared->store.count, run->sweep_scales);
-    done->contacts = run->contacts;
-    done->contact_seconds = run->results->predicted.contact_seconds;
-    done->contact_bytes = run->results->predicted.contact_bytes;
-    for (size_t m = 0; run->results->answers && m < model_count; m++)
-        work_add(done, m, &run->answers.work[m]);
-    out->work_agrees = memcmp(done, &run->results->predicted, sizeof *done) == 0;
-    prepare_table(&out->work, prepared, done);
-    out->evaluations = work_total(done, &prepared->plan, &out->predicted_seconds);
-    add_times(&out->times, &prepared->store);
+    effects_account(rows, results->plan, results->surfaces, results->surface_count, &results->studies);
+    for (int r = 0; r < EFFECTS_ROWS; r++)
+        out->evaluations += rows[r].evaluations;
+    prepare_table(&out->work, results, true);
+    add_times(&out->times, results);
     return STATUS_OK;
 }
 
@@ -226,30 +195,15 @@ static bool stopped(const struct run *run)
     return run->options->stop && *run->options->stop;
 }
 
-/** What is made of every surface's curves: the files of numbers, and beside them what the report compares, in one
- * thread more, which takes a small part of their time. */
-enum { GOING_OVER_FILES, GOING_OVER_COMPARISON, GOINGS_OVER };
-
-static enum status_code go_over(void *context, size_t part, struct threads_turn *turn, struct status *status)
-{
-    struct run *run = context;
-    const char *staging = run->output.staging;
-    const struct threads threads = {run->options->jobs, run->options->stop};
-    (void)turn;
-    if (part == GOING_OVER_COMPARISON)
-        return comparison_make(&run->comparison, run->results, status);
-    enum status_code rc = tables_write(run->results, staging, &threads, status);
-    return rc == STATUS_OK && !stopped(run) ? json_write(run->results, staging, &threads, status) : rc;
-}
-
 /** From the evaluated surfaces to the files of the report. */
 static enum status_code write_all(struct run *run, struct run_outcome *out, struct status *status)
 {
     const struct run_options *options = run->options;
     const char *staging = run->output.staging;
-    const struct threads threads = {options->jobs, options->stop};
     double last = clock_seconds();
-    if (threads_run(&threads, GOINGS_OVER, go_over, run, status) != STATUS_OK || stopped(run))
+    if (tables_write(run->results, staging, status) != STATUS_OK || stopped(run) ||
+        json_write(run->results, staging, status) != STATUS_OK ||
+        comparison_make(&run->comparison, run->results, status) != STATUS_OK || stopped(run))
         return status->code;
     out->times.tables = lap(&last);
     if (figure_list_make(&run->figures, run->results, status) != STATUS_OK)
@@ -311,8 +265,8 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
     }
     if (rc == STATUS_OK && asprintf(&out->path, "%s/report.html", run.output.target) < 0)
         rc = status_memory(status);
-    out->refused = messages_add(&out->messages, scene, &run.prepared.store, rc == STATUS_OK);
-    out->surfaces = run.prepared.store.count - out->refused;
+    out->refused = messages_add(&out->messages, &run.prepared.results, rc == STATUS_OK);
+    out->surfaces = run.prepared.results.surface_count - out->refused;
     if (options->outline && run.results)
         out->outline = json_outline(run.results, rc == STATUS_OK);
     prepared_free(&run.prepared);
@@ -327,10 +281,6 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
     comparison_free(&run.comparison);
     figure_list_free(&run.figures);
     out->times.total = clock_seconds() - started;
-    if (rc == STATUS_OK && options->forecast) {
-        struct forecast took = forecast_of_times(&out->times);
-        forecast_table(&out->stages, &run.forecast, &took);
-    }
     return rc;
 }
 
@@ -343,7 +293,6 @@ void run_outcome_free(struct run_outcome *outcome)
     text_free(&outcome->charts);
     text_free(&outcome->work);
     json_decref(outcome->outline);
-    text_free(&outcome->stages);
     free(outcome->path);
     free(outcome->times.models);
 }

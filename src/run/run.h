@@ -10,46 +10,38 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-struct workers_crew; /* run/workers.h */
-
 struct run_options {
-    const char *output;                      /* OUT, NULL: out/<name of DIR> */
-    const char *templates;                   /* directory of the templates */
-    const char *terminal_size;               /* "columns,rows" to draw the main charts as text, NULL: not */
-    bool no_cost;                            /* leave out what accuracy costs */
-    bool brief;                              /* the report's first page, with its figures, alone */
-    bool forecast;                           /* forecast the stages' times, to be held against what they took */
-    bool outline;                            /* fill run_outcome.outline */
-    unsigned jobs;                           /* threads; 0: one a processor */
-    const struct direct_crew *crew;          /* other processes for the direct solution; NULL: none */
-    const struct workers_crew *workers;      /* and for the surfaces; NULL: none */
-    const struct scene_overrides *overrides; /* what the scene was read with, which those need */
-    const atomic_bool *stop;                 /* becomes true when the run is to end early; NULL: never */
+    const char *output;             /* OUT, NULL: out/<name of DIR> */
+    const char *templates;          /* directory of the templates */
+    const char *terminal_size;      /* "columns,rows" to draw the main charts as text, NULL: not */
+    bool no_cost;                   /* leave out what accuracy costs */
+    bool brief;                     /* the report's first page, with its figures, alone */
+    bool outline;                   /* fill run_outcome.outline */
+    unsigned jobs;                  /* threads; 0: one a processor */
+    const struct direct_crew *crew; /* other processes for the direct solution; NULL: none */
+    const atomic_bool *stop;        /* becomes true when the run is to end early; NULL: never */
     void (*progress)(size_t done, size_t total,
                      const char *name); /* NULL: none; called from several threads, one at a time */
 };
 
 /** Wall time by stage [s], the threads' own stages summed. */
 struct run_times {
-    double read, prepare, spectrum, convergence, direct, cost, tables, figures, gnuplot, report, total;
+    double read, prepare, spectrum, convergence, uncertainty, direct, cost, tables, figures, gnuplot, report, total;
     double *models; /* model_count of them; owned */
 };
 
 struct run_outcome {
     size_t surfaces, refused;
-    struct text messages;     /* messages_add(): one line a refused surface and a warning */
-    struct text table;        /* the compact table for a terminal */
-    struct text answers;      /* to the scene's targets and limits, a line each */
-    struct text missed;       /* one line a surface and limit that it misses */
-    size_t missed_count;      /* of those */
-    struct text charts;       /* when terminal_size was given */
-    char *path;               /* of report.html */
-    struct text work;         /* predicted against done, effect by effect */
-    struct json_t *outline;   /* json_outline(), when asked for, also of a run that failed; else NULL */
-    struct text stages;       /* forecast against taken, stage by stage, when asked for */
-    uint64_t evaluations;     /* done; as predicted when work_agrees */
-    double predicted_seconds; /* of the models, on one core */
-    bool work_agrees;         /* evaluation counts are as predicted */
+    struct text messages;   /* messages_add(): one line a refused surface and a warning */
+    struct text table;      /* the compact table for a terminal */
+    struct text answers;    /* to the scene's targets and limits, a line each */
+    struct text missed;     /* one line a surface and limit that it misses */
+    size_t missed_count;    /* of those */
+    struct text charts;     /* when terminal_size was given */
+    char *path;             /* of report.html */
+    struct text work;       /* what was done, effect by effect */
+    struct json_t *outline; /* json_outline(), when asked for, also of a run that failed; else NULL */
+    uint64_t evaluations;   /* done */
     struct run_times times;
 };
 

@@ -251,7 +251,7 @@ static void test_the_number_of_loads(void **state)
     struct status status = {0};
     for (int i = 0; i < 17; i++)
         fine[i] = loads[0] * pow(loads[LOADS - 1] / loads[0], i / 16.0);
-    struct model_task task = surface_task(record, &scene, &plan, fine, 17);
+    struct model_task task = surface_model_task(record, &scene, &plan, fine, 17);
     assert_int_equal(model_run(&curve, model_rows[gw], &task, &status), STATUS_OK);
     for (size_t i = 1; i + 1 < curve.count; i += 2) {
         double x = log(points[i].load / points[i - 1].load) / log(points[i + 1].load / points[i - 1].load);

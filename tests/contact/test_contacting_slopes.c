@@ -22,7 +22,7 @@ static struct surface surface_of(const double *height_m, size_t points, double s
     assert_non_null(point);
     size_t inner = contacting_slopes_of_profile(point, height_m, points, spacing);
     assert_int_equal(inner, points - 2);
-    assert_int_equal(contacting_slopes_make(&surface.slopes, point, inner, persson_energy_factor, NULL, &status),
+    assert_int_equal(contacting_slopes_make(&surface.slopes, point, inner, persson_energy_factor, &status),
                      STATUS_OK);
     assert_int_equal(spectrum_compute(&spectrum, height_m, points, spacing, SPECTRUM_WINDOW_NONE, &status), STATUS_OK);
     spectrum.count -= spectrum.has_nyquist;
@@ -175,7 +175,7 @@ static void one_slope_is_persson(void **state)
         point[i] = (struct slope_point){1e-7 * (double)(i * 37 % 200), 0.04};
     struct contacting_slopes slopes;
     struct status status = {0};
-    assert_int_equal(contacting_slopes_make(&slopes, point, 200, 0.45, NULL, &status), STATUS_OK);
+    assert_int_equal(contacting_slopes_make(&slopes, point, 200, 0.45, &status), STATUS_OK);
     for (size_t k = 30; k < 200; k++) {
         double area = (double)k / 200;
         assert_near(slopes.load[k], persson_load(area, 0.04, 0.45), 1e-14);
@@ -197,7 +197,7 @@ static void hard_cases(void **state)
     struct spectrum spectrum = {amplitude, 2, 1e-4, false};
     struct persson persson;
     assert_int_equal(persson_make(&persson, &spectrum, 0.45, &status), STATUS_OK);
-    assert_int_equal(contacting_slopes_make(&slopes, point, 32, 0.45, NULL, &status), STATUS_OK);
+    assert_int_equal(contacting_slopes_make(&slopes, point, 32, 0.45, &status), STATUS_OK);
     double area = 0;
     for (double load = 1e-300; load < 1e10; load *= 3) {
         struct contacting_slopes_area at = contacting_slopes_area(&slopes, load);
@@ -213,11 +213,11 @@ static void hard_cases(void **state)
 
     for (size_t i = 16; i < 32; i++) /* the 31 highest are level */
         point[i] = (struct slope_point){i < 31 ? 1e-6 : -1e-6, i < 31 ? 0 : 0.01};
-    assert_int_equal(contacting_slopes_make(&slopes, point, 32, 0.45, NULL, &status), STATUS_MODEL);
+    assert_int_equal(contacting_slopes_make(&slopes, point, 32, 0.45, &status), STATUS_MODEL);
     assert_non_null(strstr(status.message, "no slope"));
     point[0].slope_square = 1e-4;
     status = (struct status){0};
-    assert_int_equal(contacting_slopes_make(&slopes, point, 32, 0.45, NULL, &status), STATUS_OK);
+    assert_int_equal(contacting_slopes_make(&slopes, point, 32, 0.45, &status), STATUS_OK);
     struct contacting_slopes_gap gap;
     assert_true(contacting_slopes_gap(&gap, &slopes, &persson, 1e-4, 0.1));
     assert_true(gap.separation_m == 1e-6 && gap.constriction_m == 0 && gap.scale_m == 0);
@@ -228,12 +228,12 @@ static void hard_cases(void **state)
     assert_int_equal(persson_make(&flat, &silent, 0.45, &status), STATUS_OK);
     for (size_t i = 0; i < 32; i++)
         point[i] = (struct slope_point){1e-6 * (double)i, 0.01};
-    assert_int_equal(contacting_slopes_make(&slopes, point, 32, 0.45, NULL, &status), STATUS_OK);
+    assert_int_equal(contacting_slopes_make(&slopes, point, 32, 0.45, &status), STATUS_OK);
     assert_true(contacting_slopes_gap(&gap, &slopes, &flat, 1e-4, 0.1));
     assert_true(isfinite(gap.separation_m) && gap.constriction_m == 0);
     contacting_slopes_free(&slopes);
     persson_free(&flat);
-    assert_int_equal(contacting_slopes_make(&slopes, point, 30, 0.45, NULL, &status), STATUS_MODEL);
+    assert_int_equal(contacting_slopes_make(&slopes, point, 30, 0.45, &status), STATUS_MODEL);
     assert_non_null(strstr(status.message, "30 inner points are too few"));
     persson_free(&persson);
 }
@@ -247,7 +247,7 @@ static void ties_go_by_index(void **state)
     struct status status = {0};
     for (size_t i = 0; i < 64; i++)
         point[i] = (struct slope_point){-1e-6 * (double)(i / 16), (double)(i + 1)};
-    assert_int_equal(contacting_slopes_make(&slopes, point, 64, 0.45, NULL, &status), STATUS_OK);
+    assert_int_equal(contacting_slopes_make(&slopes, point, 64, 0.45, &status), STATUS_OK);
     for (size_t k = 1; k <= 64; k++)
         assert_near(slopes.mean_square[k], (double)(k + 1) / 2, 1e-15);
     contacting_slopes_free(&slopes);

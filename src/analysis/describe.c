@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "analysis/gather.h"
+#include "analysis/describe.h"
 
 #include "analysis/piece.h"
 #include "base/clock.h"
@@ -7,30 +7,9 @@
 #include "spectrum/grid.h"
 #include "statistics/interval.h"
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-void gather_note(struct surface_summary *summary, const char *format, ...)
-{
-    char *line = NULL, *all = NULL;
-    va_list args;
-    va_start(args, format);
-    int length = vasprintf(&line, format, args);
-    va_end(args);
-    if (length < 0)
-        return;
-    if (!summary->notes) {
-        summary->notes = line;
-    } else if (asprintf(&all, "%s\n%s", summary->notes, line) >= 0) {
-        free(summary->notes);
-        free(line);
-        summary->notes = all;
-    } else {
-        free(line);
-    }
-}
 
 /** How many scans said `message` by this line, "file: message" or "file: message (and of N more scans)"; 0: none. */
 static size_t count_said(const char *line, size_t length, const char *message)
@@ -73,7 +52,7 @@ static void note_file(struct surface_summary *summary, const char *file, const c
         }
         line += length + (line[length] == '\n');
     }
-    gather_note(summary, "%s: %s", file, message);
+    surface_note(summary, "%s: %s", file, message);
 }
 
 static void note_scan(struct surface_summary *summary, const struct scan *scan, const struct profile *profile,
@@ -86,11 +65,17 @@ static void note_scan(struct surface_summary *summary, const struct scan *scan, 
 }
 
 /** The profile thinned for its chart: of every run of points the lowest and the highest, in their order. */
-static void keep_preview(struct surface_record *record, const struct profile *profile)
+static enum status_code keep_preview(struct surface_record *record, const struct profile *profile,
+                                     struct status *status)
 {
     size_t runs = SURFACE_PREVIEW / 2, stride = (profile->points + runs - 1) / runs, n = 0;
     if (profile->points <= SURFACE_PREVIEW)
         stride = 1;
+    size_t room = profile->points < SURFACE_PREVIEW ? profile->points : SURFACE_PREVIEW;
+    record->preview_x_m = malloc(room * sizeof *record->preview_x_m);
+    record->preview_z_m = malloc(room * sizeof *record->preview_z_m);
+    if (!record->preview_x_m || !record->preview_z_m)
+        return status_memory(status);
     for (size_t start = 0; start < profile->points; start += stride) {
         size_t low = start, high = start;
         for (size_t i = start; i < start + stride && i < profile->points; i++) {
@@ -104,6 +89,7 @@ static void keep_preview(struct surface_record *record, const struct profile *pr
         }
     }
     record->preview_points = n;
+    return STATUS_OK;
 }
 
 /** What of a profile is run alone. */
@@ -279,25 +265,16 @@ static enum status_code make_points(struct making *making, struct status *status
     return keep_points(making->record, making->scan, making->profile, status);
 }
 
-/** None needs what another makes. The law first: a profile it refuses leaves nothing behind, on one thread, which is
- * what rows of a map are made on; and it takes the longest. The halves of the scan, which are variants, last: threads
- * end together then. */
-enum { MAKE_LAW, MAKE_SPECTRUM, MAKE_POINTS, MAKE_VARIANT, MAKINGS = MAKE_VARIANT + SENSITIVITY_VARIANTS };
-
-static enum status_code make_one(void *context, size_t index, struct threads_turn *turn, struct status *status)
+/** All that is made of a profile. */
+static enum status_code make_all(struct making *making, struct status *status)
 {
-    struct making *making = context;
-    (void)turn;
-    switch (index) {
-    case MAKE_LAW:
-        return make_law(making, status);
-    case MAKE_SPECTRUM:
-        return make_spectrum(making, status);
-    case MAKE_POINTS:
-        return make_points(making, status);
-    default:
-        return make_variant(making, (enum sensitivity_variant)(index - MAKE_VARIANT), status);
-    }
+    if (make_law(making, status) != STATUS_OK || make_spectrum(making, status) != STATUS_OK ||
+        make_points(making, status) != STATUS_OK)
+        return status->code;
+    for (int variant = 0; variant < SENSITIVITY_VARIANTS; variant++)
+        if (make_variant(making, (enum sensitivity_variant)variant, status) != STATUS_OK)
+            return status->code;
+    return STATUS_OK;
 }
 
 /** Adds one profile to the surface: averages its spectrum and moments into the record's. Takes over the spectrum and
@@ -325,7 +302,8 @@ static enum status_code add_profile(struct making *making, struct profile *profi
         summary->spacing_m = profile->spacing_m;
         summary->grid = profile->grid;
         summary->tilt = profile->tilt;
-        keep_preview(record, profile);
+        if (rc == STATUS_OK)
+            rc = keep_preview(record, profile, status);
     } else {
         rc = grid_average(&record->spectrum, &spectrum, summary->scans, status);
         roughness_average(&summary->roughness, &roughness, summary->scans);
@@ -359,16 +337,25 @@ static enum status_code add_scan(struct repeat_set *set, const char *file, struc
     return STATUS_OK;
 }
 
+/** How the scene wants scans to be made ready. */
+static struct profile_options profile_options_of(const struct scene *scene)
+{
+    return (struct profile_options){.level = scene->level,
+                                    .max_missing = scene->max_missing,
+                                    .lambda_s_m = scene->lambda_s_m,
+                                    .lambda_c_m = scene->lambda_c_m,
+                                    .tip_radius_m = scene->tip_radius_m,
+                                    .periodic_mean = !scene->level_given};
+}
+
 /** Every row of a scan (a profile has one, whose heights are taken over) into the surface. A row of a map that cannot
  * be used (all missing, flat) is left out and counted; the map is refused when none is left. */
 static enum status_code add_rows(struct surface_record *record, struct power_law_scans *scans, struct scan *scan,
-                                 const struct scene *scene, const char *scene_file, const struct threads *threads,
-                                 struct status *status)
+                                 const struct scene *scene, const char *scene_file, struct status *status)
 {
-    enum { SHARED_POINTS = 1 << 16 }; /* with fewer, threads take longer to start than they save */
     char file[512];
     struct surface_summary *summary = &record->summary;
-    const struct profile_options how = gather_profile_options(scene);
+    const struct profile_options how = profile_options_of(scene);
     size_t unusable = 0, run_before = record->repeats.count, heights_before = summary->heights;
     struct status first = {0};
     if (add_scan(&record->repeats, scene_file, status) != STATUS_OK)
@@ -391,8 +378,7 @@ static enum status_code add_rows(struct surface_record *record, struct power_law
                                 .scans = scans,
                                 .window = spectrum_window_for(scene->window, rc == STATUS_OK && profile.periodic)};
         if (rc == STATUS_OK)
-            rc = threads_run(scan->ny == 1 && profile.points >= SHARED_POINTS ? threads : NULL, MAKINGS, make_one,
-                             &making, &problem);
+            rc = make_all(&making, &problem);
         if (rc == STATUS_OK && scan->kind == SCAN_PROFILE && keeps_direct(record, scene))
             rc = keep_direct(record, scan, &profile, &problem);
         if (rc == STATUS_OK)
@@ -433,19 +419,9 @@ static enum status_code add_rows(struct surface_record *record, struct power_law
     if (scan->kind == SCAN_AREAL)
         note_file(summary, file, note);
     if (unusable > 0)
-        gather_note(summary, "%s: %zu %s%s left out, the first because %s", file, unusable,
-                    scene->direction == SCAN_DIRECTION_X ? "row" : "column", unusable == 1 ? "" : "s", first.message);
+        surface_note(summary, "%s: %zu %s%s left out, the first because %s", file, unusable,
+                     scene->direction == SCAN_DIRECTION_X ? "row" : "column", unusable == 1 ? "" : "s", first.message);
     return power_law_scans_end_file(scans, scan->ny - unusable, scan->kind == SCAN_AREAL, status);
-}
-
-struct profile_options gather_profile_options(const struct scene *scene)
-{
-    return (struct profile_options){.level = scene->level,
-                                    .max_missing = scene->max_missing,
-                                    .lambda_s_m = scene->lambda_s_m,
-                                    .lambda_c_m = scene->lambda_c_m,
-                                    .tip_radius_m = scene->tip_radius_m,
-                                    .periodic_mean = !scene->level_given};
 }
 
 /** A file as it was read, and what is made of it. */
@@ -456,8 +432,6 @@ struct file_task {
     const struct scene_surface *surface;
     const char *file, *path;
     const struct text *bytes;
-    struct hash *hash;
-    const struct threads *threads;
     char *sidecar; /* a file whose text belongs to it; owned, NULL: none */
 };
 
@@ -485,26 +459,13 @@ static enum status_code add_scans(struct file_task *task, struct status *status)
         if (rc == STATUS_OK) {
             snprintf(summary->format, sizeof summary->format, "%s", scan.format);
             snprintf(summary->units, sizeof summary->units, "x %s, z %s", scan.x_unit, scan.z_unit);
-            rc = add_rows(task->record, task->scans, &scan, task->scene, task->file, task->threads, status);
+            rc = add_rows(task->record, task->scans, &scan, task->scene, task->file, status);
         }
         options.entry = scan.next_entry;
         more = rc == STATUS_OK && options.entry > 0;
         scan_free(&scan);
     }
     return rc;
-}
-
-/** The hash first: it is of a file that is refused, too. */
-enum { TASK_HASH, TASK_SCANS, FILE_TASKS };
-
-static enum status_code run_file_task(void *context, size_t index, struct threads_turn *turn, struct status *status)
-{
-    struct file_task *task = context;
-    (void)turn;
-    if (index == TASK_SCANS)
-        return add_scans(task, status);
-    hash_add(task->hash, task->bytes->data, task->bytes->length);
-    return STATUS_OK;
 }
 
 static enum status_code hash_file(struct hash *hash, const char *path, struct status *status)
@@ -517,21 +478,22 @@ static enum status_code hash_file(struct hash *hash, const char *path, struct st
     return rc;
 }
 
-enum status_code gather_file(struct surface_record *record, struct power_law_scans *scans, const struct scene *scene,
-                             const struct scene_surface *surface, const char *file, struct hash *hash,
-                             const struct threads *threads, struct status *status)
+enum status_code describe_file(struct surface_record *record, struct power_law_scans *scans, const struct scene *scene,
+                               const struct scene_surface *surface, const char *file, struct hash *hash,
+                               struct status *status)
 {
-    enum { SHARED_BYTES = 1 << 20 };
     struct text bytes = {0};
     char *path = scene_file_path(scene, file);
     if (!path)
         return status_memory(status);
-    struct file_task task = {record, scans, scene, surface, file, path, &bytes, hash, threads, NULL};
+    struct file_task task = {record, scans, scene, surface, file, path, &bytes, NULL};
     double started = clock_seconds();
     enum status_code rc = text_read_file(&bytes, path, status);
     record->summary.times.read += clock_seconds() - started;
-    if (rc == STATUS_OK)
-        rc = threads_run(bytes.length >= SHARED_BYTES ? threads : NULL, FILE_TASKS, run_file_task, &task, status);
+    if (rc == STATUS_OK) {
+        hash_add(hash, bytes.data, bytes.length); /* of a file that is refused, too */
+        rc = add_scans(&task, status);
+    }
     struct status problem = {0}; /* what a sidecar says changes the numbers too */
     if (task.sidecar && hash_file(hash, task.sidecar, &problem) != STATUS_OK && rc == STATUS_OK)
         rc = status_fail(status, problem.code, "%s", problem.message);
@@ -550,7 +512,7 @@ static void note_counterface(struct surface_summary *summary, const struct surfa
         for (size_t f = 0; f < scene->file_count; f++) {
             size_t name = strlen(scene->files[f]);
             if (length > name && strncmp(line, scene->files[f], name) == 0 && strchr(":(", line[name])) {
-                gather_note(summary, "counterface %.*s", (int)length, line);
+                surface_note(summary, "counterface %.*s", (int)length, line);
                 break;
             }
         }
@@ -558,14 +520,14 @@ static void note_counterface(struct surface_summary *summary, const struct surfa
     }
 }
 
-enum status_code gather_counterface(struct surface_record *record, struct power_law_scans *scans,
-                                    const struct surface_record *counterface, struct status *status)
+enum status_code describe_counterface(struct surface_record *record, struct power_law_scans *scans,
+                                      const struct surface_record *counterface, struct status *status)
 {
     struct roughness *own = &record->summary.roughness;
     double own_rq_m = own->rq_m;
     roughness_add(own, &counterface->summary.roughness);
-    gather_note(&record->summary, "pressed against a rough counterface: Rq %.4g um and %.4g um give %.4g um together",
-                own_rq_m * 1e6, counterface->summary.roughness.rq_m * 1e6, own->rq_m * 1e6);
+    surface_note(&record->summary, "pressed against a rough counterface: Rq %.4g um and %.4g um give %.4g um together",
+                 own_rq_m * 1e6, counterface->summary.roughness.rq_m * 1e6, own->rq_m * 1e6);
     note_counterface(&record->summary, &counterface->summary);
     struct repeat_set *set = &record->repeats;
     set->no_intervals = true;
@@ -575,8 +537,8 @@ enum status_code gather_counterface(struct surface_record *record, struct power_
             return status->code;
     }
     if (set->count > 0)
-        gather_note(&record->summary, "no intervals: how far the rough counterface's own scans scatter is not told by "
-                                      "those of the surface");
+        surface_note(&record->summary, "no intervals: how far the rough counterface's own scans scatter is not told by "
+                                       "those of the surface");
     for (size_t i = 0; i < scans->scan_count && counterface->tapered.count > 0; i++)
         if (grid_add(&scans->scan[i], &counterface->tapered, status) != STATUS_OK)
             return status->code;
@@ -586,8 +548,7 @@ enum status_code gather_counterface(struct surface_record *record, struct power_
     return grid_add(&record->spectrum, &counterface->spectrum, status);
 }
 
-enum status_code gather_describe_repeats(struct surface_record *record, const struct scene *scene,
-                                         struct status *status)
+enum status_code describe_repeats(struct surface_record *record, const struct scene *scene, struct status *status)
 {
     const struct spectrum *mean = &record->spectrum;
     struct repeat_set *set = &record->repeats;
@@ -681,9 +642,9 @@ static enum status_code cut_to_shortest(struct surface_record *record, const str
         }
     }
     if (interval_shortest_is_odd(length_m, set->count))
-        gather_note(&record->summary,
-                    "%s is less than half as long as the others, which are all cut to its length; leave it out",
-                    set->scans[set->parts[shortest].scan].file);
+        surface_note(&record->summary,
+                     "%s is less than half as long as the others, which are all cut to its length; leave it out",
+                     set->scans[set->parts[shortest].scan].file);
     free(length_m);
     struct repeat_set cut = {.scans = set->scans, .scan_count = set->scan_count};
     enum status_code rc = STATUS_OK;
@@ -714,8 +675,8 @@ static enum status_code cut_to_shortest(struct surface_record *record, const str
     return rc;
 }
 
-enum status_code gather_conclude(struct surface_record *record, struct power_law_scans *scans,
-                                 const struct scene *scene, struct status *status)
+enum status_code describe_conclude(struct surface_record *record, struct power_law_scans *scans,
+                                   const struct scene *scene, struct status *status)
 {
     struct repeat_set *set = &record->repeats;
     bool profiles = true;
@@ -724,7 +685,7 @@ enum status_code gather_conclude(struct surface_record *record, struct power_law
     if (set->count == 0) /* a map of which other rows were chosen than can be used */
         return STATUS_OK;
     if (set->count > 1 && are_identical(set)) {
-        gather_note(&record->summary, "its %zu scans are the same to the last digit: they count as one", set->count);
+        surface_note(&record->summary, "its %zu scans are the same to the last digit: they count as one", set->count);
         for (size_t p = 1; p < set->count; p++) {
             spectrum_free(&set->parts[p].spectrum);
             free(set->parts[p].height_m);
@@ -740,6 +701,221 @@ enum status_code gather_conclude(struct surface_record *record, struct power_law
     for (size_t p = 0; p < set->count; p++) {
         free(set->parts[p].height_m);
         set->parts[p].height_m = NULL;
+    }
+    return STATUS_OK;
+}
+
+/** Names the models that were asked for and work on asperities, when the surface has none. */
+static void note_models_lost(struct surface_summary *summary, uint64_t models, const char *why)
+{
+    struct text names = {0};
+    for (size_t m = 0; m < model_count; m++)
+        if ((models & MODEL_BIT(m)) && model_rows[m]->asperity_model)
+            text_add(&names, "%s%s", names.length > 0 ? " and " : "", model_rows[m]->label);
+    if (names.length > 0)
+        surface_note(summary, "no %s: %s", text_string(&names), why);
+    text_free(&names);
+}
+
+/** What the line through all harmonics leaves to say: a step between the ends, two slopes. */
+static void note_thesis_fit(struct surface_summary *summary)
+{
+    const struct power_law *law = &summary->power_law;
+    if (isnan(law->gamma)) {
+        surface_note(summary, "no power law: %s",
+                     law->harmonics < 3 ? "fewer than 3 harmonics lie in the fit band; widen fit_band_m"
+                                        : "its alpha is beyond the range of numbers; are the units right?");
+        return;
+    }
+    /* a jump J at the border of the record adds J/(pi n) to harmonic n, an f^-1 tail */
+    double shortest = law->band_m[0], leak_m = summary->jump_m * shortest / (M_PI * summary->length_m);
+    bool leaks = summary->windowed < summary->scans && summary->periodic < summary->scans;
+    summary->jump_share = leaks ? leak_m / power_law_amplitude(law, shortest) : 0;
+    if (summary->jump_share > 0.5)
+        surface_note(
+            summary,
+            "the ends of the record differ by %.3g um; that jump alone leaks %s of the fitted amplitude at %.3g um, "
+            "so gamma is drawn towards 1: try window: hann",
+            summary->jump_m * 1e6, summary->jump_share > 1 ? "more than the whole" : "over half", shortest * 1e6);
+    if (isfinite(law->knee_m))
+        surface_note(summary,
+                     "two slopes fit better than one: gamma %.2f above %.3g um, %.2f below; consider fit_band_m",
+                     law->gamma_above, law->knee_m * 1e6, law->gamma_below);
+}
+
+static void note_band(struct surface_summary *summary, const struct power_law_band *band)
+{
+    const struct power_law *law = &summary->power_law;
+    double line_m[LOG_BIN_MOST];
+    size_t count = power_law_band_lines(line_m, band);
+    struct text lines = {0};
+    if (law->found == POWER_LAW_BAND_NONE)
+        surface_note(summary, "no power law found");
+    else if (law->found == POWER_LAW_BAND_NARROW)
+        surface_note(summary, "the power law is narrow: it holds from %.3g to %.3g um only, under a decade",
+                     law->band_m[0] * 1e6, law->band_m[1] * 1e6);
+    for (size_t i = 0; i < count; i++)
+        text_add(&lines, "%s%.3g um", i > 0 ? ", " : "", line_m[i] * 1e6);
+    if (count > 0)
+        surface_note(summary, "lines of periodic marks, left out of the fit: %s", text_string(&lines));
+    text_free(&lines);
+}
+
+static struct power_law_scans_def fit_def(const struct scene *scene)
+{
+    return (struct power_law_scans_def){scene->lambda_s_m, scene->fit_band_given ? scene->fit_band_m : NULL};
+}
+
+/** Every scan's law in the band of their mean. */
+static enum status_code fit_alone(struct surface_record *record, const struct power_law_scans *scans,
+                                  const struct scene *scene, struct status *status)
+{
+    const struct power_law_scans_def def = fit_def(scene);
+    struct repeats *repeats = record->summary.repeats;
+    const struct repeats_grouping of = {&record->repeats, scans->file, scans->scan_count};
+    if (!repeats)
+        return STATUS_OK;
+    double *gamma = malloc(2 * of.count * sizeof *gamma);
+    if (!gamma)
+        return status_memory(status);
+    double *psd_m3 = gamma + of.count;
+    enum status_code rc = STATUS_OK;
+    for (size_t i = 0; i < of.count && rc == STATUS_OK; i++) {
+        struct power_law_band alone;
+        rc = power_law_scans_fit_alone(&alone, scans, i, &def, &record->band, status);
+        struct power_law law = power_law_of_band(&alone);
+        gamma[i] = law.gamma;
+        psd_m3[i] = law.psd_m3;
+    }
+    if (rc == STATUS_OK)
+        rc = repeats_estimate_grouped(&repeats->gamma, gamma, &of, false, status);
+    if (rc == STATUS_OK)
+        rc = repeats_estimate_grouped(&repeats->psd_m3, psd_m3, &of, true, status);
+    free(gamma);
+    return rc;
+}
+
+static enum status_code fit_band(struct surface_record *record, struct power_law_scans *scans,
+                                 const struct scene *scene, struct status *status)
+{
+    const struct power_law_scans_def def = fit_def(scene);
+    if (power_law_scans_fit(&record->band, scans, &def, status) != STATUS_OK)
+        return status->code;
+    record->summary.power_law = power_law_of_band(&record->band);
+    note_band(&record->summary, &record->band);
+    record->tapered = scans->mean;
+    scans->mean = (struct spectrum){0};
+    return STATUS_OK;
+}
+
+/** Power law and statistical parameters. */
+static enum status_code describe(struct surface_record *record, struct power_law_scans *scans,
+                                 const struct scene *scene, struct status *status)
+{
+    struct surface_summary *summary = &record->summary;
+    struct status none = {0};
+    double started = clock_seconds();
+    summary->harmonics = record->spectrum.count;
+    summary->independent = fmax(1, scans->independent);
+    summary->tail = convergence_tail(&record->spectrum);
+    if (scene->fit == POWER_LAW_THESIS) {
+        summary->power_law = power_law_fit(&record->spectrum, scene->fit_band_m);
+        note_thesis_fit(summary);
+    } else if (fit_band(record, scans, scene, status) != STATUS_OK) {
+        return status->code;
+    }
+    summary->times.spectrum += clock_seconds() - started;
+    summary->has_asperities = roughness_asperities(&summary->asperities, &summary->roughness, &none) == STATUS_OK;
+    if (!summary->has_asperities)
+        note_models_lost(summary, scene->models, none.message);
+    if (surface_diverges(summary))
+        surface_note(summary,
+                     "gamma = %.2f is below 1: the elastic multiscale area depends on the shortest wavelength sampled",
+                     surface_short_gamma(&summary->power_law));
+    return STATUS_OK;
+}
+
+/** Heights stay where a model that was asked for uses them, or unasked where they are not Gaussian; two rough bodies
+ * have none in common. */
+static void drop_points(struct surface_record *record, const struct scene *scene)
+{
+    bool asked = scene->models_named || record->summary.height_law.verdict != HEIGHTS_GAUSSIAN;
+    if (asked && scene->counterface_surface.file_count == 0)
+        return;
+    free(record->points);
+    record->points = NULL;
+    record->summary.heights = 0;
+}
+
+static int by_name(const void *a, const void *b)
+{
+    return strcmp(*(const char *const *)a, *(const char *const *)b);
+}
+
+/** The files by name: what comes out does not depend on the order in which a scene lists them. malloc'ed; NULL: out of
+ * memory. */
+static const char **sorted_files(const struct scene_surface *surface)
+{
+    const char **files = malloc((surface->file_count + 1) * sizeof *files);
+    if (!files)
+        return NULL;
+    for (size_t f = 0; f < surface->file_count; f++)
+        files[f] = surface->files[f];
+    qsort(files, surface->file_count, sizeof *files, by_name);
+    return files;
+}
+
+/** From what was gathered to the description of the surface. */
+static enum status_code conclude(struct surface_record *record, struct power_law_scans *scans,
+                                 const struct scene *scene, const struct surface_record *counterface,
+                                 struct status *status)
+{
+    if (counterface && describe_counterface(record, scans, counterface, status) != STATUS_OK)
+        return status->code;
+    if (describe(record, scans, scene, status) != STATUS_OK)
+        return status->code;
+    const struct spectrum *spectrum = record->tapered.count > 0 ? &record->tapered : &record->spectrum;
+    if (height_law_find(&record->summary.height_law, &record->summary.roughness, spectrum, record->summary.independent,
+                        scene->level, status) != STATUS_OK)
+        return status->code;
+    drop_points(record, scene);
+    if (describe_repeats(record, scene, status) != STATUS_OK)
+        return status->code;
+    bool found = scene->fit == POWER_LAW_AUTO && record->band.law != POWER_LAW_BAND_NONE;
+    return found ? fit_alone(record, scans, scene, status) : STATUS_OK;
+}
+
+enum status_code describe_surface(struct surface_record *out, const struct scene *scene,
+                                  const struct scene_surface *surface, const struct surface_record *counterface,
+                                  struct status *status)
+{
+    struct surface_summary *summary = &out->summary;
+    struct status problem = {0};
+    struct power_law_scans scans = {0};
+    struct hash hash = hash_start();
+    summary->scene = surface;
+    summary->pair = scene_pair(surface->bodies);
+    const char **files = sorted_files(surface);
+    if (!files)
+        return status_memory(status);
+    enum status_code rc = STATUS_OK;
+    for (size_t f = 0; f < surface->file_count && rc == STATUS_OK; f++)
+        rc = describe_file(out, &scans, scene, surface, files[f], &hash, &problem);
+    hash_finish(&hash, summary->hash);
+    if (rc == STATUS_OK)
+        rc = describe_conclude(out, &scans, scene, &problem);
+    free(files);
+    if (rc == STATUS_OK) {
+        summary->usable = true;
+        rc = conclude(out, &scans, scene, counterface, &problem);
+    }
+    power_law_scans_free(&scans);
+    if (rc == STATUS_MEMORY)
+        return status_memory(status);
+    if (rc != STATUS_OK) {
+        summary->usable = false;
+        summary->refusal = strdup(problem.message);
+        return summary->refusal ? STATUS_OK : status_memory(status);
     }
     return STATUS_OK;
 }

@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* From the scans of a surface to its description: read, conditioned, averaged, fitted. */
+#ifndef ANALYSIS_DESCRIBE_H
+#define ANALYSIS_DESCRIBE_H
+
+#include "analysis/surface.h"
+#include "base/hash.h"
+
+/** Reads and describes one surface: everything but effects and models. What is wrong with its files is no error: then
+ * summary.usable is false and summary.refusal says why in one line. `counterface` is the described rough counterface,
+ * NULL for a smooth one. Error: STATUS_MEMORY. `out` is zeroed; owned: surface_record_free() whatever comes back. */
+MUST_CHECK enum status_code describe_surface(struct surface_record *out, const struct scene *scene,
+                                             const struct scene_surface *surface,
+                                             const struct surface_record *counterface, struct status *status);
+
+/* Its steps, in their order. */
+
+/** Reads one file into the surface: averages the spectrum and moments of its profile, or of every row of a map, keeps
+ * scans for runs of their own, and adds them to those the law is fitted to; Errors: STATUS_IO, STATUS_SCAN (one line
+ * with the file's name), STATUS_MEMORY. */
+MUST_CHECK enum status_code describe_file(struct surface_record *record, struct power_law_scans *scans,
+                                          const struct scene *scene, const struct scene_surface *surface,
+                                          const char *file, struct hash *hash, struct status *status);
+
+/** Two rough bodies: amplitudes and moments of the surface and of its counterface add as squares (docs/equations.md,
+ * From scan to spectrum); those
+ * the law is fitted to are added to `scans`. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code describe_counterface(struct surface_record *record, struct power_law_scans *scans,
+                                                 const struct surface_record *counterface, struct status *status);
+
+/** Once all of the files were added, in this order: a single scan (or several that are identical, which are
+ * one independent scan) is the surface itself; of several profiles the longer ones are cut to pieces as long as the
+ * shortest. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code describe_conclude(struct surface_record *record, struct power_law_scans *scans,
+                                              const struct scene *scene, struct status *status);
+
+/** Puts the scans to be run alone on the mean's grid and lets them say how far they differ. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code describe_repeats(struct surface_record *record, const struct scene *scene,
+                                             struct status *status);
+
+#endif

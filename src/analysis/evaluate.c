@@ -1,0 +1,303 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "analysis/evaluate.h"
+
+#include "analysis/describe.h"
+#include "analysis/direct_study.h"
+#include "analysis/effects.h"
+#include "analysis/joined.h"
+#include "analysis/landmarks.h"
+#include "base/clock.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/** Carries the spectrum on below the sampling limit, where that can change anything. */
+static void extend(struct surface_record *record, const struct scene *scene)
+{
+    struct surface_summary *summary = &record->summary;
+    double started = clock_seconds();
+    for (size_t m = 0; m < model_count; m++) {
+        struct curve_summary *model = summary->models ? summary->models[m] : NULL;
+        if (!model_rows[m]->stacks_scales || !model || !model->exists || !surface_extends(summary, scene))
+            continue;
+        model->extension = convergence_extend(&record->spectrum, &summary->tail, &summary->pair, model_rows[m]->plastic,
+                                              scene->convergence.load);
+        model->extended = true;
+    }
+    summary->times.convergence = clock_seconds() - started;
+}
+
+static enum status_code make_band(struct surface_record *record, size_t m, const struct model_task *task,
+                                  struct status *status)
+{
+    record->bands[m] = repeats_band_make(task->loads, task->load_count);
+    return record->bands[m] ? STATUS_OK : status_memory(status);
+}
+
+/** Every scan of the surface alone in one model; the curve is their mean. */
+static enum status_code run_repeats(struct surface_record *record, size_t m, const struct model_task *task,
+                                    struct repeats_result *result, struct status *status)
+{
+    if (make_band(record, m, task, status) != STATUS_OK)
+        return status->code;
+    result->band = record->bands[m];
+    return repeats_model(&record->curves[m], result, &record->repeats, model_rows[m], task, status);
+}
+
+/** What simulated records say of how far another place of a surface with one scan may answer. */
+static enum status_code run_uncertainty(struct surface_record *record, const struct scene *scene,
+                                        const struct plan *plan, const struct model_task *task, struct status *status)
+{
+    struct surface_summary *summary = &record->summary;
+    struct model_task counted = *task;
+    counted.evaluations = &summary->simulated_evaluations;
+    double started = clock_seconds();
+    const struct uncertainty_scan scan = {record->height_m, summary->single_points, summary->spacing_m,
+                                          piece_how_of(scene, false), &counted};
+    struct uncertainty *all = calloc(model_count, sizeof *all);
+    if (!all)
+        return status_memory(status);
+    enum status_code rc = uncertainty_run(all, &scan, plan, status);
+    for (size_t m = 0; m < model_count && rc == STATUS_OK; m++) {
+        const struct model_curve *curve = &record->curves[m];
+        if (!curve->exists || !uncertainty_holds(plan, m))
+            continue;
+        struct estimate estimates[CURVE_ESTIMATES];
+        for (int which = 0; which < CURVE_ESTIMATES; which++)
+            estimates[which] = estimate_none;
+        for (size_t i = 0; i < curve->count; i++)
+            for (int q = 0; q < QUANTITY_COUNT && curve->points[i].load == task->loads[model_task_operating(task)]; q++)
+                estimates[q] = uncertainty_estimate(
+                    &all[m], (enum quantity)q,
+                    quantity_value(&curve->points[i], model_shown(model_rows[m], (enum quantity)q)));
+        rc = curve_summary_put_estimates(summary->models[m], estimates, status);
+        if (rc == STATUS_OK)
+            rc = make_band(record, m, task, status);
+        if (rc == STATUS_OK)
+            uncertainty_band(record->bands[m], &all[m], curve, model_rows[m]);
+    }
+    free(all);
+    summary->times.uncertainty += clock_seconds() - started;
+    return rc;
+}
+
+/** What area and resistance at the middle load hang on. */
+static enum status_code run_sensitivity(struct surface_record *record, size_t m, const struct model_task *task,
+                                        struct status *status)
+{
+    struct curve_summary *model = record->summary.models[m];
+    struct model_task one = surface_middle_task(task);
+    struct contact_point as_is = {.area_ratio = NAN, .ecr_ohm_m2 = NAN};
+    for (size_t i = 0; i < record->curves[m].count; i++)
+        if (record->curves[m].points[i].load == one.loads[0])
+            as_is = record->curves[m].points[i];
+    bool averaged = record->repeats.count > 0; /* as the changed scans are: the curve is not of the mean spectrum */
+    return sensitivity_run(&model->sensitivity, &record->sensitivity, model_rows[m], &one, averaged ? NULL : &as_is,
+                           status);
+}
+
+/** Where model `m` bends and its validity ends on this surface. */
+static enum status_code run_landmarks(struct surface_record *record, size_t m, const struct model_task *task,
+                                      struct status *status)
+{
+    const unsigned quantities = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_ECR);
+    struct landmarks_model searched = {model_rows[m], *task, quantities, &record->repeats};
+    const struct landmarks_curve landmarks = {landmarks_run_model, &searched, task->tolerance};
+    return landmarks_solve(record->summary.models[m], &record->curves[m], model_rows[m], &landmarks, status);
+}
+
+/** Is the beta of model `m` sought that is nearest to its multiscale counterpart? */
+static bool seeks_beta(const struct plan *plan, size_t m)
+{
+    return plan_runs(plan, EFFECT_SEPARATION) && plan_runs_model(plan, m) &&
+           plan_runs_model(plan, model_index(model_rows[m]->counterpart));
+}
+
+/** The second estimate of beta, against the multiscale model of the same material law. */
+static enum status_code estimate_beta(struct surface_record *record, size_t m, const struct model_task *task,
+                                      struct status *status)
+{
+    const unsigned quantities =
+        QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_SEPARATION);
+    const struct model_row *counterpart = model_rows[m]->counterpart;
+    const struct model_curve *curve = &record->curves[m];
+    struct curve_summary *model = record->summary.models[m];
+    if (!curve->exists || !record->curves[model_index(counterpart)].exists)
+        return STATUS_OK;
+    struct landmarks_model own = {model_rows[m], *task, quantities, &record->repeats},
+                           other = {counterpart, *task, quantities, &record->repeats};
+    const struct landmarks_curve adjusted = {landmarks_run_model, &own, task->tolerance},
+                                 multiscale = {landmarks_run_model, &other, task->tolerance};
+    double to = fmin(curve->full_load, task->loads[task->load_count - 1]);
+    return landmarks_nearest_beta(&model->beta_multiscale, &adjusted, &multiscale, task->loads[0], to,
+                                  record->summary.asperities.sigma_m, status);
+}
+
+static enum status_code keep_estimates(struct curve_summary *model, const struct repeats_result *result,
+                                       struct status *status)
+{
+    struct estimate all[CURVE_ESTIMATES];
+    memcpy(all, result->middle, sizeof result->middle);
+    all[CURVE_FULL_LOAD] = result->full_load;
+    all[CURVE_BETA] = result->beta;
+    return curve_summary_put_estimates(model, all, status);
+}
+
+/** What a model that has run leaves to say. */
+static void note_model(struct surface_record *record, size_t m, size_t left_out)
+{
+    const struct model_curve *curve = &record->curves[m];
+    if (left_out > 0 && curve->exists)
+        surface_note(&record->summary, "%s has no solution for %zu of the scans run alone; its curve is of the others",
+                     model_rows[m]->label, left_out);
+    if (curve->overflows)
+        surface_note(&record->summary,
+                     "no %s: its numbers leave what can be computed with; check the units, the material and the loads",
+                     model_rows[m]->label);
+}
+
+/** One model: its curve, or the mean of its scans' curves; what lies in the joint; where it bends; what it hangs on. */
+static enum status_code run_model(struct surface_record *record, size_t m, const struct scene *scene,
+                                  const struct plan *plan, const struct model_task *task, struct status *status)
+{
+    struct model_curve *curve = &record->curves[m];
+    struct curve_summary *model = record->summary.models[m];
+    curve->points = calloc(task->load_count + 1, sizeof *curve->points);
+    if (!curve->points)
+        return status_memory(status);
+    double started = clock_seconds();
+    bool several = repeats_several(&record->repeats, model_rows[m]);
+    struct repeats_result result = {.left_out = 0};
+    if (several ? run_repeats(record, m, task, &result, status) != STATUS_OK
+                : model_run(curve, model_rows[m], task, status) != STATUS_OK)
+        return status->code;
+    const struct joint_task joint = surface_joint(record, scene, plan, task);
+    if (joined_curve(curve, model_rows[m], task, &joint, status) != STATUS_OK) /* of several scans, the mean curve's */
+        return status->code;
+    if (curve->exists) {
+        curve_summary_make(model, curve, model_rows[m], record->summary.asperities.sigma_m);
+        if (run_landmarks(record, m, task, status) != STATUS_OK)
+            return status->code;
+    }
+    if ((several && keep_estimates(model, &result, status) != STATUS_OK) ||
+        run_sensitivity(record, m, task, status) != STATUS_OK)
+        return status->code;
+    model->seconds = clock_seconds() - started;
+    note_model(record, m, result.left_out);
+    return STATUS_OK;
+}
+
+/** Room for what the models leave. */
+static enum status_code make_model_room(struct surface_record *record, const struct plan *plan, size_t load_count,
+                                        struct status *status)
+{
+    record->curves = calloc(model_count, sizeof *record->curves);
+    record->bands = calloc(model_count, sizeof *record->bands);
+    record->band_count = load_count;
+    if (!record->curves || !record->bands)
+        return status_memory(status);
+    for (size_t m = 0; m < model_count; m++)
+        if (plan_runs_model(plan, m) && !surface_model_room(&record->summary, m))
+            return status_memory(status);
+    return STATUS_OK;
+}
+
+enum status_code evaluate_models(struct surface_record *record, const struct scene *scene, const struct plan *plan,
+                                 const double *loads, size_t load_count, struct status *status)
+{
+    struct model_task task = surface_model_task(record, scene, plan, loads, load_count);
+    if (make_model_room(record, plan, load_count, status) != STATUS_OK)
+        return status->code;
+    for (size_t m = 0; m < model_count; m++) {
+        if (!plan_runs_model(plan, m))
+            continue;
+        task.evaluations = &record->summary.models[m]->evaluations;
+        if (run_model(record, m, scene, plan, &task, status) != STATUS_OK)
+            return status->code;
+    }
+    task.evaluations = NULL;
+    if (plan_runs(plan, EFFECT_UNCERTAINTY) && record->height_m &&
+        run_uncertainty(record, scene, plan, &task, status) != STATUS_OK)
+        return status->code;
+    for (size_t m = 0; m < model_count; m++)
+        if (seeks_beta(plan, m) && estimate_beta(record, m, &task, status) != STATUS_OK)
+            return status->code;
+    if (plan_runs(plan, EFFECT_CONVERGENCE))
+        extend(record, scene);
+    return answers_find(record, scene, plan, &task, status);
+}
+
+/** A plastic model that yielding cannot change on this surface has its elastic partner's numbers. */
+static enum status_code copy_elastic(struct surface_record *record, size_t m, size_t target_count,
+                                     struct status *status)
+{
+    struct surface_summary *summary = &record->summary;
+    size_t elastic = model_index(model_rows[m]->elastic);
+    struct curve_summary *model = elastic < model_count ? surface_model_room(summary, m) : NULL;
+    const struct model_curve *from = &record->curves[elastic];
+    struct estimate all[CURVE_ESTIMATES];
+    if (elastic == model_count || !from->points)
+        return STATUS_OK;
+    if (!model)
+        return status_memory(status);
+    *model = *summary->models[elastic];
+    model->estimates = NULL;
+    model->evaluations = 0;
+    model->seconds = 0;
+    model->sensitivity.area[SENSITIVITY_HARDNESS_RAISED] = model->sensitivity.ecr[SENSITIVITY_HARDNESS_RAISED] = 1;
+    for (int which = 0; which < CURVE_ESTIMATES; which++)
+        all[which] = *curve_summary_estimate(summary->models[elastic], which);
+    record->curves[m] = *from;
+    record->curves[m].points = malloc((from->count + 1) * sizeof *from->points);
+    if (!record->curves[m].points || curve_summary_put_estimates(model, all, status) != STATUS_OK)
+        return status_memory(status);
+    memcpy(record->curves[m].points, from->points, from->count * sizeof *from->points);
+    if (record->bands[elastic]) {
+        record->bands[m] = malloc(record->band_count * sizeof *record->bands[m]);
+        if (!record->bands[m])
+            return status_memory(status);
+        memcpy(record->bands[m], record->bands[elastic], record->band_count * sizeof *record->bands[m]);
+    }
+    for (size_t t = 0; t < target_count; t++)
+        summary->answers[t * model_count + m] = summary->answers[t * model_count + elastic];
+    return STATUS_OK;
+}
+
+/** What was skipped on this surface, because it could change nothing, may run on others: the numbers without it stand
+ * for it. */
+static enum status_code fill_skipped(struct surface_record *record, const struct scene *scene,
+                                     const struct plan *allowed, const struct plan *plan, struct status *status)
+{
+    bool without_scale = plan_runs(allowed, EFFECT_SCALE_DEPENDENT) && !plan_runs(plan, EFFECT_SCALE_DEPENDENT);
+    for (size_t m = 0; m < model_count && without_scale; m++)
+        for (size_t i = 0; i < record->curves[m].count; i++)
+            if (model_rows[m]->quantities & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT))
+                record->curves[m].points[i].tcr_sd_K_m2_per_W = record->curves[m].points[i].tcr_K_m2_per_W;
+    for (size_t m = 0; m < model_count; m++)
+        if (plan_runs_model(allowed, m) && model_rows[m]->plastic && !plan_runs(plan, EFFECT_PLASTICITY) &&
+            copy_elastic(record, m, scene->target_count, status) != STATUS_OK)
+            return status->code;
+    return STATUS_OK;
+}
+
+enum status_code evaluate_surface(struct surface_record *out, const struct evaluate_task *task, struct status *status)
+{
+    const struct scene *scene = task->scene;
+    struct plan plan = *task->plan;
+    if (describe_surface(out, scene, task->surface, task->counterface, status) != STATUS_OK || !out->summary.usable)
+        return status->code;
+    if (effects_bound(out, scene, &plan, task->loads, task->load_count, status) != STATUS_OK)
+        return status->code;
+    effects_decide(&plan, scene, out, 1);
+    if (plan_runs(&plan, EFFECT_DIRECT) &&
+        direct_study_plan(out, scene, &plan, task->loads, task->load_count, status) != STATUS_OK)
+        return status->code;
+    if (task->describe_only)
+        return STATUS_OK;
+    enum status_code rc = evaluate_models(out, scene, &plan, task->loads, task->load_count, status);
+    if (rc == STATUS_OK)
+        rc = fill_skipped(out, scene, task->plan, &plan, status);
+    if (!task->keep_scans)
+        surface_drop_scans(out);
+    return rc;
+}
