@@ -128,9 +128,7 @@ static void make_bands(struct surface_record *record, size_t m)
 
 static void make_surface(struct made_up *made, size_t index, void (*change)(struct surface_record *, size_t))
 {
-    struct surface_record *record = calloc(1, sizeof *record);
-    struct status status = {0};
-    assert_non_null(record);
+    struct surface_record *record = &made->surfaces[index];
     struct surface_summary *summary = &record->summary;
     *summary = (struct surface_summary){.scene = &made->names[index],
                                         .usable = index < MADE_UP_USABLE,
@@ -177,6 +175,9 @@ static void make_surface(struct made_up *made, size_t index, void (*change)(stru
             record->spectrum.amplitude_m[i] = power_law_amplitude(&summary->power_law, 2e-4 / (double)(i + 1));
         summary->tail = convergence_tail(&record->spectrum);
         record->preview_points = 2;
+        record->preview_x_m = calloc(2, sizeof *record->preview_x_m);
+        record->preview_z_m = calloc(2, sizeof *record->preview_z_m);
+        assert_true(record->preview_x_m && record->preview_z_m);
         record->preview_x_m[1] = 2e-4;
         record->preview_z_m[1] = rq_m;
         record->curves = calloc(model_count, sizeof *record->curves);
@@ -192,7 +193,7 @@ static void make_surface(struct made_up *made, size_t index, void (*change)(stru
                 continue;
             struct curve_summary *model = surface_model_room(summary, m);
             assert_non_null(model);
-            curve_summary_make(model, &record->curves[m], model_rows[m], rq_m);
+            curve_summary_make(model, &record->curves[m], model_rows[m], rq_m, made->loads[MADE_UP_LOADS / 2]);
             model->extended = model_rows[m]->stacks_scales;
             if (model_rows[m]->stacks_scales)
                 model->extension = (struct convergence_extension){0.4, 0.3, NAN, 100};
@@ -212,9 +213,6 @@ static void make_surface(struct made_up *made, size_t index, void (*change)(stru
                                                  .psd_m3 = about(1e-20, 0.1, true)};
         }
     }
-    assert_int_equal(surface_store_put(&made->store, index, record, &status), STATUS_OK);
-    surface_record_free(record, false);
-    free(record);
 }
 
 /** 1.5 times the baseline's ECR by multiscale plastic, whose law is 1.5e-14/load. */
@@ -233,9 +231,7 @@ static void make_measured(struct made_up *made)
         values[MADE_UP_MEASURED + i] = 1.5 * 1.5e-14 / loads[i];
         values[2 * MADE_UP_MEASURED + i] = NAN;
     }
-    made->answers = (struct measured_answers){calloc(model_count * MADE_UP_MEASURED, sizeof(double)),
-                                              calloc(model_count, sizeof(struct model_work))};
-    assert_non_null(made->answers.work);
+    made->answers = (struct measured_answers){calloc(model_count * MADE_UP_MEASURED, sizeof(double))};
     assert_non_null(made->answers.resistance);
     for (size_t m = 0; m < model_count; m++)
         for (size_t i = 0; i < MADE_UP_MEASURED; i++)
@@ -312,10 +308,9 @@ void made_up_again(struct made_up *made)
 {
     struct status status = {0};
     comparison_free(&made->comparison);
-    surface_record_free(&made->baseline, false);
     figure_list_free(&made->figures);
+    made->context.baseline = &made->surfaces[made->results.baseline];
     assert_int_equal(comparison_make(&made->comparison, &made->results, &status), STATUS_OK);
-    assert_int_equal(surface_store_get(&made->baseline, &made->store, made->results.baseline, &status), STATUS_OK);
     assert_int_equal(figure_list_make(&made->figures, &made->results, &status), STATUS_OK);
 }
 
@@ -327,7 +322,6 @@ void made_up_make(struct made_up *made, void (*change)(struct surface_record *re
 void made_up_make_of(struct made_up *made, uint64_t models, unsigned effects,
                      void (*change)(struct surface_record *record, size_t index))
 {
-    struct status status = {0};
     *made = (struct made_up){.files = {"scan.csv"}, .order = {1, 0, 2}, .shown = {0, 1, 2}};
     make_plan(&made->plan, models, effects);
     for (size_t i = 0; i < MADE_UP_SURFACES; i++) {
@@ -354,16 +348,14 @@ void made_up_make_of(struct made_up *made, uint64_t models, unsigned effects,
         .surfaces = made->names,
         .surface_count = MADE_UP_SURFACES,
     };
-    const char *temporary = getenv("TMPDIR"); /* the store's file has no name in it */
-    assert_int_equal(surface_store_open(&made->store, temporary ? temporary : "/tmp", MADE_UP_SURFACES, &status),
-                     STATUS_OK);
     make_measured(made);
     make_benchmark(made);
     made->results = (struct results){.scene = &made->scene,
                                      .plan = &made->plan,
                                      .loads = made->loads,
                                      .load_count = MADE_UP_LOADS,
-                                     .store = &made->store,
+                                     .surfaces = made->surfaces,
+                                     .surface_count = MADE_UP_SURFACES,
                                      .measured = &made->measured,
                                      .answers = &made->answers,
                                      .benchmark = &made->benchmark,
@@ -376,16 +368,16 @@ void made_up_make_of(struct made_up *made, uint64_t models, unsigned effects,
         make_sweeps(made);
     for (size_t i = 0; i < MADE_UP_SURFACES; i++)
         make_surface(made, i, change);
-    made->context = (struct section_context){&made->results, &made->comparison, &made->baseline, &made->figures, false};
+    made->context = (struct section_context){&made->results, &made->comparison, NULL, &made->figures, false};
     made_up_again(made);
 }
 
 void made_up_free(struct made_up *made)
 {
     comparison_free(&made->comparison);
-    surface_record_free(&made->baseline, false);
     figure_list_free(&made->figures);
-    surface_store_close(&made->store);
+    for (size_t i = 0; i < MADE_UP_SURFACES; i++)
+        surface_record_free(&made->surfaces[i]);
     benchmark_free(&made->benchmark);
     free(made->sweeps);
     measured_answers_free(&made->answers);
@@ -393,7 +385,7 @@ void made_up_free(struct made_up *made)
 
 struct surface_summary *made_up_surface(struct made_up *made, size_t index)
 {
-    return &made->store.summaries[index];
+    return &made->surfaces[index].summary;
 }
 
 struct text made_up_section(const struct made_up *made, const struct section *section)

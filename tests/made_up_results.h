@@ -29,7 +29,7 @@ struct made_up {
     struct scene_surface names[MADE_UP_SURFACES];
     char *files[1];
     double loads[MADE_UP_LOADS];
-    struct surface_store store;
+    struct surface_record surfaces[MADE_UP_SURFACES];
     size_t order[MADE_UP_USABLE], shown[MADE_UP_USABLE];
     struct measured measured;
     double measured_values[3 * MADE_UP_MEASURED];
@@ -39,7 +39,6 @@ struct made_up {
     struct results results;
     struct figure_list figures;
     struct comparison comparison;
-    struct surface_record baseline;
     struct section_context context;
 };
 

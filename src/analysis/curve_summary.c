@@ -102,7 +102,7 @@ double curve_summary_elbow_share(const struct curve_summary *model)
 }
 
 void curve_summary_make(struct curve_summary *model, const struct model_curve *curve, const struct model_row *row,
-                        double sigma_m)
+                        double sigma_m, double operating_load)
 {
     *model = (struct curve_summary){
         .exists = curve->exists,
@@ -122,11 +122,15 @@ void curve_summary_make(struct curve_summary *model, const struct model_curve *c
         .clamped = curve->clamped,
         .sensitivity = model->sensitivity,
         .seconds = model->seconds,
+        .evaluations = model->evaluations,
+        .operating = quantity_nothing(),
     };
     struct curve_validity valid = curve_summary_validity(curve, row);
     fit_area_slope(model, curve);
     for (size_t i = 0; i < curve->count; i++) {
         const struct contact_point *point = &curve->points[i], *before = i > 0 ? point - 1 : NULL;
+        if (point->load == operating_load)
+            model->operating = *point;
         if (isnan(model->invalid_area_load) && is_touching(point, row))
             model->invalid_area_load = point->load;
         if (i >= valid.first && isnan(model->invalid_fit_load) && point->beyond_fit > curve_summary_beyond_fit_share)

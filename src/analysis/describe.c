@@ -590,12 +590,14 @@ static enum status_code keep_single(struct surface_record *record, const struct 
     const struct spectrum *tapered = scans->scan_count == 1 ? &scans->scan[0] : NULL;
     bool listed = scene->effects & EFFECT_BIT(EFFECT_UNCERTAINTY), simulable = false;
     if (part->height_m && scene->counterface_surface.file_count == 0 && (scene->effects_auto || listed)) {
+        bool wanted = listed || uncertainty_affordable(part->points, scene->surface_count);
         simulable = true;
-        if ((listed || uncertainty_affordable(part->points)) &&
+        if (wanted &&
             uncertainty_possible(&simulable, part->height_m, part->points, tapered, status) != STATUS_OK)
             return status->code;
         record->summary.single_points = simulable ? part->points : 0;
-        if (simulable && (listed || uncertainty_affordable(part->points))) {
+        record->summary.simulates = simulable && wanted;
+        if (record->summary.simulates) {
             record->height_m = part->height_m;
             part->height_m = NULL;
         }

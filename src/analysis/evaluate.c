@@ -175,7 +175,8 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
     if (joined_curve(curve, model_rows[m], task, &joint, status) != STATUS_OK) /* of several scans, the mean curve's */
         return status->code;
     if (curve->exists) {
-        curve_summary_make(model, curve, model_rows[m], record->summary.asperities.sigma_m);
+        curve_summary_make(model, curve, model_rows[m], record->summary.asperities.sigma_m,
+                           task->loads[model_task_operating(task)]);
         if (run_landmarks(record, m, task, status) != STATUS_OK)
             return status->code;
     }
@@ -273,6 +274,10 @@ static enum status_code fill_skipped(struct surface_record *record, const struct
         for (size_t i = 0; i < record->curves[m].count; i++)
             if (model_rows[m]->quantities & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT))
                 record->curves[m].points[i].tcr_sd_K_m2_per_W = record->curves[m].points[i].tcr_K_m2_per_W;
+    for (size_t m = 0; m < model_count && without_scale; m++)
+        if (record->summary.models && record->summary.models[m])
+            record->summary.models[m]->operating.tcr_sd_K_m2_per_W =
+                record->summary.models[m]->operating.tcr_K_m2_per_W;
     for (size_t m = 0; m < model_count; m++)
         if (plan_runs_model(allowed, m) && model_rows[m]->plastic && !plan_runs(plan, EFFECT_PLASTICITY) &&
             copy_elastic(record, m, scene->target_count, status) != STATUS_OK)

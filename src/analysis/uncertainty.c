@@ -205,9 +205,9 @@ enum status_code uncertainty_possible(bool *out, const double *height_m, size_t 
     return rc == STATUS_MEMORY ? status_memory(status) : STATUS_OK;
 }
 
-bool uncertainty_affordable(size_t points)
+bool uncertainty_affordable(size_t points, size_t surfaces)
 {
-    return (double)points * 2 * RECORDS * uncertainty_height_seconds < uncertainty_most_seconds;
+    return (double)surfaces * (double)points * 2 * RECORDS * uncertainty_height_seconds < uncertainty_most_seconds;
 }
 
 enum status_code uncertainty_run(struct uncertainty *out, const struct uncertainty_scan *scan, const struct plan *plan,

@@ -41,8 +41,8 @@ MUST_CHECK enum status_code uncertainty_run(struct uncertainty *out, const struc
  * spectrum of these heights, as amplitudes; NULL: not known yet. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code uncertainty_possible(bool *out, const double *height_m, size_t points,
                                                  const struct spectrum *tapered, struct status *status);
-/** Would one scan of `points` alone leave `effects: auto` any of its second? */
-bool uncertainty_affordable(size_t points);
+/** Would as many `surfaces` of one scan of `points` each take less than uncertainty_most_seconds together? */
+bool uncertainty_affordable(size_t points, size_t surfaces);
 /** Seconds, by a count, that `effects: auto` spends at most. */
 extern const double uncertainty_most_seconds;
 /** Likely seconds of a height on one core: drawn, levelled, transformed. */

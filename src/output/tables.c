@@ -32,7 +32,7 @@ static enum status_code table_open(struct table *out, const char *directory, con
     text_add(&path, "%s/data/%s", directory, name);
     out->file = fopen(text_string(&path), "w");
     text_free(&path);
-    return out->file ? STATUS_OK : status_fail(status, STATUS_IO, "cannot write '%s': %s", name, strerror(errno));
+    return out->file ? STATUS_OK : status_fail(status, STATUS_IO, "cannot write '%s': %s", name, status_reason(errno));
 }
 
 /** Writes the rows held, in turn; of a surface in vain they go. */
@@ -84,7 +84,7 @@ static enum status_code table_close(struct table *table)
     text_free(&table->rows);
     text_free(&table->lead);
     if ((table->file && !table->part && fclose(table->file) != 0) || bad)
-        return status_fail(table->guard.status, STATUS_IO, "cannot write '%s': %s", table->name, strerror(errno));
+        return status_fail(table->guard.status, STATUS_IO, "cannot write '%s': %s", table->name, status_reason(errno));
     return table->guard.status->code; /* of a number that could not be written */
 }
 

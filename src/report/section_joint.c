@@ -21,7 +21,7 @@ static size_t numbers_of(const struct section_context *context, size_t m)
 {
     size_t count = 0;
     for (size_t i = 0; i < context->results->surface_count; i++) {
-        const struct contact_point point = comparison_middle(context->comparison, m, i);
+        const struct contact_point point = comparison_middle(context->results, m, i);
         for (int q = 0; q < QUANTITY_COUNT; q++)
             count += quantity_rows[q].from && section_surface(context, i)->usable &&
                      isfinite(quantity_value(&point, (enum quantity)q));
@@ -48,7 +48,7 @@ static size_t speaking_model(const struct section_context *context)
 /** What model `m` says of a surface at the middle load; all NaN where it says nothing. */
 static struct contact_point middle_of(const struct section_context *context, size_t m, size_t index)
 {
-    return comparison_middle(context->comparison, m, index);
+    return comparison_middle(context->results, m, index);
 }
 
 static double gap_share(const struct contact_point *p, const struct joint *joint)

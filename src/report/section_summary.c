@@ -427,7 +427,7 @@ static void hard(struct text *list, const struct section_context *context, size_
     double most = 0;
     char what[120], then[60];
     for (size_t k = 0; k < results->usable_count; k++) {
-        const struct contact_point point = comparison_middle(context->comparison, m, results->by_roughness[k]);
+        const struct contact_point point = comparison_middle(context->results, m, results->by_roughness[k]);
         double pressure = section_contact_pressure(context, results->by_roughness[k], &point);
         if (!(point.area_ratio < 1) || !(pressure > section_hardest(context, results->by_roughness[k])))
             continue;
@@ -616,7 +616,7 @@ static void surface_key(struct text *out, const struct section_context *context,
 {
     const struct surface_summary *s = section_surface(context, index);
     size_t leading = context->comparison->leading;
-    const struct contact_point own = comparison_middle(context->comparison, leading, index), *point = &own;
+    const struct contact_point own = comparison_middle(context->results, leading, index), *point = &own;
     section_mark(out, context, index, leading);
     section_cell(out, s->roughness.rq_m * 1e6, 3);
     for (int q = 0; q < QUANTITY_COUNT; q++)
@@ -681,7 +681,7 @@ static void key_table(struct text *out, const struct section_context *context)
 static void surface_heights(struct text *out, const struct section_context *context, size_t index)
 {
     const struct surface_summary *s = section_surface(context, index);
-    const struct contact_point own = comparison_middle(context->comparison, section_heights_model(context), index),
+    const struct contact_point own = comparison_middle(context->results, section_heights_model(context), index),
                                *point = &own;
     section_cell(out, roughness_skewness(&s->roughness), 3);
     section_cell(out, roughness_kurtosis(&s->roughness), 3);

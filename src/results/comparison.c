@@ -220,70 +220,34 @@ double comparison_largest_spread(const struct results *results, const struct com
     return largest;
 }
 
-static bool same_number(double a, double b)
+struct contact_point comparison_middle(const struct results *results, size_t model, size_t surface)
 {
-    return a == b || (isnan(a) && isnan(b));
+    const struct curve_summary *summary = surface_model(&results->surfaces[surface].summary, model);
+    return summary->exists ? summary->operating : quantity_nothing();
 }
 
-/** Keeps a point, number by number. False: out of memory. */
-static bool keep_middle(struct comparison_model *model, const struct contact_point *point, size_t index,
-                        size_t surfaces)
+/** Takes the surface's values at the operating load. */
+static void note_middle(struct comparison *out, const struct results *results, size_t index)
 {
-    const struct contact_point nothing = quantity_nothing();
-    const double *value = (const double *)point, *none = (const double *)&nothing;
-    for (size_t c = 0; c < COMPARISON_NUMBERS; c++) {
-        if (!model->middle[c] && same_number(value[c], none[c]))
-            continue;
-        if (!model->middle[c]) {
-            if (!(model->middle[c] = malloc(surfaces * sizeof(double))))
-                return false;
-            for (size_t i = 0; i < surfaces; i++)
-                model->middle[c][i] = none[c];
-        }
-        model->middle[c][index] = value[c];
-    }
-    return true;
-}
-
-struct contact_point comparison_middle(const struct comparison *comparison, size_t model, size_t surface)
-{
-    struct contact_point point = quantity_nothing();
-    double *value = (double *)&point;
-    for (size_t c = 0; c < COMPARISON_NUMBERS; c++)
-        if (comparison->models[model].middle[c])
-            value[c] = comparison->models[model].middle[c][surface];
-    return point;
-}
-
-/** Takes the surface's values at the middle load. False: out of memory. */
-static bool note_middle(struct comparison *out, const struct surface_record *record, size_t index, double load,
-                        size_t surfaces)
-{
-    for (size_t m = 0; m < model_count; m++)
-        for (size_t i = 0; i < record->curves[m].count; i++) {
-            const struct contact_point *point = &record->curves[m].points[i];
-            if (point->load != load)
+    const struct surface_summary *summary = &results->surfaces[index].summary;
+    for (size_t m = 0; m < model_count; m++) {
+        const struct contact_point point = comparison_middle(results, m, index);
+        for (int q = 0; q < QUANTITY_COUNT && plan_runs_model(results->plan, m); q++) {
+            struct comparison_extremes *extremes = &out->models[m].extremes[q];
+            double value = comparison_value(&point, (enum quantity)q, m, summary->asperities.sigma_m);
+            if (isnan(value))
                 continue;
-            if (!keep_middle(&out->models[m], point, index, surfaces))
-                return false;
-            for (int q = 0; q < QUANTITY_COUNT; q++) {
-                struct comparison_extremes *extremes = &out->models[m].extremes[q];
-                double value = comparison_value(point, (enum quantity)q, m, record->summary.asperities.sigma_m);
-                if (isnan(value))
-                    continue;
-                if (extremes->count == 0 || value < extremes->least) {
-                    extremes->least = value;
-                    extremes->least_at = index;
-                }
-                if (extremes->count == 0 || value > extremes->most) {
-                    extremes->most = value;
-                    extremes->most_at = index;
-                }
-                extremes->count++;
+            if (extremes->count == 0 || value < extremes->least) {
+                extremes->least = value;
+                extremes->least_at = index;
             }
-            break;
+            if (extremes->count == 0 || value > extremes->most) {
+                extremes->most = value;
+                extremes->most_at = index;
+            }
+            extremes->count++;
         }
-    return true;
+    }
 }
 
 /** Does model `m` run, and have a counterpart that it may be held against? */
@@ -292,16 +256,19 @@ static bool is_paired(const struct results *results, size_t m)
     return plan_runs_model(results->plan, m) && model_index(model_rows[m]->counterpart) < model_count;
 }
 
-/** What the k-th smoothest surface adds; `previous` is the next smoother one, NULL for the first. False: out of memory.
- */
-static bool take_in(struct comparison *out, const struct results *results, const struct surface_record *record,
+/** What the k-th smoothest surface adds; `previous` is the next smoother one, NULL for the first. Of more surfaces than
+ * curves are kept of, those that are shown are held against each other, load by load. */
+static void take_in(struct comparison *out, const struct results *results, const struct surface_record *record,
                     size_t k, const struct surface_record *previous)
 {
     const struct model_curve *curves = record->curves;
     const struct counting how = counting_of(results);
     double sigma_m = record->summary.asperities.sigma_m;
     size_t index = results->by_roughness[k];
-    if (previous)
+    note_middle(out, results, index);
+    if (!curves)
+        return;
+    if (previous && previous->curves)
         compare_neighbours(out, previous, record, k - 1, results);
     for (size_t m = 0; m < model_count; m++) {
         size_t elastic = model_index(model_rows[m]->elastic), counterpart = model_index(model_rows[m]->counterpart);
@@ -312,7 +279,6 @@ static bool take_in(struct comparison *out, const struct results *results, const
     }
     check_proportion(out, record);
     note_extents(out, results, record, results_loads(results, index));
-    return note_middle(out, record, index, results_operating_load(results, index), results->surface_count);
 }
 
 /** The arrays of the models, with nothing in them yet; models that do not run share the first set, which stays so. */
@@ -422,9 +388,9 @@ const struct comparison_pair *comparison_pair_of(const struct comparison_ranking
     return &ranking->pairs[ranking_pair(i, j, ranking->count)];
 }
 
-static double leading_value(const struct comparison *comparison, enum quantity quantity, size_t surface)
+static double leading_value(const struct results *results, enum quantity quantity, size_t surface)
 {
-    const struct contact_point point = comparison_middle(comparison, comparison->leading, surface);
+    const struct contact_point point = comparison_middle(results, plan_leading_model(results->plan), surface);
     return quantity_value(&point, quantity);
 }
 
@@ -443,12 +409,12 @@ static enum status_code rank(struct comparison *out, const struct results *resul
     if (!ranking->surface || !ranking->pairs)
         return status_memory(status);
     for (size_t i = 0; i < results->surface_count; i++) {
-        double value = leading_value(out, by, i);
+        double value = leading_value(results, by, i);
         if (isnan(value))
             continue;
         size_t at = ranking->count++;
-        while (at > 0 && (by == QUANTITY_AREA ? value > leading_value(out, by, ranking->surface[at - 1])
-                                              : value < leading_value(out, by, ranking->surface[at - 1]))) {
+        while (at > 0 && (by == QUANTITY_AREA ? value > leading_value(results, by, ranking->surface[at - 1])
+                                              : value < leading_value(results, by, ranking->surface[at - 1]))) {
             ranking->surface[at] = ranking->surface[at - 1];
             at--;
         }
@@ -458,8 +424,8 @@ static enum status_code rank(struct comparison *out, const struct results *resul
         for (size_t j = i + 1; j < ranking->count; j++) {
             size_t a = ranking->surface[i], b = ranking->surface[j];
             struct comparison_pair *pair = &ranking->pairs[ranking_pair(i, j, ranking->count)];
-            *pair = compare_pair(middle_estimate(results, out->leading, by, a), leading_value(out, by, a),
-                                 middle_estimate(results, out->leading, by, b), leading_value(out, by, b));
+            *pair = compare_pair(middle_estimate(results, out->leading, by, a), leading_value(results, by, a),
+                                 middle_estimate(results, out->leading, by, b), leading_value(results, by, b));
             ranking->tested += pair->test != COMPARISON_NOT_TESTED;
         }
     if (adjust(ranking, pairs, status) != STATUS_OK)
@@ -477,8 +443,7 @@ enum status_code comparison_make(struct comparison *out, const struct results *r
     const struct surface_record *previous = NULL;
     for (size_t k = 0; k < results->usable_count; k++) {
         const struct surface_record *record = &results->surfaces[results->by_roughness[k]];
-        if (!take_in(out, results, record, k, previous))
-            return status_memory(status);
+        take_in(out, results, record, k, previous);
         previous = record;
     }
     return rank(out, results, status);
@@ -486,9 +451,6 @@ enum status_code comparison_make(struct comparison *out, const struct results *r
 
 void comparison_free(struct comparison *comparison)
 {
-    for (size_t m = 0; comparison->models && m < model_count; m++)
-        for (size_t c = 0; c < COMPARISON_NUMBERS; c++)
-            free(comparison->models[m].middle[c]);
     free(comparison->gaps);
     free(comparison->steps);
     free(comparison->extents);

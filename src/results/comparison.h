@@ -43,9 +43,6 @@ struct comparison_extent {
 /** What the surfaces have in common at a load. */
 enum comparison_spread { COMPARISON_AREAS, COMPARISON_RESISTANCES, COMPARISON_SPREADS };
 
-/** Of a point. */
-enum { COMPARISON_NUMBERS = sizeof(struct contact_point) / sizeof(double) };
-
 /** What one model adds to the comparison. The arrays are the comparison's; models that do not run have one set of them
  * together, with nothing in it. */
 struct comparison_model {
@@ -54,8 +51,6 @@ struct comparison_model {
     struct comparison_plastic plastic;            /* against its elastic partner */
     struct comparison_gap *gaps;                  /* against its counterpart, one a surface of the scene */
     struct comparison_extremes extremes[QUANTITY_COUNT]; /* at the middle load */
-    double *middle[COMPARISON_NUMBERS]; /* comparison_middle(), one a surface of the scene: those numbers of its points
-                                           that differ from quantity_nothing()'s on any; NULL: others */
     struct comparison_extent (*extents)[COMPARISON_SPREADS]; /* one a load of the list */
     double *steps; /* mean log10 of the resistance of the (k+1)-th smoothest surface over the k-th's, over their common
                       loads of partial contact; one a pair of neighbours; NaN: none */
@@ -108,7 +103,7 @@ const struct comparison_pair *comparison_pair_of(const struct comparison_ranking
 bool comparison_told_apart(const struct comparison_pair *pair);
 
 /** What a model says of a surface at the middle load; quantity_nothing() where it has no point. */
-struct contact_point comparison_middle(const struct comparison *comparison, size_t model, size_t surface);
+struct contact_point comparison_middle(const struct results *results, size_t model, size_t surface);
 /** Value of a quantity of a model's point, as tables and charts show it. */
 double comparison_value(const struct contact_point *point, enum quantity quantity, size_t model, double sigma_m);
 

@@ -58,7 +58,14 @@ static void make(struct fixture *f, size_t scans)
 
 static void drop(struct fixture *f)
 {
-    surface_summary_free(&f->record.summary);
+    for (size_t m = 0; f->record.summary.models && m < model_count; m++)
+        if (f->record.summary.models[m]) {
+            free(f->record.summary.models[m]->estimates);
+            free(f->record.summary.models[m]);
+        }
+    free(f->record.summary.models);
+    free(f->record.summary.answers);
+    free(f->record.summary.limits);
     free(f->record.curves);
     for (size_t m = 0; m < model_count; m++)
         free(f->record.bands[m]);

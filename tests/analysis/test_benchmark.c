@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What accuracy costs: each method on a real surface against what it must come to. Times are never tested. */
 #include "analysis/benchmark.h"
+#include "analysis/evaluate.h"
 #include "contact/convergence.h"
 #include "contact/multiscale.h"
 #include "contact/statistical.h"
@@ -47,7 +48,7 @@ static int make(void **state)
     plan_make(&plan, &scene);
     for (int i = 0; i < LOADS; i++)
         loads[i] = pow(10, -6 + i / 4.0);
-    assert_int_equal(surface_run_models(record, &scene, &plan, loads, LOADS, NULL, &status), STATUS_OK);
+    assert_int_equal(evaluate_models(record, &scene, &plan, loads, LOADS, &status), STATUS_OK);
     const struct benchmark_task task = {record, &scene, &plan, loads, LOADS, NULL};
     assert_int_equal(benchmark_measure(&cost, &task, &status), STATUS_OK);
     return 0;
@@ -57,7 +58,7 @@ static int end(void **state)
 {
     (void)state;
     benchmark_free(&cost);
-    surface_record_free(record, true);
+    surface_record_free(record);
     free(record);
     return 0;
 }

@@ -35,7 +35,7 @@ static void make(double slope)
 static struct curve_summary summary_of(void)
 {
     struct curve_summary summary = {.seconds = 3, .sensitivity.area = {0.8}};
-    curve_summary_make(&summary, &curve, &plain, 1e-7);
+    curve_summary_make(&summary, &curve, &plain, 1e-7, NAN);
     return summary;
 }
 
@@ -110,7 +110,7 @@ static void test_where_it_is_not_valid(void **state)
     struct model_row any = plain;
     any.largest_area = 0; /* valid at any area */
     assert_validity(&any, 0, LOADS);
-    curve_summary_make(&s, &curve, &any, 1e-7);
+    curve_summary_make(&s, &curve, &any, 1e-7, NAN);
     assert_true(isnan(s.invalid_area_load) && isnan(s.invalid_fit_load));
 }
 
@@ -157,7 +157,7 @@ static void test_the_rest(void **state)
     assert_near(s.sensitivity.area[0], 0.8, 1e-12);
     struct model_row stacked = plain;
     stacked.quantities &= ~QUANTITY_BIT(QUANTITY_ADJUSTED);
-    curve_summary_make(&s, &curve, &stacked, 1e-7);
+    curve_summary_make(&s, &curve, &stacked, 1e-7, NAN);
     assert_near(s.gap_at_full, 0.3, 1e-12);
 }
 

@@ -17,7 +17,7 @@ static void check(const double beyond_fit[LOADS], const double area[LOADS], size
     struct curve_validity valid = curve_summary_validity(&curve, &row);
     assert_int_equal(valid.first, first);
     assert_int_equal(valid.end, end);
-    curve_summary_make(&summary, &curve, &row, 1e-6);
+    curve_summary_make(&summary, &curve, &row, 1e-6, NAN);
     if (invalid < LOADS)
         assert_near(summary.invalid_fit_load, points[invalid].load, 0);
     else

@@ -52,7 +52,7 @@ static struct curve_summary summarise(const struct fixture *f, const char *name,
     task.load_count = count;
     assert_int_equal(model_run(&curve, row, &task, &status), STATUS_OK);
     assert_true(curve.exists);
-    curve_summary_make(&summary, &curve, row, f->asperities.sigma_m);
+    curve_summary_make(&summary, &curve, row, f->asperities.sigma_m, NAN);
     struct landmarks_model model = {row, task, QUANTITIES, &alone};
     const struct landmarks_curve searched = {landmarks_run_model, &model, task.tolerance};
     assert_int_equal(landmarks_solve(&summary, &curve, row, &searched, &status), STATUS_OK);

@@ -5,7 +5,6 @@
 #include "contact/effect.h"
 #include "contact/model.h"
 #include "material/material.h"
-#include "run/forecast.h"
 
 #include <inttypes.h>
 #include <jansson.h>
@@ -178,41 +177,21 @@ static void test_plan(void **state)
     assert_string_equal(process.err, text.err);
     const json_t *effects = json_object_get(json, "effects"), *row;
     size_t index;
-    uint64_t evaluations = 0;
-    double seconds = 0;
     assert_int_equal(json_array_size(effects), EFFECT_COUNT + 1);
     json_array_foreach(effects, index, row)
     {
         char start[64], runs[16];
-        uint64_t said;
-        double said_seconds, said_MB;
         snprintf(start, sizeof start, "\n%-16s ", text_of(row, "effect"));
         const char *line = strstr(text.out, start);
         assert_non_null(line);
-        assert_int_equal(
-            sscanf(line + strlen(start), "%15s %" SCNu64 " %lf %lf MB", runs, &said, &said_seconds, &said_MB), 4);
+        assert_int_equal(sscanf(line + strlen(start), "%15s", runs), 1);
         assert_int_equal(strcmp(runs, "run") == 0, json_is_true(json_object_get(row, "runs")));
-        assert_int_equal(said, json_integer_value(json_object_get(row, "evaluations")));
-        assert_within(number_of(row, "seconds"), said_seconds, 0.51e-4);
-        assert_within(number_of(row, "memory_bytes"), said_MB * 1e6, 0.51e5);
         expect_part(line, text_of(row, "reason"));
         expect_part(line, text_of(row, "method"));
-        evaluations += said;
-        seconds += number_of(row, "seconds");
     }
-    assert_int_equal(json_integer_value(json_object_get(json, "evaluations")), evaluations);
-    assert_near(number_of(json, "seconds"), seconds, 1e-9);
-    assert_int_equal(json_array_size(json_object_get(json, "stages")), FORECAST_STAGES);
-    seconds = 0;
-    json_array_foreach(json_object_get(json, "stages"), index, row)
-    {
-        char line[64];
-        snprintf(line, sizeof line, "\n%-28s ", text_of(row, "stage"));
-        expect_part(text.out, line);
-        seconds += number_of(row, "seconds");
-    }
-    double elapsed = number_of(json, "elapsed_seconds");
-    assert_true(elapsed > 0 && elapsed <= seconds * (1 + 1e-12));
+    char about[32];
+    snprintf(about, sizeof about, ": about %.2g s\n", number_of(json, "seconds"));
+    expect_part(text.out, about);
     for (size_t m = 0; m < model_count; m++) {
         const json_t *model = find(json_object_get(json, "models"), "model", model_rows[m]->name);
         char line[64];
@@ -233,10 +212,7 @@ static void test_plan(void **state)
     expect_part(text.err, text_of(find(surfaces, "surface", "broken"), "refused"));
     expect_described(json);
     struct process again = expect_exit(place, 1, "plan", "d", "--json");
-    json_t *second = parse(again.out); /* the same, but for the times */
-    static const char *const times[] = {"stages", "elapsed_seconds"};
-    for (size_t i = 0; i < 2; i++)
-        assert_true(json_object_del(json, times[i]) == 0 && json_object_del(second, times[i]) == 0);
+    json_t *second = parse(again.out);
     assert_true(json_equal(json, second));
     json_decref(second);
     json_decref(json);
@@ -299,11 +275,7 @@ static void test_report(void **state)
     expect_part(process.err, text_of(broken, "refused"));
     expect_part(process.err, json_string_value(json_array_get(json_object_get(json, "messages"), 0)));
     const json_t *work = json_object_get(json, "work");
-    char said[64];
-    snprintf(said, sizeof said, "models: %" JSON_INTEGER_FORMAT " evaluations, as predicted",
-             json_integer_value(json_object_get(work, "evaluations")));
-    expect_part(text.err, said);
-    assert_true(json_is_true(json_object_get(work, "as_predicted")));
+    assert_true(json_integer_value(json_object_get(work, "evaluations")) > 0);
     assert_true(number_of(json_object_get(work, "taken_s"), "total") > 0);
     expect_described(json);
     /* again the same, but for the times */

@@ -188,13 +188,8 @@ static void test_plan(void **state)
         bool runs = e == EFFECT_ELECTRICAL;
         snprintf(row, sizeof row, "\n%-16s %s", effect_rows[e].name, runs ? "run     " : "skipped ");
         expect_part(process.out, row);
-        uint64_t evaluations;
-        char reason[16];
-        const char *rest = strstr(process.out, row) + strlen(row);
-        assert_int_equal(sscanf(rest, "%" SCNu64 " %*f %15s", &evaluations, reason), 2);
-        assert_true(runs == (evaluations > 0));
     }
-    expect_part(process.out, "\n1 surface, 7 loads, tolerance 1e-06, closure thesis\n");
+    expect_part(process.out, "\n1 surface, 7 loads, tolerance 1e-06, closure thesis: about 0.25 s\n");
     process_free(&process);
     process = expect_exit(place, 0, "plan", "d", "--effects", "thermal", "--tolerance", "1e-3", "--material", "gold");
     expect_part(process.out, "\nelectrical       skipped ");

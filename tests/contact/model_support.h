@@ -12,7 +12,7 @@ enum {
                        QUANTITY_BIT(QUANTITY_ADJUSTED) | QUANTITY_RESISTANCES
 };
 
-/** Runs a row of the table; what it took has to be what it said it would take. `points`: load_count + 1 of them. */
+/** Runs a row of the table; what it took is counted. `points`: load_count + 1 of them. */
 struct model_curve model_support_run(struct contact_point *points, const char *model, const struct model_task *task);
 
 /** Loads by equal factors. */

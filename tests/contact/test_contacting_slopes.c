@@ -22,8 +22,7 @@ static struct surface surface_of(const double *height_m, size_t points, double s
     assert_non_null(point);
     size_t inner = contacting_slopes_of_profile(point, height_m, points, spacing);
     assert_int_equal(inner, points - 2);
-    assert_int_equal(contacting_slopes_make(&surface.slopes, point, inner, persson_energy_factor, &status),
-                     STATUS_OK);
+    assert_int_equal(contacting_slopes_make(&surface.slopes, point, inner, persson_energy_factor, &status), STATUS_OK);
     assert_int_equal(spectrum_compute(&spectrum, height_m, points, spacing, SPECTRUM_WINDOW_NONE, &status), STATUS_OK);
     spectrum.count -= spectrum.has_nyquist;
     spectrum.has_nyquist = false;

@@ -65,9 +65,8 @@ static void what_is_given(void **state)
     struct persson persson;
     struct status status = {0};
     size_t given = 0, empty = 0, few = 0;
-    assert_int_equal(
-        contacting_slopes_make(&slopes, of.point, of.task.point_count, persson_energy_factor, &status),
-        STATUS_OK);
+    assert_int_equal(contacting_slopes_make(&slopes, of.point, of.task.point_count, persson_energy_factor, &status),
+                     STATUS_OK);
     assert_int_equal(persson_make(&persson, &of.spectrum, persson_energy_factor, &status), STATUS_OK);
     assert_true(curve.exists && curve.count == MODEL_LOADS && isnan(curve.full_load));
     for (size_t i = 0; i < curve.count; i++) {

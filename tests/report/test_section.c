@@ -8,9 +8,8 @@ static void test_surface_names_are_harmless(void **state)
     (void)state;
     static char name[] = "| <script>*x*\n";
     struct scene_surface surface = {.name = name};
-    struct surface_summary summary = {.scene = &surface};
-    struct surface_store store = {.summaries = &summary, .count = 1};
-    struct results results = {.store = &store};
+    struct surface_record record = {.summary.scene = &surface};
+    struct results results = {.surfaces = &record, .surface_count = 1};
     struct text text = {0};
     section_surface_name(&text, &results, 0);
     assert_string_equal(text_string(&text), "\\| &#60;script&#62;\\*x\\*\\\\x0a");
@@ -23,9 +22,8 @@ static void test_surfaces_are_named_once(void **state)
     (void)state;
     static char names[2][16] = {"2", "Surface-2"};
     struct scene_surface surfaces[2] = {{.name = names[0]}, {.name = names[1]}};
-    struct surface_summary summaries[2] = {{.scene = &surfaces[0]}, {.scene = &surfaces[1]}};
-    struct surface_store store = {.summaries = summaries, .count = 2};
-    struct results results = {.store = &store};
+    struct surface_record records[2] = {{.summary.scene = &surfaces[0]}, {.summary.scene = &surfaces[1]}};
+    struct results results = {.surfaces = records, .surface_count = 2};
     struct text text = {0};
     section_named(&text, "surface ", &results, 0);
     section_named(&text, ", surface ", &results, 0);

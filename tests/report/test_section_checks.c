@@ -196,28 +196,28 @@ static void test_gamma(void **state)
     static const char claim[] = "so the area converges";
     assert_verdict(&fake, claim, "holds", "for 3 of 3 surfaces; ");
     assert_verdict(&fake, claim, "holds", "nothing of the area");
-    fake.summaries[2].power_law.gamma = 0.99;
-    fake.summaries[2].power_law.gamma_error = 0.02; /* 1 within its error */
+    fake.surfaces[2].summary.power_law.gamma = 0.99;
+    fake.surfaces[2].summary.power_law.gamma_error = 0.02; /* 1 within its error */
     assert_verdict(&fake, claim, "holds", "");
-    fake.summaries[2].power_law.gamma_error = 0.005;
+    fake.surfaces[2].summary.power_law.gamma_error = 0.005;
     fake_curve(&fake, 0, "multiscale-elastic")->extension =
         (struct convergence_extension){.area_measured = 0.4, .area_extended = 0.3};
     assert_verdict(&fake, claim, "in part", "at most 25 %");
-    fake.summaries[1].power_law.knee_m = 1e-5; /* then the slope at short wavelengths counts */
-    fake.summaries[1].power_law.gamma_below = 0.5;
+    fake.surfaces[1].summary.power_law.knee_m = 1e-5; /* then the slope at short wavelengths counts */
+    fake.surfaces[1].summary.power_law.gamma_below = 0.5;
     assert_verdict(&fake, claim, "fails", "for 1 of 3 surfaces (judged on 1 of them by the slope");
     for (size_t k = 0; k < SURFACES; k++) {
-        fake.summaries[k].power_law.gamma = NAN;
-        fake.summaries[k].power_law.knee_m = NAN;
+        fake.surfaces[k].summary.power_law.gamma = NAN;
+        fake.surfaces[k].summary.power_law.knee_m = NAN;
     }
     assert_verdict(&fake, claim, "not tested", "");
 
     make_fake(&fake);
-    fake.summaries[1].power_law.gamma = 1.7;
+    fake.surfaces[1].summary.power_law.gamma = 1.7;
     assert_verdict(&fake, "γ falls", "in part", "in 1 of 2 pairs");
-    fake.summaries[2].power_law.gamma = 1.8;
+    fake.surfaces[2].summary.power_law.gamma = 1.8;
     assert_verdict(&fake, "γ falls", "fails", "in 0 of 2 pairs");
-    fake.summaries[1].power_law.gamma = NAN;
+    fake.surfaces[1].summary.power_law.gamma = NAN;
     assert_verdict(&fake, "γ falls", "not tested", "");
 }
 
@@ -350,18 +350,18 @@ static void test_numbers_against_roughness(void **state)
     (void)state;
     struct fake fake;
     make_fake(&fake); /* gamma 1.6, 1.4, 1.2 */
-    fake.summaries[0].power_law.gamma_error = 0.15;
+    fake.surfaces[0].summary.power_law.gamma_error = 0.15;
     assert_verdict(&fake, "γ falls", "holds", "in 2 of 2 pairs");
-    fake.summaries[1].power_law.gamma_error = 0.15; /* sqrt(2) 0.15 > 0.2 */
+    fake.surfaces[1].summary.power_law.gamma_error = 0.15; /* sqrt(2) 0.15 > 0.2 */
     assert_verdict(&fake, "γ falls", "holds", "in 1 of 1 pairs, 1 more differ");
-    fake.summaries[2].power_law.gamma_error = 0.15;
+    fake.surfaces[2].summary.power_law.gamma_error = 0.15;
     assert_verdict(&fake, "γ falls", "not tested", "in 0 of 0 pairs, 2 more differ");
 
     assert_verdict(&fake, "α varies independently", "holds", "in 1 of 2 pairs"); /* 0.1, 0.2, 0.1 */
-    fake.summaries[2].power_law.alpha = 0.3;
+    fake.surfaces[2].summary.power_law.alpha = 0.3;
     assert_verdict(&fake, "α varies independently", "fails", "in 0 of 2 pairs");
-    fake.summaries[2].power_law.alpha = 0.1;
-    fake.summaries[1].power_law.alpha_error = 0.15; /* ln 2 is less than that of it */
+    fake.surfaces[2].summary.power_law.alpha = 0.1;
+    fake.surfaces[1].summary.power_law.alpha_error = 0.15; /* ln 2 is less than that of it */
     assert_verdict(&fake, "α varies independently", "not tested", "2 more differ");
 
     assert_verdict(&fake, "β does not follow", "holds",

@@ -496,9 +496,9 @@ static void test_what_is_left_at_full_contact(void **state)
         model_of(i, "multiscale-elastic")->gap_at_full = NAN;
     expect(&section_all_surfaces, "multiscale elastic. No surface reaches A = Aₙ within the loads.");
     size_t plastic = made_up_model("multiscale-plastic");
-    made.baseline.summary.models[plastic]->gap_at_full = 0.0009;
+    made.surfaces[made.results.baseline].summary.models[plastic]->gap_at_full = 0.0009;
     expect_not(&section_baseline, "σ are left where the multiscale elastic-plastic area first is complete.");
-    made.baseline.summary.models[plastic]->gap_at_full = 0.0011;
+    made.surfaces[made.results.baseline].summary.models[plastic]->gap_at_full = 0.0011;
     expect(&section_baseline, " 0.0011 σ are left where the multiscale elastic-plastic area first is complete.");
     model_of(0, "multiscale-plastic")->gap_at_full = 0.0099;
     expect(&section_checks, "below 0.01 in 3 of 3 curves");

@@ -3,8 +3,12 @@
 #ifndef TEST_FAKE_RESULTS_H
 #define TEST_FAKE_RESULTS_H
 
-#include "directory.h"
 #include "results/comparison.h"
+#include "support.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 enum {
     SURFACES = 3,
@@ -22,10 +26,9 @@ struct fake {
     struct scene scene;
     struct plan plan;
     struct scene_surface names[SURFACES];
-    struct surface_summary summaries[SURFACES];
+    struct surface_record surfaces[SURFACES];
     struct curve_summary curves[SURFACES][MODELS_MOST];
     struct curve_summary *curve_of[SURFACES][MODELS_MOST];
-    struct surface_store store;
     size_t order[SURFACES];
     struct results results;
     double sweeps[MODELS_MOST * CONVERGENCE_SWEEP_COUNT * CONVERGENCE_VALUES_MOST * SCALES];
@@ -96,7 +99,7 @@ static inline void make_fake(struct fake *fake)
     for (size_t k = 0; k < SURFACES; k++) {
         fake->names[k].name = names[k];
         fake->order[k] = k;
-        struct surface_summary *summary = &fake->summaries[k];
+        struct surface_summary *summary = &fake->surfaces[k].summary;
         summary->scene = &fake->names[k];
         summary->usable = true;
         summary->power_law.found = POWER_LAW_BAND_LAW;
@@ -128,14 +131,14 @@ static inline void make_fake(struct fake *fake)
     fake_compared(fake, "multiscale-plastic")->plastic = fake_compared(fake, "jg")->plastic = plastic;
     fake->comparison.proportional_error = 1e-15;
     fake->comparison.middle_load = 1e-3;
-    fake->store = (struct surface_store){.summaries = fake->summaries, .count = SURFACES};
     static const double loads[] = {1e-3, 1};
     fake->results = (struct results){.scene = &fake->scene,
                                      .loads = loads,
                                      .load_count = 2,
                                      .convergence = fake->sweeps,
                                      .plan = &fake->plan,
-                                     .store = &fake->store,
+                                     .surfaces = fake->surfaces,
+                                     .surface_count = SURFACES,
                                      .by_roughness = fake->order,
                                      .usable_count = SURFACES,
                                      .baseline = 1};
@@ -147,13 +150,9 @@ static inline void make_fake(struct fake *fake)
 }
 
 /* A record whose areas, resistances and separations follow from the load and an area a model, as in fake_models. */
-static inline void fake_put_curves(struct fake *fake, struct surface_store *store, size_t index,
-                                   const double areas[FAKE_MODELS])
+static inline void fake_put_curves(struct fake *fake, size_t index, const double areas[FAKE_MODELS])
 {
-    struct surface_record *record = calloc(1, sizeof *record);
-    struct status status = {0};
-    assert_non_null(record);
-    record->summary = fake->summaries[index];
+    struct surface_record *record = &fake->surfaces[index];
     record->summary.asperities.sigma_m = 1e-6;
     record->curves = calloc(model_count, sizeof *record->curves);
     record->bands = calloc(model_count, sizeof *record->bands);
@@ -176,34 +175,29 @@ static inline void fake_put_curves(struct fake *fake, struct surface_store *stor
                                        .tcr_K_m2_per_W = 2e5 * ecr};
         }
     }
-    assert_int_equal(surface_store_put(store, index, record, &status), STATUS_OK);
-    surface_record_free(record, false);
-    free(record);
 }
 
 /* The comparison of curves made to order: areas in the ratios given, the resistance in inverse proportion. To be ended
  * with comparison_free(). */
 static inline void comparison_of(struct fake *fake, const double areas[SURFACES][FAKE_MODELS], double tolerance)
 {
-    struct directory place = directory_make();
     struct status status = {0};
     static const double loads[LOADS] = {1e-5, 1e-4, 1e-3, 1e-2, 1e-1, 1};
     make_fake(fake);
     fake->scene.tolerance = tolerance;
     fake->results.loads = loads;
     fake->results.load_count = LOADS;
-    assert_int_equal(surface_store_open(&fake->store, place.path, SURFACES, &status), STATUS_OK);
-    struct surface_summary *own = fake->store.summaries;
     for (size_t k = 0; k < SURFACES; k++)
-        fake->summaries[k].pair = (struct material_pair){
+        fake->surfaces[k].summary.pair = (struct material_pair){
             .effective_modulus_Pa = 1e11, .resistivity_ohm_m = 1e-7, .conductivity_W_per_mK = 50}; /* 1/(rho k) = 2e5 */
     for (size_t k = 0; k < SURFACES; k++)
-        fake_put_curves(fake, &fake->store, k, areas[k]);
+        fake_put_curves(fake, k, areas[k]);
     assert_int_equal(comparison_make(&fake->comparison, &fake->results, &status), STATUS_OK);
-    memset(own, 0, SURFACES * sizeof *own); /* their models are the fake's, not to be freed */
-    surface_store_close(&fake->store);
-    directory_remove(&place);
-    fake->store = (struct surface_store){.summaries = fake->summaries, .count = SURFACES};
+    for (size_t k = 0; k < SURFACES; k++) {
+        fake->surfaces[k].summary.models = NULL; /* the fake's, not to be freed */
+        surface_drop_arrays(&fake->surfaces[k]);
+        fake->surfaces[k].summary.models = fake->curve_of[k];
+    }
 }
 
 static inline void make_comparison(struct fake *fake, const double areas[SURFACES][FAKE_MODELS])

@@ -33,10 +33,10 @@ static void test_power_laws(void **state)
     const struct comparison *c = &made.comparison;
     assert_near(c->middle_load, 1e-4, 1e-12);
     assert_int_equal(c->leading, made_up_model("multiscale-plastic"));
-    assert_near(comparison_middle(c, c->leading, 0).area_ratio, 0.1, 1e-12);
-    assert_near(comparison_middle(c, c->leading, 1).area_ratio, 0.2, 1e-12);
-    assert_near(comparison_middle(c, c->leading, 2).ecr_ohm_m2, 3.75e-10, 1e-12);
-    assert_true(isnan(comparison_middle(c, c->leading, 3).load)); /* refused */
+    assert_near(comparison_middle(&made.results, c->leading, 0).area_ratio, 0.1, 1e-12);
+    assert_near(comparison_middle(&made.results, c->leading, 1).area_ratio, 0.2, 1e-12);
+    assert_near(comparison_middle(&made.results, c->leading, 2).ecr_ohm_m2, 3.75e-10, 1e-12);
+    assert_true(isnan(comparison_middle(&made.results, c->leading, 3).load)); /* refused */
     assert_within(c->proportional_error, 0, 1e-14);
 
     /* elastic: full from 1e-3 (alpha), 2e-3 (beta), 5e-3 (gamma), so that both of a pair are full at 1e-2 alone, and

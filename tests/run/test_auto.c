@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `effects: auto` leaves out an effect only where no number of the report would move by more than the tolerance, also
  * those beyond the scene's loads, and does not run scale dependence for less. */
+#include "analysis/describe.h"
 #include "contact/convergence.h"
 #include "pipeline.h"
 #include "run/prepare.h"
@@ -40,14 +41,14 @@ static double plastic_change(const struct surface_record *record, const char *el
     return most;
 }
 
-static void prepare_scene(struct prepared *prepared, struct scene *scene, const char *text, const char *store_directory)
+static void prepare_scene(struct prepared *prepared, struct scene *scene, const char *text, bool describe_only)
 {
     struct run_options options = {.templates = PROJECT_SOURCE "/templates", .jobs = 1};
     struct status status = {0};
     directory_write(&place, "scene.yaml", text);
     if (scene_read(scene, place.path, &(struct scene_overrides){0}, &status) != STATUS_OK)
         fail_msg("%s", status.message);
-    if (prepare(prepared, scene, &options, store_directory, &status) != STATUS_OK)
+    if (prepare(prepared, scene, &options, describe_only, NULL, &status) != STATUS_OK)
         fail_msg("%s", status.message);
 }
 
@@ -55,41 +56,32 @@ static struct truth truth_of(const char *text)
 {
     struct scene scene;
     struct prepared prepared;
-    struct status status = {0};
     struct truth truth = {0, 0};
-    prepare_scene(&prepared, &scene, text, place.path);
-    for (size_t s = 0; s < prepared.store.count; s++) {
-        struct surface_record record;
-        assert_int_equal(surface_store_get(&record, &prepared.store, s, &status), STATUS_OK);
-        assert_int_equal(surface_run_models(&record, &scene, &prepared.plan, prepared.loads,
-                                            prepared.results.load_count, NULL, &status),
-                         STATUS_OK);
-        prepared.store.summaries[s] = record.summary; /* it may have got a note */
-        truth.plastic = fmax(truth.plastic, plastic_change(&record, "multiscale-elastic", "multiscale-plastic"));
-        truth.plastic = fmax(truth.plastic, plastic_change(&record, "gw", "jg"));
+    prepare_scene(&prepared, &scene, text, false);
+    for (size_t s = 0; s < prepared.results.surface_count; s++) {
+        const struct surface_record *record = &prepared.results.surfaces[s];
+        truth.plastic = fmax(truth.plastic, plastic_change(record, "multiscale-elastic", "multiscale-plastic"));
+        truth.plastic = fmax(truth.plastic, plastic_change(record, "gw", "jg"));
         for (size_t m = 0; m < model_count; m++)
-            for (size_t i = 0; i < record.curves[m].count; i++) {
-                const struct contact_point *point = &record.curves[m].points[i];
+            for (size_t i = 0; i < record->curves[m].count; i++) {
+                const struct contact_point *point = &record->curves[m].points[i];
                 if (point->tcr_K_m2_per_W > 0)
                     truth.scale_dependent =
                         fmax(truth.scale_dependent, point->tcr_sd_K_m2_per_W / point->tcr_K_m2_per_W - 1);
             }
-        surface_record_free(&record, false);
     }
     prepared_free(&prepared);
     scene_free(&scene);
     return truth;
 }
 
-/** What `auto` decides, and the work it predicts. */
-static struct plan plan_of(const char *text, struct work *work)
+/** What `auto` decides. */
+static struct plan plan_of(const char *text)
 {
     struct scene scene;
     struct prepared prepared;
-    prepare_scene(&prepared, &scene, text, NULL);
+    prepare_scene(&prepared, &scene, text, true);
     struct plan plan = prepared.plan;
-    if (work)
-        *work = prepared.results.predicted;
     prepared_free(&prepared);
     scene_free(&scene);
     return plan;
@@ -136,7 +128,7 @@ static void full_contact_is_never_extrapolated_elastically(void **state)
                 const char *name = family ? "statistical" : "multiscale", *loads = "from: 1e-9, to: 1e-7, points: 5";
                 write_surface("a.csv", k == 1 ? 1.0 : 1.5, sizes[k], 3 + k);
                 describe(text, 2e11, yield_Pa[y], 30, loads, name, "");
-                struct plan plan = plan_of(text, NULL);
+                struct plan plan = plan_of(text);
                 describe(text, 2e11, yield_Pa[y], 30, loads, name, ALL);
                 double change = truth_of(text).plastic;
                 if (!plan_runs(&plan, EFFECT_PLASTICITY) && !(change <= 1e-6))
@@ -158,20 +150,20 @@ static void law_below_the_sampling_limit_counts(void **state)
     describe(text, 2e11, 2e10, 30, loads, "multiscale", ALL);
     assert_within(truth_of(text).plastic, 0, 0); /* nothing measured yields */
     describe(text, 2e11, 2e10, 30, loads, "multiscale", "convergence: {load: 1e-2}\n");
-    struct plan plan = plan_of(text, NULL);
+    struct plan plan = plan_of(text);
     assert_true(plan_runs(&plan, EFFECT_PLASTICITY));
 
     struct scene scene;
     struct prepared prepared;
-    prepare_scene(&prepared, &scene, text, NULL);
+    prepare_scene(&prepared, &scene, text, true);
     struct surface_record record = {0};
     struct status status = {0};
     double area[2];
-    assert_int_equal(surface_describe(&record, &scene, &scene.surfaces[0], NULL, NULL, &status), STATUS_OK);
+    assert_int_equal(describe_surface(&record, &scene, &scene.surfaces[0], NULL, &status), STATUS_OK);
     for (int plastic = 0; plastic < 2; plastic++)
         area[plastic] = convergence_extend(&record.spectrum, &record.summary.tail, &record.summary.pair, plastic, 1e-2)
                             .area_extended;
-    surface_record_free(&record, true);
+    surface_record_free(&record);
     assert_true(area[1] > 1.01 * area[0]);
     prepared_free(&prepared);
     scene_free(&scene);
@@ -202,8 +194,7 @@ static void scale_dependence_runs_just_where_it_matters(void **state)
                     describe(text, 2e10, yield_Pa, scaled, loads, families[family], ALL);
                     double change = truth_of(text).scale_dependent;
                     describe(text, 2e10, yield_Pa, scaled, loads, families[family], own_tolerance);
-                    struct work work;
-                    struct plan plan = plan_of(text, &work);
+                    struct plan plan = plan_of(text);
                     bool run = plan_runs(&plan, EFFECT_SCALE_DEPENDENT);
                     if (!run && change > tolerances[t])
                         fail_msg("skipped, but it raises TCR by %g: %s", change,
@@ -212,8 +203,6 @@ static void scale_dependence_runs_just_where_it_matters(void **state)
                         fail_msg("run, but it raises TCR by %g only: %s", change,
                                  plan.effects[EFFECT_SCALE_DEPENDENT].reason);
                     /* a load of 299 scales each: at most the 41 of both stacks, a few where the answer is plain */
-                    assert_true(work.bounds <= (share[c] > 0.6 && share[c] < 1 ? 82 : 41) * 299);
-                    assert_int_equal(work.bounds > 0, family == 0);
                     skipped += !run;
                     runs += run;
                 }

@@ -10,11 +10,11 @@
 enum { SURFACES = 50 };
 
 static struct scene_surface surfaces[SURFACES];
-static struct surface_summary summaries[SURFACES];
+static struct surface_record records[SURFACES];
 static char names[SURFACES][32], notes[SURFACES][200], refusals[SURFACES][200];
 
 /* Every surface has a note of one kind, every second one of another besides, every fifth is refused for the same. */
-static struct surface_store make(void)
+static struct results make(const struct scene *scene)
 {
     for (size_t i = 0; i < SURFACES; i++) {
         snprintf(names[i], sizeof names[i], "s%zu", i);
@@ -23,10 +23,10 @@ static struct surface_store make(void)
         snprintf(refusals[i], sizeof refusals[i], "s%zu.csv:%zu: 'x%c' is no number", i, i + 3, 'a' + (char)(i % 26));
         surfaces[i] = (struct scene_surface){.name = names[i]};
         bool refused = i % 5 == 4;
-        summaries[i] = (struct surface_summary){
+        records[i].summary = (struct surface_summary){
             .scene = &surfaces[i], .notes = refused ? NULL : notes[i], .refusal = refused ? refusals[i] : NULL};
     }
-    return (struct surface_store){.summaries = summaries, .count = SURFACES};
+    return (struct results){.scene = scene, .surfaces = records, .surface_count = SURFACES};
 }
 
 static size_t lines_with(const struct text *text, const char *part)
@@ -41,9 +41,9 @@ static void all_are_said_without_a_report(void **state)
 {
     (void)state;
     struct scene scene = {.passed_over = NULL};
-    struct surface_store store = make();
+    struct results results = make(&scene);
     struct text text = {0};
-    assert_int_equal(messages_add(&text, &scene, &store, false), 10);
+    assert_int_equal(messages_add(&text, &results, false), 10);
     assert_int_equal(lines_with(&text, "holds from"), 40);
     assert_int_equal(lines_with(&text, "looks like"), 20);
     assert_int_equal(lines_with(&text, " refused: "), 10);
@@ -55,9 +55,9 @@ static void the_first_of_each_kind_are_said_beside_a_report(void **state)
 {
     (void)state;
     struct scene scene = {.passed_over = NULL};
-    struct surface_store store = make();
+    struct results results = make(&scene);
     struct text text = {0};
-    assert_int_equal(messages_add(&text, &scene, &store, true), 10);
+    assert_int_equal(messages_add(&text, &results, true), 10);
     assert_int_equal(lines_with(&text, "holds from"), MESSAGES_OF_A_KIND + 1);
     assert_int_equal(lines_with(&text, "looks like"), 20); /* no more than are said */
     assert_int_equal(lines_with(&text, " refused: "), 10);
@@ -76,17 +76,17 @@ static void what_is_of_no_kind_is_said(void **state)
     enum { MANY = 300 };
     struct scene scene = {.passed_over = NULL};
     struct scene_surface *all = calloc(MANY, sizeof *all);
-    struct surface_summary *said = calloc(MANY, sizeof *said);
+    struct surface_record *said = calloc(MANY, sizeof *said);
     char(*note)[8] = calloc(MANY, sizeof *note);
     assert_true(all && said && note);
     for (size_t i = 0; i < MANY; i++) {
         snprintf(note[i], sizeof *note, "%c%c%c", (char)('a' + i % 25), (char)('a' + i / 25), 'a');
         all[i].name = note[i];
-        said[i] = (struct surface_summary){.scene = &all[i], .notes = note[i]};
+        said[i].summary = (struct surface_summary){.scene = &all[i], .notes = note[i]};
     }
-    struct surface_store store = {.summaries = said, .count = MANY};
+    struct results results = {.scene = &scene, .surfaces = said, .surface_count = MANY};
     struct text text = {0};
-    assert_int_equal(messages_add(&text, &scene, &store, true), 0);
+    assert_int_equal(messages_add(&text, &results, true), 0);
     assert_int_equal(lines_with(&text, "\n"), MANY);
     text_free(&text);
     free(note);
@@ -99,13 +99,13 @@ static void notes_of_the_refused_are_said(void **state)
 {
     (void)state;
     struct scene scene = {.passed_over = NULL};
-    struct surface_store store = make();
+    struct results results = make(&scene);
     for (size_t i = 0; i < SURFACES; i++) {
-        summaries[i].notes = notes[i];
-        summaries[i].refusal = refusals[i];
+        records[i].summary.notes = notes[i];
+        records[i].summary.refusal = refusals[i];
     }
     struct text text = {0};
-    assert_int_equal(messages_add(&text, &scene, &store, true), SURFACES);
+    assert_int_equal(messages_add(&text, &results, true), SURFACES);
     assert_int_equal(lines_with(&text, "holds from"), SURFACES);
     assert_int_equal(lines_with(&text, " refused: "), SURFACES); /* each has to be seen to */
     text_free(&text);

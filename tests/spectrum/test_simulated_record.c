@@ -153,7 +153,7 @@ static void draw_by_hand(double *height_m, const struct simulated_record *spectr
     }
     wave[0][0] = wave[0][1] = wave[waves][1] = 0;
     wave[waves][0] *= M_SQRT2;
-    fft_backward_often(record, wave, longer);
+    fft_backward(record, wave, longer);
     memcpy(height_m, record, spectrum->points * sizeof *height_m);
     fftw_free(record);
     fftw_free(wave);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* From scans to one surface: averages, scans kept to run alone, their laws, the counterface, and what is said of a
  * jump. */
-#include "analysis/gather.h"
+#include "analysis/describe.h"
 #include "analysis/piece.h"
 #include "directory.h"
 #include "profile/synth.h"
@@ -35,14 +35,14 @@ static int make(void **state)
 static int end(void **state)
 {
     (void)state;
-    surface_record_free(record, true);
+    surface_record_free(record);
     power_law_scans_free(&scans);
     free(record);
     directory_remove(&place);
     return 0;
 }
 
-#define gather_test(test) cmocka_unit_test_setup_teardown(test, make, end)
+#define describe_test(test) cmocka_unit_test_setup_teardown(test, make, end)
 
 /** Writes a scan: heights [m] at a spacing of `spacing_um`. */
 static void write_scan(const char *name, const double *height_m, size_t points, double spacing_um)
@@ -73,7 +73,7 @@ static void gather(char *name)
     struct status status = {0};
     if (strcmp(name, map_name) == 0)
         snprintf(surface.x_unit, sizeof surface.x_unit, "m"), snprintf(surface.z_unit, sizeof surface.z_unit, "m");
-    if (gather_file(record, &scans, &scene, &surface, name, &hash, NULL, &status) != STATUS_OK)
+    if (describe_file(record, &scans, &scene, &surface, name, &hash, &status) != STATUS_OK)
         fail_msg("%s", status.message);
 }
 
@@ -98,8 +98,8 @@ static void add_scan(double amplitude_m, double jump_m, double spacing_um)
 static void conclude(void)
 {
     struct status status = {0};
-    assert_int_equal(gather_conclude(record, &scans, &scene, &status), STATUS_OK);
-    assert_int_equal(gather_describe_repeats(record, &scene, &status), STATUS_OK);
+    assert_int_equal(describe_conclude(record, &scans, &scene, &status), STATUS_OK);
+    assert_int_equal(describe_repeats(record, &scene, &status), STATUS_OK);
 }
 
 static bool has_note(const char *words)
@@ -189,7 +189,7 @@ static void test_which_rows_are_kept(void **state)
     static const size_t rows[] = {128, 129, 200};
     for (int m = 0; m < 3; m++) {
         size_t of_block[ESTIMATE_BLOCKS] = {0}, last = 0;
-        surface_record_free(record, true);
+        surface_record_free(record);
         power_law_scans_free(&scans);
         *record = (struct surface_record){0};
         add_map(rows[m]);
@@ -220,7 +220,7 @@ static void test_one_scan_is_no_repeat(void **state)
         bool listed = tried & 1, brief = tried & 2, kept = listed && !brief;
         scene.effects = listed ? EFFECT_BIT(EFFECT_UNCERTAINTY) : 0;
         scene.fit = tried & 4 ? POWER_LAW_AUTO : POWER_LAW_THESIS;
-        surface_record_free(record, true);
+        surface_record_free(record);
         *record = (struct surface_record){0};
         power_law_scans_free(&scans);
         add_long_scan(brief ? SIMULATED_RECORD_LEAST_POINTS - 1 : POINTS, 1e-6, 0, 1);
@@ -366,9 +366,9 @@ static void describe_laws(const size_t points[LAWS], const int order[LAWS])
         write_scan(names[i], height_m, points[i], 1);
         files[i] = names[order[i]];
     }
-    surface_record_free(record, true);
+    surface_record_free(record);
     *record = (struct surface_record){0};
-    assert_int_equal(surface_describe(record, &scene, &surface, NULL, NULL, &status), STATUS_OK);
+    assert_int_equal(describe_surface(record, &scene, &surface, NULL, &status), STATUS_OK);
     assert_true(record->summary.usable);
     record->summary.scene = NULL;
 }
@@ -506,7 +506,7 @@ static void test_a_rough_counterface(void **state)
     other_m[2] = 4e-6;
     counterface->summary.roughness = (struct roughness){4e-6, NAN, NAN, 16e-12, 0.5, 1e10, 0, 0};
     struct roughness own = record->summary.roughness;
-    assert_int_equal(gather_counterface(record, &scans, counterface, &status), STATUS_OK);
+    assert_int_equal(describe_counterface(record, &scans, counterface, &status), STATUS_OK);
     assert_near(record->spectrum.amplitude_m[2], 5e-6, 1e-6);
     assert_near(record->spectrum.amplitude_m[6], 1.5e-6, 1e-6);
     assert_near(record->summary.roughness.m2, own.m2 + 0.5, 1e-9);
@@ -536,10 +536,10 @@ static double jump_share(double exponent, double jump_m, enum spectrum_window wi
             height_m[i] += 1e-6 * pow(n, -exponent) * cos(2 * M_PI * n * (double)i / POINTS + n * n);
     }
     write_scan(scan_name, height_m, POINTS, 1);
-    surface_record_free(record, true);
+    surface_record_free(record);
     *record = (struct surface_record){0};
     scene.window = window;
-    assert_int_equal(surface_describe(record, &scene, &surface, NULL, NULL, &status), STATUS_OK);
+    assert_int_equal(describe_surface(record, &scene, &surface, NULL, &status), STATUS_OK);
     assert_true(record->summary.usable);
     const struct power_law *law = &record->summary.power_law;
     assert_near(record->summary.jump_m, fabs(height_m[POINTS - 1] - height_m[0]), 1e-6);
@@ -581,21 +581,21 @@ static void test_the_note_on_a_jump(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        gather_test(test_the_mean_of_scans),
-        gather_test(test_which_scans_are_kept),
-        gather_test(test_which_rows_are_kept),
-        gather_test(test_one_scan_is_no_repeat),
-        gather_test(test_identical_scans_are_one),
-        gather_test(test_scans_that_differ_are_not_one),
-        gather_test(test_scans_of_another_length),
-        gather_test(test_scans_are_cut_to_the_shortest),
-        gather_test(test_a_short_scan_among_long_ones),
-        gather_test(test_each_scans_law_of_the_thesis),
-        gather_test(test_each_scans_law_in_the_band_found),
-        gather_test(test_the_law_of_a_longer_scan),
-        gather_test(test_the_order_of_the_files),
-        gather_test(test_a_rough_counterface),
-        gather_test(test_the_note_on_a_jump),
+        describe_test(test_the_mean_of_scans),
+        describe_test(test_which_scans_are_kept),
+        describe_test(test_which_rows_are_kept),
+        describe_test(test_one_scan_is_no_repeat),
+        describe_test(test_identical_scans_are_one),
+        describe_test(test_scans_that_differ_are_not_one),
+        describe_test(test_scans_of_another_length),
+        describe_test(test_scans_are_cut_to_the_shortest),
+        describe_test(test_a_short_scan_among_long_ones),
+        describe_test(test_each_scans_law_of_the_thesis),
+        describe_test(test_each_scans_law_in_the_band_found),
+        describe_test(test_the_law_of_a_longer_scan),
+        describe_test(test_the_order_of_the_files),
+        describe_test(test_a_rough_counterface),
+        describe_test(test_the_note_on_a_jump),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

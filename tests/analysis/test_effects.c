@@ -1,18 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* How the models' bounds decide on effects. The program has a table of its own, of models whose bounds are known. */
-#include "analysis/effect_bounds.h"
+#include "analysis/effects.h"
 #include "support.h"
 
 #include <stdio.h>
 
 /* ---------------------------------------------------------------- models */
-
-static struct model_work no_work(const struct model_row *row, const struct model_task *task)
-{
-    (void)row;
-    return (struct model_work){.scales = task->spectrum->count,
-                               .gaps = task->wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT) ? 5 : 0};
-}
 
 /** The amplitude of the first harmonic, in metres. */
 static double amplitude_bound(const struct model_row *row, const struct model_task *task)
@@ -32,28 +25,28 @@ static void reason(char *out, size_t size, double bound, bool runs)
     snprintf(out, size, "%s %.3g", runs ? "yields" : "rests", bound);
 }
 
-/** Twice the amplitude, for a visit. */
-static enum status_code raise_bound(double *most, uint64_t *visits, const struct model_row *row,
-                                    const struct model_task *task, struct status *status)
+static size_t asked; /* how often raise_bound() was */
+
+/** Twice the amplitude. */
+static enum status_code raise_bound(double *most, const struct model_row *row, const struct model_task *task,
+                                    struct status *status)
 {
     (void)row, (void)status;
     *most = 2 * task->spectrum->amplitude_m[0];
-    *visits += 1;
+    asked++;
     return STATUS_OK;
 }
 
 enum { ALL = (1u << QUANTITY_COUNT) - 1 };
 enum { ELASTIC, STACK, SPHERES, UNBOUNDED };
 
-static struct model_row elastic = {
-    .name = "elastic", .label = "Elastic", .family = "f", .quantities = ALL, .work = no_work};
+static struct model_row elastic = {.name = "elastic", .label = "Elastic", .family = "f", .quantities = ALL};
 static struct model_row stack = {.name = "stack",
                                  .label = "Stack",
                                  .family = "f",
                                  .plastic = true,
                                  .stacks_scales = true,
                                  .quantities = ALL,
-                                 .work = no_work,
                                  .yield_bound = amplitude_bound,
                                  .yield_reason = reason,
                                  .scale_dependence_bound = raise_bound};
@@ -62,12 +55,11 @@ static struct model_row spheres = {.name = "spheres",
                                    .family = "g",
                                    .plastic = true,
                                    .quantities = ALL,
-                                   .work = no_work,
                                    .yield_bound = no_bound,
                                    .yield_reason = reason,
                                    .scale_dependence_bound = raise_bound};
 static struct model_row unbounded = {
-    .name = "unbounded", .label = "Unbounded", .family = "h", .plastic = true, .quantities = ALL, .work = no_work};
+    .name = "unbounded", .label = "Unbounded", .family = "h", .plastic = true, .quantities = ALL};
 
 const struct model_row *const model_rows[] = {&elastic, &stack, &spheres, &unbounded};
 const size_t model_count = 4;
@@ -108,7 +100,7 @@ static int make(void **state)
 static int end(void **state)
 {
     (void)state;
-    surface_summary_free(&record.summary);
+    free(record.summary.bounds);
     return 0;
 }
 
@@ -117,12 +109,11 @@ static int end(void **state)
 static const struct curve_bounds *bounds_of(size_t m)
 {
     struct status status = {0};
-    record.summary.bound.visits = 0;
-    for (size_t i = 0; i < model_count; i++)
-        if (record.summary.bounds && record.summary.bounds[i])
-            *record.summary.bounds[i] = (struct curve_bounds){0};
-    assert_int_equal(effect_bounds_surface(&record, &scene, &plan, loads, 1, &status), STATUS_OK);
-    return surface_bounds(&record.summary, m);
+    asked = 0;
+    free(record.summary.bounds);
+    record.summary.bounds = NULL;
+    assert_int_equal(effects_bound(&record, &scene, &plan, loads, 1, &status), STATUS_OK);
+    return &record.summary.bounds[m];
 }
 
 static void add_repeats(void)
@@ -167,13 +158,13 @@ static void test_converged(void **state)
         double slope = 1e-3 / (sqrt(2) * M_PI) * (1 + 1e-6 * side); /* Delta f */
         record.summary.tail = tail(slope / pow(limit_m, 0.5), 1.5);
         bounds_of(STACK);
-        assert_int_equal(record.summary.bound.converged, side < 0);
+        assert_int_equal(record.summary.converged, side < 0);
         record.summary.tail = tail(0.5 * slope, 1);
         bounds_of(STACK);
-        assert_true(record.summary.bound.converged);
+        assert_true(record.summary.converged);
         record.summary.tail = tail(0.5 * slope * pow(limit_m, 0.001), 0.999);
         bounds_of(STACK);
-        assert_false(record.summary.bound.converged);
+        assert_false(record.summary.converged);
     }
 }
 
@@ -183,14 +174,14 @@ static void test_scale_dependence(void **state)
     (void)state;
     assert_near(bounds_of(ELASTIC)->scale_dependence, 2e-6, 1e-12);
     assert_near(bounds_of(STACK)->scale_dependence, 0, 0);
-    assert_int_equal(record.summary.bound.visits, 1);
+    assert_int_equal(asked, 1);
     scene.tolerance = 3e-6;
     assert_near(bounds_of(STACK)->scale_dependence, 2e-6, 1e-12);
     assert_near(bounds_of(SPHERES)->scale_dependence, 0, 0);
-    assert_int_equal(record.summary.bound.visits, 2);
+    assert_int_equal(asked, 2);
     scene.tolerance = 2e-6; /* at the tolerance is within it */
     bounds_of(ELASTIC);
-    assert_int_equal(record.summary.bound.visits, 2);
+    assert_int_equal(asked, 2);
     elastic.scale_dependence_bound = NULL;
     assert_true(isinf(bounds_of(ELASTIC)->scale_dependence));
     plan_switch_off(&plan, EFFECT_SCALE_DEPENDENT);
@@ -203,11 +194,11 @@ static void test_scale_dependence_of_scans_alone(void **state)
     (void)state;
     add_repeats();
     assert_near(bounds_of(ELASTIC)->scale_dependence, 1e-6, 1e-12);
-    assert_int_equal(record.summary.bound.visits, 1);
+    assert_int_equal(asked, 1);
     amplitudes_m[2] = 3e-6;
     scene.tolerance = 2e-6; /* the first is within it */
     assert_near(bounds_of(ELASTIC)->scale_dependence, 6e-6, 1e-12);
-    assert_int_equal(record.summary.bound.visits, 2);
+    assert_int_equal(asked, 2);
     scene.tolerance = 1e-5;
     plan_switch_off(&plan, EFFECT_PLASTICITY);
     assert_near(bounds_of(ELASTIC)->scale_dependence, 6e-6, 1e-12); /* the larger one's, whatever their order */
@@ -215,31 +206,18 @@ static void test_scale_dependence_of_scans_alone(void **state)
     assert_near(bounds_of(ELASTIC)->scale_dependence, 8e-6, 1e-12);
 }
 
-static void test_work_of_scans_alone(void **state)
-{
-    (void)state;
-    assert_int_equal(bounds_of(ELASTIC)->work[0].scales, 1);
-    assert_int_equal(bounds_of(ELASTIC)->work[1].gaps, 5);
-    add_repeats();
-    assert_int_equal(bounds_of(ELASTIC)->work[0].scales, 2);
-    assert_int_equal(bounds_of(ELASTIC)->work[0].gaps, 0);
-    assert_int_equal(bounds_of(ELASTIC)->work[1].gaps, 10);
-    scene.effects_auto = false; /* counted all the same, and nothing is bounded */
-    assert_int_equal(bounds_of(SPHERES)->work[1].gaps, 10);
-    assert_int_equal(bounds_of(STACK)->work[1].gaps, 0); /* a stack has it in the same pass: not asked twice */
-    assert_int_equal(bounds_of(STACK)->work[1].scales, 2);
-    assert_near(bounds_of(STACK)->yield, 0, 0);
-}
-
 /* ---------------------------------------------------------------- decisions */
 
 static void decide(double yield, double raise)
 {
+    bool auto_effects = scene.effects_auto;
+    scene.effects_auto = true; /* so that there are bounds */
     bounds_of(STACK);
-    surface_bounds_room(&record.summary, STACK)->yield = yield;
-    surface_bounds_room(&record.summary, SPHERES)->yield = 0.5e-8;
-    surface_bounds_room(&record.summary, ELASTIC)->scale_dependence = raise;
-    effect_bounds_plan(&plan, &scene, &record.summary, 1);
+    scene.effects_auto = auto_effects;
+    record.summary.bounds[STACK].yield = yield;
+    record.summary.bounds[SPHERES].yield = 0.5e-8;
+    record.summary.bounds[ELASTIC].scale_dependence = raise;
+    effects_decide(&plan, &scene, &record, 1);
 }
 
 static void test_decisions(void **state)
@@ -301,7 +279,6 @@ int main(void)
         bounds_test(test_converged),
         bounds_test(test_scale_dependence),
         bounds_test(test_scale_dependence_of_scans_alone),
-        bounds_test(test_work_of_scans_alone),
         bounds_test(test_decisions),
         bounds_test(test_no_tail_to_carry_on),
         bounds_test(test_who_has_no_say),
