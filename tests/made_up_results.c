@@ -156,9 +156,12 @@ static void make_surface(struct made_up *made, size_t index, void (*change)(stru
         summary->has_asperities = true;
         summary->power_law = (struct power_law){.found = POWER_LAW_BAND_LAW,
                                                 .alpha = 0.5,
-                                                .alpha_error = 0.05,
                                                 .gamma = gamma,
                                                 .gamma_error = 0.01,
+                                                .amplitude_m = 0.5 * pow(sqrt(2e-10), gamma),
+                                                .amplitude_error_decades = 0.1,
+                                                .wavelength_m = sqrt(2e-10),
+                                                .psd_m3 = 3e-19,
                                                 .misfit_decades = 0.2,
                                                 .band_m = {2e-6, 1e-4},
                                                 .harmonics = 3,

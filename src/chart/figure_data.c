@@ -255,9 +255,7 @@ static void put_spectrum(struct figure_file *out, const struct surface_record *r
         put_point(out, 1 / spectrum_frequency(&record->spectrum, index[k]), record->spectrum.amplitude_m[index[k]],
                   true, true);
     char fit[80] = "no power law";
-    if (isfinite(law->alpha_error))
-        snprintf(fit, sizeof fit, "α %.3g, γ %.3f ± %.3f", law->alpha, law->gamma, law->gamma_error);
-    else if (isfinite(law->gamma))
+    if (isfinite(law->gamma))
         snprintf(fit, sizeof fit, "γ %.2f ± %.2f%s", law->gamma, law->gamma_error,
                  law->found == POWER_LAW_BAND_NARROW ? ", narrow" : "");
     drawing_begin(&out->drawing, "fit", fit);

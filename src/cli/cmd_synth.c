@@ -119,9 +119,10 @@ static enum status_code write_scan(const struct arguments *arguments, const doub
 const struct argp command_synth_argp = {
     .options = options,
     .parser = parse,
-    .doc = "Writes a scan whose harmonics obey amplitude = alpha lambda^gamma about which they scatter, with random "
-           "phases. The power law fitted above --lambda-s gives alpha, gamma and the scatter back; the profile is "
-           "level."};
+    .doc =
+        "Writes a scan whose harmonics obey amplitude = alpha lambda^gamma about which they scatter, with random "
+        "phases; the profile is level. The line through all harmonics (fit: thesis) gives alpha, gamma and the scatter "
+        "back, of a scan made with --lambda-s only in a fit_band that begins there."};
 
 int command_synth(int argc, char **argv)
 {

@@ -42,6 +42,9 @@ size_t results_operating(const struct results *results);
 double results_operating_load(const struct results *results, size_t surface);
 /** What surfaces are held against each other by: ECR where the run computes it, else TCR, else the area. */
 enum quantity results_criterion(const struct results *results);
+/** The wavelength at which the power laws of all surfaces are held against each other: the middle of what their bands
+ * share, or of what lies between them. NaN: no law holds. */
+double results_law_wavelength_m(const struct results *results);
 /** What the models need of a surface's bodies. */
 const struct material_pair *results_pair(const struct results *results, size_t surface);
 /** What a report on surfaces of no material says of it: one sentence. */

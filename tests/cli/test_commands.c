@@ -231,8 +231,8 @@ static void test_inspect(void **state)
                                         "Rq ",
                                         "Ra ",
                                         "m2 ",
-                                        "alpha ",
                                         "gamma ",
+                                        "amplitude ",
                                         "profile",
                                         "spectrum",
                                         "wavelength (um)"};
