@@ -178,7 +178,7 @@ static void make_surface(struct made_up *made, size_t index, void (*change)(stru
         record->spectrum = (struct spectrum){malloc(3 * sizeof(double)), 3, 2e-4, false};
         for (size_t i = 0; i < 3; i++)
             record->spectrum.amplitude_m[i] = power_law_amplitude(&summary->power_law, 2e-4 / (double)(i + 1));
-        summary->tail = convergence_tail(&record->spectrum);
+        summary->tail = convergence_tail(&record->spectrum, 3);
         record->preview_points = 2;
         record->preview_x_m[1] = 2e-4;
         record->preview_z_m[1] = rq_m;

@@ -240,6 +240,7 @@ static enum status_code make_law(struct making *making, struct status *status)
 {
     const struct profile *profile = making->profile;
     double started = clock_seconds();
+    making->scans->step_m = fmax(making->scans->step_m, profile->digit_m);
     /* of a map also to know how many independent rows it has */
     if (making->scene->fit != POWER_LAW_AUTO && making->scan->kind != SCAN_AREAL)
         return STATUS_OK;

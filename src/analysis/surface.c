@@ -28,10 +28,17 @@ static double short_gamma(const struct power_law *law)
     return isfinite(law->knee_m) ? law->gamma_below : law->gamma;
 }
 
+bool surface_tells_gamma(const struct surface_summary *summary)
+{
+    const struct power_law *law = &summary->power_law;
+    double known_m = summary->length_m / (double)summary->tail.count;
+    return power_law_holds(law) && (isnan(law->knee_m) || known_m <= law->band_m[0] * (1 + 1e-9));
+}
+
 bool surface_diverges(const struct surface_summary *summary)
 {
     const struct power_law *law = &summary->power_law;
-    return power_law_holds(law) && short_gamma(law) + law->gamma_error < 1;
+    return surface_tells_gamma(summary) && short_gamma(law) + law->gamma_error < 1;
 }
 
 /** What the line through all harmonics leaves to say: a step between the ends, two slopes. */
@@ -141,7 +148,10 @@ static enum status_code fit_one(void *context, size_t index, struct threads_turn
     struct surface_summary *summary = &record->summary;
     (void)turn;
     if (index == FIT_TAIL) {
-        summary->tail = convergence_tail(&record->spectrum);
+        const struct scene *scene = fitting->scene;
+        double shortest_m = fmax(2 * scene->lambda_s_m, scene->fit_band_m[0]);
+        summary->tail = convergence_tail(&record->spectrum,
+                                         convergence_known(&record->spectrum, shortest_m, fitting->scans->step_m));
         return STATUS_OK;
     }
     if (fitting->scene->fit != POWER_LAW_THESIS)
@@ -253,7 +263,7 @@ bool surface_extends(const struct surface_summary *summary, const struct scene *
     return !isnan(summary->tail.gamma) && !(scene->effects_auto && summary->bound.converged);
 }
 
-/** Carries the spectrum on below the sampling limit, where that can change anything. */
+/** Carries the spectrum on below its last known harmonic, where that can change anything. */
 static void extend(struct surface_record *record, const struct scene *scene)
 {
     struct surface_summary *summary = &record->summary;

@@ -56,7 +56,7 @@ struct surface_summary {
     double independent;           /* scans averaged; rows of a map count less */
     size_t periodic;              /* of the scans: those that close on themselves */
     size_t windowed;              /* of the scans: those whose spectrum was taken under a Hann window */
-    struct convergence_tail tail; /* the spectrum's own short end, carried on below the sampling limit */
+    struct convergence_tail tail; /* the spectrum's own short end, carried on below what is known */
     size_t harmonics;
     struct effect_bounds bound;
     struct curve_bounds **bounds;  /* [model]: of those that may run, from the description until the models have run;
@@ -107,8 +107,11 @@ struct curve_bounds *surface_bounds_room(struct surface_summary *summary, size_t
 
 /** Is the beta of model `m` sought that is nearest to its multiscale counterpart? */
 bool surface_seeks_beta(const struct plan *plan, size_t m);
+/** Is there a law whose slope at short wavelengths is the surface's? Not where that side of a knee reaches below what
+ * is known, to what rounding has left. */
+bool surface_tells_gamma(const struct surface_summary *summary);
 /** The one criterion of divergence (4.55): gamma is below 1 by more than its standard error; where two slopes fit
- * better than one law, the one at short wavelengths. False without a law. */
+ * better than one law, the one at short wavelengths. False where nothing tells. */
 bool surface_diverges(const struct surface_summary *summary);
 
 /** Reads and describes one surface: everything but the models. What is wrong with its files is no error: then

@@ -358,7 +358,7 @@ static enum verdict check_scale_dependence(struct text *out, const struct sectio
     return first ? VERDICT_NOT_TESTED : largest < 0.05 ? VERDICT_HOLDS : VERDICT_FAILS;
 }
 
-/** Largest share of the area that scales below the sampling limit would still take. */
+/** Largest share of the area that scales below the shortest wavelength known would still take. */
 static double largest_fall(const struct section_context *context)
 {
     double fall = 0;
@@ -377,20 +377,23 @@ static enum verdict check_gamma(struct text *out, const struct section_context *
     size_t fitted = 0, diverging = 0, knees = 0;
     for (size_t k = 0; k < context->results->usable_count; k++) {
         const struct surface_summary *summary = section_smoothest(context, k);
-        if (!power_law_holds(&summary->power_law))
+        if (!surface_tells_gamma(summary))
             continue;
         fitted++;
         knees += isfinite(summary->power_law.knee_m);
         diverging += surface_diverges(summary);
     }
-    text_add(out, "γ ≥ 1, within its standard error, for %zu of %zu surface%s", fitted - diverging, fitted,
-             fitted == 1 ? "" : "s");
+    if (fitted > 0)
+        text_add(out, "γ ≥ 1, within its standard error, for %zu of %zu surface%s", fitted - diverging, fitted,
+                 fitted == 1 ? "" : "s");
+    else
+        text_add(out, "no power law tells the slope at short wavelengths");
     if (knees > 0)
         text_add(out,
                  " (judged on %zu of them by the slope at short wavelengths, since two slopes fit better than one law)",
                  knees);
     if (section_extended(context)) {
-        number_format_between(out, "; the spectra's own short ends, carried on from the sampling limit to ",
+        number_format_between(out, "; the spectra's own short ends, carried on from the shortest wavelength known to ",
                               convergence_atom_m * 1e9, 1, " nm, would take ");
         double fall = 100 * largest_fall(context);
         if (fall > 0)

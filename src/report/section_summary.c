@@ -472,7 +472,7 @@ static void limits(struct text *out, const struct section_context *context)
         limit(&list, context, diverging, "γ is below 1", ", so the elastic area depends on the sampling");
     if (fall > 1e-3) {
         text_add(&list, "%s", list.length > 0 ? "; " : "");
-        number_format_between(&list, "scales below the sampling limit would take up to ", 100 * fall, 2,
+        number_format_between(&list, "scales below the shortest wavelength known would take up to ", 100 * fall, 2,
                               " % more of the area");
     }
     limit(&list, context, leaks, "a jump between the ends of the record draws γ towards 1", "");

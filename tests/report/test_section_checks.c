@@ -206,6 +206,8 @@ static void test_gamma(void **state)
     fake.summaries[1].power_law.knee_m = 1e-5; /* then the slope at short wavelengths counts */
     fake.summaries[1].power_law.gamma_below = 0.5;
     assert_verdict(&fake, claim, "fails", "for 1 of 3 surfaces (judged on 1 of them by the slope");
+    fake.summaries[1].length_m = 1e-4; /* one harmonic known, 100 um: below the knee is rounding, and no slope */
+    assert_verdict(&fake, claim, "in part", "for 1 of 2 surfaces; ");
     for (size_t k = 0; k < SURFACES; k++) {
         fake.summaries[k].power_law.gamma = NAN;
         fake.summaries[k].power_law.knee_m = NAN;

@@ -233,7 +233,7 @@ static void test_what_the_sections_say(void **state)
                            "(GW).\n"},
         {&section_summary, "multiscale elastic is nearest, off by a factor of 1.33 (root mean square over 3 of 3 "
                            "points) and 1.33 times the measured on average; GW is farthest, off by a factor of 2.67."},
-        {&section_summary, "scales below the sampling limit would take up to 25 % more of the area"},
+        {&section_summary, "scales below the shortest wavelength known would take up to 25 % more of the area"},
         {&section_summary, "- **1 surface was refused**"},
         {&section_summary,
          "| beta | 0.200 | 10.0 (6.38…15.7) | 1.00 | 0.900 (0.496…1.30) | 1.50·10⁻¹⁰ (9.57·10⁻¹¹…2.35·10⁻¹⁰) | "

@@ -110,6 +110,7 @@ static inline void make_fake(struct fake *fake)
         summary->power_law = (struct power_law){
             .found = POWER_LAW_BAND_LAW, .band_m = {1e-6, 1e-4}, .wavelength_m = 1e-5, .knee_m = NAN};
         fake_law(&summary->power_law, k == 1 ? 2e-7 : 1e-7, 1.6 - 0.2 * (double)k);
+        summary->tail.count = 1;
         summary->models = fake->curve_of[k];
         for (size_t m = 0; m < model_count; m++)
             fake->curve_of[k][m] = &fake->curves[k][m];
