@@ -225,6 +225,34 @@ static void no_load_within_the_list(void **state)
     drop(&f);
 }
 
+/* Two bands have no resistance beyond A/A_n = 0.75: what they have there is met within a hundredth of it, and no more.
+ */
+static void where_the_numbers_end(void **state)
+{
+    (void)state;
+    struct fixture f;
+    make(&f, 1);
+    double low = log(1e-9), high = log(1);
+    for (int i = 0; i < 60; i++) {
+        double middle = (low + high) / 2;
+        *(isnan(value_at(&f.task, "two-band-elastic", exp(middle), QUANTITY_ECR)) ? &high : &low) = middle;
+    }
+    double last = value_at(&f.task, "two-band-elastic", exp(low), QUANTITY_ECR);
+    assert_near(value_at(&f.task, "two-band-elastic", exp(low), QUANTITY_AREA), 0.75, 1e-9);
+    for (size_t i = 0; i < LOADS; i++) /* to short of full contact */
+        f.loads[i] = 1e-9 * pow(1.05 * exp(low) / 1e-9, (double)i / (LOADS - 1));
+    assert_true(value_at(&f.task, "two-band-elastic", f.loads[LOADS - 1], QUANTITY_AREA) < 1);
+    size_t within = ask(&f, "ecr", last * 0.991), beyond = ask(&f, "ecr", last * 0.989),
+           far = ask(&f, "ecr", last * 0.92);
+    find(&f);
+    assert_int_equal(answer(&f, within, "two-band-elastic")->kind, ANSWER_LOAD);
+    assert_near(answer(&f, within, "two-band-elastic")->load, exp(low), 1e-8);
+    assert_int_equal(answer(&f, beyond, "two-band-elastic")->kind, ANSWER_NOT_REACHED);
+    assert_int_equal(answer(&f, far, "two-band-elastic")->kind, ANSWER_NOT_REACHED);
+    assert_near(answer(&f, far, "two-band-elastic")->load, exp(low), 1e-8);
+    drop(&f);
+}
+
 /* Beyond a model's range of validity the load has its mark: just above A/A_n = 0.1 of GW, not just below. */
 static void the_mark(void **state)
 {
@@ -384,10 +412,15 @@ static void limits(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_reference_forces),    cmocka_unit_test(the_target_is_met),
-        cmocka_unit_test(no_load_within_the_list), cmocka_unit_test(the_mark),
-        cmocka_unit_test(intervals_of_scans),      cmocka_unit_test(a_scan_without_a_load),
-        cmocka_unit_test(intervals_of_a_band),     cmocka_unit_test(limits),
+        cmocka_unit_test(the_reference_forces),
+        cmocka_unit_test(the_target_is_met),
+        cmocka_unit_test(no_load_within_the_list),
+        cmocka_unit_test(where_the_numbers_end),
+        cmocka_unit_test(the_mark),
+        cmocka_unit_test(intervals_of_scans),
+        cmocka_unit_test(a_scan_without_a_load),
+        cmocka_unit_test(intervals_of_a_band),
+        cmocka_unit_test(limits),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
