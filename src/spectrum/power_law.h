@@ -48,7 +48,7 @@ bool power_law_holds(const struct power_law *law);
 /** Amplitude of the law at a wavelength [m] (4.53). */
 double power_law_amplitude(const struct power_law *law, double wavelength_m);
 
-/** Standard error of log10 of it: that at the middle of the band and what the slope's adds, in quadrature. */
+/** Standard error of log10 of it (4.53): that at the middle of the band and what the slope's adds, in quadrature. */
 double power_law_error_decades(const struct power_law *law, double wavelength_m);
 
 #endif
