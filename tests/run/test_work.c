@@ -45,7 +45,7 @@ static struct work work_of(const char *scene_text, struct plan *plan)
 }
 
 #define SURFACES "surfaces: [{name: a, file: a.csv}, {name: b, file: b.csv}]\n"
-#define FILES    SURFACES "material: tin\nfit: thesis\nload: {from: 1e-6, to: 0.1, points: 31}\n"
+#define FILES    SURFACES "material: tin\nfit: thesis\nfit_band: [8 um, 2 mm]\nload: {from: 1e-6, to: 0.1, points: 31}\n"
 #define ALL      "plasticity, separation, electrical, thermal, scale-dependent, convergence"
 
 /** The two material laws, elastic and plastic, of one kind of work. */
