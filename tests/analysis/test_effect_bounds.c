@@ -266,8 +266,9 @@ static void test_no_tail_to_carry_on(void **state)
     record.summary.tail = tail(1, NAN);
     assert_near(bounds_of(STACK)->yield, 1e-6, 1e-12);
     decide(0, 0);
-    assert_string_equal(plan.effects[EFFECT_CONVERGENCE].reason,
-                        "sweeps only: of 1 of 1 surfaces the spectrum does not tell how it goes on below what is known");
+    assert_string_equal(
+        plan.effects[EFFECT_CONVERGENCE].reason,
+        "sweeps only: of 1 of 1 surfaces the spectrum does not tell how it goes on below what is known");
 }
 
 /* A refused surface has no say; nor has a bound in a scene that lists its effects. */
