@@ -96,11 +96,10 @@ static void make_estimates(struct made_up *made, struct surface_record *record, 
     all[CURVE_FULL_LOAD] = several ? about(model->full_load, log(1.5), true) : estimate_none;
     all[CURVE_BETA] = several && isfinite(model->beta) ? about(model->beta, 0.5, false) : estimate_none;
     for (int q = 0; q < QUANTITY_COUNT; q++) {
-        bool logarithmic = q != QUANTITY_SEPARATION;
         enum quantity shown = model_shown(model_rows[m], (enum quantity)q);
-        double value = quantity_value(middle, shown), s = logarithmic ? 0.05 : 0.05 * value;
+        double value = quantity_shown(middle, shown, record->summary.asperities.sigma_m);
         bool held = known && repeats_band_holds((enum quantity)q) && isfinite(value);
-        all[q] = !held ? estimate_none : several ? about(value, s, logarithmic) : made_up_single(value, s, logarithmic);
+        all[q] = !held ? estimate_none : several ? about(value, 0.05, true) : made_up_single(value, 0.05, true);
     }
     assert_int_equal(curve_summary_put_estimates(model, all, &status), STATUS_OK);
 }
@@ -118,7 +117,8 @@ static void make_bands(struct surface_record *record, size_t m)
         for (int q = 0; q < QUANTITY_COUNT; q++)
             for (int side = 0; side < 2; side++) {
                 double value = repeats_band_holds((enum quantity)q)
-                                   ? quantity_value(point, model_shown(model_rows[m], (enum quantity)q))
+                                   ? quantity_shown(point, model_shown(model_rows[m], (enum quantity)q),
+                                                    record->summary.asperities.sigma_m)
                                    : NAN;
                 band->mean[q][side] = value * (side == 0 ? 0.9 : 1.1);
                 band->next[q][side] = value * (side == 0 ? 0.8 : 1.2);

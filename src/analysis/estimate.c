@@ -123,10 +123,19 @@ double estimate_value(const struct estimate *estimate)
     return estimate->logarithmic ? exp(estimate->mean) : estimate->mean;
 }
 
+bool estimate_has_width(const struct estimate *estimate, double half_width)
+{
+    static const double least = 1e-6; /* relative: what models are solved to */
+    return half_width > least * (estimate->logarithmic ? 1 : fabs(estimate->mean));
+}
+
 static double end(const struct estimate *estimate, double half_width, int side)
 {
     double value = estimate->mean + (side ? half_width : -half_width);
-    return estimate->logarithmic ? exp(value) : value;
+    if (!estimate_has_width(estimate, half_width))
+        return NAN;
+    value = estimate->logarithmic ? exp(value) : value;
+    return estimate->share ? fmin(value, 1) : value;
 }
 
 double estimate_end(const struct estimate *estimate, int side)

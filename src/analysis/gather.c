@@ -595,6 +595,7 @@ enum status_code gather_describe_repeats(struct surface_record *record, const st
 {
     const struct spectrum *mean = &record->spectrum;
     struct repeat_set *set = &record->repeats;
+    set->sigma_m = sqrt(record->summary.roughness.m0_m2);
     for (size_t p = 0; p < set->count; p++) {
         struct spectrum *own = &set->parts[p].spectrum, same;
         if (own->count == mean->count && fabs(own->length_m / mean->length_m - 1) < 1e-6)

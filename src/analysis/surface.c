@@ -320,14 +320,15 @@ static enum status_code run_uncertainty(struct surface_record *record, const str
             estimates[which] = estimate_none;
         for (size_t i = 0; i < curve->count; i++)
             for (int q = 0; q < QUANTITY_COUNT && curve->points[i].load == task->loads[model_task_operating(task)]; q++)
-                estimates[q] = uncertainty_estimate(
-                    &all[m], (enum quantity)q,
-                    quantity_value(&curve->points[i], model_shown(model_rows[m], (enum quantity)q)));
+                estimates[q] =
+                    uncertainty_estimate(&all[m], (enum quantity)q,
+                                         quantity_shown(&curve->points[i], model_shown(model_rows[m], (enum quantity)q),
+                                                        summary->asperities.sigma_m));
         rc = curve_summary_put_estimates(summary->models[m], estimates, status);
         if (rc == STATUS_OK)
             rc = make_band(record, m, task, status);
         if (rc == STATUS_OK)
-            uncertainty_band(record->bands[m], &all[m], curve, model_rows[m]);
+            uncertainty_band(record->bands[m], &all[m], curve, model_rows[m], summary->asperities.sigma_m);
     }
     free(all);
     return rc;

@@ -108,14 +108,13 @@ static void put_band(struct figure_file *out, const struct surface_record *recor
     enum quantity y = out->figure->row->y;
     if (!record->bands || !record->bands[model] || out->figure->row->x != QUANTITY_LOAD || !repeats_band_holds(y))
         return;
-    double scale = quantity_rows[y].over_sigma ? 1 / record->summary.asperities.sigma_m : 1;
     char band_style[32];
     snprintf(band_style, sizeof band_style, "%sb", style);
     drawing_begin(&out->drawing, band_style, "band");
     for (size_t i = 0; i < record->band_count; i++) {
         const struct repeats_band *band = &record->bands[model][i];
-        double low = band->mean[y][0] * scale, high = band->mean[y][1] * scale;
-        if (isfinite(low) && isfinite(high) && (!quantity_rows[y].logarithmic || low > 0)) {
+        double low = band->mean[y][0], high = band->mean[y][1];
+        if (isfinite(low) && isfinite(high) && low > 0) {
             put(out, out->load_scale * band->load, low, high);
             reach(&out->y, low);
             reach(&out->y, high);

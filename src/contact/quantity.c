@@ -65,6 +65,12 @@ double quantity_shown(const struct contact_point *point, enum quantity quantity,
     return quantity_rows[quantity].over_sigma ? value / sigma_m : value;
 }
 
+const char *quantity_shown_name(enum quantity quantity)
+{
+    const struct quantity_row *row = &quantity_rows[quantity];
+    return row->sigma_column ? row->sigma_column : row->name;
+}
+
 unsigned quantity_wanted(unsigned effects)
 {
     unsigned wanted = 0;

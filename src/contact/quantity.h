@@ -73,7 +73,7 @@ struct quantity_row {
     const char *label;        /* of a chart's axis */
     unsigned effect;          /* EFFECT_BITs that it belongs to, any of them; 0: every run has it */
     unsigned from;            /* QUANTITY_BITs that it is made of once a model has run; 0: the model computes it */
-    bool logarithmic;         /* axis, and how it is averaged */
+    bool logarithmic;         /* axis */
     bool over_sigma;          /* a length that is shown divided by sigma */
     size_t offset;            /* of its double in struct contact_point */
 };
@@ -84,6 +84,8 @@ extern const struct quantity_row quantity_rows[QUANTITY_COUNT];
 double quantity_value(const struct contact_point *point, enum quantity quantity);
 /** The same as tables and charts show it: a length as a multiple of sigma_m. */
 double quantity_shown(const struct contact_point *point, enum quantity quantity, double sigma_m);
+/** Its name, with the SI unit or as a multiple of sigma. */
+const char *quantity_shown_name(enum quantity quantity);
 /** QUANTITY_BITs of all quantities that a set of EFFECT_BITs calls for. */
 unsigned quantity_wanted(unsigned effects);
 /** QUANTITY_BITs `computed` by a model, with those that are made of them. */

@@ -328,7 +328,7 @@ static enum status_code open_bands(struct table *bands, unsigned *quantities, co
     text_add(&bands->rows, "surface,model,%s", quantity_rows[QUANTITY_LOAD].column);
     for (int q = 0; q < QUANTITY_COUNT; q++)
         if (repeats_band_holds((enum quantity)q) && (results->plan->wanted & QUANTITY_BIT(q))) {
-            const char *name = quantity_rows[q].column;
+            const char *name = quantity_shown_name((enum quantity)q);
             text_add(&bands->rows, ",%s_mean_low_95,%s_mean_high_95,%s_next_scan_low_95,%s_next_scan_high_95", name,
                      name, name, name);
             *quantities |= QUANTITY_BIT(q);
@@ -485,7 +485,8 @@ static enum status_code write_spread(const struct results *results, const char *
             snprintf(quantity, sizeof quantity, "full_contact_load_%s", model_rows[m]->name);
             put_spread_number(&table, s, quantity, curve_summary_estimate(surface_model(s, m), CURVE_FULL_LOAD));
             for (int q = 0; q < QUANTITY_COUNT; q++) {
-                snprintf(quantity, sizeof quantity, "%s_at_middle_load_%s", quantity_rows[q].name, model_rows[m]->name);
+                snprintf(quantity, sizeof quantity, "%s_at_middle_load_%s", quantity_shown_name((enum quantity)q),
+                         model_rows[m]->name);
                 if (repeats_band_holds((enum quantity)q))
                     put_spread_number(&table, s, quantity, curve_summary_estimate(surface_model(s, m), q));
             }

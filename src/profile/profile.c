@@ -107,11 +107,16 @@ static double *smoothed(const struct profile *profile, double cutoff_m, struct s
         (void)status_memory(status);
         return NULL;
     }
-    if (filter_gaussian(smooth_m, profile->height_m, profile->points, profile->spacing_m, cutoff_m, status) ==
-        STATUS_OK)
+    if (filter_gaussian(smooth_m, profile->height_m, profile->points, profile->spacing_m, cutoff_m, profile->periodic,
+                        status) == STATUS_OK)
         return smooth_m;
     free(smooth_m);
     return NULL;
+}
+
+static const char *at_ends(const struct profile *profile)
+{
+    return profile->periodic ? "its end goes on at its beginning" : "weights renormalised at the ends";
 }
 
 static enum status_code low_pass(struct profile *profile, double cutoff_m, struct status *status)
@@ -119,8 +124,7 @@ static enum status_code low_pass(struct profile *profile, double cutoff_m, struc
     if (cutoff_m < 2 * profile->spacing_m)
         profile_note(profile, "lambda_s %.4g um is below twice the spacing: the filter takes little away",
                      cutoff_m * 1e6);
-    profile_note(profile, "gaussian low-pass lambda_s = %.6g um (ISO 16610-21; weights renormalised at the ends)",
-                 cutoff_m * 1e6);
+    profile_note(profile, "gaussian low-pass lambda_s = %.6g um (ISO 16610-21; %s)", cutoff_m * 1e6, at_ends(profile));
     double *smooth_m = smoothed(profile, cutoff_m, status);
     if (!smooth_m)
         return status->code;
@@ -143,8 +147,7 @@ static enum status_code high_pass(struct profile *profile, double cutoff_m, stru
     for (size_t i = 0; i < points; i++)
         profile->height_m[i] -= waviness_m[i];
     free(waviness_m);
-    profile_note(profile, "gaussian high-pass lambda_c = %.6g um (ISO 16610-21; weights renormalised at the ends)",
-                 cutoff_m * 1e6);
+    profile_note(profile, "gaussian high-pass lambda_c = %.6g um (ISO 16610-21; %s)", cutoff_m * 1e6, at_ends(profile));
     return STATUS_OK;
 }
 

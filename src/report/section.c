@@ -408,15 +408,13 @@ void section_each_surface(struct text *out, const struct section_context *contex
 void section_interval(struct text *out, const struct estimate *estimate, double scale, int digits)
 {
     number_format(out, estimate->count > 0 ? scale * estimate_value(estimate) : NAN, digits);
-    if (estimate->count == 0 || isnan(estimate->half_width))
-        return;
-    number_format_between(out, " (", scale * estimate_end(estimate, 0), digits, "…");
-    number_format_between(out, "", scale * estimate_end(estimate, 1), digits, ")");
+    number_format_interval(out, " (", scale * estimate_end(estimate, 0), scale * estimate_end(estimate, 1), digits,
+                           ")");
 }
 
 void section_factor(struct text *out, const struct estimate *estimate, double half_width)
 {
-    bool known = estimate->count > 0 && isfinite(half_width);
+    bool known = estimate_has_width(estimate, half_width);
     text_add(out, "%s", !known ? "" : estimate->logarithmic ? "×÷ " : "± ");
     number_format(out, !known ? NAN : estimate->logarithmic ? exp(half_width) : half_width, 3);
 }

@@ -126,7 +126,7 @@ void section_each_surface(struct text *out, const struct section_context *contex
 /** A number of the scene, as it stands there, between two texts. */
 void section_given(struct text *out, const char *before, double value, const char *after);
 /** "0.24 (0.21…0.27)": a number and its 95 % interval; "–" where nothing is known of it, the number alone where it has
- * no interval. */
+ * no interval, or one within these digits. */
 void section_interval(struct text *out, const struct estimate *estimate, double scale, int digits);
 /** "×÷ 1.2", or "± 0.3" of a number that is not logarithmic. */
 void section_factor(struct text *out, const struct estimate *estimate, double half_width);

@@ -77,10 +77,7 @@ static void put_load(const struct page *page, const struct answer *answer, size_
     number_format(page->out, answer->load * scale, 3);
     text_add(page->out, with_unit && *unit ? " " : "");
     put_foreign(page, with_unit ? unit : "");
-    if (isnan(answer->low) && isnan(answer->high))
-        return;
-    number_format_between(page->out, " (", answer->low * scale, 3, "…");
-    number_format_between(page->out, "", answer->high * scale, 3, ")");
+    number_format_interval(page->out, " (", answer->low * scale, answer->high * scale, 3, ")");
 }
 
 /** Usable surfaces whose leading model answers a target so; the least and the most of those that meet it. */
@@ -154,7 +151,8 @@ static void target_sentence(const struct page *page, size_t target)
     }
     if (tally.none > 0 && tally.met + tally.not_reached > 0)
         text_add(page->out, "; no number on %zu", tally.none);
-    text_add(page->out, " (%s).\n", model_rows[leading]->label);
+    text_add(page->out, " (%s%s).\n", model_rows[leading]->label,
+             results_intervals(page->results) ? "; intervals for scans of this length" : "");
 }
 
 /** The running model of the greatest precedence that says how many spots there are, within its validity; model_count:
@@ -266,7 +264,9 @@ static void target_table(const struct section_context *context, const struct pag
     put_asked(page, &scene_of(page)->targets[target], falls(&scene_of(page)->targets[target]));
     text_add(page->out, " | %s takes%s", model_rows[leading]->label, *unit ? ", " : " P/(Aₙ E′)");
     put_foreign(page, unit);
-    text_add(page->out, " (95 %% interval) | other models, least to most%s | remark |\n|---|---:|---|%s---|\n",
+    text_add(page->out,
+             " (95 %% interval, for scans of this length) | other models, least to most%s | remark "
+             "|\n|---|---:|---|%s---|\n",
              spots ? " | spots" : "", spots ? "---|" : "");
     each_surface(context, page, target, leading, spots);
 }
@@ -289,10 +289,7 @@ static void put_value(const struct page *page, const struct scene_asked *limit, 
     number_format(page->out, scene_asked_shown(limit, check->value), 3);
     text_add(page->out, "%s", limit->unit_text[0] ? " " : "");
     put_foreign(page, limit->unit_text);
-    if (isnan(ends[0]) || isnan(ends[1]))
-        return;
-    number_format_between(page->out, " (", ends[low], 3, "…");
-    number_format_between(page->out, "", ends[!low], 3, ")");
+    number_format_interval(page->out, " (", ends[low], ends[!low], 3, ")");
 }
 
 /** One sentence for a limit. */
@@ -320,8 +317,10 @@ static void limit_table(const struct section_context *context, const struct page
     size_t leading = plan_leading_model(page->results->plan), rows = 0;
     text_add(page->out, "\nLimits at the operating load (");
     section_at_load(page->out, page->results, page->results->baseline, context->comparison->middle_load);
-    text_add(page->out, "), by %s; a limit inside a surface's 95 %% interval cannot be told:\n\n| surface",
-             model_rows[leading]->label);
+    text_add(
+        page->out,
+        "), by %s; a limit inside a surface's 95 %% interval, for scans of this length, cannot be told:\n\n| surface",
+        model_rows[leading]->label);
     for (size_t l = 0; l < scene->limit_count; l++) {
         text_add(page->out, " | ");
         put_asked(page, &scene->limits[l], scene->limits[l].is_most);
@@ -380,7 +379,7 @@ size_t report_missed_limits(struct text *out, const struct results *results)
             put_asked(&page, &results->scene->limits[l], results->scene->limits[l].is_most);
             text_add(out, ": ");
             put_value(&page, &results->scene->limits[l], check);
-            text_add(out, "\n");
+            text_add(out, isnan(check->low) ? "\n" : ", for scans of this length\n");
             missed++;
         }
     return missed;

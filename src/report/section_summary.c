@@ -122,13 +122,9 @@ static void answer(struct text *out, const struct section_context *context, enum
     const struct estimate *estimate =
         curve_summary_estimate(surface_model(section_surface(context, surface), leading), quantity);
     double scale = quantity == QUANTITY_AREA ? 100 : 1;
-    bool interval = estimate->count > 0 && isfinite(estimate->half_width);
     number_format(out, scale * value, 3);
     text_add(out, " %s (", quantity == QUANTITY_AREA ? "%" : quantity_rows[quantity].unit);
-    if (interval) {
-        number_format_between(out, "95 % ", scale * estimate_end(estimate, 0), 3, "…");
-        number_format_between(out, "", scale * estimate_end(estimate, 1), 3, "; ");
-    }
+    number_format_interval(out, "95 % ", scale * estimate_end(estimate, 0), scale * estimate_end(estimate, 1), 3, "; ");
     section_named(out, "surface ", context->results, surface);
     section_mark(out, context, surface, leading);
     text_add(out, ")");
@@ -154,7 +150,8 @@ static void lead_leading(struct text *out, const struct section_context *context
         text_add(out, " to ");
         answer(out, context, quantity, extremes[quantity].most, extremes[quantity].most_at);
     }
-    text_add(out, "**%s, by %s", quantity == QUANTITY_AREA ? " of the nominal one" : "",
+    text_add(out, "**%s%s, by %s", quantity == QUANTITY_AREA ? " of the nominal one" : "",
+             results_intervals(context->results) ? ", for scans of this length" : "",
              model_rows[study->leading]->label);
     if (!section_pair(context)->unknown && !context->results->loads_apart) {
         text_add(out, " at P/(Aₙ E′) = ");
@@ -224,8 +221,8 @@ static void best_surface(struct text *out, const struct section_context *context
     size_t best = ranking->surface[0], agreeing = 0, asked = 0;
     text_add(out, "- **");
     section_named(out, "Surface ", context->results, best);
-    text_add(out, " has the %s %s** there: %s than ", quantity == QUANTITY_AREA ? "largest" : "lowest",
-             quantity_rows[quantity].short_symbol, more);
+    text_add(out, " has the %s %s** there, for scans of this length: %s than ",
+             quantity == QUANTITY_AREA ? "largest" : "lowest", quantity_rows[quantity].short_symbol, more);
     place(out, "", context, 1);
     text_add(out, ranking->count > 2 ? ", the next" : "");
     pair_text(out, context, 0, 1);
@@ -257,7 +254,8 @@ static void no_best_surface(struct text *out, const struct section_context *cont
         told += comparison_told_apart(pair);
         heterogeneous += pair->test != COMPARISON_NOT_TESTED && pair->verdict == RANKING_NO_VERDICT;
     }
-    text_add(out, "- **No surface stands out by its %s** there: ", quantity_rows[ranking->criterion].short_symbol);
+    text_add(out, "- **No surface stands out by its %s** there, for scans of this length: ",
+             quantity_rows[ranking->criterion].short_symbol);
     place(out, "", context, 0);
     text_add(out, " is not told apart from ");
     for (size_t j = 1; j < ranking->count; j++) {
@@ -623,12 +621,11 @@ static void surface_key(struct text *out, const struct section_context *context,
         if (has_column(context, q)) {
             double value = comparison_value(point, (enum quantity)q, leading, s->asperities.sigma_m);
             const struct estimate *estimate = curve_summary_estimate(surface_model(s, leading), q);
-            double scale = q == QUANTITY_AREA ? 100 : quantity_rows[q].over_sigma ? 1 / s->asperities.sigma_m : 1;
             if (estimate->count == 0) {
                 section_cell(out, isnan(point->load) ? NAN : q == QUANTITY_AREA ? 100 * value : value, 3);
             } else {
                 text_add(out, " | ");
-                section_interval(out, estimate, scale, 3);
+                section_interval(out, estimate, q == QUANTITY_AREA ? 100 : 1, 3);
             }
             if (q == QUANTITY_AREA && section_knows_yield(context))
                 section_cell(out, section_contact_pressure(context, index, point), 3);
@@ -666,7 +663,7 @@ static void key_table(struct text *out, const struct section_context *context)
     text_free(&rule);
     section_each_surface(out, context, surface_key);
     if (results_intervals(context->results))
-        text_add(out, "\nIn brackets: the 95 %% interval of the surface's mean.");
+        text_add(out, "\nIn brackets: the 95 %% interval of the mean, for scans of this length.");
     if (ranking->tested > 0)
         text_add(
             out,

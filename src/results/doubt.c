@@ -65,7 +65,7 @@ static double scatter(const struct results *results, const struct comparison *co
                       size_t surface)
 {
     const struct estimate *estimate = curve_summary_estimate(leading_of(results, comparison, surface), (int)quantity);
-    return estimate->count > 0 && estimate->logarithmic ? exp(estimate->half_width) : NAN;
+    return estimate_has_width(estimate, estimate->half_width) ? exp(estimate->half_width) : NAN;
 }
 
 /** As in sensitivity.csv; resistances are proportional. */
@@ -123,7 +123,7 @@ static const struct doubt_row rows[] = {
      against_direct},
     {"choice of model", "the farthest valid one of the same material law", "nothing; let a direct solution run", false,
      other_models},
-    {"place of the scans", "95 % of the mean", "more scans, at other places", true, scatter},
+    {"place of the scans", "95 % of the mean, for scans of this length", "more scans, at other places", true, scatter},
     {"scan length", "halved", "a longer scan", false, scan_halved},
     {"bandwidth", "cut-off doubled", "at a finer spacing, with a sharper tip", false, cutoff_doubled},
     {"hardness", "raised by 10 %", "the hardness of the part", false, harder},

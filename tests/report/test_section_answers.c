@@ -99,7 +99,7 @@ static void the_section(void **state)
     expect(&text, "## Answers\n");
     expect(&lead, "- **ECR ≤ 1 mo\\|hm** takes 0.100 N (0.0800…0.130) on surface alpha, the least, and "
                   "0.400 N on surface gamma, the most (beyond the model's validity); not reached within the loads on "
-                  "1 of 3 surfaces (multiscale elastic-plastic).\n");
+                  "1 of 3 surfaces (multiscale elastic-plastic; intervals for scans of this length).\n");
     expect(&lead, "- Limit **ECR ≤ 2 mohm**: 1 of 3 surfaces meet it, 1 miss it, of 1 the interval straddles it.\n");
     expect(&lead, "- Limit **h ≥ 10 kW/m2/K**: 1 of 3 surfaces meet it, 1 miss it, 1 have no value.\n");
     expect(&text, "\n| alpha | 0.100 (0.0800…0.130) | 0.200 (multiscale elastic) to 0.500 (GW) | 30 (GW) |  |\n");
@@ -118,9 +118,11 @@ static void the_lines_of_a_check(void **state)
     (void)state;
     struct text text = {0};
     assert_int_equal(report_missed_limits(&text, &made.results), 2);
-    assert_string_equal(text_string(&text), "surface 'gamma' misses the limit ECR ≤ 2 mohm: 3.00 mohm (2.50…3.50)\n"
-                                            "surface 'gamma' misses the limit h ≥ 10 kW/m2/K: 5.00 kW/m2/K "
-                                            "(4.00…6.25)\n");
+    assert_string_equal(
+        text_string(&text),
+        "surface 'gamma' misses the limit ECR ≤ 2 mohm: 3.00 mohm (2.50…3.50), for scans of this length\n"
+        "surface 'gamma' misses the limit h ≥ 10 kW/m2/K: 5.00 kW/m2/K "
+        "(4.00…6.25), for scans of this length\n");
     text_free(&text);
 }
 

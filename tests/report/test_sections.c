@@ -218,12 +218,14 @@ static void test_what_the_sections_say(void **state)
     } expected[] = {
         {&section_summary, "- 3 surfaces, Rq 0.100 to 0.400 µm, of tin, pressed against a rigid flat that conducts "
                            "like it at nominal pressures of 0.100 to 1000 MPa.\n"},
-        {&section_summary, "**At 10.0 MPa ECR·Aₙ is 5.00·10⁻¹¹ Ω·m² (95 % 4.46·10⁻¹¹…5.61·10⁻¹¹; surface alpha) to "
-                           "3.75·10⁻¹⁰ Ω·m² (95 % 3.34·10⁻¹⁰…4.21·10⁻¹⁰; surface gamma)**, by multiscale "
-                           "elastic-plastic at P/(Aₙ E′) = 1.00·10⁻⁴; on 1 mm² 5.00·10⁻⁵ to 3.75·10⁻⁴ Ω; the real "
-                           "contact area is 4.00 to 20.0 % of the nominal one; TCR·Aₙ is 1.00·10⁻⁵ to 7.50·10⁻⁵ "
-                           "K·m²/W.\n\n- 3 surfaces"},
-        {&section_summary, "- **Surface alpha has the lowest ECR** there: lower than surface beta, the next (×0.333, "
+        {&section_summary,
+         "**At 10.0 MPa ECR·Aₙ is 5.00·10⁻¹¹ Ω·m² (95 % 4.46·10⁻¹¹…5.61·10⁻¹¹; surface alpha) to "
+         "3.75·10⁻¹⁰ Ω·m² (95 % 3.34·10⁻¹⁰…4.21·10⁻¹⁰; surface gamma)**, for scans of this length, by multiscale "
+         "elastic-plastic at P/(Aₙ E′) = 1.00·10⁻⁴; on 1 mm² 5.00·10⁻⁵ to 3.75·10⁻⁴ Ω; the real "
+         "contact area is 4.00 to 20.0 % of the nominal one; TCR·Aₙ is 1.00·10⁻⁵ to 7.50·10⁻⁵ "
+         "K·m²/W.\n\n- 3 surfaces"},
+        {&section_summary, "- **Surface alpha has the lowest ECR** there, for scans of this length: lower than surface "
+                           "beta, the next (×0.333, "
                            "95 % 0.210…0.530, 1 and "
                            "2 scans), and than surface gamma, the worst (×0.133, 95 % 0.113…0.157, one scan each). It "
                            "comes first in 4 of "
@@ -236,7 +238,7 @@ static void test_what_the_sections_say(void **state)
         {&section_summary, "scales below the shortest wavelength known would take up to 25 % more of the area"},
         {&section_summary, "- **1 surface was refused**"},
         {&section_summary,
-         "| beta | 0.200 | 10.0 (6.38…15.7) | 1.00 | 0.900 (0.496…1.30) | 1.50·10⁻¹⁰ (9.57·10⁻¹¹…2.35·10⁻¹⁰) | "
+         "| beta | 0.200 | 10.0 (6.38…15.7) | 1.00 | 0.900 (0.574…1.41) | 1.50·10⁻¹⁰ (9.57·10⁻¹¹…2.35·10⁻¹⁰) | "
          "3.00·10⁻⁵ (1.91·10⁻⁵…4.70·10⁻⁵) | 450 | 450 | 450 | 450 | 3.00 | b | 1.00·10⁻³ |\n"},
         {&section_surfaces, "| beta | 0.200 | 0.160 | 0.200 | 1.00 | 200 | 1.400 ± 0.010 | 2.00…100 | 0.0812 ×÷ 1.26 "
                             "at 14.1 | 0.0812 ×÷ 1.26 | 3.00·10⁻¹⁹ | 0.20 | 0.500 |\n"},
@@ -309,7 +311,8 @@ static void test_what_limits_the_answer(void **state)
         "that it changes most.\n\n| what | changed | factor | to measure next |\n|---|---|---:|---|\n"
         "| choice of model | the farthest valid one of the same material law | × 2.50 | nothing; let a direct solution "
         "run |\n"
-        "| place of the scans | 95 % of the mean | ×÷ 1.57 (surface beta) | more scans, at other places |\n"
+        "| place of the scans | 95 % of the mean, for scans of this length | ×÷ 1.57 (surface beta) | more scans, at "
+        "other places |\n"
         "| scan length | halved | × 1.30 | a longer scan |\n"
         "| hardness | raised by 10 % | × 1.08 | the hardness of the part |\n"
         "| bandwidth | cut-off doubled | × 0.950 | at a finer spacing, with a sharper tip |\n"
@@ -342,11 +345,14 @@ static void test_the_best_by_area(void **state)
     make_of("multiscale-elastic", "gw", EFFECT_BIT(EFFECT_UNCERTAINTY));
     made.results.measured = NULL;
     expect(&section_summary, "**At 10.0 MPa the real contact area is 2.00 % (95 % 1.78…2.24; surface gamma) to 10.0 % "
-                             "(95 % 8.91…11.2; surface alpha)** of the nominal one, by multiscale elastic at P/(Aₙ E′) "
+                             "(95 % 8.91…11.2; surface alpha)** of the nominal one, for scans of this length, by "
+                             "multiscale elastic at P/(Aₙ E′) "
                              "= 1.00·10⁻⁴.\n");
-    expect(&section_summary, "- **Surface alpha has the largest area** there: larger than surface beta, the next "
-                             "(×2.00, 95 % 1.26…3.18, 1 and 2 scans), and than surface gamma, the worst (×5.00, 95 % "
-                             "4.25…5.88, one scan each). It comes first in 2 of 2 models.");
+    expect(
+        &section_summary,
+        "- **Surface alpha has the largest area** there, for scans of this length: larger than surface beta, the next "
+        "(×2.00, 95 % 1.26…3.18, 1 and 2 scans), and than surface gamma, the worst (×5.00, 95 % "
+        "4.25…5.88, one scan each). It comes first in 2 of 2 models.");
     expect_not(&section_summary, "CR");
     expect(&section_baseline, "| 1.00·10⁻⁴ | 10.0 | GW | 0.0250 | 4.00 |\n");
     expect_not(&section_all_surfaces, "CR");
@@ -361,7 +367,8 @@ static void test_the_best_by_heat(void **state)
     made.results.usable_count = 2;
     memcpy(made.order, two, sizeof two);
     made_up_again(&made);
-    expect(&section_summary, "- **Surface alpha has the lowest TCR** there: lower than surface gamma (×0.133, 95 % "
+    expect(&section_summary, "- **Surface alpha has the lowest TCR** there, for scans of this length: lower than "
+                             "surface gamma (×0.133, 95 % "
                              "0.113…0.157, one scan each).\n");
 }
 
@@ -400,9 +407,9 @@ static void test_no_best_where_none_is_told_apart(void **state)
     set_deviation(0, 0.34, false); /* 1.106 */
     set_deviation(1, 0.34, false);
     made_up_again(&made);
-    expect(&section_summary,
-           "- **No surface stands out by its ECR** there: surface alpha is not told apart from surface "
-           "beta (×0.333, 95 % 0.110…1.01, one scan each); from the other it is.\n");
+    expect(&section_summary, "- **No surface stands out by its ECR** there, for scans of this length: surface alpha is "
+                             "not told apart from surface "
+                             "beta (×0.333, 95 % 0.110…1.01, one scan each); from the other it is.\n");
     expect_not(&section_summary, "has the lowest");
 }
 
@@ -429,7 +436,8 @@ static void test_ranking_of_several_scans(void **state)
     for (size_t i = 0; i < MADE_UP_USABLE; i++)
         set_deviation(i, 0.2, true);
     made_up_again(&made);
-    expect(&section_summary, "- **Surface alpha has the lowest ECR** there: lower than surface beta, the next (×0.333, "
+    expect(&section_summary, "- **Surface alpha has the lowest ECR** there, for scans of this length: lower than "
+                             "surface beta, the next (×0.333, "
                              "95 % 0.212…0.525, p = 0.0051, 3 and 3 scans)");
     for (size_t i = 0; i < MADE_UP_USABLE; i++)
         set_deviation(i, 0.6, true);

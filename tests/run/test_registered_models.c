@@ -252,10 +252,15 @@ static void test_the_data(void **state)
         double area = table_number(&contact, r, "area_ratio");
         if (strcmp(model, "numeric-stack") == 0) {
             rows[0]++;
-            assert_near(table_number(&contact, r, "adjusted_separation_over_sigma"),
-                        table_number(&contact, r, "separation_over_sigma"), 1e-12);
-            /* of three scans of which some are complete and some are not there is no mean resistance */
+            /* of three scans of which some are complete and some are not there is no mean resistance; the separation
+             * shown is the geometric mean, the other one the arithmetic */
             bool several = strcmp(table_text(&contact, r, "surface"), "one") == 0;
+            double adjusted = table_number(&contact, r, "adjusted_separation_over_sigma"),
+                   separation = table_number(&contact, r, "separation_over_sigma");
+            if (!several)
+                assert_near(adjusted, separation, 1e-12);
+            else if (*table_text(&contact, r, "adjusted_separation_over_sigma"))
+                assert_true(adjusted <= separation * (1 + 1e-12));
             if (several && *table_text(&contact, r, "ecr_ohm_m2") == '\0') {
                 assert_true(area > 0.5);
                 emptied++;

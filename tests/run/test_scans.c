@@ -66,11 +66,13 @@ static bool report_says(const struct directory *place, const char *report, const
     return says;
 }
 
-/** The surface's curve is the geometric mean of those of its scans, each reported by itself; of separations the
- * arithmetic one. The scans' order in the scene does not matter. */
+/** The surface's curve is the geometric mean of those of its scans, each reported by itself: of
+ * separation/sigma, not of metres; of what may be negative the arithmetic one. The scans' order in the scene does not
+ * matter. */
 static void the_mean_of_five_reports(void **state)
 {
-    static const char *const columns[] = {"area_ratio", "ecr_ohm_m2", "separation_m"};
+    static const char *const columns[] = {"area_ratio", "ecr_ohm_m2", "separation_over_sigma",
+                                          "adjusted_separation_over_sigma"};
     const struct directory *place = *state;
     struct table alone[SCANS];
     char name[64], surface[64];
@@ -90,16 +92,17 @@ static void the_mean_of_five_reports(void **state)
     struct table all = read_data(place, "all/data/contact.csv");
     size_t compared = 0;
     for (size_t r = 0; r < all.rows; r++)
-        for (size_t c = 0; c < 3; c++) {
+        for (size_t c = 0; c < 4; c++) {
             double sum = 0, load = table_number(&all, r, "load_over_AnEp");
             const char *model = table_text(&all, r, "model");
+            bool signed_one = c == 2 && (strcmp(model, "gw") == 0 || strcmp(model, "jg") == 0);
             if (table_text(&all, r, columns[c])[0] == '\0' || table_number(&all, r, "area_ratio") == 1)
                 continue;
             for (int s = 0; s < SCANS; s++) {
                 double value = table_number(&alone[s], row_of(&alone[s], "m", model, load), columns[c]);
-                sum += c < 2 ? log(value) : value;
+                sum += signed_one ? value : log(value);
             }
-            double mean = c < 2 ? exp(sum / SCANS) : sum / SCANS;
+            double mean = signed_one ? sum / SCANS : exp(sum / SCANS);
             assert_near(table_number(&all, r, columns[c]), mean, 1e-12);
             compared++;
         }
@@ -120,7 +123,7 @@ static void the_mean_of_five_reports(void **state)
 static void the_interval_of_two(void **state)
 {
     const struct directory *place = *state;
-    double ln[2];
+    double ln[2], ln_gap[2];
     mkdir(directory_path(place, "in"), 0777);
     rough(place, "in/0.csv", POINTS, 1, 1);
     rough(place, "in/1.csv", POINTS, 1, 2);
@@ -129,6 +132,7 @@ static void the_interval_of_two(void **state)
         assert_int_equal(pipeline_run(place, "in", s ? "one" : "zero", 1), 0);
         struct table table = read_data(place, s ? "one/data/contact.csv" : "zero/data/contact.csv");
         ln[s] = log(table_number(&table, row_of(&table, "m", "gw", 1e-5), "ecr_ohm_m2"));
+        ln_gap[s] = log(table_number(&table, row_of(&table, "m", "gw", 1e-5), "adjusted_separation_over_sigma"));
         table_free(&table);
     }
     scene(place, "in", listed, "{name: m, file: [0.csv, 1.csv]}");
@@ -139,7 +143,69 @@ static void the_interval_of_two(void **state)
     assert_near(table_number(&bands, row, "ecr_ohm_m2_mean_low_95"), exp(mean - half), 1e-9);
     assert_near(table_number(&bands, row, "ecr_ohm_m2_mean_high_95"), exp(mean + half), 1e-9);
     assert_near(table_number(&bands, row, "ecr_ohm_m2_next_scan_high_95"), exp(mean + half * sqrt(3)), 1e-9);
+    mean = (ln_gap[0] + ln_gap[1]) / 2; /* each over its own sigma */
+    half = 12.706204736432095 * fabs(ln_gap[0] - ln_gap[1]) / 2;
+    assert_near(table_number(&bands, row, "separation_over_sigma_mean_low_95"), exp(mean - half), 1e-9);
+    assert_near(table_number(&bands, row, "separation_over_sigma_mean_high_95"), exp(mean + half), 1e-9);
     table_free(&bands);
+    assert_true(report_says(place, "both/report.md", "95 % interval of the mean, for scans of this length."));
+}
+
+/** A cell; NaN where it is empty. */
+static double cell(const struct table *table, size_t row, const char *column)
+{
+    return *table_text(table, row, column) ? table_number(table, row, column) : NAN;
+}
+
+/** Intervals of one scan and of two that are quite unlike, up to full contact: each about its value and with a width,
+ * above 0, of an area up to 1; none where a number is that of the load alone. */
+static void intervals_in_the_data(void **state)
+{
+    static const char *const names[] = {"area_ratio", "separation_over_sigma", "ecr_ohm_m2"};
+    const struct directory *place = *state;
+    mkdir(directory_path(place, "in"), 0777);
+    rough(place, "in/0.csv", POINTS, 1, 1);
+    rough(place, "in/1.csv", POINTS, 4, 2);
+    rough(place, "in/2.csv", POINTS, 0.02, 3);
+    rough(place, "in/3.csv", POINTS, 100, 4);
+    scene(place, "in",
+          "models: [multiscale, statistical, cmy]\neffects: [plasticity, separation, electrical, uncertainty]\n",
+          "{name: one, file: 0.csv}, {name: two, file: [0.csv, 1.csv]}, {name: smooth, file: 2.csv}, {name: rough, "
+          "file: 3.csv}");
+    assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
+    struct table bands = read_data(place, "out/data/bands.csv"), contact = read_data(place, "out/data/contact.csv");
+    size_t known[2][3] = {{0}}, at_most[2] = {0}, alike = 0;
+    for (size_t r = 0; r < bands.rows; r++)
+        for (int q = 0; q < 3; q++) {
+            const char *surface = table_text(&bands, r, "surface"), *model = table_text(&bands, r, "model");
+            bool statistical = strcmp(model, "gw") == 0 || strcmp(model, "jg") == 0,
+                 several = strcmp(surface, "two") == 0;
+            char low_name[64], high_name[64];
+            snprintf(low_name, sizeof low_name, "%s_mean_low_95", names[q]);
+            snprintf(high_name, sizeof high_name, "%s_mean_high_95", names[q]);
+            double low = cell(&bands, r, low_name), high = cell(&bands, r, high_name);
+            assert_int_equal(isnan(low), isnan(high));
+            if (strcmp(model, "cmy") == 0 && q == 0)
+                alike += isnan(low) != 0;
+            if (isnan(low))
+                continue;
+            assert_true(low > 0 && low < high && (q > 0 || high <= 1));
+            double value = cell(&contact, row_of(&contact, surface, model, table_number(&bands, r, "load_over_AnEp")),
+                                statistical && q == 1 ? "adjusted_separation_over_sigma" : names[q]);
+            assert_true(low <= value * (1 + 1e-9) && value <= high * (1 + 1e-9));
+            known[several][q]++;
+            at_most[several] += q == 0 && high == 1 ? 1 : 0;
+        }
+    /* pressed lightly, a separation goes as sigma: record by record their scatter cancels; in metres it is 14 times */
+    size_t light = row_of(&bands, "rough", "multiscale-elastic", 1e-6);
+    assert_true(cell(&bands, light, "separation_over_sigma_mean_high_95") <
+                4 * cell(&bands, light, "separation_over_sigma_mean_low_95"));
+    for (int several = 0; several < 2; several++)
+        for (int q = 0; q < 3; q++)
+            assert_true(known[several][q] > 10);
+    assert_true(at_most[0] > 0 && at_most[1] > 0 && alike > 4);
+    table_free(&bands);
+    table_free(&contact);
 }
 
 /** A scan of twice the length is cut in two: it then says what its halves, reported as scans of one surface, say. */
@@ -244,7 +310,8 @@ static void ranked_in_words(void **state)
     assert_false(report_says(place, "three/report.md", "has the lowest ECR"));
     scene(place, "in", more, "{name: a, file: [a0.csv, a1.csv, a2.csv]}, {name: c, file: [c0.csv, c1.csv, c2.csv]}");
     assert_int_equal(pipeline_run(place, "in", "two", 1), 0);
-    assert_true(report_says(place, "two/report.md", "Surface a has the lowest ECR** there: lower than surface c (×"));
+    assert_true(report_says(place, "two/report.md",
+                            "Surface a has the lowest ECR** there, for scans of this length: lower than surface c (×"));
     assert_true(report_says(place, "two/report.md", "| a | "));
 }
 
@@ -325,6 +392,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(the_mean_of_five_reports, make, clean),
         cmocka_unit_test_setup_teardown(the_interval_of_two, make, clean),
+        cmocka_unit_test_setup_teardown(intervals_in_the_data, make, clean),
         cmocka_unit_test_setup_teardown(unlike_lengths, make, clean),
         cmocka_unit_test_setup_teardown(identical_scans, make, clean),
         cmocka_unit_test_setup_teardown(one_scan_each, make, clean),
