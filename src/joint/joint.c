@@ -80,7 +80,7 @@ static void add_spots(struct contact_point *point, const struct contact_spots *o
     if (runs(task, EFFECT_PLATING)) {
         bool independent = point->area_ratio < joint_independent_area && spots.radius_m > 0;
         point->plating_factor = independent ? joint_plating(task, spots.radius_m) : NAN;
-        ecr_ohm_m2 *= point->plating_factor;
+        ecr_ohm_m2 *= ecr_ohm_m2 > 0 ? point->plating_factor : 1; /* of full contact nothing is left to change */
     }
     if (runs(task, EFFECT_FILM))
         ecr_ohm_m2 = film_resistance(ecr_ohm_m2, task->joint->film_ohm_m2, point->area_ratio);

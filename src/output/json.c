@@ -149,8 +149,8 @@ static json_t *scene_json(const struct results *results, const struct cell_guard
     const struct scene_convergence *study = &scene->convergence;
     json_object_set_new(json, "convergence",
                         json_pack("{s:o, s:o, s:o, s:o, s:I}", "alpha", cell_json(guard, "alpha", study->alpha),
-                                  "gamma", cell_json(guard, "gamma", study->gamma), "load",
-                                  cell_json(guard, "load", study->load), "scan_length_m",
+                                  "gamma", cell_json(guard, "gamma", study->gamma), "load_over_AnEp",
+                                  cell_json(guard, "load_over_AnEp", study->load), "scan_length_m",
                                   cell_json(guard, "scan_length_m", study->scan_length_m), "scales",
                                   (json_int_t)study->scales));
     return json;
@@ -181,8 +181,8 @@ static json_t *curve_json(const struct model_curve *curve, const struct curve_su
                           const struct material_pair *pair, const struct scene *scene, const struct plan *plan,
                           const struct cell_guard *guard)
 {
-    json_t *json = json_pack("{s:o, s:o, s:o, s:o, s:o, s:I}", "full_contact_load",
-                             cell_json(guard, "full_contact_load", model->full_load), "beta",
+    json_t *json = json_pack("{s:o, s:o, s:o, s:o, s:o, s:I}", "full_contact_load_over_AnEp",
+                             cell_json(guard, "full_contact_load_over_AnEp", model->full_load), "beta",
                              cell_json(guard, "beta", model->beta), "beta_from_multiscale",
                              cell_json(guard, "beta_from_multiscale", model->beta_multiscale), "area_load_slope",
                              cell_json(guard, "area_load_slope", model->area_slope), "largest_load_share_beyond_fit",
@@ -235,7 +235,7 @@ static json_t *intervals_json(const struct curve_summary *model, const struct ce
     const struct estimate *full_load = curve_summary_estimate(model, CURVE_FULL_LOAD),
                           *beta = curve_summary_estimate(model, CURVE_BETA);
     if (full_load->count > 0)
-        json_object_set_new(json, "full_contact_load", estimate_json(full_load, guard));
+        json_object_set_new(json, "full_contact_load_over_AnEp", estimate_json(full_load, guard));
     if (beta->count > 0)
         json_object_set_new(json, "beta", estimate_json(beta, guard));
     return json;
@@ -459,13 +459,15 @@ static json_t *answer_json(const struct results *results, size_t surface, size_t
     double area_m2 = results->scene->nominal_area_m2, interval[2] = {answer->low, answer->high};
     struct text note = {0}, asked = {0};
     text_add(&asked, "%s %s", target->row->name, target->text);
-    answers_note(&note, answer, area_m2, 1);
+    answers_note(&note, answer, area_m2, 1, "");
     json_t *json = json_pack("{s:o, s:s, s:o, s:o}", "surface", string(s->scene->name), "model", model_rows[m]->name,
                              "target", string(text_string(&asked)), "note", string(text_string(&note)));
     set(json, &guard, "load_N", met ? answer->load * scene_load_divisor(results->scene, UNIT_FORCE, &s->pair) : NAN);
     set(json, &guard, "load_over_AnEp", met ? answer->load : NAN);
-    json_object_set_new(json, "interval_95", pair_json("interval_95", interval, &guard));
+    json_object_set_new(json, "load_over_AnEp_95", pair_json("load_over_AnEp_95", interval, &guard));
     set(json, &guard, "spots", answers_spots(answer, area_m2));
+    json_object_set_new(json, "spots_by",
+                        isnan(answer->spots_per_m2) ? json_null() : json_string(model_rows[answer->counted_by]->name));
     text_free(&note);
     text_free(&asked);
     return json;
@@ -522,7 +524,7 @@ static json_t *outline_surface_json(const struct surface_summary *s, const struc
                   "refused", s->refusal ? string(s->refusal) : json_null(), "notes", lines_json(s->notes));
     for (size_t m = 0; m < model_count && complete && s->usable; m++) {
         json_t *model = json_object();
-        set(model, guard, "full_contact_load", surface_model(s, m)->full_load);
+        set(model, guard, "full_contact_load_over_AnEp", surface_model(s, m)->full_load);
         set(model, guard, "beta", surface_model(s, m)->beta);
         if (plan_runs_model(plan, m) && surface_model(s, m)->exists)
             json_object_set(models, model_rows[m]->name, model);

@@ -482,7 +482,7 @@ static enum status_code write_spread(const struct results *results, const char *
         for (size_t m = 0; m < model_count; m++) {
             snprintf(quantity, sizeof quantity, "beta_%s", model_rows[m]->name);
             put_spread_number(&table, s, quantity, curve_summary_estimate(surface_model(s, m), CURVE_BETA));
-            snprintf(quantity, sizeof quantity, "full_contact_load_%s", model_rows[m]->name);
+            snprintf(quantity, sizeof quantity, "full_contact_load_over_AnEp_%s", model_rows[m]->name);
             put_spread_number(&table, s, quantity, curve_summary_estimate(surface_model(s, m), CURVE_FULL_LOAD));
             for (int q = 0; q < QUANTITY_COUNT; q++) {
                 snprintf(quantity, sizeof quantity, "%s_at_middle_load_%s", quantity_shown_name((enum quantity)q),
@@ -533,7 +533,7 @@ static void put_answer(struct table *table, const struct results *results, size_
     struct text asked = {0}, note = {0};
     put_surface(table, s);
     text_add(&asked, "%s %s", target->row->name, target->text);
-    answers_note(&note, answer, area_m2, 1);
+    answers_note(&note, answer, area_m2, 1, "");
     text_add(&table->rows, ",%s,", model_rows[m]->name);
     text_add_csv(&table->rows, text_string(&asked));
     put_number(table, "load_N", met ? answer->load * force_N : NAN);

@@ -150,14 +150,15 @@ static double scale_dependence(const struct curve_summary *model)
     return model->sd_most;
 }
 
-/** Where a plastic model lets the contact bear more than any metal does: " P/A … is beyond 3 S_y from … to …". */
+/** Where a plastic model lets the contact bear more than the hardness: " P/A … exceeds the hardness … between …". */
 static void hard_text(struct text *out, const struct section_context *context, size_t m)
 {
     const struct model_curve *curve = &context->baseline->curves[m];
     double most = 0, from = NAN, to = NAN;
     for (size_t i = 0; i < curve->count; i++) {
         double pressure = section_contact_pressure(context, context->results->baseline, &curve->points[i]);
-        if (!(curve->points[i].area_ratio < 1) || !(pressure > section_hardest(context, context->results->baseline)))
+        if (!(curve->points[i].area_ratio < 1) ||
+            !section_exceeds_hardness(context, context->results->baseline, &curve->points[i]))
             continue;
         most = fmax(most, pressure);
         from = fmin(from, curve->points[i].load); /* of a number and NaN, the number */
@@ -165,9 +166,9 @@ static void hard_text(struct text *out, const struct section_context *context, s
     }
     if (isnan(from))
         return;
-    text_add(out,
-             " In %s the mean pressure P/A of the partial contact exceeds %.2g S_y, more than any metal's hardness, ",
-             model_rows[m]->label, section_hardest(context, context->results->baseline));
+    text_add(out, " In %s the mean pressure P/A of the partial contact exceeds ", model_rows[m]->label);
+    section_hardness(out, section_pair(context));
+    text_add(out, " ");
     if (from < to) {
         text_add(out, "between ");
         section_at_load(out, context->results, context->results->baseline, from);

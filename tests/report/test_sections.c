@@ -230,9 +230,9 @@ static void test_what_the_sections_say(void **state)
                            "2 scans), and than surface gamma, the worst (×0.133, 95 % 0.113…0.157, one scan each). It "
                            "comes first in 4 of "
                            "4 models.\n"},
-        {&section_summary, "for surface beta at that load, the area is 2.50 (GW) to 10.0 % (multiscale "
-                           "elastic-plastic), ECR·Aₙ 1.50·10⁻¹⁰ (multiscale elastic-plastic) to 6.00·10⁻¹⁰ Ω·m² "
-                           "(GW).\n"},
+        {&section_summary, "for surface beta at that load, the area is 4.00 (JG) to 10.0 % (multiscale "
+                           "elastic-plastic), ECR·Aₙ 1.50·10⁻¹⁰ (multiscale elastic-plastic) to 3.75·10⁻¹⁰ Ω·m² "
+                           "(JG); without GW, elastic and above the hardness there.\n"},
         {&section_summary, "multiscale elastic is nearest, off by a factor of 1.33 (root mean square over 3 of 3 "
                            "points) and 1.33 times the measured on average; GW is farthest, off by a factor of 2.67."},
         {&section_summary, "scales below the shortest wavelength known would take up to 25 % more of the area"},
@@ -437,8 +437,11 @@ static void test_ranking_of_several_scans(void **state)
         set_deviation(i, 0.2, true);
     made_up_again(&made);
     expect(&section_summary, "- **Surface alpha has the lowest ECR** there, for scans of this length: lower than "
-                             "surface beta, the next (×0.333, "
-                             "95 % 0.212…0.525, p = 0.0051, 3 and 3 scans)");
+                             "surface beta, the next (×0.333, 95 % 0.212…0.525 of this pair alone, p = 0.0051 over all "
+                             "pairs, 3 and 3 scans)");
+    ecr_of(1)->count = 0; /* two are left, and one pair to adjust over */
+    made_up_again(&made);
+    expect(&section_summary, "(×0.400, 95 % 0.254…0.629, p = 0.005, 3 and 3 scans)");
     for (size_t i = 0; i < MADE_UP_USABLE; i++)
         set_deviation(i, 0.6, true);
     made_up_again(&made);
@@ -461,6 +464,31 @@ static void test_no_verdict_without_grounds(void **state)
                              "scanned, the largest value is 7.50 times the smallest.\n");
     expect_not(&section_summary, "has the lowest");
     expect_not(&section_summary, "share a letter");
+    expect_not(&section_summary, "| alike |");
+}
+
+/* A surface of whose scatter nothing is known has no letter and no verdict, whatever its value. */
+static void test_no_test_no_verdict(void **state)
+{
+    (void)state;
+    ecr_of(1)->count = 0; /* alpha, of the lowest ECR */
+    made_up_again(&made);
+    expect(&section_summary, "- **Surface beta has the lowest ECR** there of those tested: lower than surface gamma (");
+    expect(&section_summary, ". 1 more was not tested: how far another scan would be off is not known.\n");
+    expect(&section_summary, " | – | – | 5.00·10⁻⁴ |\n"); /* alpha */
+    expect(&section_summary, " | 1 | a | 1.00·10⁻³ |\n");
+    expect(&section_summary, " | b | 2.50·10⁻³ |\n");
+    set_deviation(0, 0.9, false);
+    set_deviation(2, 0.9, false);
+    made_up_again(&made);
+    expect(&section_summary,
+           "- **No surface stands out by its ECR** there: surface beta is not told apart from surface "
+           "gamma (×0.400, 95 % 0.0214…7.47, one scan each). 1 more was not tested");
+    expect_not(&section_summary, "surface alpha (×");
+    ecr_of(2)->half_width = NAN;
+    made_up_again(&made);
+    expect(&section_summary, "- **The surfaces are not ranked by ECR**: how far another scan would be off is known of "
+                             "fewer than two; as scanned, the largest value is 7.50 times the smallest.\n");
     expect_not(&section_summary, "| alike |");
 }
 
@@ -554,11 +582,21 @@ static void test_the_limits(void **state)
         for (size_t m = 0; m < model_count; m++)
             if (made_up_surface(&made, i)->models[m])
                 made_up_surface(&made, i)->models[m]->extension.area_extended = 0.4 * (1 - 0.9e-3);
-    expect(&section_summary, "- **Limits**: in JG the real contact bears more than 3 S_y, beyond any hardness, "
-                             "on 1 of 3 surfaces (up to 6.2 S_y).\n");
-    for (size_t i = 0; i < MADE_UP_USABLE; i++)
-        made_up_surface(&made, i)->pair.yield_strength_Pa *= 10;
+    expect(&section_summary, "- **Limits**: in JG the real contact bears more than the hardness of 284 MPa "
+                             "(2.84 S_y, as none is given) on 1 of 3 surfaces (up to 6.2 S_y).\n");
+    made_up_surface(&made, 2)->pair.hardness_Pa = 6.26e8; /* of a metal that hardens; it bears 625 MPa */
     expect_not(&section_summary, "Limits");
+    made_up_surface(&made, 2)->pair.hardness_Pa = 6.24e8;
+    expect_not(&section_baseline, "exceeds the hardness"); /* 250 MPa */
+    made_up_surface(&made, 0)->pair.hardness_Pa = 2.49e8;
+    expect(&section_baseline, " In JG the mean pressure P/A of the partial contact exceeds the hardness of 249 MPa "
+                              "between P/(Aₙ E′) = 1.00·10⁻⁶ and 1.00·10⁻³ (up to 2.5 S_y).");
+    made_up_surface(&made, 0)->pair.hardness_Pa = 2.84e8;
+    expect(&section_summary, "- **Limits**: in JG");
+    for (size_t i = 0; i < MADE_UP_USABLE; i++)
+        made_up_surface(&made, i)->pair.hardness_Pa *= 10;
+    expect_not(&section_summary, "Limits");
+    expect(&section_summary, "2.50 (GW) to 10.0 %"); /* which is below it now */
     model_of(2, "multiscale-plastic")->extension.area_extended = 0.4 * (1 - 1.1e-3);
     expect(&section_summary, "would take up to 0.11 % more of the area.\n");
     made_up_surface(&made, 1)->jump_share = 0.49;
@@ -669,6 +707,7 @@ int main(void)
         section_test(test_letters_are_shared_by_those_not_told_apart),
         section_test(test_ranking_of_several_scans),
         section_test(test_no_verdict_without_grounds),
+        section_test(test_no_test_no_verdict),
         section_test(test_the_range_of_beta),
         section_test(test_what_is_left_at_full_contact),
         section_test(test_captions_of_some_surfaces),

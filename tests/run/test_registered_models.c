@@ -294,8 +294,8 @@ static void test_the_other_tables(void **state)
         {"out/data/convergence.csv", {"alpha,0.001", ",numeric-stack,"}, "area-alone"},
         {"out/data/cost.csv", {"cut-off,numeric-stack,", "loads,numeric-stack,", "loads,area-alone,"}, "cut-off,area"},
         {"out/data/spread.csv",
-         {"full_contact_load_numeric-stack,3", "beta_numeric-stack,3"},
-         "full_contact_load_area-alone"},
+         {"full_contact_load_over_AnEp_numeric-stack,3", "beta_numeric-stack,3"},
+         "full_contact_load_over_AnEp_area-alone"},
         {"out/data/bands.csv", {"one,numeric-stack,", "one,area-alone,"}, "nan"},
         {"out/results.json", {"\"numeric-stack\": {", "\"area-alone\": {", "\"registered\""}, "inf"},
     };
