@@ -245,6 +245,17 @@ static void test_gwyddion(void **state)
     process = expect_exit(place, 0, "inspect", "b.bin");
     expect_part(process.out, "converted by the program Gwyddion from a format that is not read here");
     process_free(&process);
+    static const char *const headed[] = {"fileType      Image\n", "UK SOFT\r\n"}; /* text as far as one looks */
+    for (size_t i = 0; i < sizeof headed / sizeof *headed; i++) {
+        struct text text = {0};
+        text_add(&text, "%s%5000s", headed[i], "Data_section\r\n");
+        text_add_bytes(&text, "\0\1\2\3", 4);
+        write_bytes(place, "d.mi", text.data, text.length);
+        text_free(&text);
+        process = expect_exit(place, 0, "inspect", "d.mi");
+        expect_part(process.out, "converted by the program Gwyddion from a Molecular Imaging");
+        process_free(&process);
+    }
     expect_failure(place, 4, 1, "c.png: it is no scan: PNG picture", "inspect", "c.png");
     workspace_write(place, "converted", "hello\n");
     expect_failure(place, 4, 1, "the format is not read here: Wyko OPD file", "inspect", "--", "-a.opd");
