@@ -147,6 +147,16 @@ static void test_packed(void **state)
     struct status status = {0};
     assert_int_equal(text_read_file(&bytes, name, &status), STATUS_OK);
     write_bytes(place, "z/s.zip", bytes.data, bytes.length);
+    /* one of them damaged: the others are read, and it is named */
+    char *second = memmem(bytes.data, bytes.length, "2.csv", 5);
+    assert_non_null(second);
+    second[100] ^= 1;
+    write_bytes(place, "damaged.zip", bytes.data, bytes.length);
+    process = expect_exit(place, 1, "inspect", "damaged.zip");
+    expect_part(process.out, "damaged.zip(1.csv)\n");
+    expect_part(process.out, "damaged.zip(3.csv)\n");
+    expect_part(process.err, "'2.csv' in the archive is damaged; copy the file again\n");
+    process_free(&process);
     text_free(&bytes);
     free(name);
     workspace_scan(place, "f/1.csv", 200, 1);
