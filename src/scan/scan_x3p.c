@@ -42,8 +42,8 @@ struct x3p {
 
 bool scan_x3p_sniff(const struct scan_bytes *file)
 {
-    return scan_zip_sniff(file) && memmem(file->bytes, file->length, "main.xml", 8) != NULL &&
-           archive_has(file, "main.xml", true, true); /* and not an archive of such files */
+    return scan_zip_sniff(file) && archive_has(file, "main.xml", true, true) && /* and not an archive of such files */
+           memmem(file->bytes, file->length, "main.xml", 8) != NULL; /* of a damaged one nothing else tells */
 }
 
 enum { X3P_PATH = 256, X3P_TEXT = 256 };

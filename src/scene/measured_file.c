@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scene/measured_file.h"
+#include "base/limits.h"
 
 #include "scan/number.h"
 #include "scene/scene_words.h"
@@ -463,8 +464,14 @@ enum status_code measured_file_read(struct measured_file *out, struct string_vie
     struct lines lines = lines_begin(content);
     enum status_code rc = STATUS_OK;
     for (struct string_view line; rc == STATUS_OK && lines_next(&lines, &line);) {
+        in.line = lines.number;
+        if (lines.number > limit_most(LIMIT_MEASURED_LINES))
+            rc = status_fail(status, STATUS_SCENE, "too many lines%s", limit_words(LIMIT_MEASURED_LINES).text);
+        else if (string_view_length(line) > limit_most(LIMIT_MEASURED_LINE_BYTES))
+            rc = status_fail(status, STATUS_SCENE, "a line of %zu bytes%s", string_view_length(line),
+                             limit_words(LIMIT_MEASURED_LINE_BYTES).text);
         line = string_view_trim(line);
-        if (line.start == line.end)
+        if (rc != STATUS_OK || line.start == line.end)
             continue;
         const char *comment = memchr(line.start, '#', string_view_length(line));
         if (comment && comment > line.start)
