@@ -276,6 +276,8 @@ static void show(struct outcome *outcome, const struct arguments *arguments, con
 static void inspect_file(struct outcome *outcome, const struct arguments *arguments, const char *path,
                          const struct scan_bytes *bytes, struct scan_options how)
 {
+    struct text text = {0};
+    struct scan_bytes held;
     do {
         struct status status = {0};
         struct inspection inspection;
@@ -291,7 +293,17 @@ static void inspect_file(struct outcome *outcome, const struct arguments *argume
         how.entry = inspection.scan.next_entry;
         text_free(&name);
         inspection_free(&inspection);
+        if (how.entry == 0 || bytes)
+            continue;
+        status = (struct status){0};
+        if (text_read_file(&text, path, &status) != STATUS_OK) { /* once for all its other scans */
+            refuse(outcome, arguments, path, status.message);
+            break;
+        }
+        held = (struct scan_bytes){text_string(&text), text.length, path};
+        bytes = &held;
     } while (how.entry > 0);
+    text_free(&text);
 }
 
 static void inspect_input(struct outcome *outcome, const struct arguments *arguments)
