@@ -19,7 +19,9 @@ enum { KEY_GAMMA = 0x100, KEY_SCATTER };
 static const struct argp_option options[] = {
     {"alpha", 'a', "SI", 0, "alpha of amplitude = alpha lambda^gamma, in m^(1-gamma) (default 0.085)", 0},
     {"gamma", 'g', "G", 0, "gamma (default 1.5)", 0},
-    {"rq", 'r', "LENGTH", 0, "root mean square height to reach (default: what alpha and gamma give)", 0},
+    {"rq", 'r', "LENGTH", 0,
+     "root mean square height: scales the profile, or beside --alpha chooses the scatter (default: what alpha gives)",
+     0},
     {"length", 'l', "LENGTH", 0, "scan length (default 0.3mm)", 0},
     {"points", 'n', "N", 0, "points (default 1200)", 0},
     {"scatter", 'c', "DECADES", 0, "RMS scatter of the amplitudes about the law (default 0.2785, a Gaussian surface's)",
@@ -48,16 +50,6 @@ static double whole(const char *value, const char *name, double most, struct arg
     return result;
 }
 
-/** A length with its unit, such as 0.31mm or 8um; metres without one. */
-static double length(const char *value, const char *name, struct argp_state *state)
-{
-    char *end;
-    double result = strtod(value, &end), unit = *end ? scan_unit_m(end, strlen(end)) : 1;
-    if (end == value || unit == 0 || !isfinite(result))
-        argp_error(state, "--%s must be a length such as 0.31mm, not '%s'", name, value);
-    return result * unit;
-}
-
 static error_t parse(int key, char *value, struct argp_state *state)
 {
     struct arguments *arguments = state->input;
@@ -65,15 +57,16 @@ static error_t parse(int key, char *value, struct argp_state *state)
     switch (key) {
     case 'a':
         def->alpha = number(value, "alpha", state);
+        def->scaled = false;
         return 0;
     case 'g':
         def->gamma = number(value, "gamma", state);
         return 0;
     case 'r':
-        def->rq_m = length(value, "rq", state);
+        def->rq_m = command_length("rq", value, state);
         return 0;
     case 'l':
-        def->length_m = length(value, "length", state);
+        def->length_m = command_length("length", value, state);
         return 0;
     case 'n':
         def->points = (size_t)whole(value, "points", 1e8, state);
@@ -82,7 +75,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
         def->scatter_decades = number(value, "scatter", state);
         return 0;
     case 's':
-        def->lambda_s_m = length(value, "lambda-s", state);
+        def->lambda_s_m = command_length("lambda-s", value, state);
         return 0;
     case 'd':
         def->seed = (unsigned long)whole(value, "seed", 4294967295.0, state);
@@ -119,15 +112,15 @@ static enum status_code write_scan(const struct arguments *arguments, const doub
 const struct argp command_synth_argp = {
     .options = options,
     .parser = parse,
-    .doc =
-        "Writes a scan whose harmonics obey amplitude = alpha lambda^gamma about which they scatter, with random "
-        "phases; the profile is level. The line through all harmonics (fit: thesis) gives alpha, gamma and the scatter "
-        "back, of a scan made with --lambda-s only in a fit_band that begins there."};
+    .doc = "Writes a scan whose harmonics obey amplitude = alpha lambda^gamma about which they scatter, with random "
+           "phases; the profile is level. The line through all harmonics (fit: thesis) gives alpha (but for --rq, which "
+           "scales it), gamma and the scatter back, of a scan made with --lambda-s only in a fit_band that begins there."};
 
 int command_synth(int argc, char **argv)
 {
     struct arguments arguments = {.def = synth_def_default()};
     struct status status = {0};
+    arguments.def.scaled = true; /* unless --alpha is given */
     command_parse(&command_synth_argp, argc, argv, &arguments);
     double *height_m = calloc(arguments.def.points + 1, sizeof *height_m);
     enum status_code rc = height_m ? synth_profile(height_m, &arguments.def, &status) : status_memory(&status);

@@ -86,6 +86,9 @@ int command_fail(const struct status *status);
 /** Directory of the templates: share/roughcontact/templates beside the program's bin. Error: STATUS_IO. */
 MUST_CHECK enum status_code command_templates(struct text *out, struct status *status);
 
+/** The length [m] that option `name` gives: 0.8mm, 8 um, or a plain number in m; ends the program where it is none. */
+double command_length(const char *name, const char *value, struct argp_state *state);
+
 /** Columns and rows of the terminal on stdout, else of $COLUMNS and $LINES, else 100 x 30. */
 void command_terminal_size(int *columns, int *rows);
 

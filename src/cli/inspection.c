@@ -111,8 +111,9 @@ enum status_code inspection_make(struct inspection *out, const char *path, const
                                  enum power_law_method fit, struct status *status)
 {
     *out = (struct inspection){.options = *options, .fit = fit};
-    enum status_code code =
-        bytes ? scan_read_bytes(&out->scan, bytes, units, status) : scan_read(&out->scan, path, units, status);
+    enum status_code code = !bytes                   ? scan_read(&out->scan, path, units, status)
+                            : strcmp(path, "-") == 0 ? scan_read_bytes(&out->scan, bytes, units, status)
+                                                     : scan_read_beside(&out->scan, bytes, path, units, status);
     if (code != STATUS_OK)
         return code;
     code = out->scan.kind == SCAN_AREAL ? look_at_map(out, status) : look_at_profile(out, status);

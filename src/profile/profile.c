@@ -139,7 +139,7 @@ static enum status_code high_pass(struct profile *profile, double cutoff_m, stru
     double length_m = (double)points * profile->spacing_m;
     if (cutoff_m > length_m)
         return status_fail(status, STATUS_SCAN,
-                           "lambda_c_m is %.6g, longer than the scan of %.6g m; give a shorter one", cutoff_m,
+                           "lambda_c is %.6g m, longer than the scan of %.6g m; give a shorter one", cutoff_m,
                            length_m);
     double *waviness_m = smoothed(profile, cutoff_m, status);
     if (!waviness_m)
@@ -164,7 +164,7 @@ static enum status_code take_filters(struct profile *profile, const struct profi
         free(profile->measured_z_m);
         profile->measured_x_m = profile->measured_z_m = NULL;
         if (peak_to_valley(profile) <= rounding_m)
-            return status_fail(status, STATUS_SCAN, "no roughness is left between lambda_s_m and lambda_c_m");
+            return status_fail(status, STATUS_SCAN, "no roughness is left between lambda_s and lambda_c");
     }
     return STATUS_OK;
 }

@@ -46,7 +46,7 @@ static const struct bad_input bad_inputs[] = {
     {"materail: tin\n", ROUGH, 3, 1, "roughcontact: d/scene.yaml:1: unknown key 'materail'; did you mean 'material'?"},
     {"title: x\nmaterial: tim\n", ROUGH, 3, 1, "d/scene.yaml:2: unknown material 'tim'; did you mean 'tin'?"},
     {"title: x\neffects: [electrical]\nmaterial: {E_Pa: 1e11, nu: 0.3, Sy_Pa: 1e8}\n", ROUGH, 3, 1,
-     "d/scene.yaml:2: effect 'electrical' needs 'resistivity_ohm_m'; add it to 'material'"},
+     "d/scene.yaml:2: effect 'electrical' needs 'resistivity'; add it to 'material'"},
     {"effects: [thermal, elecrical]\n", ROUGH, 3, 1,
      "d/scene.yaml:1: unknown effect 'elecrical'; did you mean 'electrical'?"},
     {"\n\ntolerance: 3\n", ROUGH, 3, 1, "d/scene.yaml:3: 'tolerance' is 3; allowed is 1e-14 to 0.1"},

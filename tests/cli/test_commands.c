@@ -324,11 +324,11 @@ static void test_synth(void **state)
     assert_near(json_number_value(json_object_get(found, "alpha_SI")), 0.1, 1e-3);
     json_decref(json);
     process_free(&process);
-    process = expect_exit(place, 0, "synth", "--rq", "0.3um", "--points", "500", "-o", "b.csv");
+    process = expect_exit(place, 0, "synth", "--rq", "5um", "--points", "500", "-o", "b.csv");
     process_free(&process);
     process = expect_exit(place, 0, "inspect", "--json", "b.csv");
     json = json_loads(process.out, 0, NULL);
-    assert_near(json_number_value(json_object_get(json_array_get(json, 0), "rq_m")), 0.3e-6, 1e-5);
+    assert_near(json_number_value(json_object_get(json_array_get(json, 0), "rq_m")), 5e-6, 1e-5);
     json_decref(json);
     process_free(&process);
 }
