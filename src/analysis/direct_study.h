@@ -71,7 +71,7 @@ struct direct_study_task {
     const struct scene *scene;
     const struct plan *plan;
     unsigned threads;               /* 0: one a processor; the result does not depend on it */
-    const struct direct_crew *crew; /* who solves the contacts; NULL: this process */
+    const struct direct_team *team; /* that shares each contact; NULL: this process alone */
     const atomic_bool *stop;
     bool efforts; /* also at less expense, to tell what accuracy costs */
 };

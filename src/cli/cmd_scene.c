@@ -170,13 +170,11 @@ static error_t parse_report(int key, char *value, struct argp_state *state)
 }
 
 /* Of the program over several processes; argp leads past main(). */
-static const struct direct_crew *contact_crew;
-static const struct workers_crew *surface_crew;
+static const struct direct_team *direct_team;
 
-void command_use_crews(const struct direct_crew *contacts, const struct workers_crew *surfaces)
+void command_use_team(const struct direct_team *team)
 {
-    contact_crew = contacts;
-    surface_crew = surfaces;
+    direct_team = team;
 }
 
 static void progress(size_t done, size_t total, const char *name)
@@ -242,9 +240,7 @@ static int report(char **written, struct arguments *arguments, struct scene *sce
     }
     arguments->run.templates = text_string(&templates);
     arguments->run.terminal_size = arguments->show ? size : NULL;
-    arguments->run.crew = contact_crew;
-    arguments->run.workers = surface_crew;
-    arguments->run.overrides = &arguments->overrides;
+    arguments->run.team = direct_team;
     arguments->run.outline = arguments->json;
     arguments->run.stop = signals_stop(STOP_MS);
     arguments->run.forecast = arguments->verbose;

@@ -5,8 +5,7 @@
 
 #include "base/status.h"
 #include "base/text.h"
-#include "direct/direct_crew.h"
-#include "run/workers.h"
+#include "direct/direct_team.h"
 #include <argp.h>
 #include <stdbool.h>
 
@@ -73,9 +72,8 @@ bool command_completes(const char *word);
 /** Version and what the program is made of, a line each. */
 void command_version(struct text *out);
 
-/** From now on other processes take their share of `report` and `direct`: of the contacts solved directly, and of the
- * surfaces; NULL: none. */
-void command_use_crews(const struct direct_crew *contacts, const struct workers_crew *surfaces);
+/** From now on the contacts that `report` and `direct` solve directly are shared by these processes; NULL: not. */
+void command_use_team(const struct direct_team *team);
 
 /** Prints "roughcontact: `what``message`" as one line on stderr; what a terminal might act upon comes out as '?'. */
 void command_complain(const char *what, const char *message);

@@ -41,11 +41,11 @@ static bool put_points(FILE *file, const struct contact_point *points, size_t co
     return ok;
 }
 
-/** Where bytes come from: memory, or a place of a file, which any number of threads read at once. */
+/** Where bytes come from: a place of a file, which any number of threads read at once. */
 struct source {
     const char *next; /* held, not taken yet: `left` of them */
     size_t left;
-    int file; /* -1: there are no others */
+    int file; /* -1: none */
     off_t at; /* where in it the others begin */
     char *held;
 };
@@ -210,8 +210,7 @@ static void leave_rest(struct surface_record *out)
     out->repeats = (struct repeat_set){0};
 }
 
-/** The arrays follow the curves, or stand at *arrays_at of the file. */
-static bool get_record(struct surface_record *out, struct source *file, const off_t *arrays_at,
+static bool get_record(struct surface_record *out, struct source *file, off_t arrays_at,
                        const struct surface_summary *summary, enum surface_bytes_part part)
 {
     bool ok = true;
@@ -220,8 +219,8 @@ static bool get_record(struct surface_record *out, struct source *file, const of
     get_curves(out, file, &ok);
     if (part == SURFACE_BYTES_CURVES)
         out->spectrum = (struct spectrum){0};
-    else if (arrays_at) {
-        file->at = *arrays_at;
+    else {
+        file->at = arrays_at;
         file->left = 0;
     }
     out->spectrum.amplitude_m = get_array(file, sizeof(double), out->spectrum.count, &ok);
@@ -238,143 +237,7 @@ bool surface_bytes_get(struct surface_record *out, int file, off_t curves_at, of
     struct source source = {.file = file, .at = curves_at, .held = malloc(SOURCE_HELD)};
     if (!source.held)
         source.file = -1;
-    bool ok = get_record(out, &source, &arrays_at, summary, part);
+    bool ok = get_record(out, &source, arrays_at, summary, part);
     free(source.held);
     return ok;
-}
-
-/** A text with its length, which is 0 for none and counts the NUL else. */
-static bool put_text(FILE *file, const char *text)
-{
-    size_t size = text ? strlen(text) + 1 : 0;
-    return put_array(file, &size, sizeof size, 1) && put_array(file, text, 1, size);
-}
-
-static char *get_text(struct source *file, bool *ok)
-{
-    size_t size = 0;
-    *ok = *ok && get_bytes(file, &size, sizeof size);
-    return get_array(file, 1, size, ok);
-}
-
-/** Which file of the surface each of the scans is: names belong to the scene, of which every process has its own. */
-static bool put_scan_files(FILE *file, const struct repeat_set *set, const struct scene_surface *surface)
-{
-    bool ok = true;
-    for (size_t s = 0; s < set->scan_count; s++) {
-        size_t which = 0;
-        while (which < surface->file_count && surface->files[which] != set->scans[s].file)
-            which++;
-        ok = ok && put_array(file, &which, sizeof which, 1);
-    }
-    return ok;
-}
-
-static bool get_scan_files(struct repeat_set *set, struct source *file, const struct scene_surface *surface)
-{
-    bool ok = true;
-    for (size_t s = 0; s < set->scan_count && ok; s++) {
-        size_t which;
-        ok = get_bytes(file, &which, sizeof which) && which < surface->file_count;
-        set->scans[s].file = ok ? surface->files[which] : NULL;
-    }
-    return ok;
-}
-
-/** Bounds of the models before they run, summaries after, each with which models have one. */
-static bool put_models(FILE *file, const struct surface_summary *summary)
-{
-    bool ok = put_array(file, summary->bounds, sizeof *summary->bounds, summary->bounds ? model_count : 0);
-    for (size_t m = 0; summary->bounds && m < model_count; m++)
-        ok = ok && put_array(file, summary->bounds[m], sizeof **summary->bounds, summary->bounds[m] ? 1 : 0);
-    ok = ok && put_array(file, summary->models, sizeof *summary->models, summary->models ? model_count : 0);
-    for (size_t m = 0; summary->models && m < model_count; m++) {
-        const struct curve_summary *model = summary->models[m];
-        ok = ok && put_array(file, model, sizeof *model, model ? 1 : 0);
-        if (model && model->estimates)
-            ok = ok && put_array(file, &model->estimates->known, sizeof model->estimates->known, 1) &&
-                 put_array(file, model->estimates, curve_estimates_size(model->estimates->known), 1);
-    }
-    return ok;
-}
-
-static void get_models(struct surface_summary *out, struct source *file, bool *ok)
-{
-    out->bounds = get_array(file, sizeof *out->bounds, out->bounds ? model_count : 0, ok);
-    for (size_t m = 0; out->bounds && m < model_count; m++)
-        out->bounds[m] = get_array(file, sizeof **out->bounds, out->bounds[m] ? 1 : 0, ok);
-    out->models = get_array(file, sizeof *out->models, out->models ? model_count : 0, ok);
-    for (size_t m = 0; out->models && m < model_count; m++) {
-        struct curve_summary *model = out->models[m] =
-            get_array(file, sizeof **out->models, out->models[m] ? 1 : 0, ok);
-        uint32_t known = 0;
-        if (!model || !model->estimates)
-            continue;
-        *ok = get_bytes(file, &known, sizeof known);
-        model->estimates = get_array(file, curve_estimates_size(known), 1, ok);
-    }
-}
-
-static bool put_summary(FILE *file, const struct surface_summary *summary, const struct scene *scene)
-{
-    bool ok = put_array(file, summary, sizeof *summary, 1);
-    ok = ok && put_text(file, summary->refusal) && put_text(file, summary->notes);
-    ok = ok && put_models(file, summary);
-    ok = ok && put_array(file, summary->repeats, sizeof *summary->repeats, summary->repeats ? 1 : 0);
-    ok = ok && put_array(file, summary->simulated, sizeof *summary->simulated, summary->simulated ? 1 : 0);
-    ok = ok && put_array(file, summary->direct, sizeof *summary->direct, summary->direct ? 1 : 0);
-    ok = ok && put_array(file, summary->answers, sizeof *summary->answers,
-                         summary->answers ? scene->target_count * model_count : 0);
-    return ok && put_array(file, summary->limits, sizeof *summary->limits, summary->limits ? scene->limit_count : 0);
-}
-
-static bool get_summary(struct surface_summary *out, struct source *file, const struct scene *scene, size_t index)
-{
-    bool ok = get_bytes(file, out, sizeof *out);
-    if (!ok)
-        *out = (struct surface_summary){0};
-    out->scene = &scene->surfaces[index];
-    out->refusal = get_text(file, &ok);
-    out->notes = get_text(file, &ok);
-    get_models(out, file, &ok);
-    out->repeats = get_array(file, sizeof *out->repeats, out->repeats ? 1 : 0, &ok);
-    out->simulated = get_array(file, sizeof *out->simulated, out->simulated ? 1 : 0, &ok);
-    out->direct = get_array(file, sizeof *out->direct, out->direct ? 1 : 0, &ok);
-    out->answers = get_array(file, sizeof *out->answers, out->answers ? scene->target_count * model_count : 0, &ok);
-    out->limits = get_array(file, sizeof *out->limits, out->limits ? scene->limit_count : 0, &ok);
-    return ok;
-}
-
-enum status_code surface_bytes_pack(char **bytes, size_t *size, const struct surface_record *record,
-                                    const struct scene *scene, struct status *status)
-{
-    *bytes = NULL;
-    FILE *file = open_memstream(bytes, size);
-    bool ok = file && put_summary(file, &record->summary, scene);
-    if (ok && record->summary.usable)
-        ok = surface_bytes_put_curves(file, record) && surface_bytes_put_arrays(file, record) &&
-             put_scan_files(file, &record->repeats, record->summary.scene);
-    if (file && fclose(file) != 0)
-        ok = false;
-    if (ok)
-        return STATUS_OK;
-    free(*bytes);
-    *bytes = NULL;
-    return status_memory(status);
-}
-
-enum status_code surface_bytes_unpack(struct surface_record *out, char *bytes, size_t size, const struct scene *scene,
-                                      size_t index, struct status *status)
-{
-    struct surface_summary summary = {0};
-    struct source source = {.next = bytes, .left = size, .file = -1};
-    bool ok = get_summary(&summary, &source, scene, index);
-    *out = (struct surface_record){.summary = summary};
-    if (ok && summary.usable)
-        ok = get_record(out, &source, NULL, &summary, SURFACE_BYTES_ALL) &&
-             get_scan_files(&out->repeats, &source, summary.scene);
-    if (ok)
-        return STATUS_OK;
-    surface_record_free(out, true);
-    return status_memory(status);
 }

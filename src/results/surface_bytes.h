@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A surface's record as bytes: for a file of this process, or for another process that runs the same program. Structs
- * go as they lie in memory. */
+/* A surface's record as bytes, for a file of this process. Structs go as they lie in memory. */
 #ifndef RESULTS_SURFACE_BYTES_H
 #define RESULTS_SURFACE_BYTES_H
 
@@ -25,13 +24,5 @@ enum surface_bytes_part {
  * file, or no memory. Whatever comes back: surface_record_free(). */
 bool surface_bytes_get(struct surface_record *out, int file, off_t curves_at, off_t arrays_at,
                        const struct surface_summary *summary, enum surface_bytes_part part);
-
-/** The record of a surface of `scene` with all that its summary owns: malloc'ed bytes. Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code surface_bytes_pack(char **bytes, size_t *size, const struct surface_record *record,
-                                               const struct scene *scene, struct status *status);
-/** The record of surface `index` of `scene` out of the bytes of a process that has read the same scene. Owned:
- * surface_record_free(). Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code surface_bytes_unpack(struct surface_record *out, char *bytes, size_t size,
-                                                 const struct scene *scene, size_t index, struct status *status);
 
 #endif

@@ -192,8 +192,9 @@ static enum status_code make_loads(struct prepared *out, const struct scene *sce
     return STATUS_OK;
 }
 
-enum status_code prepare_begin(struct prepared *out, const struct scene *scene, const char *directory,
-                               struct status *status)
+/** Makes room for the surfaces of the scene and reads the rough counterface, if there is one. */
+static enum status_code begin(struct prepared *out, const struct scene *scene, const char *directory,
+                              struct status *status)
 {
     *out = (struct prepared){0};
     plan_make(&out->plan, scene);
@@ -213,7 +214,7 @@ enum status_code prepare_begin(struct prepared *out, const struct scene *scene, 
 enum status_code prepare(struct prepared *out, const struct scene *scene, const struct run_options *options,
                          const char *directory, struct status *status)
 {
-    if (prepare_begin(out, scene, directory, status) != STATUS_OK ||
+    if (begin(out, scene, directory, status) != STATUS_OK ||
         workers_run(&out->results, WORKERS_DESCRIBE, options, status) != STATUS_OK)
         return status->code;
     effect_bounds_heights(&out->plan, scene, out->store.summaries, out->store.count);

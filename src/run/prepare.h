@@ -17,11 +17,6 @@ struct prepared {
     struct results results;
 };
 
-/** Makes room for the surfaces of the scene and reads the rough counterface, if there is one: what every process needs
- * that works on some of them. Errors and `directory` as of prepare(). */
-MUST_CHECK enum status_code prepare_begin(struct prepared *out, const struct scene *scene, const char *directory,
-                                          struct status *status);
-
 /** Reads every surface of the scene; arrays go to a temporary file in `directory`, or nowhere when it is NULL. A
  * surface that cannot be read is marked in the store. Errors: STATUS_SCAN when the scene has no surface; STATUS_IO,
  * STATUS_MEMORY, STATUS_INTERRUPTED. */

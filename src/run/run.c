@@ -129,7 +129,7 @@ static enum status_code run_direct(struct run *run, struct status *status)
                                          results->scene,
                                          results->plan,
                                          run->options->jobs,
-                                         run->options->crew,
+                                         run->options->team,
                                          run->options->stop,
                                          !run->options->no_cost && i == results->baseline};
         struct status problem = {0};

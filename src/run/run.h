@@ -4,27 +4,23 @@
 #define RUN_RUN_H
 
 #include "base/text.h"
-#include "direct/direct_crew.h"
+#include "direct/direct_team.h"
 #include "scene/scene.h"
 #include <stdatomic.h>
 #include <stdbool.h>
 #include <stdint.h>
 
-struct workers_crew; /* run/workers.h */
-
 struct run_options {
-    const char *output;                      /* OUT, NULL: out/<name of DIR> */
-    const char *templates;                   /* directory of the templates */
-    const char *terminal_size;               /* "columns,rows" to draw the main charts as text, NULL: not */
-    bool no_cost;                            /* leave out what accuracy costs */
-    bool brief;                              /* the report's first page, with its figures, alone */
-    bool forecast;                           /* forecast the stages' times, to be held against what they took */
-    bool outline;                            /* fill run_outcome.outline */
-    unsigned jobs;                           /* threads; 0: one a processor */
-    const struct direct_crew *crew;          /* other processes for the direct solution; NULL: none */
-    const struct workers_crew *workers;      /* and for the surfaces; NULL: none */
-    const struct scene_overrides *overrides; /* what the scene was read with, which those need */
-    const atomic_bool *stop;                 /* becomes true when the run is to end early; NULL: never */
+    const char *output;             /* OUT, NULL: out/<name of DIR> */
+    const char *templates;          /* directory of the templates */
+    const char *terminal_size;      /* "columns,rows" to draw the main charts as text, NULL: not */
+    bool no_cost;                   /* leave out what accuracy costs */
+    bool brief;                     /* the report's first page, with its figures, alone */
+    bool forecast;                  /* forecast the stages' times, to be held against what they took */
+    bool outline;                   /* fill run_outcome.outline */
+    unsigned jobs;                  /* threads; 0: one a processor */
+    const struct direct_team *team; /* processes that share each direct solution; NULL: this one alone */
+    const atomic_bool *stop;        /* becomes true when the run is to end early; NULL: never */
     void (*progress)(size_t done, size_t total,
                      const char *name); /* NULL: none; called from several threads, one at a time */
 };

@@ -14,12 +14,12 @@
 typedef enum status_code task_function(struct surface_record *record, const struct results *results, size_t index,
                                        const struct threads *threads, struct status *status);
 
-/** This process's surfaces: first, first + step, ...; `lock` guards `done` of them. */
+/** `lock` guards `done`. */
 struct share {
     const struct results *results;
     const struct run_options *options;
     task_function *task;
-    size_t first, step, count, done;
+    size_t count, done;
     struct threads inside; /* of each surface, where there are more threads than surfaces */
     pthread_mutex_t lock;
 };
@@ -91,10 +91,9 @@ static enum status_code run_models(struct surface_record *record, const struct r
     return surface_store_update(results->store, index, record, status);
 }
 
-static enum status_code run_task(void *context, size_t turn, struct threads_turn *unused, struct status *status)
+static enum status_code run_task(void *context, size_t index, struct threads_turn *unused, struct status *status)
 {
     struct share *share = context;
-    size_t index = share->first + turn * share->step;
     struct surface_record *record = calloc(1, sizeof *record);
     (void)unused;
     if (!record)
@@ -110,29 +109,19 @@ static enum status_code run_task(void *context, size_t turn, struct threads_turn
     return rc;
 }
 
-enum status_code workers_share(const struct results *results, enum workers_task task, size_t first, size_t step,
-                               const struct run_options *options, struct status *status)
+enum status_code workers_run(const struct results *results, enum workers_task task, const struct run_options *options,
+                             struct status *status)
 {
     static task_function *const tasks[WORKERS_TASKS] = {[WORKERS_DESCRIBE] = describe, [WORKERS_MODEL] = run_models};
     const struct threads threads = {.jobs = options->jobs, .stop = options->stop};
-    size_t all = results->store->count;
     struct share share = {.results = results,
                           .options = options,
                           .task = tasks[task],
-                          .first = first,
-                          .step = step,
-                          .count = first < all ? (all - first + step - 1) / step : 0,
+                          .count = results->store->count,
                           .lock = PTHREAD_MUTEX_INITIALIZER};
     size_t outside = threads_number(&threads, share.count);
     share.inside.jobs = outside > 0 ? (unsigned)(threads_number(&threads, SIZE_MAX) / outside) : 1;
     enum status_code rc = threads_run(&threads, share.count, run_task, &share, status);
     pthread_mutex_destroy(&share.lock);
     return rc;
-}
-
-enum status_code workers_run(const struct results *results, enum workers_task task, const struct run_options *options,
-                             struct status *status)
-{
-    const struct workers_crew *crew = options->workers;
-    return crew ? crew->run(crew, results, task, options, status) : workers_share(results, task, 0, 1, options, status);
 }

@@ -258,9 +258,9 @@ static struct direct_result direct_case(size_t n, double hardness)
     double *height_m = malloc(n * n * sizeof *height_m);
     if (!height_m)
         exit(1);
-    must(direct_surface_realise(height_m, n, direct_spectrum_variance, &spectrum, 1, &status));
+    must(direct_surface_make(height_m, n, direct_spectrum_variance, &spectrum, NULL, 0, 1, &status));
     double before = bytes_held();
-    must(direct_contact_make(&contact, height_m, n, n, 3e-4 / (double)n, &status));
+    must(direct_contact_make(&contact, NULL, height_m, n, n, 3e-4 / (double)n, &status));
     for (int run = 0; run < DIRECT_RUNS; run++) {
         struct direct_contact_effort effort = {0};
         double started = clock_seconds(), cpu = cpu_seconds();
@@ -288,7 +288,6 @@ static struct direct_result direct_ladder_case(void)
                                       .n = 256,
                                       .variance = direct_spectrum_variance,
                                       .context = &spectrum,
-                                      .first_seed = 1,
                                       .seeds = 12,
                                       .threads = 2};
     struct direct_result result = {0, INFINITY, INFINITY, NAN};

@@ -368,82 +368,9 @@ static void test_a_full_disk_leaves_the_record_to_the_caller(void **state)
     directory_remove(&place);
 }
 
-/* Another process gets all that a summary owns, and names by its own scene. */
-static void test_a_record_goes_to_another_process(void **state)
-{
-    (void)state;
-    static char *here_files[] = {"a.csv", "b.csv"}, *there_files[] = {"A.csv", "B.csv"};
-    struct scene_surface here_surface = {.name = "here", .files = here_files, .file_count = 2};
-    struct scene_surface there_surfaces[2] = {{.name = "no"}, {.name = "there", .files = there_files, .file_count = 2}};
-    const struct scene here = {.target_count = 2, .limit_count = 3},
-                       there = {.target_count = 2, .limit_count = 3, .surfaces = there_surfaces, .surface_count = 2};
-    struct surface_record *record = make(3), *got = malloc(sizeof *got);
-    struct surface_summary *summary = &record->summary;
-    struct status status = {0};
-    char *bytes;
-    size_t size;
-    assert_non_null(got);
-    summary->scene = &here_surface;
-    record->repeats.scans[0].file = here_files[1];
-    record->repeats.scans[1].file = here_files[0];
-    struct curve_summary *last = surface_model_room(summary, model_count - 1);
-    struct curve_bounds *first = surface_bounds_room(summary, 0);
-    assert_true(last && first);
-    struct estimate estimates[CURVE_ESTIMATES] = {
-        [QUANTITY_ECR] = {.count = 3, .mean = 5}, [CURVE_BETA] = {.count = 2, .mean = 6}};
-    assert_int_equal(curve_summary_put_estimates(last, estimates, &status), STATUS_OK);
-    summary->direct = calloc(1, sizeof *summary->direct);
-    summary->answers = calloc(2 * model_count, sizeof *summary->answers);
-    summary->limits = calloc(3, sizeof *summary->limits);
-    assert_true(summary->direct && summary->answers && summary->limits);
-    last->full_load = 7;
-    first->yield = 4;
-    summary->direct->grid = 96;
-    summary->answers[2 * model_count - 1].load = 8;
-    summary->limits[2].value = 9;
-    assert_int_equal(surface_bytes_pack(&bytes, &size, record, &here, &status), STATUS_OK);
-    assert_int_equal(surface_bytes_unpack(got, bytes, size, &there, 1, &status), STATUS_OK);
-    surface_record_free(record, true);
-    assert_ptr_equal(got->summary.scene, &there_surfaces[1]);
-    assert_string_equal(got->repeats.scans[0].file, "B.csv");
-    assert_string_equal(got->repeats.scans[1].file, "A.csv");
-    got->repeats.scans[0].file = got->repeats.scans[1].file = NULL;
-    assert_same(got, 3);
-    assert_null(got->summary.refusal);
-    last = got->summary.models[model_count - 1];
-    assert_near(last->full_load, 7, 0);
-    assert_near(curve_summary_estimate(last, QUANTITY_ECR)->mean, 5, 0);
-    assert_near(curve_summary_estimate(last, CURVE_BETA)->mean, 6, 0);
-    assert_ptr_equal(curve_summary_estimate(last, QUANTITY_TCR), &estimate_none);
-    assert_null(got->summary.models[0]);
-    assert_near(surface_bounds(&got->summary, 0)->yield, 4, 0);
-    assert_null(got->summary.bounds[1]);
-    assert_int_equal(got->summary.direct->grid, 96);
-    assert_near(got->summary.answers[2 * model_count - 1].load, 8, 0);
-    assert_near(got->summary.limits[2].value, 9, 0);
-    surface_record_free(got, true);
-    for (size_t cut = 0; cut < size; cut += size / 97 + 1) { /* what is cut short is no record */
-        assert_int_equal(surface_bytes_unpack(got, bytes, cut, &there, 1, &status), STATUS_MEMORY);
-        status = (struct status){0};
-    }
-    free(bytes);
-
-    *record = (struct surface_record){.summary = {.refusal = strdup("a.csv: the scan is flat")}};
-    assert_int_equal(surface_bytes_pack(&bytes, &size, record, &here, &status), STATUS_OK);
-    assert_int_equal(surface_bytes_unpack(got, bytes, size, &there, 0, &status), STATUS_OK);
-    assert_string_equal(got->summary.refusal, "a.csv: the scan is flat");
-    assert_ptr_equal(got->summary.scene, &there_surfaces[0]);
-    surface_record_free(got, true);
-    surface_record_free(record, true);
-    free(bytes);
-    free(record);
-    free(got);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_record_goes_to_another_process),
         cmocka_unit_test(test_surfaces_come_back_in_any_order),
         cmocka_unit_test(test_several_threads_may_put),
         cmocka_unit_test(test_a_surface_is_put_again_with_its_curves),
