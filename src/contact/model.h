@@ -46,6 +46,14 @@ struct model_work {
     uint64_t searches;              /* curves searched for their landmarks, by as many loads as the tolerance takes */
 };
 
+enum { MODEL_KINKS_MOST = 16 };
+
+/** Where |d ln R/d ln P| of a curve falls, because a scale's contact becomes complete and its resistance is gone. */
+struct model_kink {
+    double load; /* P/(A_n E'), within 1e-4 */
+    double wavelength_m;
+};
+
 /** What it answers. `points` is the caller's, load_count + 1 long. */
 struct model_curve {
     bool exists;    /* false: the model was not run, or has no solution for this surface */
@@ -58,6 +66,8 @@ struct model_curve {
     struct contact_point full; /* at full_load itself; all NaN where that is */
     size_t yielding_scales;    /* plastic, stacked scales: those that can yield; else 0 */
     uint64_t clamped;          /* the same: visits in which the published area was limited: see multiscale_solve() */
+    struct model_kink kinks[MODEL_KINKS_MOST]; /* the same: the first of them, by load; a mean of curves has none */
+    size_t kink_count;
     struct model_work work;
 };
 
