@@ -162,7 +162,7 @@ size_t model_task_operating(const struct model_task *task);
 /** `task` at other loads, which have no operating load of their own. */
 struct model_task model_task_at(const struct model_task *task, const double *loads, size_t load_count);
 
-/** Runs a model. A curve any of whose loads, areas or wanted quantities is not finite does not exist: materials and
+/** Runs a model, on points of which nothing is known: it writes what it knows. A curve any of whose loads, areas or wanted quantities is not finite does not exist: materials and
  * heights may each be possible and still leave the range of double together (JG's exponent 23 S_y/E' of 1e6).
  * Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code model_run(struct model_curve *curve, const struct model_row *row,

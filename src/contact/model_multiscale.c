@@ -103,7 +103,6 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
     curve->full_load = stack->full_load;
     curve->closed_load = stack->closed_load;
     curve->yielding_scales = stack->critical_scales;
-    curve->beta = NAN;
     curve->exists = true;
     curve->work = work_of(visits, task->wanted);
     if (task->wanted & QUANTITY_RESISTANCES)

@@ -228,17 +228,17 @@ size_t multiscale_solve(struct contact_point *out, struct multiscale *stack, con
             constriction_add_scale(&sum, cell.area_ratio, cell.area_complement, scale->frequency_per_m, area);
         area *= cell.area_ratio;
     }
-    *out = (struct contact_point){
-        .load = load,
-        .area_ratio = area,
-        .separation_m = with_gap ? separation : NAN,
-        .adjusted_m = NAN,
-        .ecr_ohm_m2 = wanted & QUANTITY_BIT(QUANTITY_ECR) ? constriction_electrical(spot, &sum) : NAN,
-        .tcr_K_m2_per_W = wanted & QUANTITY_BIT(QUANTITY_TCR) ? constriction_thermal(spot, &sum) : NAN,
-        .tcr_sd_K_m2_per_W = wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT)
-                                 ? constriction_thermal_scale_dependent(spot, &sum)
-                                 : NAN,
-    };
+    *out = quantity_nothing();
+    out->load = load;
+    out->area_ratio = area;
+    if (with_gap)
+        out->separation_m = separation;
+    if (wanted & QUANTITY_BIT(QUANTITY_ECR))
+        out->ecr_ohm_m2 = constriction_electrical(spot, &sum);
+    if (wanted & QUANTITY_BIT(QUANTITY_TCR))
+        out->tcr_K_m2_per_W = constriction_thermal(spot, &sum);
+    if (wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT))
+        out->tcr_sd_K_m2_per_W = constriction_thermal_scale_dependent(spot, &sum);
     return clamped;
 }
 

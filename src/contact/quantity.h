@@ -91,7 +91,5 @@ unsigned quantity_with_made(unsigned computed);
 
 /** A point of which nothing is known: every quantity NaN, the shares 0. */
 struct contact_point quantity_nothing(void);
-/** Makes NaN of what is made of a model's quantities. */
-void quantity_empty_made(struct contact_point *point);
 
 #endif
