@@ -115,13 +115,13 @@ static size_t walk(struct contact_point *out, size_t *open, const struct sinusoi
         area *= cell.area_ratio;
         *open += cell.area_complement > 0 || cell.gap_ratio > 0;
     }
-    *out = (struct contact_point){.load = load,
-                                  .area_ratio = area,
-                                  .separation_m = separation_m,
-                                  .adjusted_m = NAN,
-                                  .ecr_ohm_m2 = constriction_electrical(&spot, &sum),
-                                  .tcr_K_m2_per_W = constriction_thermal(&spot, &sum),
-                                  .tcr_sd_K_m2_per_W = constriction_thermal_scale_dependent(&spot, &sum)};
+    *out = quantity_nothing();
+    out->load = load;
+    out->area_ratio = area;
+    out->separation_m = separation_m;
+    out->ecr_ohm_m2 = constriction_electrical(&spot, &sum);
+    out->tcr_K_m2_per_W = constriction_thermal(&spot, &sum);
+    out->tcr_sd_K_m2_per_W = constriction_thermal_scale_dependent(&spot, &sum);
     return limited;
 }
 
