@@ -78,7 +78,7 @@ struct quantity_row {
     size_t offset;            /* of its double in struct contact_point */
 };
 
-extern const struct quantity_row quantity_rows[QUANTITY_COUNT];
+extern const struct quantity_row quantity_rows[]; /* QUANTITY_COUNT */
 
 /** Value of a quantity at a point, SI. */
 double quantity_value(const struct contact_point *point, enum quantity quantity);
