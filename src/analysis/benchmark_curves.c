@@ -106,6 +106,10 @@ static enum status_code cut_off(struct benchmark *cost, const struct benchmark_t
     return rc;
 }
 
+/** What a map of millions of heights, or a scan of millions of harmonics, would be sorted and summed again for at every
+ * number of loads: what these cost shows in fewer too. */
+enum { HEIGHTS_MOST = 200000, HARMONICS_MOST = HEIGHTS_MOST / 2 };
+
 /** A curve of n loads, log spaced over the scene's range, by one model, from what it has made of the surface once: as
  * the report's own curves and landmarks. */
 struct grid_attempt {
@@ -144,9 +148,7 @@ static enum status_code load_grid(struct benchmark *cost, const struct benchmark
                                   struct model_kept *kept, struct status *status)
 {
     static const size_t counts[] = {5, 9, 17, 33, 65, 129};
-    /* A map has millions of heights, which would be sorted again for every number of loads: what these cost shows in
-     * fewer too. */
-    enum { MOST = 2 * 129, HEIGHTS_MOST = 200000 };
+    enum { MOST = 2 * 129 };
     double loads[MOST], first = task->loads[0], last = task->loads[task->load_count - 1];
     struct contact_point points[MOST + 1];
     enum status_code rc = STATUS_OK;
@@ -158,6 +160,7 @@ static enum status_code load_grid(struct benchmark *cost, const struct benchmark
         struct grid_attempt attempt = {.row = model_rows[model], .curve = {.points = points}};
         attempt.task = surface_task(task->surface, task->scene, task->plan, loads, both);
         attempt.task.wanted = 0;
+        attempt.task.spectrum = kept->spectrum;
         attempt.task.kept = kept;
         if (attempt.task.point_count > HEIGHTS_MOST)
             attempt.task.point_count = HEIGHTS_MOST;
@@ -181,7 +184,12 @@ static enum status_code load_grid(struct benchmark *cost, const struct benchmark
 enum status_code benchmark_curves(struct benchmark *cost, const struct benchmark_task *task, struct status *status)
 {
     const struct surface_record *surface = task->surface;
-    struct model_kept kept = {.spectrum = &surface->spectrum, .pair = &surface->summary.pair};
+    struct spectrum longest = surface->spectrum;
+    if (longest.count > HARMONICS_MOST) {
+        longest.count = HARMONICS_MOST;
+        longest.has_nyquist = false;
+    }
+    struct model_kept kept = {.spectrum = &longest, .pair = &surface->summary.pair};
     enum status_code rc = plan_stacks_scales(task->plan) ? closures(cost, task, status) : STATUS_OK;
     for (size_t m = 0; m < model_count && rc == STATUS_OK; m++)
         if (model_rows[m]->stacks_scales && surface->curves[m].exists)

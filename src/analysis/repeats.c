@@ -283,9 +283,9 @@ static enum status_code mean_point(struct contact_point *out, struct estimate *e
                                    const struct repeat_set *set, const struct model_row *model, size_t at,
                                    struct status *status)
 {
-    quantity_empty_made(out);
     static const size_t shares[] = {offsetof(struct contact_point, beyond_fit),
                                     offsetof(struct contact_point, radius_clamped)};
+    *out = quantity_nothing();
     for (int q = QUANTITY_AREA; q < QUANTITY_COUNT + 2; q++) {
         struct estimate unused;
         bool quantity = q < QUANTITY_COUNT, over_sigma = quantity && quantity_rows[q].over_sigma;
@@ -362,9 +362,9 @@ static enum status_code mean_curve(struct model_curve *curve, struct repeats_res
     curve->full.load = curve->full_load;
     for (size_t i = 0; i < task->load_count && all_reach(runs, i, task->loads[i]); i++) {
         struct contact_point *point = &curve->points[curve->count++];
-        point->load = task->loads[i];
         if (mean_point(point, estimates, runs, set, model, i, status) != STATUS_OK)
             return status->code;
+        point->load = task->loads[i];
         fill_band(&result->band[i], estimates, model);
         for (int q = 0; q < QUANTITY_COUNT && i == model_task_operating(task); q++)
             result->middle[q] = estimates[model_shown(model, (enum quantity)q)];

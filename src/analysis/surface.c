@@ -345,7 +345,7 @@ static enum status_code run_sensitivity(struct surface_record *record, size_t m,
 {
     struct curve_summary *model = record->summary.models[m];
     struct model_task one = surface_middle_task(task);
-    struct contact_point as_is = {.area_ratio = NAN, .ecr_ohm_m2 = NAN};
+    struct contact_point as_is = quantity_nothing();
     for (size_t i = 0; i < record->curves[m].count; i++)
         if (record->curves[m].points[i].load == one.loads[0])
             as_is = record->curves[m].points[i];

@@ -46,6 +46,14 @@ struct model_work {
     uint64_t searches;              /* curves searched for their landmarks, by as many loads as the tolerance takes */
 };
 
+enum { MODEL_KINKS_MOST = 16 };
+
+/** Where |d ln R/d ln P| of a curve falls, because a scale's contact becomes complete and its resistance is gone. */
+struct model_kink {
+    double load; /* P/(A_n E'), within 1e-4 */
+    double wavelength_m;
+};
+
 /** What it answers. `points` is the caller's, load_count + 1 long. */
 struct model_curve {
     bool exists;    /* false: the model was not run, or has no solution for this surface */
@@ -58,6 +66,8 @@ struct model_curve {
     struct contact_point full; /* at full_load itself; all NaN where that is */
     size_t yielding_scales;    /* plastic, stacked scales: those that can yield; else 0 */
     uint64_t clamped;          /* the same: visits in which the published area was limited: see multiscale_solve() */
+    struct model_kink kinks[MODEL_KINKS_MOST]; /* the same: the first of them, by load; a mean of curves has none */
+    size_t kink_count;
     struct model_work work;
 };
 
@@ -152,7 +162,7 @@ size_t model_task_operating(const struct model_task *task);
 /** `task` at other loads, which have no operating load of their own. */
 struct model_task model_task_at(const struct model_task *task, const double *loads, size_t load_count);
 
-/** Runs a model. A curve any of whose loads, areas or wanted quantities is not finite does not exist: materials and
+/** Runs a model, on points of which nothing is known: it writes what it knows. A curve any of whose loads, areas or wanted quantities is not finite does not exist: materials and
  * heights may each be possible and still leave the range of double together (JG's exponent 23 S_y/E' of 1e6).
  * Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code model_run(struct model_curve *curve, const struct model_row *row,

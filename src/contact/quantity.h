@@ -78,7 +78,7 @@ struct quantity_row {
     size_t offset;            /* of its double in struct contact_point */
 };
 
-extern const struct quantity_row quantity_rows[QUANTITY_COUNT];
+extern const struct quantity_row quantity_rows[]; /* QUANTITY_COUNT */
 
 /** Value of a quantity at a point, SI. */
 double quantity_value(const struct contact_point *point, enum quantity quantity);
@@ -93,7 +93,5 @@ unsigned quantity_with_made(unsigned computed);
 
 /** A point of which nothing is known: every quantity NaN, the shares 0. */
 struct contact_point quantity_nothing(void);
-/** Makes NaN of what is made of a model's quantities. */
-void quantity_empty_made(struct contact_point *point);
 
 #endif

@@ -99,7 +99,6 @@ void joint_apply(struct contact_point *points, const struct contact_spots *spots
     const unsigned on_spots = EFFECT_BIT(EFFECT_FILM) | EFFECT_BIT(EFFECT_PLATING) | EFFECT_BIT(EFFECT_HEATING);
     for (size_t i = 0; i < count; i++) {
         struct contact_point *point = &points[i];
-        quantity_empty_made(point);
         if (runs(task, EFFECT_GAP)) {
             double gap = joint_gap_conductance(task, point->separation_m, point->area_ratio);
             point->gap_W_per_m2K = finite_or_nan(gap);

@@ -8,13 +8,13 @@
 
 static struct contact_point point_of(double area, double separation_m)
 {
-    return (struct contact_point){.load = 1e-4,
-                                  .area_ratio = area,
-                                  .separation_m = separation_m,
-                                  .adjusted_m = NAN,
-                                  .ecr_ohm_m2 = 2e-10,
-                                  .tcr_K_m2_per_W = 4e-5,
-                                  .tcr_sd_K_m2_per_W = NAN};
+    struct contact_point point = quantity_nothing();
+    point.load = 1e-4;
+    point.area_ratio = area;
+    point.separation_m = separation_m;
+    point.ecr_ohm_m2 = 2e-10;
+    point.tcr_K_m2_per_W = 4e-5;
+    return point;
 }
 
 static const struct material_pair pair = {.resistivity_ohm_m = 6e-8, .side_resistivity_ohm_m = {1e-7, 2e-8}};

@@ -5,6 +5,7 @@
 #include "pipeline.h"
 #include "run/prepare.h"
 
+#include <jansson.h>
 #include <stdio.h>
 
 /* ---------------------------------------------------------------- the two models */
@@ -62,22 +63,16 @@ static double slope_of(const struct spectrum *spectrum)
     return sqrt(spectrum_moment(spectrum, 1));
 }
 
-/** A/A_n = x/(x + 1) with x = 2 P/(A_n E')/slope. */
+/** A/A_n = x/(x + 1) with x = 2 P/(A_n E')/slope; sets nothing else. */
 static enum status_code area_run(struct model_curve *curve, const struct model_row *row, const struct model_task *task,
                                  struct status *status)
 {
     (void)status;
-    const struct contact_point unknown = {
-        .separation_m = NAN, .adjusted_m = NAN, .ecr_ohm_m2 = NAN, .tcr_K_m2_per_W = NAN, .tcr_sd_K_m2_per_W = NAN};
     for (size_t i = 0; i < task->load_count; i++) {
         double x = 2 * task->loads[i] / slope_of(task->spectrum);
-        curve->points[i] = unknown;
         curve->points[i].load = task->loads[i];
         curve->points[i].area_ratio = x / (x + 1);
     }
-    curve->full = unknown;
-    curve->full.load = curve->full.area_ratio = NAN;
-    curve->full_load = curve->closed_load = curve->beta = NAN;
     curve->count = task->load_count;
     curve->exists = true;
     curve->work = area_work(row, task);
@@ -282,6 +277,29 @@ static void test_the_data(void **state)
     assert_in_range(emptied, 0, 2);
     assert_int_equal(rows[1], 3 * 13);
     table_free(&contact);
+}
+
+/* What the area alone never set is null, quantity by quantity. */
+static void test_the_json(void **state)
+{
+    (void)state;
+    json_t *results = json_load_file(directory_path(&whole, "out/results.json"), 0, NULL);
+    size_t nulls = 0, s;
+    json_t *surface;
+    json_array_foreach(json_object_get(results, "surfaces"), s, surface)
+    {
+        const json_t *alone = json_object_get(json_object_get(surface, "models"), "area-alone");
+        for (int q = 0; q < QUANTITY_COUNT; q++) {
+            const json_t *values = json_object_get(alone, quantity_rows[q].name);
+            bool set = q == QUANTITY_LOAD || q == QUANTITY_AREA;
+            for (size_t i = 0; i < json_array_size(values); i++) {
+                assert_int_equal(json_is_null(json_array_get(values, i)), !set);
+                nulls += !set;
+            }
+        }
+    }
+    assert_int_equal(nulls, 3 * 13 * 5);
+    json_decref(results);
 }
 
 static void test_the_other_tables(void **state)
@@ -492,7 +510,7 @@ int main(void)
         cmocka_unit_test(test_the_data),       cmocka_unit_test(test_the_other_tables),
         cmocka_unit_test(test_the_charts),     cmocka_unit_test(test_the_report),
         cmocka_unit_test(test_the_terminal),   cmocka_unit_test(test_the_plan),
-        cmocka_unit_test(test_the_area_alone),
+        cmocka_unit_test(test_the_area_alone), cmocka_unit_test(test_the_json),
     };
     return cmocka_run_group_tests(tests, make_whole, remove_whole);
 }
