@@ -47,7 +47,7 @@ static void note_thesis_fit(struct surface_summary *summary)
     const struct power_law *law = &summary->power_law;
     if (isnan(law->gamma)) {
         gather_note(summary, "no power law: %s",
-                    law->harmonics < 3 ? "fewer than 3 harmonics lie in the fit band; widen fit_band_m"
+                    law->harmonics < 3 ? "fewer than 3 harmonics lie in the fit band; widen fit_band"
                                        : "its alpha is beyond the range of numbers; are the units right?");
         return;
     }
@@ -62,8 +62,7 @@ static void note_thesis_fit(struct surface_summary *summary)
             "so gamma is drawn towards 1: try window: hann",
             summary->jump_m * 1e6, summary->jump_share > 1 ? "more than the whole" : "over half", shortest * 1e6);
     if (isfinite(law->knee_m))
-        gather_note(summary,
-                    "two slopes fit better than one: gamma %.2f above %.3g um, %.2f below; consider fit_band_m",
+        gather_note(summary, "two slopes fit better than one: gamma %.2f above %.3g um, %.2f below; consider fit_band",
                     law->gamma_above, law->knee_m * 1e6, law->gamma_below);
 }
 

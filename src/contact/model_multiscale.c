@@ -105,7 +105,7 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
     curve->yielding_scales = stack->critical_scales;
     curve->exists = true;
     curve->work = work_of(visits, task->wanted);
-    if (task->wanted & QUANTITY_RESISTANCES)
+    if (task->wanted & (QUANTITY_BIT(QUANTITY_ECR) | QUANTITY_BIT(QUANTITY_TCR)))
         keep_kinks(curve, stack, task->wanted);
     release(stack, &own);
     return STATUS_OK;

@@ -174,7 +174,7 @@ static void test_plan(void **state)
     workspace_write(place, "d/scene.yaml", "load: {from: 1e-4, to: 1e-2, points: 7}\n");
     none = expect_exit(place, 0, "plan", "d");
     expect_part(none.out, "\nNo material is given, so area and separation");
-    expect_part(none.out, "no material is given, so no resistivity_ohm_m");
+    expect_part(none.out, "no material is given, so no resistivity");
     process_free(&none);
     none = expect_exit(place, 0, "report", "d", "--no-cost");
     expect_part(none.out, "No material is given, so area and separation");
