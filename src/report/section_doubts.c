@@ -14,7 +14,7 @@ static void row(struct text *out, const struct section_context *context, const s
         section_named(out, "surface ", context->results, doubt->surface);
         text_add(out, ")");
     }
-    text_add(out, " | %s |\n", doubt->row->next);
+    text_add(out, " | %s |\n", doubt->next);
 }
 
 static bool called_for(const struct section_context *context)
