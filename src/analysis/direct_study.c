@@ -354,10 +354,12 @@ static double seed_value(const struct direct_point *point, enum quantity quantit
                                              : point->constriction_m;
 }
 
-/** Mean |ln| of what the grid of one surface's solution, or the scatter of `seeds` surfaces, moves a quantity by. */
-static double effort_error(const struct maker *maker, const struct direct_point *coarse, size_t seeds,
+/** Mean |ln| of what the grid of one surface's solution, or the scatter of `seeds` surfaces, moves a quantity by; and
+ * the largest. */
+static double effort_error(double *largest, const struct maker *maker, const struct direct_point *coarse, size_t seeds,
                            enum quantity quantity)
 {
+    *largest = 0;
     static const struct material_pair unit = {.resistivity_ohm_m = 0.5, .conductivity_W_per_mK = 2};
     const struct direct_study *study = maker->study;
     double sum = 0, count = 0;
@@ -368,6 +370,7 @@ static double effort_error(const struct maker *maker, const struct direct_point 
         double scatter = error / value * sqrt((double)study->plan.seeds / (double)seeds);
         if (value > 0 && isfinite(grid) && isfinite(scatter)) {
             sum += hypot(grid, scatter);
+            *largest = fmax(*largest, hypot(grid, scatter));
             count++;
         }
     }
@@ -388,7 +391,8 @@ static enum status_code run_efforts(struct maker *maker, struct status *status)
         struct direct_ensemble ensemble = {0};
         size_t seeds = efforts[e].seeds > 0 ? efforts[e].seeds : def.seeds;
         bool whole = efforts[e].divisor == 1;
-        *effort = (struct direct_study_effort){def.n / efforts[e].divisor / 2 * 2, seeds, all->seconds, {0}};
+        *effort = (struct direct_study_effort){def.n / efforts[e].divisor / 2 * 2, seeds, all->seconds,
+                                               whole && efforts[e].seeds > 0,      {0},   {0}};
         if (effort->grid < SCENE_DIRECT_GRID_LEAST || (efforts[e].seeds > 1 && seeds >= def.seeds))
             continue;
         if (whole) /* without the fine grid, whose share is known by its convolutions */
@@ -401,9 +405,10 @@ static enum status_code run_efforts(struct maker *maker, struct status *status)
             return status->code;
         if (!whole)
             effort->seconds = clock_seconds() - started;
-        for (int q = 0; q < DIRECT_STUDY_QUANTITIES; q++)
-            effort->error[direct_study_quantities[q]] =
-                effort_error(maker, ensemble.seed_point, seeds, direct_study_quantities[q]);
+        for (int k = 0; k < DIRECT_STUDY_QUANTITIES; k++) {
+            enum quantity q = direct_study_quantities[k];
+            effort->error[q] = effort_error(&effort->largest[q], maker, ensemble.seed_point, seeds, q);
+        }
         study->efforts++;
         direct_ensemble_free(&ensemble);
     }

@@ -15,7 +15,7 @@ struct estimate {
     double mean;
     double sd, s,
         degrees;       /* of a single scan; standard error of the mean; 0 degrees of freedom: by simulated records */
-    double half_width; /* of the 95 % interval of the surface's mean; NaN: not known */
+    double half_width; /* of the 95 % interval of the surface's mean; NaN: not known, or its ends are no doubles */
     double next_half_width; /* of that in which another scan lies; NaN: not known */
     double effective;       /* independent rows that the blocks are worth; else the scans' weights */
     bool logarithmic;

@@ -361,6 +361,10 @@ static enum status_code add_scan(struct repeat_set *set, const char *file, struc
     return STATUS_OK;
 }
 
+/* The first harmonic whose estimate by five sine tapers keeps off the ends of the spectrum is the fifth
+ * (docs/equations.md, power_law_band.h); a record has it below its Nyquist frequency from 11 points on. */
+enum { LEAST_POINTS = 11 };
+
 /** Every row of a scan (a profile has one, whose heights are taken over) into the surface. A row of a map that cannot
  * be used (all missing, flat) is left out and counted; the map is refused when none is left. */
 static enum status_code add_rows(struct surface_record *record, struct power_law_scans *scans, struct scan *scan,
@@ -383,6 +387,11 @@ static enum status_code add_rows(struct surface_record *record, struct power_law
         enum status_code rc = scan->kind == SCAN_PROFILE ? profile_take(&profile, scan, &how, &problem)
                                                          : profile_make(&profile, scan, row, &how, &problem);
         summary->times.prepare += clock_seconds() - started;
+        if (rc == STATUS_OK && profile.points < LEAST_POINTS)
+            rc =
+                status_fail(&problem, STATUS_SCAN,
+                            "%zu points carry no spectrum; at least %d are needed: take a longer scan, or leave it out",
+                            profile.points, LEAST_POINTS);
         if (rc == STATUS_OK && row == unusable) /* the first usable one speaks for all */
             note_scan(summary, scan, &profile, file);
         struct making making = {.record = record,

@@ -428,6 +428,34 @@ static void note_model(struct surface_record *record, size_t m, size_t left_out)
                     model_rows[m]->label);
 }
 
+/** Has a number of a curve of several scans no interval? */
+static bool loses_interval(const struct surface_record *record, size_t m)
+{
+    const struct model_curve *curve = &record->curves[m];
+    for (size_t i = 0; record->bands[m] && i < curve->count && i < record->band_count; i++)
+        for (int q = 0; q < QUANTITY_COUNT && record->bands[m][i].load == curve->points[i].load; q++) {
+            double value = quantity_value(&curve->points[i], model_shown(model_rows[m], (enum quantity)q));
+            if (repeats_band_holds((enum quantity)q) && value > 0 && isnan(record->bands[m][i].mean[q][0]))
+                return true;
+        }
+    return false;
+}
+
+/** Names the models whose scans answer so differently that an interval's ends are no numbers. */
+static void note_intervals(struct surface_record *record)
+{
+    struct text names = {0};
+    for (size_t m = 0; m < model_count; m++)
+        if (record->repeats.count > 1 && !record->repeats.no_intervals && loses_interval(record, m))
+            text_add(&names, "%s%s", names.length > 0 ? ", " : "", model_rows[m]->label);
+    if (names.length > 0)
+        gather_note(&record->summary,
+                    "no interval at some loads (%s): the scans differ there by more than numbers hold; are they of one "
+                    "surface, in one unit?",
+                    text_string(&names));
+    text_free(&names);
+}
+
 /** One model; none needs what another makes, and only their notes have an order. */
 static enum status_code run_model(void *context, size_t m, struct threads_turn *turn, struct status *status)
 {
@@ -503,6 +531,7 @@ static enum status_code run_models(struct modelling *modelling, size_t load_coun
     if (plan_runs(plan, EFFECT_CONVERGENCE))
         extend(record, scene);
     free_bounds(&record->summary);
+    note_intervals(record);
     if (answers_find(record, scene, plan, task, status) != STATUS_OK)
         return status->code;
     for (size_t m = 0; record->summary.models && m < model_count; m++) {
@@ -578,6 +607,106 @@ static enum status_code conclude(struct surface_record *record, struct power_law
     return found ? fit_alone(record, scans, scene, status) : STATUS_OK;
 }
 
+/** The files of a surface, and which of them are refused. */
+struct files {
+    const char **name; /* sorted */
+    size_t count, refused;
+    char **refusal; /* why; NULL: not refused */
+};
+
+static void free_files(struct files *files)
+{
+    for (size_t f = 0; files->refusal && f < files->count; f++)
+        free(files->refusal[f]);
+    free(files->refusal);
+    free(files->name);
+}
+
+/** Gathers every file that is not refused. What cannot be used is refused, and *again set where it left something
+ * behind. */
+static enum status_code gather_files(struct surface_record *out, struct power_law_scans *scans,
+                                     const struct scene *scene, struct files *files, struct hash *hash,
+                                     const struct threads *threads, bool *again, struct status *status)
+{
+    *again = false;
+    for (size_t f = 0; f < files->count; f++) {
+        struct status problem = {0};
+        size_t before = out->repeats.scan_count;
+        if (files->refusal[f])
+            continue;
+        enum status_code rc =
+            gather_file(out, scans, scene, out->summary.scene, files->name[f], hash, threads, &problem);
+        if (rc == STATUS_MEMORY || rc == STATUS_INTERRUPTED)
+            return status_fail(status, rc, "%s", problem.message);
+        if (rc == STATUS_OK)
+            continue;
+        *again = *again || out->repeats.scan_count > before;
+        files->refusal[f] = strdup(problem.message);
+        files->refused++;
+        if (!files->refusal[f])
+            return status_memory(status);
+    }
+    return STATUS_OK;
+}
+
+/** Says which scans were refused, but for the `first` of a surface that has no other: that is its own refusal. Before
+ * all else that is noted, as these are never left out. */
+static enum status_code note_refused(struct surface_summary *summary, const struct files *files, size_t first,
+                                     struct status *status)
+{
+    struct text notes = {0};
+    size_t used = files->count - files->refused;
+    for (size_t f = 0; f < files->count; f++) {
+        if (!files->refusal[f] || (used == 0 && f == first))
+            continue;
+        text_add(&notes, "%s%s", notes.length > 0 ? "\n" : "", files->refusal[f]);
+        if (used > 0)
+            text_add(&notes, " - refused; %zu of its %zu scans are used", used, files->count);
+    }
+    if (summary->notes)
+        text_add(&notes, "\n%s", summary->notes);
+    if (notes.failed) {
+        text_free(&notes);
+        return status_memory(status);
+    }
+    free(summary->notes);
+    summary->notes = notes.data;
+    summary->refused_scans = files->refused;
+    return STATUS_OK;
+}
+
+/** Gathers the scans of a surface that can be used. Error: why there is none. */
+static enum status_code gather_usable(struct surface_record *out, struct power_law_scans *scans,
+                                      const struct scene *scene, struct files *files, const struct threads *threads,
+                                      struct status *status)
+{
+    struct hash hash = hash_start(), unused = hash_start();
+    bool again;
+    enum status_code rc = gather_files(out, scans, scene, files, &hash, threads, &again, status);
+    hash_finish(&hash, out->summary.hash);
+    while (rc == STATUS_OK && again && files->refused < files->count) { /* from the start, without those */
+        struct surface_summary kept = out->summary;
+        free(kept.notes);
+        kept.notes = NULL;
+        surface_record_free(out, false);
+        power_law_scans_free(scans);
+        *scans = (struct power_law_scans){0};
+        *out = (struct surface_record){.summary = {.scene = kept.scene, .pair = kept.pair, .times = kept.times}};
+        memcpy(out->summary.hash, kept.hash, sizeof kept.hash);
+        rc = gather_files(out, scans, scene, files, &unused, threads, &again, status);
+    }
+    if (rc != STATUS_OK || files->refused == 0)
+        return rc;
+    size_t first = 0;
+    while (!files->refusal[first])
+        first++;
+    if (files->count > 1 && note_refused(&out->summary, files, first, status) != STATUS_OK)
+        return status->code;
+    if (files->refused < files->count)
+        return STATUS_OK;
+    return status_fail(status, STATUS_SCAN, "%s", files->refusal[first]);
+}
+
 enum status_code surface_describe(struct surface_record *out, const struct scene *scene,
                                   const struct scene_surface *surface, const struct surface_record *counterface,
                                   const struct threads *threads, struct status *status)
@@ -585,19 +714,15 @@ enum status_code surface_describe(struct surface_record *out, const struct scene
     struct surface_summary *summary = &out->summary;
     struct status problem = {0};
     struct power_law_scans scans = {0};
-    struct hash hash = hash_start();
+    struct files files = {sorted_files(surface), surface->file_count, 0,
+                          calloc(surface->file_count + 1, sizeof(char *))};
     summary->scene = surface;
     summary->pair = scene_pair(surface->bodies);
-    const char **files = sorted_files(surface);
-    if (!files)
-        return status_memory(status);
-    enum status_code rc = STATUS_OK;
-    for (size_t f = 0; f < surface->file_count && rc == STATUS_OK; f++)
-        rc = gather_file(out, &scans, scene, surface, files[f], &hash, threads, &problem);
-    hash_finish(&hash, summary->hash);
+    enum status_code rc = files.name && files.refusal ? gather_usable(out, &scans, scene, &files, threads, &problem)
+                                                      : status_memory(&problem);
+    free_files(&files);
     if (rc == STATUS_OK)
         rc = gather_conclude(out, &scans, scene, &problem);
-    free(files);
     if (rc == STATUS_OK) {
         summary->usable = true;
         rc = conclude(out, &scans, scene, counterface, threads, &problem);

@@ -35,6 +35,7 @@ struct surface_summary {
     bool usable;                       /* false: refused, see `refusal` */
     char *refusal;                     /* one line; owned */
     char *notes;                       /* one line a warning; owned, NULL: none */
+    size_t refused_scans;              /* of several; the notes begin with a line of each */
     char hash[65];                     /* SHA-256 of the first file (of all of them one after another), hexadecimal */
     char format[32];
     char units[40];                     /* "x mm, z um" as read */

@@ -522,7 +522,7 @@ static void put_patches(struct figure_file *out, const struct direct_study *stud
 static double cost_error(const struct benchmark_row *row)
 {
     if (row->chart >= BENCHMARK_DIRECT_AREA)
-        return fmax(row->error, 1e-3); /* an error of exactly 0 has no place on a logarithmic axis */
+        return fmax(row->mean, 1e-3); /* an error of exactly 0 has no place on a logarithmic axis */
     return row->error < 1e-16 ? 0 : row->error;
 }
 

@@ -256,7 +256,7 @@ static int report(char **written, struct arguments *arguments, struct scene *sce
         if (!arguments->json)
             printf("%s%s%s\n%s\n", text_string(&outcome.table), outcome.answers.length > 0 ? "\n" : "",
                    text_string(&outcome.answers), outcome.path);
-        if (outcome.refused > 0)
+        if (outcome.refused + outcome.left_out > 0)
             exit_status = COMMAND_REFUSED;
         if (arguments->check && outcome.missed_count > 0) {
             fputs(text_string(&outcome.missed), stderr);
@@ -266,9 +266,8 @@ static int report(char **written, struct arguments *arguments, struct scene *sce
         double models = times->convergence + times->direct;
         for (size_t m = 0; m < model_count; m++)
             models += times->models[m];
-        fprintf(stderr, "models: %llu evaluations%s; %.3g s predicted, %.3g s taken\n",
-                (unsigned long long)outcome.evaluations, outcome.work_agrees ? ", as predicted" : "",
-                outcome.predicted_seconds, models);
+        fprintf(stderr, "models: %llu evaluations%s; %.3g s\n", (unsigned long long)outcome.evaluations,
+                outcome.work_agrees ? ", as predicted" : "", models);
         if (arguments->verbose)
             fprintf(stderr, "\n%s", text_string(&outcome.work));
         if (!outcome.work_agrees)
@@ -422,7 +421,8 @@ int command_plan(int argc, char **argv)
         likely = forecast_make(&prepared.results, &rates, &arguments.run);
     if (rc == STATUS_OK && !arguments.json)
         print_plan(&scene, &prepared, &likely, arguments.run.brief);
-    int exit_status = rc != STATUS_OK ? command_fail(&status) : refused > 0 ? COMMAND_REFUSED : COMMAND_DONE;
+    size_t left_out = messages_add_lost(&messages, &prepared);
+    int exit_status = rc != STATUS_OK ? command_fail(&status) : refused + left_out > 0 ? COMMAND_REFUSED : COMMAND_DONE;
     if (arguments.json)
         scene_json_print_plan(rc == STATUS_OK ? &prepared : NULL, &likely, arguments.directory, arguments.run.brief,
                               text_string(&messages), exit_status, status.message);

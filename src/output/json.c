@@ -397,10 +397,10 @@ static json_t *direct_curve_json(const struct direct_study *study, const struct 
     return json;
 }
 
-static json_t *direct_json(const struct direct_study *study, const struct results *results, struct status *status)
+static json_t *direct_json(const struct direct_study *study, const struct results *results)
 {
     const struct surface_summary *surface = &results->store->summaries[study->surface];
-    const struct cell_guard guard = {surface->scene->name, status};
+    const struct cell_guard guard = {surface->scene->name, results->store};
     const struct direct_plan *plan = &study->plan;
     json_t *solutions = json_array(), *ratios = json_object();
     for (int kind = 0; kind < DIRECT_STUDY_KINDS; kind++)
@@ -449,12 +449,13 @@ static json_t *work_json(const struct results *results)
 }
 
 /** What one model says of one target. */
-static json_t *answer_json(const struct results *results, size_t surface, size_t m, size_t t, struct status *status)
+static json_t *answer_json(const struct results *results, size_t surface, size_t m, size_t t,
+                           struct surface_store *store)
 {
     const struct scene_asked *target = &results->scene->targets[t];
     const struct surface_summary *s = &results->store->summaries[surface];
     const struct answer *answer = &s->answers[t * model_count + m];
-    const struct cell_guard guard = {s->scene->name, status};
+    const struct cell_guard guard = {s->scene->name, store};
     bool met = answer->kind == ANSWER_LOAD || answer->kind == ANSWER_LIGHTEST;
     double area_m2 = results->scene->nominal_area_m2, interval[2] = {answer->low, answer->high};
     struct text note = {0}, asked = {0};
@@ -473,18 +474,18 @@ static json_t *answer_json(const struct results *results, size_t surface, size_t
     return json;
 }
 
-static json_t *answers_json(const struct results *results, struct status *status)
+static json_t *answers_json(const struct results *results, struct surface_store *store)
 {
     json_t *answers = json_array();
     for (size_t i = 0; i < results->store->count; i++)
         for (size_t m = 0; m < model_count && results->store->summaries[i].usable; m++)
             for (size_t t = 0; t < results->scene->target_count && plan_runs_model(results->plan, m); t++)
-                json_array_append_new(answers, answer_json(results, i, m, t, status));
+                json_array_append_new(answers, answer_json(results, i, m, t, store));
     return answers;
 }
 
 /** How every surface stands to every limit, by the leading model. */
-static json_t *limits_json(const struct results *results, struct status *status)
+static json_t *limits_json(const struct results *results, struct surface_store *store)
 {
     static const char *const verdicts[] = {[LIMIT_NO_VALUE] = "no value",
                                            [LIMIT_MET] = "meets",
@@ -496,7 +497,7 @@ static json_t *limits_json(const struct results *results, struct status *status)
             const struct surface_summary *s = &results->store->summaries[i];
             const struct scene_asked *limit = &results->scene->limits[l];
             const struct limit_check *check = &s->limits[l];
-            const struct cell_guard guard = {s->scene->name, status};
+            const struct cell_guard guard = {s->scene->name, store};
             const double interval[2] = {check->low, check->high};
             struct text asked = {0};
             text_add(&asked, "%s %s %s", limit->row->name, limit->is_most ? "most" : "least", limit->text);
@@ -544,25 +545,24 @@ static json_t *outline_surface_json(const struct surface_summary *s, const struc
 
 json_t *json_outline(const struct results *results, bool complete)
 {
-    struct status ignored = {0}; /* json_write() has said it */
     json_t *surfaces = json_array(), *json = json_object();
     for (size_t i = 0; i < results->store->count; i++) {
         const struct surface_summary *s = &results->store->summaries[i];
-        const struct cell_guard guard = {s->scene ? s->scene->name : NULL, &ignored};
+        const struct cell_guard guard = {s->scene ? s->scene->name : NULL, NULL};
         if (s->scene) /* else the run ended before it came to it */
             json_array_append_new(surfaces, outline_surface_json(s, results->plan, complete, &guard));
     }
     json_object_set_new(json, "surfaces", surfaces);
     if (!complete)
         return json;
-    json_t *limits = limits_json(results, &ignored), *missed = json_array(), *limit;
+    json_t *limits = limits_json(results, NULL), *missed = json_array(), *limit;
     size_t index;
     json_array_foreach(limits, index, limit)
     {
         if (strcmp(json_string_value(json_object_get(limit, "verdict")), "misses") == 0)
             json_array_append(missed, limit);
     }
-    json_object_set_new(json, "answers", answers_json(results, &ignored));
+    json_object_set_new(json, "answers", answers_json(results, NULL));
     json_object_set_new(json, "limits", limits);
     json_object_set_new(json, "missed_limits", missed);
     return json;
@@ -598,7 +598,7 @@ static enum status_code print_surface(void *context, size_t index, struct thread
     if (!record)
         return status_memory(status);
     if (surface_store_get_part(record, results->store, index, SURFACE_BYTES_CURVES, status) == STATUS_OK) {
-        const struct cell_guard guard = {record->summary.scene->name, status};
+        const struct cell_guard guard = {record->summary.scene->name, results->store};
         struct text text = {0};
         json_t *json = surface_json(record, results->scene, results->plan, &guard);
         text_add(&text, index == all->first ? "\n" : ",\n");
@@ -633,7 +633,7 @@ enum status_code json_write(const struct results *results, const char *directory
     text_free(&path);
     if (!file)
         return status_fail(status, STATUS_IO, "cannot write results.json: %s", strerror(errno));
-    const struct cell_guard of_scene = {NULL, status};
+    const struct cell_guard of_scene = {NULL, results->store};
     fprintf(file, "{\"program\": \"roughcontact\",\n\"version\": \"%s\",\n\"scene\": ", version_string());
     bool ok = print(file, scene_json(results, &of_scene)), first = true;
     fputs(",\n\"surfaces\": [", file);
@@ -656,17 +656,17 @@ enum status_code json_write(const struct results *results, const char *directory
     }
     if (results->scene->target_count > 0 && ok) {
         fputs("\"answers\": ", file);
-        ok = print(file, answers_json(results, status));
+        ok = print(file, answers_json(results, results->store));
         fputs(",\n", file);
     }
     if (results->scene->limit_count > 0 && ok) {
         fputs("\"limits\": ", file);
-        ok = print(file, limits_json(results, status));
+        ok = print(file, limits_json(results, results->store));
         fputs(",\n", file);
     }
     for (size_t k = 0; k < results->direct_count && ok; k++) {
         fputs(k == 0 ? "\"direct\": [\n" : ",\n", file);
-        ok = print(file, direct_json(&results->direct[k], results, status));
+        ok = print(file, direct_json(&results->direct[k], results));
     }
     fputs(results->direct_count > 0 ? "],\n\"work\": " : "\"work\": ", file);
     ok = ok && print(file, work_json(results));
@@ -674,5 +674,5 @@ enum status_code json_write(const struct results *results, const char *directory
     bool bad = ferror(file) || !ok;
     if (fclose(file) != 0 || bad)
         return status_fail(status, STATUS_IO, "cannot write results.json");
-    return status->code; /* of a number that could not be written */
+    return STATUS_OK;
 }

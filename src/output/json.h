@@ -7,7 +7,7 @@
 #include "results/results.h"
 
 /** Writes results.json into `directory`, the surfaces by `threads` in their order. Errors: STATUS_IO, STATUS_MEMORY,
- * STATUS_NUMBER, STATUS_INTERRUPTED. */
+ * STATUS_INTERRUPTED. */
 MUST_CHECK enum status_code json_write(const struct results *results, const char *directory,
                                        const struct threads *threads, struct status *status);
 

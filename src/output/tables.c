@@ -25,9 +25,10 @@ struct table {
     struct threads_turn *turn; /* NULL: the file is this table's alone */
 };
 
-static enum status_code table_open(struct table *out, const char *directory, const char *name, struct status *status)
+static enum status_code table_open(struct table *out, const struct results *results, const char *directory,
+                                   const char *name, struct status *status)
 {
-    *out = (struct table){.name = name, .guard = {NULL, status}};
+    *out = (struct table){.name = name, .guard = {NULL, results->store}};
     struct text path = {0};
     text_add(&path, "%s/data/%s", directory, name);
     out->file = fopen(text_string(&path), "w");
@@ -75,7 +76,7 @@ static void put_surface(struct table *table, const struct surface_summary *surfa
 }
 
 /** Writes what is held; of a surface's part the file stays open. */
-static enum status_code table_close(struct table *table)
+static enum status_code table_close(struct table *table, struct status *status)
 {
     bool bad = !table->file || table->rows.failed;
     if (!bad)
@@ -84,14 +85,14 @@ static enum status_code table_close(struct table *table)
     text_free(&table->rows);
     text_free(&table->lead);
     if ((table->file && !table->turn && fclose(table->file) != 0) || bad)
-        return status_fail(table->guard.status, STATUS_IO, "cannot write '%s': %s", table->name, strerror(errno));
-    return table->guard.status->code; /* of a number that could not be written */
+        return status_fail(status, STATUS_IO, "cannot write '%s': %s", table->name, strerror(errno));
+    return status->code;
 }
 
 /** What one surface adds to an open table. */
-static struct table table_part(const struct table *table, struct threads_turn *turn, struct status *status)
+static struct table table_part(const struct table *table, struct threads_turn *turn)
 {
-    return (struct table){.file = table->file, .name = table->name, .guard = {NULL, status}, .turn = turn};
+    return (struct table){.file = table->file, .name = table->name, .guard = {NULL, table->guard.store}, .turn = turn};
 }
 
 /** What surfaces.csv says of a surface besides its name, files and points. */
@@ -140,7 +141,7 @@ static enum status_code write_surfaces(const struct results *results, const char
     const struct plan *plan = results->plan;
     bool asperities = plan_uses_asperities(plan);
     struct table table;
-    if (table_open(&table, directory, "surfaces.csv", status) != STATUS_OK)
+    if (table_open(&table, results, directory, "surfaces.csv", status) != STATUS_OK)
         return status->code;
     text_add(&table.rows, "surface,files,points");
     for (int c = 0; c < SURFACE_COLUMNS; c++)
@@ -173,7 +174,7 @@ static enum status_code write_surfaces(const struct results *results, const char
                 put_number(&table, "beta", surface_model(s, m)->exists ? surface_model(s, m)->beta : NAN);
         end_row(&table);
     }
-    return table_close(&table);
+    return table_close(&table, status);
 }
 
 /** A row a harmonic, or a bin of them, of harmonics `first` to before `end`. */
@@ -206,10 +207,10 @@ struct spectrum_blocks {
 static enum status_code put_block(void *context, size_t index, struct threads_turn *turn, struct status *status)
 {
     const struct spectrum_blocks *blocks = context;
-    struct table table = table_part(blocks->table, turn, status);
+    struct table table = table_part(blocks->table, turn);
     size_t first = index * BLOCK_HARMONICS, end = first + BLOCK_HARMONICS, all = blocks->record->spectrum.count;
     put_harmonics(&table, blocks->record, false, first, end < all ? end : all);
-    return table_close(&table);
+    return table_close(&table, status);
 }
 
 /** All of a surface; by `threads`, not NULL when the file is its alone, in blocks that are written in order. */
@@ -221,9 +222,9 @@ static enum status_code put_spectrum(const struct table *file, const struct surf
         struct spectrum_blocks blocks = {file, record};
         return threads_run(threads, (all + BLOCK_HARMONICS - 1) / BLOCK_HARMONICS, put_block, &blocks, status);
     }
-    struct table table = table_part(file, turn, status);
+    struct table table = table_part(file, turn);
     put_harmonics(&table, record, binned, 0, all);
-    return table_close(&table);
+    return table_close(&table, status);
 }
 
 static void contact_header(struct table *table, unsigned quantities)
@@ -323,7 +324,7 @@ static enum status_code open_bands(struct table *bands, unsigned *quantities, co
                                    const char *directory, struct status *status)
 {
     *quantities = 0;
-    if (table_open(bands, directory, "bands.csv", status) != STATUS_OK)
+    if (table_open(bands, results, directory, "bands.csv", status) != STATUS_OK)
         return status->code;
     text_add(&bands->rows, "surface,model,%s", quantity_rows[QUANTITY_LOAD].column);
     for (int q = 0; q < QUANTITY_COUNT; q++)
@@ -348,14 +349,14 @@ static enum status_code put_curves(void *context, size_t index, struct threads_t
     if (!record)
         return status_memory(status);
     if (surface_store_get_part(record, results->store, index, SURFACE_BYTES_SPECTRUM, status) == STATUS_OK) {
-        struct table contact = table_part(&all->contact, turn, status), bands = table_part(&all->bands, turn, status);
+        struct table contact = table_part(&all->contact, turn), bands = table_part(&all->bands, turn);
         (void)put_spectrum(&all->spectrum, record, scene_bins_spectra(results->scene), all->inside, turn, status);
         put_contact(&contact, record, all);
         if (bands.file)
             put_bands(&bands, record, all->band_quantities);
-        (void)table_close(&contact);
+        (void)table_close(&contact, status);
         if (bands.file)
-            (void)table_close(&bands);
+            (void)table_close(&bands, status);
         surface_record_free(record, false);
     }
     free(record);
@@ -368,13 +369,13 @@ static enum status_code write_curves(const struct results *results, const char *
     struct curve_tables all = {.results = results,
                                .quantities = plan_quantities(results->plan),
                                .inside = results->store->count == 1 ? threads : NULL};
-    enum status_code rc = table_open(&all.spectrum, directory, "spectrum.csv", status);
+    enum status_code rc = table_open(&all.spectrum, results, directory, "spectrum.csv", status);
     if (rc != STATUS_OK)
         return rc;
     text_add(&all.spectrum.rows, "surface,wavelength_m,amplitude_m,fit_m%s",
              scene_bins_spectra(results->scene) ? ",harmonics" : "");
     end_row(&all.spectrum);
-    rc = table_open(&all.contact, directory, "contact.csv", status);
+    rc = table_open(&all.contact, results, directory, "contact.csv", status);
     if (rc == STATUS_OK)
         contact_header(&all.contact, all.quantities);
     if (rc == STATUS_OK)
@@ -388,8 +389,8 @@ static enum status_code write_curves(const struct results *results, const char *
             write_rows(&all.bands);
         rc = threads_run(threads, results->store->count, put_curves, &all, status);
     }
-    enum status_code closed[] = {table_close(&all.spectrum), table_close(&all.contact),
-                                 all.bands.file ? table_close(&all.bands) : STATUS_OK};
+    enum status_code closed[] = {table_close(&all.spectrum, status), table_close(&all.contact, status),
+                                 all.bands.file ? table_close(&all.bands, status) : STATUS_OK};
     for (int i = 0; i < 3; i++)
         rc = rc != STATUS_OK ? rc : closed[i];
     free(all.loads);
@@ -401,7 +402,7 @@ static enum status_code write_convergence(const struct results *results, const c
     const struct scene_convergence *study = &results->scene->convergence;
     size_t index[SWEEP_ROWS], count = results_sweep_scales(index, SWEEP_ROWS, study->scales);
     struct table table;
-    if (table_open(&table, directory, "convergence.csv", status) != STATUS_OK)
+    if (table_open(&table, results, directory, "convergence.csv", status) != STATUS_OK)
         return status->code;
     text_add(&table.rows, "sweep,value,model,wavelength_m,area_ratio");
     end_row(&table);
@@ -420,13 +421,14 @@ static enum status_code write_convergence(const struct results *results, const c
                     end_row(&table);
                 }
             }
-    return table_close(&table);
+    return table_close(&table, status);
 }
 
-static enum status_code write_cost(const struct benchmark *benchmark, const char *directory, struct status *status)
+static enum status_code write_cost(const struct results *results, const char *directory, struct status *status)
 {
     struct table table;
-    if (table_open(&table, directory, "cost.csv", status) != STATUS_OK)
+    const struct benchmark *benchmark = results->benchmark;
+    if (table_open(&table, results, directory, "cost.csv", status) != STATUS_OK)
         return status->code;
     text_add(&table.rows, "study,method,setting,evaluations,seconds,max_relative_error");
     end_row(&table);
@@ -438,7 +440,7 @@ static enum status_code write_cost(const struct benchmark *benchmark, const char
         put_number(&table, "max_relative_error", row->error);
         end_row(&table);
     }
-    return table_close(&table);
+    return table_close(&table, status);
 }
 
 /** surface, quantity, scans (or blocks of a map's rows), what they are worth, mean, standard deviation of one of them
@@ -463,7 +465,7 @@ static void put_spread_number(struct table *table, const struct surface_summary 
 static enum status_code write_spread(const struct results *results, const char *directory, struct status *status)
 {
     struct table table;
-    if (table_open(&table, directory, "spread.csv", status) != STATUS_OK)
+    if (table_open(&table, results, directory, "spread.csv", status) != STATUS_OK)
         return status->code;
     text_add(&table.rows, "surface,quantity,scans,effective,mean,standard_deviation,mean_low_95,mean_high_95,"
                           "next_scan_low_95,next_scan_high_95");
@@ -492,14 +494,14 @@ static enum status_code write_spread(const struct results *results, const char *
             }
         }
     }
-    return table_close(&table);
+    return table_close(&table, status);
 }
 
 static enum status_code write_sensitivity(const struct results *results, const char *directory, struct status *status)
 {
     struct table table;
     bool ecr = plan_runs(results->plan, EFFECT_ELECTRICAL);
-    if (table_open(&table, directory, "sensitivity.csv", status) != STATUS_OK)
+    if (table_open(&table, results, directory, "sensitivity.csv", status) != STATUS_OK)
         return status->code;
     text_add(&table.rows, "surface,model,change,area_factor%s", ecr ? ",ecr_factor" : "");
     end_row(&table);
@@ -519,7 +521,7 @@ static enum status_code write_sensitivity(const struct results *results, const c
                 end_row(&table);
             }
         }
-    return table_close(&table);
+    return table_close(&table, status);
 }
 
 static void put_answer(struct table *table, const struct results *results, size_t surface, size_t m, size_t t)
@@ -550,7 +552,7 @@ static void put_answer(struct table *table, const struct results *results, size_
 static enum status_code write_answers(const struct results *results, const char *directory, struct status *status)
 {
     struct table table;
-    if (table_open(&table, directory, "answers.csv", status) != STATUS_OK)
+    if (table_open(&table, results, directory, "answers.csv", status) != STATUS_OK)
         return status->code;
     text_add(&table.rows, "surface,model,target,load_N,load_over_AnEp,low,high,note");
     end_row(&table);
@@ -558,7 +560,7 @@ static enum status_code write_answers(const struct results *results, const char 
         for (size_t m = 0; m < model_count && results->store->summaries[i].usable; m++)
             for (size_t t = 0; t < results->scene->target_count && plan_runs_model(results->plan, m); t++)
                 put_answer(&table, results, i, m, t);
-    return table_close(&table);
+    return table_close(&table, status);
 }
 
 /** What direct.csv says of each quantity: value and error. */
@@ -609,7 +611,7 @@ static void put_direct(struct table *table, const struct results *results, const
 static enum status_code write_direct(const struct results *results, const char *directory, struct status *status)
 {
     struct table table;
-    if (table_open(&table, directory, "direct.csv", status) != STATUS_OK)
+    if (table_open(&table, results, directory, "direct.csv", status) != STATUS_OK)
         return status->code;
     text_add(&table.rows, "surface,source,load_over_AnEp");
     for (int c = 0; c < DIRECT_COLUMNS; c++)
@@ -623,13 +625,13 @@ static enum status_code write_direct(const struct results *results, const char *
     for (size_t k = 0; k < results->direct_count; k++)
         for (int kind = 0; kind < DIRECT_STUDY_KINDS; kind++)
             put_direct(&table, results, &results->direct[k], (enum direct_study_kind)kind);
-    return table_close(&table);
+    return table_close(&table, status);
 }
 
 static enum status_code write_direct_ratio(const struct results *results, const char *directory, struct status *status)
 {
     struct table table;
-    if (table_open(&table, directory, "direct_ratio.csv", status) != STATUS_OK)
+    if (table_open(&table, results, directory, "direct_ratio.csv", status) != STATUS_OK)
         return status->code;
     text_add(&table.rows, "surface,model,load_over_AnEp");
     for (int c = 0; c < DIRECT_COLUMNS; c++)
@@ -657,7 +659,7 @@ static enum status_code write_direct_ratio(const struct results *results, const 
                 end_row(&table);
             }
         }
-    return table_close(&table);
+    return table_close(&table, status);
 }
 
 enum status_code tables_write(const struct results *results, const char *directory, const struct threads *threads,
@@ -677,7 +679,7 @@ enum status_code tables_write(const struct results *results, const char *directo
     if (rc == STATUS_OK && results->direct)
         rc = write_direct_ratio(results, directory, status);
     if (rc == STATUS_OK && results->benchmark)
-        rc = write_cost(results->benchmark, directory, status);
+        rc = write_cost(results, directory, status);
     if (rc == STATUS_OK && results_intervals(results))
         rc = write_spread(results, directory, status);
     return rc;

@@ -9,7 +9,7 @@
 
 /** Writes surfaces, spectrum and contact; convergence, cost, and (where a surface has several scans) spread and bands
  * when there are such, below `directory` (data/ exists). What is a surface's own is made by `threads`, in the surfaces'
- * order whatever their number. Errors: STATUS_IO, STATUS_MEMORY, STATUS_NUMBER, STATUS_INTERRUPTED. */
+ * order whatever their number. Errors: STATUS_IO, STATUS_MEMORY, STATUS_INTERRUPTED. */
 MUST_CHECK enum status_code tables_write(const struct results *results, const char *directory,
                                          const struct threads *threads, struct status *status);
 

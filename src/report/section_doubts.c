@@ -20,7 +20,7 @@ static void row(struct text *out, const struct section_context *context, const s
         section_named(out, "surface ", context->results, doubt->surface);
         text_add(out, ")");
     }
-    text_add(out, " | %s |\n", matters(doubt) ? doubt->row->next : "–");
+    text_add(out, " | %s |\n", matters(doubt) ? doubt->next : "–");
 }
 
 static bool called_for(const struct section_context *context)

@@ -626,7 +626,7 @@ static void heights(struct text *out, const struct section_context *context)
 
 static void summary(struct text *out, const struct section_context *context)
 {
-    size_t refused = context->results->store->count - context->results->usable_count;
+    size_t refused = context->results->store->count - context->results->usable_count, scans = 0;
     for (size_t k = 0; k < sizeof leads / sizeof *leads; k++)
         leads[k](out, context);
     surfaces(out, context);
@@ -638,6 +638,12 @@ static void summary(struct text *out, const struct section_context *context)
     if (refused > 0)
         text_add(out, "- **%zu surface%s refused**: see the end of this report.\n", refused,
                  refused == 1 ? " was" : "s were");
+    for (size_t k = 0; k < context->results->usable_count; k++)
+        scans += section_smoothest(context, k)->refused_scans;
+    if (scans > 0)
+        text_add(out,
+                 "- **%zu scan%s refused**, of surfaces that go on with their others: see the end of this report.\n",
+                 scans, scans == 1 ? " was" : "s were");
 }
 
 static bool has_column(const struct section_context *context, int q)
@@ -761,8 +767,10 @@ static void heights_table(struct text *out, const struct section_context *contex
         return;
     text_add(out,
              "\n**At the same pressure**, %s, which takes the heights as they are (elastic; beyond A/Aₙ = 0.15 area "
-             "alone, and only a direct numerical solution would say more):\n\n| surface | Rsk | Rku | A/Aₙ (%%)%s",
-             model_rows[m]->label, section_knows_yield(context) ? " | P/A (S_y)" : "");
+             "alone%s):\n\n| surface | Rsk | Rku | A/Aₙ (%%)%s",
+             model_rows[m]->label,
+             context->results->direct_count > 0 ? "" : ", and only a direct numerical solution would say more",
+             section_knows_yield(context) ? " | P/A (S_y)" : "");
     text_add(&rule, "|---|---:|---:|---:|%s", section_knows_yield(context) ? "---:|" : "");
     for (int q = QUANTITY_SEPARATION; q <= QUANTITY_TCR; q++)
         if (has_column(context, q)) {

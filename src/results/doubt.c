@@ -143,7 +143,7 @@ static bool farthest(struct doubt *out, const struct doubt_row *row, const struc
         if (!(factor > 0) || !isfinite(factor))
             continue;
         if (count == 0)
-            *out = (struct doubt){row, factor, i, true};
+            *out = (struct doubt){row, factor, i, row->next, true};
         out->alike = out->alike && fabs(factor / out->factor - 1) < 1e-9;
         if (fabs(log(factor)) > fabs(log(out->factor))) {
             out->factor = factor;
@@ -154,6 +154,17 @@ static bool farthest(struct doubt *out, const struct doubt_row *row, const struc
     return count > 0;
 }
 
+/** A direct solution that has run is not asked for: on this surface no more, on others alone. */
+static const char *next_of(const struct doubt *doubt, const struct results *results)
+{
+    if (doubt->row->factor != other_models || results->direct_count == 0)
+        return doubt->row->next;
+    for (size_t k = 0; k < results->direct_count; k++)
+        if (results->direct[k].surface == doubt->surface)
+            return "nothing";
+    return "nothing; solve all directly (`direct: {surfaces: all}`)";
+}
+
 size_t doubts_rank(struct doubt out[DOUBTS_MOST], const struct results *results, const struct comparison *comparison)
 {
     size_t count = 0;
@@ -161,6 +172,7 @@ size_t doubts_rank(struct doubt out[DOUBTS_MOST], const struct results *results,
         struct doubt doubt;
         if (!farthest(&doubt, &rows[r], results, comparison))
             continue;
+        doubt.next = next_of(&doubt, results);
         size_t at = count++;
         for (; at > 0 && fabs(log(doubt.factor)) > fabs(log(out[at - 1].factor)); at--)
             out[at] = out[at - 1];

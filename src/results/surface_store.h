@@ -20,7 +20,9 @@ struct surface_store {
     size_t count;
     FILE *file;              /* stands at its end */
     struct work models_done; /* by the models, of all surfaces stored */
-    pthread_mutex_t lock;    /* guards both while they are added to */
+    pthread_mutex_t lock;    /* guards these while they are added to */
+    size_t lost;             /* numbers that came out infinite; their cells are empty */
+    char first_lost[256];    /* what is said of the first */
 };
 
 /** `directory` is where the temporary file goes (it is unlinked at once), "" the system's place for such; NULL: only

@@ -52,7 +52,7 @@ static double note(double best, double seconds)
 
 static enum status_code measure_numbers(struct forecast_rates *out, double (*clock)(void), struct status *status)
 {
-    const struct cell_guard guard = {NULL, status};
+    const struct cell_guard guard = {NULL, NULL};
     double best = INFINITY;
     for (int r = 0; r < NUMBERS_ROUNDS; r++) {
         struct text row = {0};
@@ -313,7 +313,7 @@ struct forecast forecast_of_times(const struct run_times *times)
         out.seconds[FORECAST_MODELS] += times->models[m];
     out.seconds[FORECAST_CONVERGENCE] = times->convergence;
     out.seconds[FORECAST_UNCERTAINTY] = NAN; /* in the time of the models' threads */
-    out.seconds[FORECAST_DIRECT] = times->direct;
+    out.seconds[FORECAST_DIRECT] = NAN;      /* likewise */
     out.seconds[FORECAST_COST] = times->cost;
     out.seconds[FORECAST_TABLES] = times->tables;
     out.seconds[FORECAST_CHART_DATA] = times->figures;

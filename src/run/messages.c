@@ -102,9 +102,11 @@ size_t messages_add(struct text *messages, const struct scene *scene, const stru
         refused += summary->refusal != NULL;
         if (summary->refusal)
             say(messages, name, " refused", summary->refusal, strlen(summary->refusal));
-        for (const char *line = summary->notes; line && *line;) { /* of a refused one the report has none */
+        size_t number = 0;
+        for (const char *line = summary->notes; line && *line; number++) { /* of a refused one the report has none */
             size_t length = strcspn(line, "\n");
-            take(messages, summary->refusal ? NULL : kinds, name, line, length);
+            bool all = summary->refusal || number < summary->refused_scans;
+            take(messages, all ? NULL : kinds, name, line, length);
             line += length + (line[length] == '\n');
         }
     }
@@ -112,4 +114,16 @@ size_t messages_add(struct text *messages, const struct scene *scene, const stru
         say_more(messages, kinds);
     free(kinds);
     return refused;
+}
+
+size_t messages_add_lost(struct text *messages, const struct prepared *prepared)
+{
+    const struct surface_store *store = &prepared->store;
+    size_t lost = store->lost;
+    for (size_t i = 0; store->summaries && i < store->count; i++)
+        lost += store->summaries[i].usable ? store->summaries[i].refused_scans : 0;
+    lost += prepared->counterface ? prepared->counterface->summary.refused_scans : 0;
+    if (store->lost > 0)
+        text_add(messages, "%s\n", store->first_lost);
+    return lost;
 }

@@ -23,6 +23,7 @@
 struct run {
     const struct scene *scene;
     const struct run_options *options;
+    double started;
     struct output output;
     struct prepared prepared;
     struct results *results; /* of `prepared` */
@@ -155,6 +156,7 @@ static enum status_code run_direct(struct run *run, struct status *status)
 /** What accuracy costs, on the baseline surface. */
 static enum status_code measure_cost(struct run *run, struct status *status)
 {
+    double before = clock_seconds() - run->started;
     const struct results *results = run->results;
     struct surface_record baseline = {0};
     const struct benchmark_task task = {&baseline,           results->scene,
@@ -164,6 +166,7 @@ static enum status_code measure_cost(struct run *run, struct status *status)
     if (rc == STATUS_OK)
         rc = benchmark_measure(&run->benchmark, &task, status);
     surface_record_free(&baseline, false);
+    run->benchmark.before = before;
     run->results->benchmark = &run->benchmark;
     return rc;
 }
@@ -293,8 +296,7 @@ static enum status_code begin_output(struct run *run, struct status *status)
 enum status_code run_report(struct run_outcome *out, const struct scene *scene, const struct run_options *options,
                             struct status *status)
 {
-    struct run run = {.scene = scene, .options = options};
-    double started = clock_seconds();
+    struct run run = {.scene = scene, .options = options, .started = clock_seconds()};
     *out = (struct run_outcome){.times.models = calloc(model_count, sizeof *out->times.models)};
     enum status_code rc = out->times.models ? gnuplot_check(status) : status_memory(status);
     if (rc == STATUS_OK)
@@ -313,6 +315,7 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
         rc = status_memory(status);
     out->refused = messages_add(&out->messages, scene, &run.prepared.store, rc == STATUS_OK);
     out->surfaces = run.prepared.store.count - out->refused;
+    out->left_out = messages_add_lost(&out->messages, &run.prepared);
     if (options->outline && run.results)
         out->outline = json_outline(run.results, rc == STATUS_OK);
     prepared_free(&run.prepared);
@@ -326,7 +329,7 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
     measured_answers_free(&run.answers);
     comparison_free(&run.comparison);
     figure_list_free(&run.figures);
-    out->times.total = clock_seconds() - started;
+    out->times.total = clock_seconds() - run.started;
     if (rc == STATUS_OK && options->forecast) {
         struct forecast took = forecast_of_times(&out->times);
         forecast_table(&out->stages, &run.forecast, &took);

@@ -32,7 +32,8 @@ struct run_times {
 };
 
 struct run_outcome {
-    size_t surfaces, refused;
+    size_t surfaces, refused; /* of the scene */
+    size_t left_out;          /* scans refused of surfaces that go on without, and numbers that came out infinite */
     struct text messages;     /* messages_add(): one line a refused surface and a warning */
     struct text table;        /* the compact table for a terminal */
     struct text answers;      /* to the scene's targets and limits, a line each */

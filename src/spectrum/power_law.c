@@ -127,8 +127,10 @@ struct power_law power_law_fit(const struct spectrum *spectrum, const double ban
             sums_add(&sums, log_wavelength(i), log_amplitude(spectrum, i));
         }
     law.harmonics = (size_t)sums.n;
-    if (law.harmonics < 3)
+    if (law.harmonics < 3) {
+        law.band_m[0] = law.band_m[1] = NAN;
         return law;
+    }
     law.band_m[0] = 1 / spectrum_frequency(spectrum, last);
     law.band_m[1] = 1 / spectrum_frequency(spectrum, first);
 

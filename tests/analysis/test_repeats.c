@@ -105,6 +105,12 @@ static void nothing_known(void **state)
     assert_near(estimate_value(&estimate), 0.3, 1e-15);
     assert_true(isnan(estimate_end(&estimate, 0)) && isnan(estimate_end(&estimate, 1)));
     assert_true(isnan(estimate_next_end(&estimate, 0)));
+    static const double apart[] = {1e-30, 1e30}, far[] = {1e-15, 1e15};
+    assert_int_equal(repeats_estimate(&estimate, apart, &set, true, &status), STATUS_OK);
+    assert_near(estimate_value(&estimate), 1, 1e-12);
+    assert_true(isnan(estimate_end(&estimate, 0)) && isnan(estimate_end(&estimate, 1)));
+    assert_int_equal(repeats_estimate(&estimate, far, &set, true, &status), STATUS_OK); /* no double holds the next's */
+    assert_true(isfinite(estimate_end(&estimate, 1)) && isnan(estimate_next_end(&estimate, 1)));
 }
 
 /** The curve of a surface is the mean of its scans' own, not that of their mean spectrum: a scan in two pieces counts

@@ -200,6 +200,32 @@ static void test_one_bad_scan_stops_no_other(void **state)
     free(csv);
 }
 
+/* Nor does one of several scans of a surface; the exit status says that not all is there, of `plan` too. */
+static void test_one_bad_scan_of_a_surface(void **state)
+{
+    const char *place = *state;
+    workspace_scan(place, "d/s/a.csv", 200, 1);
+    workspace_write(place, "d/s/b.csv", "x [um],z [um]\n0,1\n1,2\n2,x\n");
+    workspace_scan(place, "d/s/c.csv", 200, 3);
+    static const char said[] =
+        "surface 's': s/b.csv:4: 'x' in a column of numbers; correct or remove this line - refused; 2 of "
+        "its 3 scans are used\n";
+    struct process process = expect_exit(place, 1, "report", "d", "--no-cost");
+    expect_part(process.err, said);
+    expect_no_part(process.err, "predicted, ");
+    process_free(&process);
+    process = expect_exit(place, 1, "plan", "d");
+    expect_part(process.err, said);
+    process_free(&process);
+    workspace_write(place, "d/s/a.csv", "x [um],z [um]\n0,1\n1,2\n2,y\n");
+    workspace_write(place, "d/s/c.csv", "x [um],z [um]\n0,1\n1,2\n2,z\n");
+    process = expect_exit(place, 4, "report", "d", "--no-cost");
+    expect_part(process.err, "surface 's' refused: s/a.csv:4: 'y'");
+    expect_part(process.err, "surface 's': s/b.csv:4: 'x'");
+    expect_part(process.err, "surface 's': s/c.csv:4: 'z'");
+    process_free(&process);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -209,6 +235,7 @@ int main(void)
         workspace_test(test_foreign_files),
         workspace_test(test_without_gnuplot),
         workspace_test(test_one_bad_scan_stops_no_other),
+        workspace_test(test_one_bad_scan_of_a_surface),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

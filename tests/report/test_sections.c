@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What each section says of results made up to order: made_up_results.h gives the numbers, the expected texts are
  * worked out by hand from them. */
+#include "analysis/direct_study.h"
 #include "made_up_results.h"
 #include "report/report.h"
+#include "results/doubt.h"
 #include "support.h"
 
 #include <stdio.h>
@@ -288,6 +290,7 @@ static void test_what_the_sections_say(void **state)
         {&section_cost, "`thesis` is off by up to 8.0 % in area, `numeric` by 0.10 %, at 3.0 times the time."},
         {&section_cost, "is off by up to: multiscale-elastic 0.0020; gw 0.0030."},
         {&section_cost, "sub-intervals"},
+        {&section_cost, "take 0.75 (0.01), 1.5 (1e-10) times what they take at 1e-06, which is 1.0 % of the time"},
         {&section_cost, "ringed: what this report uses.](figures/cost-integrals.svg)"},
         {&section_cost, "Lower left is better.](figures/cost-curves.svg)"},
         {&section_methods, "| closure-area | thesis |  | 20 | 1.00 | 0.080 | used here |\n"},
@@ -317,6 +320,26 @@ static void test_what_limits_the_answer(void **state)
         "| hardness | raised by 10 % | × 1.08 | the hardness of the part |\n"
         "| bandwidth | cut-off doubled | × 0.950 | at a finer spacing, with a sharper tip |\n"
         "| resistivity | off by 5 % | ×÷ 1.05 | the resistivity of the part |\n");
+}
+
+/* A direct solution that has run is not asked for once more: on the surface in question nothing is left, else the
+ * others are to be solved. */
+static void test_a_direct_solution_that_ran(void **state)
+{
+    (void)state;
+    struct direct_study *study = calloc(1, sizeof *study);
+    assert_non_null(study);
+    made.results.direct = study;
+    made.results.direct_count = 1;
+    struct doubt doubts[DOUBTS_MOST];
+    assert_true(doubts_rank(doubts, &made.results, made.context.comparison) > 0);
+    study->surface = doubts[0].surface;
+    expect(&section_doubts, "same material law | × 2.50 | nothing |\n");
+    study->surface = (doubts[0].surface + 1) % MADE_UP_SURFACES;
+    expect(&section_doubts, "same material law | × 2.50 | nothing; solve all directly (`direct: {surfaces: all}`) |\n");
+    made.results.direct = NULL;
+    made.results.direct_count = 0;
+    free(study);
 }
 
 /* A model outside its range of validity is no choice; an elastic leading model is held against elastic ones. */
@@ -699,6 +722,7 @@ int main(void)
         section_test(test_tables_are_whole),
         section_test(test_the_first_page_alone),
         section_test(test_what_limits_the_answer),
+        section_test(test_a_direct_solution_that_ran),
         section_test(test_models_that_are_no_choice),
         section_test(test_what_the_sections_say),
         section_test(test_the_best_by_area),

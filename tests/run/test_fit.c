@@ -207,7 +207,8 @@ static void test_no_law(void **state)
     for (size_t i = 0; i < POINTS; i++)
         height_m[i] = 1e-6 * cos(2 * M_PI * 20 * (double)i / POINTS);
     pipeline_scan(place, "none/one-harmonic.csv", height_m, POINTS);
-    pipeline_scan(place, "none/eight-points.csv", (const double[]){0, 1e-7, 3e-7, 2e-7, 5e-7, 1e-7, 0, 2e-7}, 8);
+    pipeline_scan(place, "none/eleven-points.csv",
+                  (const double[]){0, 1e-7, 3e-7, 2e-7, 5e-7, 1e-7, 0, 2e-7, 4e-7, 1e-7, 3e-7}, 11);
     for (size_t i = 0; i < POINTS; i++) { /* a comb */
         height_m[i] = 0;
         for (int n = 8; n < POINTS / 2; n *= 2)
@@ -217,7 +218,7 @@ static void test_no_law(void **state)
     directory_write(place, "none/scene.yaml",
                     "material: tin\neffects: [electrical, convergence]\nconvergence: {scales: 64}\n");
     assert_int_equal(pipeline_run(place, "none", "none-out", 1), 0);
-    static const char *const names[] = {"white", "constant", "one-harmonic", "eight-points", "all-lines"};
+    static const char *const names[] = {"white", "constant", "one-harmonic", "eleven-points", "all-lines"};
     for (size_t s = 0; s < sizeof names / sizeof *names; s++) {
         json_t *root, *surface = read_surface(place, "none-out", names[s], &root);
         if (strcmp(law_class(surface), "no power law found") != 0)

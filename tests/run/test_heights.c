@@ -34,7 +34,7 @@ static void write_scene(const struct directory *place, const char *in, const cha
     text_free(&text);
 }
 
-/** Two near-Gaussian surfaces and a plateau in place/in; eight points more in place/short. */
+/** Two near-Gaussian surfaces and a plateau in place/in; eleven points more in place/short. */
 static int place_setup(void **state)
 {
     static struct directory place;
@@ -44,7 +44,7 @@ static int place_setup(void **state)
     mkdir(directory_path(&place, "short"), 0777);
     heights(height_m, false, 4);
     pipeline_scan(&place, "in/even.csv", height_m, POINTS);
-    pipeline_scan(&place, "short/eight.csv", height_m, 8);
+    pipeline_scan(&place, "short/eleven.csv", height_m, 11);
     heights(height_m, false, 7);
     pipeline_scan(&place, "in/fair.csv", height_m, POINTS);
     heights(height_m, true, 4);
@@ -446,8 +446,8 @@ static void none_where_there_cannot_be_one(void **state)
     const struct directory *place = *state;
     write_scene(place, "short", "models: [multiscale, contacting-slopes]\n");
     assert_int_equal(pipeline_run(place, "short", "out", 1), 0);
-    assert_int_equal(rows_of(place, "out", "eight", "contacting-slopes"), 0);
-    assert_int_equal(rows_of(place, "out", "eight", "multiscale-elastic"), 9);
+    assert_int_equal(rows_of(place, "out", "eleven", "contacting-slopes"), 0);
+    assert_int_equal(rows_of(place, "out", "eleven", "multiscale-elastic"), 9);
     assert_false(directory_has(place, "out/figures/normal-probability.svg"));
     write_scene(place, "in",
                 "models: [multiscale, contacting-slopes]\ncounterface: {surface: fair.csv}\n"

@@ -372,6 +372,107 @@ static void a_map_by_blocks(void **state)
     table_free(&spread);
 }
 
+/* Runs place/IN into place/OUT; how many scans the surfaces that are reported go on without. */
+static size_t left_out(const struct directory *place, const char *in, const char *out, struct run_outcome *outcome)
+{
+    struct status status = {0};
+    char target[4096];
+    snprintf(target, sizeof target, "%s", directory_path(place, out));
+    const struct run_options options = {.output = target, .templates = PROJECT_SOURCE "/templates", .no_cost = true};
+    if (pipeline_try(outcome, place, in, options, &status) != STATUS_OK)
+        fail_msg("%s\n%s", status.message, text_string(&outcome->messages));
+    return outcome->left_out;
+}
+
+/* Scans that cannot be used, one of which is refused after another of its surface was added, leave no trace in numbers:
+ * the surface is that of the others, and says so. */
+static void bad_scans_of_several(void **state)
+{
+    const struct directory *place = *state;
+    static const char *const folders[] = {"good", "bad"};
+    struct run_outcome good, bad;
+    for (int f = 0; f < 2; f++) {
+        char path[64];
+        assert_int_equal(mkdir(directory_path(place, folders[f]), 0755), 0);
+        for (unsigned s = 0; s < 3; s++) {
+            snprintf(path, sizeof path, "%s/%c.csv", folders[f], "ace"[s]);
+            rough(place, path, POINTS, 1, 7 + s);
+        }
+        scene(place, folders[f], listed, "{name: s, file: [\"*.csv\"]}");
+    }
+    directory_write(place, "bad/b.csv", "x [um],z [um]\n0,1\n1,oops\n2,3\n");
+    directory_write(place, "bad/d.csv", "x [um],z [um]\n0,1\n1,0.5\n2,0.7\n"); /* refused for its spectrum */
+    assert_int_equal(left_out(place, "good", "out-good", &good), 0);
+    assert_int_equal(left_out(place, "bad", "out-bad", &bad), 2);
+    assert_int_equal(bad.refused, 0);
+    assert_true(bad.work_agrees);
+    expect_same_file(place, "out-good/data/contact.csv", "out-bad/data/contact.csv");
+    expect_same_file(place, "out-good/data/spread.csv", "out-bad/data/spread.csv");
+    static const char *const said[] = {
+        "surface 's': b.csv:3: 'oops' in a column of numbers; correct or remove this line - refused; 3 of its 5 scans "
+        "are used\n",
+        "surface 's': d.csv: 3 points carry no spectrum; at least 11 are needed: take a longer scan, or leave it out - "
+        "refused; 3 of its 5 scans are used\n"};
+    struct text report = directory_read(place, "out-bad/report.md");
+    for (int k = 0; k < 2; k++)
+        if (!strstr(text_string(&bad.messages), said[k]))
+            fail_msg("%s", text_string(&bad.messages));
+    assert_non_null(strstr(text_string(&report), "2 scans were refused"));
+    assert_non_null(strstr(text_string(&report), "at least 11 are needed"));
+    text_free(&report);
+    run_outcome_free(&good);
+    run_outcome_free(&bad);
+}
+
+/* A surface of too short a scan is none, and leads nothing; the shortest that is taken has 11 points. */
+static void too_short_to_lead(void **state)
+{
+    const struct directory *place = *state;
+    struct run_outcome outcome;
+    assert_int_equal(mkdir(directory_path(place, "in"), 0755), 0);
+    rough(place, "in/long.csv", POINTS, 1, 3);
+    static const double height_m[] = {0, 3e-7, 1e-7, 4e-7, -2e-7, 2e-7, 5e-7, -1e-7, 1e-7, 3e-7, -3e-7};
+    pipeline_scan(place, "in/eleven.csv", height_m, 11);
+    pipeline_scan(place, "in/ten.csv", height_m, 10);
+    scene(place, "in", listed,
+          "{name: ten, file: ten.csv}, {name: eleven, file: eleven.csv}, {name: long, file: long.csv}");
+    assert_int_equal(left_out(place, "in", "out", &outcome), 0);
+    assert_int_equal(outcome.refused, 1);
+    assert_non_null(
+        strstr(text_string(&outcome.messages), "surface 'ten' refused: ten.csv: 10 points carry no spectrum"));
+    run_outcome_free(&outcome);
+}
+
+/* Scans of one surface that have nothing in common, as um read as mm or a factor too many: a number that cannot be had
+ * is empty, with its reason, and the report is made. */
+static void scans_that_have_nothing_in_common(void **state)
+{
+    const struct directory *place = *state;
+    struct run_outcome outcome;
+    struct text csv = {0};
+    assert_int_equal(mkdir(directory_path(place, "in"), 0755), 0);
+    rough(place, "in/a.csv", POINTS, 1, 3);
+    rough(place, "in/b.csv", POINTS, 1, 4);
+    rough(place, "in/c.csv", POINTS, 0.3, 5);
+    text_add(&csv, "x [mm],z [um]\n");
+    for (int i = 0; i < POINTS; i++)
+        text_add(&csv, "%g,%.9f\n", 0.5 * i, sin(0.7 * i) + 0.5 * sin(2.1 * i));
+    directory_write(place, "in/mm.csv", text_string(&csv));
+    text_free(&csv);
+    directory_write(place, "in/scene.yaml",
+                    "material: tin\nmodels: [persson]\nfit: thesis\n"
+                    "surfaces: [{name: s, file: [a.csv, mm.csv]}, "
+                    "{name: t, file: [b.csv, c.csv]}]\n");
+    assert_int_equal(left_out(place, "in", "out", &outcome), 0);
+    if (!strstr(text_string(&outcome.messages), "surface 's': no power law: fewer than 3 harmonics") ||
+        !strstr(text_string(&outcome.messages), "surface 't': no interval at some loads (Persson): the scans differ"))
+        fail_msg("%s", text_string(&outcome.messages));
+    struct table surfaces = read_data(place, "out/data/surfaces.csv");
+    assert_string_equal(table_text(&surfaces, 0, "fit_high_m"), "");
+    table_free(&surfaces);
+    run_outcome_free(&outcome);
+}
+
 static int make(void **state)
 {
     struct directory *place = malloc(sizeof *place);
@@ -399,6 +500,9 @@ int main(void)
         cmocka_unit_test_setup_teardown(ranked_in_words, make, clean),
         cmocka_unit_test_setup_teardown(more_pairs_ask_for_more, make, clean),
         cmocka_unit_test_setup_teardown(a_map_by_blocks, make, clean),
+        cmocka_unit_test_setup_teardown(bad_scans_of_several, make, clean),
+        cmocka_unit_test_setup_teardown(too_short_to_lead, make, clean),
+        cmocka_unit_test_setup_teardown(scans_that_have_nothing_in_common, make, clean),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
