@@ -186,6 +186,7 @@ static enum status_code load_grid(struct benchmark *cost, const struct benchmark
 /** The curves of all models that run, from the surface on. */
 struct curves_attempt {
     const struct benchmark_task *task;
+    const struct spectrum *spectrum; /* of the surface, no more of it than HARMONICS_MOST */
     double tolerance;
     struct contact_point *points; /* of every model */
     uint64_t evaluations;
@@ -197,10 +198,11 @@ static void solve_curves(void *context)
     struct curves_attempt *attempt = context;
     const struct benchmark_task *of = attempt->task;
     const struct surface_record *surface = of->surface;
-    struct model_kept kept = {.spectrum = &surface->spectrum, .pair = &surface->summary.pair};
+    struct model_kept kept = {.spectrum = attempt->spectrum, .pair = &surface->summary.pair};
     struct model_task task = surface_task(surface, of->scene, of->plan, of->loads, of->load_count);
     struct status status = {0};
     attempt->evaluations = 0;
+    task.spectrum = attempt->spectrum;
     task.tolerance = attempt->tolerance;
     task.kept = &kept;
     for (size_t m = 0; m < model_count; m++) {
@@ -215,14 +217,15 @@ static void solve_curves(void *context)
 
 /** What the tolerance costs: the curves of the report's own loads. Errors against the last, of every quantity that a
  * chart shows. */
-static enum status_code tolerances(struct benchmark *cost, const struct benchmark_task *task, struct status *status)
+static enum status_code tolerances(struct benchmark *cost, const struct benchmark_task *task,
+                                   const struct spectrum *spectrum, struct status *status)
 {
     static const double tolerance[] = {1e-13, 1e-10, 1e-6, 1e-2};
     size_t count = model_count * (task->load_count + 1);
     struct contact_point *best = calloc(2 * count, sizeof *best);
     if (!best)
         return status_memory(status);
-    struct curves_attempt attempt = {.task = task, .points = best};
+    struct curves_attempt attempt = {.task = task, .spectrum = spectrum, .points = best};
     struct benchmark_row rows[sizeof tolerance / sizeof *tolerance];
     size_t steps = sizeof tolerance / sizeof *tolerance;
     for (size_t t = 0; t < steps && !attempt.failed; t++) {
@@ -268,5 +271,5 @@ enum status_code benchmark_curves(struct benchmark *cost, const struct benchmark
         if (surface->curves[m].exists)
             rc = load_grid(cost, task, m, &kept, status);
     model_kept_free(&kept);
-    return rc == STATUS_OK ? tolerances(cost, task, status) : rc;
+    return rc == STATUS_OK ? tolerances(cost, task, &longest, status) : rc;
 }

@@ -496,7 +496,8 @@ static void test_no_test_no_verdict(void **state)
     (void)state;
     ecr_of(1)->count = 0; /* alpha, of the lowest ECR */
     made_up_again(&made);
-    expect(&section_summary, "- **Surface beta has the lowest ECR** there of those tested: lower than surface gamma (");
+    expect(&section_summary, "- **Surface beta has the lowest ECR** there of those tested, for scans of this length: "
+                             "lower than surface gamma (");
     expect(&section_summary, ". 1 more was not tested: how far another scan would be off is not known.\n");
     expect(&section_summary, " | – | – | 5.00·10⁻⁴ |\n"); /* alpha */
     expect(&section_summary, " | 1 | a | 1.00·10⁻³ |\n");

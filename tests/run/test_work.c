@@ -174,7 +174,7 @@ static void auto_skips_what_cannot_matter(void **state)
     assert_true(work.elastic.scales > 0 && work.elastic.separations > 0);
     assert_non_null(strstr(plan.effects[EFFECT_PLASTICITY].reason, "every scale"));
     assert_false(plan_runs(&plan, EFFECT_ELECTRICAL));
-    assert_non_null(strstr(plan.effects[EFFECT_ELECTRICAL].reason, "resistivity_ohm_m"));
+    assert_non_null(strstr(plan.effects[EFFECT_ELECTRICAL].reason, "no resistivity"));
 
     work_of(FILES "effects: auto\n", &plan);
     assert_true(plan_runs(&plan, EFFECT_PLASTICITY) && plan_runs(&plan, EFFECT_SCALE_DEPENDENT));
