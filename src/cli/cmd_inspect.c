@@ -215,7 +215,7 @@ static enum status_code draw(const struct inspection *f, struct status *status)
     int columns, rows;
     command_terminal_size(&columns, &rows);
     snprintf(size, sizeof size, "%d,%d", columns, rows > 24 ? 24 : rows - 1);
-    if (temporary_make(&temporary, status) != STATUS_OK)
+    if (temporary_make(&temporary, NULL, NULL, status) != STATUS_OK)
         return status->code;
     enum status_code rc = write_chart(&script, temporary.path, f, false, size, status);
     if (rc == STATUS_OK)

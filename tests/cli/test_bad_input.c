@@ -110,7 +110,7 @@ static void test_where_it_cannot_write(void **state)
     char *before = workspace_digest(place, ".");
     expect_failure(place, 4, 1, "cannot write the report to 'file': Not a directory", "report", "d", "-o", "file");
     expect_failure(place, 4, 1, "'file/report': Not a directory", "report", "d", "-o", "file/report");
-    expect_failure(place, 4, 1, "'/proc/report'", "report", "d", "-o", "/proc/report");
+    expect_failure(place, 4, 1, "cannot make a directory in '/proc/'", "report", "d", "-o", "/proc/report");
     expect_failure(place, 2, 1, "'' is no name for a report's directory", "report", "d", "-o", "");
     expect_failure(place, 2, 1, "'.' is no name", "report", "d", "-o", ".");
     char *after = workspace_digest(place, ".");
@@ -123,7 +123,7 @@ static void test_where_it_cannot_write(void **state)
     char *closed;
     assert_true(asprintf(&closed, "%s/closed", place) > 0);
     assert_int_equal(chmod(closed, 0555), 0);
-    expect_failure(place, 4, 1, "cannot write beside 'closed/report': Permission denied", "report", "d", "-o",
+    expect_failure(place, 4, 1, "cannot make a directory in 'closed/': Permission denied", "report", "d", "-o",
                    "closed/report");
     assert_int_equal(chmod(closed, 0755), 0);
     free(closed);
@@ -142,11 +142,11 @@ static void test_foreign_files(void **state)
     leave_report(place);
     workspace_write(place, "out/d/figures/src.csv/thesis.tex", "mine\n");
     char *before = workspace_digest(place, ".");
-    expect_failure(place, 4, 1, "'notes' holds 'todo.txt', and no manifest.txt names it as part of a report; choose",
+    expect_failure(place, 4, 1, "'notes' holds 'todo.txt', and no manifest.txt names it as part of a report (",
                    "report", "d", "-o", "notes");
     expect_failure(place, 4, 1, "'project' holds 'data/mine.csv', and no manifest.txt", "report", "d", "-o", "project");
     expect_failure(place, 4, 1, "'plots' holds 'figures/plot1.svg', and no manifest.txt", "report", "d", "-o", "plots");
-    expect_failure(place, 4, 1, "'out/d' holds the directory 'figures/src.csv', which is not part", "report", "d");
+    expect_failure(place, 4, 1, "'out/d' holds 'figures/src.csv', a directory, which is not part", "report", "d");
     expect_failure(place, 4, 1, "'d' holds 'a.csv'", "report", "d", "-o", "d");
     char *after = workspace_digest(place, ".");
     assert_string_equal(before, after);
