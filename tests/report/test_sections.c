@@ -505,9 +505,9 @@ static void test_no_test_no_verdict(void **state)
     set_deviation(0, 0.9, false);
     set_deviation(2, 0.9, false);
     made_up_again(&made);
-    expect(&section_summary,
-           "- **No surface stands out by its ECR** there: surface beta is not told apart from surface "
-           "gamma (×0.400, 95 % 0.0214…7.47, one scan each). 1 more was not tested");
+    expect(&section_summary, "- **No surface stands out by its ECR** there, for scans of this length: surface beta is "
+                             "not told apart from surface "
+                             "gamma (×0.400, 95 % 0.0214…7.47, one scan each). 1 more was not tested");
     expect_not(&section_summary, "surface alpha (×");
     ecr_of(2)->half_width = NAN;
     made_up_again(&made);
