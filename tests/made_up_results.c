@@ -96,11 +96,10 @@ static void make_estimates(struct made_up *made, struct surface_record *record, 
     all[CURVE_FULL_LOAD] = several ? about(model->full_load, log(1.5), true) : estimate_none;
     all[CURVE_BETA] = several && isfinite(model->beta) ? about(model->beta, 0.5, false) : estimate_none;
     for (int q = 0; q < QUANTITY_COUNT; q++) {
-        bool logarithmic = q != QUANTITY_SEPARATION;
         enum quantity shown = model_shown(model_rows[m], (enum quantity)q);
-        double value = quantity_value(middle, shown), s = logarithmic ? 0.05 : 0.05 * value;
+        double value = quantity_shown(middle, shown, record->summary.asperities.sigma_m);
         bool held = known && repeats_band_holds((enum quantity)q) && isfinite(value);
-        all[q] = !held ? estimate_none : several ? about(value, s, logarithmic) : made_up_single(value, s, logarithmic);
+        all[q] = !held ? estimate_none : several ? about(value, 0.05, true) : made_up_single(value, 0.05, true);
     }
     assert_int_equal(curve_summary_put_estimates(model, all, &status), STATUS_OK);
 }
@@ -118,7 +117,8 @@ static void make_bands(struct surface_record *record, size_t m)
         for (int q = 0; q < QUANTITY_COUNT; q++)
             for (int side = 0; side < 2; side++) {
                 double value = repeats_band_holds((enum quantity)q)
-                                   ? quantity_value(point, model_shown(model_rows[m], (enum quantity)q))
+                                   ? quantity_shown(point, model_shown(model_rows[m], (enum quantity)q),
+                                                    record->summary.asperities.sigma_m)
                                    : NAN;
                 band->mean[q][side] = value * (side == 0 ? 0.9 : 1.1);
                 band->next[q][side] = value * (side == 0 ? 0.8 : 1.2);
@@ -154,9 +154,12 @@ static void make_surface(struct made_up *made, size_t index, void (*change)(stru
         summary->has_asperities = true;
         summary->power_law = (struct power_law){.found = POWER_LAW_BAND_LAW,
                                                 .alpha = 0.5,
-                                                .alpha_error = 0.05,
                                                 .gamma = gamma,
                                                 .gamma_error = 0.01,
+                                                .amplitude_m = 0.5 * pow(sqrt(2e-10), gamma),
+                                                .amplitude_error_decades = 0.1,
+                                                .wavelength_m = sqrt(2e-10),
+                                                .psd_m3 = 3e-19,
                                                 .misfit_decades = 0.2,
                                                 .band_m = {2e-6, 1e-4},
                                                 .harmonics = 3,
@@ -173,7 +176,7 @@ static void make_surface(struct made_up *made, size_t index, void (*change)(stru
         record->spectrum = (struct spectrum){malloc(3 * sizeof(double)), 3, 2e-4, false};
         for (size_t i = 0; i < 3; i++)
             record->spectrum.amplitude_m[i] = power_law_amplitude(&summary->power_law, 2e-4 / (double)(i + 1));
-        summary->tail = convergence_tail(&record->spectrum);
+        summary->tail = convergence_tail(&record->spectrum, 3);
         record->preview_points = 2;
         record->preview_x_m = calloc(2, sizeof *record->preview_x_m);
         record->preview_z_m = calloc(2, sizeof *record->preview_z_m);
@@ -243,26 +246,30 @@ static void make_benchmark(struct made_up *made)
 {
     const struct model_row *gw = model_rows[made_up_model("gw")], *jg = model_rows[made_up_model("jg")];
     const struct benchmark_row rows[] = {
-        {"gw-integrals", gw, "Simpson", "1000", 3000, 1e-4, 1e-3, false, BENCHMARK_INTEGRALS},
-        {"gw-integrals", gw, "Gauss-Legendre", "0.0001", 100, 1e-6, 1e-5, false, BENCHMARK_INTEGRALS},
-        {"gw-integrals", gw, "Gauss-Legendre", "1e-10", 200, 4e-6, 1e-11, false, BENCHMARK_INTEGRALS},
-        {"gw-integrals", gw, "closed form", "", 3, 1e-7, 1e-13, true, BENCHMARK_INTEGRALS},
-        {"jg-integrals", jg, "Simpson", "300", 900, 1e-5, 5e-3, false, BENCHMARK_INTEGRALS},
-        {"jg-integrals", jg, "Simpson", "1000", 3000, 4e-5, 2e-3, false, BENCHMARK_INTEGRALS},
-        {"jg-integrals", jg, "adaptive", "1e-03", 900, 1e-5, 1e-4, false, BENCHMARK_INTEGRALS},
-        {"jg-integrals", jg, "adaptive", "1e-04", 950, 1.1e-5, 1e-6, false, BENCHMARK_INTEGRALS},
-        {"jg-integrals", jg, "Gauss-Legendre", "0.0001", 100, 1e-6, 1e-4, false, BENCHMARK_INTEGRALS},
-        {"jg-integrals", jg, "Gauss-Legendre", "1e-08", 150, 1.5e-6, 1e-8, true, BENCHMARK_INTEGRALS},
-        {"jg-integrals", jg, "Gauss-Legendre", "1e-10", 200, 2.43e-6, 1e-9, false, BENCHMARK_INTEGRALS},
-        {"closure-area", NULL, "thesis", "", 20, 1e-6, 0.08, true, BENCHMARK_CHARTS},
-        {"closure-area", NULL, "numeric", "", 20, 3e-6, 0.001, false, BENCHMARK_CHARTS},
-        {"cut-off", gw, "multiscale-elastic", "4um", 50, 1e-6, 0.1, false, BENCHMARK_CURVES},
-        {"loads", gw, "multiscale-elastic", "129", 129, 1e-6, 0.002, false, BENCHMARK_CURVES},
-        {"loads", gw, "gw", "129", 129, 1e-6, 0.003, false, BENCHMARK_CURVES},
+        {"gw-integrals", gw, "Simpson", "1000", 3000, 1e-4, 1e-3, false, BENCHMARK_INTEGRALS, 0, ""},
+        {"gw-integrals", gw, "Gauss-Legendre", "0.0001", 100, 1e-6, 1e-5, false, BENCHMARK_INTEGRALS, 0, ""},
+        {"gw-integrals", gw, "Gauss-Legendre", "1e-10", 200, 4e-6, 1e-11, false, BENCHMARK_INTEGRALS, 0, ""},
+        {"gw-integrals", gw, "closed form", "", 3, 1e-7, 1e-13, true, BENCHMARK_INTEGRALS, 0, ""},
+        {"jg-integrals", jg, "Simpson", "300", 900, 1e-5, 5e-3, false, BENCHMARK_INTEGRALS, 0, ""},
+        {"jg-integrals", jg, "Simpson", "1000", 3000, 4e-5, 2e-3, false, BENCHMARK_INTEGRALS, 0, ""},
+        {"jg-integrals", jg, "adaptive", "1e-03", 900, 1e-5, 1e-4, false, BENCHMARK_INTEGRALS, 0, ""},
+        {"jg-integrals", jg, "adaptive", "1e-04", 950, 1.1e-5, 1e-6, false, BENCHMARK_INTEGRALS, 0, ""},
+        {"jg-integrals", jg, "Gauss-Legendre", "0.0001", 100, 1e-6, 1e-4, false, BENCHMARK_INTEGRALS, 0, ""},
+        {"jg-integrals", jg, "Gauss-Legendre", "1e-08", 150, 1.5e-6, 1e-8, true, BENCHMARK_INTEGRALS, 0, ""},
+        {"jg-integrals", jg, "Gauss-Legendre", "1e-10", 200, 2.43e-6, 1e-9, false, BENCHMARK_INTEGRALS, 0, ""},
+        {"closure-area", NULL, "thesis", "", 20, 1e-6, 0.08, true, BENCHMARK_CHARTS, 0, ""},
+        {"closure-area", NULL, "numeric", "", 20, 3e-6, 0.001, false, BENCHMARK_CHARTS, 0, ""},
+        {"cut-off", gw, "multiscale-elastic", "4um", 50, 1e-6, 0.1, false, BENCHMARK_CURVES, 0, ""},
+        {"loads", gw, "multiscale-elastic", "129", 129, 1e-6, 0.002, false, BENCHMARK_CURVES, 0, ""},
+        {"loads", gw, "gw", "129", 129, 1e-6, 0.003, false, BENCHMARK_CURVES, 0, ""},
+        {"tolerance", NULL, "all models", "0.01", 100, 3e-6, 1e-7, false, BENCHMARK_CHARTS, 0, ""},
+        {"tolerance", NULL, "all models", "1e-06", 110, 4e-6, 1e-12, true, BENCHMARK_CHARTS, 0, ""},
+        {"tolerance", NULL, "all models", "1e-10", 120, 6e-6, 1e-14, false, BENCHMARK_CHARTS, 0, ""},
     };
     struct status status = {0};
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
         assert_int_equal(benchmark_add(&made->benchmark, &rows[i], &status), STATUS_OK);
+    made->benchmark.before = 4e-4;
 }
 
 void made_up_sweep(struct made_up *made, enum convergence_sweep sweep, const char *model, size_t value, double last)

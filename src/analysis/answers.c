@@ -24,21 +24,43 @@ static const struct contact_point *point_at(const struct model_curve *curve, dou
     return NULL;
 }
 
+/** `point` NULL: contact is full. */
 static bool is_invalid(const struct contact_point *point, const struct model_row *row)
 {
-    return point && ((row->largest_area > 0 && point->area_ratio > row->largest_area) ||
-                     point->beyond_fit > curve_summary_beyond_fit_share);
+    double area = point ? point->area_ratio : 1;
+    return (row->largest_area > 0 && area > row->largest_area) ||
+           (point && point->beyond_fit > curve_summary_beyond_fit_share);
+}
+
+/** What a quantity is where contact is full: there is no resistance left but the film's. */
+static double full_value(enum quantity quantity, const struct joint_task *joint)
+{
+    struct contact_point point = quantity_nothing();
+    point.area_ratio = 1;
+    point.separation_m = point.ecr_ohm_m2 = point.tcr_K_m2_per_W = point.tcr_sd_K_m2_per_W = 0;
+    if (quantity == QUANTITY_JOINT)
+        return INFINITY;
+    joint_apply(&point, NULL, 1, joint);
+    return quantity_value(&point, quantity);
 }
 
 /** Is what lies between two loads, of which nothing is known at the upper one, the target? It is where the contact
  * becomes complete, or where the curve's end is the target to within a hundredth. */
 static bool ends_there(const struct model_curve *curve, const struct contact_point *before,
-                       const struct contact_point *after, const struct scene_asked *target)
+                       const struct contact_point *after, const struct scene_asked *target, bool full_meets)
 {
     if (!after && curve->exists && isfinite(curve->full_load))
-        return true;
+        return full_meets;
     double value = before ? quantity_value(before, target->row->quantity) : NAN;
     return fabs(log(value / target->value)) < end_slack;
+}
+
+/** Does an elastic contact bear more than the hardness? */
+static bool is_above_hardness(const struct contact_point *point, double load, const struct model_row *row,
+                              const struct model_task *task)
+{
+    double area = point ? point->area_ratio : 1;
+    return !row->plastic && material_pair_pressure(task->pair, load) > task->hardness_Pa * area;
 }
 
 /** One end of the band about a curve. */
@@ -132,31 +154,66 @@ static enum status_code solve(struct answer *out, struct search *search, const s
     const struct contact_point *after = point_at(&curve, loads[count - 1]), *before = point_at(&curve, loads[0]);
     double there = after ? quantity_value(after, value.quantity) : NAN;
     bool passed = found || (first == last && (value.rises ? there >= value.value : there <= value.value));
+    double full = full_value(value.quantity, &search->joint);
+    bool full_meets = value.rises ? full >= value.value : full <= value.value;
+    bool closes = curve.exists && curve.full_load <= last;
     out->load = loads[count - 1];
-    out->invalid = is_invalid(after, search->model.row);
+    bool lightest = out->load == first;
     if (!passed) {
         out->kind = isnan(there) ? ANSWER_NONE : ANSWER_NOT_REACHED;
-    } else if (out->load == first) {
-        out->kind = isnan(there) && !ends_there(&curve, NULL, after, target) ? ANSWER_NONE : ANSWER_LIGHTEST;
-    } else if (!isnan(there) || ends_there(&curve, before, after, target)) {
-        out->kind = ANSWER_LOAD;
+    } else if (!isnan(there) || ends_there(&curve, lightest ? NULL : before, after, target, full_meets)) {
+        out->kind = lightest ? ANSWER_LIGHTEST : ANSWER_LOAD;
+    } else if (closes && full_meets) {
+        out->full = curve.full_load > first;
+        out->kind = out->full ? ANSWER_LOAD : ANSWER_LIGHTEST;
+        out->load = fmax(curve.full_load, first);
+        after = NULL;
     } else {
-        out->kind = ANSWER_NOT_REACHED;
-        out->load = ends[0];
+        out->kind = lightest && !closes ? ANSWER_NONE : ANSWER_NOT_REACHED;
+        out->load = closes ? last : ends[0];
+        after = closes ? NULL : before;
     }
+    out->invalid = is_invalid(after, search->model.row);
+    out->above_hardness = is_above_hardness(after, out->load, search->model.row, &search->model.task);
     return STATUS_OK;
 }
 
-/** The spots of one scan at the answer's load. */
-static enum status_code count_spots(struct answer *out, const struct model_row *row, const struct model_task *task,
-                                    struct status *status)
+/** The model that counts the spots of an answer of model `m`: itself, else the running one of the greatest precedence
+ * that counts them, is valid there, and is not elastic where `m` is plastic; model_count: none. */
+static size_t counting_model(const struct surface_record *record, const struct plan *plan, size_t m, double load)
 {
-    struct contact_spots spots = {NAN, NAN};
+    size_t found = model_count;
+    for (size_t k = 0; k < model_count && !model_rows[m]->spots; k++) {
+        const struct curve_summary *model = surface_model(&record->summary, k);
+        if (plan_runs_model(plan, k) && model_rows[k]->spots && (model_rows[k]->plastic || !model_rows[m]->plastic) &&
+            model->exists && curve_summary_is_valid(model, load) &&
+            (found == model_count || model_rows[k]->precedence > model_rows[found]->precedence))
+            found = k;
+    }
+    return model_rows[m]->spots ? m : found;
+}
+
+/** The spots at the answer's load; of several scans, their mean. */
+static enum status_code count_spots(struct answer *out, const struct repeat_set *set, size_t by,
+                                    const struct model_task *task, struct status *status)
+{
+    const struct model_row *row = model_rows[by];
     struct model_task one = model_task_at(task, &out->load, 1);
-    bool there = row->spots && (out->kind == ANSWER_LOAD || out->kind == ANSWER_LIGHTEST);
-    if (there && row->spots(&spots, row, &one, status) != STATUS_OK)
-        return status->code;
-    out->spots_per_m2 = spots.density_per_m2;
+    size_t runs = repeats_several(set, row) ? repeats_runs(set, row) : 1, counted = 0, scan;
+    double sum = 0;
+    for (size_t r = 0; r < runs; r++) {
+        struct contact_spots spots = {NAN, NAN};
+        struct asperities asperities;
+        struct model_task own = runs > 1 ? repeats_run_task(&asperities, &scan, set, r, row, &one) : one;
+        if (row->spots(&spots, row, &own, status) != STATUS_OK)
+            return status->code;
+        if (isnan(spots.density_per_m2))
+            continue;
+        sum += spots.density_per_m2;
+        counted++;
+    }
+    out->spots_per_m2 = sum / (double)counted; /* none: NaN */
+    out->counted_by = by;
     return STATUS_OK;
 }
 
@@ -166,8 +223,8 @@ static enum status_code solve_runs(struct answer *out, const struct search *sear
 {
     const struct landmarks_model *model = &search->model;
     const struct repeat_set *set = model->repeats;
-    size_t all = repeats_runs(set, model->row), invalid = 0;
-    double *load = malloc(all * sizeof *load), spots_per_m2 = 0;
+    size_t all = repeats_runs(set, model->row), invalid = 0, above = 0;
+    double *load = malloc(all * sizeof *load);
     size_t *scan = malloc(all * sizeof *scan), count = 0;
     struct repeats_grouping of = {set, scan, 0};
     enum status_code rc = load && scan ? STATUS_OK : status_memory(status);
@@ -180,14 +237,13 @@ static enum status_code solve_runs(struct answer *out, const struct search *sear
         run.model.task = repeats_run_task(&asperities, &own, set, r, model->row, &model->task);
         run.model.repeats = &alone;
         rc = solve(&one, &run, target, NULL, status);
-        if (rc == STATUS_OK)
-            rc = count_spots(&one, model->row, &run.model.task, status);
         if (rc != STATUS_OK || one.kind == ANSWER_NONE)
             continue; /* on which the model has no solution: its curve is of the others too */
         out->runs++;
         out->unsolved += one.kind != ANSWER_LOAD;
         invalid += one.invalid;
-        spots_per_m2 += one.spots_per_m2;
+        above += one.above_hardness;
+        out->full = out->full || one.full;
         scan[count] = own;
         load[count++] = one.load;
     }
@@ -197,10 +253,10 @@ static enum status_code solve_runs(struct answer *out, const struct search *sear
         rc = repeats_estimate_grouped(&estimate, load, &of, true, status);
         out->kind = ANSWER_LOAD;
         out->load = estimate_value(&estimate);
-        out->low = estimate_end(&estimate, 0);
-        out->high = estimate_end(&estimate, 1);
-        out->spots_per_m2 = spots_per_m2 / (double)out->runs;
+        out->low = out->full ? NAN : estimate_end(&estimate, 0);
+        out->high = out->full ? NAN : estimate_end(&estimate, 1);
         out->invalid = 2 * invalid >= out->runs;
+        out->above_hardness = 2 * above >= out->runs;
     }
     free(load);
     free(scan);
@@ -227,7 +283,7 @@ static enum status_code solve_band(struct answer *out, const struct surface_reco
             return STATUS_OK;
         if (solve(&one, search, target, &end, status) != STATUS_OK)
             return status->code;
-        double load = one.kind == ANSWER_LOAD ? one.load : NAN;
+        double load = one.kind == ANSWER_LOAD && !one.full ? one.load : NAN;
         if (sooner)
             out->low = isnan(load) ? NAN : fmin(load, out->load);
         else
@@ -256,12 +312,11 @@ static enum status_code answer_target(struct answer *out, const struct surface_r
     if (several && out->kind == ANSWER_LOAD)
         return STATUS_OK;
     size_t runs = out->runs, unsolved = out->unsolved;
-    if (solve(out, &search, target, NULL, status) != STATUS_OK ||
-        (!several && count_spots(out, row, &search.model.task, status) != STATUS_OK))
+    if (solve(out, &search, target, NULL, status) != STATUS_OK)
         return status->code;
     out->runs = runs;
     out->unsolved = unsolved;
-    bool banded = !several && record->bands[m] && out->kind == ANSWER_LOAD;
+    bool banded = !several && record->bands[m] && out->kind == ANSWER_LOAD && !out->full;
     return banded ? solve_band(out, record, &search, target, status) : STATUS_OK;
 }
 
@@ -276,37 +331,48 @@ enum limit_verdict answers_judge(const struct limit_check *check, const struct s
     return (limit->is_upper ? low > limit->value : high < limit->value) ? LIMIT_MISSED : LIMIT_CANNOT_TELL;
 }
 
-/** A number of the joint, with the model's resistances at one end of their intervals. NaN where none is known. */
-static double made_at_end(const struct curve_summary *model, const struct contact_point *point, int side,
-                          enum quantity quantity, const struct joint_task *joint)
+/** The leading model at load i of its curve against a limit, with its band. */
+static struct limit_check check_point(const struct surface_record *record, size_t leading,
+                                      const struct scene_asked *limit, const struct joint_task *joint, size_t i)
 {
-    const struct estimate *ecr = curve_summary_estimate(model, QUANTITY_ECR),
-                          *tcr = curve_summary_estimate(model, QUANTITY_TCR);
-    const double ends[2] = {ecr->count > 0 ? estimate_end(ecr, side) : NAN,
-                            tcr->count > 0 ? estimate_end(tcr, side) : NAN};
-    bool known = !isnan(ends[quantity_rows[quantity].from & QUANTITY_BIT(QUANTITY_ECR) ? 0 : 1]);
-    return known ? made_with(point, ends, quantity, joint) : NAN;
-}
-
-static struct limit_check check_limit(const struct surface_record *record, size_t leading,
-                                      const struct scene_asked *limit, const struct joint_task *joint, double load)
-{
+    const struct model_curve *curve = &record->curves[leading];
+    const struct repeats_band *band = record->bands[leading];
     enum quantity quantity = limit->row->quantity;
-    const struct estimate *estimate = curve_summary_estimate(surface_model(&record->summary, leading), quantity);
-    const struct contact_point *point =
-        record->curves[leading].exists ? point_at(&record->curves[leading], load) : NULL;
-    struct limit_check out = {.value = point ? quantity_value(point, quantity) : NAN, .low = NAN, .high = NAN};
-    if (estimate->count > 0) {
-        out.low = estimate_end(estimate, 0);
-        out.high = estimate_end(estimate, 1);
-    } else if (point && quantity_rows[quantity].from) {
+    struct limit_check out = {.value = quantity_value(&curve->points[i], quantity), .low = NAN, .high = NAN};
+    if (band && i < record->band_count && band[i].load == curve->points[i].load) {
         double ends[2];
-        for (int side = 0; side < 2; side++)
-            ends[side] = made_at_end(surface_model(&record->summary, leading), point, side, quantity, joint);
+        for (int side = 0; side < 2; side++) {
+            const struct band_end end = {
+                curve, band, record->band_count, quantity, side, quantity_rows[quantity].from ? joint : NULL, side};
+            ends[side] = at_end(&end, i);
+        }
         out.low = fmin(ends[0], ends[1]);
         out.high = fmax(ends[0], ends[1]);
     }
     out.verdict = answers_judge(&out, limit);
+    return out;
+}
+
+/** Where the model has no number at the load, it may be full contact, or what was met or missed for good below it. */
+static struct limit_check check_limit(const struct surface_record *record, size_t leading,
+                                      const struct scene_asked *limit, const struct joint_task *joint, double load)
+{
+    const struct model_curve *curve = &record->curves[leading];
+    struct limit_check out = {.value = NAN, .low = NAN, .high = NAN};
+    size_t below = 0;
+    while (curve->exists && below < curve->count && curve->points[below].load < load)
+        below++;
+    if (curve->exists && below < curve->count && curve->points[below].load == load)
+        out = check_point(record, leading, limit, joint, below);
+    if (out.verdict == LIMIT_NO_VALUE && curve->exists && curve->full_load <= load) {
+        out.value = full_value(limit->row->quantity, joint);
+        out.verdict = answers_judge(&out, limit);
+        out.value = isfinite(out.value) ? out.value : NAN;
+    }
+    const enum limit_verdict lasting = limit->is_upper == limit->row->rises ? LIMIT_MISSED : LIMIT_MET;
+    for (size_t i = 0; i < below && out.verdict == LIMIT_NO_VALUE; i++)
+        if (check_point(record, leading, limit, joint, i).verdict == lasting)
+            out.verdict = lasting;
     return out;
 }
 
@@ -331,10 +397,15 @@ enum status_code answers_find(struct surface_record *record, const struct scene 
             return status_memory(status);
         struct model_task own = *task;
         own.evaluations = &model->evaluations;
-        for (size_t t = 0; t < scene->target_count; t++)
-            if (answer_target(&summary->answers[t * model_count + m], record, m, &scene->targets[t], &own, &joint,
-                              status) != STATUS_OK)
+        for (size_t t = 0; t < scene->target_count; t++) {
+            struct answer *answer = &summary->answers[t * model_count + m];
+            if (answer_target(answer, record, m, &scene->targets[t], &own, &joint, status) != STATUS_OK)
                 return status->code;
+            bool met = (answer->kind == ANSWER_LOAD || answer->kind == ANSWER_LIGHTEST) && !answer->full;
+            size_t by = met ? counting_model(record, plan, m, answer->load) : model_count;
+            if (by < model_count && count_spots(answer, &record->repeats, by, &own, status) != STATUS_OK)
+                return status->code;
+        }
         model->seconds += clock_seconds() - started;
     }
     for (size_t l = 0; l < scene->limit_count; l++)
@@ -348,7 +419,8 @@ double answers_spots(const struct answer *answer, double nominal_area_m2)
     return answer->spots_per_m2 * nominal_area_m2;
 }
 
-void answers_note(struct text *out, const struct answer *answer, double nominal_area_m2, double load_scale)
+void answers_note(struct text *out, const struct answer *answer, double nominal_area_m2, double load_scale,
+                  const char *load_unit)
 {
     const char *before = "";
     double spots = answers_spots(answer, nominal_area_m2);
@@ -357,8 +429,11 @@ void answers_note(struct text *out, const struct answer *answer, double nominal_
     if (answer->kind == ANSWER_LIGHTEST)
         text_add(out, "already at the lightest load");
     if (answer->kind == ANSWER_NOT_REACHED)
-        text_add(out, "not reached up to %.3g", answer->load * load_scale);
-    before = answer->kind == ANSWER_LOAD ? "" : "; ";
+        text_add(out, "not reached up to %s%.3g%s%s", *load_unit ? "" : "P/(A_n E') = ", answer->load * load_scale,
+                 *load_unit ? " " : "", load_unit);
+    if (answer->full)
+        text_add(out, "at full contact at the latest");
+    before = answer->kind == ANSWER_LOAD && !answer->full ? "" : "; ";
     if (answer->unsolved > 0) {
         text_add(out, "%sno interval: %zu of %zu scans do not meet it between the loads", before, answer->unsolved,
                  answer->runs);
@@ -366,6 +441,10 @@ void answers_note(struct text *out, const struct answer *answer, double nominal_
     }
     if (answer->invalid && answer->kind != ANSWER_NONE) {
         text_add(out, "%sbeyond the model's validity", before);
+        before = "; ";
+    }
+    if (answer->above_hardness && answer->kind != ANSWER_NONE) {
+        text_add(out, "%sabove the hardness", before);
         before = "; ";
     }
     if (spots < answers_least_spots)

@@ -24,13 +24,17 @@ struct answer {
     double spots_per_m2;   /* at that load; NaN: not known */
     bool invalid;          /* beyond the model's range of validity there */
     size_t runs, unsolved; /* scans run alone (0: one), and those that do not meet it between the loads */
+    bool full;             /* the load is that of full contact, where it is met at the latest: numbers end before */
+    bool above_hardness;   /* an elastic model whose contact bears more than that there */
+    size_t counted_by;     /* the model whose spots they are, where they are known */
 };
 
 enum limit_verdict { LIMIT_NO_VALUE, LIMIT_MET, LIMIT_MISSED, LIMIT_CANNOT_TELL };
 
 /** A limit at the operating load, by the leading model; numbers of its row's quantity. */
 struct limit_check {
-    double value;
+    double value;     /* NaN: the model has none there; a verdict is then that of lighter loads, which more only bears
+                         out */
     double low, high; /* 95 % interval; NaN: not known, and the value alone decides */
     enum limit_verdict verdict;
 };
@@ -48,9 +52,10 @@ MUST_CHECK enum status_code answers_find(struct surface_record *record, const st
 
 /** Spots in the nominal area; NaN: not known. */
 double answers_spots(const struct answer *answer, double nominal_area_m2);
-/** "not reached up to 0.1; beyond the model's validity; too few spots for statistics (9.1)": nothing, or what goes with
- * the answer's load, which stands in units of 1/`load_scale`. */
-void answers_note(struct text *out, const struct answer *answer, double nominal_area_m2, double load_scale);
+/** "not reached up to 0.1 N; beyond the model's validity; too few spots for statistics (9.1)": nothing, or what goes
+ * with the answer's load, which stands in `load_unit` ("": P/(A_n E')), `load_scale` of them one P/(A_n E'). */
+void answers_note(struct text *out, const struct answer *answer, double nominal_area_m2, double load_scale,
+                  const char *load_unit);
 
 /** Does an interval (or the value, where none is known) keep within a limit? */
 enum limit_verdict answers_judge(const struct limit_check *check, const struct scene_asked *limit);

@@ -22,12 +22,14 @@ struct benchmark_row {
     char study[48];                /* what is computed, as in cost.csv */
     const struct model_row *model; /* whose integrals or curve; NULL: of no single model */
     const char *method;
-    char setting[24];
+    char setting[32];
     uint64_t evaluations; /* of the law or of scales; the same on every machine */
     double seconds;       /* least of several runs; of integrals, for 100 separations */
     double error;         /* largest relative error over the study's quantities and points */
     bool chosen;          /* the report's own numbers come from here */
     enum benchmark_chart chart;
+    double mean;   /* against the direct solution: exp(mean |ln ratio|) - 1 over the loads, which is charted */
+    char note[48]; /* what the row is besides; "": nothing */
 };
 
 /** All rows; a method's rows follow each other in the order of rising effort. Owned: benchmark_free(). */
@@ -35,6 +37,7 @@ struct benchmark {
     struct benchmark_row *rows;
     size_t count, capacity;
     double seconds; /* that the studies took together */
+    double before;  /* that the run had taken when they began; 0: not known */
 };
 
 /** What is studied: one surface that has been through its models. */

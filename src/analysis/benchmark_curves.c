@@ -100,11 +100,17 @@ static enum status_code cut_off(struct benchmark *cost, const struct benchmark_t
         row.evaluations = attempt.evaluations;
         for (size_t i = 0; i < loads; i++)
             row.error = fmax(row.error, fabs(attempt.area[i] / full[i] - 1));
+        if (row.error == 0)
+            snprintf(row.note, sizeof row.note, "waves left out are flat at every load");
         rc = benchmark_add(cost, &row, status);
     }
     free(attempt.area);
     return rc;
 }
+
+/** What a map of millions of heights, or a scan of millions of harmonics, would be sorted and summed again for at every
+ * number of loads: what these cost shows in fewer too. */
+enum { HEIGHTS_MOST = 200000, HARMONICS_MOST = HEIGHTS_MOST / 2 };
 
 /** A curve of n loads, log spaced over the scene's range, by one model, from what it has made of the surface once: as
  * the report's own curves and landmarks. */
@@ -141,12 +147,10 @@ static double interpolation_error(const struct model_curve *curve)
 }
 
 static enum status_code load_grid(struct benchmark *cost, const struct benchmark_task *task, size_t model,
-                                  struct status *status)
+                                  const struct spectrum *spectrum, struct status *status)
 {
     static const size_t counts[] = {5, 9, 17, 33, 65, 129};
-    /* A map has millions of heights, which would be sorted again for every number of loads: what these cost shows in
-     * fewer too. */
-    enum { MOST = 2 * 129, HEIGHTS_MOST = 200000 };
+    enum { MOST = 2 * 129 };
     double loads[MOST], first = task->loads[0], last = task->loads[task->load_count - 1];
     struct contact_point points[MOST + 1];
     enum status_code rc = STATUS_OK;
@@ -158,6 +162,7 @@ static enum status_code load_grid(struct benchmark *cost, const struct benchmark
         struct grid_attempt attempt = {.row = model_rows[model], .curve = {.points = points}};
         attempt.task = surface_model_task(task->surface, task->scene, task->plan, loads, both);
         attempt.task.wanted = 0;
+        attempt.task.spectrum = spectrum;
         if (attempt.task.point_count > HEIGHTS_MOST)
             attempt.task.point_count = HEIGHTS_MOST;
         solve_grid(&attempt);
@@ -177,15 +182,88 @@ static enum status_code load_grid(struct benchmark *cost, const struct benchmark
     return rc;
 }
 
+/** The curves of all models that run, from the surface on. */
+struct curves_attempt {
+    const struct benchmark_task *task;
+    const struct spectrum *spectrum; /* of the surface, no more of it than HARMONICS_MOST */
+    double tolerance;
+    struct contact_point *points; /* of every model */
+    uint64_t evaluations;
+    bool failed;
+};
+
+static void solve_curves(void *context)
+{
+    struct curves_attempt *attempt = context;
+    const struct benchmark_task *of = attempt->task;
+    const struct surface_record *surface = of->surface;
+    struct model_task task = surface_model_task(surface, of->scene, of->plan, of->loads, of->load_count);
+    struct status status = {0};
+    attempt->evaluations = 0;
+    task.spectrum = attempt->spectrum;
+    task.tolerance = attempt->tolerance;
+    for (size_t m = 0; m < model_count; m++) {
+        struct model_curve curve = {.points = attempt->points + m * (of->load_count + 1)};
+        if (!surface->curves[m].exists || model_rows[m]->uses_heights) /* a sort, whatever the tolerance */
+            continue;
+        attempt->failed = attempt->failed || model_run(&curve, model_rows[m], &task, &status) != STATUS_OK;
+        attempt->evaluations += curve.evaluations;
+    }
+}
+
+/** What the tolerance costs: the curves of the report's own loads. Errors against the last, of every quantity that a
+ * chart shows. */
+static enum status_code tolerances(struct benchmark *cost, const struct benchmark_task *task,
+                                   const struct spectrum *spectrum, struct status *status)
+{
+    static const double tolerance[] = {1e-13, 1e-10, 1e-6, 1e-2};
+    size_t count = model_count * (task->load_count + 1);
+    struct contact_point *best = calloc(2 * count, sizeof *best);
+    if (!best)
+        return status_memory(status);
+    struct curves_attempt attempt = {.task = task, .spectrum = spectrum, .points = best};
+    struct benchmark_row rows[sizeof tolerance / sizeof *tolerance];
+    size_t steps = sizeof tolerance / sizeof *tolerance;
+    for (size_t t = 0; t < steps && !attempt.failed; t++) {
+        struct benchmark_row *row = &rows[steps - 1 - t];
+        attempt.tolerance = tolerance[t];
+        attempt.points = t == 0 ? best : best + count;
+        *row = (struct benchmark_row){
+            .method = "all models", .chosen = tolerance[t] == task->scene->tolerance, .chart = BENCHMARK_CHARTS};
+        snprintf(row->study, sizeof row->study, "tolerance");
+        snprintf(row->setting, sizeof row->setting, "%g", tolerance[t]);
+        row->seconds = benchmark_time(solve_curves, &attempt);
+        row->evaluations = attempt.evaluations;
+        for (size_t i = 0; i < count; i++)
+            for (int q = QUANTITY_AREA; q <= QUANTITY_ECR; q++) {
+                double better = quantity_value(&best[i], (enum quantity)q),
+                       ratio = quantity_value(&attempt.points[i], (enum quantity)q) / better;
+                if (better > 0 && isfinite(ratio))
+                    row->error = fmax(row->error, fabs(ratio - 1));
+            }
+    }
+    enum status_code rc = attempt.failed ? status_memory(status) : STATUS_OK;
+    snprintf(rows[steps - 1].note, sizeof rows->note, "the others are held against it");
+    for (size_t t = 0; t < steps && rc == STATUS_OK; t++)
+        rc = benchmark_add(cost, &rows[t], status);
+    free(best);
+    return rc;
+}
+
 enum status_code benchmark_curves(struct benchmark *cost, const struct benchmark_task *task, struct status *status)
 {
     const struct surface_record *surface = task->surface;
+    struct spectrum longest = surface->spectrum;
+    if (longest.count > HARMONICS_MOST) {
+        longest.count = HARMONICS_MOST;
+        longest.has_nyquist = false;
+    }
     enum status_code rc = plan_stacks_scales(task->plan) ? closures(cost, task, status) : STATUS_OK;
     for (size_t m = 0; m < model_count && rc == STATUS_OK; m++)
         if (model_rows[m]->stacks_scales && surface->curves[m].exists)
             rc = cut_off(cost, task, m, status);
     for (size_t m = 0; m < model_count && rc == STATUS_OK; m++)
         if (surface->curves[m].exists)
-            rc = load_grid(cost, task, m, status);
-    return rc;
+            rc = load_grid(cost, task, m, &longest, status);
+    return rc == STATUS_OK ? tolerances(cost, task, &longest, status) : rc;
 }

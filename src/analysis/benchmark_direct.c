@@ -22,10 +22,16 @@ static enum status_code add_model(struct benchmark *cost, const struct benchmark
                                 .method = model_rows[m]->label,
                                 .evaluations = study->models[m].evaluations / 3,
                                 .seconds = study->model_seconds[m],
-                                .error = distance.mean_factor - 1,
+                                .error = fmax(distance.most - 1, 1 - distance.least),
+                                .mean = distance.mean_factor - 1,
                                 .chart = charts[q]};
+    const double rounding = 1e-12;
     snprintf(row.study, sizeof row.study, "%s", studies[q]);
-    snprintf(row.setting, sizeof row.setting, "%zu loads", study->plan.loads);
+    snprintf(row.setting, sizeof row.setting, "%zu load%s", distance.loads, distance.loads == 1 ? "" : "s");
+    if (row.error < rounding && model_rows[m]->plastic && direct_study_quantities[q] == QUANTITY_AREA) {
+        row.error = row.mean = 0;
+        snprintf(row.note, sizeof row.note, "A/Aₙ = P/H in both");
+    }
     return benchmark_add(cost, &row, status);
 }
 
@@ -38,10 +44,13 @@ static enum status_code add_efforts(struct benchmark *cost, const struct benchma
         struct benchmark_row row = {.method = "direct solution",
                                     .evaluations = effort->seeds * study->plan.loads,
                                     .seconds = effort->seconds,
-                                    .error = effort->error[direct_study_quantities[q]],
+                                    .error = effort->largest[direct_study_quantities[q]],
+                                    .mean = effort->error[direct_study_quantities[q]],
                                     .chart = charts[q]};
         snprintf(row.study, sizeof row.study, "%s", studies[q]);
         snprintf(row.setting, sizeof row.setting, "%zu^2 x %zu", effort->grid, effort->seeds);
+        if (effort->scaled)
+            snprintf(row.note, sizeof row.note, "not run: scaled from all %zu", study->plan.seeds);
         if (isfinite(row.error) && benchmark_add(cost, &row, status) != STATUS_OK)
             return status->code;
     }

@@ -25,7 +25,7 @@ struct curve_estimates {
 
 struct curve_summary {
     bool exists;
-    double first_load; /* of the curve */
+    double first_load;              /* of the curve */
     struct contact_point operating; /* where the summary stands; quantity_nothing(): the curve has no point there */
     double full_load, closed_load, beta, beta_multiscale;
     double area_slope;        /* d ln A/d ln P, least squares over A/A_n < 0.1 */
@@ -76,8 +76,8 @@ bool curve_summary_is_valid(const struct curve_summary *model, double load);
 /** The elbow as a share of the load to full contact; NaN: none, or at the first load or below. */
 double curve_summary_elbow_share(const struct curve_summary *model);
 
-/** Condenses one model's curve on a surface of rms height sigma_m; sensitivity, seconds and evaluations are kept. Loads that
- * are not the model's own answer are points of the curve: landmarks_solve() solves for them. */
+/** Condenses one model's curve on a surface of rms height sigma_m; sensitivity, seconds and evaluations are kept. Loads
+ * that are not the model's own answer are points of the curve: landmarks_solve() solves for them. */
 void curve_summary_make(struct curve_summary *out, const struct model_curve *curve, const struct model_row *row,
                         double sigma_m, double operating_load);
 

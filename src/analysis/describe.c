@@ -225,6 +225,7 @@ static enum status_code make_law(struct making *making, struct status *status)
 {
     const struct profile *profile = making->profile;
     double started = clock_seconds();
+    making->scans->step_m = fmax(making->scans->step_m, profile->digit_m);
     /* of a map also to know how many independent rows it has */
     if (making->scene->fit != POWER_LAW_AUTO && making->scan->kind != SCAN_AREAL)
         return STATUS_OK;
@@ -348,6 +349,10 @@ static struct profile_options profile_options_of(const struct scene *scene)
                                     .periodic_mean = !scene->level_given};
 }
 
+/* The first harmonic whose estimate by five sine tapers keeps off the ends of the spectrum is the fifth
+ * (docs/equations.md, power_law_band.h); a record has it below its Nyquist frequency from 11 points on. */
+enum { LEAST_POINTS = 11 };
+
 /** Every row of a scan (a profile has one, whose heights are taken over) into the surface. A row of a map that cannot
  * be used (all missing, flat) is left out and counted; the map is refused when none is left. */
 static enum status_code add_rows(struct surface_record *record, struct power_law_scans *scans, struct scan *scan,
@@ -368,6 +373,11 @@ static enum status_code add_rows(struct surface_record *record, struct power_law
         enum status_code rc = scan->kind == SCAN_PROFILE ? profile_take(&profile, scan, &how, &problem)
                                                          : profile_make(&profile, scan, row, &how, &problem);
         summary->times.prepare += clock_seconds() - started;
+        if (rc == STATUS_OK && profile.points < LEAST_POINTS)
+            rc =
+                status_fail(&problem, STATUS_SCAN,
+                            "%zu points carry no spectrum; at least %d are needed: take a longer scan, or leave it out",
+                            profile.points, LEAST_POINTS);
         if (rc == STATUS_OK && row == unusable) /* the first usable one speaks for all */
             note_scan(summary, scan, &profile, file);
         struct making making = {.record = record,
@@ -552,6 +562,7 @@ enum status_code describe_repeats(struct surface_record *record, const struct sc
 {
     const struct spectrum *mean = &record->spectrum;
     struct repeat_set *set = &record->repeats;
+    set->sigma_m = sqrt(record->summary.roughness.m0_m2);
     for (size_t p = 0; p < set->count; p++) {
         struct spectrum *own = &set->parts[p].spectrum, same;
         if (own->count == mean->count && fabs(own->length_m / mean->length_m - 1) < 1e-6)
@@ -592,8 +603,7 @@ static enum status_code keep_single(struct surface_record *record, const struct 
     if (part->height_m && scene->counterface_surface.file_count == 0 && (scene->effects_auto || listed)) {
         bool wanted = listed || uncertainty_affordable(part->points, scene->surface_count);
         simulable = true;
-        if (wanted &&
-            uncertainty_possible(&simulable, part->height_m, part->points, tapered, status) != STATUS_OK)
+        if (wanted && uncertainty_possible(&simulable, part->height_m, part->points, tapered, status) != STATUS_OK)
             return status->code;
         record->summary.single_points = simulable ? part->points : 0;
         record->summary.simulates = simulable && wanted;
@@ -725,7 +735,7 @@ static void note_thesis_fit(struct surface_summary *summary)
     const struct power_law *law = &summary->power_law;
     if (isnan(law->gamma)) {
         surface_note(summary, "no power law: %s",
-                     law->harmonics < 3 ? "fewer than 3 harmonics lie in the fit band; widen fit_band_m"
+                     law->harmonics < 3 ? "fewer than 3 harmonics lie in the fit band; widen fit_band"
                                         : "its alpha is beyond the range of numbers; are the units right?");
         return;
     }
@@ -740,8 +750,7 @@ static void note_thesis_fit(struct surface_summary *summary)
             "so gamma is drawn towards 1: try window: hann",
             summary->jump_m * 1e6, summary->jump_share > 1 ? "more than the whole" : "over half", shortest * 1e6);
     if (isfinite(law->knee_m))
-        surface_note(summary,
-                     "two slopes fit better than one: gamma %.2f above %.3g um, %.2f below; consider fit_band_m",
+        surface_note(summary, "two slopes fit better than one: gamma %.2f above %.3g um, %.2f below; consider fit_band",
                      law->gamma_above, law->knee_m * 1e6, law->gamma_below);
 }
 
@@ -819,7 +828,9 @@ static enum status_code describe(struct surface_record *record, struct power_law
     double started = clock_seconds();
     summary->harmonics = record->spectrum.count;
     summary->independent = fmax(1, scans->independent);
-    summary->tail = convergence_tail(&record->spectrum);
+    double shortest_m = fmax(2 * scene->lambda_s_m, scene->fit_band_m[0]);
+    summary->tail =
+        convergence_tail(&record->spectrum, convergence_known(&record->spectrum, shortest_m, scans->step_m));
     if (scene->fit == POWER_LAW_THESIS) {
         summary->power_law = power_law_fit(&record->spectrum, scene->fit_band_m);
         note_thesis_fit(summary);
@@ -887,6 +898,102 @@ static enum status_code conclude(struct surface_record *record, struct power_law
     return found ? fit_alone(record, scans, scene, status) : STATUS_OK;
 }
 
+/** The files of a surface, and which of them are refused. */
+struct files {
+    const char **name; /* sorted */
+    size_t count, refused;
+    char **refusal; /* why; NULL: not refused */
+};
+
+static void free_files(struct files *files)
+{
+    for (size_t f = 0; files->refusal && f < files->count; f++)
+        free(files->refusal[f]);
+    free(files->refusal);
+    free(files->name);
+}
+
+/** Gathers every file that is not refused. What cannot be used is refused, and *again set where it left something
+ * behind. */
+static enum status_code take_files(struct surface_record *out, struct power_law_scans *scans, const struct scene *scene,
+                                   struct files *files, struct hash *hash, bool *again, struct status *status)
+{
+    *again = false;
+    for (size_t f = 0; f < files->count; f++) {
+        struct status problem = {0};
+        size_t before = out->repeats.scan_count;
+        if (files->refusal[f])
+            continue;
+        enum status_code rc = describe_file(out, scans, scene, out->summary.scene, files->name[f], hash, &problem);
+        if (rc == STATUS_MEMORY || rc == STATUS_INTERRUPTED)
+            return status_fail(status, rc, "%s", problem.message);
+        if (rc == STATUS_OK)
+            continue;
+        *again = *again || out->repeats.scan_count > before;
+        files->refusal[f] = strdup(problem.message);
+        files->refused++;
+        if (!files->refusal[f])
+            return status_memory(status);
+    }
+    return STATUS_OK;
+}
+
+/** Says which scans were refused, but for the `first` of a surface that has no other: that is its own refusal. Before
+ * all else that is noted, as these are never left out. */
+static enum status_code note_refused(struct surface_summary *summary, const struct files *files, size_t first,
+                                     struct status *status)
+{
+    struct text notes = {0};
+    size_t used = files->count - files->refused;
+    for (size_t f = 0; f < files->count; f++) {
+        if (!files->refusal[f] || (used == 0 && f == first))
+            continue;
+        text_add(&notes, "%s%s", notes.length > 0 ? "\n" : "", files->refusal[f]);
+        if (used > 0)
+            text_add(&notes, " - refused; %zu of its %zu scans are used", used, files->count);
+    }
+    if (summary->notes)
+        text_add(&notes, "\n%s", summary->notes);
+    if (notes.failed) {
+        text_free(&notes);
+        return status_memory(status);
+    }
+    free(summary->notes);
+    summary->notes = notes.data;
+    summary->refused_scans = files->refused;
+    return STATUS_OK;
+}
+
+/** Gathers the scans of a surface that can be used. Error: why there is none. */
+static enum status_code take_usable(struct surface_record *out, struct power_law_scans *scans,
+                                    const struct scene *scene, struct files *files, struct status *status)
+{
+    struct hash hash = hash_start(), unused = hash_start();
+    bool again;
+    enum status_code rc = take_files(out, scans, scene, files, &hash, &again, status);
+    hash_finish(&hash, out->summary.hash);
+    while (rc == STATUS_OK && again && files->refused < files->count) { /* from the start, without those */
+        struct surface_summary again_from = {
+            .scene = out->summary.scene, .pair = out->summary.pair, .times = out->summary.times};
+        memcpy(again_from.hash, out->summary.hash, sizeof again_from.hash);
+        surface_record_free(out);
+        power_law_scans_free(scans);
+        *scans = (struct power_law_scans){0};
+        *out = (struct surface_record){.summary = again_from};
+        rc = take_files(out, scans, scene, files, &unused, &again, status);
+    }
+    if (rc != STATUS_OK || files->refused == 0)
+        return rc;
+    size_t first = 0;
+    while (!files->refusal[first])
+        first++;
+    if (files->count > 1 && note_refused(&out->summary, files, first, status) != STATUS_OK)
+        return status->code;
+    if (files->refused < files->count)
+        return STATUS_OK;
+    return status_fail(status, STATUS_SCAN, "%s", files->refusal[first]);
+}
+
 enum status_code describe_surface(struct surface_record *out, const struct scene *scene,
                                   const struct scene_surface *surface, const struct surface_record *counterface,
                                   struct status *status)
@@ -894,19 +1001,15 @@ enum status_code describe_surface(struct surface_record *out, const struct scene
     struct surface_summary *summary = &out->summary;
     struct status problem = {0};
     struct power_law_scans scans = {0};
-    struct hash hash = hash_start();
+    struct files files = {sorted_files(surface), surface->file_count, 0,
+                          calloc(surface->file_count + 1, sizeof(char *))};
     summary->scene = surface;
     summary->pair = scene_pair(surface->bodies);
-    const char **files = sorted_files(surface);
-    if (!files)
-        return status_memory(status);
-    enum status_code rc = STATUS_OK;
-    for (size_t f = 0; f < surface->file_count && rc == STATUS_OK; f++)
-        rc = describe_file(out, &scans, scene, surface, files[f], &hash, &problem);
-    hash_finish(&hash, summary->hash);
+    enum status_code rc =
+        files.name && files.refusal ? take_usable(out, &scans, scene, &files, &problem) : status_memory(&problem);
+    free_files(&files);
     if (rc == STATUS_OK)
         rc = describe_conclude(out, &scans, scene, &problem);
-    free(files);
     if (rc == STATUS_OK) {
         summary->usable = true;
         rc = conclude(out, &scans, scene, counterface, &problem);

@@ -135,16 +135,15 @@ static struct direct_ensemble_def ensemble_def(const struct maker *maker, enum d
         .context = &maker->spectrum,
         .given_m = heights ? surface->direct_m : NULL,
         .given_count = surface->direct_count,
-        .first_seed = 1,
         .seeds = kind == leading ? plan->seeds : plan->fewer,
         .threads = maker->task->threads,
-        .crew = maker->task->crew,
+        .team = maker->task->team,
     };
 }
 
 /** The ladder of the map on every point of its, or every `every`-th along both sides. */
 static enum status_code solve_grid(struct direct_point *out, const struct direct_map *map, size_t every,
-                                   const struct direct_ladder_def *ladder, const struct direct_crew *crew,
+                                   const struct direct_ladder_def *ladder, const struct direct_team *team,
                                    struct status *status)
 {
     size_t n = map->n / every;
@@ -153,10 +152,7 @@ static enum status_code solve_grid(struct direct_point *out, const struct direct
         return status_memory(status);
     for (size_t k = 0; k < n * n; k++)
         height_m[k] = map->height_m[k / n * every * map->n + k % n * every];
-    enum status_code rc =
-        direct_ladder_of_heights(out, NULL, height_m, n, map->spacing_m * (double)every, ladder, crew, status);
-    free(height_m);
-    return rc;
+    return direct_ladder_of_heights(out, NULL, NULL, height_m, n, map->spacing_m * (double)every, ladder, team, status);
 }
 
 /** One surface has no scatter: its error is what doubling the spacing changes. */
@@ -171,13 +167,13 @@ static enum status_code solve_map(struct direct_ensemble_point *out, const struc
 {
     const struct direct_map *map = &maker->map;
     struct direct_point *points = calloc(2 * ladder->loads, sizeof *points);
-    const struct direct_crew *crew = maker->task->crew;
+    const struct direct_team *team = maker->task->team;
     double cell_m2 = pow(map->spacing_m * (double)map->n, 2);
     if (!points)
         return status_memory(status);
-    enum status_code rc = solve_grid(points, map, 1, ladder, crew, status);
+    enum status_code rc = solve_grid(points, map, 1, ladder, team, status);
     if (rc == STATUS_OK)
-        rc = solve_grid(points + ladder->loads, map, 2, ladder, crew, status);
+        rc = solve_grid(points + ladder->loads, map, 2, ladder, team, status);
     for (size_t i = 0; i < ladder->loads && rc == STATUS_OK; i++) {
         const struct direct_point *second = &points[ladder->loads + i];
         const struct direct_quantities *q = &points[i].quantities, *r = &second->quantities;
@@ -186,10 +182,8 @@ static enum status_code solve_map(struct direct_ensemble_point *out, const struc
             given               ? DIRECT_ENSEMBLE_GIVEN
             : !points[i].exists ? DIRECT_ENSEMBLE_COMPLETE
                                 : DIRECT_ENSEMBLE_FEW_POINTS,
-            q->contact_points,
             single(given, q->area_ratio, r->area_ratio),
             single(given, q->gap_m, r->gap_m),
-            single(given, q->plane_gap_m, r->plane_gap_m),
             single(given, points[i].constriction_m, second->constriction_m),
             single(given, (double)points[i].patches / cell_m2, (double)second->patches / cell_m2),
         };
@@ -266,10 +260,7 @@ static enum status_code first_surface(double *height_m, const struct maker *make
         memcpy(height_m, maker->map.height_m, n * n * sizeof *height_m);
         return STATUS_OK;
     }
-    if (def.given_m)
-        return direct_surface_with_heights(height_m, n, def.variance, def.context, def.given_m, def.given_count,
-                                           def.first_seed, status);
-    return direct_surface_realise(height_m, n, def.variance, def.context, def.first_seed, status);
+    return direct_surface_make(height_m, n, def.variance, def.context, def.given_m, def.given_count, 1, status);
 }
 
 /** The picture's load: of those that give numbers, the one next to the load planned. Returns whether there is one. */
@@ -285,8 +276,8 @@ static bool choose_picture(struct direct_study *study)
     return isfinite(nearest);
 }
 
-/** Where the first surface touches at the picture's load; nothing where the grid resolves none. */
-static enum status_code draw(struct maker *maker, const double *height_m, struct status *status)
+/** Where the first surface touches at the picture's load; nothing where the grid resolves none. Frees the heights. */
+static enum status_code draw(struct maker *maker, double *height_m, struct status *status)
 {
     struct direct_study *study = maker->study;
     const struct direct_plan *plan = &study->plan;
@@ -296,10 +287,12 @@ static enum status_code draw(struct maker *maker, const double *height_m, struct
                                        maker->task->stop};
     size_t n = plan->grid;
     study->contact = malloc(n * n);
-    if (!study->contact)
+    if (!study->contact) {
+        free(height_m);
         return status_memory(status);
-    if (direct_ladder_of_heights(&point, study->contact, height_m, n, plan->length_m / (double)n, &ladder,
-                                 maker->task->crew, status) == STATUS_OK) {
+    }
+    if (direct_ladder_of_heights(&point, NULL, study->contact, height_m, n, plan->length_m / (double)n, &ladder,
+                                 maker->task->team, status) == STATUS_OK) {
         study->patches = point.patches;
         study->solutions++;
     }
@@ -362,10 +355,12 @@ static double seed_value(const struct direct_point *point, enum quantity quantit
                                              : point->constriction_m;
 }
 
-/** Mean |ln| of what the grid of one surface's solution, or the scatter of `seeds` surfaces, moves a quantity by. */
-static double effort_error(const struct maker *maker, const struct direct_point *coarse, size_t seeds,
+/** Mean |ln| of what the grid of one surface's solution, or the scatter of `seeds` surfaces, moves a quantity by; and
+ * the largest. */
+static double effort_error(double *largest, const struct maker *maker, const struct direct_point *coarse, size_t seeds,
                            enum quantity quantity)
 {
+    *largest = 0;
     static const struct material_pair unit = {.resistivity_ohm_m = 0.5, .conductivity_W_per_mK = 2};
     const struct direct_study *study = maker->study;
     double sum = 0, count = 0;
@@ -376,6 +371,7 @@ static double effort_error(const struct maker *maker, const struct direct_point 
         double scatter = error / value * sqrt((double)study->plan.seeds / (double)seeds);
         if (value > 0 && isfinite(grid) && isfinite(scatter)) {
             sum += hypot(grid, scatter);
+            *largest = fmax(*largest, hypot(grid, scatter));
             count++;
         }
     }
@@ -396,7 +392,8 @@ static enum status_code run_efforts(struct maker *maker, struct status *status)
         struct direct_ensemble ensemble = {0};
         size_t seeds = efforts[e].seeds > 0 ? efforts[e].seeds : def.seeds;
         bool whole = efforts[e].divisor == 1;
-        *effort = (struct direct_study_effort){def.n / efforts[e].divisor / 2 * 2, seeds, all->seconds, {0}};
+        *effort = (struct direct_study_effort){def.n / efforts[e].divisor / 2 * 2, seeds, all->seconds,
+                                               whole && efforts[e].seeds > 0,      {0},   {0}};
         if (effort->grid < SCENE_DIRECT_GRID_LEAST || (efforts[e].seeds > 1 && seeds >= def.seeds))
             continue;
         if (whole) /* without the fine grid, whose share is known by its convolutions */
@@ -409,9 +406,10 @@ static enum status_code run_efforts(struct maker *maker, struct status *status)
             return status->code;
         if (!whole)
             effort->seconds = clock_seconds() - started;
-        for (int q = 0; q < DIRECT_STUDY_QUANTITIES; q++)
-            effort->error[direct_study_quantities[q]] =
-                effort_error(maker, ensemble.seed_point, seeds, direct_study_quantities[q]);
+        for (int k = 0; k < DIRECT_STUDY_QUANTITIES; k++) {
+            enum quantity q = direct_study_quantities[k];
+            effort->error[q] = effort_error(&effort->largest[q], maker, ensemble.seed_point, seeds, q);
+        }
         study->efforts++;
         direct_ensemble_free(&ensemble);
     }
@@ -444,10 +442,11 @@ static enum status_code run(struct maker *maker, struct status *status)
     double *height_m = malloc(study->plan.grid * study->plan.grid * sizeof *height_m);
     enum status_code rc = height_m ? first_surface(height_m, maker, status) : status_memory(status);
     if (rc == STATUS_OK)
-        rc = draw(maker, height_m, status);
-    if (rc == STATUS_OK)
         rc = run_models(maker, height_m, status);
-    free(height_m);
+    if (rc == STATUS_OK)
+        rc = draw(maker, height_m, status);
+    else
+        free(height_m);
     return rc == STATUS_OK && maker->task->efforts ? run_efforts(maker, status) : rc;
 }
 

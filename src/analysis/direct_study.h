@@ -31,7 +31,9 @@ struct direct_study_curve {
 struct direct_study_effort {
     size_t grid, seeds;
     double seconds;
-    double error[QUANTITY_COUNT]; /* of area, separation, ECR, against the best; NaN: no number */
+    bool scaled;                    /* not run: time and error follow from those of more surfaces */
+    double error[QUANTITY_COUNT];   /* of area, separation, ECR, against the best; NaN: no number */
+    double largest[QUANTITY_COUNT]; /* the same at the load where it is largest; those are means over the loads */
 };
 enum { DIRECT_STUDY_EFFORTS = 8 };
 
@@ -71,7 +73,7 @@ struct direct_study_task {
     const struct scene *scene;
     const struct plan *plan;
     unsigned threads;               /* 0: one a processor; the result does not depend on it */
-    const struct direct_crew *crew; /* who solves the contacts; NULL: this process */
+    const struct direct_team *team; /* that shares each contact; NULL: this process alone */
     const atomic_bool *stop;
     bool efforts; /* also at less expense, to tell what accuracy costs */
 };

@@ -6,10 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** The shortest wavelength of the spectrum. */
+/** The shortest wavelength of the spectrum that is known. */
 static double shortest_m(const struct surface_record *record)
 {
-    return record->spectrum.length_m / (double)record->spectrum.count;
+    return record->spectrum.length_m / (double)record->summary.tail.count;
 }
 
 /** What yielding can change in plastic model `m`: on the surface, on each of its scans run alone, and on the tail of
@@ -191,7 +191,7 @@ static void decide_convergence(struct plan *plan, const struct surface_record *s
         snprintf(reason, size, "sweeps only: no scale below the sampling limit can take area from any surface");
     else if (converged + tailless == usable)
         snprintf(reason, size,
-                 "sweeps only: %zu of %zu surfaces have too few harmonics to carry on below their sampling limit",
+                 "sweeps only: of %zu of %zu surfaces the spectrum does not tell how it goes on below what is known",
                  tailless, usable);
     else
         snprintf(reason, size, "%zu of %zu surfaces may lose area below their sampling limit",

@@ -16,6 +16,13 @@ static double scaled(double value, bool logarithmic)
     return value > 0 && isfinite(value) ? log(value) : NAN;
 }
 
+/** A half width of logarithms whose ends are no numbers any more is none. */
+static double bounded(double mean, double half_width, bool logarithmic)
+{
+    bool lost = logarithmic && (!isfinite(exp(mean + half_width)) || !(exp(mean - half_width) > 0));
+    return lost ? NAN : half_width;
+}
+
 static struct estimate from_interval(const struct interval *interval, bool logarithmic)
 {
     double half_width = interval->t * interval->s;
@@ -25,8 +32,8 @@ static struct estimate from_interval(const struct interval *interval, bool logar
         .sd = interval->sd,
         .s = interval->s,
         .degrees = interval->degrees,
-        .half_width = half_width,
-        .next_half_width = interval_next_half_width(interval, 1),
+        .half_width = bounded(interval->mean, half_width, logarithmic),
+        .next_half_width = bounded(interval->mean, interval_next_half_width(interval, 1), logarithmic),
         .effective = interval->effective,
         .logarithmic = logarithmic,
     };
@@ -113,7 +120,7 @@ struct estimate estimate_single(double value, const struct single_scan *single, 
         return estimate_none;
     out.sd = out.s = single->s;
     out.degrees = 0;
-    out.half_width = single->half_width;
+    out.half_width = bounded(out.mean, single->half_width, logarithmic);
     out.heterogeneous = single->heterogeneous;
     return out;
 }
@@ -123,10 +130,19 @@ double estimate_value(const struct estimate *estimate)
     return estimate->logarithmic ? exp(estimate->mean) : estimate->mean;
 }
 
+bool estimate_has_width(const struct estimate *estimate, double half_width)
+{
+    static const double least = 1e-6; /* relative: what models are solved to */
+    return half_width > least * (estimate->logarithmic ? 1 : fabs(estimate->mean));
+}
+
 static double end(const struct estimate *estimate, double half_width, int side)
 {
     double value = estimate->mean + (side ? half_width : -half_width);
-    return estimate->logarithmic ? exp(value) : value;
+    if (!estimate_has_width(estimate, half_width))
+        return NAN;
+    value = estimate->logarithmic ? exp(value) : value;
+    return estimate->share ? fmin(value, 1) : value;
 }
 
 double estimate_end(const struct estimate *estimate, int side)

@@ -9,16 +9,17 @@
 /** Coverage of every interval of the report. */
 extern const double estimate_level;
 
-/** Of ln value where `logarithmic` (all positive answers), else of the value itself (separations). */
+/** Of ln value where `logarithmic` (all positive answers), else of the value itself (gamma). */
 struct estimate {
     size_t count; /* scans, or blocks of a map's rows; 1: one scan; 0: not known, and the rest is NaN */
     double mean;
     double sd, s,
         degrees;       /* of a single scan; standard error of the mean; 0 degrees of freedom: by simulated records */
-    double half_width; /* of the 95 % interval of the surface's mean; NaN: not known */
+    double half_width; /* of the 95 % interval of the surface's mean; NaN: not known, or its ends are no doubles */
     double next_half_width; /* of that in which another scan lies; NaN: not known */
     double effective;       /* independent rows that the blocks are worth; else the scans' weights */
     bool logarithmic;
+    bool share;         /* of a whole, as A/A_n is: no end lies above 1 */
     bool heterogeneous; /* one scan that is not the same along its length */
 };
 
@@ -49,7 +50,9 @@ struct estimate estimate_single(double value, const struct single_scan *single, 
 
 /** The number itself: exp(mean) where logarithmic. */
 double estimate_value(const struct estimate *estimate);
-/** Ends of the interval of the mean, low (0) and high (1); NaN where not known. */
+/** Is a half-width one: known, and more than rounding leaves of values that are the same in all scans? */
+bool estimate_has_width(const struct estimate *estimate, double half_width);
+/** Ends of the interval of the mean, low (0) and high (1); NaN where not known, and where it has no width. */
 double estimate_end(const struct estimate *estimate, int side);
 /** The same of another scan. */
 double estimate_next_end(const struct estimate *estimate, int side);

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** Carries the spectrum on below the sampling limit, where that can change anything. */
+/** Carries the spectrum on below its last known harmonic, where that can change anything. */
 static void extend(struct surface_record *record, const struct scene *scene)
 {
     struct surface_summary *summary = &record->summary;
@@ -67,14 +67,15 @@ static enum status_code run_uncertainty(struct surface_record *record, const str
             estimates[which] = estimate_none;
         for (size_t i = 0; i < curve->count; i++)
             for (int q = 0; q < QUANTITY_COUNT && curve->points[i].load == task->loads[model_task_operating(task)]; q++)
-                estimates[q] = uncertainty_estimate(
-                    &all[m], (enum quantity)q,
-                    quantity_value(&curve->points[i], model_shown(model_rows[m], (enum quantity)q)));
+                estimates[q] =
+                    uncertainty_estimate(&all[m], (enum quantity)q,
+                                         quantity_shown(&curve->points[i], model_shown(model_rows[m], (enum quantity)q),
+                                                        summary->asperities.sigma_m));
         rc = curve_summary_put_estimates(summary->models[m], estimates, status);
         if (rc == STATUS_OK)
             rc = make_band(record, m, task, status);
         if (rc == STATUS_OK)
-            uncertainty_band(record->bands[m], &all[m], curve, model_rows[m]);
+            uncertainty_band(record->bands[m], &all[m], curve, model_rows[m], summary->asperities.sigma_m);
     }
     free(all);
     summary->times.uncertainty += clock_seconds() - started;
@@ -87,7 +88,7 @@ static enum status_code run_sensitivity(struct surface_record *record, size_t m,
 {
     struct curve_summary *model = record->summary.models[m];
     struct model_task one = surface_middle_task(task);
-    struct contact_point as_is = {.area_ratio = NAN, .ecr_ohm_m2 = NAN};
+    struct contact_point as_is = quantity_nothing();
     for (size_t i = 0; i < record->curves[m].count; i++)
         if (record->curves[m].points[i].load == one.loads[0])
             as_is = record->curves[m].points[i];
@@ -154,6 +155,35 @@ static void note_model(struct surface_record *record, size_t m, size_t left_out)
         surface_note(&record->summary,
                      "no %s: its numbers leave what can be computed with; check the units, the material and the loads",
                      model_rows[m]->label);
+}
+
+/** Has a number of a curve of several scans no interval? */
+static bool loses_interval(const struct surface_record *record, size_t m)
+{
+    const struct model_curve *curve = &record->curves[m];
+    for (size_t i = 0; record->bands[m] && i < curve->count && i < record->band_count; i++)
+        for (int q = 0; q < QUANTITY_COUNT && record->bands[m][i].load == curve->points[i].load; q++) {
+            double value = quantity_value(&curve->points[i], model_shown(model_rows[m], (enum quantity)q));
+            if (repeats_band_holds((enum quantity)q) && value > 0 && isnan(record->bands[m][i].mean[q][0]))
+                return true;
+        }
+    return false;
+}
+
+/** Names the models whose scans answer so differently that an interval's ends are no numbers. */
+static void note_intervals(struct surface_record *record)
+{
+    struct text names = {0};
+    for (size_t m = 0; m < model_count; m++)
+        if (record->repeats.count > 1 && !record->repeats.no_intervals && loses_interval(record, m))
+            text_add(&names, "%s%s", names.length > 0 ? ", " : "", model_rows[m]->label);
+    if (names.length > 0)
+        surface_note(
+            &record->summary,
+            "no interval at some loads (%s): the scans differ there by more than numbers hold; are they of one "
+            "surface, in one unit?",
+            text_string(&names));
+    text_free(&names);
 }
 
 /** One model: its curve, or the mean of its scans' curves; what lies in the joint; where it bends; what it hangs on. */
@@ -225,6 +255,7 @@ enum status_code evaluate_models(struct surface_record *record, const struct sce
             return status->code;
     if (plan_runs(plan, EFFECT_CONVERGENCE))
         extend(record, scene);
+    note_intervals(record);
     return answers_find(record, scene, plan, &task, status);
 }
 

@@ -15,13 +15,13 @@ struct piece_how {
 };
 struct piece_how piece_how_of(const struct scene *scene, bool periodic);
 
-/** Levels a copy of the heights and takes its spectrum (owned: spectrum_free()) and roughness. A form that no longer
- * fits leaves it as it is. Error: STATUS_MEMORY. */
+/** Levels a copy of the heights and takes its spectrum (owned: spectrum_free()) and roughness; of a periodic scan it is
+ * looked at whether the piece closes too. A form that no longer fits leaves it as it is. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code piece_describe(struct spectrum *spectrum, struct roughness *roughness,
                                            const double *height_m, size_t points, double spacing_m,
                                            const struct piece_how *how, struct status *status);
 
-/** The same of the heights in room->record, which are used up. */
+/** The same of the heights in room->record, which are used up; how->periodic: they close on themselves. */
 MUST_CHECK enum status_code piece_of_record(struct spectrum *spectrum, struct roughness *roughness,
                                             struct fft_room *room, size_t points, double spacing_m,
                                             const struct piece_how *how, struct status *status);

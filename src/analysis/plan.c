@@ -5,14 +5,6 @@
 #include <stdio.h>
 #include <string.h>
 
-static const struct material_property *property_find(const char *key)
-{
-    for (size_t i = 0; i < material_property_count; i++)
-        if (strcmp(material_properties[i].key, key) == 0)
-            return &material_properties[i];
-    return NULL;
-}
-
 /** The bodies of surface `i`; the scene's where it has no surface. */
 static const struct scene_bodies *bodies_of(const struct scene *scene, size_t i)
 {
@@ -34,11 +26,11 @@ static struct lack find_lack(const struct effect_row *row, const struct scene *s
         const struct scene_bodies *bodies = bodies_of(scene, k);
         bool other = bodies->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC, lacks = false;
         for (size_t i = 0; row->properties[i] && !lacks; i++) {
-            const struct material_property *property = property_find(row->properties[i]);
+            const struct material_property *property = material_property_find(row->properties[i]);
             lacks = isnan(material_value(&bodies->material, property)) ||
                     (other && isnan(material_value(&bodies->counterface, property)));
             if (lacks && !out.property)
-                out = (struct lack){row->properties[i], k < scene->surface_count ? scene->surfaces[k].name : NULL,
+                out = (struct lack){property->name, k < scene->surface_count ? scene->surfaces[k].name : NULL,
                                     isnan(bodies->material.youngs_modulus_Pa)};
         }
         lacking += lacks;
@@ -97,10 +89,12 @@ static void decide(struct plan *plan, enum effect effect, const struct scene *sc
         if (row->key)
             snprintf(out->reason, sizeof out->reason, "the scene has '%s'", row->key);
         else if (key && same_bodies(scene))
-            snprintf(out->reason, sizeof out->reason, "the material gives what it needs: %s %.4g", key,
-                     material_value(&bodies->material, property_find(key)));
+            snprintf(out->reason, sizeof out->reason, "the material gives what it needs: %s %.4g %s",
+                     material_property_find(key)->name, material_value(&bodies->material, material_property_find(key)),
+                     material_property_find(key)->unit);
         else if (key)
-            snprintf(out->reason, sizeof out->reason, "every surface's material gives what it needs: %s", key);
+            snprintf(out->reason, sizeof out->reason, "every surface's material gives what it needs: %s",
+                     material_property_find(key)->name);
         else if (pair.unknown)
             snprintf(out->reason, sizeof out->reason, "needs no material");
         else if (same_bodies(scene))

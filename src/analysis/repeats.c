@@ -176,12 +176,26 @@ struct model_task repeats_run_task(struct asperities *asperities, size_t *scan, 
     return own;
 }
 
+/** Rms height of what run r is of: a part, or all parts of a scan. */
+static double run_sigma(const struct repeat_set *set, size_t r, const struct model_row *model)
+{
+    double sum_m2 = 0, count = 0;
+    if (!model->uses_heights)
+        return sqrt(set->parts[r].roughness.m0_m2);
+    for (size_t p = 0; p < set->count; p++)
+        if (set->parts[p].scan == r) {
+            sum_m2 += set->parts[p].roughness.m0_m2;
+            count++;
+        }
+    return sqrt(sum_m2 / count);
+}
+
 /** The curves of all runs on which the model has a solution. */
 struct runs {
     struct model_curve *curves;
     struct contact_point *points; /* of all */
     size_t *scan;
-    double *value; /* one a run, to work with */
+    double *value, *sigma_m; /* one a run: to work with; its own rms height */
     size_t count;
 };
 
@@ -191,6 +205,7 @@ static void free_runs(struct runs *runs)
     free(runs->points);
     free(runs->scan);
     free(runs->value);
+    free(runs->sigma_m);
 }
 
 static enum status_code run_all(struct runs *out, struct model_curve *curve, struct repeats_result *result,
@@ -201,14 +216,16 @@ static enum status_code run_all(struct runs *out, struct model_curve *curve, str
     *out = (struct runs){.curves = calloc(all, sizeof *out->curves),
                          .points = calloc(all * room, sizeof *out->points),
                          .scan = calloc(all, sizeof *out->scan),
-                         .value = calloc(all, sizeof *out->value)};
-    if (!out->curves || !out->points || !out->scan || !out->value)
+                         .value = calloc(all, sizeof *out->value),
+                         .sigma_m = calloc(all, sizeof *out->sigma_m)};
+    if (!out->curves || !out->points || !out->scan || !out->value || !out->sigma_m)
         return status_memory(status);
     for (size_t r = 0; r < all; r++) {
         struct asperities asperities;
         struct model_curve *own = &out->curves[out->count];
         struct model_task alone = repeats_run_task(&asperities, &out->scan[out->count], set, r, model, task);
         *own = (struct model_curve){.points = out->points + out->count * room};
+        out->sigma_m[out->count] = run_sigma(set, r, model);
         if (model_run(own, model, &alone, status) != STATUS_OK)
             return status->code;
         curve->evaluations += own->evaluations;
@@ -247,31 +264,37 @@ static enum status_code mean_number(double *mean, struct estimate *estimate, con
 }
 
 /** Fills the quantities of `out` from a point of every run, `at` (in each curve's points), or the one of full contact
- * where that is SIZE_MAX. estimates: NULL, or QUANTITY_COUNT. */
+ * where that is SIZE_MAX. estimates: NULL, or QUANTITY_COUNT; lengths over sigma. */
 static enum status_code mean_point(struct contact_point *out, struct estimate *estimates, const struct runs *runs,
-                                   const struct repeat_set *set, size_t at, struct status *status)
+                                   const struct repeat_set *set, const struct model_row *model, size_t at,
+                                   struct status *status)
 {
-    quantity_empty_made(out);
     static const size_t shares[] = {offsetof(struct contact_point, beyond_fit),
                                     offsetof(struct contact_point, radius_clamped)};
-    struct estimate unused;
+    *out = quantity_nothing();
     for (int q = QUANTITY_AREA; q < QUANTITY_COUNT + 2; q++) {
-        bool quantity = q < QUANTITY_COUNT;
+        struct estimate unused;
+        bool quantity = q < QUANTITY_COUNT, over_sigma = quantity && quantity_rows[q].over_sigma;
+        struct estimate *estimate = quantity && estimates ? &estimates[q] : &unused;
         if (quantity && quantity_rows[q].from) { /* of the mean curve: joint_apply() */
             if (estimates)
                 estimates[q] = estimate_none;
             continue;
         }
         size_t offset = quantity ? quantity_rows[q].offset : shares[q - QUANTITY_COUNT];
-        bool logarithmic = quantity && quantity_rows[q].logarithmic;
+        bool logarithmic =
+            quantity && (quantity_rows[q].logarithmic || q == (int)model_shown(model, QUANTITY_SEPARATION));
         double mean = NAN;
         for (size_t r = 0; r < runs->count; r++) {
             const struct contact_point *point = at == SIZE_MAX ? &runs->curves[r].full : &runs->curves[r].points[at];
             memcpy(&runs->value[r], (const char *)point + offset, sizeof *runs->value);
         }
-        if (mean_of(&mean, quantity && estimates ? &estimates[q] : &unused, runs, set, logarithmic, status) !=
-            STATUS_OK)
+        for (size_t r = 0; r < runs->count && over_sigma; r++)
+            runs->value[r] /= runs->sigma_m[r];
+        if (mean_of(&mean, estimate, runs, set, logarithmic, status) != STATUS_OK)
             return status->code;
+        estimate->share = q == QUANTITY_AREA;
+        mean *= over_sigma ? set->sigma_m : 1;
         memcpy((char *)out + offset, &mean, sizeof mean);
     }
     return STATUS_OK;
@@ -320,14 +343,14 @@ static enum status_code mean_curve(struct model_curve *curve, struct repeats_res
     if (mean_number(&curve->full_load, &result->full_load, runs, set, full, true, status) != STATUS_OK ||
         mean_number(&curve->closed_load, &unused, runs, set, closed, true, status) != STATUS_OK ||
         mean_number(&curve->beta, &result->beta, runs, set, beta, false, status) != STATUS_OK ||
-        mean_point(&curve->full, NULL, runs, set, SIZE_MAX, status) != STATUS_OK)
+        mean_point(&curve->full, NULL, runs, set, model, SIZE_MAX, status) != STATUS_OK)
         return status->code;
     curve->full.load = curve->full_load;
     for (size_t i = 0; i < task->load_count && all_reach(runs, i, task->loads[i]); i++) {
         struct contact_point *point = &curve->points[curve->count++];
-        point->load = task->loads[i];
-        if (mean_point(point, estimates, runs, set, i, status) != STATUS_OK)
+        if (mean_point(point, estimates, runs, set, model, i, status) != STATUS_OK)
             return status->code;
+        point->load = task->loads[i];
         fill_band(&result->band[i], estimates, model);
         for (int q = 0; q < QUANTITY_COUNT && i == model_task_operating(task); q++)
             result->middle[q] = estimates[model_shown(model, (enum quantity)q)];

@@ -38,6 +38,7 @@ struct repeat_set {
     size_t count, capacity; /* 0: a single scan, the surface itself */
     struct repeats_scan *scans;
     size_t scan_count;
+    double sigma_m;    /* rms height of the surface */
     bool no_intervals; /* a rough counterface adds scatter of its own, which its scans do not tell */
 };
 void repeats_free(struct repeat_set *set);
@@ -74,8 +75,8 @@ MUST_CHECK enum status_code repeats_estimate_grouped(struct estimate *out, const
 MUST_CHECK enum status_code repeats_laws(struct repeats *out, const struct repeat_set *set, const struct power_law *law,
                                          struct status *status);
 
-/** Intervals at a load, low and high, of the quantity that the model shows as separation, and of the others as they
- * are. NaN where not known. */
+/** Intervals at a load, low and high: of the separation that the model shows over sigma, record by record, and of the
+ * others as they are. NaN where not known. */
 struct repeats_band {
     double load;
     double mean[QUANTITY_COUNT][2]; /* 95 %: where the surface's mean lies */
@@ -91,8 +92,8 @@ struct model_task repeats_task(struct asperities *asperities, const struct repea
 
 /** What repeats_model() fills beside the curve. */
 struct repeats_result {
-    struct repeats_band *band; /* task->load_count, the caller's, made by repeats_band_make() */
-    struct estimate middle[QUANTITY_COUNT];
+    struct repeats_band *band;              /* task->load_count, the caller's, made by repeats_band_make() */
+    struct estimate middle[QUANTITY_COUNT]; /* as in a band */
     struct estimate full_load, beta;
     size_t left_out; /* parts on which the model has no solution */
 };
@@ -107,8 +108,11 @@ struct model_task repeats_run_task(struct asperities *asperities, size_t *scan, 
 bool repeats_several(const struct repeat_set *set, const struct model_row *model);
 
 /** Runs a model on every part alone; for repeats_several() only. `curve` (its points: the caller's) is what the surface
- * has: at every load at which all have an answer, the geometric mean, of separations the arithmetic one; so are the
- * loads of full contact and beta. A resistance of which some parts have none left is empty. Error: STATUS_MEMORY. */
+ * has: at every load at which all have an answer, the geometric mean; so are the loads of full contact. Separations
+ * are the means of each run's separation/sigma, times the surface's sigma; a statistical model's own one, and beta,
+ * which may be negative, have the arithmetic mean. A resistance or separation shown of which some parts
+ * have none left is empty. Error:
+ * STATUS_MEMORY. */
 MUST_CHECK enum status_code repeats_model(struct model_curve *curve, struct repeats_result *result,
                                           const struct repeat_set *set, const struct model_row *model,
                                           const struct model_task *task, struct status *status);

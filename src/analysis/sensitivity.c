@@ -3,7 +3,6 @@
 
 #include "analysis/piece.h"
 #include "profile/filter.h"
-#include "profile/record_window.h"
 #include "spectrum/grid.h"
 #include <math.h>
 #include <stdlib.h>
@@ -39,14 +38,15 @@ static enum status_code add_means(struct sensitivity_scan *out, size_t so_far, s
     return rc;
 }
 
-/** Half of the profile, or the whole of it smoothed, in room->record. */
+/** Half of the profile, or the whole of it, smoothed or not, in room->record. */
 static enum status_code take_variant(struct fft_room *room, size_t points, enum sensitivity_variant variant,
                                      const struct profile *profile, double lambda_s_m, struct status *status)
 {
     double cutoff_m = 2 * sensitivity_cutoff(profile->spacing_m, lambda_s_m);
     if (variant == SENSITIVITY_CUTOFF)
-        return filter_gaussian(room->record, profile->height_m, points, profile->spacing_m, cutoff_m, status);
-    const double *first_m = profile->height_m + (variant == SENSITIVITY_FIRST_HALF ? 0 : profile->points - points);
+        return filter_gaussian(room->record, profile->height_m, points, profile->spacing_m, cutoff_m, profile->periodic,
+                               status);
+    const double *first_m = profile->height_m + (variant == SENSITIVITY_SECOND_HALF ? profile->points - points : 0);
     memcpy(room->record, first_m, points * sizeof *first_m);
     return STATUS_OK;
 }
@@ -55,8 +55,10 @@ enum status_code sensitivity_add(struct sensitivity *out, enum sensitivity_varia
                                  const struct profile *profile, const struct profile_options *how,
                                  enum spectrum_window window, enum roughness_moments moments, struct status *status)
 {
-    size_t points = variant == SENSITIVITY_CUTOFF ? profile->points : profile->points / 2;
-    const struct piece_how piece = {how->level, how->periodic_mean, profile->periodic, window, moments};
+    size_t points =
+        variant == SENSITIVITY_CUTOFF || variant == SENSITIVITY_WHOLE ? profile->points : profile->points / 2;
+    const struct piece_how piece = {how->level, how->periodic_mean, profile->periodic && variant == SENSITIVITY_CUTOFF,
+                                    window, moments};
     struct fft_room room;
     struct spectrum spectrum;
     struct roughness roughness;
@@ -138,13 +140,14 @@ static enum status_code run_variants(struct sensitivity_factors *out, const stru
         if (solve_one(&points[v], model, &own, status) != STATUS_OK)
             return status->code;
     }
-    const struct contact_point *first = &points[SENSITIVITY_FIRST_HALF], *second = &points[SENSITIVITY_SECOND_HALF];
+    const struct contact_point *first = &points[SENSITIVITY_FIRST_HALF], *second = &points[SENSITIVITY_SECOND_HALF],
+                               *whole = &points[SENSITIVITY_WHOLE];
     out->area[SENSITIVITY_CUTOFF_DOUBLED] = points[SENSITIVITY_CUTOFF].area_ratio / as_is->area_ratio;
-    out->area[SENSITIVITY_SCAN_HALVED] = sqrt(first->area_ratio * second->area_ratio) / as_is->area_ratio;
-    if (as_is->ecr_ohm_m2 > 0) {
+    out->area[SENSITIVITY_SCAN_HALVED] = sqrt(first->area_ratio * second->area_ratio) / whole->area_ratio;
+    if (as_is->ecr_ohm_m2 > 0)
         out->ecr[SENSITIVITY_CUTOFF_DOUBLED] = points[SENSITIVITY_CUTOFF].ecr_ohm_m2 / as_is->ecr_ohm_m2;
-        out->ecr[SENSITIVITY_SCAN_HALVED] = sqrt(first->ecr_ohm_m2) * sqrt(second->ecr_ohm_m2) / as_is->ecr_ohm_m2;
-    }
+    if (whole->ecr_ohm_m2 > 0)
+        out->ecr[SENSITIVITY_SCAN_HALVED] = sqrt(first->ecr_ohm_m2) * sqrt(second->ecr_ohm_m2) / whole->ecr_ohm_m2;
     return STATUS_OK;
 }
 

@@ -7,8 +7,15 @@
 #include "contact/model.h"
 #include "profile/profile.h"
 
-/** A changed scan: its heights low-passed at twice the cut-off, or one half of them. */
-enum sensitivity_variant { SENSITIVITY_CUTOFF, SENSITIVITY_FIRST_HALF, SENSITIVITY_SECOND_HALF, SENSITIVITY_VARIANTS };
+/** A changed scan: its heights low-passed at twice the cut-off; one half of them; and what halves are held against, the
+ * whole levelled and windowed as they are: half of a scan that closes on itself does not. */
+enum sensitivity_variant {
+    SENSITIVITY_CUTOFF,
+    SENSITIVITY_FIRST_HALF,
+    SENSITIVITY_SECOND_HALF,
+    SENSITIVITY_WHOLE,
+    SENSITIVITY_VARIANTS
+};
 
 /** What is changed, one thing at a time. */
 enum sensitivity_change {
@@ -46,9 +53,9 @@ struct sensitivity_factors {
 /** The cut-off of a scan: lambda_s where one is stated, else twice the spacing. */
 double sensitivity_cutoff(double spacing_m, double lambda_s_m);
 
-/** Adds one variant of a profile: low-passed (ISO 16610-21) at twice sensitivity_cutoff(), or one of its halves;
- * levelled again. Each variant on any thread; sensitivity_end() once all of a profile are there. Error:
- * STATUS_MEMORY. */
+/** Adds one variant of a profile: low-passed (ISO 16610-21) at twice sensitivity_cutoff(), levelled and windowed as the
+ * profile is; or a half, or the whole as one that does not close on itself. Each variant on any thread;
+ * sensitivity_end() once all of a profile are there. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code sensitivity_add(struct sensitivity *out, enum sensitivity_variant variant,
                                             const struct profile *profile, const struct profile_options *how,
                                             enum spectrum_window window, enum roughness_moments moments,
@@ -58,7 +65,7 @@ void sensitivity_free(struct sensitivity *sensitivity);
 
 /** Runs a model on the variants, and with the hardness raised, at the one load of `task`, whose surface is as it is,
  * and compares with `as_is` (NULL: what the model answers for `task` itself, which it then runs too); of the halves the
- * geometric mean counts. Error: STATUS_MEMORY. */
+ * geometric mean counts, over the whole. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code sensitivity_run(struct sensitivity_factors *out, const struct sensitivity *sensitivity,
                                             const struct model_row *model, const struct model_task *task,
                                             const struct contact_point *as_is, struct status *status);

@@ -31,10 +31,17 @@ double surface_short_gamma(const struct power_law *law)
     return isfinite(law->knee_m) ? law->gamma_below : law->gamma;
 }
 
+bool surface_tells_gamma(const struct surface_summary *summary)
+{
+    const struct power_law *law = &summary->power_law;
+    double known_m = summary->length_m / (double)summary->tail.count;
+    return power_law_holds(law) && (isnan(law->knee_m) || known_m <= law->band_m[0] * (1 + 1e-9));
+}
+
 bool surface_diverges(const struct surface_summary *summary)
 {
     const struct power_law *law = &summary->power_law;
-    return power_law_holds(law) && surface_short_gamma(law) + law->gamma_error < 1;
+    return surface_tells_gamma(summary) && surface_short_gamma(law) + law->gamma_error < 1;
 }
 
 const struct curve_summary *surface_model(const struct surface_summary *summary, size_t m)

@@ -27,6 +27,7 @@ struct surface_summary {
     bool usable;                       /* false: refused, see `refusal` */
     char *refusal;                     /* one line; owned */
     char *notes;                       /* one line a warning; owned, NULL: none */
+    size_t refused_scans;              /* of several; the notes begin with a line of each */
     char hash[65];                     /* SHA-256 of the first file (of all of them one after another), hexadecimal */
     char format[32];
     char units[40];                 /* "x mm, z um" as read */
@@ -49,7 +50,7 @@ struct surface_summary {
     double independent;           /* scans averaged; rows of a map count less */
     size_t periodic;              /* of the scans: those that close on themselves */
     size_t windowed;              /* of the scans: those whose spectrum was taken under a Hann window */
-    struct convergence_tail tail; /* the spectrum's own short end, carried on below the sampling limit */
+    struct convergence_tail tail; /* the spectrum's own short end, carried on below what is known */
     size_t harmonics;
     struct curve_bounds *bounds; /* [model], of an `auto` scene; owned like the texts, NULL: effects are listed */
     bool converged; /* no scale below the sampling limit can take any area at the convergence study's load; the same */
@@ -96,8 +97,11 @@ void surface_note(struct surface_summary *summary, const char *format, ...) PRIN
 
 /** gamma at short wavelengths, where convergence is decided. */
 double surface_short_gamma(const struct power_law *law);
+/** Is there a law whose slope at short wavelengths is the surface's? Not where that side of a knee reaches below what
+ * is known, to what rounding has left. */
+bool surface_tells_gamma(const struct surface_summary *summary);
 /** The one criterion of divergence (4.55): gamma is below 1 by more than its standard error; where two slopes fit
- * better than one law, the one at short wavelengths. False without a law. */
+ * better than one law, the one at short wavelengths. False where nothing tells. */
 bool surface_diverges(const struct surface_summary *summary);
 
 /** What the models are asked of a described surface at `loads`, P/(A_n E') of its pair. */

@@ -23,7 +23,7 @@ bool uncertainty_holds(const struct plan *plan, size_t model)
            (plan->all_uncertain || model == plan_leading_model(plan));
 }
 
-/** All answers, as logarithms where the quantity is logarithmic. */
+/** All answers, as logarithms. */
 struct answers {
     double record[QUANTITY_COUNT][UNCERTAINTY_LOADS][RECORDS];
     double record_quarter[QUANTITY_COUNT][RECORDS * QUARTERS];
@@ -68,10 +68,12 @@ static struct model_task record_task(const struct model_task *task, const struct
     return own;
 }
 
-static double answer(const struct contact_point *point, enum quantity quantity, const struct model_row *model)
+/** ln answer of a record of rms height sigma_m. */
+static double answer(const struct contact_point *point, enum quantity quantity, const struct model_row *model,
+                     double sigma_m)
 {
-    double value = quantity_value(point, model_shown(model, quantity));
-    return !quantity_rows[quantity].logarithmic ? value : value > 0 ? log(value) : NAN;
+    double value = quantity_shown(point, model_shown(model, quantity), sigma_m);
+    return value > 0 ? log(value) : NAN;
 }
 
 /** Takes heights through everything. put: where the answer of model m, quantity and load goes. */
@@ -116,7 +118,7 @@ static enum status_code take(struct pass *pass, const double *height_m, size_t p
             for (int q = 0; q < QUANTITY_COUNT; q++)
                 *place(&pass->answers[m], (enum quantity)q, i, record, quarter) =
                     rc == STATUS_OK && curve.exists && i < curve.count && room[i].load == loads.load[i]
-                        ? answer(&room[i], (enum quantity)q, model_rows[m])
+                        ? answer(&room[i], (enum quantity)q, model_rows[m], asperities.sigma_m)
                         : NAN;
     }
     spectrum_free(&spectrum);
@@ -237,7 +239,9 @@ enum status_code uncertainty_run(struct uncertainty *out, const struct uncertain
 struct estimate uncertainty_estimate(const struct uncertainty *uncertainty, enum quantity quantity, double value)
 {
     const struct single_scan *single = &uncertainty->middle[quantity];
-    return isnan(single->s) ? estimate_none : estimate_single(value, single, quantity_rows[quantity].logarithmic);
+    struct estimate out = isnan(single->s) ? estimate_none : estimate_single(value, single, true);
+    out.share = quantity == QUANTITY_AREA;
+    return out;
 }
 
 /** Half-width at a load; where the scan is not the same along its length, at least the one its quarters give. */
@@ -258,21 +262,21 @@ static double half_width_at(const struct uncertainty *uncertainty, enum quantity
 }
 
 void uncertainty_band(struct repeats_band *band, const struct uncertainty *uncertainty, const struct model_curve *curve,
-                      const struct model_row *model)
+                      const struct model_row *model, double sigma_m)
 {
     for (int q = 0; q < QUANTITY_COUNT; q++)
         for (size_t i = 0; i < curve->count; i++) {
             const struct contact_point *point = &curve->points[i];
-            bool logarithmic = quantity_rows[q].logarithmic;
-            double value = answer(point, (enum quantity)q, model);
-            double half_width = repeats_band_holds((enum quantity)q)
-                                    ? half_width_at(uncertainty, (enum quantity)q, log(point->load))
-                                    : NAN;
+            struct estimate own = estimate_none;
+            own.logarithmic = true;
+            own.share = q == QUANTITY_AREA;
+            own.mean = answer(point, (enum quantity)q, model, sigma_m);
+            own.half_width = repeats_band_holds((enum quantity)q)
+                                 ? half_width_at(uncertainty, (enum quantity)q, log(point->load))
+                                 : NAN;
             if (point->load != band[i].load)
                 continue; /* a statistical curve closes at a load of its own */
-            for (int side = 0; side < 2; side++) {
-                double end = value + (side ? half_width : -half_width);
-                band[i].mean[q][side] = logarithmic ? exp(end) : end;
-            }
+            for (int side = 0; side < 2; side++)
+                band[i].mean[q][side] = estimate_end(&own, side);
         }
 }

@@ -20,8 +20,8 @@ struct uncertainty_scan {
     const struct model_task *task; /* of the scan itself */
 };
 
-/** Deviations of one model's answers, all of ln answer, of a separation itself: of the quantities of a repeats_band, as
- * the model shows them. NaN: a record has no answer there. */
+/** Deviations of one model's answers, all of ln answer: of the quantities of a repeats_band, as they are there. NaN: a
+ * record has no answer there. */
 struct uncertainty {
     double ln_load[UNCERTAINTY_LOADS], s[QUANTITY_COUNT][UNCERTAINTY_LOADS];
     size_t loads;
@@ -48,9 +48,10 @@ extern const double uncertainty_most_seconds;
 /** Likely seconds of a height on one core: drawn, levelled, transformed. */
 extern const double uncertainty_height_seconds;
 
-/** What follows for the answer at the middle load, and in a band: half-widths at every load of a curve. */
+/** What follows for the answer at the middle load, and in a band: half-widths at every load of the curve of a scan of
+ * rms height sigma_m. */
 struct estimate uncertainty_estimate(const struct uncertainty *uncertainty, enum quantity quantity, double value);
 void uncertainty_band(struct repeats_band *band, const struct uncertainty *uncertainty, const struct model_curve *curve,
-                      const struct model_row *model);
+                      const struct model_row *model, double sigma_m);
 
 #endif

@@ -30,7 +30,12 @@
     X(XML_ELEMENTS, 1000000, "items", "elements", "elements and attributes of main.xml",                               \
       "store the points in a binary file")                                                                             \
     X(XML_TAG_BYTES, 1048576, "bytes", "tag", "a tag or comment of main.xml", "export the scan again")                 \
-    X(XML_DEPTH, 64, "elements", "depth", "elements of main.xml within one another", "export the scan again")
+    X(XML_DEPTH, 64, "elements", "depth", "elements of main.xml within one another", "export the scan again")          \
+    X(MEASURED_LINES, 100000, "lines", "measured", "lines of a file of measured resistance", "thin it")                \
+    X(MEASURED_LINE_BYTES, 1000, "bytes", "measured-line", "a line of it", "shorten it")                               \
+    X(NAME_BYTES, 255, "bytes", "name", "the name of a surface, which every row of the tables repeats", "shorten it")  \
+    X(DIRECT_POINTS, 1073741824, "points", "direct", "the square of the grid times the seeds of the direct solution",  \
+      "take a smaller grid, or fewer seeds")
 
 enum limit {
 #define LIMIT_ENUM(key, most, unit, name, meaning, remedy) LIMIT_##key,

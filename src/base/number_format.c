@@ -108,3 +108,15 @@ void number_format_range(struct text *out, double least_value, double most_value
     text_free(&low);
     text_free(&high);
 }
+
+void number_format_interval(struct text *out, const char *before, double low, double high, int digits,
+                            const char *after)
+{
+    struct text ends[2] = {{0}, {0}};
+    number_format(&ends[0], low, digits);
+    number_format(&ends[1], high, digits);
+    if (strcmp(text_string(&ends[0]), text_string(&ends[1])) != 0)
+        text_add(out, "%s%s…%s%s", before, text_string(&ends[0]), text_string(&ends[1]), after);
+    text_free(&ends[0]);
+    text_free(&ends[1]);
+}

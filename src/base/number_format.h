@@ -15,6 +15,9 @@ void number_format_given(struct text *out, double value);
 void number_format_uncertain(struct text *out, double value, double error);
 /** "least to most", or one number when both are the same to the digits shown. */
 void number_format_range(struct text *out, double least, double most, int digits);
+/** "low…high" between two texts; nothing where neither is known, or both read alike. */
+void number_format_interval(struct text *out, const char *before, double low, double high, int digits,
+                            const char *after);
 /** number_format() between two fixed texts. */
 void number_format_between(struct text *out, const char *before, double value, int digits, const char *after);
 

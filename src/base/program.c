@@ -3,24 +3,21 @@
 #include "base/clock.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <poll.h>
 #include <pthread.h>
+#include <signal.h>
 #include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
-#include <sys/syscall.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 
 extern char **environ;
 
-enum { MOST = 256, WAIT_MS = 50, PAUSE_MS = 2, STACK_BYTES = 8 << 20 };
+enum { MOST = 256, PAUSE_MS = 2 };
 static const double last_seconds = 0.2; /* for a killed program to be gone */
 
 static atomic_bool stop;
@@ -42,125 +39,76 @@ bool program_find(char *out, size_t size, const char *name)
     return false;
 }
 
-void program_ending_signals(sigset_t *out)
-{
-    static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
-    sigemptyset(out);
-    for (size_t i = 0; i < sizeof signals / sizeof *signals; i++) {
-        struct sigaction action;
-        if (sigaction(signals[i], NULL, &action) == 0 && action.sa_handler != SIG_IGN)
-            sigaddset(out, signals[i]);
-    }
-}
-
-void program_hold_signals(sigset_t *before)
-{
-    sigset_t signals;
-    program_ending_signals(&signals);
-    pthread_sigmask(SIG_BLOCK, &signals, before);
-}
-
-void program_let_signals(const sigset_t *before)
-{
-    pthread_sigmask(SIG_SETMASK, before, NULL);
-}
-
 void program_stop(void)
 {
     stop = true;
 }
 
-static bool is_asked_to_stop(void)
-{
-    sigset_t pending, signals, both;
-    program_ending_signals(&signals);
-    return stop || (sigpending(&pending) == 0 && sigandset(&both, &pending, &signals) == 0 && !sigisemptyset(&both));
-}
-
-/* What the child needs of its parent, whose memory it shares until it is another program. */
-struct child {
-    const struct program_task *task;
-    pid_t parent;
-    int report; /* takes the errno that says why it is none */
-};
-
-static void give_stack(void)
-{
-    struct rlimit limit; /* `ulimit -s 64` is enough for this program, perhaps not for others */
-    if (getrlimit(RLIMIT_STACK, &limit) != 0 || limit.rlim_cur >= STACK_BYTES)
-        return;
-    struct rlimit usual = {STACK_BYTES, limit.rlim_max > STACK_BYTES ? limit.rlim_max : STACK_BYTES};
-    if (setrlimit(RLIMIT_STACK, &usual) == 0)
-        return;
-    limit.rlim_cur = limit.rlim_max < STACK_BYTES ? limit.rlim_max : STACK_BYTES;
-    setrlimit(RLIMIT_STACK, &limit);
-}
-
-static bool give_descriptor(int from, int to)
-{
-    return from == to ? fcntl(to, F_SETFD, 0) == 0 : dup2(from, to) == to;
-}
-
-/* Becomes the program. System calls alone: other threads of the parent may hold any lock. */
-_Noreturn static void become(const struct child *child)
+/** By vfork(), as posix_spawn() can do all of this but bind the child's life to ours. The child shares the memory of
+ * its parent, of whose other threads any may hold a lock: system calls alone. Leaves in *error why it did not come to
+ * run. */
+__attribute__((noinline)) static pid_t divide(const struct program_task *task, char *const *environment,
+                                              volatile int *error)
 {
     static const int usual[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXFSZ, SIGCHLD};
-    const struct program_task *task = child->task;
-    struct sigaction action = {.sa_handler = SIG_DFL};
-    sigset_t none;
-    sigemptyset(&none);
+    const struct sigaction action = {.sa_handler = SIG_DFL};
+    pid_t parent = getpid(), process = vfork();
+    if (process != 0) {
+        *error = process < 0 ? errno : *error;
+        return process;
+    }
     for (size_t i = 0; i < sizeof usual / sizeof *usual; i++)
         sigaction(usual[i], &action, NULL);
-    give_stack();
-    if (setpgid(0, 0) == 0 && prctl(PR_SET_PDEATHSIG, SIGKILL) == 0 && getppid() == child->parent &&
-        chdir(task->directory) == 0 && give_descriptor(task->output, STDERR_FILENO) &&
-        give_descriptor(task->input, STDIN_FILENO) && give_descriptor(task->output, STDOUT_FILENO) &&
-        sigprocmask(SIG_SETMASK, &none, NULL) == 0)
-        execve(task->path, task->arguments, task->environment);
-    int error = errno;
-    (void)!write(child->report, &error, sizeof error);
+    if (setpgid(0, 0) == 0 && prctl(PR_SET_PDEATHSIG, SIGKILL) == 0 && getppid() == parent &&
+        chdir(task->directory) == 0 && dup2(task->output, STDERR_FILENO) >= 0 && dup2(task->input, STDIN_FILENO) >= 0 &&
+        dup2(task->output, STDOUT_FILENO) >= 0 && sigprocmask(SIG_SETMASK, &action.sa_mask, NULL) == 0)
+        execve(task->path, task->arguments, environment);
+    *error = errno;
     _exit(127);
 }
 
-/* vfork(): posix_spawn() can do all of this but bind the child's life to ours; fork() copies the tables of all memory.
- */
-__attribute__((noinline)) static pid_t divide(const struct child *child)
+/** The environment that it gets, whose strings stay others'. NULL: out of memory. */
+static char **environment_of(const struct program_task *task)
 {
-    pid_t process = vfork();
-    if (process == 0)
-        become(child);
-    return process;
+    size_t count = 0, kept = 0;
+    while (environ[count])
+        count++;
+    char **own = calloc(count + 2, sizeof *own);
+    for (size_t i = 0; own && i < count; i++) {
+        const char *const *drop = task->drops;
+        while (*drop && strncmp(environ[i], *drop, strlen(*drop)) != 0)
+            drop++;
+        if (!*drop)
+            own[kept++] = environ[i];
+    }
+    if (own)
+        own[kept] = task->adds;
+    return own;
 }
 
 int program_start(pid_t *process, const struct program_task *task)
 {
-    int ends[2], error = 0;
+    volatile int error = 0;
+    char **environment = environment_of(task);
     sigset_t all, before;
     size_t place = 0;
-    if (pipe2(ends, O_CLOEXEC) != 0)
-        return errno;
-    const struct child child = {task, getpid(), ends[1]};
+    if (!environment)
+        return ENOMEM;
+    *process = -1;
     sigfillset(&all);
     pthread_sigmask(SIG_SETMASK, &all, &before); /* no handler of ours may run in the child */
     pthread_mutex_lock(&lock);
     while (place < MOST && running[place])
         place++;
-    pid_t started = -1;
     if (stop || place == MOST)
         error = stop ? ECANCELED : EAGAIN;
-    else if ((started = divide(&child)) < 0)
-        error = errno;
-    else
-        running[place] = started;
+    else if ((*process = divide(task, environment, &error)) > 0)
+        running[place] = *process;
     pthread_mutex_unlock(&lock);
     pthread_sigmask(SIG_SETMASK, &before, NULL);
-    close(ends[1]);
-    if (!error && read(ends[0], &error, sizeof error) != sizeof error)
-        error = 0;
-    close(ends[0]);
-    if (error && started > 0)
-        program_end(started);
-    *process = started;
+    free(environment);
+    if (error && *process > 0)
+        program_end(*process);
     return error;
 }
 
@@ -173,30 +121,31 @@ static bool has_ended(pid_t process)
 
 enum program_state program_wait(pid_t process, double until, int descriptor)
 {
-    int ending = (int)syscall(SYS_pidfd_open, process, 0); /* readable when it ends; an older kernel has none */
-    struct pollfd looked[] = {{.fd = ending, .events = POLLIN}, {.fd = descriptor, .events = POLLOUT}};
-    enum program_state state = PROGRAM_RUNS;
-    do {
+    struct pollfd looked = {.fd = descriptor, .events = POLLOUT};
+    for (;;) {
         if (has_ended(process))
-            state = PROGRAM_ENDED;
-        else if (is_asked_to_stop())
-            state = PROGRAM_STOPPED;
-        else if (clock_seconds() > until)
-            state = PROGRAM_LATE;
-        else if (poll(looked, 2, ending >= 0 ? WAIT_MS : PAUSE_MS) > 0 && looked[1].revents)
-            break;
-    } while (state == PROGRAM_RUNS);
-    if (ending >= 0)
-        close(ending);
-    return state;
+            return PROGRAM_ENDED;
+        if (stop)
+            return PROGRAM_STOPPED;
+        if (clock_seconds() > until)
+            return PROGRAM_LATE;
+        if (poll(&looked, 1, PAUSE_MS) > 0)
+            return PROGRAM_RUNS;
+    }
+}
+
+/** It, and all that it may have left running. */
+static void kill_all_of(pid_t process)
+{
+    kill(-process, SIGKILL);
+    kill(process, SIGKILL);
 }
 
 int program_end(pid_t process)
 {
     siginfo_t info;
     int how = 0;
-    kill(-process, SIGKILL); /* and what it may have left running */
-    kill(process, SIGKILL);
+    kill_all_of(process);
     while (waitid(P_PID, (id_t)process, &info, WEXITED | WNOWAIT) != 0 && errno == EINTR)
         ;
     pthread_mutex_lock(&lock); /* from here on its id may be another's */
@@ -211,66 +160,13 @@ int program_end(pid_t process)
 
 void program_kill(void)
 {
-    const struct timespec pause = {0, PAUSE_MS * 1000000L};
     double until = clock_seconds() + last_seconds;
     pthread_mutex_lock(&lock);
     for (size_t i = 0; i < MOST; i++)
-        if (running[i]) {
-            kill(-running[i], SIGKILL);
-            kill(running[i], SIGKILL);
-        }
+        if (running[i])
+            kill_all_of(running[i]);
     for (size_t i = 0; i < MOST; i++)
         while (running[i] && !has_ended(running[i]) && clock_seconds() < until)
-            nanosleep(&pause, NULL);
+            poll(NULL, 0, PAUSE_MS);
     pthread_mutex_unlock(&lock);
-}
-
-/* The environment with another HOME; the other strings stay environ's. NULL: out of memory. */
-static char **environment_with(char *home)
-{
-    size_t count = 0, kept = 0;
-    while (environ[count])
-        count++;
-    char **own = calloc(count + 2, sizeof *own);
-    if (!own)
-        return NULL;
-    for (size_t i = 0; i < count; i++)
-        if (strncmp(environ[i], "HOME=", 5) != 0)
-            own[kept++] = environ[i];
-    own[kept] = home;
-    return own;
-}
-
-enum status_code program_run(char *const *arguments, const char *directory, double seconds, struct status *status)
-{
-    pid_t process;
-    int error = ENOMEM, nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
-    char *home = NULL;
-    if (nothing < 0)
-        return status_fail(status, STATUS_IO, "cannot open '/dev/null': %s", strerror(errno));
-    if (asprintf(&home, "HOME=%s", directory) < 0) {
-        close(nothing);
-        return status_memory(status);
-    }
-    char **environment = environment_with(home);
-    if (environment)
-        error = program_start(
-            &process, &(struct program_task){arguments, arguments[0], directory, environment, nothing, nothing});
-    free(environment);
-    free(home);
-    close(nothing);
-    const char *slash = strrchr(arguments[0], '/'), *name = slash ? slash + 1 : arguments[0];
-    if (error == ECANCELED)
-        return status_fail(status, STATUS_INTERRUPTED, "'%s' was stopped by a signal", name);
-    if (error)
-        return status_fail(status, STATUS_IO, "cannot start '%s': %s", arguments[0], strerror(error));
-    enum program_state state = program_wait(process, clock_seconds() + seconds, -1);
-    int how = program_end(process);
-    if (state == PROGRAM_STOPPED)
-        return status_fail(status, STATUS_INTERRUPTED, "'%s' was stopped by a signal", name);
-    if (state == PROGRAM_LATE)
-        return status_fail(status, STATUS_IO, "'%s' took more than %g s", name, seconds);
-    if (!WIFEXITED(how) || WEXITSTATUS(how) != 0)
-        return status_fail(status, STATUS_IO, "'%s' failed", name);
-    return STATUS_OK;
 }

@@ -1,24 +1,40 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A directory below TMPDIR for what another program reads and writes: `roughcontact-XXXXXX`, in which the file `lock`
- * is locked for as long as the process that made it lives. What a killed process has left behind goes with the next. */
+/* Directories of the program's own, which go when it is made to end, and those of a killed one with the next. One is
+ * known by the file `lock-INODE-DEVICE-` in it, locked for as long as its process lives: as it names the directory
+ * itself, no archive and no copy can bring one along. */
 #ifndef BASE_TEMPORARY_H
 #define BASE_TEMPORARY_H
 
 #include "base/status.h"
 #include <limits.h>
-#include <stddef.h>
 
 struct temporary {
-    char path[PATH_MAX];
-    size_t number; /* of leftover_add() */
-    int lock;      /* its descriptor */
+    char path[PATH_MAX];    /* "": none */
+    int directory, lock;    /* descriptors */
+    struct temporary *next; /* of those that go when the program is made to end */
 };
 
-/** Makes one, with mode 0700, after it has removed those of this user whose process is no more. Error: STATUS_IO. To be
- * removed by temporary_remove(); goes by itself when the program is made to end. */
-MUST_CHECK enum status_code temporary_make(struct temporary *out, struct status *status);
-
+/** Makes one of mode 0700, `roughcontact-XXXXXX` in TMPDIR or the hidden `.roughcontact-XXXXXX` in `parent`; it is not
+ * to be moved in memory. Before, clear() takes out what processes of this user that are no more have left in theirs
+ * (NULL: all goes), which then go if they are empty, else lose the dot that hides them. Error: STATUS_IO. */
+MUST_CHECK enum status_code temporary_make(struct temporary *out, const char *parent, void (*clear)(int directory),
+                                           struct status *status);
+/** From here on it stays when the program is made to end. */
+void temporary_forget(struct temporary *temporary);
+/** Removes its lock and, if nothing else is in it, the directory: what stays is no longer the program's. */
+void temporary_close(struct temporary *temporary);
 /** Removes it with all in it. */
 void temporary_remove(struct temporary *temporary);
+/** Removes an entry of the open directory, with all in it; follows no link. */
+void temporary_remove_entry(int directory, const char *name);
+
+/** What to tell when the program is made to end, such as "'out' is as it was before". */
+void temporary_note(const char *note);
+/** Between these two the program is not made to end, but where they take too long. May be nested. */
+void temporary_hold(void);
+void temporary_release(void);
+/** Removes all of them, while others may still be writing there, and returns the note. Holds, and never releases: the
+ * program has to end now. */
+const char *temporary_end(void);
 
 #endif

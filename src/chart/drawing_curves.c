@@ -537,7 +537,7 @@ void drawing_curves(struct text *out, struct drawing *drawing, const char *termi
                             .drawing = drawing,
                             .role = calloc(drawing->blocks + 1, sizeof *curves.role),
                             .letters = terminal_size,
-                            .note_band = "95 % interval of the mean"};
+                            .note_band = "95 % interval, scans of this length"};
     struct marks *marks = calloc(drawing->blocks + 1, sizeof *marks);
     struct figure_extent x;
     double top, height;

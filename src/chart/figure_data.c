@@ -108,14 +108,13 @@ static void put_band(struct figure_file *out, const struct surface_record *recor
     enum quantity y = out->figure->row->y;
     if (!record->bands || !record->bands[model] || out->figure->row->x != QUANTITY_LOAD || !repeats_band_holds(y))
         return;
-    double scale = quantity_rows[y].over_sigma ? 1 / record->summary.asperities.sigma_m : 1;
     char band_style[32];
     snprintf(band_style, sizeof band_style, "%sb", style);
     drawing_begin(&out->drawing, band_style, "band");
     for (size_t i = 0; i < record->band_count; i++) {
         const struct repeats_band *band = &record->bands[model][i];
-        double low = band->mean[y][0] * scale, high = band->mean[y][1] * scale;
-        if (isfinite(low) && isfinite(high) && (!quantity_rows[y].logarithmic || low > 0)) {
+        double low = band->mean[y][0], high = band->mean[y][1];
+        if (isfinite(low) && isfinite(high) && low > 0) {
             put(out, out->load_scale * band->load, low, high);
             reach(&out->y, low);
             reach(&out->y, high);
@@ -255,9 +254,7 @@ static void put_spectrum(struct figure_file *out, const struct surface_record *r
         put_point(out, 1 / spectrum_frequency(&record->spectrum, index[k]), record->spectrum.amplitude_m[index[k]],
                   true, true);
     char fit[80] = "no power law";
-    if (isfinite(law->alpha_error))
-        snprintf(fit, sizeof fit, "α %.3g, γ %.3f ± %.3f", law->alpha, law->gamma, law->gamma_error);
-    else if (isfinite(law->gamma))
+    if (isfinite(law->gamma))
         snprintf(fit, sizeof fit, "γ %.2f ± %.2f%s", law->gamma, law->gamma_error,
                  law->found == POWER_LAW_BAND_NARROW ? ", narrow" : "");
     drawing_begin(&out->drawing, "fit", fit);
@@ -525,7 +522,7 @@ static void put_patches(struct figure_file *out, const struct direct_study *stud
 static double cost_error(const struct benchmark_row *row)
 {
     if (row->chart >= BENCHMARK_DIRECT_AREA)
-        return fmax(row->error, 1e-3); /* an error of exactly 0 has no place on a logarithmic axis */
+        return fmax(row->mean, 1e-3); /* an error of exactly 0 has no place on a logarithmic axis */
     return row->error < 1e-16 ? 0 : row->error;
 }
 

@@ -16,8 +16,6 @@
 #include <time.h>
 #include <unistd.h>
 
-extern char **environ;
-
 const double gnuplot_most_seconds = 120;
 
 static enum status_code gnuplot_need(char *program, size_t size, struct status *status)
@@ -33,46 +31,28 @@ enum status_code gnuplot_check(struct status *status)
     return gnuplot_need(program, sizeof program, status);
 }
 
-/* Variables through which a user's setup would change charts or messages. */
-static const char *const foreign_variables[] = {"GNU", "LC_", "LANG", "GDFONTPATH", "FIT_", "DUMB"};
+/* Beginnings of variables through which a user's setup would change charts or messages. */
+static const char *const foreign_variables[] = {"GNU", "LC_", "LANG", "GDFONTPATH", "FIT_", "DUMB", NULL};
 
-static bool gnuplot_is_foreign(const char *variable)
-{
-    for (size_t i = 0; i < sizeof foreign_variables / sizeof *foreign_variables; i++)
-        if (strncmp(variable, foreign_variables[i], strlen(foreign_variables[i])) == 0)
-            return true;
-    return false;
-}
-
-/* The environment without the foreign variables; the strings stay environ's. NULL when out of memory. */
-static char **gnuplot_environment(void)
-{
-    static char locale[] = "LC_ALL=C.UTF-8";
-    size_t count = 0, kept = 0;
-    while (environ[count])
-        count++;
-    char **clean = calloc(count + 2, sizeof *clean);
-    if (!clean)
-        return NULL;
-    for (size_t i = 0; i < count; i++)
-        if (!gnuplot_is_foreign(environ[i]))
-            clean[kept++] = environ[i];
-    clean[kept] = locale;
-    return clean;
-}
-
-/* Runs `program -d` (no start-up files) in `directory`. Returns 0 or the errno that says why not. */
+/* Runs `gnuplot -d` (no start-up files) in `directory`. Returns 0 or the errno that says why not. */
 static int gnuplot_spawn(pid_t *process, const char *program, const char *directory, int input, int output)
 {
-    char **environment = gnuplot_environment();
-    if (!environment)
-        return ENOMEM;
-    char name[] = "gnuplot", defaults[] = "-d";
+    static char locale[] = "LC_ALL=C.UTF-8", name[] = "gnuplot", defaults[] = "-d";
     char *const arguments[] = {name, defaults, NULL};
-    int error =
-        program_start(process, &(struct program_task){arguments, program, directory, environment, input, output});
-    free(environment);
-    return error;
+    return program_start(
+        process, &(struct program_task){arguments, program, directory, foreign_variables, locale, input, output});
+}
+
+/* An unnamed file that takes so many bytes of messages and no more; what was not written is 0. */
+static int gnuplot_log(void)
+{
+    enum { MOST_BYTES = 1 << 16 };
+    int log = memfd_create("gnuplot", MFD_CLOEXEC | MFD_ALLOW_SEALING);
+    if (log >= 0 && ftruncate(log, MOST_BYTES) == 0 && fcntl(log, F_ADD_SEALS, F_SEAL_GROW) == 0)
+        return log;
+    if (log >= 0)
+        close(log);
+    return -1;
 }
 
 enum status_code gnuplot_start(struct gnuplot *out, const char *directory, struct status *status)
@@ -83,7 +63,7 @@ enum status_code gnuplot_start(struct gnuplot *out, const char *directory, struc
     if (code)
         return code;
     int ends[2] = {-1, -1};
-    int log = memfd_create("gnuplot", MFD_CLOEXEC);
+    int log = gnuplot_log();
     int error = log < 0 || pipe2(ends, O_CLOEXEC) != 0 || fcntl(ends[1], F_SETFL, O_NONBLOCK) != 0 ||
                         !(out->complaints = fdopen(log, "r"))
                     ? errno

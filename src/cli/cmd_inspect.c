@@ -53,21 +53,20 @@ static const struct argp_option options[] = {
     {"column", KEY_COLUMN, "Z|X,Z", 0, "columns by number or title (default: the first two that can be x and z)", 0},
     {"level", KEY_LEVEL, "LEVEL", 0,
      "none, mean, line, parabola, circle or robust (default: line, mean of a periodic record; maps: plane)", 0},
-    {"lambda-s", KEY_LAMBDA_S, "METRES", 0, "cut-off of a Gaussian low-pass (default: none; profiles only)", 0},
-    {"lambda-c", KEY_LAMBDA_C, "METRES", 0, "cut-off of a high-pass: R beside P parameters (default: none)", 0},
+    {"lambda-s", KEY_LAMBDA_S, "LENGTH", 0, "cut-off of a Gaussian low-pass (default: none; profiles only)", 0},
+    {"lambda-c", KEY_LAMBDA_C, "LENGTH", 0, "cut-off of a high-pass: R beside P parameters (default: none)", 0},
     {"fit", KEY_FIT, "FIT", 0, "power law: auto, in the band found, or thesis, all harmonics (default: auto)", 0},
     {"limits", KEY_LIMITS, 0, 0, "print what a file may hold at most, and end (default: inspect files)", 0},
     {0},
 };
 
-/** A length in metres that is given as an option. */
-static double parse_length(const char *text, struct argp_state *state)
+/** The cut-off of a filter. */
+static double parse_cutoff(const char *name, const char *text, struct argp_state *state)
 {
-    char *end;
-    double value = strtod(text, &end);
-    if (end == text || *end != '\0' || !(value >= 1e-12 && value <= 1e3))
-        argp_error(state, "'%s' is no length in metres, 1e-12 to 1000", text);
-    return value;
+    double cutoff_m = command_length(name, text, state);
+    if (!(cutoff_m >= 1e-12 && cutoff_m <= 1e3))
+        argp_error(state, "--%s is '%s'; allowed is 1e-12 to 1000 m", name, text);
+    return cutoff_m;
 }
 
 /** Which of the `count` names is `value`? */
@@ -136,10 +135,10 @@ static error_t parse(int key, char *value, struct argp_state *state)
         arguments->fit = parse_name("fit", value, power_law_method_names, POWER_LAW_METHOD_COUNT, state);
         return 0;
     case KEY_LAMBDA_S:
-        arguments->how.lambda_s_m = parse_length(value, state);
+        arguments->how.lambda_s_m = parse_cutoff("lambda-s", value, state);
         return 0;
     case KEY_LAMBDA_C:
-        arguments->how.lambda_c_m = parse_length(value, state);
+        arguments->how.lambda_c_m = parse_cutoff("lambda-c", value, state);
         return 0;
     case ARGP_KEY_END:
         if (arguments->how.lambda_c_m > 0 && arguments->how.lambda_c_m <= arguments->how.lambda_s_m)
@@ -216,7 +215,7 @@ static enum status_code draw(const struct inspection *f, struct status *status)
     int columns, rows;
     command_terminal_size(&columns, &rows);
     snprintf(size, sizeof size, "%d,%d", columns, rows > 24 ? 24 : rows - 1);
-    if (temporary_make(&temporary, status) != STATUS_OK)
+    if (temporary_make(&temporary, NULL, NULL, status) != STATUS_OK)
         return status->code;
     enum status_code rc = write_chart(&script, temporary.path, f, false, size, status);
     if (rc == STATUS_OK)
@@ -277,6 +276,8 @@ static void show(struct outcome *outcome, const struct arguments *arguments, con
 static void inspect_file(struct outcome *outcome, const struct arguments *arguments, const char *path,
                          const struct scan_bytes *bytes, struct scan_options how)
 {
+    struct text text = {0};
+    struct scan_bytes held;
     do {
         struct status status = {0};
         struct inspection inspection;
@@ -292,7 +293,17 @@ static void inspect_file(struct outcome *outcome, const struct arguments *argume
         how.entry = inspection.scan.next_entry;
         text_free(&name);
         inspection_free(&inspection);
+        if (how.entry == 0 || bytes)
+            continue;
+        status = (struct status){0};
+        if (text_read_file(&text, path, &status) != STATUS_OK) { /* once for all its other scans */
+            refuse(outcome, arguments, path, status.message);
+            break;
+        }
+        held = (struct scan_bytes){text_string(&text), text.length, path};
+        bytes = &held;
     } while (how.entry > 0);
+    text_free(&text);
 }
 
 static void inspect_input(struct outcome *outcome, const struct arguments *arguments)

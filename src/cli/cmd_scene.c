@@ -168,11 +168,11 @@ static error_t parse_report(int key, char *value, struct argp_state *state)
 }
 
 /* Of the program over several processes; argp leads past main(). */
-static const struct direct_crew *contact_crew;
+static const struct direct_team *direct_team;
 
-void command_use_crew(const struct direct_crew *contacts)
+void command_use_team(const struct direct_team *team)
 {
-    contact_crew = contacts;
+    direct_team = team;
 }
 
 static void progress(size_t done, size_t total, const char *name)
@@ -239,7 +239,7 @@ static int report(char **written, struct arguments *arguments, struct scene *sce
     }
     arguments->run.templates = text_string(&templates);
     arguments->run.terminal_size = arguments->show ? size : NULL;
-    arguments->run.crew = contact_crew;
+    arguments->run.team = direct_team;
     arguments->run.outline = arguments->json;
     arguments->run.stop = signals_stop(STOP_MS);
     arguments->run.progress = isatty(STDERR_FILENO) ? progress : NULL;
@@ -254,7 +254,7 @@ static int report(char **written, struct arguments *arguments, struct scene *sce
         if (!arguments->json)
             printf("%s%s%s\n%s\n", text_string(&outcome.table), outcome.answers.length > 0 ? "\n" : "",
                    text_string(&outcome.answers), outcome.path);
-        if (outcome.refused > 0)
+        if (outcome.refused + outcome.left_out > 0)
             exit_status = COMMAND_REFUSED;
         if (arguments->check && outcome.missed_count > 0) {
             fputs(text_string(&outcome.missed), stderr);
@@ -404,7 +404,8 @@ int command_plan(int argc, char **argv)
     double seconds = rc == STATUS_OK ? prepare_rough_seconds(results, &arguments.run) : 0;
     if (rc == STATUS_OK && !arguments.json)
         print_plan(results, seconds, arguments.run.brief);
-    int exit_status = rc != STATUS_OK ? command_fail(&status) : refused > 0 ? COMMAND_REFUSED : COMMAND_DONE;
+    size_t left_out = messages_add_lost(&messages, &prepared);
+    int exit_status = rc != STATUS_OK ? command_fail(&status) : refused + left_out > 0 ? COMMAND_REFUSED : COMMAND_DONE;
     if (arguments.json)
         scene_json_print_plan(rc == STATUS_OK ? results : NULL, seconds, arguments.directory, arguments.run.brief,
                               text_string(&messages), exit_status, status.message);

@@ -1,13 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/text.h"
 #include "cli/command.h"
+#include "output/output.h"
 #include "profile/synth.h"
 #include "scan/scan.h"
 
 #include <argp.h>
+#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 struct arguments {
     struct synth_def def;
@@ -19,7 +23,9 @@ enum { KEY_GAMMA = 0x100, KEY_SCATTER };
 static const struct argp_option options[] = {
     {"alpha", 'a', "SI", 0, "alpha of amplitude = alpha lambda^gamma, in m^(1-gamma) (default 0.085)", 0},
     {"gamma", 'g', "G", 0, "gamma (default 1.5)", 0},
-    {"rq", 'r', "LENGTH", 0, "root mean square height to reach (default: what alpha and gamma give)", 0},
+    {"rq", 'r', "LENGTH", 0,
+     "root mean square height: scales the profile, or beside --alpha chooses the scatter (default: what alpha gives)",
+     0},
     {"length", 'l', "LENGTH", 0, "scan length (default 0.3mm)", 0},
     {"points", 'n', "N", 0, "points (default 1200)", 0},
     {"scatter", 'c', "DECADES", 0, "RMS scatter of the amplitudes about the law (default 0.2785, a Gaussian surface's)",
@@ -48,16 +54,6 @@ static double whole(const char *value, const char *name, double most, struct arg
     return result;
 }
 
-/** A length with its unit, such as 0.31mm or 8um; metres without one. */
-static double length(const char *value, const char *name, struct argp_state *state)
-{
-    char *end;
-    double result = strtod(value, &end), unit = *end ? scan_unit_m(end, strlen(end)) : 1;
-    if (end == value || unit == 0 || !isfinite(result))
-        argp_error(state, "--%s must be a length such as 0.31mm, not '%s'", name, value);
-    return result * unit;
-}
-
 static error_t parse(int key, char *value, struct argp_state *state)
 {
     struct arguments *arguments = state->input;
@@ -65,15 +61,16 @@ static error_t parse(int key, char *value, struct argp_state *state)
     switch (key) {
     case 'a':
         def->alpha = number(value, "alpha", state);
+        def->scaled = false;
         return 0;
     case 'g':
         def->gamma = number(value, "gamma", state);
         return 0;
     case 'r':
-        def->rq_m = length(value, "rq", state);
+        def->rq_m = command_length("rq", value, state);
         return 0;
     case 'l':
-        def->length_m = length(value, "length", state);
+        def->length_m = command_length("length", value, state);
         return 0;
     case 'n':
         def->points = (size_t)whole(value, "points", 1e8, state);
@@ -82,7 +79,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
         def->scatter_decades = number(value, "scatter", state);
         return 0;
     case 's':
-        def->lambda_s_m = length(value, "lambda-s", state);
+        def->lambda_s_m = command_length("lambda-s", value, state);
         return 0;
     case 'd':
         def->seed = (unsigned long)whole(value, "seed", 4294967295.0, state);
@@ -97,6 +94,33 @@ static error_t parse(int key, char *value, struct argp_state *state)
     }
 }
 
+/** Writes a file whole or not at all: in a hidden directory beside it, from where it takes its place. */
+static enum status_code write_file(const char *path, const struct text *content, struct status *status)
+{
+    struct temporary hidden;
+    struct stat info;
+    char *real = realpath(path, NULL), whole[PATH_MAX + 16];
+    const char *target = real ? real : path, *slash = strrchr(target, '/');
+    bool there = stat(path, &info) == 0;
+    if (there && !S_ISREG(info.st_mode)) { /* a pipe, a device */
+        free(real);
+        return text_write_file(path, content->data, content->length, status);
+    }
+    char *parent = slash ? strndup(target, (size_t)(slash - target) + 1) : strdup(".");
+    bool made = parent && temporary_make(&hidden, parent, output_clear, status) == STATUS_OK;
+    snprintf(whole, sizeof whole, "%s/report", made ? hidden.path : "");
+    if (!made || text_write_file(whole, content->data, content->length, status) != STATUS_OK ||
+        (there && chmod(whole, info.st_mode & 07777) != 0) || rename(whole, target) != 0) {
+        *status = (struct status){0};
+        (void)status_fail(status, STATUS_IO, "cannot write '%s': %s", path, status_reason(errno));
+    }
+    if (made)
+        temporary_remove(&hidden);
+    free(parent);
+    free(real);
+    return status->code;
+}
+
 static enum status_code write_scan(const struct arguments *arguments, const double *height_m, struct status *status)
 {
     const struct synth_def *def = &arguments->def;
@@ -109,7 +133,7 @@ static enum status_code write_scan(const struct arguments *arguments, const doub
     if (csv.failed)
         rc = status_memory(status);
     else if (arguments->output)
-        rc = text_write_file(arguments->output, csv.data, csv.length, status);
+        rc = write_file(arguments->output, &csv, status);
     else
         fwrite(csv.data, 1, csv.length, stdout);
     text_free(&csv);
@@ -119,14 +143,16 @@ static enum status_code write_scan(const struct arguments *arguments, const doub
 const struct argp command_synth_argp = {
     .options = options,
     .parser = parse,
-    .doc = "Writes a scan whose harmonics obey amplitude = alpha lambda^gamma about which they scatter, with random "
-           "phases. The power law fitted above --lambda-s gives alpha, gamma and the scatter back; the profile is "
-           "level."};
+    .doc =
+        "Writes a scan whose harmonics obey amplitude = alpha lambda^gamma about which they scatter, with random "
+        "phases; the profile is level. The line through all harmonics (fit: thesis) gives alpha (but for --rq, which "
+        "scales it), gamma and the scatter back, of a scan made with --lambda-s only in a fit_band that begins there."};
 
 int command_synth(int argc, char **argv)
 {
     struct arguments arguments = {.def = synth_def_default()};
     struct status status = {0};
+    arguments.def.scaled = true; /* unless --alpha is given */
     command_parse(&command_synth_argp, argc, argv, &arguments);
     double *height_m = calloc(arguments.def.points + 1, sizeof *height_m);
     enum status_code rc = height_m ? synth_profile(height_m, &arguments.def, &status) : status_memory(&status);

@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/command.h"
 #include "cli/signals.h"
+#include "scene/scene_quantity.h"
 
 #include <errno.h>
 #include <libgen.h>
 #include <limits.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -79,6 +81,14 @@ static int from_environment(const char *name, int otherwise)
     const char *value = getenv(name);
     long number = value ? strtol(value, NULL, 10) : 0;
     return number >= 20 && number <= 1000 ? (int)number : otherwise;
+}
+
+double command_length(const char *name, const char *value, struct argp_state *state)
+{
+    struct scene_quantity length;
+    if (!scene_quantity_read(&length, string_view_of(value), UNIT_DISTANCE) || !isfinite(length.value))
+        argp_error(state, "--%s must be a length such as 0.31mm, not '%s'", name, value);
+    return length.value;
 }
 
 void command_terminal_size(int *columns, int *rows)

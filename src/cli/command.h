@@ -5,7 +5,7 @@
 
 #include "base/status.h"
 #include "base/text.h"
-#include "direct/direct_crew.h"
+#include "direct/direct_team.h"
 #include <argp.h>
 #include <stdbool.h>
 
@@ -72,8 +72,8 @@ bool command_completes(const char *word);
 /** Version and what the program is made of, a line each. */
 void command_version(struct text *out);
 
-/** From now on other processes take their share of the contacts solved directly; NULL: none. */
-void command_use_crew(const struct direct_crew *contacts);
+/** From now on the contacts that `report` and `direct` solve directly are shared by these processes; NULL: not. */
+void command_use_team(const struct direct_team *team);
 
 /** Prints "roughcontact: `what``message`" as one line on stderr; what a terminal might act upon comes out as '?'. */
 void command_complain(const char *what, const char *message);
@@ -83,6 +83,9 @@ int command_fail(const struct status *status);
 
 /** Directory of the templates: share/roughcontact/templates beside the program's bin. Error: STATUS_IO. */
 MUST_CHECK enum status_code command_templates(struct text *out, struct status *status);
+
+/** The length [m] that option `name` gives: 0.8mm, 8 um, or a plain number in m; ends the program where it is none. */
+double command_length(const char *name, const char *value, struct argp_state *state);
 
 /** Columns and rows of the terminal on stdout, else of $COLUMNS and $LINES, else 100 x 30. */
 void command_terminal_size(int *columns, int *rows);

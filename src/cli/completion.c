@@ -79,21 +79,20 @@ static const struct value_row {
     {"OUT", "directories", NULL},
     {"N", "nothing", NULL},
     {"REL", "nothing", NULL},
-    {"METRES", "nothing", NULL},
     {"LENGTH", "nothing", NULL},
     {"SI", "nothing", NULL},
     {"G", "nothing", NULL},
     {"DECADES", "nothing", NULL},
     {"Z|X,Z", "nothing", NULL},
+    {NULL, NULL, NULL},
 };
-enum { VALUES = sizeof values / sizeof values[0] };
 
 static const struct value_row *value_find(const char *word)
 {
-    size_t i = 0;
-    while (i < VALUES && strcmp(values[i].word, word) != 0)
-        i++;
-    return i < VALUES ? &values[i] : NULL;
+    const struct value_row *row = values;
+    while (row->word && strcmp(row->word, word) != 0)
+        row++;
+    return row->word ? row : NULL;
 }
 
 bool command_completes(const char *word)

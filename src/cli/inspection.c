@@ -111,8 +111,9 @@ enum status_code inspection_make(struct inspection *out, const char *path, const
                                  enum power_law_method fit, struct status *status)
 {
     *out = (struct inspection){.options = *options, .fit = fit};
-    enum status_code code =
-        bytes ? scan_read_bytes(&out->scan, bytes, units, status) : scan_read(&out->scan, path, units, status);
+    enum status_code code = !bytes                   ? scan_read(&out->scan, path, units, status)
+                            : strcmp(path, "-") == 0 ? scan_read_bytes(&out->scan, bytes, units, status)
+                                                     : scan_read_beside(&out->scan, bytes, path, units, status);
     if (code != STATUS_OK)
         return code;
     code = out->scan.kind == SCAN_AREAL ? look_at_map(out, status) : look_at_profile(out, status);
@@ -266,18 +267,16 @@ static void print_law(const struct inspection *f)
     if (f->fit == POWER_LAW_THESIS && isnan(law->gamma)) {
         printf("  power law   - (%s)\n",
                law->harmonics < 3 ? "it takes 3 harmonics" : "alpha leaves the range of numbers");
-    } else if (f->fit == POWER_LAW_THESIS) {
-        printf("  power law   alpha %.4g +- %.2g, gamma %.3f +- %.3f, scatter %.3f decades\n", law->alpha,
-               law->alpha_error, law->gamma, law->gamma_error, law->misfit_decades);
     } else if (law->found == POWER_LAW_BAND_NONE) {
         printf("  power law   - (no power law found)\n");
     } else {
-        printf("  power law   gamma %.3f +- %.3f from %.3g to %.3g um%s, misfit %.2g decades\n", law->gamma,
+        printf("  power law   gamma %.3f +- %.3f from %.3g to %.3g um%s, %s %.2g decades\n", law->gamma,
                law->gamma_error, law->band_m[0] * 1e6, law->band_m[1] * 1e6,
-               law->found == POWER_LAW_BAND_NARROW ? " (narrow)" : "", law->misfit_decades);
-        printf("              rms amplitude %.4g um x/: %.3g at %.3g um, C %.3g m3; alpha %.3g follows\n",
-               law->amplitude_m * 1e6, pow(10, law->amplitude_error_decades), law->wavelength_m * 1e6, law->psd_m3,
-               law->alpha);
+               law->found == POWER_LAW_BAND_NARROW ? " (narrow)" : "",
+               f->fit == POWER_LAW_THESIS ? "scatter" : "misfit", law->misfit_decades);
+        printf("              %samplitude %.4g um x/: %.3g at %.3g um, C %.3g m3\n",
+               f->fit == POWER_LAW_THESIS ? "" : "rms ", law->amplitude_m * 1e6, pow(10, law->amplitude_error_decades),
+               law->wavelength_m * 1e6, law->psd_m3);
     }
     print_spectrum(&f->band);
 }

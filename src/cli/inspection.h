@@ -28,8 +28,8 @@ struct inspection {
     struct profile_options options;
 };
 
-/** Reads and looks at a file, or at `bytes` where they are not NULL. Owned: inspection_free(), whatever comes back.
- * Errors: those of the stages. */
+/** Reads and looks at a file, or at its `bytes` where they are not NULL; path "-": of no file. Owned:
+ * inspection_free(), whatever comes back. Errors: those of the stages. */
 MUST_CHECK enum status_code inspection_make(struct inspection *out, const char *path, const struct scan_bytes *bytes,
                                             const struct scan_options *units, const struct profile_options *options,
                                             enum power_law_method fit, struct status *status);

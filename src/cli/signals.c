@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/signals.h"
 
-#include "base/leftover.h"
 #include "base/program.h"
+#include "base/temporary.h"
 #include "base/text.h"
 #include "base/thread.h"
 #include "cli/command.h"
@@ -13,6 +13,7 @@
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <sys/resource.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -59,7 +60,7 @@ _Noreturn static void end_by_signal(void)
     pthread_mutex_lock(&ending);
     signal(SIGPIPE, SIG_IGN);
     program_kill();
-    tell(leftover_clear());
+    tell(temporary_end());
     signal(taken, SIG_DFL);
     sigemptyset(&signals);
     sigaddset(&signals, taken);
@@ -83,12 +84,17 @@ static void *run_body(void *context)
     exit(exit_status);
 }
 
-/** Waits for one more of `signals`, for as long as the body asked for. */
-static void await(const sigset_t *signals)
+/** The signals that ask the program to end, but those that whoever started it wants ignored (as nohup does). */
+static sigset_t ending_signals(void)
 {
-    const struct timespec most = {grace_ms / 1000, grace_ms % 1000 * 1000000L};
-    while (sigtimedwait(signals, NULL, &most) < 0 && errno == EINTR)
-        ;
+    static const int numbers[] = {SIGINT, SIGTERM, SIGHUP};
+    struct sigaction action;
+    sigset_t out;
+    sigemptyset(&out);
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
+        if (sigaction(numbers[i], NULL, &action) == 0 && action.sa_handler != SIG_IGN)
+            sigaddset(&out, numbers[i]);
+    return out;
 }
 
 /** A closed stream would have its number taken by the next file that is opened, which then got what is printed. */
@@ -99,15 +105,28 @@ static void open_standard_streams(void)
             (void)!open("/dev/null", fd == STDOUT_FILENO ? O_RDONLY : O_WRONLY); /* the wrong way: use is an error */
 }
 
+/** `ulimit -s 64` is enough for this program, perhaps not for those that it starts, which inherit it from here. */
+static void give_stack(void)
+{
+    enum { USUAL_BYTES = 8 << 20 };
+    struct rlimit limit;
+    if (getrlimit(RLIMIT_STACK, &limit) != 0 || limit.rlim_cur >= USUAL_BYTES)
+        return;
+    struct rlimit usual = {USUAL_BYTES, limit.rlim_max > USUAL_BYTES ? limit.rlim_max : USUAL_BYTES};
+    limit.rlim_cur = limit.rlim_max;
+    if (setrlimit(RLIMIT_STACK, &usual) != 0)
+        (void)setrlimit(RLIMIT_STACK, &limit);
+}
+
 int signals_run(int (*body)(int argc, char **argv), int argc, char **argv)
 {
     struct program program = {body, argc, argv};
     pthread_t thread;
-    sigset_t signals;
+    sigset_t signals = ending_signals();
     open_standard_streams();
+    give_stack();
     signal(SIGXFSZ, SIG_IGN); /* write() then says EFBIG */
     signal(SIGCHLD, SIG_DFL); /* ignored, it would take away how programs end, and their ids while they are in use */
-    program_ending_signals(&signals);
     pthread_sigmask(SIG_BLOCK, &signals, NULL);
     if (!thread_start(&thread, run_body, &program)) { /* on this one, then, which signals end as they do by default */
         pthread_sigmask(SIG_UNBLOCK, &signals, NULL);
@@ -119,6 +138,8 @@ int signals_run(int (*body)(int argc, char **argv), int argc, char **argv)
     taken = number;
     stop = true;
     program_stop();
-    await(&signals);
+    const struct timespec most = {grace_ms / 1000, grace_ms % 1000 * 1000000L}; /* or until one more comes */
+    while (sigtimedwait(&signals, NULL, &most) < 0 && errno == EINTR)
+        ;
     end_by_signal();
 }

@@ -9,7 +9,7 @@
 /** Runs the program, `body`, on a thread of its own and returns its exit status. SIGINT, SIGTERM and SIGHUP (those that
  * are not ignored) are taken by the thread that calls, so that nothing the other does can delay them: on the first one
  * the other programs that run are stopped, and once the body has had the time that it asked for, or on the second one,
- * everything of base/leftover.h is removed, one line says so, and the program ends by that signal; so it does as well
+ * everything of base/temporary.h is removed, one line says so, and the program ends by that signal; so it does as well
  * where the body returns after one. Before: standard streams that are closed become ones that cannot be used, so that
  * no file takes their numbers, and files too large for the limits become errors. */
 int signals_run(int (*body)(int argc, char **argv), int argc, char **argv);

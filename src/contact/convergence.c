@@ -5,6 +5,8 @@
 #include <math.h>
 
 const double convergence_atom_m = 3e-10;
+static const double convergence_resolved = 1e-4; /* of Rq */
+static const double convergence_steepest = 3;    /* twice the slope of the smoothest self-affine surface */
 
 const struct convergence_sweep_row convergence_sweeps[CONVERGENCE_SWEEP_COUNT] = {
     [CONVERGENCE_ALPHA] = {"alpha", 7, {1e-3, 1e-2, 1e-1, 1, 10, 100, 1000}},
@@ -38,11 +40,25 @@ void convergence_areas(double *area_ratio, const struct convergence_law *law, co
     *evaluations += law->scales;
 }
 
-struct convergence_tail convergence_tail(const struct spectrum *spectrum)
+size_t convergence_known(const struct spectrum *spectrum, double shortest_m, double step_m)
+{
+    double all = 0, shorter = 0;
+    for (size_t i = 0; i < spectrum->count; i++)
+        all += spectrum_power(spectrum, i);
+    double limit = fmax(step_m * step_m, convergence_resolved * convergence_resolved * all) / 6;
+    size_t count = spectrum->count;
+    while (count > 0 && (shorter += spectrum_power(spectrum, count - 1)) < limit)
+        count--;
+    while (count > 0 && spectrum->length_m / (double)count < shortest_m * (1 - 1e-12))
+        count--;
+    return count;
+}
+
+struct convergence_tail convergence_tail(const struct spectrum *spectrum, size_t count)
 {
     static const double half_decade = 3.1622776601683795; /* sqrt(10) */
-    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0, origin = log(spectrum->length_m / (double)spectrum->count);
-    for (size_t i = spectrum->count; i-- > 0 && (double)(i + 1) * half_decade >= (double)spectrum->count;) {
+    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0, origin = log(spectrum->length_m / (double)count);
+    for (size_t i = count; i-- > 0 && (double)(i + 1) * half_decade >= (double)count;) {
         if (!(spectrum->amplitude_m[i] > 0))
             continue;
         double x = -log(spectrum_frequency(spectrum, i)) - origin, y = log(spectrum->amplitude_m[i]);
@@ -52,9 +68,10 @@ struct convergence_tail convergence_tail(const struct spectrum *spectrum)
         sxx += x * x;
         sxy += x * y;
     }
-    if (n < 3)
-        return (struct convergence_tail){NAN, NAN, NAN};
-    return (struct convergence_tail){exp(origin + sx / n), exp(sy / n), (sxy - sx * sy / n) / (sxx - sx * sx / n)};
+    double gamma = n < 3 ? NAN : (sxy - sx * sy / n) / (sxx - sx * sx / n);
+    if (!(gamma <= convergence_steepest))
+        return (struct convergence_tail){NAN, NAN, NAN, count};
+    return (struct convergence_tail){exp(origin + sx / n), exp(sy / n), gamma, count};
 }
 
 double convergence_tail_amplitude(const struct convergence_tail *tail, double wavelength_m)
@@ -70,7 +87,7 @@ struct convergence_extension convergence_extend(const struct spectrum *spectrum,
     bool rising = tail->gamma < 1; /* p* ~ lambda^(gamma-1) (4.55) */
     for (double n = 1; spectrum->length_m / n >= convergence_atom_m; n++) {
         double wavelength_m = spectrum->length_m / n;
-        bool measured = n <= (double)spectrum->count;
+        bool measured = n <= (double)tail->count;
         double amplitude_m =
             measured ? spectrum->amplitude_m[(size_t)n - 1] : convergence_tail_amplitude(tail, wavelength_m);
         struct sinusoid_cell cell =

@@ -32,28 +32,35 @@ void convergence_areas(double *area_ratio, const struct convergence_law *law, co
 /** Smallest wavelength a continuum can have: about an atom's diameter. */
 extern const double convergence_atom_m;
 
-/** How a measured spectrum goes on below its sampling limit: Delta = amplitude (lambda/wavelength)^gamma. */
+/** How a measured spectrum goes on below the last harmonic that is known: Delta = amplitude (lambda/wavelength)^gamma.
+ */
 struct convergence_tail {
     double wavelength_m; /* geometric mean of the harmonics that say so */
     double amplitude_m;  /* of the line there */
-    double gamma;        /* local slope; NaN: fewer than 3 harmonics to tell it from */
+    double gamma;        /* local slope; NaN: fewer than 3 harmonics to tell it from, or a filter's flank */
+    size_t count;        /* harmonics that are known */
 };
 
-/** The spectrum's own short end: the least-squares line of log Delta on log lambda over its shortest half decade of
- * wavelengths; amplitudes of zero are left out. */
-struct convergence_tail convergence_tail(const struct spectrum *spectrum);
+/** How many of the harmonics say something of the surface: none shorter than shortest_m (0: no limit), and none whose
+ * mean square height with all shorter ones is below q²/6, twice what rounding to steps of q leaves; q is step_m, and at
+ * least 1e-4 of the root mean square height, which no instrument resolves beside it. */
+size_t convergence_known(const struct spectrum *spectrum, double shortest_m, double step_m);
+
+/** The spectrum's own short end: the least-squares line of log Delta on log lambda over the shortest half decade of
+ * wavelengths of its first `count` harmonics; amplitudes of zero are left out. A slope above 3 is a filter's. */
+struct convergence_tail convergence_tail(const struct spectrum *spectrum, size_t count);
 /** Amplitude of the tail at a wavelength [m]. */
 double convergence_tail_amplitude(const struct convergence_tail *tail, double wavelength_m);
 
-/** What the scales below a measured surface's sampling limit would still take from its area. */
+/** What the scales below the last known harmonic of a surface would still take from its area. */
 struct convergence_extension {
-    double area_measured; /* A/A_n of the measured spectrum */
+    double area_measured; /* A/A_n of the known harmonics */
     double area_extended; /* the same with its tail carried on to atomic size */
     double settled_m;     /* wavelength from which every shorter scale is complete; NaN: none */
     uint64_t scales;      /* visited */
 };
 
-/** Stacks the measured harmonics (4.1, 4.2; closure thesis) and goes on along the tail, at one load. Stops at the first
+/** Stacks the known harmonics (4.1, 4.2; closure thesis) and goes on along the tail, at one load. Stops at the first
  * scale of the tail from which p* can no longer exceed the pressure (gamma >= 1, 4.55), or at atomic size. */
 struct convergence_extension convergence_extend(const struct spectrum *spectrum, const struct convergence_tail *tail,
                                                 const struct material_pair *pair, bool plastic, double load);

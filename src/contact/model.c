@@ -50,21 +50,20 @@ static bool is_finite(const struct contact_point *points, size_t count, enum qua
 enum status_code model_run(struct model_curve *curve, const struct model_row *row, const struct model_task *task,
                            struct status *status)
 {
+    for (size_t i = 0; i <= task->load_count; i++)
+        curve->points[i] = quantity_nothing();
+    curve->full = quantity_nothing();
+    curve->full_load = curve->closed_load = curve->beta = NAN;
     if (row->run(curve, row, task, status) != STATUS_OK)
         return status->code;
     if (task->evaluations)
         *task->evaluations += curve->evaluations;
-    for (size_t i = 0; i < curve->count; i++)
-        quantity_empty_made(&curve->points[i]);
-    quantity_empty_made(&curve->full);
     /* a model that knows of no full contact says nothing of it */
     bool full = curve->exists && !(isnan(curve->full_load) && isnan(curve->full.area_ratio));
     unsigned always = task->wanted & row->quantities & ~row->may_be_empty;
     bool finite = true;
     for (int q = 0; q < QUANTITY_COUNT && finite; q++) {
         bool needed = always & QUANTITY_BIT(q);
-        if (quantity_rows[q].from && !needed)
-            continue; /* has just been emptied */
         finite = is_finite(curve->points, curve->count, (enum quantity)q, needed) &&
                  (!full || is_finite(&curve->full, 1, (enum quantity)q, needed));
     }

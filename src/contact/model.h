@@ -33,6 +33,14 @@ struct model_task {
                               solved for a separation; NULL: it is not counted */
 };
 
+enum { MODEL_KINKS_MOST = 16 };
+
+/** Where |d ln R/d ln P| of a curve falls, because a scale's contact becomes complete and its resistance is gone. */
+struct model_kink {
+    double load; /* P/(A_n E'), within 1e-4 */
+    double wavelength_m;
+};
+
 /** What it answers. `points` is the caller's, load_count + 1 long. */
 struct model_curve {
     bool exists;    /* false: the model was not run, or has no solution for this surface */
@@ -45,7 +53,9 @@ struct model_curve {
     struct contact_point full; /* at full_load itself; all NaN where that is */
     size_t yielding_scales;    /* plastic, stacked scales: those that can yield; else 0 */
     uint64_t clamped;          /* the same: visits in which the published area was limited: see multiscale_solve() */
-    uint64_t evaluations;      /* that it took */
+    struct model_kink kinks[MODEL_KINKS_MOST]; /* the same: the first of them, by load; a mean of curves has none */
+    size_t kink_count;
+    uint64_t evaluations; /* that it took */
 };
 
 struct model_row {
@@ -120,9 +130,9 @@ size_t model_task_operating(const struct model_task *task);
 /** `task` at other loads, which have no operating load of their own. */
 struct model_task model_task_at(const struct model_task *task, const double *loads, size_t load_count);
 
-/** Runs a model. A curve any of whose loads, areas or wanted quantities is not finite does not exist: materials and
- * heights may each be possible and still leave the range of double together (JG's exponent 23 S_y/E' of 1e6).
- * Error: STATUS_MEMORY. */
+/** Runs a model, on points of which nothing is known: it writes what it knows. A curve any of whose loads, areas or
+ * wanted quantities is not finite does not exist: materials and heights may each be possible and still leave the range
+ * of double together (JG's exponent 23 S_y/E' of 1e6). Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code model_run(struct model_curve *curve, const struct model_row *row,
                                       const struct model_task *task, struct status *status);
 

@@ -16,19 +16,17 @@ static void solve(struct contact_point *out, const struct contacting_slopes *slo
     struct contacting_slopes_gap gap = {NAN, NAN, NAN, NAN};
     if (task->wanted & BEYOND_AREA)
         (void)contacting_slopes_gap(&gap, slopes, persson, load, area.area_ratio); /* false: nothing to show */
-    bool separation = task->wanted & QUANTITY_BIT(QUANTITY_SEPARATION);
-    double resistance_m = 2 * gap.constriction_m; /* (rho_1 + rho_2) l = 2 rho l */
-    *out = (struct contact_point){
-        .load = load,
-        .area_ratio = area.area_ratio,
-        .separation_m = separation ? gap.separation_m : NAN,
-        .adjusted_m = NAN,
-        .ecr_ohm_m2 = task->wanted & QUANTITY_BIT(QUANTITY_ECR) ? task->pair->resistivity_ohm_m * resistance_m : NAN,
-        .tcr_K_m2_per_W =
-            task->wanted & QUANTITY_BIT(QUANTITY_TCR) ? resistance_m / task->pair->conductivity_W_per_mK : NAN,
-        .tcr_sd_K_m2_per_W = NAN,
-        .beyond_fit = area.mark == CONTACTING_SLOPES_INSIDE ? 0 : 1,
-    };
+    double resistance_m = 2 * gap.constriction_m;                                  /* (rho_1 + rho_2) l = 2 rho l */
+    *out = quantity_nothing();
+    out->load = load;
+    out->area_ratio = area.area_ratio;
+    if (task->wanted & QUANTITY_BIT(QUANTITY_SEPARATION))
+        out->separation_m = gap.separation_m;
+    if (task->wanted & QUANTITY_BIT(QUANTITY_ECR))
+        out->ecr_ohm_m2 = task->pair->resistivity_ohm_m * resistance_m;
+    if (task->wanted & QUANTITY_BIT(QUANTITY_TCR))
+        out->tcr_K_m2_per_W = resistance_m / task->pair->conductivity_W_per_mK;
+    out->beyond_fit = area.mark == CONTACTING_SLOPES_INSIDE ? 0 : 1;
 }
 
 static enum status_code run(struct model_curve *curve, const struct model_row *row, const struct model_task *task,
@@ -51,10 +49,7 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
     }
     for (size_t i = 0; i < task->load_count; i++)
         solve(&curve->points[curve->count++], &slopes, &persson, task, task->loads[i]);
-    /* the lowest point touches last, at a load that is not known */
-    curve->full = quantity_nothing();
-    curve->full_load = curve->closed_load = curve->beta = NAN;
-    curve->exists = true;
+    curve->exists = true; /* the lowest point touches last, at a load that is not known */
     persson_free(&persson);
     contacting_slopes_free(&slopes);
     return STATUS_OK;

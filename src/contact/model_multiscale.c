@@ -13,6 +13,43 @@ static struct multiscale stack_of(const struct model_row *row, const struct mode
     return stack;
 }
 
+/** The first drop of |d ln R/d ln P| behind point `from`, as two points it lies between; false: none. The other curves
+ * get ever steeper. */
+static bool find_kink(size_t *low, size_t *high, const struct model_curve *curve, size_t from, enum quantity resistance)
+{
+    static const double fall = 1.25; /* by at least this factor, before it rises again */
+    double steepest = 0, before = 0;
+    size_t at = from;
+    for (size_t i = from; i + 1 < curve->count; i++) {
+        double r = quantity_value(&curve->points[i], resistance);
+        double next = quantity_value(&curve->points[i + 1], resistance);
+        if (!(r > 0) || !(next > 0))
+            return false;
+        double slope = -log(next / r) / log(curve->points[i + 1].load / curve->points[i].load);
+        if (slope >= before) { /* rising: where it fell enough before, that was a kink */
+            if (steepest > fall * before && before > 0) {
+                *low = at;
+                *high = i + 1;
+                return true;
+            }
+            steepest = slope;
+            at = i;
+        }
+        before = slope;
+    }
+    return false;
+}
+
+static void keep_kinks(struct model_curve *curve, struct multiscale *stack, unsigned wanted)
+{
+    enum quantity resistance = wanted & QUANTITY_BIT(QUANTITY_ECR) ? QUANTITY_ECR : QUANTITY_TCR;
+    size_t low, high;
+    for (size_t from = 0; find_kink(&low, &high, curve, from, resistance) && curve->kink_count < MODEL_KINKS_MOST;
+         from = high)
+        curve->kink_count += multiscale_closing(&curve->kinks[curve->kink_count], stack, curve->points[low].load,
+                                                curve->points[high].load);
+}
+
 static enum status_code run(struct model_curve *curve, const struct model_row *row, const struct model_task *task,
                             struct status *status)
 {
@@ -27,8 +64,9 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
     curve->full_load = stack.full_load;
     curve->closed_load = stack.closed_load;
     curve->yielding_scales = stack.critical_scales;
-    curve->beta = NAN;
     curve->exists = true;
+    if (task->wanted & (QUANTITY_BIT(QUANTITY_ECR) | QUANTITY_BIT(QUANTITY_TCR)))
+        keep_kinks(curve, &stack, task->wanted);
     multiscale_free(&stack);
     return STATUS_OK;
 }

@@ -18,13 +18,9 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
     for (size_t i = 0; i < task->load_count && curve->exists; i++) {
         struct contact_point *point = &curve->points[curve->count++];
         struct persson_separation at = {NAN, NAN};
-        *point = (struct contact_point){.load = task->loads[i],
-                                        .area_ratio = persson_area(task->loads[i], persson.m2, persson_energy_factor),
-                                        .separation_m = NAN,
-                                        .adjusted_m = NAN,
-                                        .ecr_ohm_m2 = NAN,
-                                        .tcr_K_m2_per_W = NAN,
-                                        .tcr_sd_K_m2_per_W = NAN};
+        *point = quantity_nothing();
+        point->load = task->loads[i];
+        point->area_ratio = persson_area(task->loads[i], persson.m2, persson_energy_factor);
         if (beyond_area)
             at = persson_separation(&persson, task->loads[i]);
         if (task->wanted & QUANTITY_BIT(QUANTITY_SEPARATION))
@@ -35,8 +31,6 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
             point->tcr_K_m2_per_W = at.constriction_m / task->pair->conductivity_W_per_mK;
     }
     /* complete only in the limit of an infinite load: there is no point of full contact */
-    curve->full = quantity_nothing();
-    curve->full_load = curve->closed_load = curve->beta = NAN;
     curve->evaluations = task->load_count;
     persson_free(&persson);
     return STATUS_OK;

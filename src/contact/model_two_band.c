@@ -69,9 +69,7 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
     blank(&curve->full, row, task);
     curve->count = task->load_count;
     curve->full_load = stack.full_load;
-    curve->closed_load = NAN;
     curve->yielding_scales = stack.critical_scales;
-    curve->beta = NAN;
     curve->exists = true;
     multiscale_free(&stack);
     return rc;

@@ -228,16 +228,55 @@ size_t multiscale_solve(struct contact_point *out, struct multiscale *stack, con
             constriction_add_scale(&sum, cell.area_ratio, cell.area_complement, scale->frequency_per_m, area);
         area *= cell.area_ratio;
     }
-    *out = (struct contact_point){
-        .load = load,
-        .area_ratio = area,
-        .separation_m = with_gap ? separation : NAN,
-        .adjusted_m = NAN,
-        .ecr_ohm_m2 = wanted & QUANTITY_BIT(QUANTITY_ECR) ? constriction_electrical(spot, &sum) : NAN,
-        .tcr_K_m2_per_W = wanted & QUANTITY_BIT(QUANTITY_TCR) ? constriction_thermal(spot, &sum) : NAN,
-        .tcr_sd_K_m2_per_W = wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT)
-                                 ? constriction_thermal_scale_dependent(spot, &sum)
-                                 : NAN,
-    };
+    *out = quantity_nothing();
+    out->load = load;
+    out->area_ratio = area;
+    if (with_gap)
+        out->separation_m = separation;
+    if (wanted & QUANTITY_BIT(QUANTITY_ECR))
+        out->ecr_ohm_m2 = constriction_electrical(spot, &sum);
+    if (wanted & QUANTITY_BIT(QUANTITY_TCR))
+        out->tcr_K_m2_per_W = constriction_thermal(spot, &sum);
+    if (wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT))
+        out->tcr_sd_K_m2_per_W = constriction_thermal_scale_dependent(spot, &sum);
     return clamped;
+}
+
+/** The first of the scales `first` to `end` - 1 that is open at the load `low` and complete at `high`; `end`: none. */
+static size_t closing_scale(struct multiscale *stack, double low, double high, size_t first, size_t end)
+{
+    const double nominal_Pa[] = {low * stack->effective_modulus_Pa, high * stack->effective_modulus_Pa};
+    double area[] = {1, 1}, closed[] = {0, 0};
+    for (size_t i = 0; (i = next_open(stack, i, fmin(closed[0], closed[1]))) < end; i++) {
+        struct sinusoid_scale own;
+        const struct sinusoid_scale *scale = scale_at(&own, stack, i);
+        bool complete[2];
+        for (int at = 0; at < 2; at++) {
+            struct sinusoid_cell cell = {.gap_ratio = 1};
+            double pressure_Pa = nominal_Pa[at] / area[at];
+            sinusoid_press(&cell, scale, stack->closure, pressure_Pa, false);
+            area[at] *= cell.area_ratio;
+            complete[at] = !(cell.area_complement > 0);
+            closed[at] = fmax(closed[at], pressure_Pa * stack->closed_steepness_per_Pa);
+            if (complete[at] && cell.gap_ratio <= 0 && stack->spectrum && pressure_Pa > stack->ordered_Pa)
+                closed[at] = fmax(closed[at], steepness(stack->spectrum, i) * (1 - rounding));
+        }
+        if (i >= first && !complete[0] && complete[1])
+            return i;
+    }
+    return end;
+}
+
+bool multiscale_closing(struct model_kink *out, struct multiscale *stack, double low, double high)
+{
+    double open = low;
+    size_t k = closing_scale(stack, low, high, 0, stack->count);
+    if (k == stack->count)
+        return false;
+    while (high > open * (1 + 1e-4)) {
+        double middle = sqrt(open * high);
+        *(closing_scale(stack, low, middle, k, k + 1) == k ? &high : &open) = middle;
+    }
+    *out = (struct model_kink){high, 1 / multiscale_scale(stack, k).frequency_per_m};
+    return true;
 }

@@ -52,6 +52,9 @@ struct sinusoid_scale multiscale_scale(struct multiscale *stack, size_t i);
  * or raised to the elastic area (closure numeric). */
 size_t multiscale_solve(struct contact_point *out, struct multiscale *stack, const struct constriction *spot,
                         unsigned wanted, double load, uint64_t *evaluations);
+/** The longest of the scales that become complete between two loads, and the load at which it does; false: none does.
+ * Takes a few walks of the stack, passing over what is closed at both. */
+bool multiscale_closing(struct model_kink *out, struct multiscale *stack, double low, double high);
 
 /** The rows of this stack (model_multiscale.c); the statistical models name them as counterparts. */
 extern const struct model_row model_multiscale_elastic, model_multiscale_plastic;

@@ -73,17 +73,19 @@ struct quantity_row {
     const char *label;        /* of a chart's axis */
     unsigned effect;          /* EFFECT_BITs that it belongs to, any of them; 0: every run has it */
     unsigned from;            /* QUANTITY_BITs that it is made of once a model has run; 0: the model computes it */
-    bool logarithmic;         /* axis, and how it is averaged */
+    bool logarithmic;         /* axis */
     bool over_sigma;          /* a length that is shown divided by sigma */
     size_t offset;            /* of its double in struct contact_point */
 };
 
-extern const struct quantity_row quantity_rows[QUANTITY_COUNT];
+extern const struct quantity_row quantity_rows[]; /* QUANTITY_COUNT */
 
 /** Value of a quantity at a point, SI. */
 double quantity_value(const struct contact_point *point, enum quantity quantity);
 /** The same as tables and charts show it: a length as a multiple of sigma_m. */
 double quantity_shown(const struct contact_point *point, enum quantity quantity, double sigma_m);
+/** Its name, with the SI unit or as a multiple of sigma. */
+const char *quantity_shown_name(enum quantity quantity);
 /** QUANTITY_BITs of all quantities that a set of EFFECT_BITs calls for. */
 unsigned quantity_wanted(unsigned effects);
 /** QUANTITY_BITs `computed` by a model, with those that are made of them. */
@@ -91,7 +93,5 @@ unsigned quantity_with_made(unsigned computed);
 
 /** A point of which nothing is known: every quantity NaN, the shares 0. */
 struct contact_point quantity_nothing(void);
-/** Makes NaN of what is made of a model's quantities. */
-void quantity_empty_made(struct contact_point *point);
 
 #endif

@@ -166,18 +166,19 @@ void statistical_at(struct contact_point *out, const struct statistical *model, 
         (wanted &
          QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT))) /* else GW has no panels to sum it from: it would be psi/0 */
         spread_sd = psi / (2 * scale * sums.radius_scale_dependent);
-    *out = (struct contact_point){
-        .load = scale * sums.load / model->asperity.effective_modulus_Pa,
-        .area_ratio = area,
-        .separation_m = separation_m,
-        .adjusted_m = (separation_m - full_m) / 2, /* (delta + beta sigma/2)/2 (4.54) */
-        .ecr_ohm_m2 = wanted & QUANTITY_BIT(QUANTITY_ECR) ? model->spot.resistivity_ohm_m * spread : NAN,
-        .tcr_K_m2_per_W = wanted & QUANTITY_BIT(QUANTITY_TCR) ? spread / model->spot.conductivity_W_per_mK : NAN,
-        .tcr_sd_K_m2_per_W =
-            wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT) ? spread_sd / model->spot.conductivity_W_per_mK : NAN,
-        .beyond_fit = sums.load > 0 ? sums.load_beyond_fit / sums.load : 0,
-        .radius_clamped = sums.load > 0 ? sums.load_radius_clamped / sums.load : 0,
-    };
+    *out = quantity_nothing();
+    out->load = scale * sums.load / model->asperity.effective_modulus_Pa;
+    out->area_ratio = area;
+    out->separation_m = separation_m;
+    out->adjusted_m = (separation_m - full_m) / 2; /* (delta + beta sigma/2)/2 (4.54) */
+    if (wanted & QUANTITY_BIT(QUANTITY_ECR))
+        out->ecr_ohm_m2 = model->spot.resistivity_ohm_m * spread;
+    if (wanted & QUANTITY_BIT(QUANTITY_TCR))
+        out->tcr_K_m2_per_W = spread / model->spot.conductivity_W_per_mK;
+    if (wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT))
+        out->tcr_sd_K_m2_per_W = spread_sd / model->spot.conductivity_W_per_mK;
+    out->beyond_fit = sums.load > 0 ? sums.load_beyond_fit / sums.load : 0;
+    out->radius_clamped = sums.load > 0 ? sums.load_radius_clamped / sums.load : 0;
 }
 
 bool statistical_solve(struct contact_point *out, const struct statistical *model, double load, double *d)

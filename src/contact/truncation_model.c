@@ -43,21 +43,18 @@ enum status_code truncation_model_run(struct model_curve *curve, const struct mo
         if (!truncation_press(&contact, &law, truncation_model_ratio(&law, task, task->loads[i])))
             break; /* all of the surface is truncated, there and beyond */
         double spread_m = truncation_resistance(&law, &contact, 1);
-        curve->points[curve->count++] = (struct contact_point){
-            .load = task->loads[i],
-            .area_ratio = contact.area_ratio,
-            .separation_m =
-                gap && contact.separation_over_sigma >= 0 ? contact.separation_over_sigma * law.sigma_m : NAN,
-            .adjusted_m = NAN,
-            .ecr_ohm_m2 = task->wanted & QUANTITY_BIT(QUANTITY_ECR) ? task->pair->resistivity_ohm_m * spread_m : NAN,
-            .tcr_K_m2_per_W =
-                task->wanted & QUANTITY_BIT(QUANTITY_TCR) ? spread_m / task->pair->conductivity_W_per_mK : NAN,
-            .tcr_sd_K_m2_per_W = NAN,
-        };
+        struct contact_point *point = &curve->points[curve->count++];
+        *point = quantity_nothing();
+        point->load = task->loads[i];
+        point->area_ratio = contact.area_ratio;
+        if (gap && contact.separation_over_sigma >= 0)
+            point->separation_m = contact.separation_over_sigma * law.sigma_m;
+        if (task->wanted & QUANTITY_BIT(QUANTITY_ECR))
+            point->ecr_ohm_m2 = task->pair->resistivity_ohm_m * spread_m;
+        if (task->wanted & QUANTITY_BIT(QUANTITY_TCR))
+            point->tcr_K_m2_per_W = spread_m / task->pair->conductivity_W_per_mK;
     }
     curve->exists = curve->count > 0;
-    curve->full = quantity_nothing();
-    curve->full_load = curve->closed_load = curve->beta = NAN;
     return STATUS_OK;
 }
 

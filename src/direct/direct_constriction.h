@@ -14,17 +14,10 @@
 
 #include "direct/direct_contact.h"
 
-/** Constriction length of a given set of `count` points (places in the kernel's field; one at least on all ranks), by
- * preconditioned conjugate gradients until the potential on the set is constant to `tolerance` of itself; l = <j,
- * u>/<j> is then good to its square. 0 where every point is in contact. `scratch`: three arrays of `count` each. Adds
- * to *effort. Errors: STATUS_MODEL: no convergence; STATUS_INTERRUPTED when *stop (NULL: never) becomes non-zero. */
-MUST_CHECK enum status_code direct_constriction_of_set(double *length_m, struct direct_kernel *kernel,
-                                                       const uint32_t *set, size_t count, double *const scratch[3],
-                                                       double tolerance, const atomic_bool *stop,
-                                                       struct direct_contact_effort *effort, struct status *status);
-
-/** The same of the points p > 0 of a solved contact. Its gap_m is used up; its pressure stays. Errors: the same, and
- * STATUS_MEMORY. */
+/** Constriction length of the points p > 0 of a solved contact, by preconditioned conjugate gradients until the
+ * potential on the set is constant to `tolerance` of itself; l = <j, u>/<j> is then good to its square. 0 where every
+ * point is in contact. The contact's gap_m is used up; its pressure stays. Adds to *effort. Errors: STATUS_MODEL: no
+ * convergence; STATUS_INTERRUPTED when *stop (NULL: never) becomes non-zero; STATUS_MEMORY. */
 MUST_CHECK enum status_code direct_constriction_of_contact(double *length_m, struct direct_contact *contact,
                                                            double tolerance, const atomic_bool *stop,
                                                            struct direct_contact_effort *effort, struct status *status);

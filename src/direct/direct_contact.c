@@ -30,37 +30,22 @@ struct solver {
     size_t since_refresh;
 };
 
-enum status_code direct_contact_make(struct direct_contact *out, const double *height_m, size_t nx, size_t ny,
-                                     double spacing_m, struct status *status)
+/** The heights of the rows here, from all of them. */
+static void deal_heights(struct direct_contact *contact, const double *height_m)
 {
-    if (direct_contact_begin(out, NULL, nx, ny, spacing_m, status) != STATUS_OK)
-        return status->code;
-    for (size_t j = 0; j < ny; j++)
-        memcpy(out->height_m + j * out->kernel.stride, height_m + j * nx, nx * sizeof *height_m);
-    return direct_contact_take_heights(out, status);
+    const struct direct_kernel *kernel = &contact->kernel;
+    for (size_t j = 0; j < kernel->ny; j++) {
+        bool here = j >= kernel->first_row && j < kernel->first_row + kernel->rows;
+        double *row = here ? contact->height_m + (j - kernel->first_row) * kernel->stride : (double *)kernel->row;
+        if (height_m)
+            memcpy(row, height_m + j * kernel->nx, kernel->nx * sizeof *row);
+        if (kernel->team)
+            kernel->team->spread(kernel->team, row, kernel->nx * sizeof *row);
+    }
 }
 
-enum status_code direct_contact_begin(struct direct_contact *out, const struct direct_team *team, size_t nx, size_t ny,
-                                      double spacing_m, struct status *status)
-{
-    *out = (struct direct_contact){0};
-    if (direct_kernel_make_shared(&out->kernel, team, nx, ny, spacing_m, status) != STATUS_OK)
-        return status->code;
-    size_t places = out->kernel.rows * out->kernel.stride + 1; /* a rank may have no rows */
-    out->height_m = calloc(places, sizeof(double));
-    out->pressure = calloc(places, sizeof(double));
-    out->gap_m = calloc(places, sizeof(double));
-    out->direction = calloc(places, sizeof(double));
-    out->set = malloc(places * sizeof(uint32_t));
-    out->member = calloc(places, 1);
-    if (!out->height_m || !out->pressure || !out->gap_m || !out->direction || !out->set || !out->member)
-        (void)status_memory(status);
-    if (direct_team_agree(team, status) != STATUS_OK)
-        direct_contact_free(out);
-    return status->code;
-}
-
-enum status_code direct_contact_take_heights(struct direct_contact *contact, struct status *status)
+/** Takes the mean off the heights, an offset of which would only cost digits. */
+static enum status_code centre_heights(struct direct_contact *contact, struct status *status)
 {
     const struct direct_kernel *kernel = &contact->kernel;
     double mean = 0, square = 0, highest = 0, points = (double)kernel->points;
@@ -73,24 +58,45 @@ enum status_code direct_contact_take_heights(struct direct_contact *contact, str
                 (void)status_fail(status, STATUS_MODEL, "height %zu of the surface is missing or not finite; fill it",
                                   (kernel->first_row + j) * kernel->nx + i);
         }
-    if (direct_team_agree(kernel->team, status) != STATUS_OK) {
-        direct_contact_free(contact);
+    if (direct_team_agree(kernel->team, status) != STATUS_OK)
         return status->code;
-    }
     mean = direct_team_sum(kernel->team, mean);
     direct_team_most(kernel->team, &highest, 1);
     for (size_t j = 0; j < kernel->rows; j++)
-        for (size_t i = 0; i < kernel->nx; i++) {
-            double height = contact->height_m[j * kernel->stride + i] - mean; /* an offset would only cost digits */
-            contact->height_m[j * kernel->stride + i] = height;
-            square += height * height;
+        for (size_t k = j * kernel->stride; k < j * kernel->stride + kernel->nx; k++) {
+            contact->height_m[k] -= mean;
+            square += contact->height_m[k] * contact->height_m[k];
         }
     contact->rms_m = sqrt(direct_team_sum(kernel->team, square) / points);
-    if (!(contact->rms_m > 1e-14 * highest) || !isfinite(contact->rms_m)) {
-        direct_contact_free(contact);
+    if (!(contact->rms_m > 1e-14 * highest) || !isfinite(contact->rms_m))
         return status_fail(status, STATUS_MODEL, "the surface is flat: it has no roughness to solve the contact of");
-    }
     return STATUS_OK;
+}
+
+enum status_code direct_contact_make(struct direct_contact *out, const struct direct_team *team, const double *height_m,
+                                     size_t nx, size_t ny, double spacing_m, struct status *status)
+{
+    *out = (struct direct_contact){0};
+    if (direct_kernel_make(&out->kernel, team, nx, ny, spacing_m, status) != STATUS_OK)
+        return status->code;
+    size_t places = (out->kernel.rows + 1) * out->kernel.stride; /* a rank may have no rows */
+    out->height_m = calloc(places, sizeof(double));
+    out->pressure = calloc(places, sizeof(double));
+    out->gap_m = calloc(places, sizeof(double));
+    out->direction = calloc(places, sizeof(double));
+    out->set = malloc(places * sizeof(uint32_t));
+    out->member = calloc(places, 1);
+    out->touching = team ? calloc((team->rank == 0 ? ny : 0) + team->size, nx) : NULL;
+    if (!out->height_m || !out->pressure || !out->gap_m || !out->direction || !out->set || !out->member ||
+        (team && !out->touching))
+        (void)status_memory(status);
+    if (direct_team_agree(team, status) == STATUS_OK) {
+        deal_heights(out, height_m);
+        (void)centre_heights(out, status);
+    }
+    if (status->code != STATUS_OK)
+        direct_contact_free(out);
+    return status->code;
 }
 
 void direct_contact_free(struct direct_contact *contact)
@@ -102,6 +108,7 @@ void direct_contact_free(struct direct_contact *contact)
     free(contact->direction);
     free(contact->set);
     free(contact->member);
+    free(contact->touching);
     *contact = (struct direct_contact){0};
 }
 
@@ -141,10 +148,21 @@ static void compute_gap(struct solver *solver)
     struct direct_kernel *kernel = &contact->kernel;
     size_t places = kernel->rows * kernel->stride;
     memcpy(kernel->field, contact->pressure, places * sizeof(double));
-    direct_kernel_comply(kernel);
+    direct_kernel_convolve(kernel, kernel->compliance);
     for (size_t k = 0; k < places; k++)
         contact->gap_m[k] = 2 * kernel->field[k] - contact->height_m[k];
     solver->since_refresh = 0;
+}
+
+void direct_contact_select(struct direct_contact *contact, bool all)
+{
+    const struct direct_kernel *kernel = &contact->kernel;
+    contact->set_count = 0;
+    for (size_t j = 0; j < kernel->rows; j++)
+        for (size_t k = j * kernel->stride; k < j * kernel->stride + kernel->nx; k++) {
+            contact->set[contact->set_count] = (uint32_t)k;
+            contact->set_count += all || contact->pressure[k] != 0;
+        }
 }
 
 /** Shifts the pressure where it is not 0, clipped to 0 ... H, until its mean is p̄ (Newton, kept within a bracket).
@@ -157,12 +175,7 @@ static void fit_mean(struct solver *solver)
     double wanted = solver->load->mean_pressure * (double)kernel->points, count;
     bool all = false;
     do {
-        contact->set_count = 0;
-        for (size_t j = 0; j < kernel->rows; j++)
-            for (size_t k = j * kernel->stride; k < j * kernel->stride + kernel->nx; k++) {
-                contact->set[contact->set_count] = (uint32_t)k;
-                contact->set_count += all || pressure[k] != 0;
-            }
+        direct_contact_select(contact, all);
         all = !all;
         count = direct_team_sum(kernel->team, (double)contact->set_count);
     } while (count * hardness <= wanted && all);
@@ -303,7 +316,7 @@ static double turn(struct solver *solver, double gap_mean)
         memset(z, 0, kernel->rows * kernel->stride * sizeof(double));
         for (size_t k = 0; k < contact->set_count; k++)
             z[set[k]] = contact->gap_m[set[k]] - gap_mean;
-        direct_kernel_stiffen(kernel);
+        direct_kernel_convolve(kernel, kernel->stiffness);
         z_mean = sum_on(contact, z) / n;
     }
     double product = dot_on(contact, z, z_mean, contact->gap_m);
@@ -330,7 +343,7 @@ static void step(struct solver *solver)
     memset(field, 0, places * sizeof(double));
     for (size_t k = 0; k < contact->set_count; k++)
         field[set[k]] = t[set[k]];
-    direct_kernel_comply(kernel);
+    direct_kernel_convolve(kernel, kernel->compliance);
     double tau = slope / (2 * dot_on(contact, field, 0, t));
     bool inside = true;
     for (size_t k = 0; k < contact->set_count; k++) {
@@ -371,9 +384,8 @@ static enum status_code iterate(struct solver *solver, double tolerance, struct 
             best = violation;
             waited = 0;
         }
-        bool spent = solver->load->most_iterations && solver->effort->iterations >= solver->load->most_iterations;
-        if (spent || !isfinite(violation) || waited > PATIENCE) {
-            if (spent || !solver->preconditioned || !isfinite(violation))
+        if (!isfinite(violation) || waited > PATIENCE) {
+            if (!solver->preconditioned || !isfinite(violation))
                 return status_fail(status, STATUS_MODEL,
                                    "the direct solution does not converge at p/E' = %g (violation %.1e of the "
                                    "roughness after %zu iterations); use a finer grid or another load",
@@ -392,19 +404,11 @@ static enum status_code iterate(struct solver *solver, double tolerance, struct 
 static void start(struct solver *solver, bool warm)
 {
     struct direct_contact *contact = solver->contact;
-    const struct direct_kernel *kernel = &contact->kernel;
-    double mean = solver->load->mean_pressure, sum = 0;
-    contact->set_count = 0;
-    for (size_t j = 0; j < kernel->rows; j++)
-        for (size_t k = j * kernel->stride; k < j * kernel->stride + kernel->nx; k++) {
-            contact->set[contact->set_count++] = (uint32_t)k;
-            if (!warm)
-                contact->pressure[k] = mean;
-        }
+    direct_contact_select(contact, true);
     if (warm)
-        sum = sum_on(contact, contact->pressure);
-    for (size_t k = 0; warm && k < contact->set_count; k++)
-        contact->pressure[contact->set[k]] *= mean * (double)kernel->points / sum;
+        scale_mean(solver);
+    for (size_t k = 0; !warm && k < contact->set_count; k++)
+        contact->pressure[contact->set[k]] = solver->load->mean_pressure;
 }
 
 static bool exceeds(const struct direct_contact *contact, double hardness)
@@ -420,7 +424,9 @@ static enum status_code solve(struct solver *solver, struct status *status)
     struct direct_contact *contact = solver->contact;
     const struct direct_contact_load *load = solver->load;
     bool capped = isfinite(load->hardness), warm = load->warm && contact->solved;
-    warm &= contact->contact_share < WARM_MOST || (capped && contact->capped);
+    direct_contact_select(contact, false);
+    double touching = direct_team_sum(contact->kernel.team, (double)contact->set_count);
+    warm &= touching < WARM_MOST * (double)contact->kernel.points || (capped && contact->capped);
     solver->hardness = INFINITY;
     solver->preconditioned = true;
     start(solver, warm);
@@ -440,16 +446,6 @@ static enum status_code solve(struct solver *solver, struct status *status)
     return iterate(solver, load->tolerance, status);
 }
 
-static double share_in_contact(const struct direct_contact *contact)
-{
-    const struct direct_kernel *kernel = &contact->kernel;
-    size_t count = 0;
-    for (size_t j = 0; j < kernel->rows; j++)
-        for (size_t k = j * kernel->stride; k < j * kernel->stride + kernel->nx; k++)
-            count += contact->pressure[k] > 0;
-    return direct_team_sum(kernel->team, (double)count) / (double)kernel->points;
-}
-
 enum status_code direct_contact_solve(struct direct_contact *contact, const struct direct_contact_load *load,
                                       struct direct_contact_effort *effort, struct status *status)
 {
@@ -467,6 +463,24 @@ enum status_code direct_contact_solve(struct direct_contact *contact, const stru
     effort->convolutions += contact->kernel.convolutions - before;
     contact->solved = rc == STATUS_OK;
     contact->capped = isfinite(load->hardness);
-    contact->contact_share = share_in_contact(contact);
     return rc;
+}
+
+const uint8_t *direct_contact_touching(struct direct_contact *contact)
+{
+    const struct direct_kernel *kernel = &contact->kernel;
+    const struct direct_team *team = kernel->team;
+    size_t nx = kernel->nx, first;
+    for (size_t k = 0; k < kernel->rows * nx; k++)
+        contact->member[k] = contact->pressure[k / nx * kernel->stride + k % nx] > 0;
+    if (!team)
+        return contact->member;
+    size_t block = direct_team_slab(kernel->ny, team->size, 0, &first);
+    uint8_t *rows = contact->touching + (team->rank == 0 ? kernel->points : 0);
+    for (size_t j = 0; j < block; j++) { /* row j of each rank */
+        team->gather(team, rows, contact->member + (j < kernel->rows ? j : kernel->rows) * nx, nx);
+        for (size_t rank = 0; team->rank == 0 && rank * block + j < kernel->ny; rank++)
+            memcpy(contact->touching + (rank * block + j) * nx, rows + rank * nx, nx);
+    }
+    return team->rank == 0 ? contact->touching : NULL;
 }

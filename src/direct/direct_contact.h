@@ -19,22 +19,22 @@
 #include <stdint.h>
 
 /** A surface and the state of its contact. Fields have the kernel's rows and stride: the point (i along x, j along y)
- * is at j stride + i, j from the kernel's first_row. About 50 bytes a point (shared by a team 58), and 8 more for each
- * in contact while its constriction is solved. Owned: direct_contact_free(). */
+ * is at j stride + i, j from the kernel's first_row. About 50 bytes a point (shared by a team 58), 4 more while its
+ * patches are counted, or 8 for each in contact while its constriction is solved. Owned: direct_contact_free(). */
 struct direct_contact {
     struct direct_kernel kernel;
     double *height_m;
-    double *pressure;     /* p/E' */
-    double *gap_m;        /* g; overlap that has flowed is negative */
-    double *direction;    /* the solver's */
-    uint32_t *set;        /* the solver's points at work: their places in a field, ascending */
-    uint8_t *member;      /* whether a point is in it */
-    size_t set_count;     /* here */
-    double set_total;     /* on all ranks, while the solver works */
-    double contact_share; /* of the points, in the last solution */
-    double rms_m;         /* root mean square of the height about its mean */
-    bool solved;          /* pressure and gap_m hold a solution, to start the next from */
-    bool capped;          /* that with a hardness */
+    double *pressure;  /* p/E' */
+    double *gap_m;     /* g; overlap that has flowed is negative */
+    double *direction; /* the solver's */
+    uint32_t *set;     /* the solver's points at work: their places in a field, ascending */
+    uint8_t *member;   /* whether a point is in it; between solutions, what is in contact */
+    uint8_t *touching; /* of a team: room for the same of the whole grid on the first rank, and a row of each rank */
+    size_t set_count;  /* here */
+    double set_total;  /* on all ranks, while the solver works */
+    double rms_m;      /* root mean square of the height about its mean */
+    bool solved;       /* pressure and gap_m hold a solution, to start the next from */
+    bool capped;       /* that with a hardness */
 };
 
 /** What to solve for. */
@@ -42,7 +42,6 @@ struct direct_contact_load {
     double mean_pressure;    /* p̄/E' */
     double hardness;         /* H/E'; INFINITY: elastic */
     double tolerance;        /* largest violation of the conditions, as a share of rms_m: 1e-6 finds the right set */
-    size_t most_iterations;  /* 0: as many as halve the violation within 200 */
     bool warm;               /* start from the last solution, scaled, if there is one */
     const atomic_bool *stop; /* non-zero: end early; NULL: never. Looked at once an iteration */
 };
@@ -53,16 +52,11 @@ struct direct_contact_effort {
     double violation; /* reached: max |g| on the set / rms_m */
 };
 
-/** Takes a copy of ny rows of nx heights. Errors: those of direct_kernel_make(); STATUS_MODEL: a height that is not
- * finite, or a flat surface. */
-MUST_CHECK enum status_code direct_contact_make(struct direct_contact *out, const double *height_m, size_t nx,
-                                                size_t ny, double spacing_m, struct status *status);
-/** The same of a grid that a team shares (direct_kernel.h), in two steps: begin, put the heights of the rows here into
- * height_m, and have them taken. All of what follows is then collective, and its errors those of all ranks. */
-MUST_CHECK enum status_code direct_contact_begin(struct direct_contact *out, const struct direct_team *team, size_t nx,
-                                                 size_t ny, double spacing_m, struct status *status);
-/** The contact is freed on an error. */
-MUST_CHECK enum status_code direct_contact_take_heights(struct direct_contact *contact, struct status *status);
+/** Takes a copy of ny rows of nx heights (of a team, which may be NULL: the first rank's). Errors: those of
+ * direct_kernel_make(); STATUS_MODEL: a height that is not finite, or a flat surface. */
+MUST_CHECK enum status_code direct_contact_make(struct direct_contact *out, const struct direct_team *team,
+                                                const double *height_m, size_t nx, size_t ny, double spacing_m,
+                                                struct status *status);
 void direct_contact_free(struct direct_contact *contact);
 
 /** Solves for one load; adds the effort to *effort. Method: Polonsky and Keer, Wear 231 (1999) 206, with points that
@@ -71,5 +65,12 @@ void direct_contact_free(struct direct_contact *contact);
  * not define), a load that is no positive number, no convergence; STATUS_INTERRUPTED. */
 MUST_CHECK enum status_code direct_contact_solve(struct direct_contact *contact, const struct direct_contact_load *load,
                                                  struct direct_contact_effort *effort, struct status *status);
+
+/** Makes the set of the points here under pressure, or of all. */
+void direct_contact_select(struct direct_contact *contact, bool all);
+
+/** Where the bodies touch, p > 0: ny rows of nx, 1 where they do; of a team on the first rank, NULL on the others. The
+ * contact's, until it is solved again. */
+const uint8_t *direct_contact_touching(struct direct_contact *contact);
 
 #endif

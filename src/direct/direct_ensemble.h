@@ -10,11 +10,8 @@
 #include "direct/direct_ladder.h"
 #include "direct/direct_surface.h"
 
-enum {
-    DIRECT_ENSEMBLE_POINTS =
-        100,                  /* contact points below which a grid gives no number (112: A off by 1.5 %, 59: 2.8 %) */
-    DIRECT_ENSEMBLE_BATCH = 4 /* seeds after which scatter is looked at */
-};
+/** Contact points below which a grid gives no number (112: A off by 1.5 %, 59: 2.8 %). */
+enum { DIRECT_ENSEMBLE_POINTS = 100 };
 
 struct direct_ensemble_def {
     struct direct_ladder_def ladder;
@@ -25,18 +22,16 @@ struct direct_ensemble_def {
     const void *context;   /* its */
     const double *given_m; /* heights whose distribution the surfaces take; NULL: Gaussian */
     size_t given_count;
-    uint64_t first_seed; /* 1 */
-    size_t seeds;        /* at most */
-    double enough;  /* standard error of the mean log constriction (without resistance: gap) at which to stop; 0: all */
-    size_t threads; /* 0: one a processor. The result does not depend on it */
-    const struct direct_crew *crew; /* who solves; NULL: this process */
+    size_t seeds;                   /* 1 ... seeds */
+    unsigned threads;               /* 0: one a processor. The result does not depend on it */
+    const struct direct_team *team; /* that shares each grid; NULL: none, a thread has one to itself */
 };
 
 /** A mean over seeds, corrected for the grid. */
 struct direct_mean {
     double value;          /* NaN: none */
     double standard_error; /* of the mean; NaN from one seed, or its error by another measure */
-    double fine_ratio; /* by which the grid has been corrected (plane gap: the difference), 1 (0) without a fine one */
+    double fine_ratio;     /* by which the grid has been corrected, 1 without a fine one */
 };
 
 /** What hinders a number at one load. */
@@ -48,8 +43,7 @@ enum direct_ensemble_state {
 
 struct direct_ensemble_point {
     enum direct_ensemble_state state;
-    size_t least_points; /* in contact, of the seeds */
-    struct direct_mean area_ratio, gap_m, plane_gap_m, constriction_m, patches_per_m2;
+    struct direct_mean area_ratio, gap_m, constriction_m, patches_per_m2;
 };
 
 /** Owned: direct_ensemble_free(). */

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "direct/direct_kernel.h"
 
-#include <assert.h>
 #include <math.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -42,36 +40,31 @@ static void make_plans(struct direct_kernel *kernel)
     kernel->column_backward = fftw_plan_dft_1d(ny, kernel->transformed, kernel->columns, FFTW_BACKWARD, FFTW_ESTIMATE);
 }
 
+/** Room, plans and tables. */
 static enum status_code make(struct direct_kernel *out, struct status *status)
 {
-    size_t nx = out->nx, ny = out->ny, share = out->rows * out->stride, most = SIZE_MAX;
-    size_t length = BLOCK * (ny + GAP), quarter = out->own_columns * (ny / 2 + 1);
-    if (out->team) {
-        length = out->own_columns * ny;
-        length = share / 2 > length ? share / 2 : length;
-        share = 2 * length;
-        most = UINT32_MAX;
+    size_t places = out->rows * out->stride, quarter = out->own_columns * (out->ny / 2 + 1);
+    size_t modes = BLOCK * (out->ny + GAP);
+    if (out->team) { /* both have room for rows and for columns */
+        modes = out->own_columns * out->ny;
+        modes = places / 2 > modes ? places / 2 : modes;
+        places = 2 * modes;
     }
-    if (share <= most) {
-        out->field = fftw_alloc_real(share + 1);
-        out->row = fftw_alloc_complex(nx / 2 + 1);
-        out->columns = fftw_alloc_complex(length + 1);
-        out->transformed = fftw_alloc_complex(ny);
-        out->compliance = malloc((quarter + 1) * sizeof(double));
-        out->stiffness = malloc((quarter + 1) * sizeof(double));
-    }
-    bool has = out->field && out->row && out->columns && out->transformed && out->compliance && out->stiffness;
-    if (has)
+    out->field = fftw_alloc_real(places + 1); /* a rank may have none */
+    out->row = fftw_alloc_complex(out->nx / 2 + 1);
+    out->columns = fftw_alloc_complex(modes + 1);
+    out->transformed = fftw_alloc_complex(out->ny);
+    out->compliance = malloc((quarter + 1) * sizeof(double));
+    out->stiffness = malloc((quarter + 1) * sizeof(double));
+    if (out->field && out->row && out->columns && out->transformed && out->compliance && out->stiffness)
         make_plans(out);
     if (!out->row_forward || !out->row_backward || !out->column_forward || !out->column_backward)
-        (void)(share > most ? status_fail(status, STATUS_USAGE,
-                                          "a grid of %zu x %zu points is too large for %zu ranks; take more", nx, ny,
-                                          out->team->size)
-                            : status_memory(status));
+        (void)status_memory(status);
     if (direct_team_agree(out->team, status) == STATUS_OK && out->team) {
-        out->transposition =
-            out->team->transposition_make(out->team, ny, nx / 2 + 1, out->field, (double *)out->columns);
-        if (!out->transposition)
+        double *field = out->field, *columns = (double *)out->columns;
+        out->to_columns = out->team->transposition_make(out->team, out->ny, out->nx / 2 + 1, field, columns);
+        out->to_rows = out->team->transposition_make(out->team, out->nx / 2 + 1, out->ny, columns, field);
+        if (!out->to_columns || !out->to_rows)
             (void)status_memory(status);
         (void)direct_team_agree(out->team, status);
     }
@@ -82,23 +75,17 @@ static enum status_code make(struct direct_kernel *out, struct status *status)
     return status->code;
 }
 
-enum status_code direct_kernel_make(struct direct_kernel *out, size_t nx, size_t ny, double spacing_m,
-                                    struct status *status)
+enum status_code direct_kernel_make(struct direct_kernel *out, const struct direct_team *team, size_t nx, size_t ny,
+                                    double spacing_m, struct status *status)
 {
-    return direct_kernel_make_shared(out, NULL, nx, ny, spacing_m, status);
-}
-
-enum status_code direct_kernel_make_shared(struct direct_kernel *out, const struct direct_team *team, size_t nx,
-                                           size_t ny, double spacing_m, struct status *status)
-{
-    int most = team ? DIRECT_KERNEL_MOST_SHARED : DIRECT_KERNEL_MOST;
-    *out = (struct direct_kernel){.team = team, .nx = nx, .ny = ny, .points = nx * ny, .stride = 2 * (nx / 2 + 1)};
-    out->spacing_m = spacing_m;
-    out->rows = direct_team_slab(ny, team ? team->size : 1, team ? team->rank : 0, &out->first_row);
-    out->own_columns = direct_team_slab(nx / 2 + 1, team ? team->size : 1, team ? team->rank : 0, &out->first_column);
-    if (nx < 2 || ny < 2 || nx > (size_t)most || ny > (size_t)most)
+    size_t size = team ? team->size : 1, rank = team ? team->rank : 0;
+    *out = (struct direct_kernel){.team = team, .nx = nx, .ny = ny, .points = nx * ny, .spacing_m = spacing_m};
+    out->stride = 2 * (nx / 2 + 1);
+    out->rows = direct_team_slab(ny, size, rank, &out->first_row);
+    out->own_columns = direct_team_slab(nx / 2 + 1, size, rank, &out->first_column);
+    if (nx < 2 || ny < 2 || nx > DIRECT_KERNEL_MOST || ny > DIRECT_KERNEL_MOST)
         return status_fail(status, STATUS_USAGE, "a grid of %zu x %zu points cannot be solved; take 2 to %d a side", nx,
-                           ny, most);
+                           ny, DIRECT_KERNEL_MOST);
     if (!(spacing_m > 0) || !isfinite(spacing_m))
         return status_fail(status, STATUS_USAGE, "a spacing of %g m cannot be; give a positive length", spacing_m);
     return make(out, status);
@@ -106,8 +93,10 @@ enum status_code direct_kernel_make_shared(struct direct_kernel *out, const stru
 
 void direct_kernel_free(struct direct_kernel *kernel)
 {
-    if (kernel->transposition)
-        kernel->team->transposition_free(kernel->transposition);
+    if (kernel->team) {
+        kernel->team->transposition_free(kernel->to_columns);
+        kernel->team->transposition_free(kernel->to_rows);
+    }
     fftw_destroy_plan(kernel->row_forward);
     fftw_destroy_plan(kernel->row_backward);
     fftw_destroy_plan(kernel->column_forward);
@@ -189,67 +178,17 @@ static void filter_columns(struct direct_kernel *kernel, const double *table)
     }
 }
 
-static void convolve(struct direct_kernel *kernel, const double *table)
+void direct_kernel_convolve(struct direct_kernel *kernel, const double *table)
 {
     transform_rows(kernel);
     if (kernel->team) {
-        kernel->team->transpose(kernel->transposition, false);
+        kernel->team->transpose(kernel->to_columns);
         for (size_t i = 0; i < kernel->own_columns; i++)
             filter_column(kernel, kernel->columns + i * kernel->ny, table + i * (kernel->ny / 2 + 1));
-        kernel->team->transpose(kernel->transposition, true);
+        kernel->team->transpose(kernel->to_rows);
     } else {
         filter_columns(kernel, table);
     }
     transform_rows_back(kernel);
     kernel->convolutions++;
-}
-
-void direct_kernel_comply(struct direct_kernel *kernel)
-{
-    convolve(kernel, kernel->compliance);
-}
-
-void direct_kernel_stiffen(struct direct_kernel *kernel)
-{
-    convolve(kernel, kernel->stiffness);
-}
-
-void direct_kernel_transform(struct direct_kernel *kernel)
-{
-    assert(kernel->team);
-    transform_rows(kernel);
-    kernel->team->transpose(kernel->transposition, false);
-    for (size_t i = 0; i < kernel->own_columns; i++) {
-        fftw_complex *column = kernel->columns + i * kernel->ny;
-        fftw_execute_dft(kernel->column_forward, column, kernel->transformed);
-        memcpy(column, kernel->transformed, kernel->ny * sizeof *column);
-    }
-}
-
-void direct_kernel_transform_back(struct direct_kernel *kernel)
-{
-    assert(kernel->team);
-    for (size_t i = 0; i < kernel->own_columns; i++) {
-        fftw_complex *column = kernel->columns + i * kernel->ny;
-        memcpy(kernel->transformed, column, kernel->ny * sizeof *column);
-        fftw_execute_dft(kernel->column_backward, kernel->transformed, column);
-    }
-    kernel->team->transpose(kernel->transposition, true);
-    transform_rows_back(kernel);
-}
-
-const double *direct_kernel_row_above(const struct direct_kernel *kernel, const double *field)
-{
-    const struct direct_team *team = kernel->team;
-    if (!team)
-        return field;
-    size_t first, holders = 0; /* the last ranks may have no rows */
-    while (holders < team->size && direct_team_slab(kernel->ny, team->size, holders, &first) > 0)
-        holders++;
-    if (team->rank >= holders)
-        return field;
-    double *row = (double *)kernel->row;
-    team->exchange(team, (team->rank + holders - 1) % holders, field, (team->rank + 1) % holders, row,
-                   kernel->nx * sizeof *row);
-    return row;
 }

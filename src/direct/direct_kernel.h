@@ -14,8 +14,8 @@
 #include <fftw3.h>
 #include <stddef.h>
 
-/** Points a side: the places of a process fit 32 bits. Ranks that share a grid hold less of it each. */
-enum { DIRECT_KERNEL_MOST = 16384, DIRECT_KERNEL_MOST_SHARED = 65536 };
+/** Points a side: the places of a process fit 31 bits. */
+enum { DIRECT_KERNEL_MOST = 32768 };
 
 /** A grid of ny rows of nx points and one field on it to transform. Owned: direct_kernel_free(). */
 struct direct_kernel {
@@ -27,40 +27,27 @@ struct direct_kernel {
     size_t stride;                       /* values from row to row of `field`: 2 (nx/2 + 1), the last ones unused */
     double spacing_m;                    /* dx, the same in both directions */
     double *field;                       /* rows x stride */
-    double *compliance;                  /* 1/|q| [m] over the points, own_columns x (ny/2 + 1) */
-    double *stiffness;                   /* |q| [1/m] over the points, the same shape; 0 at q = 0 */
+    double *compliance;                  /* 1/|q| [m] over the points, own_columns x (ny/2 + 1); 0 at q = 0 */
+    double *stiffness;                   /* |q| [1/m] over the points, the same shape */
     fftw_complex *row;                   /* one row's transform */
     fftw_complex *columns, *transformed; /* some columns and one's transform; shared: own_columns x ny */
-    void *transposition;                 /* the team's, of the rows here to the columns here */
+    void *to_columns, *to_rows;          /* the team's transpositions of the rows here to the columns here, and back */
     fftw_plan row_forward, row_backward, column_forward, column_backward;
     size_t convolutions; /* done so far */
 };
 
 /** nx, ny >= 2. A transform is made of transforms of rows and columns, each column copied to a place of its own and its
  * product transformed back at once: from 512 points a side on that is 1.2 to 1.9 times as fast as FFTW's own plan of
- * two dimensions. Plans are made with FFTW_ESTIMATE: the same plan, hence the same bytes, in every thread and run,
- * within 1 ms (FFTW_MEASURE would take 0.2 to 2 s and choose by the clock). Any thread may call this at any time.
- * Errors: STATUS_MEMORY; STATUS_USAGE: a grid too large or too small, a spacing that is no length. */
-MUST_CHECK enum status_code direct_kernel_make(struct direct_kernel *out, size_t nx, size_t ny, double spacing_m,
-                                               struct status *status);
-/** The same of a grid that a team shares: rows and columns of the transform by slabs, the field transposed between
- * them. A convolution gives the same bits as in a single process. `team` has to outlive the kernel; collective, as all
- * that follows. */
-MUST_CHECK enum status_code direct_kernel_make_shared(struct direct_kernel *out, const struct direct_team *team,
-                                                      size_t nx, size_t ny, double spacing_m, struct status *status);
+ * two dimensions. A team has the field transposed between them instead, its rows and columns by slabs, and gets the
+ * same bits; it has to outlive the kernel. Plans are made with FFTW_ESTIMATE: the same plan, hence the same bytes, in
+ * every thread and run, within 1 ms (FFTW_MEASURE would take 0.2 to 2 s and choose by the clock). Any thread may call
+ * this at any time. Errors: STATUS_MEMORY; STATUS_USAGE: a grid too large or too small, a spacing that is no length. */
+MUST_CHECK enum status_code direct_kernel_make(struct direct_kernel *out, const struct direct_team *team, size_t nx,
+                                               size_t ny, double spacing_m, struct status *status);
 void direct_kernel_free(struct direct_kernel *kernel);
 
-/** Replaces `field` [a] by the field with the transform f̂/|q| [a m]. */
-void direct_kernel_comply(struct direct_kernel *kernel);
-/** Replaces `field` [a] by the field with the transform |q| f̂ [a/m]: the inverse, for a field of mean 0. */
-void direct_kernel_stiffen(struct direct_kernel *kernel);
-
-/** Of a shared kernel alone: `field` to its transform in `columns` (mode i, j at (i - first_column) ny + j), and back,
- * without the 1/points of the pair. */
-void direct_kernel_transform(struct direct_kernel *kernel);
-void direct_kernel_transform_back(struct direct_kernel *kernel);
-
-/** The row of a field after the last one here, periodic. Valid until the kernel is used again. */
-const double *direct_kernel_row_above(const struct direct_kernel *kernel, const double *field);
+/** Replaces `field` f by the field with the transform f̂ times `table`: compliance, stiffness (its inverse, for a field
+ * of mean 0), or another of their shape. */
+void direct_kernel_convolve(struct direct_kernel *kernel, const double *table);
 
 #endif

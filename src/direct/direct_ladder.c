@@ -3,22 +3,20 @@
 
 #include "direct/direct_constriction.h"
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 static enum status_code solve_load(struct direct_point *out, struct direct_contact *contact,
                                    const struct direct_ladder_def *def, double mean_pressure, struct status *status)
 {
-    struct direct_contact_load load = {mean_pressure, def->hardness, def->tolerance, 0, true, def->stop};
+    struct direct_contact_load load = {mean_pressure, def->hardness, def->tolerance, true, def->stop};
     struct direct_contact_effort effort = {0};
-    struct direct_patches patches;
     if (direct_contact_solve(contact, &load, &effort, status) != STATUS_OK)
         return status->code;
     out->exists = true;
     out->quantities = direct_quantities_of(contact, &load);
-    if (direct_patches_find(&patches, contact, status) != STATUS_OK)
+    if (direct_patches(&out->patches, contact, status) != STATUS_OK)
         return status->code;
-    out->patches = patches.count;
-    out->largest_patch = patches.points[0];
-    direct_patches_free(&patches);
     if (def->resistance && direct_constriction_of_contact(&out->constriction_m, contact, sqrt(def->tolerance),
                                                           def->stop, &effort, status) != STATUS_OK)
         return status->code;
@@ -37,18 +35,24 @@ enum status_code direct_ladder_run(struct direct_point *out, struct direct_conta
     return STATUS_OK;
 }
 
-enum status_code direct_ladder_of_heights(struct direct_point *out, uint8_t *touching, const double *height_m, size_t n,
-                                          double spacing_m, const struct direct_ladder_def *def,
-                                          const struct direct_crew *crew, struct status *status)
+enum status_code direct_ladder_of_heights(struct direct_point *out, double *rms_m, uint8_t *touching, double *height_m,
+                                          size_t n, double spacing_m, const struct direct_ladder_def *def,
+                                          const struct direct_team *team, struct status *status)
 {
-    struct direct_contact contact = {0};
-    if (crew)
-        return crew->heights(crew, out, touching, height_m, n, spacing_m, def, status);
-    if (direct_contact_make(&contact, height_m, n, n, spacing_m, status) != STATUS_OK)
-        return status->code;
-    enum status_code rc = direct_ladder_run(out, &contact, def, status);
-    for (size_t k = 0; touching && rc == STATUS_OK && k < n * n; k++)
-        touching[k] = contact.pressure[k / n * contact.kernel.stride + k % n] > 0;
+    struct direct_contact contact;
+    enum status_code rc = STATUS_OK;
+    if (team && team->rank == 0)
+        rc = team->call(team, n, spacing_m, def, status);
+    if (rc == STATUS_OK)
+        rc = direct_contact_make(&contact, team, height_m, n, n, spacing_m, status);
+    free(height_m);
+    if (rc != STATUS_OK)
+        return rc;
+    if (rms_m)
+        *rms_m = contact.rms_m;
+    rc = direct_ladder_run(out, &contact, def, status);
+    if (rc == STATUS_OK && touching)
+        memcpy(touching, team ? contact.touching : contact.member, n * n); /* of the last solution */
     direct_contact_free(&contact);
     return rc;
 }

@@ -3,7 +3,6 @@
 #ifndef DIRECT_LADDER_H
 #define DIRECT_LADDER_H
 
-#include "direct/direct_crew.h"
 #include "direct/direct_quantities.h"
 
 struct direct_ladder_def {
@@ -15,12 +14,12 @@ struct direct_ladder_def {
     const atomic_bool *stop; /* NULL: never */
 };
 
-/** At one load. */
+/** At one load; of a team, on the first rank. */
 struct direct_point {
     bool exists; /* false: p̄ >= H, complete contact, which a hardness does not define; no number then */
     struct direct_quantities quantities;
     double constriction_m; /* NaN where not asked for. The mean gap falls by 2 constriction_m per p̄/E' if elastic */
-    size_t patches, largest_patch; /* connected patches of contact, points of the largest */
+    size_t patches;        /* connected ones of contact */
     size_t convolutions;
 };
 
@@ -28,11 +27,12 @@ struct direct_point {
 MUST_CHECK enum status_code direct_ladder_run(struct direct_point *out, struct direct_contact *contact,
                                               const struct direct_ladder_def *def, struct status *status);
 
-/** The same of n x n given heights, by a crew (NULL: here). `touching` (NULL: not wanted): n x n, 1 where the bodies
- * touch under the last load. Errors: those of the surface and the solutions. */
-MUST_CHECK enum status_code direct_ladder_of_heights(struct direct_point *out, uint8_t *touching,
-                                                     const double *height_m, size_t n, double spacing_m,
+/** The same of n x n heights, which are freed as soon as they are taken, and their Sq (NULL: not wanted). `touching`
+ * (NULL: not wanted): n x n, 1 where the bodies touch under the last load. With a team (NULL: none) the first rank
+ * calls the others, which have none of the three. Errors: those of the surface and the solutions. */
+MUST_CHECK enum status_code direct_ladder_of_heights(struct direct_point *out, double *rms_m, uint8_t *touching,
+                                                     double *height_m, size_t n, double spacing_m,
                                                      const struct direct_ladder_def *def,
-                                                     const struct direct_crew *crew, struct status *status);
+                                                     const struct direct_team *team, struct status *status);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "direct/direct_map.h"
 
-#include <fftw3.h>
+#include "direct/direct_kernel.h"
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
@@ -75,53 +75,33 @@ static enum status_code take_square(struct direct_map *map, double *height, size
 /** Gaussian low-pass of a periodic square, transmission 1/2 at a wave of `cutoff` points in any direction. */
 static enum status_code low_pass(double *height, size_t n, double cutoff, struct status *status)
 {
-    size_t columns = n / 2 + 1;
-    double *field = fftw_alloc_real(n * n);
-    fftw_complex *modes = fftw_alloc_complex(n * columns);
-    fftw_plan forward = NULL, backward = NULL;
-    if (field && modes) {
-        forward = fftw_plan_dft_r2c_2d((int)n, (int)n, field, modes, FFTW_ESTIMATE);
-        backward = fftw_plan_dft_c2r_2d((int)n, (int)n, modes, field, FFTW_ESTIMATE);
+    struct direct_kernel kernel;
+    size_t side = n / 2 + 1;
+    if (direct_kernel_make(&kernel, NULL, n, n, 1, status) != STATUS_OK)
+        return status->code;
+    double *transmission = kernel.compliance; /* has the shape, and is not needed */
+    for (size_t k = 0; k < side * side; k++) {
+        double r = hypot((double)(k / side), (double)(k % side)) / (double)n * cutoff;
+        transmission[k] = exp2(-r * r) / (double)(n * n);
     }
-    if (!forward || !backward)
-        (void)status_memory(status);
-    else {
-        memcpy(field, height, n * n * sizeof *field);
-        fftw_execute(forward);
-        for (size_t j = 0; j < n; j++)
-            for (size_t i = 0; i < columns; i++) {
-                double r = hypot((double)i, (double)(j <= n / 2 ? j : n - j)) / (double)n * cutoff;
-                double share = exp2(-r * r) / (double)(n * n);
-                modes[j * columns + i][0] *= share;
-                modes[j * columns + i][1] *= share;
-            }
-        fftw_execute(backward);
-        memcpy(height, field, n * n * sizeof *field);
-    }
-    fftw_destroy_plan(forward);
-    fftw_destroy_plan(backward);
-    fftw_free(field);
-    fftw_free(modes);
-    return status->code;
+    for (size_t j = 0; j < n; j++)
+        memcpy(kernel.field + j * kernel.stride, height + j * n, n * sizeof *height);
+    direct_kernel_convolve(&kernel, transmission);
+    for (size_t j = 0; j < n; j++)
+        memcpy(height + j * n, kernel.field + j * kernel.stride, n * sizeof *height);
+    direct_kernel_free(&kernel);
+    return STATUS_OK;
 }
 
-/** Figures of the finished square, periodic. */
-static void measure(struct direct_map *map)
+/** Root mean square about the mean. */
+static double rms(const double *z, size_t count)
 {
-    double mean = 0, square = 0, slope = 0, count = (double)(map->n * map->n);
-    const double *z = map->height_m;
-    for (size_t k = 0; k < map->n * map->n; k++)
-        mean += z[k] / count;
-    for (size_t j = 0; j < map->n; j++)
-        for (size_t i = 0; i < map->n; i++) {
-            const double *row = z + j * map->n, *up = z + (j + 1) % map->n * map->n;
-            const double *down = z + (j + map->n - 1) % map->n * map->n;
-            double along = row[(i + 1) % map->n] - row[(i + map->n - 1) % map->n], across = up[i] - down[i];
-            slope += (along * along + across * across) / count;
-            square += (row[i] - mean) * (row[i] - mean) / count;
-        }
-    map->rms_m = sqrt(square);
-    map->gradient = sqrt(slope) / (2 * map->spacing_m);
+    double mean = 0, square = 0;
+    for (size_t k = 0; k < count; k++)
+        mean += z[k] / (double)count;
+    for (size_t k = 0; k < count; k++)
+        square += (z[k] - mean) * (z[k] - mean) / (double)count;
+    return sqrt(square);
 }
 
 enum status_code direct_map_make(struct direct_map *out, const double *height_m, size_t nx, size_t ny, double dx_m,
@@ -145,7 +125,7 @@ enum status_code direct_map_make(struct direct_map *out, const double *height_m,
             for (size_t i = 0; i < 2 * n; i++)
                 out->height_m[j * 2 * n + i] = square[(j < n ? j : 2 * n - 1 - j) * n + (i < n ? i : 2 * n - 1 - i)];
         if (cutoff <= 0 || low_pass(out->height_m, 2 * n, cutoff, status) == STATUS_OK)
-            measure(out);
+            out->rms_m = rms(out->height_m, 4 * n * n);
     }
     free(square);
     if (status->code != STATUS_OK)

@@ -12,9 +12,8 @@ struct direct_map {
     double *height_m; /* n x n */
     size_t n;         /* twice the square taken from the map */
     double spacing_m;
-    double rms_m;    /* about its mean */
-    double gradient; /* root mean square of the gradient, by central differences */
-    size_t filled;   /* missing points that took their nearest neighbour's height */
+    double rms_m;  /* about its mean */
+    size_t filled; /* missing points that took their nearest neighbour's height */
 };
 
 /** From `ny` rows of `nx` heights (NaN: missing): the square of at most `most` points at the first corner; missing

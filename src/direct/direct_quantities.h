@@ -16,28 +16,20 @@ struct direct_quantities {
     size_t contact_points;  /* p > 0 */
     size_t perimeter_faces; /* between such a point and one that is not, periodic; outline S_d = faces dx */
     size_t capped_points;   /* p = H */
-    double area_raw;        /* contact points over all */
-    double area_ratio;  /* A/A_n = area_raw - kappa S_d dx/L², kappa = direct_kappa; under a hardness at least p̄/H */
+    double area_ratio;  /* A/A_n = contact points over all - kappa S_d dx/L², kappa = direct_kappa; under a hardness at
+                           least p̄/H */
     double gap_m;       /* mean of max(g, 0): 0 at complete contact */
     double plane_gap_m; /* mean g, the distance of the mean planes: less than gap_m by what has flowed */
 };
 
-/** Of a contact just solved for `load`. */
-struct direct_quantities direct_quantities_of(const struct direct_contact *contact,
-                                              const struct direct_contact_load *load);
+/** Of a contact just solved for `load`; of a team, on the first rank. */
+struct direct_quantities direct_quantities_of(struct direct_contact *contact, const struct direct_contact_load *load);
 
 /** Area corrected with another kappa, neither limited by the hardness nor below 0. */
 double direct_area_corrected(const struct direct_quantities *quantities, size_t points, double kappa);
 
-/** Connected patches of contact, points touching along a face, periodic. Owned: direct_patches_free(). */
-struct direct_patches {
-    size_t count;
-    uint32_t *points; /* in each, largest first */
-};
-
-/** Uses the contact's `set` for its labels. Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code direct_patches_find(struct direct_patches *out, struct direct_contact *contact,
-                                                struct status *status);
-void direct_patches_free(struct direct_patches *patches);
+/** How many connected patches of contact there are, points touching along a face, periodic; of a team, on the first
+ * rank. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code direct_patches(size_t *count, struct direct_contact *contact, struct status *status);
 
 #endif

@@ -4,6 +4,7 @@
 #include "base/rank.h"
 #include <assert.h>
 #include <fftw3.h>
+#include <gsl/gsl_sort.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -151,14 +152,6 @@ static double phase(uint64_t seed, long i, long j)
     return 2 * M_PI * ldexp((double)(mix(mix(seed) ^ index) >> 11), -53);
 }
 
-void direct_surface_mode(double mode[2], double amplitude, uint64_t seed, long i, long j)
-{
-    bool upper = j > 0 || (j == 0 && i > 0); /* else it is the conjugate of (-i, -j) */
-    double angle = upper ? phase(seed, i, j) : -phase(seed, -i, -j);
-    mode[0] = amplitude * cos(angle);
-    mode[1] = amplitude * sin(angle);
-}
-
 /** Heights of n x n points and their transform, in one place. */
 struct modes {
     size_t n, stride;
@@ -228,23 +221,20 @@ static void store(double *height_m, const struct modes *modes)
         memcpy(height_m + j * modes->n, modes->field + j * modes->stride, modes->n * sizeof(double));
 }
 
-enum status_code direct_surface_realise(double *height_m, size_t n, direct_variance *variance, const void *context,
-                                        uint64_t seed, struct status *status)
+/** A Gaussian surface. */
+static void realise(double *height_m, struct modes *modes, uint64_t seed)
 {
-    struct modes modes;
-    if (modes_make(&modes, n, status) != STATUS_OK)
-        return status->code;
-    if (modes_amplitudes(&modes, variance, context, status) == STATUS_OK) {
-        for (size_t j = 0; j < n; j++)
-            for (size_t i = 0; i < n / 2; i++) {
-                long y = j < n / 2 ? (long)j : (long)j - (long)n;
-                direct_surface_mode(mode_at(&modes, i, j), amplitude_at(&modes, i, j), seed, (long)i, y);
-            }
-        fftw_execute(modes.backward);
-        store(height_m, &modes);
-    }
-    modes_free(&modes);
-    return status->code;
+    size_t n = modes->n;
+    for (size_t j = 0; j < n; j++)
+        for (size_t i = 0; i < n / 2; i++) {
+            long x = (long)i, y = j < n / 2 ? (long)j : (long)j - (long)n;
+            bool upper = y > 0 || (y == 0 && x > 0); /* else it is the conjugate of (-x, -y) */
+            double angle = upper ? phase(seed, x, y) : -phase(seed, -x, -y), *mode = mode_at(modes, i, j);
+            mode[0] = amplitude_at(modes, i, j) * cos(angle);
+            mode[1] = amplitude_at(modes, i, j) * sin(angle);
+        }
+    fftw_execute(modes->backward);
+    store(height_m, modes);
 }
 
 enum status_code direct_surface_refine(double *fine_m, size_t times, const double *height_m, size_t n,
@@ -270,29 +260,20 @@ enum status_code direct_surface_refine(double *fine_m, size_t times, const doubl
     return status->code;
 }
 
-static int ascending(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /** `count` quantiles of the given heights, ascending, of mean 0 and the given mean square. */
 static enum status_code quantiles(double *out, size_t count, const double *given_m, size_t given_count,
                                   double mean_square, struct status *status)
 {
-    double *sorted = given_count >= 2 ? malloc(given_count * sizeof *sorted) : NULL, mean = 0, square = 0;
-    if (!sorted && given_count >= 2)
+    double *sorted = malloc((given_count + 1) * sizeof *sorted), mean = 0, square = 0;
+    if (!sorted)
         return status_memory(status);
-    bool finite = sorted != NULL;
-    for (size_t k = 0; finite && k < given_count; k++) {
+    bool finite = given_count >= 2;
+    for (size_t k = 0; k < given_count; k++) {
         sorted[k] = given_m[k];
-        finite = isfinite(given_m[k]);
+        finite &= isfinite(given_m[k]) != 0;
     }
-    if (finite) {
-        qsort(sorted, given_count, sizeof *sorted, ascending);
-        finite = sorted[given_count - 1] > sorted[0];
-    }
-    if (!finite) {
+    gsl_sort(sorted, 1, given_count);
+    if (!finite || !(sorted[given_count - 1] > sorted[0])) {
         free(sorted);
         return status_fail(status, STATUS_MODEL, "the heights to give a surface are too few, all equal or not finite");
     }
@@ -345,26 +326,36 @@ static void adjust(struct modes *modes, const double *heights, double *values, u
     }
 }
 
-enum status_code direct_surface_with_heights(double *height_m, size_t n, direct_variance *variance, const void *context,
-                                             const double *given_m, size_t given_count, uint64_t seed,
-                                             struct status *status)
+/** A surface with given heights. */
+static enum status_code give_heights(double *height_m, struct modes *modes, const double *given_m, size_t given_count,
+                                     uint64_t seed, struct status *status)
+{
+    size_t n = modes->n;
+    double mean_square = 0, *heights = malloc(n * n * sizeof *heights);
+    uint64_t *order = malloc(2 * n * n * sizeof *order);
+    for (size_t j = 0; j < n; j++)
+        for (size_t i = 0; i < n / 2; i++)
+            mean_square += (i > 0 ? 2 : 1) * pow(amplitude_at(modes, i, j), 2);
+    if (!heights || !order)
+        (void)status_memory(status);
+    else if (quantiles(heights, n * n, given_m, given_count, mean_square, status) == STATUS_OK)
+        adjust(modes, heights, height_m, order, seed);
+    free(heights);
+    free(order);
+    return status->code;
+}
+
+enum status_code direct_surface_make(double *height_m, size_t n, direct_variance *variance, const void *context,
+                                     const double *given_m, size_t given_count, uint64_t seed, struct status *status)
 {
     struct modes modes;
     if (modes_make(&modes, n, status) != STATUS_OK)
         return status->code;
     if (modes_amplitudes(&modes, variance, context, status) == STATUS_OK) {
-        double mean_square = 0;
-        for (size_t j = 0; j < n; j++)
-            for (size_t i = 0; i < n / 2; i++)
-                mean_square += (i > 0 ? 2 : 1) * pow(amplitude_at(&modes, i, j), 2);
-        double *heights = malloc(n * n * sizeof *heights);
-        uint64_t *order = malloc(2 * n * n * sizeof *order);
-        if (!heights || !order)
-            (void)status_memory(status);
-        else if (quantiles(heights, n * n, given_m, given_count, mean_square, status) == STATUS_OK)
-            adjust(&modes, heights, height_m, order, seed);
-        free(heights);
-        free(order);
+        if (given_m)
+            (void)give_heights(height_m, &modes, given_m, given_count, seed, status);
+        else
+            realise(height_m, &modes, seed);
     }
     modes_free(&modes);
     return status->code;

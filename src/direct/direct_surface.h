@@ -58,23 +58,17 @@ void direct_spectrum_free(struct direct_spectrum *spectrum);
 /** v(r) of a struct direct_spectrum: a direct_variance. */
 double direct_spectrum_variance(double r, const void *spectrum);
 
-/** Fills n x n heights, n even: each pair of modes +-(i, j), |i|, |j| < n/2, gets the amplitude sqrt(4 v) and a phase
- * hashed from seed, i and j alone. So every seed has the same row spectrum, and a seed is the same surface on every
- * grid that holds its modes. Errors: STATUS_MEMORY; STATUS_MODEL: a variance negative or not finite. */
-MUST_CHECK enum status_code direct_surface_realise(double *height_m, size_t n, direct_variance *variance,
-                                                   const void *context, uint64_t seed, struct status *status);
-
-/** The complex mode (i, j), |i|, |j| < 32768, of that surface; its amplitude is sqrt(v). */
-void direct_surface_mode(double mode[2], double amplitude, uint64_t seed, long i, long j);
-
-/** Fills n x n heights, n even, that have the spectrum and, as nearly as that allows, the distribution of the `given`
- * heights (their quantiles, shifted and scaled to the spectrum's mean square): the iterated amplitude-adjusted Fourier
- * transform (Schreiber and Schmitz, Phys. Rev. Lett. 77 (1996) 635), 60 rounds from a shuffle hashed from the seed,
- * ending with the exact spectrum. Equal heights rank by their place. Errors: as direct_surface_realise(); STATUS_MODEL:
- * fewer than 2 given heights, all equal, or one not finite. */
-MUST_CHECK enum status_code direct_surface_with_heights(double *height_m, size_t n, direct_variance *variance,
-                                                        const void *context, const double *given_m, size_t given_count,
-                                                        uint64_t seed, struct status *status);
+/** Fills n x n heights, n even. Gaussian (given_m NULL): each pair of modes +-(i, j), |i|, |j| < n/2, gets the
+ * amplitude sqrt(4 v) and a phase hashed from seed, i and j alone. So every seed has the same row spectrum, and a seed
+ * is the same surface on every grid that holds its modes. Else with the same spectrum and, as nearly as that allows,
+ * the distribution of the `given` heights (their quantiles, shifted and scaled to the spectrum's mean square): the
+ * iterated amplitude-adjusted Fourier transform (Schreiber and Schmitz, Phys. Rev. Lett. 77 (1996) 635), 60 rounds from
+ * a shuffle hashed from the seed, ending with the exact spectrum. Equal heights rank by their place. Errors:
+ * STATUS_MEMORY; STATUS_MODEL: a variance negative or not finite; fewer than 2 given heights, all equal, or one not
+ * finite. */
+MUST_CHECK enum status_code direct_surface_make(double *height_m, size_t n, direct_variance *variance,
+                                                const void *context, const double *given_m, size_t given_count,
+                                                uint64_t seed, struct status *status);
 
 /** The same surface on a grid of `times` n points a side (n even): `fine_m` interpolates the heights by their Fourier
  * series, without the modes at n/2. Error: STATUS_MEMORY. */

@@ -3,7 +3,6 @@
 
 #include <assert.h>
 #include <math.h>
-#include <stdlib.h>
 
 size_t direct_team_slab(size_t n, size_t size, size_t rank, size_t *first)
 {
@@ -12,28 +11,28 @@ size_t direct_team_slab(size_t n, size_t size, size_t rank, size_t *first)
     return n - *first < block ? n - *first : block;
 }
 
-void direct_team_add(const struct direct_team *team, double *values, size_t count)
+static void combine(const struct direct_team *team, double *values, size_t count, bool most)
 {
     if (!team)
         return;
-    assert(count <= DIRECT_TEAM_VALUES);
-    team->gather(team, team->scratch, values, count * sizeof *values);
+    double *all = (double *)team->scratch;
+    assert(count * sizeof *values <= sizeof *team->scratch);
+    team->gather(team, all, values, count * sizeof *values);
     for (size_t k = 0; k < count; k++) {
-        values[k] = team->scratch[k];
+        values[k] = all[k];
         for (size_t rank = 1; rank < team->size; rank++)
-            values[k] += team->scratch[rank * count + k];
+            values[k] = most ? fmax(values[k], all[rank * count + k]) : values[k] + all[rank * count + k];
     }
+}
+
+void direct_team_add(const struct direct_team *team, double *values, size_t count)
+{
+    combine(team, values, count, false);
 }
 
 void direct_team_most(const struct direct_team *team, double *values, size_t count)
 {
-    if (!team)
-        return;
-    assert(count <= DIRECT_TEAM_VALUES);
-    team->gather(team, team->scratch, values, count * sizeof *values);
-    for (size_t k = 0; k < count; k++)
-        for (size_t rank = 0; rank < team->size; rank++)
-            values[k] = fmax(values[k], team->scratch[rank * count + k]);
+    combine(team, values, count, true);
 }
 
 double direct_team_sum(const struct direct_team *team, double value)
@@ -51,15 +50,10 @@ enum status_code direct_team_agree(const struct direct_team *team, struct status
 {
     if (!team || !direct_team_any(team, status->code != STATUS_OK))
         return status->code;
-    struct status *all = malloc(team->size * sizeof *all), none = {0};
-    /* whoever has no memory left cannot tell whose message comes first, but it has one of its own */
-    bool told = !direct_team_any(team, all == NULL);
-    if (told) {
-        team->gather(team, all, status, sizeof *status);
-        *status = none;
-        for (size_t rank = 0; rank < team->size && status->code == STATUS_OK; rank++)
-            *status = all[rank];
-    }
-    free(all);
-    return told ? status->code : status_memory(status);
+    team->gather(team, team->scratch, status, sizeof *status);
+    size_t rank = 0;
+    while (team->scratch[rank].code == STATUS_OK)
+        rank++;
+    *status = team->scratch[rank];
+    return status->code;
 }

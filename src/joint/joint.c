@@ -80,7 +80,7 @@ static void add_spots(struct contact_point *point, const struct contact_spots *o
     if (runs(task, EFFECT_PLATING)) {
         bool independent = point->area_ratio < joint_independent_area && spots.radius_m > 0;
         point->plating_factor = independent ? joint_plating(task, spots.radius_m) : NAN;
-        ecr_ohm_m2 *= point->plating_factor;
+        ecr_ohm_m2 *= ecr_ohm_m2 > 0 ? point->plating_factor : 1; /* of full contact nothing is left to change */
     }
     if (runs(task, EFFECT_FILM))
         ecr_ohm_m2 = film_resistance(ecr_ohm_m2, task->joint->film_ohm_m2, point->area_ratio);
@@ -99,7 +99,6 @@ void joint_apply(struct contact_point *points, const struct contact_spots *spots
     const unsigned on_spots = EFFECT_BIT(EFFECT_FILM) | EFFECT_BIT(EFFECT_PLATING) | EFFECT_BIT(EFFECT_HEATING);
     for (size_t i = 0; i < count; i++) {
         struct contact_point *point = &points[i];
-        quantity_empty_made(point);
         if (runs(task, EFFECT_GAP)) {
             double gap = joint_gap_conductance(task, point->separation_m, point->area_ratio);
             point->gap_W_per_m2K = finite_or_nan(gap);

@@ -15,14 +15,6 @@ const char *roughcontact_material_key(size_t i)
     return i < material_property_count ? material_properties[i].key : NULL;
 }
 
-static const struct material_property *find_property(const char *key)
-{
-    for (size_t i = 0; key && i < material_property_count; i++)
-        if (strcmp(material_properties[i].key, key) == 0)
-            return &material_properties[i];
-    return NULL;
-}
-
 int roughcontact_material_new(struct roughcontact_material **out, const char *name, struct roughcontact_status *status)
 {
     struct host host;
@@ -45,7 +37,7 @@ int roughcontact_material_set(struct roughcontact_material *material, const char
 {
     struct host host;
     struct status problem = {0};
-    const struct material_property *property = find_property(key);
+    const struct material_property *property = key ? material_property_find(key) : NULL;
     host_put_aside(&host);
     if (!material)
         (void)status_fail(&problem, STATUS_USAGE, "no material is given");
@@ -63,7 +55,7 @@ int roughcontact_material_set(struct roughcontact_material *material, const char
 
 double roughcontact_material_get(const struct roughcontact_material *material, const char *key)
 {
-    const struct material_property *property = find_property(key);
+    const struct material_property *property = key ? material_property_find(key) : NULL;
     return material && property ? material_value(&material->material, property) : NAN;
 }
 

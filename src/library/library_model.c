@@ -70,10 +70,7 @@ struct bodies {
 
 static bool is_known(const struct material *material, const char *key)
 {
-    for (size_t p = 0; p < material_property_count; p++)
-        if (strcmp(material_properties[p].key, key) == 0)
-            return !isnan(material_value(material, &material_properties[p]));
-    return false;
+    return !isnan(material_value(material, material_property_find(key)));
 }
 
 /** The first property that an effect needs and a body does not have; NULL: there is none. */

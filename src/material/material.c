@@ -140,6 +140,14 @@ const struct material *material_find(const char *name)
     return NULL;
 }
 
+const struct material_property *material_property_find(const char *key)
+{
+    for (size_t i = 0; i < material_property_count; i++)
+        if (strcmp(material_properties[i].key, key) == 0)
+            return &material_properties[i];
+    return NULL;
+}
+
 struct material material_unknown(const char *name)
 {
     struct material material = {.source = "",

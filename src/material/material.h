@@ -47,6 +47,8 @@ extern const size_t material_table_count;
 const struct material *material_find(const char *name);
 /** A material with every property NaN and the given name. */
 struct material material_unknown(const char *name);
+/** The row of that key (E_Pa), NULL when there is none. */
+const struct material_property *material_property_find(const char *key);
 /** Value of a property row in a material. */
 double material_value(const struct material *material, const struct material_property *property);
 

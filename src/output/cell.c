@@ -3,14 +3,32 @@
 
 #include "base/number_digits.h"
 #include <math.h>
+#include <stdio.h>
+
+static void lose(const struct cell_guard *guard, const char *quantity)
+{
+    struct results_lost *lost = guard->lost;
+    pthread_mutex_lock(&lost->lock);
+    if (lost->count++ == 0) {
+        struct text line = {0};
+        text_add(&line, "%s", quantity);
+        if (guard->surface) {
+            text_add(&line, " of surface '");
+            text_add_shown(&line, guard->surface);
+            text_add(&line, "'");
+        }
+        text_add(&line, " came out infinite and was left empty, a fault of the program; report it");
+        snprintf(lost->first, sizeof lost->first, "%s", text_string(&line));
+        text_free(&line);
+    }
+    pthread_mutex_unlock(&lost->lock);
+}
 
 /** Is there a number to write? */
 static bool present(const struct cell_guard *guard, const char *quantity, double value)
 {
-    if (isinf(value))
-        (void)status_fail(guard->status, STATUS_NUMBER, "%s%s%s%s came out infinite, a fault of the program; report it",
-                          quantity, guard->surface ? " of surface '" : "", guard->surface ? guard->surface : "",
-                          guard->surface ? "'" : "");
+    if (isinf(value) && guard->lost)
+        lose(guard, quantity);
     return isfinite(value);
 }
 

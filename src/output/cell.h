@@ -4,13 +4,14 @@
 #define OUTPUT_CELL_H
 
 #include "base/text.h"
+#include "results/results.h"
 #include <jansson.h>
 
-/** Whose numbers are written, and where the first that is infinite is reported: STATUS_NUMBER with quantity and
- * surface, a fault of the program. The caller looks at `status` once the file is written. */
+/** Whose numbers are written, and where the first that is infinite is said, with quantity and surface: a fault of the
+ * program, which costs that number. */
 struct cell_guard {
-    const char *surface; /* NULL: of no surface */
-    struct status *status;
+    const char *surface;       /* NULL: of no surface */
+    struct results_lost *lost; /* NULL: nobody asks */
 };
 
 /** Adds a comma and the number (%.17g, SI), nothing more for NaN. */

@@ -148,8 +148,8 @@ static json_t *scene_json(const struct results *results, const struct cell_guard
     const struct scene_convergence *study = &scene->convergence;
     json_object_set_new(json, "convergence",
                         json_pack("{s:o, s:o, s:o, s:o, s:I}", "alpha", cell_json(guard, "alpha", study->alpha),
-                                  "gamma", cell_json(guard, "gamma", study->gamma), "load",
-                                  cell_json(guard, "load", study->load), "scan_length_m",
+                                  "gamma", cell_json(guard, "gamma", study->gamma), "load_over_AnEp",
+                                  cell_json(guard, "load_over_AnEp", study->load), "scan_length_m",
                                   cell_json(guard, "scan_length_m", study->scan_length_m), "scales",
                                   (json_int_t)study->scales));
     return json;
@@ -180,8 +180,8 @@ static json_t *curve_json(const struct model_curve *curve, const struct curve_su
                           const struct material_pair *pair, const struct scene *scene, const struct plan *plan,
                           const struct cell_guard *guard)
 {
-    json_t *json = json_pack("{s:o, s:o, s:o, s:o, s:o, s:I}", "full_contact_load",
-                             cell_json(guard, "full_contact_load", model->full_load), "beta",
+    json_t *json = json_pack("{s:o, s:o, s:o, s:o, s:o, s:I}", "full_contact_load_over_AnEp",
+                             cell_json(guard, "full_contact_load_over_AnEp", model->full_load), "beta",
                              cell_json(guard, "beta", model->beta), "beta_from_multiscale",
                              cell_json(guard, "beta_from_multiscale", model->beta_multiscale), "area_load_slope",
                              cell_json(guard, "area_load_slope", model->area_slope), "largest_load_share_beyond_fit",
@@ -229,11 +229,12 @@ static json_t *intervals_json(const struct curve_summary *model, const struct ce
     json_t *json = json_object();
     for (int q = 0; q < QUANTITY_COUNT; q++)
         if (repeats_band_holds((enum quantity)q) && curve_summary_estimate(model, q)->count > 0)
-            json_object_set_new(json, quantity_rows[q].name, estimate_json(curve_summary_estimate(model, q), guard));
+            json_object_set_new(json, quantity_shown_name((enum quantity)q),
+                                estimate_json(curve_summary_estimate(model, q), guard));
     const struct estimate *full_load = curve_summary_estimate(model, CURVE_FULL_LOAD),
                           *beta = curve_summary_estimate(model, CURVE_BETA);
     if (full_load->count > 0)
-        json_object_set_new(json, "full_contact_load", estimate_json(full_load, guard));
+        json_object_set_new(json, "full_contact_load_over_AnEp", estimate_json(full_load, guard));
     if (beta->count > 0)
         json_object_set_new(json, "beta", estimate_json(beta, guard));
     return json;
@@ -396,10 +397,10 @@ static json_t *direct_curve_json(const struct direct_study *study, const struct 
     return json;
 }
 
-static json_t *direct_json(const struct direct_study *study, const struct results *results, struct status *status)
+static json_t *direct_json(const struct direct_study *study, const struct results *results)
 {
     const struct surface_summary *surface = &results->surfaces[study->surface].summary;
-    const struct cell_guard guard = {surface->scene->name, status};
+    const struct cell_guard guard = {surface->scene->name, results->lost};
     const struct direct_plan *plan = &study->plan;
     json_t *solutions = json_array(), *ratios = json_object();
     for (int kind = 0; kind < DIRECT_STUDY_KINDS; kind++)
@@ -445,40 +446,42 @@ static json_t *work_json(const struct results *results)
 }
 
 /** What one model says of one target. */
-static json_t *answer_json(const struct results *results, size_t surface, size_t m, size_t t, struct status *status)
+static json_t *answer_json(const struct results *results, size_t surface, size_t m, size_t t, struct results_lost *lost)
 {
     const struct scene_asked *target = &results->scene->targets[t];
     const struct surface_summary *s = &results->surfaces[surface].summary;
     const struct answer *answer = &s->answers[t * model_count + m];
-    const struct cell_guard guard = {s->scene->name, status};
+    const struct cell_guard guard = {s->scene->name, lost};
     bool met = answer->kind == ANSWER_LOAD || answer->kind == ANSWER_LIGHTEST;
     double area_m2 = results->scene->nominal_area_m2, interval[2] = {answer->low, answer->high};
     struct text note = {0}, asked = {0};
     text_add(&asked, "%s %s", target->row->name, target->text);
-    answers_note(&note, answer, area_m2, 1);
+    answers_note(&note, answer, area_m2, 1, "");
     json_t *json = json_pack("{s:o, s:s, s:o, s:o}", "surface", string(s->scene->name), "model", model_rows[m]->name,
                              "target", string(text_string(&asked)), "note", string(text_string(&note)));
     set(json, &guard, "load_N", met ? answer->load * scene_load_divisor(results->scene, UNIT_FORCE, &s->pair) : NAN);
     set(json, &guard, "load_over_AnEp", met ? answer->load : NAN);
-    json_object_set_new(json, "interval_95", pair_json("interval_95", interval, &guard));
+    json_object_set_new(json, "load_over_AnEp_95", pair_json("load_over_AnEp_95", interval, &guard));
     set(json, &guard, "spots", answers_spots(answer, area_m2));
+    json_object_set_new(json, "spots_by",
+                        isnan(answer->spots_per_m2) ? json_null() : json_string(model_rows[answer->counted_by]->name));
     text_free(&note);
     text_free(&asked);
     return json;
 }
 
-static json_t *answers_json(const struct results *results, struct status *status)
+static json_t *answers_json(const struct results *results, struct results_lost *lost)
 {
     json_t *answers = json_array();
     for (size_t i = 0; i < results->surface_count; i++)
         for (size_t m = 0; m < model_count && results->surfaces[i].summary.usable; m++)
             for (size_t t = 0; t < results->scene->target_count && plan_runs_model(results->plan, m); t++)
-                json_array_append_new(answers, answer_json(results, i, m, t, status));
+                json_array_append_new(answers, answer_json(results, i, m, t, lost));
     return answers;
 }
 
 /** How every surface stands to every limit, by the leading model. */
-static json_t *limits_json(const struct results *results, struct status *status)
+static json_t *limits_json(const struct results *results, struct results_lost *lost)
 {
     static const char *const verdicts[] = {[LIMIT_NO_VALUE] = "no value",
                                            [LIMIT_MET] = "meets",
@@ -490,7 +493,7 @@ static json_t *limits_json(const struct results *results, struct status *status)
             const struct surface_summary *s = &results->surfaces[i].summary;
             const struct scene_asked *limit = &results->scene->limits[l];
             const struct limit_check *check = &s->limits[l];
-            const struct cell_guard guard = {s->scene->name, status};
+            const struct cell_guard guard = {s->scene->name, lost};
             const double interval[2] = {check->low, check->high};
             struct text asked = {0};
             text_add(&asked, "%s %s %s", limit->row->name, limit->is_most ? "most" : "least", limit->text);
@@ -518,7 +521,7 @@ static json_t *outline_surface_json(const struct surface_summary *s, const struc
                   "refused", s->refusal ? string(s->refusal) : json_null(), "notes", lines_json(s->notes));
     for (size_t m = 0; m < model_count && complete && s->usable; m++) {
         json_t *model = json_object();
-        set(model, guard, "full_contact_load", surface_model(s, m)->full_load);
+        set(model, guard, "full_contact_load_over_AnEp", surface_model(s, m)->full_load);
         set(model, guard, "beta", surface_model(s, m)->beta);
         if (plan_runs_model(plan, m) && surface_model(s, m)->exists)
             json_object_set(models, model_rows[m]->name, model);
@@ -538,25 +541,24 @@ static json_t *outline_surface_json(const struct surface_summary *s, const struc
 
 json_t *json_outline(const struct results *results, bool complete)
 {
-    struct status ignored = {0}; /* json_write() has said it */
     json_t *surfaces = json_array(), *json = json_object();
     for (size_t i = 0; i < results->surface_count; i++) {
         const struct surface_summary *s = &results->surfaces[i].summary;
-        const struct cell_guard guard = {s->scene ? s->scene->name : NULL, &ignored};
+        const struct cell_guard guard = {s->scene ? s->scene->name : NULL, NULL};
         if (s->scene) /* else the run ended before it came to it */
             json_array_append_new(surfaces, outline_surface_json(s, results->plan, complete, &guard));
     }
     json_object_set_new(json, "surfaces", surfaces);
     if (!complete)
         return json;
-    json_t *limits = limits_json(results, &ignored), *missed = json_array(), *limit;
+    json_t *limits = limits_json(results, NULL), *missed = json_array(), *limit;
     size_t index;
     json_array_foreach(limits, index, limit)
     {
         if (strcmp(json_string_value(json_object_get(limit, "verdict")), "misses") == 0)
             json_array_append(missed, limit);
     }
-    json_object_set_new(json, "answers", answers_json(results, &ignored));
+    json_object_set_new(json, "answers", answers_json(results, NULL));
     json_object_set_new(json, "limits", limits);
     json_object_set_new(json, "missed_limits", missed);
     return json;
@@ -571,14 +573,14 @@ static bool print(FILE *file, json_t *json)
 }
 
 /** The usable surfaces, one at a time: all of them together would be large. */
-static bool print_surfaces(FILE *file, const struct results *results, struct status *status)
+static bool print_surfaces(FILE *file, const struct results *results)
 {
     bool ok = true, first = true;
     for (size_t i = 0; i < results->surface_count && ok; i++) {
         const struct surface_record *record = &results->surfaces[i];
         if (!record->summary.usable)
             continue;
-        const struct cell_guard guard = {record->summary.scene->name, status};
+        const struct cell_guard guard = {record->summary.scene->name, results->lost};
         fputs(first ? "\n" : ",\n", file);
         first = false;
         ok = print(file, surface_json(record, results->scene, results->plan, &guard));
@@ -594,11 +596,11 @@ enum status_code json_write(const struct results *results, const char *directory
     text_free(&path);
     if (!file)
         return status_fail(status, STATUS_IO, "cannot write results.json: %s", strerror(errno));
-    const struct cell_guard of_scene = {NULL, status};
+    const struct cell_guard of_scene = {NULL, results->lost};
     fprintf(file, "{\"program\": \"roughcontact\",\n\"version\": \"%s\",\n\"scene\": ", version_string());
     bool ok = print(file, scene_json(results, &of_scene)), first = true;
     fputs(",\n\"surfaces\": [", file);
-    ok = ok && print_surfaces(file, results, status);
+    ok = ok && print_surfaces(file, results);
     fputs("],\n\"refused\": [", file);
     first = true;
     for (size_t i = 0; i < results->surface_count && ok; i++) {
@@ -617,17 +619,17 @@ enum status_code json_write(const struct results *results, const char *directory
     }
     if (results->scene->target_count > 0 && ok) {
         fputs("\"answers\": ", file);
-        ok = print(file, answers_json(results, status));
+        ok = print(file, answers_json(results, results->lost));
         fputs(",\n", file);
     }
     if (results->scene->limit_count > 0 && ok) {
         fputs("\"limits\": ", file);
-        ok = print(file, limits_json(results, status));
+        ok = print(file, limits_json(results, results->lost));
         fputs(",\n", file);
     }
     for (size_t k = 0; k < results->direct_count && ok; k++) {
         fputs(k == 0 ? "\"direct\": [\n" : ",\n", file);
-        ok = print(file, direct_json(&results->direct[k], results, status));
+        ok = print(file, direct_json(&results->direct[k], results));
     }
     fputs(results->direct_count > 0 ? "],\n\"work\": " : "\"work\": ", file);
     ok = ok && print(file, work_json(results));
@@ -635,5 +637,5 @@ enum status_code json_write(const struct results *results, const char *directory
     bool bad = ferror(file) || !ok;
     if (fclose(file) != 0 || bad)
         return status_fail(status, STATUS_IO, "cannot write results.json");
-    return status->code; /* of a number that could not be written */
+    return STATUS_OK;
 }

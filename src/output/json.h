@@ -5,7 +5,7 @@
 
 #include "results/results.h"
 
-/** Writes results.json into `directory`. Errors: STATUS_IO, STATUS_MEMORY, STATUS_NUMBER. */
+/** Writes results.json into `directory`. Errors: STATUS_IO, STATUS_MEMORY. */
 MUST_CHECK enum status_code json_write(const struct results *results, const char *directory, struct status *status);
 
 /** In short, for a script, keys as in results.json: `surfaces` (those refused with why), and of a run that is

@@ -13,131 +13,141 @@
 
 enum { LARGEST = 1 << 20 }; /* bytes; a larger one is none of ours */
 
-static bool is_folder(int root, const char *name)
+const char *const folder_names[FOLDERS] = {".", "data", "figures"};
+
+static int open_directory(int parent, const char *name)
 {
-    struct stat info;
-    return (strcmp(name, "data") == 0 || strcmp(name, "figures") == 0) &&
-           fstatat(root, name, &info, AT_SYMLINK_NOFOLLOW) == 0 && S_ISDIR(info.st_mode);
+    return openat(parent, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
 }
 
-/** Adds the entries of `path`, each after `prefix`. */
-static enum status_code add_entries(struct manifest_entries *out, const char *path, const char *prefix,
-                                    struct status *status)
+bool folders_open(struct folders *out, int parent, const char *path)
 {
-    int descriptor = open(path, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
-    DIR *directory = descriptor >= 0 ? fdopendir(descriptor) : NULL;
-    if (!directory) {
-        int reason = errno;
-        if (descriptor >= 0)
-            close(descriptor);
-        if (*prefix && (reason == ENOENT || reason == ENOTDIR))
-            return STATUS_OK;
-        return status_fail(status, STATUS_IO, "cannot read directory '%s': %s", path, strerror(reason));
-    }
-    enum status_code rc = STATUS_OK;
-    errno = 0;
-    for (const struct dirent *entry; rc == STATUS_OK && (entry = readdir(directory)); errno = 0) {
-        const char *name = entry->d_name;
-        if (strcmp(name, ".") == 0 || strcmp(name, "..") == 0 || (!*prefix && is_folder(descriptor, name)))
-            continue;
-        char **names = realloc(out->names, (out->count + 1) * sizeof *names);
-        if (names)
-            out->names = names;
-        if (!names || asprintf(&names[out->count], "%s%s", prefix, name) < 0)
-            rc = status_memory(status);
-        else
-            out->count++;
-    }
-    if (rc == STATUS_OK && errno)
-        rc = status_fail(status, STATUS_IO, "cannot read directory '%s': %s", path, strerror(errno));
-    closedir(directory);
-    return rc;
+    *out = (struct folders){{open_directory(parent, path), -1, -1}};
+    for (int i = 1; i < FOLDERS && out->at[0] >= 0; i++)
+        out->at[i] = open_directory(out->at[0], folder_names[i]);
+    return out->at[0] >= 0;
 }
 
-static int compare_names(const void *a, const void *b)
+void folders_close(const struct folders *folders)
+{
+    for (int i = 0; i < FOLDERS; i++)
+        if (folders->at[i] >= 0)
+            close(folders->at[i]);
+}
+
+int folders_in(const struct folders *folders, const char *name, const char **base)
+{
+    const char *slash = strchr(name, '/');
+    *base = slash ? slash + 1 : name;
+    return folders->at[!slash ? 0 : *name == 'd' ? 1 : 2];
+}
+
+static int compare(const void *a, const void *b)
 {
     return strcmp(*(char *const *)a, *(char *const *)b);
 }
 
-enum status_code manifest_entries(struct manifest_entries *out, const char *directory, struct status *status)
+static bool add(struct names *names, const char *folder, const char *name)
 {
-    static const char *const prefixes[] = {"", "data/", "figures/"};
-    enum status_code rc = STATUS_OK;
-    *out = (struct manifest_entries){0};
-    for (size_t i = 0; rc == STATUS_OK && i < sizeof prefixes / sizeof *prefixes; i++) {
-        struct text path = {0};
-        text_add(&path, "%s/%.*s", directory, (int)strcspn(prefixes[i], "/"), prefixes[i]);
-        rc = path.failed ? status_memory(status) : add_entries(out, path.data, prefixes[i], status);
-        text_free(&path);
+    if ((names->count & (names->count - 1)) == 0) { /* as many as there is room for: a power of two */
+        char **more = reallocarray(names->at, names->count ? 2 * names->count : 1, sizeof *more);
+        if (!more)
+            return false;
+        names->at = more;
     }
-    if (out->count > 0)
-        qsort(out->names, out->count, sizeof *out->names, compare_names);
-    return rc;
+    return asprintf(&names->at[names->count], "%s%s", folder, name) >= 0 && ++names->count > 0;
 }
 
-void manifest_entries_free(struct manifest_entries *entries)
+static void sort(struct names *names)
 {
-    for (size_t i = 0; i < entries->count; i++)
-        free(entries->names[i]);
-    free(entries->names);
-    *entries = (struct manifest_entries){0};
+    if (names->count > 0)
+        qsort(names->at, names->count, sizeof *names->at, compare);
 }
 
-static enum status_code write_lines(const char *path, const struct manifest_entries *entries, struct status *status)
+bool names_list(struct names *out, const struct folders *folders)
 {
-    struct text text = {0};
-    text_add(&text, MANIFEST_HEADER);
-    for (size_t i = 0; i < entries->count; i++) {
-        assert(!strchr(entries->names[i], '\n'));
-        text_add(&text, "%s\n", entries->names[i]);
+    static const char *const prefixes[FOLDERS] = {"", "data/", "figures/"};
+    bool ok = true;
+    for (int i = 0; i < FOLDERS && ok; i++) {
+        int again = folders->at[i] >= 0 ? open_directory(folders->at[i], ".") : -1;
+        DIR *list = again >= 0 ? fdopendir(again) : NULL;
+        ok = list || folders->at[i] < 0;
+        for (const struct dirent *entry; list && ok && (entry = readdir(list));) {
+            bool passed = strcmp(entry->d_name, ".") == 0 || strcmp(entry->d_name, "..") == 0;
+            for (int k = 1; k < FOLDERS && i == 0; k++)
+                passed |= folders->at[k] >= 0 && strcmp(entry->d_name, folder_names[k]) == 0;
+            ok = passed || add(out, prefixes[i], entry->d_name);
+        }
+        if (list)
+            closedir(list);
     }
-    enum status_code rc = text.failed ? status_memory(status) : text_write_file(path, text.data, text.length, status);
-    text_free(&text);
-    return rc;
+    sort(out);
+    return ok;
 }
 
-enum status_code manifest_write(const char *directory, struct status *status)
+bool names_read(struct names *out, const struct folders *folders)
 {
-    struct manifest_entries entries = {0};
-    struct text path = {0};
-    text_add(&path, "%s/" MANIFEST_NAME, directory);
-    enum status_code rc = path.failed ? status_memory(status) : write_lines(path.data, &entries, status);
-    if (rc == STATUS_OK) /* it is there now, and so lists itself */
-        rc = manifest_entries(&entries, directory, status);
-    if (rc == STATUS_OK)
-        rc = write_lines(path.data, &entries, status);
-    manifest_entries_free(&entries);
-    text_free(&path);
-    return rc;
-}
-
-enum status_code manifest_read(struct text *out, const char *directory, struct status *status)
-{
-    struct text path = {0};
     struct stat info;
-    enum status_code rc = STATUS_OK;
-    text_add(&path, "%s/" MANIFEST_NAME, directory);
-    if (path.failed)
-        rc = status_memory(status);
-    else if (lstat(path.data, &info) == 0 && S_ISREG(info.st_mode) && info.st_size <= LARGEST)
-        rc = text_read_file(out, path.data, status);
-    text_free(&path);
-    if (rc == STATUS_OK && strncmp(text_string(out), MANIFEST_HEADER, strlen(MANIFEST_HEADER)) != 0)
-        text_free(out);
-    return rc;
+    char *line = NULL;
+    size_t size = 0;
+    ssize_t length;
+    int file = openat(folders->at[0], MANIFEST_NAME, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    bool ours = file >= 0 && fstat(file, &info) == 0 && S_ISREG(info.st_mode) && info.st_size <= LARGEST, ok = true;
+    FILE *stream = ours ? fdopen(file, "r") : NULL;
+    if (!stream) {
+        if (file >= 0)
+            close(file);
+        return true;
+    }
+    if (getline(&line, &size, stream) > 0 && strcmp(line, MANIFEST_HEADER) == 0)
+        while (ok && (length = getline(&line, &size, stream)) > 0 && line[length - 1] == '\n') {
+            line[length - 1] = '\0';
+            ok = add(out, "", line);
+        }
+    ok = ok && !ferror(stream);
+    fclose(stream);
+    free(line);
+    sort(out);
+    return ok;
 }
 
-bool manifest_lists(const struct text *manifest, const char *name)
+bool names_have(const struct names *names, const char *name)
 {
-    size_t length = strlen(name);
-    const char *line = text_string(manifest);
-    line += strcspn(line, "\n"); /* the header is no name */
-    while (*line) {
-        line++;
-        size_t size = strcspn(line, "\n");
-        if (size == length && line[size] == '\n' && memcmp(line, name, length) == 0)
-            return true;
-        line += size;
+    return names->count > 0 && bsearch(&name, names->at, names->count, sizeof *names->at, compare);
+}
+
+void names_free(struct names *names)
+{
+    for (size_t i = 0; i < names->count; i++)
+        free(names->at[i]);
+    free(names->at);
+}
+
+bool manifest_write(const struct folders *folders)
+{
+    struct names names = {0};
+    const char *base;
+    int made = openat(folders->at[0], MANIFEST_NAME, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    FILE *stream = made >= 0 ? fdopen(made, "w") : NULL;
+    bool ok = stream && names_list(&names, folders) && fputs(MANIFEST_HEADER, stream) >= 0;
+    for (size_t i = 0; i < names.count && ok; i++) {
+        assert(!strchr(names.at[i], '\n'));
+        ok = fprintf(stream, "%s\n", names.at[i]) >= 0;
     }
-    return false;
+    ok = ok && fflush(stream) == 0;
+    for (size_t i = 0; i < 2 * names.count && ok; i++) { /* all begin to be written before one is waited for */
+        int in = folders_in(folders, names.at[i % names.count], &base), file = openat(in, base, O_RDONLY | O_CLOEXEC);
+        ok =
+            file >= 0 && (i < names.count ? (sync_file_range(file, 0, 0, SYNC_FILE_RANGE_WRITE), 0) : fsync(file)) == 0;
+        if (file >= 0)
+            close(file);
+    }
+    for (int i = 0; i < FOLDERS && ok; i++)
+        (void)!fsync(folders->at[i]); /* which not every file system can */
+    int reason = errno;
+    names_free(&names);
+    if (stream)
+        fclose(stream);
+    errno = reason;
+    return ok;
 }

@@ -3,31 +3,34 @@
 #ifndef OUTPUT_OUTPUT_H
 #define OUTPUT_OUTPUT_H
 
-#include "output/staging.h"
+#include "base/temporary.h"
 #include <stddef.h>
 
 struct output {
-    char target[PATH_MAX];  /* OUT */
-    char staging[PATH_MAX]; /* where it is being made; "" when none */
-    struct staging hidden;  /* which that is a part of */
-    size_t leftover;        /* its number among what is removed when the program is made to end */
-    size_t made;            /* length of the first missing parent of `target` that was made; 0: none */
+    char target[PATH_MAX];   /* OUT */
+    char staging[PATH_MAX];  /* where it is being made; "" when none */
+    struct temporary hidden; /* which that is a part of: `report`, and `done` once it is complete */
+    size_t made;             /* length of the first missing parent of `target` that was made; 0: none */
 };
 
 /** Makes the staging directory with data/ and figures/ beside `target` (and target's missing parents). What stands at
  * `target` must be nothing, a directory with no more than hidden files, or a report whose manifest.txt names its files.
  * Other files beside those are the user's and stay in OUT. Refused, by name and before any work: a directory of the
  * user's, what is no regular file in the place of one of the report, a mount point and what else could not be replaced
- * in the end. The new report has OUT's mode. What killed runs have left there is cleared away before. Errors:
- * STATUS_USAGE (`target` is "", . or ..), STATUS_IO. */
+ * in the end. What killed runs have left there is cleared away before. Errors: STATUS_USAGE (`target` is "", . or ..),
+ * STATUS_IO. */
 MUST_CHECK enum status_code output_begin(struct output *out, const char *target, struct status *status);
 
-/** Writes the manifest, looks at OUT again as output_begin() did, puts the finished report in place in one step and
- * removes of the one before what its manifest names. The user's files are in both meanwhile, as hard links, so that
- * none is lost at any instant. A signal that ends the program waits for it. Error: STATUS_IO; then the earlier report
- * still stands. The one exception: what came to OUT in the instant of the exchange and could not follow is left in
- * OUT.kept-XXXXXX; the message names it. */
+/** Writes the manifest, has the disk take the report, looks at OUT again as output_begin() did, gives the report OUT's
+ * modes and extended attributes, puts it in place in one step and removes of the one before what its manifest names.
+ * The user's files are in both meanwhile, as hard links, so that none is lost at any instant. Error: STATUS_IO; then
+ * the earlier report still stands. The one exception: what came to OUT in the instant of the exchange and could not
+ * follow is left in OUT.kept-XXXXXX; the message names it. */
 MUST_CHECK enum status_code output_commit(struct output *out, struct status *status);
+
+/** For temporary_make(): takes out what a killed run has left in its hidden directory, of which nothing comes to OUT.
+ */
+void output_clear(int hidden);
 
 /** Removes what an output that was not committed has made: the staging directory and the target's parents. Clears
  * `target` of one that had parents made. */

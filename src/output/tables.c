@@ -25,9 +25,10 @@ struct table {
     struct threads_turn *turn; /* of a part; NULL: no other thread writes */
 };
 
-static enum status_code table_open(struct table *out, const char *directory, const char *name, struct status *status)
+static enum status_code table_open(struct table *out, const struct results *results, const char *directory,
+                                   const char *name, struct status *status)
 {
-    *out = (struct table){.name = name, .guard = {NULL, status}};
+    *out = (struct table){.name = name, .guard = {NULL, results->lost}};
     struct text path = {0};
     text_add(&path, "%s/data/%s", directory, name);
     out->file = fopen(text_string(&path), "w");
@@ -75,7 +76,7 @@ static void put_surface(struct table *table, const struct surface_summary *surfa
 }
 
 /** Writes what is held; of a surface's part the file stays open. */
-static enum status_code table_close(struct table *table)
+static enum status_code table_close(struct table *table, struct status *status)
 {
     bool bad = !table->file || table->rows.failed;
     if (!bad)
@@ -84,14 +85,15 @@ static enum status_code table_close(struct table *table)
     text_free(&table->rows);
     text_free(&table->lead);
     if ((table->file && !table->part && fclose(table->file) != 0) || bad)
-        return status_fail(table->guard.status, STATUS_IO, "cannot write '%s': %s", table->name, status_reason(errno));
-    return table->guard.status->code; /* of a number that could not be written */
+        return status_fail(status, STATUS_IO, "cannot write '%s': %s", table->name, status_reason(errno));
+    return status->code;
 }
 
 /** What one surface adds to an open table. */
-static struct table table_part(const struct table *table, struct threads_turn *turn, struct status *status)
+static struct table table_part(const struct table *table, struct threads_turn *turn)
 {
-    return (struct table){.file = table->file, .name = table->name, .guard = {NULL, status}, .part = true, .turn = turn};
+    return (struct table){
+        .file = table->file, .name = table->name, .guard = {NULL, table->guard.lost}, .part = true, .turn = turn};
 }
 
 /** What surfaces.csv says of a surface besides its name, files and points. */
@@ -140,7 +142,7 @@ static enum status_code write_surfaces(const struct results *results, const char
     const struct plan *plan = results->plan;
     bool asperities = plan_uses_asperities(plan);
     struct table table;
-    if (table_open(&table, directory, "surfaces.csv", status) != STATUS_OK)
+    if (table_open(&table, results, directory, "surfaces.csv", status) != STATUS_OK)
         return status->code;
     text_add(&table.rows, "surface,files,points");
     for (int c = 0; c < SURFACE_COLUMNS; c++)
@@ -173,7 +175,7 @@ static enum status_code write_surfaces(const struct results *results, const char
                 put_number(&table, "beta", surface_model(s, m)->exists ? surface_model(s, m)->beta : NAN);
         end_row(&table);
     }
-    return table_close(&table);
+    return table_close(&table, status);
 }
 
 /** A row a harmonic, or a bin of them, of harmonics `first` to before `end`. */
@@ -276,12 +278,12 @@ static void put_contact(struct table *table, const struct surface_record *record
 static enum status_code open_bands(struct curve_tables *all, struct status *status)
 {
     struct table *bands = &all->bands;
-    if (table_open(bands, all->directory, "bands.csv", status) != STATUS_OK)
+    if (table_open(bands, all->results, all->directory, "bands.csv", status) != STATUS_OK)
         return status->code;
     text_add(&bands->rows, "surface,model,%s", quantity_rows[QUANTITY_LOAD].column);
     for (int q = 0; q < QUANTITY_COUNT; q++)
         if (all->band_quantities & QUANTITY_BIT(q)) {
-            const char *name = quantity_rows[q].column;
+            const char *name = quantity_shown_name((enum quantity)q);
             text_add(&bands->rows, ",%s_mean_low_95,%s_mean_high_95,%s_next_scan_low_95,%s_next_scan_high_95", name,
                      name, name, name);
         }
@@ -293,7 +295,7 @@ static enum status_code open_bands(struct curve_tables *all, struct status *stat
 static enum status_code put_bands(struct curve_tables *all, const struct surface_record *record,
                                   struct threads_turn *turn, struct status *status)
 {
-    struct table table = table_part(&all->bands, turn, status);
+    struct table table = table_part(&all->bands, turn);
     for (size_t m = 0; m < model_count; m++)
         for (size_t i = 0; record->bands && record->bands[m] && i < record->band_count; i++) {
             const struct repeats_band *band = &record->bands[m][i];
@@ -308,17 +310,17 @@ static enum status_code put_bands(struct curve_tables *all, const struct surface
     if (table.rows.length > 0 && threads_wait(turn) && !all->bands.file && open_bands(all, status) != STATUS_OK)
         return status->code;
     table.file = all->bands.file;
-    return table.file ? table_close(&table) : STATUS_OK;
+    return table.file ? table_close(&table, status) : STATUS_OK;
 }
 
 enum status_code curve_tables_put(struct curve_tables *all, const struct surface_record *record,
                                   struct threads_turn *turn, struct status *status)
 {
-    struct table spectrum = table_part(&all->spectrum, turn, status), contact = table_part(&all->contact, turn, status);
+    struct table spectrum = table_part(&all->spectrum, turn), contact = table_part(&all->contact, turn);
     put_spectrum(&spectrum, record, scene_bins_spectra(all->results->scene));
     put_contact(&contact, record, all);
-    (void)table_close(&spectrum);
-    (void)table_close(&contact);
+    (void)table_close(&spectrum, status);
+    (void)table_close(&contact, status);
     return status->code == STATUS_OK ? put_bands(all, record, turn, status) : status->code;
 }
 
@@ -332,8 +334,8 @@ enum status_code curve_tables_open(struct curve_tables **out, const struct resul
     for (int q = 0; q < QUANTITY_COUNT; q++)
         if (repeats_band_holds((enum quantity)q) && (plan->wanted & QUANTITY_BIT(q)))
             all->band_quantities |= QUANTITY_BIT(q);
-    if (table_open(&all->spectrum, directory, "spectrum.csv", status) != STATUS_OK ||
-        table_open(&all->contact, directory, "contact.csv", status) != STATUS_OK ||
+    if (table_open(&all->spectrum, results, directory, "spectrum.csv", status) != STATUS_OK ||
+        table_open(&all->contact, results, directory, "contact.csv", status) != STATUS_OK ||
         write_loads(all, status) != STATUS_OK)
         return status->code;
     text_add(&all->spectrum.rows, "surface,wavelength_m,amplitude_m,fit_m%s",
@@ -354,8 +356,7 @@ enum status_code curve_tables_close(struct curve_tables *all, struct status *sta
         if (!tables[t]->file)
             continue;
         struct status problem = {0};
-        tables[t]->guard.status = &problem;
-        if (table_close(tables[t]) != STATUS_OK && status->code == STATUS_OK)
+        if (table_close(tables[t], &problem) != STATUS_OK && status->code == STATUS_OK)
             *status = problem;
     }
     free(all->loads);
@@ -379,7 +380,7 @@ static enum status_code write_convergence(const struct results *results, const c
     const struct scene_convergence *study = &results->scene->convergence;
     size_t index[SWEEP_ROWS], count = results_sweep_scales(index, SWEEP_ROWS, study->scales);
     struct table table;
-    if (table_open(&table, directory, "convergence.csv", status) != STATUS_OK)
+    if (table_open(&table, results, directory, "convergence.csv", status) != STATUS_OK)
         return status->code;
     text_add(&table.rows, "sweep,value,model,wavelength_m,area_ratio");
     end_row(&table);
@@ -398,13 +399,14 @@ static enum status_code write_convergence(const struct results *results, const c
                     end_row(&table);
                 }
             }
-    return table_close(&table);
+    return table_close(&table, status);
 }
 
-static enum status_code write_cost(const struct benchmark *benchmark, const char *directory, struct status *status)
+static enum status_code write_cost(const struct results *results, const char *directory, struct status *status)
 {
     struct table table;
-    if (table_open(&table, directory, "cost.csv", status) != STATUS_OK)
+    const struct benchmark *benchmark = results->benchmark;
+    if (table_open(&table, results, directory, "cost.csv", status) != STATUS_OK)
         return status->code;
     text_add(&table.rows, "study,method,setting,evaluations,seconds,max_relative_error");
     end_row(&table);
@@ -416,7 +418,7 @@ static enum status_code write_cost(const struct benchmark *benchmark, const char
         put_number(&table, "max_relative_error", row->error);
         end_row(&table);
     }
-    return table_close(&table);
+    return table_close(&table, status);
 }
 
 /** surface, quantity, scans (or blocks of a map's rows), what they are worth, mean, standard deviation of one of them
@@ -441,7 +443,7 @@ static void put_spread_number(struct table *table, const struct surface_summary 
 static enum status_code write_spread(const struct results *results, const char *directory, struct status *status)
 {
     struct table table;
-    if (table_open(&table, directory, "spread.csv", status) != STATUS_OK)
+    if (table_open(&table, results, directory, "spread.csv", status) != STATUS_OK)
         return status->code;
     text_add(&table.rows, "surface,quantity,scans,effective,mean,standard_deviation,mean_low_95,mean_high_95,"
                           "next_scan_low_95,next_scan_high_95");
@@ -460,23 +462,24 @@ static enum status_code write_spread(const struct results *results, const char *
         for (size_t m = 0; m < model_count; m++) {
             snprintf(quantity, sizeof quantity, "beta_%s", model_rows[m]->name);
             put_spread_number(&table, s, quantity, curve_summary_estimate(surface_model(s, m), CURVE_BETA));
-            snprintf(quantity, sizeof quantity, "full_contact_load_%s", model_rows[m]->name);
+            snprintf(quantity, sizeof quantity, "full_contact_load_over_AnEp_%s", model_rows[m]->name);
             put_spread_number(&table, s, quantity, curve_summary_estimate(surface_model(s, m), CURVE_FULL_LOAD));
             for (int q = 0; q < QUANTITY_COUNT; q++) {
-                snprintf(quantity, sizeof quantity, "%s_at_middle_load_%s", quantity_rows[q].name, model_rows[m]->name);
+                snprintf(quantity, sizeof quantity, "%s_at_middle_load_%s", quantity_shown_name((enum quantity)q),
+                         model_rows[m]->name);
                 if (repeats_band_holds((enum quantity)q))
                     put_spread_number(&table, s, quantity, curve_summary_estimate(surface_model(s, m), q));
             }
         }
     }
-    return table_close(&table);
+    return table_close(&table, status);
 }
 
 static enum status_code write_sensitivity(const struct results *results, const char *directory, struct status *status)
 {
     struct table table;
     bool ecr = plan_runs(results->plan, EFFECT_ELECTRICAL);
-    if (table_open(&table, directory, "sensitivity.csv", status) != STATUS_OK)
+    if (table_open(&table, results, directory, "sensitivity.csv", status) != STATUS_OK)
         return status->code;
     text_add(&table.rows, "surface,model,change,area_factor%s", ecr ? ",ecr_factor" : "");
     end_row(&table);
@@ -496,7 +499,7 @@ static enum status_code write_sensitivity(const struct results *results, const c
                 end_row(&table);
             }
         }
-    return table_close(&table);
+    return table_close(&table, status);
 }
 
 static void put_answer(struct table *table, const struct results *results, size_t surface, size_t m, size_t t)
@@ -510,7 +513,7 @@ static void put_answer(struct table *table, const struct results *results, size_
     struct text asked = {0}, note = {0};
     put_surface(table, s);
     text_add(&asked, "%s %s", target->row->name, target->text);
-    answers_note(&note, answer, area_m2, 1);
+    answers_note(&note, answer, area_m2, 1, "");
     text_add(&table->rows, ",%s,", model_rows[m]->name);
     text_add_csv(&table->rows, text_string(&asked));
     put_number(table, "load_N", met ? answer->load * force_N : NAN);
@@ -527,7 +530,7 @@ static void put_answer(struct table *table, const struct results *results, size_
 static enum status_code write_answers(const struct results *results, const char *directory, struct status *status)
 {
     struct table table;
-    if (table_open(&table, directory, "answers.csv", status) != STATUS_OK)
+    if (table_open(&table, results, directory, "answers.csv", status) != STATUS_OK)
         return status->code;
     text_add(&table.rows, "surface,model,target,load_N,load_over_AnEp,low,high,note");
     end_row(&table);
@@ -535,7 +538,7 @@ static enum status_code write_answers(const struct results *results, const char 
         for (size_t m = 0; m < model_count && results->surfaces[i].summary.usable; m++)
             for (size_t t = 0; t < results->scene->target_count && plan_runs_model(results->plan, m); t++)
                 put_answer(&table, results, i, m, t);
-    return table_close(&table);
+    return table_close(&table, status);
 }
 
 /** What direct.csv says of each quantity: value and error. */
@@ -586,7 +589,7 @@ static void put_direct(struct table *table, const struct results *results, const
 static enum status_code write_direct(const struct results *results, const char *directory, struct status *status)
 {
     struct table table;
-    if (table_open(&table, directory, "direct.csv", status) != STATUS_OK)
+    if (table_open(&table, results, directory, "direct.csv", status) != STATUS_OK)
         return status->code;
     text_add(&table.rows, "surface,source,load_over_AnEp");
     for (int c = 0; c < DIRECT_COLUMNS; c++)
@@ -600,13 +603,13 @@ static enum status_code write_direct(const struct results *results, const char *
     for (size_t k = 0; k < results->direct_count; k++)
         for (int kind = 0; kind < DIRECT_STUDY_KINDS; kind++)
             put_direct(&table, results, &results->direct[k], (enum direct_study_kind)kind);
-    return table_close(&table);
+    return table_close(&table, status);
 }
 
 static enum status_code write_direct_ratio(const struct results *results, const char *directory, struct status *status)
 {
     struct table table;
-    if (table_open(&table, directory, "direct_ratio.csv", status) != STATUS_OK)
+    if (table_open(&table, results, directory, "direct_ratio.csv", status) != STATUS_OK)
         return status->code;
     text_add(&table.rows, "surface,model,load_over_AnEp");
     for (int c = 0; c < DIRECT_COLUMNS; c++)
@@ -634,7 +637,7 @@ static enum status_code write_direct_ratio(const struct results *results, const 
                 end_row(&table);
             }
         }
-    return table_close(&table);
+    return table_close(&table, status);
 }
 
 enum status_code tables_write(const struct results *results, const char *directory, struct status *status)
@@ -653,7 +656,7 @@ enum status_code tables_write(const struct results *results, const char *directo
     if (rc == STATUS_OK && results->direct)
         rc = write_direct_ratio(results, directory, status);
     if (rc == STATUS_OK && results->benchmark)
-        rc = write_cost(results->benchmark, directory, status);
+        rc = write_cost(results, directory, status);
     if (rc == STATUS_OK && results_intervals(results))
         rc = write_spread(results, directory, status);
     return rc;

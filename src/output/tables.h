@@ -14,7 +14,7 @@ struct curve_tables;
  * whatever comes back. Errors: STATUS_IO, STATUS_MEMORY. */
 MUST_CHECK enum status_code curve_tables_open(struct curve_tables **out, const struct results *results,
                                               const struct plan *plan, const char *directory, struct status *status);
-/** Writes one surface's rows, from any thread, in the order of turns. Errors: STATUS_IO, STATUS_MEMORY, STATUS_NUMBER.
+/** Writes one surface's rows, from any thread, in the order of turns. Errors: STATUS_IO, STATUS_MEMORY.
  */
 MUST_CHECK enum status_code curve_tables_put(struct curve_tables *tables, const struct surface_record *record,
                                              struct threads_turn *turn, struct status *status);
@@ -22,7 +22,7 @@ MUST_CHECK enum status_code curve_tables_put(struct curve_tables *tables, const 
 MUST_CHECK enum status_code curve_tables_close(struct curve_tables *tables, struct status *status);
 
 /** Writes all other files below `directory`, and those of the curves too where these are all in memory: surfaces;
- * convergence, cost, direct, answers and spread when there are such. Errors: STATUS_IO, STATUS_MEMORY, STATUS_NUMBER.
+ * convergence, cost, direct, answers and spread when there are such. Errors: STATUS_IO, STATUS_MEMORY.
  */
 MUST_CHECK enum status_code tables_write(const struct results *results, const char *directory, struct status *status);
 

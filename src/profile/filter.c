@@ -31,8 +31,9 @@ static size_t reach_of(size_t points, double spacing_m, double cutoff_m)
     return reach < (double)(points - 1) ? (size_t)reach : points - 1;
 }
 
-/** Sum of the weighted heights within the record around each point. */
-static void sum_neighbours(double *smooth, const double *height_m, const double *kernel, size_t points, size_t reach)
+/** Sum of the weighted heights within the record around each point; of a periodic one, around its ends too. */
+static void sum_neighbours(double *smooth, const double *height_m, const double *kernel, size_t points, size_t reach,
+                           bool periodic)
 {
     for (size_t i = 0; i < points; i++) {
         double sum = kernel[0] * height_m[i];
@@ -41,18 +42,21 @@ static void sum_neighbours(double *smooth, const double *height_m, const double 
                 sum += kernel[k] * (height_m[i - k] + height_m[i + k]);
         else
             for (size_t k = 1; k <= reach; k++)
-                sum += kernel[k] * ((i >= k ? height_m[i - k] : 0) + (i + k < points ? height_m[i + k] : 0));
+                sum += kernel[k] * ((i >= k || periodic ? height_m[i >= k ? i - k : i + points - k] : 0) +
+                                    (i + k < points || periodic ? height_m[(i + k) % points] : 0));
         smooth[i] = sum;
     }
 }
 
 /** Divides by the sum of the weights that lie within the record. `kernel` holds weight k at [k]. */
-static void renormalise(double *smooth, const double *kernel, size_t points, size_t reach)
+static void renormalise(double *smooth, const double *kernel, size_t points, size_t reach, bool periodic)
 {
     double right = kernel[0], left = 0; /* of the point itself and those after it; of those before */
     for (size_t k = 1; k <= reach; k++)
         right += kernel[k];
-    for (size_t i = 0; i < points; i++) {
+    for (size_t i = 0; i < points && periodic; i++)
+        smooth[i] /= 2 * right - kernel[0];
+    for (size_t i = 0; i < points && !periodic; i++) {
         smooth[i] /= left + right;
         if (i + 1 <= reach)
             left += kernel[i + 1];
@@ -61,19 +65,21 @@ static void renormalise(double *smooth, const double *kernel, size_t points, siz
     }
 }
 
-/** The weighted sums of all points at once, by transforms: n log n whatever the reach. */
+/** The weighted sums of all points at once, by transforms: n log n whatever the reach. A transform of the record's own
+ * length goes around its ends. */
 static enum status_code convolve(double *smooth, const double *height_m, const double *kernel, size_t points,
-                                 size_t reach, struct status *status)
+                                 size_t reach, bool periodic, struct status *status)
 {
-    size_t length = quick_length(points + reach);
+    size_t length = periodic ? points : quick_length(points + reach);
     double *record = fftw_alloc_real(length);
     fftw_complex *weights = fftw_alloc_complex(length / 2 + 1), *heights = fftw_alloc_complex(length / 2 + 1);
     enum status_code code = STATUS_OK;
     if (record && weights && heights) {
         memset(record, 0, length * sizeof *record);
-        for (size_t k = 0; k <= reach; k++) {
-            record[k] = kernel[k];
-            record[(length - k) % length] = record[k];
+        record[0] = kernel[0];
+        for (size_t k = 1; k <= reach; k++) {
+            record[k] += kernel[k];
+            record[length - k] += kernel[k];
         }
         fft_forward(weights, record, length);
         memset(record, 0, length * sizeof *record);
@@ -95,7 +101,7 @@ static enum status_code convolve(double *smooth, const double *height_m, const d
 }
 
 enum status_code filter_gaussian(double *smooth_m, const double *height_m, size_t points, double spacing_m,
-                                 double cutoff_m, struct status *status)
+                                 double cutoff_m, bool periodic, struct status *status)
 {
     size_t reach = reach_of(points, spacing_m, cutoff_m);
     double *kernel = malloc((reach + 1) * sizeof *kernel);
@@ -107,11 +113,11 @@ enum status_code filter_gaussian(double *smooth_m, const double *height_m, size_
     }
     enum status_code code = STATUS_OK;
     if (reach <= SHORT_REACH)
-        sum_neighbours(smooth_m, height_m, kernel, points, reach);
+        sum_neighbours(smooth_m, height_m, kernel, points, reach, periodic);
     else
-        code = convolve(smooth_m, height_m, kernel, points, reach, status);
+        code = convolve(smooth_m, height_m, kernel, points, reach, periodic, status);
     if (code == STATUS_OK)
-        renormalise(smooth_m, kernel, points, reach);
+        renormalise(smooth_m, kernel, points, reach, periodic);
     free(kernel);
     return code;
 }

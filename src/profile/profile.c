@@ -106,11 +106,16 @@ static double *smoothed(const struct profile *profile, double cutoff_m, struct s
         (void)status_memory(status);
         return NULL;
     }
-    if (filter_gaussian(smooth_m, profile->height_m, profile->points, profile->spacing_m, cutoff_m, status) ==
-        STATUS_OK)
+    if (filter_gaussian(smooth_m, profile->height_m, profile->points, profile->spacing_m, cutoff_m, profile->periodic,
+                        status) == STATUS_OK)
         return smooth_m;
     free(smooth_m);
     return NULL;
+}
+
+static const char *at_ends(const struct profile *profile)
+{
+    return profile->periodic ? "its end goes on at its beginning" : "weights renormalised at the ends";
 }
 
 static enum status_code low_pass(struct profile *profile, double cutoff_m, struct status *status)
@@ -118,8 +123,7 @@ static enum status_code low_pass(struct profile *profile, double cutoff_m, struc
     if (cutoff_m < 2 * profile->spacing_m)
         profile_note(profile, "lambda_s %.4g um is below twice the spacing: the filter takes little away",
                      cutoff_m * 1e6);
-    profile_note(profile, "gaussian low-pass lambda_s = %.6g um (ISO 16610-21; weights renormalised at the ends)",
-                 cutoff_m * 1e6);
+    profile_note(profile, "gaussian low-pass lambda_s = %.6g um (ISO 16610-21; %s)", cutoff_m * 1e6, at_ends(profile));
     double *smooth_m = smoothed(profile, cutoff_m, status);
     if (!smooth_m)
         return status->code;
@@ -134,7 +138,7 @@ static enum status_code high_pass(struct profile *profile, double cutoff_m, stru
     double length_m = (double)points * profile->spacing_m;
     if (cutoff_m > length_m)
         return status_fail(status, STATUS_SCAN,
-                           "lambda_c_m is %.6g, longer than the scan of %.6g m; give a shorter one", cutoff_m,
+                           "lambda_c is %.6g m, longer than the scan of %.6g m; give a shorter one", cutoff_m,
                            length_m);
     double *waviness_m = smoothed(profile, cutoff_m, status);
     if (!waviness_m)
@@ -142,8 +146,7 @@ static enum status_code high_pass(struct profile *profile, double cutoff_m, stru
     for (size_t i = 0; i < points; i++)
         profile->height_m[i] -= waviness_m[i];
     free(waviness_m);
-    profile_note(profile, "gaussian high-pass lambda_c = %.6g um (ISO 16610-21; weights renormalised at the ends)",
-                 cutoff_m * 1e6);
+    profile_note(profile, "gaussian high-pass lambda_c = %.6g um (ISO 16610-21; %s)", cutoff_m * 1e6, at_ends(profile));
     return STATUS_OK;
 }
 
@@ -160,7 +163,7 @@ static enum status_code take_filters(struct profile *profile, const struct profi
         free(profile->measured_z_m);
         profile->measured_x_m = profile->measured_z_m = NULL;
         if (peak_to_valley(profile) <= rounding_m)
-            return status_fail(status, STATUS_SCAN, "no roughness is left between lambda_s_m and lambda_c_m");
+            return status_fail(status, STATUS_SCAN, "no roughness is left between lambda_s and lambda_c");
     }
     return STATUS_OK;
 }

@@ -87,25 +87,25 @@ static void check_curvature(struct profile *profile, double digit_m, const struc
         profile_note(
             profile,
             "heights come in steps of %.3g nm, whose rounding alone makes %.0f %% of m4: the statistical models "
-            "follow the digitiser; give lambda_s_m",
+            "follow the digitiser; give lambda_s",
             digit_m * 1e9, fmin(100, 100 * digit_m4 / m4));
     else if (!filtered && coarse > 0 && m4 > sanity_noise_ratio * coarse)
         profile_note(
             profile,
             "m4 is noise of the shortest wavelengths: %.1f times smaller with every other point (white noise: 16); "
-            "give lambda_s_m",
+            "give lambda_s",
             m4 / coarse);
     double tip_m = options->tip_radius_m, shortest_m = fmax(2 * h, options->lambda_s_m);
     if (!filtered && m4 * tip_m * tip_m > 1)
         profile_note(profile,
                      "the RMS radius of curvature, %.3g um, is below the tip radius, %.3g um: the stylus cannot have "
-                     "followed it; give lambda_s_m",
+                     "followed it; give lambda_s",
                      1e6 / sqrt(m4), tip_m * 1e6);
     else if (tip_m > shortest_m && (filtered || m4 > 2 * coarse))
         profile_note(
             profile,
             "the shortest wavelength, %.3g um, is below the tip radius, %.3g um: the stylus rounds it off; give "
-            "lambda_s_m of at least that",
+            "lambda_s of at least that",
             shortest_m * 1e6, tip_m * 1e6);
 }
 

@@ -6,7 +6,6 @@
 #include <gsl/gsl_randist.h>
 #include <gsl/gsl_rng.h>
 #include <math.h>
-#include <stdbool.h>
 #include <stdlib.h>
 
 struct synth_def synth_def_default(void)
@@ -80,7 +79,7 @@ static double set_amplitudes(struct synth *synth, double angle)
     return sqrt(power);
 }
 
-/** Turns the scatter until Rq is met. */
+/** Scales the amplitudes to Rq, or turns the scatter until it is met. */
 static enum status_code meet_rq(struct synth *synth, struct status *status)
 {
     enum { STEPS = 720 };
@@ -89,6 +88,12 @@ static enum status_code meet_rq(struct synth *synth, struct status *status)
     if (!(before <= scan_most_m && target <= scan_most_m))
         return status_fail(status, STATUS_USAGE, "Rq would be above %g m; correct --alpha, --gamma, --length or --rq",
                            scan_most_m);
+    double factor = target / before;
+    if (synth->def->scaled && target > 0 && isfinite(factor)) {
+        for (size_t i = 0; i < synth->count; i++)
+            synth->amplitude[i] *= factor;
+        return STATUS_OK;
+    }
     for (int k = 1; target > 0 && k <= STEPS; k++) {
         double after = set_amplitudes(synth, k * turn);
         least = fmin(least, after);
@@ -110,7 +115,7 @@ static enum status_code meet_rq(struct synth *synth, struct status *status)
     if (target > 0)
         return status_fail(status, STATUS_USAGE,
                            "no scatter of %g decades with this seed gives an Rq of %g m (it can reach %.4g to %.4g); "
-                           "change --length, --alpha, --scatter or --seed",
+                           "change --length, --alpha, --scatter or --seed, or leave --alpha out to scale the profile",
                            synth->def->scatter_decades, target, least, most);
     return STATUS_OK;
 }

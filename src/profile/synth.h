@@ -4,6 +4,7 @@
 #define PROFILE_SYNTH_H
 
 #include "base/status.h"
+#include <stdbool.h>
 #include <stddef.h>
 
 /** What to make. Amplitudes follow Delta_n = alpha lambda_n^gamma 10^(scatter xi_n), lambda_n = L/n, with random
@@ -12,6 +13,7 @@ struct synth_def {
     double alpha; /* m^(1-gamma) */
     double gamma;
     double rq_m;     /* root mean square height to reach; 0: whatever alpha, gamma and scatter give */
+    bool scaled;     /* that Rq is met by another alpha; else by the scatter, and alpha stays */
     double length_m; /* L = points * spacing */
     size_t points;
     double scatter_decades; /* RMS of log10 amplitude about the law */
@@ -21,10 +23,11 @@ struct synth_def {
 
 struct synth_def synth_def_default(void);
 
-/** Fills height_m (`points` values). In the band lambda_s ... L the least-squares fit of log10 Delta gives alpha, gamma
- * and the scatter back exactly: xi is made orthogonal to the fit. Rq is met by turning xi within that space. The phase
- * of one long wave is chosen so that the least-squares line of the profile is level: levelling leaves it as it is.
- * Errors: STATUS_USAGE when points < 8, a number is out of range, or no scatter of that size gives rq_m; STATUS_MEMORY.
+/** Fills height_m (`points` values). In the band lambda_s ... L, and in no other, the least-squares line of log10 Delta
+ * gives alpha, gamma and the scatter back exactly: xi is made orthogonal to the fit. Rq is met by turning xi within
+ * that space, or by scaling alpha. The phase of one long wave is chosen so that the least-squares line of the profile
+ * is level: levelling leaves it as it is. Errors: STATUS_USAGE when points < 8, a number is out of range, or no scatter
+ * of that size gives rq_m; STATUS_MEMORY.
  */
 MUST_CHECK enum status_code synth_profile(double *height_m, const struct synth_def *def, struct status *status);
 

@@ -1,26 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The program over MPI's ranks. The first rank runs it; the others wait for surfaces to describe, to run the models on
- * and to solve. */
+/* The program over MPI's ranks: the first one runs it, and calls the others to each contact that is solved directly. */
 #ifndef RANKS_H
 #define RANKS_H
 
-#include "direct/direct_crew.h"
-#include "run/workers.h"
+#include "direct/direct_team.h"
 #include <stdatomic.h>
-#include <stdbool.h>
 
-struct ranks_options {
-    size_t ranks_per_grid; /* that share one surface of an ensemble; 0: as many as there are ranks for a surface */
-};
-
-/** Starts MPI. Before anything else in main(). */
-void ranks_begin(int *argc, char ***argv);
-bool ranks_is_first(void);
-/** Of the first rank: the others as a crew; NULL: there are none. */
-const struct direct_crew *ranks_crew(const struct ranks_options *options);
-/** The same for the surfaces of a report. */
-const struct workers_crew *ranks_workers(void);
-/** Of the others: does what the first rank asks for until that calls ranks_end(). *stop ends what is being done. */
+/** Starts MPI; before anything else in main(). Returns all ranks as a team; NULL: there is only one. */
+const struct direct_team *ranks_begin(int *argc, char ***argv);
+/** Were all ranks started with the same words? Collective. */
+bool ranks_agree(int argc, char **argv);
+/** Of all but the first: solves what that calls for until it calls ranks_end(). *stop (NULL: never) ends a solution. */
 void ranks_serve(const atomic_bool *stop);
 /** Of the first rank: lets the others go, and ends MPI on all. May be registered with atexit(). */
 void ranks_end(void);

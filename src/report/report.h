@@ -17,7 +17,8 @@ struct section_context;
 /** The report as Markdown: every section that is called for, in reading order. */
 void report_markdown(struct text *out, const struct section_context *context);
 
-/** The compact table for a terminal: surface, Rq, alpha, gamma, beta, load to full contact of each model. */
+/** The compact table for a terminal: surface, Rq, amplitude at one wavelength, gamma, beta, load to full contact of
+ * each model. */
 void report_terminal_table(struct text *out, const struct results *results);
 
 /** The targets' and limits' sentences for a terminal, a line each; nothing where the scene has none. */

@@ -330,12 +330,25 @@ bool section_is_valid(const struct surface_summary *summary, size_t model, doubl
     return curve_summary_is_valid(surface_model(summary, model), load);
 }
 
-static const double hardest = 3; /* yield strengths */
-
-double section_hardest(const struct section_context *context, size_t surface)
+bool section_exceeds_hardness(const struct section_context *context, size_t surface, const struct contact_point *point)
 {
+    static const double allowed = 1.001;
     const struct material_pair *pair = results_pair(context->results, surface);
-    return fmax(hardest, hardest / material_hardness_ratio * pair->hardness_Pa / pair->yield_strength_Pa);
+    return material_pair_pressure(pair, point->load) > allowed * pair->hardness_Pa * point->area_ratio;
+}
+
+void section_hardness(struct text *out, const struct material_pair *pair)
+{
+    bool given = fabs(pair->hardness_Pa / (material_hardness_ratio * pair->yield_strength_Pa) - 1) > 1e-12;
+    number_format_between(out, "the hardness of ", pair->hardness_Pa * 1e-6, 3, " MPa");
+    text_add(out, given ? "" : " (%.3g S_y, as none is given)", material_hardness_ratio);
+}
+
+bool section_is_unfit(const struct section_context *context, size_t surface, size_t m)
+{
+    const struct contact_point point = comparison_middle(context->results, m, surface);
+    return model_rows[context->comparison->leading]->plastic && !model_rows[m]->plastic &&
+           section_exceeds_hardness(context, surface, &point);
 }
 
 double section_contact_pressure(const struct section_context *context, size_t surface,
@@ -358,7 +371,8 @@ struct comparison_extremes section_models(const struct section_context *context,
         double value =
             point ? comparison_value(point, quantity, m, context->baseline->summary.asperities.sigma_m) : NAN;
         if (isnan(value) ||
-            (valid && !section_is_valid(&context->baseline->summary, m, context->comparison->middle_load)))
+            (valid && (!section_is_valid(&context->baseline->summary, m, context->comparison->middle_load) ||
+                       section_is_unfit(context, context->results->baseline, m))))
             continue;
         extremes.count++;
         if (value < extremes.least) {
@@ -408,15 +422,13 @@ void section_each_surface(struct text *out, const struct section_context *contex
 void section_interval(struct text *out, const struct estimate *estimate, double scale, int digits)
 {
     number_format(out, estimate->count > 0 ? scale * estimate_value(estimate) : NAN, digits);
-    if (estimate->count == 0 || isnan(estimate->half_width))
-        return;
-    number_format_between(out, " (", scale * estimate_end(estimate, 0), digits, "…");
-    number_format_between(out, "", scale * estimate_end(estimate, 1), digits, ")");
+    number_format_interval(out, " (", scale * estimate_end(estimate, 0), scale * estimate_end(estimate, 1), digits,
+                           ")");
 }
 
 void section_factor(struct text *out, const struct estimate *estimate, double half_width)
 {
-    bool known = estimate->count > 0 && isfinite(half_width);
+    bool known = estimate_has_width(estimate, half_width);
     text_add(out, "%s", !known ? "" : estimate->logarithmic ? "×÷ " : "± ");
     number_format(out, !known ? NAN : estimate->logarithmic ? exp(half_width) : half_width, 3);
 }

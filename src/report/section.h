@@ -95,8 +95,8 @@ const struct contact_point *section_middle(const struct section_context *context
 void section_middle_pressure(struct text *out, const struct section_context *context);
 /** Is a model inside its range of validity on a surface at P/(A_n E') = load? */
 bool section_is_valid(const struct surface_summary *summary, size_t model, double load);
-/** Smallest and largest value over the models of the baseline surface at the middle load, of the `valid` ones there or
- * of all; count 0: none has it. The extremes' `_at` are models. */
+/** Smallest and largest value over the models of the baseline surface at the middle load, of all or of those that are
+ * `valid` there and may stand beside the leading one; count 0: none has it. The extremes' `_at` are models. */
 struct comparison_extremes section_models(const struct section_context *context, enum quantity quantity, bool valid);
 
 /** Adds a load of a surface as charts and tables show it: "3.2·10⁻⁴", or in the scene's unit "10"; as what: "P/(Aₙ
@@ -112,9 +112,13 @@ double section_contact_pressure(const struct section_context *context, size_t su
                                 const struct contact_point *point);
 /** Is S_y known, so that there is such a number? */
 bool section_knows_yield(const struct section_context *context);
-/** P/A in units of S_y of a surface that no metal's contact bears: 3, as hardness is about 2.84 S_y (Tabor 1951), or as
- * much above a hardness that is given and greater. */
-double section_hardest(const struct section_context *context, size_t surface);
+/** Does a point's P/A exceed the hardness of the surface's pair, by more than rounding? */
+bool section_exceeds_hardness(const struct section_context *context, size_t surface, const struct contact_point *point);
+/** "the hardness of 168 MPa", and what it is taken from where none is given. */
+void section_hardness(struct text *out, const struct material_pair *pair);
+/** Is model `m` elastic, and above the hardness on that surface at the middle load? That does not stand beside a
+ * plastic leading model. False where an elastic one leads. */
+bool section_is_unfit(const struct section_context *context, size_t surface, size_t m);
 
 /** Range of a number over all usable surfaces in one model; false when no surface has a finite one. */
 bool section_range(double *least, double *most, const struct section_context *context, size_t model,
@@ -126,7 +130,7 @@ void section_each_surface(struct text *out, const struct section_context *contex
 /** A number of the scene, as it stands there, between two texts. */
 void section_given(struct text *out, const char *before, double value, const char *after);
 /** "0.24 (0.21…0.27)": a number and its 95 % interval; "–" where nothing is known of it, the number alone where it has
- * no interval. */
+ * no interval, or one within these digits. */
 void section_interval(struct text *out, const struct estimate *estimate, double scale, int digits);
 /** "×÷ 1.2", or "± 0.3" of a number that is not logarithmic. */
 void section_factor(struct text *out, const struct estimate *estimate, double half_width);

@@ -68,19 +68,17 @@ static bool falls(const struct scene_asked *target)
     return !target->row->rises && !target->row->reciprocal;
 }
 
-/** "0.0405 N (0.031…0.052)", with "P/(Aₙ E′) = " where there is no unit. */
+/** "0.0405 N (0.031…0.052)", with "P/(Aₙ E′) = " where there is no unit; "at most 0.0405 N". */
 static void put_load(const struct page *page, const struct answer *answer, size_t surface, bool with_unit)
 {
     double scale;
     const char *unit = load_unit(page->results, surface, &scale);
+    text_add(page->out, answer->full ? "at most " : "");
     text_add(page->out, with_unit && !*unit ? "P/(Aₙ E′) = " : "");
     number_format(page->out, answer->load * scale, 3);
     text_add(page->out, with_unit && *unit ? " " : "");
     put_foreign(page, with_unit ? unit : "");
-    if (isnan(answer->low) && isnan(answer->high))
-        return;
-    number_format_between(page->out, " (", answer->low * scale, 3, "…");
-    number_format_between(page->out, "", answer->high * scale, 3, ")");
+    number_format_interval(page->out, " (", answer->low * scale, answer->high * scale, 3, ")");
 }
 
 /** Usable surfaces whose leading model answers a target so; the least and the most of those that meet it. */
@@ -154,23 +152,12 @@ static void target_sentence(const struct page *page, size_t target)
     }
     if (tally.none > 0 && tally.met + tally.not_reached > 0)
         text_add(page->out, "; no number on %zu", tally.none);
-    text_add(page->out, " (%s).\n", model_rows[leading]->label);
+    text_add(page->out, " (%s%s).\n", model_rows[leading]->label,
+             results_intervals(page->results) ? "; intervals for scans of this length" : "");
 }
 
-/** The running model of the greatest precedence that says how many spots there are, within its validity; model_count:
- * none. */
-static size_t spot_model(const struct results *results, size_t surface, size_t target)
-{
-    size_t found = model_count;
-    for (size_t m = 0; m < model_count; m++)
-        if (isfinite(answer_of(results, surface, target, m)->spots_per_m2) &&
-            !answer_of(results, surface, target, m)->invalid &&
-            (found == model_count || model_rows[m]->precedence > model_rows[found]->precedence))
-            found = m;
-    return found;
-}
-
-/** "0.02 (GW) to 0.05 (JG)": of the other models that meet it within their validity. */
+/** "0.02 (GW) to 0.05 (JG)": of the other models that meet it within their validity; beside a plastic one without those
+ * above the hardness. */
 static void others_cell(const struct page *page, size_t target, size_t leading, size_t surface)
 {
     size_t least = model_count, most = model_count;
@@ -178,7 +165,8 @@ static void others_cell(const struct page *page, size_t target, size_t leading, 
     (void)load_unit(page->results, surface, &scale);
     for (size_t m = 0; m < model_count; m++) {
         const struct answer *answer = answer_of(page->results, surface, target, m);
-        if (m == leading || answer->kind != ANSWER_LOAD || answer->invalid)
+        if (m == leading || answer->kind != ANSWER_LOAD || answer->full || answer->invalid ||
+            (answer->above_hardness && model_rows[leading]->plastic))
             continue;
         if (least == model_count || answer->load < answer_of(page->results, surface, target, least)->load)
             least = m;
@@ -198,34 +186,31 @@ static void others_cell(const struct page *page, size_t target, size_t leading, 
     text_add(page->out, " (%s)", model_rows[most]->label);
 }
 
-static void spots_cell(const struct page *page, size_t target, size_t surface)
+static void spots_cell(const struct page *page, const struct answer *answer)
 {
-    size_t m = spot_model(page->results, surface, target);
+    double spots = answers_spots(answer, scene_of(page)->nominal_area_m2);
     text_add(page->out, " | ");
-    if (m == model_count) {
-        text_add(page->out, "–");
-        return;
-    }
-    double spots = answers_spots(answer_of(page->results, surface, target, m), scene_of(page)->nominal_area_m2);
     number_format(page->out, spots, 2);
-    text_add(page->out, " (%s)%s", model_rows[m]->label,
-             spots < answers_least_spots ? ": **too few for statistics**" : "");
+    if (!isnan(spots))
+        text_add(page->out, " (%s)", model_rows[answer->counted_by]->label);
 }
 
-/** Does any model say how many spots there are? */
-static bool knows_spots(const struct page *page, size_t target)
+/** Are the spots of any surface known? */
+static bool knows_spots(const struct page *page, size_t target, size_t leading)
 {
-    for (size_t k = 0; isfinite(scene_of(page)->nominal_area_m2) && k < page->results->usable_count; k++)
-        if (spot_model(page->results, page->results->by_roughness[k], target) < model_count)
-            return true;
-    return false;
+    bool any = false;
+    for (size_t k = 0; k < page->results->usable_count; k++)
+        any = any || isfinite(answers_spots(answer_of(page->results, page->results->by_roughness[k], target, leading),
+                                            scene_of(page)->nominal_area_m2));
+    return any;
 }
 
 static void target_row(const struct page *page, size_t target, size_t leading, size_t surface, bool spots)
 {
     const struct answer *answer = answer_of(page->results, surface, target, leading);
     double scale;
-    (void)load_unit(page->results, surface, &scale);
+    struct text unit = {0};
+    text_add_markdown(&unit, load_unit(page->results, surface, &scale));
     text_add(page->out, " | ");
     if (answer->kind == ANSWER_LOAD || answer->kind == ANSWER_LIGHTEST)
         put_load(page, answer, surface, false);
@@ -233,9 +218,10 @@ static void target_row(const struct page *page, size_t target, size_t leading, s
         text_add(page->out, "–");
     others_cell(page, target, leading, surface);
     if (spots)
-        spots_cell(page, target, surface);
+        spots_cell(page, answer);
     text_add(page->out, " | ");
-    answers_note(page->out, answer, scene_of(page)->nominal_area_m2, scale);
+    answers_note(page->out, answer, scene_of(page)->nominal_area_m2, scale, text_string(&unit));
+    text_free(&unit);
 }
 
 static void each_surface(const struct section_context *context, const struct page *page, size_t target, size_t leading,
@@ -259,14 +245,16 @@ static void each_surface(const struct section_context *context, const struct pag
 static void target_table(const struct section_context *context, const struct page *page, size_t target)
 {
     size_t leading = plan_leading_model(page->results->plan);
-    bool spots = knows_spots(page, target);
+    bool spots = knows_spots(page, target, leading);
     double scale;
     const char *unit = load_unit(page->results, page->results->baseline, &scale);
     text_add(page->out, "\n| ");
     put_asked(page, &scene_of(page)->targets[target], falls(&scene_of(page)->targets[target]));
     text_add(page->out, " | %s takes%s", model_rows[leading]->label, *unit ? ", " : " P/(Aₙ E′)");
     put_foreign(page, unit);
-    text_add(page->out, " (95 %% interval) | other models, least to most%s | remark |\n|---|---:|---|%s---|\n",
+    text_add(page->out,
+             " (95 %% interval, for scans of this length) | other models, least to most%s | remark "
+             "|\n|---|---:|---|%s---|\n",
              spots ? " | spots" : "", spots ? "---|" : "");
     each_surface(context, page, target, leading, spots);
 }
@@ -289,10 +277,16 @@ static void put_value(const struct page *page, const struct scene_asked *limit, 
     number_format(page->out, scene_asked_shown(limit, check->value), 3);
     text_add(page->out, "%s", limit->unit_text[0] ? " " : "");
     put_foreign(page, limit->unit_text);
-    if (isnan(ends[0]) || isnan(ends[1]))
-        return;
-    number_format_between(page->out, " (", ends[low], 3, "…");
-    number_format_between(page->out, "", ends[!low], 3, ")");
+    number_format_interval(page->out, " (", ends[low], ends[!low], 3, ")");
+}
+
+/** The same; without a number there, where the verdict comes from. */
+static void put_check(const struct page *page, const struct scene_asked *limit, const struct limit_check *check)
+{
+    if (isfinite(scene_asked_shown(limit, check->value)))
+        put_value(page, limit, check);
+    else
+        text_add(page->out, "from a lighter load on");
 }
 
 /** One sentence for a limit. */
@@ -320,8 +314,10 @@ static void limit_table(const struct section_context *context, const struct page
     size_t leading = plan_leading_model(page->results->plan), rows = 0;
     text_add(page->out, "\nLimits at the operating load (");
     section_at_load(page->out, page->results, page->results->baseline, context->comparison->middle_load);
-    text_add(page->out, "), by %s; a limit inside a surface's 95 %% interval cannot be told:\n\n| surface",
-             model_rows[leading]->label);
+    text_add(
+        page->out,
+        "), by %s; a limit inside a surface's 95 %% interval, for scans of this length, cannot be told:\n\n| surface",
+        model_rows[leading]->label);
     for (size_t l = 0; l < scene->limit_count; l++) {
         text_add(page->out, " | ");
         put_asked(page, &scene->limits[l], scene->limits[l].is_most);
@@ -343,7 +339,7 @@ static void limit_table(const struct section_context *context, const struct page
             if (check->verdict == LIMIT_NO_VALUE)
                 continue;
             text_add(page->out, ": ");
-            put_value(page, &scene->limits[l], check);
+            put_check(page, &scene->limits[l], check);
         }
         text_add(page->out, " |\n");
         rows++;
@@ -379,8 +375,8 @@ size_t report_missed_limits(struct text *out, const struct results *results)
             text_add(out, " misses the limit ");
             put_asked(&page, &results->scene->limits[l], results->scene->limits[l].is_most);
             text_add(out, ": ");
-            put_value(&page, &results->scene->limits[l], check);
-            text_add(out, "\n");
+            put_check(&page, &results->scene->limits[l], check);
+            text_add(out, isnan(check->low) ? "\n" : ", for scans of this length\n");
             missed++;
         }
     return missed;

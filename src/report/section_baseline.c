@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One surface in every model, quantity by quantity (thesis 6.3). */
-#include "contact/multiscale.h"
 #include "report/section.h"
 
 #include <math.h>
@@ -150,14 +149,15 @@ static double scale_dependence(const struct curve_summary *model)
     return model->sd_most;
 }
 
-/** Where a plastic model lets the contact bear more than any metal does: " P/A … is beyond 3 S_y from … to …". */
+/** Where a plastic model lets the contact bear more than the hardness: " P/A … exceeds the hardness … between …". */
 static void hard_text(struct text *out, const struct section_context *context, size_t m)
 {
     const struct model_curve *curve = &context->baseline->curves[m];
     double most = 0, from = NAN, to = NAN;
     for (size_t i = 0; i < curve->count; i++) {
         double pressure = section_contact_pressure(context, context->results->baseline, &curve->points[i]);
-        if (!(curve->points[i].area_ratio < 1) || !(pressure > section_hardest(context, context->results->baseline)))
+        if (!(curve->points[i].area_ratio < 1) ||
+            !section_exceeds_hardness(context, context->results->baseline, &curve->points[i]))
             continue;
         most = fmax(most, pressure);
         from = fmin(from, curve->points[i].load); /* of a number and NaN, the number */
@@ -165,9 +165,9 @@ static void hard_text(struct text *out, const struct section_context *context, s
     }
     if (isnan(from))
         return;
-    text_add(out,
-             " In %s the mean pressure P/A of the partial contact exceeds %.2g S_y, more than any metal's hardness, ",
-             model_rows[m]->label, section_hardest(context, context->results->baseline));
+    text_add(out, " In %s the mean pressure P/A of the partial contact exceeds ", model_rows[m]->label);
+    section_hardness(out, section_pair(context));
+    text_add(out, " ");
     if (from < to) {
         text_add(out, "between ");
         section_at_load(out, context->results, context->results->baseline, from);
@@ -278,90 +278,6 @@ static void thermal_text(struct text *out, const struct section_context *context
     }
 }
 
-/** What a kink is: |d ln R/d ln P| falls by this factor before it rises again, where the other curves get ever steeper.
- */
-static const double kink_fall = 1.25;
-
-/** The first kink of a curve of resistances behind point `from`, as two points it lies between; false: none. */
-static bool find_kink(size_t *low, size_t *high, const struct model_curve *curve, size_t from, enum quantity y)
-{
-    double steepest = 0, before = 0;
-    size_t at = from;
-    for (size_t i = from; i + 1 < curve->count; i++) {
-        double r = quantity_value(&curve->points[i], y), next = quantity_value(&curve->points[i + 1], y);
-        if (!(r > 0) || !(next > 0))
-            return false;
-        double slope = -log(next / r) / log(curve->points[i + 1].load / curve->points[i].load);
-        if (slope >= before) { /* rising: where it fell enough before, that was a kink */
-            if (steepest > kink_fall * before && before > 0) {
-                *low = at;
-                *high = i + 1;
-                return true;
-            }
-            steepest = slope;
-            at = i;
-        }
-        before = slope;
-    }
-    return false;
-}
-
-/** Is the contact of scale `k` complete at that load? */
-static bool scale_is_complete(struct multiscale *stack, size_t k, double load)
-{
-    double area = 1;
-    struct sinusoid_cell cell = {0};
-    for (size_t i = 0; i <= k; i++) {
-        struct sinusoid_scale scale = multiscale_scale(stack, i);
-        sinusoid_press(&cell, &scale, stack->closure, load * stack->effective_modulus_Pa / area, false);
-        area *= cell.area_ratio;
-    }
-    return !(cell.area_complement > 0);
-}
-
-/** The load at which the longest of the scales that close between two loads does; NaN: none. */
-static double closing_load(double *wavelength_m, struct multiscale *stack, double low, double high)
-{
-    for (size_t k = 0; k < stack->count; k++) {
-        if (scale_is_complete(stack, k, low) || !scale_is_complete(stack, k, high))
-            continue;
-        while (high > low * (1 + 1e-4)) {
-            double middle = sqrt(low * high);
-            *(scale_is_complete(stack, k, middle) ? &high : &low) = middle;
-        }
-        *wavelength_m = 1 / multiscale_scale(stack, k).frequency_per_m;
-        return high;
-    }
-    return NAN;
-}
-
-/** Kinks of the resistance of a model that stacks scales, each where a scale's contact becomes complete. */
-static void kinks_of(struct text *out, const struct section_context *context, size_t m, enum quantity y, bool *first)
-{
-    const struct model_curve *curve = &context->baseline->curves[m];
-    const struct results *results = context->results;
-    struct multiscale stack;
-    size_t low, high, from = 0;
-    if (!curve->exists || !find_kink(&low, &high, curve, 0, y))
-        return;
-    multiscale_make(&stack, &context->baseline->spectrum, section_pair(context), model_rows[m]->plastic,
-                    results->scene->closure);
-    for (; find_kink(&low, &high, curve, from, y); from = high) {
-        double wavelength_m = NAN;
-        double load = closing_load(&wavelength_m, &stack, curve->points[low].load, curve->points[high].load);
-        if (isnan(load))
-            continue;
-        text_add(out,
-                 *first ? " Kinks, where a scale's contact becomes complete and its resistance is gone: %s" : "; %s",
-                 model_rows[m]->label);
-        text_add(out, " at ");
-        number_format_power(out, load, 2);
-        number_format_between(out, " (wavelength ", wavelength_m * 1e6, 3, " µm)");
-        *first = false;
-    }
-    multiscale_free(&stack);
-}
-
 /** Does a model's resistance become 0 on the baseline? */
 static bool any_vanishes(const struct section_context *context, enum quantity y)
 {
@@ -372,12 +288,21 @@ static bool any_vanishes(const struct section_context *context, enum quantity y)
     return false;
 }
 
-static void kinks(struct text *out, const struct section_context *context, enum quantity y)
+static void kinks(struct text *out, const struct section_context *context)
 {
     bool first = true;
-    for (size_t m = 0; m < model_count && context->baseline->summary.scans == 1; m++) /* the mean of scans has none */
-        if (model_rows[m]->stacks_scales && model_rows[m]->thesis_place > 0)
-            kinks_of(out, context, m, y, &first);
+    for (size_t m = 0; m < model_count; m++) {
+        const struct model_curve *curve = &context->baseline->curves[m];
+        for (size_t k = 0; k < curve->kink_count && model_rows[m]->thesis_place > 0; k++) {
+            text_add(out,
+                     first ? " Kinks, where a scale's contact becomes complete and its resistance is gone: %s" : "; %s",
+                     model_rows[m]->label);
+            text_add(out, " at ");
+            number_format_power(out, curve->kinks[k].load, 2);
+            number_format_between(out, " (wavelength ", curve->kinks[k].wavelength_m * 1e6, 3, " µm)");
+            first = false;
+        }
+    }
     text_add(out, "%s", first ? "" : ".");
 }
 
@@ -430,7 +355,7 @@ static void caption(struct text *out, const struct section_context *context, con
             text_add(out, " A curve leaves the chart at its full contact, where resistance is 0%s.",
                      context->baseline->summary.scans > 1 ? "; a mean of scans ends where the first of them gets there"
                                                           : "");
-        kinks(out, context, y);
+        kinks(out, context);
     }
 }
 

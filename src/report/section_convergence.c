@@ -45,6 +45,14 @@ static void convergence_text(struct text *out, const struct section_context *con
 
 static void extension_text(struct text *out, const struct section_context *context)
 {
+    size_t told = 0;
+    for (size_t k = 0; k < context->results->usable_count; k++)
+        told += isfinite(section_smoothest(context, k)->tail.gamma) ? 1 : 0;
+    if (told == 0) {
+        text_add(out, "What the measured surfaces are like below their shortest wavelengths their spectra do not tell: "
+                      "too few harmonics are known, or a filter has cut them.");
+        return;
+    }
     if (!section_extended(context)) {
         text_add(out,
                  "No scale below the sampling limit can take any area from the measured surfaces at that load: their "
@@ -53,8 +61,9 @@ static void extension_text(struct text *out, const struct section_context *conte
     }
     text_add(
         out,
-        "The measured surfaces at that load: the area of their spectra, and by how much it would fall if each went "
-        "on below its shortest wavelength along its own slope there (over its last half decade) ");
+        "The measured surfaces at that load: the area of their spectra down to the shortest wavelength known (above "
+        "cut-off, `fit_band` and what rounding leaves), and by how much it would fall if each went on below along its "
+        "own slope there (over its last half decade) ");
     section_given(out, "to ", convergence_atom_m * 1e9, " nm.");
 }
 
@@ -63,7 +72,7 @@ static void surface_extension(struct text *out, const struct section_context *co
     const struct surface_summary *s = section_surface(context, index);
     section_mark(out, context, index, model_count);
     section_cell(out, s->tail.gamma, 3);
-    section_cell(out, s->length_m / (double)s->harmonics * 1e6, 3);
+    section_cell(out, s->length_m / (double)s->tail.count * 1e6, 3);
     for (size_t m = 0; m < model_count; m++) {
         const struct convergence_extension *extension = &surface_model(s, m)->extension;
         if (!sweeps(context, m))

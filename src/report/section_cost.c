@@ -111,6 +111,28 @@ static void curves_text(struct text *out, const struct benchmark *cost)
         text_add(out, ".");
 }
 
+/** What the models' curves take at other tolerances, and how much of the report they are. */
+static void tolerance_text(struct text *out, const struct benchmark *cost)
+{
+    const struct benchmark_row *usual = benchmark_find(cost, "tolerance", "all models", "1e-06");
+    if (!usual || !(usual->seconds > 0))
+        return;
+    text_add(out, " Tolerance: all curves but contacting slopes' take ");
+    for (size_t i = 0, listed = 0; i < cost->count; i++) {
+        const struct benchmark_row *row = &cost->rows[i];
+        if (strcmp(row->study, "tolerance") != 0 || row == usual)
+            continue;
+        text_add(out, "%s", listed++ > 0 ? ", " : "");
+        number_format(out, row->seconds / usual->seconds, 2);
+        text_add(out, " (%s)", row->setting);
+    }
+    text_add(out, " times what they take at 1e-06");
+    if (cost->before > 0)
+        number_format_between(out, ", which is ", 100 * usual->seconds / cost->before, 2,
+                              " % of the time that this report had taken so far");
+    text_add(out, ".");
+}
+
 static void cost_text(struct text *out, const struct section_context *context)
 {
     const struct benchmark *cost = context->results->benchmark;
@@ -122,6 +144,7 @@ static void cost_text(struct text *out, const struct section_context *context)
         "the surface once; evaluations do not depend on the machine). ");
     integrals_text(out, cost);
     curves_text(out, cost);
+    tolerance_text(out, cost);
 }
 
 static void cost_table(struct text *out, const struct section_context *context)
@@ -136,7 +159,7 @@ static void cost_table(struct text *out, const struct section_context *context)
         number_format(out, row->seconds * 1e6, 3);
         text_add(out, " | ");
         number_format(out, row->error, 2);
-        text_add(out, " | %s |\n", row->chosen ? "used here" : "");
+        text_add(out, " | %s |\n", row->chosen ? "used here" : row->note);
     }
 }
 
@@ -156,6 +179,19 @@ static void caption(struct text *out, const struct section_context *context, con
 static bool called_for(const struct section_context *context)
 {
     return context->results->benchmark != NULL;
+}
+
+/** Of that study the row of the same model, or of the direct solution at the same expense; NULL: none. */
+static const struct benchmark_row *against_direct(const struct benchmark *cost, const char *study,
+                                                  const struct benchmark_row *like)
+{
+    for (size_t i = 0; i < cost->count; i++) {
+        const struct benchmark_row *row = &cost->rows[i];
+        if (strcmp(row->study, study) == 0 && row->model == like->model &&
+            (row->model || strcmp(row->setting, like->setting) == 0))
+            return row;
+    }
+    return NULL;
 }
 
 /** The cheapest model that is within each bound of the direct solution, in area, gap and ECR together. */
@@ -179,11 +215,11 @@ static void physics_text(struct text *out, const struct section_context *context
             const struct benchmark_row *row = &cost->rows[i];
             bool within = strcmp(row->study, first->study) == 0 && (!row->model || !row->model->plastic);
             for (size_t s = 0; s < sizeof studies / sizeof *studies && within; s++) {
-                const struct benchmark_row *same = benchmark_find(cost, studies[s], row->method, row->setting);
+                const struct benchmark_row *same = against_direct(cost, studies[s], row);
                 bool there = false;
                 for (size_t k = 0; k < cost->count && !there; k++)
                     there = strcmp(cost->rows[k].study, studies[s]) == 0;
-                within = !there || (same && same->error <= bounds[b].error);
+                within = !there || (same && same->mean <= bounds[b].error);
             }
             if (within && (!cheapest || row->seconds < cheapest->seconds))
                 cheapest = row;

@@ -5,6 +5,12 @@
 
 #include <math.h>
 
+/** Is the factor as far off as a property not known well? */
+static bool matters(const struct doubt *doubt)
+{
+    return fabs(log(doubt->factor)) >= log(1 + doubt_tolerance) * (1 - 1e-9);
+}
+
 static void row(struct text *out, const struct section_context *context, const struct doubt *doubt)
 {
     text_add(out, "| %s | %s | %s", doubt->row->what, doubt->row->changed, doubt->row->either_way ? "×÷ " : "× ");
@@ -14,7 +20,7 @@ static void row(struct text *out, const struct section_context *context, const s
         section_named(out, "surface ", context->results, doubt->surface);
         text_add(out, ")");
     }
-    text_add(out, " | %s |\n", doubt->row->next);
+    text_add(out, " | %s |\n", matters(doubt) ? doubt->next : "–");
 }
 
 static bool called_for(const struct section_context *context)

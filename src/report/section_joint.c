@@ -35,7 +35,9 @@ static size_t speaking_model(const struct section_context *context)
 {
     size_t speaking = plan_leading_model(context->results->plan), most = numbers_of(context, speaking);
     for (size_t m = 0; m < model_count; m++) {
-        size_t count = plan_runs_model(context->results->plan, m) ? numbers_of(context, m) : 0;
+        bool fit =
+            plan_runs_model(context->results->plan, m) && !section_is_unfit(context, context->results->baseline, m);
+        size_t count = fit ? numbers_of(context, m) : 0;
         if (count > most ||
             (count == most && count > 0 && model_rows[m]->precedence > model_rows[speaking]->precedence)) {
             most = count;

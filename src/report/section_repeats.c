@@ -78,7 +78,7 @@ static void write(struct text *out, const struct section_context *context)
     if (several)
         text_add(out,
                  "Every scan goes through the models alone; a surface's curve is the geometric mean of theirs "
-                 "(separations: arithmetic), and the interval in which the mean of many scans lies, 95 times of 100, "
+                 "and the interval in which the mean of many scans lies, 95 times of 100, "
                  "is Student's on the logarithms. Scans longer than the shortest are cut to pieces of its length, rows "
                  "of a map follow each other and count as the independent ones they are worth. The averaged spectrum "
                  "is there for drawing and fitting alone. ");
@@ -92,8 +92,8 @@ static void write(struct text *out, const struct section_context *context)
     text_add(out, "The charts' bands are these intervals.\n\n| surface | from");
     if (several)
         text_add(out, " | Rq (µm) | γ of each | full contact at P/(Aₙ E′)");
-    text_add(out, " | %s, 95 %% of the mean | of another scan |\n|---|---%s|---:|---:|\n", symbol,
-             several ? "|---:|---:|---:" : "");
+    text_add(out, " | %s, 95 %% of the mean, for scans of this length | of another scan |\n|---|---%s|---:|---:|\n",
+             symbol, several ? "|---:|---:|---:" : "");
     section_each_surface(out, context, surface_row);
     section_mark_legend(out, context, SECTION_EVERY_SURFACE);
 }

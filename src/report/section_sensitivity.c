@@ -141,7 +141,8 @@ static void write(struct text *out, const struct section_context *context)
     text_add(out, " Factors on the answer at ");
     section_middle_pressure(out, context);
     text_add(out, " when the heights are low-passed at twice the cut-off, for halves of the scan (their geometric "
-                  "mean), and for plastic models with hardness and yield strength raised by a tenth:\n\n");
+                  "mean, over the whole under their window), and for plastic models with hardness and yield strength "
+                  "raised by a tenth:\n\n");
     table(out, context);
     section_mark_legend(out, context, SECTION_EVERY_SURFACE);
     text_add(out, "\n");

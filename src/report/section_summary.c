@@ -122,13 +122,9 @@ static void answer(struct text *out, const struct section_context *context, enum
     const struct estimate *estimate =
         curve_summary_estimate(surface_model(section_surface(context, surface), leading), quantity);
     double scale = quantity == QUANTITY_AREA ? 100 : 1;
-    bool interval = estimate->count > 0 && isfinite(estimate->half_width);
     number_format(out, scale * value, 3);
     text_add(out, " %s (", quantity == QUANTITY_AREA ? "%" : quantity_rows[quantity].unit);
-    if (interval) {
-        number_format_between(out, "95 % ", scale * estimate_end(estimate, 0), 3, "…");
-        number_format_between(out, "", scale * estimate_end(estimate, 1), 3, "; ");
-    }
+    number_format_interval(out, "95 % ", scale * estimate_end(estimate, 0), scale * estimate_end(estimate, 1), 3, "; ");
     section_named(out, "surface ", context->results, surface);
     section_mark(out, context, surface, leading);
     text_add(out, ")");
@@ -154,7 +150,8 @@ static void lead_leading(struct text *out, const struct section_context *context
         text_add(out, " to ");
         answer(out, context, quantity, extremes[quantity].most, extremes[quantity].most_at);
     }
-    text_add(out, "**%s, by %s", quantity == QUANTITY_AREA ? " of the nominal one" : "",
+    text_add(out, "**%s%s, by %s", quantity == QUANTITY_AREA ? " of the nominal one" : "",
+             results_intervals(context->results) ? ", for scans of this length" : "",
              model_rows[study->leading]->label);
     if (!section_pair(context)->unknown && !context->results->loads_apart) {
         text_add(out, " at P/(Aₙ E′) = ");
@@ -185,14 +182,12 @@ static void pair_text(struct text *out, const struct section_context *context, s
     const struct comparison_pair *pair = comparison_pair_of(ranking, i, j);
     size_t leading = context->comparison->leading;
     number_format_between(out, " (×", pair->ratio, 3, "");
-    if (pair->test == COMPARISON_NOT_TESTED) {
-        text_add(out, ", not tested)");
-        return;
-    }
+    bool adjusted = pair->test == COMPARISON_WELCH && ranking->adjusted > 1;
     number_format_between(out, ", 95 % ", pair->low, 3, "…");
-    number_format(out, pair->high, 3);
+    number_format_between(out, "", pair->high, 3, adjusted ? " of this pair alone" : "");
     if (pair->test == COMPARISON_WELCH)
         text_add(out, pair->p < 1e-4 ? ", p < 0.0001" : ", p = %.2g", pair->p);
+    text_add(out, "%s", adjusted ? " over all pairs" : "");
     size_t counts[2];
     for (int k = 0; k < 2; k++)
         counts[k] =
@@ -214,6 +209,12 @@ static void place(struct text *out, const char *before, const struct section_con
     section_named(out, "surface ", context->results, context->comparison->ranking.surface[i]);
 }
 
+/** Surfaces with an answer of whose scatter nothing is known. */
+static size_t untested(const struct comparison *study)
+{
+    return study->models[study->leading].extremes[study->ranking.criterion].count - study->ranking.count;
+}
+
 /** The best one, told apart from all others. */
 static void best_surface(struct text *out, const struct section_context *context)
 {
@@ -224,8 +225,9 @@ static void best_surface(struct text *out, const struct section_context *context
     size_t best = ranking->surface[0], agreeing = 0, asked = 0;
     text_add(out, "- **");
     section_named(out, "Surface ", context->results, best);
-    text_add(out, " has the %s %s** there: %s than ", quantity == QUANTITY_AREA ? "largest" : "lowest",
-             quantity_rows[quantity].short_symbol, more);
+    text_add(out, " has the %s %s** there%s, for scans of this length: %s than ",
+             quantity == QUANTITY_AREA ? "largest" : "lowest", quantity_rows[quantity].short_symbol,
+             untested(study) > 0 ? " of those tested" : "", more);
     place(out, "", context, 1);
     text_add(out, ranking->count > 2 ? ", the next" : "");
     pair_text(out, context, 0, 1);
@@ -243,7 +245,6 @@ static void best_surface(struct text *out, const struct section_context *context
     }
     if (asked > 1)
         text_add(out, ". It comes first in %zu of %zu models", agreeing, asked);
-    text_add(out, ".\n");
 }
 
 /** The first are not told apart: no best one is named. */
@@ -255,9 +256,10 @@ static void no_best_surface(struct text *out, const struct section_context *cont
     for (size_t j = 1; j < ranking->count; j++) {
         const struct comparison_pair *pair = comparison_pair_of(ranking, 0, j);
         told += comparison_told_apart(pair);
-        heterogeneous += pair->test != COMPARISON_NOT_TESTED && pair->verdict == RANKING_NO_VERDICT;
+        heterogeneous += pair->verdict == RANKING_NO_VERDICT;
     }
-    text_add(out, "- **No surface stands out by its %s** there: ", quantity_rows[ranking->criterion].short_symbol);
+    text_add(out, "- **No surface stands out by its %s** there, for scans of this length: ",
+             quantity_rows[ranking->criterion].short_symbol);
     place(out, "", context, 0);
     text_add(out, " is not told apart from ");
     for (size_t j = 1; j < ranking->count; j++) {
@@ -274,7 +276,6 @@ static void no_best_surface(struct text *out, const struct section_context *cont
         text_add(out, "; from the other%s it is", told == 1 ? "" : "s");
     if (heterogeneous > 0)
         text_add(out, ". Single scans that are not the same along their length get no verdict");
-    text_add(out, ".\n");
 }
 
 /** What surfaces differ by, and whether more scans would say the same. */
@@ -286,15 +287,16 @@ static void ranking_text(struct text *out, const struct section_context *context
     const char *symbol = quantity_rows[ranking->criterion].short_symbol;
     if (extremes->count < 2)
         return;
-    if (ranking->count == 0) {
+    if (extremes->count > COMPARISON_RANKED_MOST) {
         text_add(out, "- **The surfaces are not ranked**: there are more than %d.\n", COMPARISON_RANKED_MOST);
         return;
     }
-    if (ranking->tested == 0) {
+    if (ranking->count < 2) {
         text_add(out, "- **The surfaces are not ranked by %s**: ", symbol);
         text_add(out,
-                 context->results->counterface
-                     ? "how far the rough counterface's scans scatter is not known"
+                 context->results->counterface ? "how far the rough counterface's scans scatter is not known"
+                 : plan_runs(context->results->plan, EFFECT_UNCERTAINTY)
+                     ? "how far another scan would be off is known of fewer than two"
                      : "there is one scan of a surface, and the effect `uncertainty`, which tells how far a scan at "
                        "another place would be off, did not run");
         number_format_between(out, "; as scanned, the largest value is ", extremes->most / extremes->least, 3,
@@ -308,6 +310,10 @@ static void ranking_text(struct text *out, const struct section_context *context
         best_surface(out, context);
     else
         no_best_surface(out, context);
+    if (untested(study) > 0)
+        text_add(out, ". %zu more %s not tested: how far another scan would be off is not known", untested(study),
+                 untested(study) == 1 ? "was" : "were");
+    text_add(out, ".\n");
 }
 
 static void one_spread(struct text *out, const struct section_context *context, enum quantity quantity,
@@ -326,14 +332,24 @@ static void one_spread(struct text *out, const struct section_context *context, 
     text_add(out, ")");
 }
 
-/** "; without GW and JG, which are outside their validity there". */
-static void left_out(struct text *out, const struct section_context *context)
+static bool is_invalid(const struct section_context *context, size_t m)
+{
+    return !section_is_valid(&context->baseline->summary, m, context->comparison->middle_load);
+}
+
+static bool is_too_hard(const struct section_context *context, size_t m)
+{
+    return !is_invalid(context, m) && section_is_unfit(context, context->results->baseline, m);
+}
+
+/** "; without GW and JG" of the models that are so; returns how many there are. */
+static size_t left_out(struct text *out, const struct section_context *context,
+                       bool (*is)(const struct section_context *context, size_t m))
 {
     size_t count = 0, named = 0;
-    double load = context->comparison->middle_load;
     for (int pass = 0; pass < 2; pass++)
         for (size_t m = 0; m < model_count; m++) {
-            if (!section_middle(context, m) || section_is_valid(&context->baseline->summary, m, load))
+            if (!section_middle(context, m) || !is(context, m))
                 continue;
             if (pass == 0) {
                 count++;
@@ -346,8 +362,7 @@ static void left_out(struct text *out, const struct section_context *context)
                      model_rows[m]->label);
             named++;
         }
-    if (count > 0)
-        text_add(out, ", outside %s range of validity there", count == 1 ? "its" : "their");
+    return count;
 }
 
 static void model_spread(struct text *out, const struct section_context *context)
@@ -364,7 +379,13 @@ static void model_spread(struct text *out, const struct section_context *context
         one_spread(out, context, quantity, ", ECR·Aₙ ", 1, " Ω·m²");
     if (quantity == QUANTITY_TCR)
         one_spread(out, context, quantity, ", TCR·Aₙ ", 1, " K·m²/W");
-    left_out(out, context);
+    size_t invalid = left_out(out, context, is_invalid);
+    text_add(out, "%s",
+             invalid == 0   ? ""
+             : invalid == 1 ? ", outside its range of validity there"
+                            : ", outside their range of validity there");
+    if (left_out(out, context, is_too_hard) > 0)
+        text_add(out, ", elastic and above the hardness there");
     text_add(out, ".\n");
 }
 
@@ -419,25 +440,30 @@ static void limit(struct text *out, const struct section_context *context, size_
     text_add(out, "%s", then);
 }
 
-/** A plastic model whose contact bears more than any metal does. */
+/** A plastic model whose contact bears more than the hardness. */
 static void hard(struct text *list, const struct section_context *context, size_t m)
 {
     const struct results *results = context->results;
     size_t count = 0;
     double most = 0;
-    char what[120], then[60];
+    struct text what = {0};
+    char then[60];
     for (size_t k = 0; k < results->usable_count; k++) {
         const struct contact_point point = comparison_middle(context->results, m, results->by_roughness[k]);
         double pressure = section_contact_pressure(context, results->by_roughness[k], &point);
-        if (!(point.area_ratio < 1) || !(pressure > section_hardest(context, results->by_roughness[k])))
+        if (!(point.area_ratio < 1) || !section_exceeds_hardness(context, results->by_roughness[k], &point))
             continue;
         count++;
         most = fmax(most, pressure);
     }
-    snprintf(what, sizeof what, "in %s the real contact bears more than %.2g S_y, beyond any hardness,",
-             model_rows[m]->label, section_hardest(context, results->baseline));
+    text_add(&what, "in %s the real contact bears more than ", model_rows[m]->label);
+    if (same_bodies(results))
+        section_hardness(&what, section_pair(context));
+    else
+        text_add(&what, "the hardness");
     snprintf(then, sizeof then, " (up to %.2g S_y)", most);
-    limit(list, context, count, what, then);
+    limit(list, context, count, text_string(&what), then);
+    text_free(&what);
 }
 
 static void limits(struct text *out, const struct section_context *context)
@@ -472,7 +498,7 @@ static void limits(struct text *out, const struct section_context *context)
         limit(&list, context, diverging, "γ is below 1", ", so the elastic area depends on the sampling");
     if (fall > 1e-3) {
         text_add(&list, "%s", list.length > 0 ? "; " : "");
-        number_format_between(&list, "scales below the sampling limit would take up to ", 100 * fall, 2,
+        number_format_between(&list, "scales below the shortest wavelength known would take up to ", 100 * fall, 2,
                               " % more of the area");
     }
     limit(&list, context, leaks, "a jump between the ends of the record draws γ towards 1", "");
@@ -534,6 +560,32 @@ static void direct_advice(struct text *out, const struct section_context *contex
     }
 }
 
+/** Is the leading model's area there that of a contact at its hardness throughout? */
+static bool bears_hardness(const struct section_context *context, size_t index)
+{
+    static const double nearly = 0.9;
+    const struct contact_point point = comparison_middle(context->results, context->comparison->leading, index);
+    const struct material_pair *pair = results_pair(context->results, index);
+    return model_rows[context->comparison->leading]->plastic &&
+           material_pair_pressure(pair, point.load) >= nearly * pair->hardness_Pa * point.area_ratio;
+}
+
+/** Does what the model that uses heights says there stand beside the leading one? */
+static bool is_unfit(const struct section_context *context, size_t index)
+{
+    return section_is_unfit(context, index, section_heights_model(context));
+}
+
+/** How many of the marked surfaces are so. */
+static size_t marked_that(const struct section_context *context,
+                          bool (*is)(const struct section_context *context, size_t index))
+{
+    size_t count = 0;
+    for (size_t i = 0; i < context->results->surface_count; i++)
+        count += section_is_marked(context, i, model_count) && is(context, i);
+    return count;
+}
+
 /** Surfaces whose heights the models take for what they are not, and what to do. */
 static void heights(struct text *out, const struct section_context *context)
 {
@@ -551,14 +603,21 @@ static void heights(struct text *out, const struct section_context *context)
         text_add(out, " (%s)", height_verdicts[HEIGHTS_CANNOT_TELL].mark);
     }
     text_add(out, unsure > 0 ? ", where scans of so few long waves cannot tell. " : ". ");
-    text_add(out, "%s that know only the spectrum are off by factors of 2 to 30 in area and up to 40 in resistance%s.",
-             unsure > 0 ? "Where they are not, models" : "Models", unsure > 0 ? "" : " there");
+    size_t flat = marked_that(context, bears_hardness), unfit = m < model_count ? marked_that(context, is_unfit) : 0;
+    if (flat == not +unsure)
+        text_add(out, "There the hardness alone sets their area; gap and resistance hang on the heights.");
+    else
+        text_add(out,
+                 "%s that know only the spectrum are off by factors of 2 to 30 in area and up to 40 in resistance%s.",
+                 unsure > 0 ? "Where they are not, models" : "Models", unsure > 0 ? "" : " there");
     if (context->results->counterface) {
         text_add(out, "\n");
         return;
     }
     if (m == model_count)
         text_add(out, " Let the model `contacting-slopes` run.");
+    else if (unfit == not +unsure)
+        text_add(out, " What %s says there is elastic and above the hardness.", model_rows[m]->label);
     else
         text_add(out, " Up to A/Aₙ = 0.15 %s says more: see the table below.", model_rows[m]->label);
     direct_advice(out, context);
@@ -567,7 +626,7 @@ static void heights(struct text *out, const struct section_context *context)
 
 static void summary(struct text *out, const struct section_context *context)
 {
-    size_t refused = context->results->surface_count - context->results->usable_count;
+    size_t refused = context->results->surface_count - context->results->usable_count, scans = 0;
     for (size_t k = 0; k < sizeof leads / sizeof *leads; k++)
         leads[k](out, context);
     surfaces(out, context);
@@ -579,6 +638,12 @@ static void summary(struct text *out, const struct section_context *context)
     if (refused > 0)
         text_add(out, "- **%zu surface%s refused**: see the end of this report.\n", refused,
                  refused == 1 ? " was" : "s were");
+    for (size_t k = 0; k < context->results->usable_count; k++)
+        scans += section_smoothest(context, k)->refused_scans;
+    if (scans > 0)
+        text_add(out,
+                 "- **%zu scan%s refused**, of surfaces that go on with their others: see the end of this report.\n",
+                 scans, scans == 1 ? " was" : "s were");
 }
 
 static bool has_column(const struct section_context *context, int q)
@@ -623,17 +688,16 @@ static void surface_key(struct text *out, const struct section_context *context,
         if (has_column(context, q)) {
             double value = comparison_value(point, (enum quantity)q, leading, s->asperities.sigma_m);
             const struct estimate *estimate = curve_summary_estimate(surface_model(s, leading), q);
-            double scale = q == QUANTITY_AREA ? 100 : quantity_rows[q].over_sigma ? 1 / s->asperities.sigma_m : 1;
             if (estimate->count == 0) {
                 section_cell(out, isnan(point->load) ? NAN : q == QUANTITY_AREA ? 100 * value : value, 3);
             } else {
                 text_add(out, " | ");
-                section_interval(out, estimate, scale, 3);
+                section_interval(out, estimate, q == QUANTITY_AREA ? 100 : 1, 3);
             }
             if (q == QUANTITY_AREA && section_knows_yield(context))
                 section_cell(out, section_contact_pressure(context, index, point), 3);
         }
-    if (context->comparison->ranking.tested > 0)
+    if (context->comparison->ranking.count > 1)
         ranking_cells(out, &context->comparison->ranking, index);
     section_load_cell(out, context, index,
                       surface_model(s, leading)->exists ? surface_model(s, leading)->full_load : NAN);
@@ -656,7 +720,7 @@ static void key_table(struct text *out, const struct section_context *context)
             }
         }
     const struct comparison_ranking *ranking = &context->comparison->ranking;
-    if (ranking->tested > 0) {
+    if (ranking->count > 1) {
         text_add(out, " | over the best | alike");
         text_add(&rule, "---:|---|");
     }
@@ -666,8 +730,8 @@ static void key_table(struct text *out, const struct section_context *context)
     text_free(&rule);
     section_each_surface(out, context, surface_key);
     if (results_intervals(context->results))
-        text_add(out, "\nIn brackets: the 95 %% interval of the surface's mean.");
-    if (ranking->tested > 0)
+        text_add(out, "\nIn brackets: the 95 %% interval of the mean, for scans of this length.");
+    if (ranking->count > 1)
         text_add(
             out,
             " Surfaces that share a letter are not told apart by their %s: Welch's test of the scans, with Holm's "
@@ -698,12 +762,15 @@ static void heights_table(struct text *out, const struct section_context *contex
     size_t m = section_heights_model(context), rows = 0;
     struct text rule = {0};
     size_t marked = section_marked(context, HEIGHTS_NOT_GAUSSIAN) + section_marked(context, HEIGHTS_CANNOT_TELL);
-    if (m == model_count || marked == 0)
+    size_t unfit = m < model_count ? marked_that(context, is_unfit) : 0;
+    if (m == model_count || unfit == marked)
         return;
     text_add(out,
              "\n**At the same pressure**, %s, which takes the heights as they are (elastic; beyond A/Aₙ = 0.15 area "
-             "alone, and only a direct numerical solution would say more):\n\n| surface | Rsk | Rku | A/Aₙ (%%)%s",
-             model_rows[m]->label, section_knows_yield(context) ? " | P/A (S_y)" : "");
+             "alone%s):\n\n| surface | Rsk | Rku | A/Aₙ (%%)%s",
+             model_rows[m]->label,
+             context->results->direct_count > 0 ? "" : ", and only a direct numerical solution would say more",
+             section_knows_yield(context) ? " | P/A (S_y)" : "");
     text_add(&rule, "|---|---:|---:|---:|%s", section_knows_yield(context) ? "---:|" : "");
     for (int q = QUANTITY_SEPARATION; q <= QUANTITY_TCR; q++)
         if (has_column(context, q)) {
@@ -714,15 +781,17 @@ static void heights_table(struct text *out, const struct section_context *contex
     text_add(out, " |\n%s\n", text_string(&rule));
     text_free(&rule);
     for (size_t i = 0; i < context->results->surface_count && rows < SECTION_ROWS; i++)
-        if (section_is_marked(context, i, model_count)) {
+        if (section_is_marked(context, i, model_count) && !is_unfit(context, i)) {
             text_add(out, "| ");
             section_surface_name(out, context->results, i);
             surface_heights(out, context, i);
             text_add(out, " |\n");
             rows++;
         }
-    if (rows < marked)
-        text_add(out, "| … %zu more in data/ |\n", marked - rows);
+    if (rows < marked - unfit)
+        text_add(out, "| … %zu more in data/ |\n", marked - unfit - rows);
+    if (unfit > 0)
+        text_add(out, "\nLeft out: %zu above the hardness.\n", unfit);
 }
 
 static void write_summary(struct text *out, const struct section_context *context)

@@ -73,14 +73,19 @@ static void roughness_cells(struct text *out, const struct surface_summary *s)
     text_add(out, " | %zu", s->points);
 }
 
-static void surface_6_2_thesis(struct text *out, const struct section_context *context, size_t index)
+/** Is there more than one law? Then their amplitudes stand at one wavelength too. */
+static bool compares_laws(const struct section_context *context)
 {
-    const struct surface_summary *s = section_surface(context, index);
-    roughness_cells(out, s);
-    section_error_cell(out, s->power_law.alpha, s->power_law.alpha_error);
-    section_error_cell(out, s->power_law.gamma, s->power_law.gamma_error);
-    section_cell(out, s->power_law.misfit_decades, 3);
-    section_cell(out, power_law_gaussian_scatter(s->independent), 3);
+    size_t laws = 0;
+    for (size_t k = 0; k < context->results->usable_count; k++)
+        laws += power_law_holds(&section_smoothest(context, k)->power_law);
+    return laws > 1;
+}
+
+static void amplitude_cell(struct text *out, const struct power_law *law, double wavelength_m)
+{
+    section_cell(out, power_law_amplitude(law, wavelength_m) * 1e6, 3);
+    number_format_between(out, " ×÷ ", pow(10, power_law_error_decades(law, wavelength_m)), 3, "");
 }
 
 static void surface_6_2(struct text *out, const struct section_context *context, size_t index)
@@ -89,7 +94,8 @@ static void surface_6_2(struct text *out, const struct section_context *context,
     const struct power_law *law = &s->power_law;
     roughness_cells(out, s);
     if (law->found == POWER_LAW_BAND_NONE) {
-        text_add(out, " | %s | – | – | – | – | –", power_law_band_class_names[law->found]);
+        text_add(out, " | %s | – | – | – | – | –%s", power_law_band_class_names[law->found],
+                 compares_laws(context) ? " | –" : "");
         return;
     }
     section_error_cell(out, law->gamma, law->gamma_error);
@@ -97,9 +103,10 @@ static void surface_6_2(struct text *out, const struct section_context *context,
     text_add(out, " | ");
     number_format(out, law->band_m[0] * 1e6, 3);
     number_format_between(out, "…", law->band_m[1] * 1e6, 3, "");
-    section_cell(out, law->amplitude_m * 1e6, 3);
-    number_format_between(out, " ×÷ ", pow(10, law->amplitude_error_decades), 3, "");
+    amplitude_cell(out, law, law->wavelength_m);
     number_format_between(out, " at ", law->wavelength_m * 1e6, 3, "");
+    if (compares_laws(context))
+        amplitude_cell(out, law, results_law_wavelength_m(context->results));
     section_cell(out, law->psd_m3, 3);
     section_cell(out, law->misfit_decades, 2);
     section_cell(out, law->alpha, 3);
@@ -107,29 +114,27 @@ static void surface_6_2(struct text *out, const struct section_context *context,
 
 static void table_6_2(struct text *out, const struct section_context *context)
 {
-    if (by_thesis(context)) {
-        text_add(out,
-                 "**Table 6.2.** Roughness and power law Δ = α·λᵞ of each surface (λ in metres, so α is in m¹⁻ᵞ; ± one "
-                 "standard error of the line).\n\n"
-                 "| surface | Rq (µm) | Ra (µm) | length (mm) | spacing (µm) | points | α (SI) | γ | RMS of fit "
-                 "(decades) | Gaussian scatter (decades) |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
-        section_each_surface(out, context, surface_6_2_thesis);
-        text_add(out, "\nGaussian scatter: how far harmonics of a Gaussian random surface lie from its law by "
-                      "themselves, by how many independent scans were averaged. The mean of logarithms lies below the "
-                      "rms amplitude: α × ");
-        number_format(out, pow(10, -log_bin_bias(1)), 4);
-        text_add(out, " is the rms amplitude's for one scan, × ");
-        number_format(out, pow(10, -log_bin_bias(10)), 4);
-        text_add(out, " for ten. The ± take harmonics as independent and the law as exact.\n\n");
-        return;
-    }
-    text_add(out, "**Table 6.2.** Roughness and power law Δ = α·λᵞ of each surface: γ ± one standard error, the band, "
-                  "the rms amplitude at its middle ×÷ the factor of one standard error, C = Δ²L/2 there, which unlike "
-                  "α does not depend on the scan's length, and the lack of fit beyond the scatter of a Gaussian random "
-                  "surface. α (λ in metres) follows from them.\n\n"
-                  "| surface | Rq (µm) | Ra (µm) | length (mm) | spacing (µm) | points | γ | band (µm) | Δ (µm) at λ "
-                  "(µm) | C (m³) | misfit (decades) | α (SI) |\n"
-                  "|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
+    text_add(out,
+             "**Table 6.2.** Roughness and power law Δ = α·λᵞ of each surface: γ ± one standard error, the band, "
+             "the %s at its middle ×÷ the factor of one standard error, C = Δ²L/2 there, which unlike Δ does not "
+             "depend on the scan's length, and the ",
+             by_thesis(context) ? "line's Δ" : "rms amplitude Δ");
+    if (by_thesis(context))
+        number_format_between(out, "RMS of the residual, of which a Gaussian random surface has ",
+                              power_law_gaussian_scatter(1), 2, " decades by itself in one scan");
+    else
+        text_add(out, "lack of fit beyond the scatter of a Gaussian random surface");
+    text_add(out, ". α (SI) follows: Δ (m) carried on to λ = 1 m.");
+    if (by_thesis(context))
+        text_add(out, " The standard errors take harmonics as independent and the law as exact.");
+    text_add(out, "\n\n| surface | Rq (µm) | Ra (µm) | length (mm) | spacing (µm) | points | γ | band (µm) | Δ (µm) "
+                  "at λ (µm)");
+    if (compares_laws(context))
+        number_format_between(out, " | Δ (µm) at ", results_law_wavelength_m(context->results) * 1e6, 3, " µm");
+    text_add(out,
+             " | C (m³) | misfit (decades) | α (SI) |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|"
+             "---:|%s\n",
+             compares_laws(context) ? "---:|" : "");
     section_each_surface(out, context, surface_6_2);
     text_add(out, "\n");
 }

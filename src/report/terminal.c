@@ -58,6 +58,16 @@ static void put_name(struct terminal_cell *cell, const char *name, int most)
     text_free(&shown);
 }
 
+/** "0.123×÷1.3": an amplitude of a law with the factor of its standard error. */
+static void put_factor(struct terminal_cell *cell, const struct power_law *law, double wavelength_m)
+{
+    struct text text = {0};
+    number_format(&text, power_law_amplitude(law, wavelength_m) * 1e6, 3);
+    number_format_between(&text, "×÷", pow(10, power_law_error_decades(law, wavelength_m)), 3, "");
+    snprintf(cell->text, sizeof cell->text, "%s", power_law_holds(law) ? text_string(&text) : "-");
+    text_free(&text);
+}
+
 static void put_uncertain(struct terminal_cell *cell, double value, double error)
 {
     struct text text = {0};
@@ -129,7 +139,7 @@ static size_t column_count(const struct plan *plan)
 
 static void put_heads(const struct terminal_table *table, const struct plan *plan)
 {
-    static const char *const first[FIRST_COLUMNS] = {"surface", "Rq/µm", "α (SI)", "γ"};
+    static const char *const first[FIRST_COLUMNS] = {"surface", "Rq/µm", "Δ/µm", "γ"};
     size_t column = 0;
     for (; column < FIRST_COLUMNS; column++)
         snprintf(cell_at(table, 0, column)->text, sizeof table->cells->text, "%s", first[column]);
@@ -141,14 +151,16 @@ static void put_heads(const struct terminal_table *table, const struct plan *pla
             snprintf(cell_at(table, 0, column++)->text, sizeof table->cells->text, "%s", model_rows[m]->short_label);
 }
 
-static void put_surface(const struct terminal_table *table, size_t row, const struct surface_summary *s,
-                        const struct plan *plan, double load_scale)
+static void put_surface(const struct terminal_table *table, size_t row, const struct results *results, size_t index)
 {
+    const struct surface_summary *s = &results->surfaces[index].summary;
+    const struct plan *plan = results->plan;
+    double load_scale = results_load_axis(results, index).scale;
     size_t column = FIRST_COLUMNS;
     put_number(cell_at(table, row, 1), s->roughness.rq_m * 1e6);
-    bool law = power_law_holds(&s->power_law);
-    put_uncertain(cell_at(table, row, 2), law ? s->power_law.alpha : NAN, s->power_law.alpha_error);
-    put_uncertain(cell_at(table, row, 3), law ? s->power_law.gamma : NAN, s->power_law.gamma_error);
+    put_factor(cell_at(table, row, 2), &s->power_law, results_law_wavelength_m(results));
+    put_uncertain(cell_at(table, row, 3), power_law_holds(&s->power_law) ? s->power_law.gamma : NAN,
+                  s->power_law.gamma_error);
     for (size_t m = 0; m < model_count; m++)
         if (has_beta(plan, m))
             put_beta(cell_at(table, row, column++), surface_model(s, m));
@@ -245,8 +257,7 @@ void report_terminal_table(struct text *out, const struct results *results)
     put_heads(&table, results->plan);
     for (size_t i = 0; i < results->surface_count && row <= listed; i++)
         if (results->surfaces[i].summary.usable)
-            put_surface(&table, row++, &results->surfaces[i].summary, results->plan,
-                        results_load_axis(results, i).scale);
+            put_surface(&table, row++, results, i);
     for (size_t c = 1; c < table.columns; c++)
         numbers += 1 + (widths[c] = widest(&table, c));
     int room = TERMINAL_WIDTH - numbers > TERMINAL_NAME ? TERMINAL_WIDTH - numbers : TERMINAL_NAME;
@@ -264,6 +275,10 @@ void report_terminal_table(struct text *out, const struct results *results)
         print_row(out, &table, r, widths);
     if (listed < results->usable_count)
         text_add(out, "… %zu more in data/surfaces.csv\n", results->usable_count - listed);
+    if (isfinite(results_law_wavelength_m(results))) {
+        number_format_between(out, "Δ: amplitude of the power law at ", results_law_wavelength_m(results) * 1e6, 3,
+                              " µm\n");
+    }
     legend(out, results);
     free(table.cells);
     free(widths);

@@ -320,9 +320,7 @@ static const struct estimate *middle_estimate(const struct results *results, siz
 static struct comparison_pair compare_pair(const struct estimate *a, double value_a, const struct estimate *b,
                                            double value_b)
 {
-    struct comparison_pair out = {.ratio = value_a / value_b, .low = NAN, .high = NAN, .p = NAN};
-    if (a->count == 0 || b->count == 0 || isnan(a->half_width) || isnan(b->half_width))
-        return out;
+    struct comparison_pair out = {.test = COMPARISON_PLACE, .ratio = value_a / value_b, .p = NAN};
     if (a->count > 1 && b->count > 1) {
         const struct interval first = {.mean = a->mean, .s = a->s, .degrees = a->degrees},
                               second = {.mean = b->mean, .s = b->s, .degrees = b->degrees};
@@ -335,7 +333,6 @@ static struct comparison_pair compare_pair(const struct estimate *a, double valu
     double half_width = a->count == 1 && b->count == 1 ? single_scan_half_width(hypot(a->s, b->s))
                                                        : hypot(a->half_width, b->half_width);
     double difference = a->mean - b->mean;
-    out.test = COMPARISON_PLACE;
     out.low = exp(difference - half_width);
     out.high = exp(difference + half_width);
     out.verdict = ranking_place(difference, half_width, a->heterogeneous || b->heterogeneous);
@@ -379,8 +376,7 @@ static enum status_code group(struct comparison_ranking *ranking, size_t pairs, 
 
 bool comparison_told_apart(const struct comparison_pair *pair)
 {
-    return pair->test != COMPARISON_NOT_TESTED &&
-           (pair->verdict == RANKING_FIRST_LOWER || pair->verdict == RANKING_FIRST_HIGHER);
+    return pair->verdict == RANKING_FIRST_LOWER || pair->verdict == RANKING_FIRST_HIGHER;
 }
 
 const struct comparison_pair *comparison_pair_of(const struct comparison_ranking *ranking, size_t i, size_t j)
@@ -410,7 +406,8 @@ static enum status_code rank(struct comparison *out, const struct results *resul
         return status_memory(status);
     for (size_t i = 0; i < results->surface_count; i++) {
         double value = leading_value(results, by, i);
-        if (isnan(value))
+        const struct estimate *estimate = middle_estimate(results, out->leading, by, i);
+        if (isnan(value) || estimate->count == 0 || isnan(estimate->half_width))
             continue;
         size_t at = ranking->count++;
         while (at > 0 && (by == QUANTITY_AREA ? value > leading_value(results, by, ranking->surface[at - 1])
@@ -426,8 +423,9 @@ static enum status_code rank(struct comparison *out, const struct results *resul
             struct comparison_pair *pair = &ranking->pairs[ranking_pair(i, j, ranking->count)];
             *pair = compare_pair(middle_estimate(results, out->leading, by, a), leading_value(results, by, a),
                                  middle_estimate(results, out->leading, by, b), leading_value(results, by, b));
-            ranking->tested += pair->test != COMPARISON_NOT_TESTED;
+            ranking->adjusted += pair->test == COMPARISON_WELCH;
         }
+    pairs = ranking->count * (ranking->count - (ranking->count > 0)) / 2;
     if (adjust(ranking, pairs, status) != STATUS_OK)
         return status->code;
     return group(ranking, pairs, status);

@@ -50,7 +50,7 @@ struct comparison_model {
                                                      larger area, the smaller shown separation/sigma and resistance */
     struct comparison_plastic plastic;            /* against its elastic partner */
     struct comparison_gap *gaps;                  /* against its counterpart, one a surface of the scene */
-    struct comparison_extremes extremes[QUANTITY_COUNT]; /* at the middle load */
+    struct comparison_extremes extremes[QUANTITY_COUNT];     /* at the middle load */
     struct comparison_extent (*extents)[COMPARISON_SPREADS]; /* one a load of the list */
     double *steps; /* mean log10 of the resistance of the (k+1)-th smoothest surface over the k-th's, over their common
                       loads of partial contact; one a pair of neighbours; NaN: none */
@@ -58,9 +58,8 @@ struct comparison_model {
 
 /** How two surfaces were held against each other. */
 enum comparison_test {
-    COMPARISON_NOT_TESTED, /* nothing is known of how far another scan of one of them would be off */
-    COMPARISON_WELCH,      /* several scans each */
-    COMPARISON_PLACE       /* one scan, or both: does the difference exceed what the place of the scan alone makes? */
+    COMPARISON_WELCH, /* several scans each */
+    COMPARISON_PLACE  /* one scan, or both: does the difference exceed what the place of the scan alone makes? */
 };
 struct comparison_pair {
     enum comparison_test test;
@@ -71,14 +70,15 @@ struct comparison_pair {
 
 enum { COMPARISON_RANKED_MOST = 100 /* surfaces; more are not ranked */ };
 
-/** Which surface is better in the leading model at the middle load, by ln of the criterion. */
+/** Which surface is better in the leading model at the middle load, by ln of the criterion. Surfaces of which nothing
+ * is known of how far another scan would be off are not tested, and have no place. */
 struct comparison_ranking {
     enum quantity criterion; /* ECR, else TCR, else area */
-    size_t count;            /* surfaces that have an answer; 0 where there are more than COMPARISON_RANKED_MOST */
+    size_t count;            /* places; 0 where there are more than COMPARISON_RANKED_MOST surfaces with an answer */
     size_t *surface;         /* their indices, the best first; owned, as are: */
     struct comparison_pair *pairs; /* [ranking_pair(i, j, count)], i and j places in `surface` */
     struct ranking_groups groups;  /* of places: those that share one are not told apart */
-    size_t tested;                 /* pairs */
+    size_t adjusted;               /* pairs by Welch's test, over which p is adjusted */
 };
 
 struct comparison {

@@ -65,7 +65,7 @@ static double scatter(const struct results *results, const struct comparison *co
                       size_t surface)
 {
     const struct estimate *estimate = curve_summary_estimate(leading_of(results, comparison, surface), (int)quantity);
-    return estimate->count > 0 && estimate->logarithmic ? exp(estimate->half_width) : NAN;
+    return estimate_has_width(estimate, estimate->half_width) ? exp(estimate->half_width) : NAN;
 }
 
 /** As in sensitivity.csv; resistances are proportional. */
@@ -97,7 +97,8 @@ static double harder(const struct results *results, const struct comparison *com
 }
 
 /** A resistance is proportional to what it is made of. */
-static double property(const struct comparison *comparison, enum quantity quantity, enum quantity of, size_t surface)
+static double property(const struct results *results, const struct comparison *comparison, enum quantity quantity,
+                       enum quantity of, size_t surface)
 {
     const struct contact_point leading = comparison_middle(results, comparison->leading, surface);
     bool has_one = quantity == of && quantity_value(&leading, of) > 0;
@@ -107,15 +108,13 @@ static double property(const struct comparison *comparison, enum quantity quanti
 static double resistivity(const struct results *results, const struct comparison *comparison, enum quantity quantity,
                           size_t surface)
 {
-    (void)results;
-    return property(comparison, quantity, QUANTITY_ECR, surface);
+    return property(results, comparison, quantity, QUANTITY_ECR, surface);
 }
 
 static double conductivity(const struct results *results, const struct comparison *comparison, enum quantity quantity,
                            size_t surface)
 {
-    (void)results;
-    return property(comparison, quantity, QUANTITY_TCR, surface);
+    return property(results, comparison, quantity, QUANTITY_TCR, surface);
 }
 
 static const struct doubt_row rows[] = {
@@ -123,7 +122,7 @@ static const struct doubt_row rows[] = {
      against_direct},
     {"choice of model", "the farthest valid one of the same material law", "nothing; let a direct solution run", false,
      other_models},
-    {"place of the scans", "95 % of the mean", "more scans, at other places", true, scatter},
+    {"place of the scans", "95 % of the mean, for scans of this length", "more scans, at other places", true, scatter},
     {"scan length", "halved", "a longer scan", false, scan_halved},
     {"bandwidth", "cut-off doubled", "at a finer spacing, with a sharper tip", false, cutoff_doubled},
     {"hardness", "raised by 10 %", "the hardness of the part", false, harder},
@@ -143,7 +142,7 @@ static bool farthest(struct doubt *out, const struct doubt_row *row, const struc
         if (!(factor > 0) || !isfinite(factor))
             continue;
         if (count == 0)
-            *out = (struct doubt){row, factor, i, true};
+            *out = (struct doubt){row, factor, i, row->next, true};
         out->alike = out->alike && fabs(factor / out->factor - 1) < 1e-9;
         if (fabs(log(factor)) > fabs(log(out->factor))) {
             out->factor = factor;
@@ -154,6 +153,17 @@ static bool farthest(struct doubt *out, const struct doubt_row *row, const struc
     return count > 0;
 }
 
+/** A direct solution that has run is not asked for: on this surface no more, on others alone. */
+static const char *next_of(const struct doubt *doubt, const struct results *results)
+{
+    if (doubt->row->factor != other_models || results->direct_count == 0)
+        return doubt->row->next;
+    for (size_t k = 0; k < results->direct_count; k++)
+        if (results->direct[k].surface == doubt->surface)
+            return "nothing";
+    return "nothing; solve all directly (`direct: {surfaces: all}`)";
+}
+
 size_t doubts_rank(struct doubt out[DOUBTS_MOST], const struct results *results, const struct comparison *comparison)
 {
     size_t count = 0;
@@ -161,6 +171,7 @@ size_t doubts_rank(struct doubt out[DOUBTS_MOST], const struct results *results,
         struct doubt doubt;
         if (!farthest(&doubt, &rows[r], results, comparison))
             continue;
+        doubt.next = next_of(&doubt, results);
         size_t at = count++;
         for (; at > 0 && fabs(log(doubt.factor)) > fabs(log(out[at - 1].factor)); at--)
             out[at] = out[at - 1];

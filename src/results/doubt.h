@@ -19,9 +19,10 @@ struct doubt_row {
 
 struct doubt {
     const struct doubt_row *row;
-    double factor;  /* of all usable surfaces' the farthest from 1 */
-    size_t surface; /* whose it is */
-    bool alike;     /* every surface that has a number has this one */
+    double factor;    /* of all usable surfaces' the farthest from 1 */
+    size_t surface;   /* whose it is */
+    const char *next; /* what to measure: the row's, or what is left of it */
+    bool alike;       /* every surface that has a number has this one */
 };
 
 enum { DOUBTS_MOST = 12 };

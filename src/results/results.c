@@ -77,6 +77,19 @@ double results_operating_load(const struct results *results, size_t surface)
     return results_loads(results, surface)[results_operating(results)];
 }
 
+double results_law_wavelength_m(const struct results *results)
+{
+    double band_m[2] = {NAN, NAN};
+    for (size_t i = 0; i < results->surface_count; i++) {
+        const struct surface_summary *summary = &results->surfaces[i].summary;
+        if (!summary->usable || !power_law_holds(&summary->power_law))
+            continue;
+        band_m[0] = fmax(band_m[0], summary->power_law.band_m[0]);
+        band_m[1] = fmin(band_m[1], summary->power_law.band_m[1]);
+    }
+    return sqrt(band_m[0]) * sqrt(band_m[1]);
+}
+
 const struct material_pair *results_pair(const struct results *results, size_t surface)
 {
     return &results->surfaces[surface].summary.pair;

@@ -6,8 +6,16 @@
 #include "analysis/benchmark.h"
 #include "analysis/effects.h"
 #include "analysis/measured.h"
+#include <pthread.h>
 
 struct direct_study; /* analysis/direct_study.h */
+
+/** Numbers that came out infinite, whose cells are empty. `lock` guards the others while they are added to. */
+struct results_lost {
+    pthread_mutex_t lock;
+    size_t count;
+    char first[256]; /* what is said of the first */
+};
 
 /** Everything that the report is about, from here on read-only. */
 struct results {
@@ -19,6 +27,7 @@ struct results {
     struct surface_record *surfaces; /* one a surface of the scene, in its order */
     size_t surface_count;
     struct effects_studies studies;               /* what the studies below took */
+    struct results_lost *lost;                    /* while they are written */
     const struct surface_record *counterface;     /* described; NULL: smooth */
     const struct measured *measured;              /* NULL: none */
     const struct measured_answers *answers;       /* the models' on the baseline surface; NULL: nothing measured */
@@ -42,6 +51,9 @@ size_t results_operating(const struct results *results);
 double results_operating_load(const struct results *results, size_t surface);
 /** What surfaces are held against each other by: ECR where the run computes it, else TCR, else the area. */
 enum quantity results_criterion(const struct results *results);
+/** The wavelength at which the power laws of all surfaces are held against each other: the middle of what their bands
+ * share, or of what lies between them. NaN: no law holds. */
+double results_law_wavelength_m(const struct results *results);
 /** What the models need of a surface's bodies. */
 const struct material_pair *results_pair(const struct results *results, size_t surface);
 /** What a report on surfaces of no material says of it: one sentence. */

@@ -102,9 +102,11 @@ size_t messages_add(struct text *messages, const struct results *results, bool r
         refused += summary->refusal != NULL;
         if (summary->refusal)
             say(messages, name, " refused", summary->refusal, strlen(summary->refusal));
-        for (const char *line = summary->notes; line && *line;) { /* of a refused one the report has none */
+        size_t number = 0;
+        for (const char *line = summary->notes; line && *line; number++) { /* of a refused one the report has none */
             size_t length = strcspn(line, "\n");
-            take(messages, summary->refusal ? NULL : kinds, name, line, length);
+            bool all = summary->refusal || number < summary->refused_scans;
+            take(messages, all ? NULL : kinds, name, line, length);
             line += length + (line[length] == '\n');
         }
     }
@@ -112,4 +114,16 @@ size_t messages_add(struct text *messages, const struct results *results, bool r
         say_more(messages, kinds);
     free(kinds);
     return refused;
+}
+
+size_t messages_add_lost(struct text *messages, const struct prepared *prepared)
+{
+    const struct results *results = &prepared->results;
+    size_t lost = prepared->lost.count;
+    for (size_t i = 0; results->surfaces && i < results->surface_count; i++)
+        lost += results->surfaces[i].summary.usable ? results->surfaces[i].summary.refused_scans : 0;
+    lost += prepared->counterface ? prepared->counterface->summary.refused_scans : 0;
+    if (prepared->lost.count > 0)
+        text_add(messages, "%s\n", prepared->lost.first);
+    return lost;
 }

@@ -3,12 +3,16 @@
 #ifndef RUN_MESSAGES_H
 #define RUN_MESSAGES_H
 
-#include "results/results.h"
+#include "run/prepare.h"
 
 enum { MESSAGES_OF_A_KIND = 20 };
 
 /** A line each; returns how many surfaces were refused. Where notes stand in a report too (`reported`), of those that
  * differ in nothing but numbers and names in quotes only the first MESSAGES_OF_A_KIND, and how many there are more. */
 size_t messages_add(struct text *messages, const struct results *results, bool reported);
+
+/** How many scans were refused of surfaces, and of the counterface, that go on with their others; and numbers that came
+ * out infinite, of which a line says the first. */
+size_t messages_add_lost(struct text *messages, const struct prepared *prepared);
 
 #endif

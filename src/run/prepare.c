@@ -228,10 +228,11 @@ static enum status_code run_shown(struct surfaces *all, struct status *status)
 enum status_code prepare(struct prepared *out, const struct scene *scene, const struct run_options *options,
                          bool describe_only, const char *curves, struct status *status)
 {
-    *out = (struct prepared){0};
+    *out = (struct prepared){.lost.lock = PTHREAD_MUTEX_INITIALIZER};
     plan_make(&out->allowed, scene);
     struct results *results = &out->results;
-    *results = (struct results){.scene = scene, .plan = &out->plan, .surface_count = scene->surface_count};
+    *results =
+        (struct results){.scene = scene, .plan = &out->plan, .surface_count = scene->surface_count, .lost = &out->lost};
     if (scene->surface_count == 0)
         return status_fail(status, STATUS_SCAN, "no scan in '%s': put the profilometer's files there",
                            scene->directory);

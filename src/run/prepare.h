@@ -14,6 +14,7 @@ struct prepared {
     double *loads;                      /* P/(A_n E') */
     struct surface_record *counterface; /* NULL: smooth */
     struct measured measured;
+    struct results_lost lost;
     struct results results;
 };
 

@@ -21,6 +21,7 @@
 struct run {
     const struct scene *scene;
     const struct run_options *options;
+    double started;
     struct output output;
     struct prepared prepared;
     struct results *results; /* of `prepared` */
@@ -119,7 +120,7 @@ static enum status_code run_direct(struct run *run, struct status *status)
                                          results->scene,
                                          results->plan,
                                          run->options->jobs,
-                                         run->options->crew,
+                                         run->options->team,
                                          run->options->stop,
                                          !run->options->no_cost && i == results->baseline};
         struct status problem = {0};
@@ -141,12 +142,15 @@ static enum status_code run_direct(struct run *run, struct status *status)
 /** What accuracy costs, on the baseline surface. */
 static enum status_code measure_cost(struct run *run, struct status *status)
 {
+    double before = clock_seconds() - run->started;
     const struct results *results = run->results;
     const struct benchmark_task task = {
         &results->surfaces[results->baseline],     results->scene,      results->plan,
         results_loads(results, results->baseline), results->load_count, figure_direct(results)};
+    enum status_code rc = benchmark_measure(&run->benchmark, &task, status);
+    run->benchmark.before = before;
     run->results->benchmark = &run->benchmark;
-    return benchmark_measure(&run->benchmark, &task, status);
+    return rc;
 }
 
 /** A stage's wall time: from the last call to this one. */
@@ -247,8 +251,7 @@ static enum status_code begin_output(struct run *run, struct status *status)
 enum status_code run_report(struct run_outcome *out, const struct scene *scene, const struct run_options *options,
                             struct status *status)
 {
-    struct run run = {.scene = scene, .options = options};
-    double started = clock_seconds();
+    struct run run = {.scene = scene, .options = options, .started = clock_seconds()};
     *out = (struct run_outcome){.times.models = calloc(model_count, sizeof *out->times.models)};
     enum status_code rc = out->times.models ? gnuplot_check(status) : status_memory(status);
     if (rc == STATUS_OK)
@@ -267,6 +270,7 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
         rc = status_memory(status);
     out->refused = messages_add(&out->messages, &run.prepared.results, rc == STATUS_OK);
     out->surfaces = run.prepared.results.surface_count - out->refused;
+    out->left_out = messages_add_lost(&out->messages, &run.prepared);
     if (options->outline && run.results)
         out->outline = json_outline(run.results, rc == STATUS_OK);
     prepared_free(&run.prepared);
@@ -280,7 +284,7 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
     measured_answers_free(&run.answers);
     comparison_free(&run.comparison);
     figure_list_free(&run.figures);
-    out->times.total = clock_seconds() - started;
+    out->times.total = clock_seconds() - run.started;
     return rc;
 }
 

@@ -4,7 +4,7 @@
 #define RUN_RUN_H
 
 #include "base/text.h"
-#include "direct/direct_crew.h"
+#include "direct/direct_team.h"
 #include "scene/scene.h"
 #include <stdatomic.h>
 #include <stdbool.h>
@@ -18,7 +18,7 @@ struct run_options {
     bool brief;                     /* the report's first page, with its figures, alone */
     bool outline;                   /* fill run_outcome.outline */
     unsigned jobs;                  /* threads; 0: one a processor */
-    const struct direct_crew *crew; /* other processes for the direct solution; NULL: none */
+    const struct direct_team *team; /* processes that share each direct solution; NULL: this one alone */
     const atomic_bool *stop;        /* becomes true when the run is to end early; NULL: never */
     void (*progress)(size_t done, size_t total,
                      const char *name); /* NULL: none; called from several threads, one at a time */
@@ -31,17 +31,18 @@ struct run_times {
 };
 
 struct run_outcome {
-    size_t surfaces, refused;
-    struct text messages;   /* messages_add(): one line a refused surface and a warning */
-    struct text table;      /* the compact table for a terminal */
-    struct text answers;    /* to the scene's targets and limits, a line each */
-    struct text missed;     /* one line a surface and limit that it misses */
-    size_t missed_count;    /* of those */
-    struct text charts;     /* when terminal_size was given */
-    char *path;             /* of report.html */
-    struct text work;       /* what was done, effect by effect */
-    struct json_t *outline; /* json_outline(), when asked for, also of a run that failed; else NULL */
-    uint64_t evaluations;   /* done */
+    size_t surfaces, refused; /* of the scene */
+    size_t left_out;          /* scans refused of surfaces that go on without, and numbers that came out infinite */
+    struct text messages;     /* messages_add(): one line a refused surface and a warning */
+    struct text table;        /* the compact table for a terminal */
+    struct text answers;      /* to the scene's targets and limits, a line each */
+    struct text missed;       /* one line a surface and limit that it misses */
+    size_t missed_count;      /* of those */
+    struct text charts;       /* when terminal_size was given */
+    char *path;               /* of report.html */
+    struct text work;         /* what was done, effect by effect */
+    struct json_t *outline;   /* json_outline(), when asked for, also of a run that failed; else NULL */
+    uint64_t evaluations;     /* done */
     struct run_times times;
 };
 

@@ -1,13 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scan/gwyddion.h"
+#include "base/clock.h"
 #include "base/program.h"
 #include "base/temporary.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 static const double most_seconds = 30;
 
@@ -17,21 +20,32 @@ bool gwyddion_exists(void)
     return program_find(program, sizeof program, "gwyddion");
 }
 
-static enum status_code convert(struct text *out, const char *program, const char *path, const char *directory,
-                                struct status *status)
+/* Runs the program on the file in `directory`, which is its HOME too. */
+static enum status_code run(const char *program, char *path, const char *directory, struct status *status)
 {
-    struct status problem = {0};
-    char *option = NULL;
-    if (asprintf(&option, "--convert-to-gwy=%s/scan.gwy", directory) < 0)
-        return status_memory(status);
-    char *const arguments[] = {(char *)program, option, (char *)path, NULL};
-    enum status_code code = program_run(arguments, directory, most_seconds, &problem);
-    if (code == STATUS_OK)
-        code = text_read_file(out, strchr(option, '=') + 1, &problem);
-    free(option);
-    return code == STATUS_IO   ? status_fail(status, STATUS_SCAN, "Gwyddion cannot convert it: %s", problem.message)
-           : code != STATUS_OK ? status_fail(status, code, "%s", problem.message)
-                               : STATUS_OK;
+    static const char *const drops[] = {"HOME=", NULL};
+    char name[] = "gwyddion", option[PATH_MAX + 64], home[PATH_MAX + 16];
+    pid_t process;
+    int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
+    if (nothing < 0)
+        return status_fail(status, STATUS_IO, "cannot open '/dev/null': %s", strerror(errno));
+    snprintf(option, sizeof option, "--convert-to-gwy=%s/scan.gwy", directory);
+    snprintf(home, sizeof home, "HOME=%s", directory);
+    char *const arguments[] = {name, option, path, NULL};
+    int error =
+        program_start(&process, &(struct program_task){arguments, program, directory, drops, home, nothing, nothing});
+    close(nothing);
+    if (error == ECANCELED)
+        return status_fail(status, STATUS_INTERRUPTED, "Gwyddion was stopped by a signal");
+    if (error)
+        return status_fail(status, STATUS_SCAN, "Gwyddion cannot be started: %s", strerror(error));
+    enum program_state state = program_wait(process, clock_seconds() + most_seconds, -1);
+    int how = program_end(process);
+    return state == PROGRAM_STOPPED ? status_fail(status, STATUS_INTERRUPTED, "Gwyddion was stopped by a signal")
+           : state == PROGRAM_LATE
+               ? status_fail(status, STATUS_SCAN, "Gwyddion took more than %g s to convert it", most_seconds)
+           : how != 0 ? status_fail(status, STATUS_SCAN, "Gwyddion cannot convert it")
+                      : STATUS_OK;
 }
 
 enum status_code gwyddion_convert(struct text *out, const char *path, struct status *status)
@@ -42,12 +56,14 @@ enum status_code gwyddion_convert(struct text *out, const char *path, struct sta
         return status_fail(status, STATUS_SCAN, "no gwyddion in PATH");
     if (!realpath(path, whole)) /* absolute: it can be no option */
         return status_fail(status, STATUS_IO, "cannot find '%s': %s", path, strerror(errno));
-    sigset_t before;
-    program_hold_signals(&before); /* until the directory is gone */
-    if (temporary_make(&temporary, status) == STATUS_OK) {
-        (void)convert(out, program, whole, temporary.path, status);
-        temporary_remove(&temporary);
+    if (temporary_make(&temporary, NULL, NULL, status) != STATUS_OK)
+        return status->code;
+    if (run(program, whole, temporary.path, status) == STATUS_OK) {
+        char converted[PATH_MAX + 16];
+        snprintf(converted, sizeof converted, "%s/scan.gwy", temporary.path);
+        if (text_read_file(out, converted, status) == STATUS_IO)
+            status->code = STATUS_SCAN;
     }
-    program_let_signals(&before);
+    temporary_remove(&temporary);
     return status->code;
 }

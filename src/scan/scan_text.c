@@ -659,8 +659,10 @@ static enum status_code take_chosen(struct scan *out, struct table *table, struc
 
 enum { LIST_COLUMNS = 3 };
 
-/* How far a point may be off its place, in steps: instruments jitter and round. */
-static const double grid_jitter = 0.01;
+/* How far a point may be off its place, in steps: instruments jitter. And relative to where it is: Gwyddion exports
+ * five digits, those of the point and of the two that its place is computed from; but never so far that steps would
+ * differ. */
+static const double grid_jitter = 0.01, grid_rounding = 1e-4, grid_most = 0.25;
 
 /* One of the two directions of a list: the fast one steps from point to point, the slow one from run to run. */
 struct direction {
@@ -699,8 +701,10 @@ static bool is_list(const struct table *table)
 
 static bool on_grid(const struct table *table, size_t row, const struct direction *direction, size_t index)
 {
-    double off = at(table, row, direction->column) - (direction->first + (double)index * direction->step);
-    return fabs(off) <= grid_jitter * fabs(direction->step) * (1 + grid_jitter) + 1e-12 * fabs(direction->first);
+    double place = direction->first + (double)index * direction->step, step = fabs(direction->step);
+    return fabs(at(table, row, direction->column) - place) <=
+           fmin(grid_most * step, grid_jitter * (1 + grid_jitter) * step + grid_rounding * fabs(place)) +
+               1e-12 * fabs(direction->first);
 }
 
 /* Where a point goes along a direction of the map: forwards, whichever way the instrument went. */

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A zip archive that holds scans, as some instruments pack theirs: every entry that a reader knows by its content is
  * one; text only where nothing else is there, and where it has a row of numbers. options->entry says where the search
- * starts: entry i is at i, and at i + the number of entries when texts are sought. */
+ * starts: entry i is at i, and at i + the number of entries when texts are sought. An entry that cannot be read is
+ * refused where it comes, and the search goes on behind it. */
 #include "base/limits.h"
 #include "scan/archive.h"
 #include "scan/foreign.h"
@@ -13,7 +14,7 @@
 
 enum { ZIP_NAMED = 5, ZIP_BEGINNING = 65536 };
 
-enum entry_kind { ENTRY_OTHER, ENTRY_TEXT, ENTRY_SCAN };
+enum entry_kind { ENTRY_OTHER, ENTRY_TEXT, ENTRY_SCAN, ENTRY_UNREADABLE };
 
 /* An entry, unpacked or its first bytes. Owned: entry_free(). */
 struct entry {
@@ -56,8 +57,8 @@ static enum status_code unpack(struct entry *out, const struct archive *archive,
                                struct status *status)
 {
     const char *name = archive->entries[index].name;
-    *out = (struct entry){.empty = archive->entries[index].size == 0 || *name == '\0' ||
-                                   name[strlen(name) - 1] == '/' || is_hidden(name)};
+    bool empty = archive->entries[index].size == 0 || *name == '\0' || name[strlen(name) - 1] == '/' || is_hidden(name);
+    *out = (struct entry){.empty = empty, .kind = empty ? ENTRY_OTHER : ENTRY_UNREADABLE};
     snprintf(out->path, sizeof out->path, "%.300s(%.200s)", archive->file->path, name);
     if (!out->empty && archive_read(&out->text, archive, index, most, status) != STATUS_OK)
         return status->code;
@@ -71,8 +72,8 @@ static bool is_doubtful(const struct scan_bytes *file)
     return scan_tells_at_end(file) || (scan_text_sniff(file) && !scan_text_has_numbers(file));
 }
 
-/* Tells the kind of entry `index`, as a rule by its beginning. Error: damaged, or a measurement in a format that is not
- * read. */
+/* Tells the kind of entry `index`, as a rule by its beginning. Error: it is ENTRY_UNREADABLE, damaged or a measurement
+ * in a format that is not read; or STATUS_MEMORY. */
 static enum status_code look_at(struct entry *out, const struct archive *archive, size_t index, struct status *status)
 {
     if (unpack(out, archive, index, ZIP_BEGINNING, status) != STATUS_OK || out->empty)
@@ -87,8 +88,9 @@ static enum status_code look_at(struct entry *out, const struct archive *archive
     struct scan_bytes named = out->file;
     named.path = archive->entries[index].name;
     const struct foreign *foreign = foreign_find(&named);
-    out->kind = foreign ? ENTRY_OTHER : kind_of(&named, whole);
-    return foreign && foreign->kind == FOREIGN_SCAN ? scan_fail_foreign(&out->file, foreign, status) : STATUS_OK;
+    bool unread = foreign && foreign->kind == FOREIGN_SCAN;
+    out->kind = unread ? ENTRY_UNREADABLE : foreign ? ENTRY_OTHER : kind_of(&named, whole);
+    return unread ? scan_fail_foreign(&out->file, foreign, status) : STATUS_OK;
 }
 
 static enum status_code fail_text(const struct archive *archive, size_t index, struct status *status)
@@ -102,7 +104,7 @@ static enum status_code fail_text(const struct archive *archive, size_t index, s
 /* What is in an archive, all in all. */
 struct survey {
     enum entry_kind *kinds; /* of each entry; NULL: nobody looked yet */
-    size_t scans, texts, others;
+    size_t scans, texts, unreadable, others;
     char names[120];   /* of the first others */
     char text[64];     /* name of the first text */
     size_t first_text; /* without numbers; SIZE_MAX: none */
@@ -122,14 +124,18 @@ static enum status_code look(struct survey *out, const struct archive *archive, 
         return status_memory(status);
     for (size_t i = 0; i < archive->count && status->code == STATUS_OK; i++) {
         struct entry entry;
+        struct status problem = {0};
         const char *name = archive->entries[i].name;
-        if (look_at(&entry, archive, i, status) == STATUS_OK && entry.kind == ENTRY_OTHER && !entry.empty) {
+        if (look_at(&entry, archive, i, &problem) == STATUS_MEMORY)
+            (void)status_memory(status);
+        if (entry.kind == ENTRY_OTHER && !entry.empty) {
             note_other(out, name);
             if (out->first_text == SIZE_MAX && scan_text_sniff(&entry.file))
                 out->first_text = i;
         }
         out->kinds[i] = entry.kind;
         out->scans += entry.kind == ENTRY_SCAN ? 1 : 0;
+        out->unreadable += entry.kind == ENTRY_UNREADABLE ? 1 : 0;
         if (entry.kind == ENTRY_TEXT && out->texts++ == 0)
             snprintf(out->text, sizeof out->text, "%.60s", name);
         entry_free(&entry);
@@ -137,18 +143,20 @@ static enum status_code look(struct survey *out, const struct archive *archive, 
     return status->code;
 }
 
-/* Moves *at to the next scan from there on; false when there is none, or on an error. */
+/* Moves *at to the next scan from there on, or what may be one and cannot be read; false when there is none, or no
+ * memory. */
 static bool seek(size_t *at, const struct archive *archive, const struct survey *survey, struct status *status)
 {
     size_t count = archive->count;
-    bool first_pass = *at > 0 && *at <= count; /* and a scan was found in it: no texts */
-    for (; *at < (first_pass ? count : 2 * count); ++*at) {
+    bool texts = survey->kinds ? survey->scans == 0 : *at > count; /* these only where nothing else is there */
+    for (*at += texts && *at < count ? count : 0; *at < (texts ? 2 * count : count); ++*at) {
         struct entry entry = {.kind = survey->kinds ? survey->kinds[*at % count] : ENTRY_OTHER};
-        if (!survey->kinds && look_at(&entry, archive, *at % count, status) != STATUS_OK)
-            return entry_free(&entry), false;
+        struct status problem = {0};
+        if (!survey->kinds && look_at(&entry, archive, *at % count, &problem) == STATUS_MEMORY)
+            (void)status_memory(status);
         entry_free(&entry);
-        if (entry.kind == (*at < count ? ENTRY_SCAN : ENTRY_TEXT))
-            return true;
+        if (entry.kind == ENTRY_UNREADABLE || entry.kind == (texts ? ENTRY_TEXT : ENTRY_SCAN))
+            return status->code == STATUS_OK;
     }
     return false;
 }
@@ -162,16 +170,21 @@ static enum status_code read_scan(struct scan *out, const struct archive *archiv
                                          : scan_fail(status, archive->file, 0, "no scan in this zip archive");
     struct entry entry;
     size_t index = at % archive->count;
-    enum status_code code = unpack(&entry, archive, index, SIZE_MAX, status);
-    if (code == STATUS_OK)
-        code = scan_read_inner(out, &entry.file, options, status);
+    enum status_code code = look_at(&entry, archive, index, status); /* why it cannot be read */
+    entry_free(&entry);
+    if (code == STATUS_OK) {
+        code = unpack(&entry, archive, index, SIZE_MAX, status);
+        if (code == STATUS_OK)
+            code = scan_read_inner(out, &entry.file, options, status);
+        entry_free(&entry);
+    }
     snprintf(out->part, sizeof out->part, "%.100s", archive->entries[index].name);
     scan_printable(out->part);
-    entry_free(&entry);
     at++;
-    if (code == STATUS_OK && seek(&at, archive, survey, status))
+    struct status problem = {0};
+    if (code != STATUS_MEMORY && seek(&at, archive, survey, &problem))
         out->next_entry = at;
-    return status->code;
+    return problem.code == STATUS_OK ? code : status_memory(status);
 }
 
 static enum status_code read_archive(struct scan *out, struct survey *survey, const struct archive *archive,
@@ -180,7 +193,7 @@ static enum status_code read_archive(struct scan *out, struct survey *survey, co
     bool first = options->entry == 0;
     if (first && look(survey, archive, status) != STATUS_OK)
         return status->code;
-    if (first && survey->scans == 0 && survey->texts == 0 && survey->first_text != SIZE_MAX)
+    if (first && survey->scans + survey->texts + survey->unreadable == 0 && survey->first_text != SIZE_MAX)
         return fail_text(archive, survey->first_text, status);
     if (read_scan(out, archive, survey, options, status) != STATUS_OK)
         return status->code;

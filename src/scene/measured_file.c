@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scene/measured_file.h"
+#include "base/limits.h"
 
 #include "scan/number.h"
 #include "scene/scene_words.h"
@@ -14,15 +15,19 @@ static const char *const dimensionless_names[] = {"load_over_AnEp", "P/(A_n E')"
 
 enum { CELLS_MOST = 8 };
 
+/* In which cells load, resistance and error may stand; the first where the units do not say another. */
+static const size_t orders[][MEASURED_COLUMNS] = {{0, 1, 2}, {1, 0, 2}, {2, 0, 1}, {0, 2, 1}};
+
 /* What a file is read with. */
 struct reading {
     struct measured_file *out;
     const unsigned *quantities; /* of each column */
+    const size_t *order;        /* one of `orders` */
     size_t line;                /* what is read now, which messages name */
     struct status *status;
 };
 
-/* A line of cells. */
+/* A line of cells; those beyond the last are empty. */
 struct cells {
     struct string_view cell[CELLS_MOST];
     size_t count;
@@ -76,7 +81,7 @@ static char delimiter_of(struct string_view line)
 /* Between blanks, a word that is no number belongs to the number before it in a row (`10 N 4.8 mOhm`). */
 static struct cells split(struct string_view line, char delimiter, bool row)
 {
-    struct cells out = {.count = 0};
+    struct cells out = {0};
     for (struct string_view cell; cut(&line, delimiter, &cell);) {
         if (row && delimiter == ' ' && out.count > 0 && !starts_number(cell)) {
             out.cell[out.count - 1].end = cell.end;
@@ -234,20 +239,25 @@ static bool is_heading(struct string_view line)
 }
 
 /* `below_names`: the line may be one of units, of which not all need be known. */
-static struct heading heading_read(struct string_view line, const unsigned *quantities, bool below_names)
+static struct heading heading_read(struct string_view line, const struct reading *in, bool below_names)
 {
     struct heading out = {0};
+    if (!line.start)
+        return out;
     struct cells cells = split(line, delimiter_of(line), false);
-    size_t count = cells.count < MEASURED_COLUMNS ? cells.count : MEASURED_COLUMNS, units = 0, filled = 0;
+    size_t units = 0, filled = 0;
     struct cell_unit whole[MEASURED_COLUMNS] = {0}; /* a cell that is nothing but a unit */
-    for (size_t c = 0; c < count; c++) {
-        out.unit[c] = heading_unit(cells.cell[c], quantities[c]);
-        units += offer(&whole[c], cells.cell[c], quantities[c], true) || out.unit[c].found == FOUND_UNIT;
-        filled += cells.cell[c].start < cells.cell[c].end;
+    for (size_t c = 0; c < MEASURED_COLUMNS; c++) {
+        struct string_view cell = cells.cell[in->order[c]];
+        if (cell.start == cell.end)
+            continue;
+        out.unit[c] = heading_unit(cell, in->quantities[c]);
+        units += offer(&whole[c], cell, in->quantities[c], true) || out.unit[c].found == FOUND_UNIT;
+        filled++;
     }
     bool any = whole[MEASURED_LOAD].found == FOUND_UNIT || whole[MEASURED_RESISTANCE].found == FOUND_UNIT;
-    for (size_t c = 0; c < count && any && (units == filled || below_names); c++)
-        if (out.unit[c].found != FOUND_UNIT && cells.cell[c].start < cells.cell[c].end)
+    for (size_t c = 0; c < MEASURED_COLUMNS && any && (units == filled || below_names); c++)
+        if (out.unit[c].found != FOUND_UNIT && whole[c].found != FOUND_NOTHING)
             out.unit[c] = whole[c];
     return out;
 }
@@ -266,8 +276,9 @@ struct numbered_line {
     struct string_view text;
     size_t number;
 };
+enum { ABOVE_COMMENT = 2, ABOVE_LINES };
 struct above {
-    struct numbered_line line[2], comment; /* the last two, and the last comment */
+    struct numbered_line line[ABOVE_LINES]; /* the last two, and the last comment */
 };
 
 /* Has a row more cells than the heading above it, and no point? Then `10,4,8` may be 10 and 4,8. */
@@ -293,36 +304,59 @@ static void above_note(struct above *above, struct string_view line, size_t numb
     if (line.start == line.end || !is_heading(line))
         return;
     if (comment) {
-        above->comment = (struct numbered_line){line, number};
+        above->line[ABOVE_COMMENT] = (struct numbered_line){line, number};
         return;
     }
     above->line[0] = above->line[1];
     above->line[1] = (struct numbered_line){line, number};
 }
 
+/* Reads the headings in in->order; do they name the unit of every column? */
+static bool headings_read(struct heading out[ABOVE_LINES], const struct above *above, const struct reading *in)
+{
+    size_t known = 0;
+    struct string_view titles = above->line[above->line[1].text.start ? 1 : ABOVE_COMMENT].text;
+    for (size_t i = 0; i < ABOVE_LINES; i++)
+        out[i] = heading_read(above->line[i].text, in, i == 1 && above->line[0].text.start);
+    for (size_t c = 0; c < MEASURED_COLUMNS; c++)
+        known += out[0].unit[c].found == FOUND_UNIT || out[1].unit[c].found == FOUND_UNIT ||
+                 out[ABOVE_COMMENT].unit[c].found == FOUND_UNIT;
+    return titles.start && known == split(titles, delimiter_of(titles), false).count;
+}
+
+/* The same in the first order that they do so in; as before where there is none. */
+static void headings_order(struct heading out[ABOVE_LINES], const struct above *above, struct reading *in)
+{
+    const size_t *before = in->order;
+    for (size_t i = 0; i < sizeof orders / sizeof *orders; i++) {
+        in->order = orders[i];
+        if (headings_read(out, above, in))
+            return;
+    }
+    in->order = before;
+    (void)headings_read(out, above, in);
+}
+
 /* The units of the headings. What is no unit in one line may be told by the other. */
 static enum status_code headings_use(struct reading *in, const struct above *above)
 {
-    struct heading heading[2];
-    size_t first = above->line[0].text.start ? 0 : above->line[1].text.start ? 1 : 2;
-    for (size_t i = first; i < 2; i++) {
-        heading[i] = heading_read(above->line[i].text, in->quantities, i > first);
+    struct heading heading[ABOVE_LINES];
+    headings_order(heading, above, in);
+    for (size_t i = 0; i < ABOVE_COMMENT; i++) {
         in->line = above->line[i].number;
         if (heading_use(in, &heading[i]) != STATUS_OK)
             return in->status->code;
     }
-    for (size_t i = first; i < 2; i++)
+    for (size_t i = 0; i < ABOVE_COMMENT; i++)
         for (size_t c = 0; c < MEASURED_COLUMNS; c++)
             if (heading[i].unit[c].found == FOUND_UNKNOWN && !in->out->units[c].known) {
                 in->line = above->line[i].number;
                 return refuse_unit(in, c, heading[i].unit[c].text);
             }
-    if (!above->comment.text.start)
-        return STATUS_OK;
-    struct heading comment = heading_read(above->comment.text, in->quantities, false);
-    in->line = above->comment.number;
-    return comment.unit[MEASURED_LOAD].found == FOUND_UNIT && comment.unit[MEASURED_RESISTANCE].found == FOUND_UNIT
-               ? heading_use(in, &comment)
+    const struct heading *comment = &heading[ABOVE_COMMENT];
+    in->line = above->line[ABOVE_COMMENT].number;
+    return comment->unit[MEASURED_LOAD].found == FOUND_UNIT && comment->unit[MEASURED_RESISTANCE].found == FOUND_UNIT
+               ? heading_use(in, comment)
                : STATUS_OK;
 }
 
@@ -332,12 +366,12 @@ static enum status_code row_read(const struct reading *in, struct measured_row *
         return status_fail(in->status, STATUS_SCENE, "both ',' and ';' in a row; write decimals with a point");
     struct cells cells = split(line, delimiter_of(line), true);
     bool gap = false;
-    for (size_t c = 0; c < cells.count; c++)
-        gap = gap || cells.cell[c].start == cells.cell[c].end;
+    for (size_t c = 0; c < cells.count && c < MEASURED_COLUMNS; c++)
+        gap = gap || cells.cell[in->order[c]].start == cells.cell[in->order[c]].end;
     if (cells.count < 2 || cells.count > MEASURED_COLUMNS || gap)
         return status_fail(in->status, STATUS_SCENE, "a row is load, resistance and perhaps its error");
     for (size_t c = 0; c < cells.count; c++) {
-        struct string_view cell = cells.cell[c];
+        struct string_view cell = cells.cell[in->order[c]];
         const char *end = number_scan(cell, NUMBER_POINT, NULL, &row->value[c]);
         if (!end || (end < cell.end && *end == ',') || !isfinite(row->value[c]))
             return status_fail(in->status, STATUS_SCENE, "'%s' is no number; write it as 1.5e-3",
@@ -387,10 +421,10 @@ static bool is_broken_row(struct string_view line, bool above)
 
 static enum status_code refuse_broken(const struct reading *in, struct string_view line)
 {
-    struct string_view load = split(line, delimiter_of(line), false).cell[0];
-    return status_fail(in->status, STATUS_SCENE,
-                       "'%s' is no load; correct the row or remove it, or put # before a remark",
-                       scene_words_show(load.start, string_view_length(load)).text);
+    struct string_view first = split(line, delimiter_of(line), false).cell[0];
+    return status_fail(
+        in->status, STATUS_SCENE, "'%s' is no %s; correct the row or remove it, or put # before a remark",
+        scene_words_show(first.start, string_view_length(first)).text, column_names[in->order[MEASURED_LOAD] > 0]);
 }
 
 /* Does the line begin as a row does, perhaps quoted? */
@@ -422,7 +456,7 @@ enum status_code measured_file_read(struct measured_file *out, struct string_vie
                                     const unsigned quantities[MEASURED_COLUMNS], struct status *status)
 {
     *out = (struct measured_file){0};
-    struct reading in = {out, quantities, 0, status};
+    struct reading in = {out, quantities, orders[0], 0, status};
     struct above above = {0};
     size_t capacity = 0;
     if (string_view_starts(content, "\xEF\xBB\xBF"))
@@ -430,8 +464,14 @@ enum status_code measured_file_read(struct measured_file *out, struct string_vie
     struct lines lines = lines_begin(content);
     enum status_code rc = STATUS_OK;
     for (struct string_view line; rc == STATUS_OK && lines_next(&lines, &line);) {
+        in.line = lines.number;
+        if (lines.number > limit_most(LIMIT_MEASURED_LINES))
+            rc = status_fail(status, STATUS_SCENE, "too many lines%s", limit_words(LIMIT_MEASURED_LINES).text);
+        else if (string_view_length(line) > limit_most(LIMIT_MEASURED_LINE_BYTES))
+            rc = status_fail(status, STATUS_SCENE, "a line of %zu bytes%s", string_view_length(line),
+                             limit_words(LIMIT_MEASURED_LINE_BYTES).text);
         line = string_view_trim(line);
-        if (line.start == line.end)
+        if (rc != STATUS_OK || line.start == line.end)
             continue;
         const char *comment = memchr(line.start, '#', string_view_length(line));
         if (comment && comment > line.start)
@@ -455,8 +495,9 @@ enum status_code measured_file_read(struct measured_file *out, struct string_vie
         } else if (out->count == 0) {
             above_note(&above, line, lines.number);
         } else if (is_heading(line) && *line.start != '#') { /* of a second block: the same units, or none */
-            struct heading heading = heading_read(line, quantities, false);
-            rc = heading_use(&in, &heading);
+            struct heading heading[ABOVE_LINES];
+            headings_order(heading, &(struct above){.line = {[1] = {line, lines.number}}}, &in);
+            rc = heading_use(&in, &heading[1]);
         }
     }
     if (rc == STATUS_SCENE)

@@ -33,7 +33,8 @@ struct measured_file {
  * A row begins with a number; its cells are delimited by semicolons, tabs, commas or blanks, and a number may have its
  * unit behind it. The last two lines before the rows that have as many cells (or a comment there whose columns all have
  * one) are headings; they name a unit as `load (N)`, `load [N]`, `F/N`, `load, N`, `load_N`, `load N`, or in a line of
- * units below the names. What else is no row is passed over. Errors: STATUS_SCENE with file and line: a row of another
+ * units below the names. Columns stand in that order or, where all of them name a unit, in another. What else is no row
+ * is passed over. Errors: STATUS_SCENE with file and line: a row of another
  * form, numbers that are not positive, a unit that is unknown or not of the column's quantities, two units for one
  * column; STATUS_MEMORY. */
 MUST_CHECK enum status_code measured_file_read(struct measured_file *out, struct string_view content, const char *name,

@@ -7,7 +7,6 @@
 #include "scene/scene_surfaces.h"
 #include "scene/scene_words.h"
 
-#include <assert.h>
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
@@ -207,14 +206,6 @@ static enum status_code override_units(struct scene *scene, const struct scene_o
     return STATUS_OK;
 }
 
-static bool has_property(const struct material *material, const char *key)
-{
-    size_t p = 0;
-    for (; strcmp(material_properties[p].key, key) != 0; p++)
-        assert(p + 1 < material_property_count); /* else an effect needs a property that no material has */
-    return !isnan(material_value(material, &material_properties[p]));
-}
-
 /* Fails when `body` ("material" or "counterface") of surface `owner` (NULL: the scene) lacks a property that an effect
  * asked for by name needs. */
 static enum status_code check_effects(const struct scene *scene, struct scene_source *source, const char *body,
@@ -228,7 +219,8 @@ static enum status_code check_effects(const struct scene *scene, struct scene_so
         if (scene->effects_auto || !(scene->effects & EFFECT_BIT(i)))
             continue;
         for (const char *const *key = effect_rows[i].properties; *key; key++) {
-            if (has_property(material, *key))
+            const struct material_property *property = material_property_find(*key);
+            if (!isnan(material_value(material, property)))
                 continue;
             if (source->effect_line[i] && none)
                 scene_source_fail(source, source->effect_line[i],
@@ -237,13 +229,13 @@ static enum status_code check_effects(const struct scene *scene, struct scene_so
             else if (source->effect_line[i])
                 scene_source_fail(source, source->effect_line[i],
                                   "effect '%s' needs '%s'; add it to '%s'%s or leave the effect out",
-                                  effect_rows[i].name, *key, body, whose);
+                                  effect_rows[i].name, property->name, body, whose);
             if (none)
                 return status_fail(source->status, STATUS_SCENE,
                                    "--effects: '%s' needs a material; add --material or 'material' in scene.yaml",
                                    effect_rows[i].name);
             return status_fail(source->status, STATUS_SCENE, "--effects: '%s' needs '%s'; add it to '%s'%s in '%s'",
-                               effect_rows[i].name, *key, body, whose, scene->path);
+                               effect_rows[i].name, property->name, body, whose, scene->path);
         }
     }
     return STATUS_OK;

@@ -142,16 +142,16 @@ bool scene_asked_limits(struct scene_source *source, const struct scene_key *key
                               "'%s' names none; remove the line, or give one such as ecr: {most: 2 mohm}", key->name));
 }
 
-/* Does the surface's material, or the scene's where there is no surface, give what an effect needs? */
+/* What an effect needs and the surface's material does not give; NULL: it gives all. */
 static const char *lacks(const struct scene_bodies *bodies, const struct effect_row *effect)
 {
-    for (const char *const *key = effect->properties; *key; key++)
-        for (size_t p = 0; p < material_property_count; p++)
-            if (strcmp(material_properties[p].key, *key) == 0 &&
-                (isnan(material_value(&bodies->material, &material_properties[p])) ||
-                 (bodies->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC &&
-                  isnan(material_value(&bodies->counterface, &material_properties[p])))))
-                return *key;
+    for (const char *const *key = effect->properties; *key; key++) {
+        const struct material_property *property = material_property_find(*key);
+        if (isnan(material_value(&bodies->material, property)) ||
+            (bodies->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC &&
+             isnan(material_value(&bodies->counterface, property))))
+            return property->name;
+    }
     return NULL;
 }
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scene/scene_keys.h"
+#include "base/limits.h"
 #include "scene/scene_asked.h"
 #include "scene/scene_joint.h"
 #include "scene/scene_surfaces.h"
@@ -393,7 +394,10 @@ static bool read_direct(struct scene_source *source, const struct scene_key *key
     if (direct->grid % 2 != 0)
         return scene_source_fail(source, scene_source_line_of(keys, "grid"), "'grid' is %zu; give an even number",
                                  direct->grid);
-    return true;
+    size_t points = direct->grid * direct->grid * direct->seeds;
+    return points <= limit_most(LIMIT_DIRECT_POINTS) ||
+           scene_source_fail(source, scene_source_line(value), "%zu x %zu points, %zu times%s", direct->grid,
+                             direct->grid, direct->seeds, limit_words(LIMIT_DIRECT_POINTS).text);
 }
 
 static bool read_baseline(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)

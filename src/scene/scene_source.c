@@ -44,7 +44,7 @@ static bool parser_error(struct scene_source *source, const yaml_parser_t *parse
 }
 
 struct shape {
-    int depth, documents, anchors;
+    int depth, anchors;
 };
 
 static bool check_event(struct scene_source *source, const yaml_event_t *event, struct shape *shape)
@@ -53,35 +53,65 @@ static bool check_event(struct scene_source *source, const yaml_event_t *event, 
     bool start = event->type == YAML_SEQUENCE_START_EVENT || event->type == YAML_MAPPING_START_EVENT;
     shape->depth += start;
     shape->depth -= event->type == YAML_SEQUENCE_END_EVENT || event->type == YAML_MAPPING_END_EVENT;
-    shape->documents += event->type == YAML_DOCUMENT_START_EVENT;
     shape->anchors += event->type == YAML_ALIAS_EVENT ||
                       (event->type == YAML_SCALAR_EVENT && event->data.scalar.anchor) ||
                       (event->type == YAML_SEQUENCE_START_EVENT && event->data.sequence_start.anchor) ||
                       (event->type == YAML_MAPPING_START_EVENT && event->data.mapping_start.anchor);
     if (shape->depth > DEEPEST_NESTING)
         return scene_source_fail(source, line, "nested too deep; a scene needs at most 4 levels");
-    if (shape->documents > 1)
-        return scene_source_fail(source, line, "a second document starts here; a scene is one, remove the '---'");
     if (shape->anchors > MOST_ANCHORS)
         return scene_source_fail(source, line, "more than %d anchors and aliases; write the values out", MOST_ANCHORS);
     return true;
 }
 
-/* A first pass over the events, so that nothing hostile reaches the tree builder. */
+/* Takes the next token's type and line. */
+static bool next_token(yaml_token_type_t *type, size_t *line, struct scene_source *source, yaml_parser_t *parser,
+                       const char *bytes)
+{
+    yaml_token_t token;
+    if (!yaml_parser_scan(parser, &token))
+        return parser_error(source, parser, bytes);
+    *type = token.type;
+    *line = token.start_mark.line + 1;
+    yaml_token_delete(&token);
+    return true;
+}
+
+/* A directive is refused by its token: of those of a document, before it begins, libyaml compares each with all. */
+static bool check_start(struct scene_source *source, yaml_parser_t *parser, const char *bytes)
+{
+    yaml_token_type_t type = YAML_NO_TOKEN;
+    size_t line = 0;
+    for (int i = 0; i < 2; i++) /* behind the stream's start */
+        if (!next_token(&type, &line, source, parser, bytes))
+            return false;
+    return (type != YAML_VERSION_DIRECTIVE_TOKEN && type != YAML_TAG_DIRECTIVE_TOKEN) ||
+           scene_source_fail(source, line, "a directive of YAML (%%); a scene needs none, remove it");
+}
+
+/* A pass over the events, so that nothing hostile reaches the tree builder, and no second document the parser. */
 static bool check_shape(struct scene_source *source, yaml_parser_t *parser, const char *bytes)
 {
     struct shape shape = {0};
     yaml_event_t event;
+    yaml_token_type_t type = YAML_DOCUMENT_END_TOKEN;
+    size_t line = 0;
     for (bool end = false; !end;) {
         if (!yaml_parser_parse(parser, &event))
             return parser_error(source, parser, bytes);
-        end = event.type == YAML_STREAM_END_EVENT;
+        end = event.type == YAML_DOCUMENT_END_EVENT || event.type == YAML_STREAM_END_EVENT;
+        if (event.type == YAML_STREAM_END_EVENT)
+            type = YAML_STREAM_END_TOKEN;
         bool good = check_event(source, &event, &shape);
         yaml_event_delete(&event);
         if (!good)
             return false;
     }
-    return true;
+    while (type == YAML_DOCUMENT_END_TOKEN)
+        if (!next_token(&type, &line, source, parser, bytes))
+            return false;
+    return type == YAML_STREAM_END_TOKEN ||
+           scene_source_fail(source, line, "a second document starts here; a scene is one, remove the '---'");
 }
 
 static bool load_tree(struct scene_source *source, yaml_parser_t *parser, const char *bytes)
@@ -120,7 +150,8 @@ static bool is_null(const yaml_node_t *node)
 bool scene_source_read(struct scene_source *source, const char *bytes, size_t length,
                        bool (*read)(struct scene_source *source, const yaml_node_t *root))
 {
-    if (!parse(source, bytes, length, check_shape) || !parse(source, bytes, length, load_tree))
+    if (!parse(source, bytes, length, check_start) || !parse(source, bytes, length, check_shape) ||
+        !parse(source, bytes, length, load_tree))
         return false;
     const yaml_node_t *root = yaml_document_get_root_node(&source->document);
     bool good = !root || is_null(root) || read(source, root);

@@ -232,6 +232,9 @@ static bool read_surface(struct scene_source *source, const yaml_node_t *node, s
         return false;
     if (scene_source_line_of(keys, "file") == 0)
         return scene_source_fail(source, scene_source_line(node), "a surface has no 'file'; add one");
+    if (surface->name && strlen(surface->name) > limit_most(LIMIT_NAME_BYTES))
+        return scene_source_fail(source, scene_source_line_of(keys, "name"), "a name of %zu bytes%s",
+                                 strlen(surface->name), limit_words(LIMIT_NAME_BYTES).text);
     if (own.material_given || own.counterface_given || !isnan(own.hardness_Pa)) {
         if (!(surface->bodies = malloc(sizeof own)))
             return scene_source_memory(source);

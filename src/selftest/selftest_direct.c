@@ -38,7 +38,7 @@ static enum status_code solve(struct solution *out, const double *height, size_t
     struct direct_contact_effort effort = {0};
     const struct direct_contact_load load = {.mean_pressure = pressure, .hardness = INFINITY, .tolerance = 1e-12};
     *out = (struct solution){.most = 0};
-    if (direct_contact_make(&contact, height, nx, ny, 1 / (double)nx, status) != STATUS_OK)
+    if (direct_contact_make(&contact, NULL, height, nx, ny, 1 / (double)nx, status) != STATUS_OK)
         return status->code;
     enum status_code rc = direct_contact_solve(&contact, &load, &effort, status);
     if (rc == STATUS_OK) {

@@ -15,7 +15,6 @@ static struct power_law no_law(const double band_m[2])
 {
     return (struct power_law){.found = POWER_LAW_BAND_NONE,
                               .alpha = NAN,
-                              .alpha_error = NAN,
                               .gamma = NAN,
                               .gamma_error = NAN,
                               .amplitude_m = NAN,
@@ -128,8 +127,10 @@ struct power_law power_law_fit(const struct spectrum *spectrum, const double ban
             sums_add(&sums, log_wavelength(i), log_amplitude(spectrum, i));
         }
     law.harmonics = (size_t)sums.n;
-    if (law.harmonics < 3)
+    if (law.harmonics < 3) {
+        law.band_m[0] = law.band_m[1] = NAN;
         return law;
+    }
     law.band_m[0] = 1 / spectrum_frequency(spectrum, last);
     law.band_m[1] = 1 / spectrum_frequency(spectrum, first);
 
@@ -137,21 +138,17 @@ struct power_law power_law_fit(const struct spectrum *spectrum, const double ban
     double variance = line.residual / (sums.n - 2);
     double log_length = log10(spectrum->length_m);
     double log_alpha = line.intercept - 6 - line.slope * log_length;
-    /* log10 alpha is the line's value at x = -log10 L, where its error is that of the mean and of the slope together */
-    double lever = -log_length - line.x_mean;
-    double log_alpha_error = sqrt(variance * (1 / sums.n + lever * lever / line.x_spread));
-    double alpha = pow(10, log_alpha), alpha_error = alpha * M_LN10 * log_alpha_error;
-    if (!isnormal(alpha) || !isfinite(alpha_error)) /* a steep law through a record of 1e-20 m */
+    double alpha = pow(10, log_alpha);
+    if (!isnormal(alpha)) /* a steep law through a record of 1e-20 m */
         return law;
     law.gamma = line.slope;
     law.gamma_error = sqrt(variance / line.x_spread);
     law.alpha = alpha;
-    law.alpha_error = alpha_error;
     law.misfit_decades = sqrt(line.residual / sums.n);
     law.found = POWER_LAW_BAND_LAW;
     law.wavelength_m = sqrt(law.band_m[0]) * sqrt(law.band_m[1]);
     law.amplitude_m = power_law_amplitude(&law, law.wavelength_m);
-    lever = log10(law.wavelength_m) - log_length - line.x_mean;
+    double lever = log10(law.wavelength_m) - log_length - line.x_mean;
     law.amplitude_error_decades = sqrt(variance * (1 / sums.n + lever * lever / line.x_spread));
     law.psd_m3 = law.amplitude_m * law.amplitude_m * spectrum->length_m / 2;
     find_knee(&law, spectrum, &sums, line.residual);
@@ -183,4 +180,9 @@ bool power_law_holds(const struct power_law *law)
 double power_law_amplitude(const struct power_law *law, double wavelength_m)
 {
     return law->alpha * pow(wavelength_m, law->gamma);
+}
+
+double power_law_error_decades(const struct power_law *law, double wavelength_m)
+{
+    return hypot(law->amplitude_error_decades, law->gamma_error * log10(wavelength_m / law->wavelength_m));
 }

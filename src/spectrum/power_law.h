@@ -21,8 +21,7 @@ double power_law_gaussian_scatter(double scans);
 /** The law by either method, lambda in metres. One that cannot be fitted or is not found has gamma = NaN. */
 struct power_law {
     enum power_law_band_class found; /* of the thesis's method: LAW where there is a fit */
-    double alpha;                    /* m^(1-gamma) */
-    double alpha_error;              /* standard error, m^(1-gamma); NaN where alpha is only derived (auto) */
+    double alpha;                    /* m^(1-gamma), derived: the amplitude at 1 m */
     double gamma;
     double gamma_error;             /* standard error */
     double amplitude_m;             /* of the law at wavelength_m, the band's middle; auto: rms amplitude */
@@ -48,5 +47,8 @@ bool power_law_holds(const struct power_law *law);
 
 /** Amplitude of the law at a wavelength [m] (4.53). */
 double power_law_amplitude(const struct power_law *law, double wavelength_m);
+
+/** Standard error of log10 of it (4.53): that at the middle of the band and what the slope's adds, in quadrature. */
+double power_law_error_decades(const struct power_law *law, double wavelength_m);
 
 #endif

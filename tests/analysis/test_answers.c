@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Loads for a target: against reference forces, the model itself, scans solved one by one here, and bands. Limits. */
 #include "analysis/answers.h"
+#include "analysis/joined.h"
 #include "analysis/surface.h"
 #include "support.h"
 
@@ -143,7 +144,7 @@ static void the_reference_forces(void **state)
         double spots = answers_spots(answer(&f, ecr, "cmy"), area_m2);
         assert_near(spots, table_number(&table, i, "spots"), 1e-10);
         struct text note = {0};
-        answers_note(&note, answer(&f, ecr, "cmy"), area_m2, 1);
+        answers_note(&note, answer(&f, ecr, "cmy"), area_m2, 1, "");
         if (target_ohm == 1e-3) {
             assert_within(answer(&f, ecr, "cmy")->load * to_N, 40.5e-3, 0.05e-3);
             assert_string_equal(text_string(&note), "too few spots for statistics (9.1)");
@@ -216,19 +217,47 @@ static void no_load_within_the_list(void **state)
     assert_int_equal(answer(&f, far, "two-band-elastic")->kind, ANSWER_NOT_REACHED);
     assert_true(answer(&f, far, "two-band-elastic")->load == f.loads[LOADS - 1]);
     assert_int_equal(answer(&f, far, "jg")->kind, ANSWER_NONE);
-    answers_note(&note, answer(&f, far, "two-band-elastic"), NAN, 10);
-    assert_string_equal(text_string(&note), "not reached up to 0.1");
+    answers_note(&note, answer(&f, far, "two-band-elastic"), NAN, 10, "N");
+    assert_string_equal(text_string(&note), "not reached up to 0.1 N; above the hardness");
     text_free(&note);
-    answers_note(&note, answer(&f, light, "gw"), NAN, 1);
-    assert_string_equal(text_string(&note), "already at the lightest load");
+    answers_note(&note, answer(&f, light, "gw"), NAN, 1, "");
+    assert_string_equal(text_string(&note), "already at the lightest load; above the hardness");
     text_free(&note);
-    answers_note(&note, answer(&f, far, "jg"), NAN, 1);
+    answers_note(&note, answer(&f, far, "jg"), NAN, 1, "");
     assert_string_equal(text_string(&note), "no value");
     text_free(&note);
     f.task.load_count = 1; /* one load: met there, or not */
     find(&f);
     assert_int_equal(answer(&f, light, "gw")->kind, ANSWER_LIGHTEST);
     assert_int_equal(answer(&f, just, "gw")->kind, ANSWER_NOT_REACHED);
+    drop(&f);
+}
+
+/* Two bands have no resistance beyond A/A_n = 0.75: what they have there is met within a hundredth of it, and no more.
+ */
+static void where_the_numbers_end(void **state)
+{
+    (void)state;
+    struct fixture f;
+    make(&f, 1);
+    double low = log(1e-9), high = log(1);
+    for (int i = 0; i < 60; i++) {
+        double middle = (low + high) / 2;
+        *(isnan(value_at(&f.task, "two-band-elastic", exp(middle), QUANTITY_ECR)) ? &high : &low) = middle;
+    }
+    double last = value_at(&f.task, "two-band-elastic", exp(low), QUANTITY_ECR);
+    assert_near(value_at(&f.task, "two-band-elastic", exp(low), QUANTITY_AREA), 0.75, 1e-9);
+    for (size_t i = 0; i < LOADS; i++) /* to short of full contact */
+        f.loads[i] = 1e-9 * pow(1.05 * exp(low) / 1e-9, (double)i / (LOADS - 1));
+    assert_true(value_at(&f.task, "two-band-elastic", f.loads[LOADS - 1], QUANTITY_AREA) < 1);
+    size_t within = ask(&f, "ecr", last * 0.991), beyond = ask(&f, "ecr", last * 0.989),
+           far = ask(&f, "ecr", last * 0.92);
+    find(&f);
+    assert_int_equal(answer(&f, within, "two-band-elastic")->kind, ANSWER_LOAD);
+    assert_near(answer(&f, within, "two-band-elastic")->load, exp(low), 1e-8);
+    assert_int_equal(answer(&f, beyond, "two-band-elastic")->kind, ANSWER_NOT_REACHED);
+    assert_int_equal(answer(&f, far, "two-band-elastic")->kind, ANSWER_NOT_REACHED);
+    assert_near(answer(&f, far, "two-band-elastic")->load, exp(low), 1e-8);
     drop(&f);
 }
 
@@ -307,9 +336,147 @@ static void a_scan_without_a_load(void **state)
         ln += log(value_at(&own, "cmy", found->load, QUANTITY_ECR)) / SCANS;
     }
     assert_near(exp(ln), at_end * 0.99, 1e-8);
-    answers_note(&note, found, NAN, 1);
+    answers_note(&note, found, NAN, 1, "");
     assert_string_equal(text_string(&note), "no interval: 1 of 3 scans do not meet it between the loads");
     text_free(&note);
+    drop(&f);
+}
+
+/* Of two scans one is beyond GW's validity at its load, the other is not: that is half of them, and so the answer is.
+ */
+static void half_of_the_scans_beyond_validity(void **state)
+{
+    (void)state;
+    struct fixture f;
+    double ecr[2];
+    make(&f, 2);
+    for (size_t i = 0; i < LOADS; i++)
+        f.loads[i] = 1e-9 * pow(1e10, (double)i / (LOADS - 1));
+    for (size_t s = 0; s < 2; s++) { /* where A/A_n is 0.1 */
+        struct asperities asperities;
+        struct model_task own = repeats_task(&asperities, &f.parts[s], &f.task);
+        double low = log(1e-9), high = log(10);
+        for (int i = 0; i < 60; i++)
+            *(value_at(&own, "gw", exp((low + high) / 2), QUANTITY_AREA) < 0.1 ? &low : &high) = (low + high) / 2;
+        ecr[s] = value_at(&own, "gw", exp(low), QUANTITY_ECR);
+    }
+    assert_true(fabs(log(ecr[1] / ecr[0])) > 0.1);
+    size_t one = ask(&f, "ecr", sqrt(ecr[0] * ecr[1])), none = ask(&f, "ecr", 1.01 * fmax(ecr[0], ecr[1]));
+    find(&f);
+    assert_int_equal(answer(&f, one, "gw")->runs, 2);
+    assert_int_equal(answer(&f, one, "gw")->kind, ANSWER_LOAD);
+    assert_true(answer(&f, one, "gw")->invalid);
+    assert_false(answer(&f, none, "gw")->invalid);
+    drop(&f);
+}
+
+/* The model runs within its validity, so that it may count spots. */
+static void let_count(struct fixture *f, const char *model)
+{
+    struct curve_summary *summary = surface_model_room(&f->record.summary, model_named(model));
+    assert_non_null(summary);
+    *summary = (struct curve_summary){.exists = true, .invalid_area_load = NAN, .invalid_fit_load = NAN};
+}
+
+/* Spots per area of a model at a load; of several scans the mean. */
+static double spots_at(struct fixture *f, size_t scans, const char *model, double load)
+{
+    double sum = 0;
+    for (size_t s = 0; s < scans; s++) {
+        struct asperities asperities;
+        struct status status = {0};
+        struct contact_spots spots;
+        struct model_task own = scans > 1 ? repeats_task(&asperities, &f->parts[s], &f->task) : f->task,
+                          one = model_task_at(&own, &load, 1);
+        const struct model_row *row = model_rows[model_named(model)];
+        assert_int_equal(row->spots(&spots, row, &one, &status), STATUS_OK);
+        sum += spots.density_per_m2 / (double)scans;
+    }
+    return sum;
+}
+
+/* Whoever counts them: the spots at the answer's load, not at the one that the counting model takes, and too few or not
+ * by the same rule. An elastic model does not count those of a plastic one. */
+static void spots_are_those_at_the_answers_load(void **state)
+{
+    (void)state;
+    for (size_t scans = 1; scans <= SCANS; scans += SCANS - 1) {
+        struct fixture f;
+        struct text note = {0};
+        make(&f, scans);
+        f.plan.models = MODEL_BIT(model_named("two-band-plastic")) | MODEL_BIT(model_named("two-band-elastic")) |
+                        MODEL_BIT(model_named("cmy")) | MODEL_BIT(model_named("gw"));
+        let_count(&f, "cmy");
+        let_count(&f, "gw");
+        size_t target = ask(&f, "ecr", value_at(&f.task, "two-band-plastic", 1e-6, QUANTITY_ECR));
+        find(&f);
+        const struct answer *plastic = answer(&f, target, "two-band-plastic"), *cmy = answer(&f, target, "cmy"),
+                            *elastic = answer(&f, target, "two-band-elastic");
+        assert_int_equal(plastic->kind, ANSWER_LOAD);
+        assert_int_equal(plastic->counted_by, model_named("cmy"));
+        assert_near(plastic->spots_per_m2, spots_at(&f, scans, "cmy", plastic->load), 1e-12);
+        assert_near(cmy->spots_per_m2, spots_at(&f, scans, "cmy", cmy->load), 1e-12);
+        assert_true(fabs(log(cmy->spots_per_m2 / plastic->spots_per_m2)) > 0.1);
+        assert_int_equal(elastic->counted_by, model_named("gw"));
+        assert_near(elastic->spots_per_m2, spots_at(&f, scans, "gw", elastic->load), 1e-12);
+        answers_note(&note, plastic, 9.5 / plastic->spots_per_m2, 1, "");
+        assert_string_equal(text_string(&note), "too few spots for statistics (9.5)");
+        text_free(&note);
+        answers_note(&note, plastic, 10.5 / plastic->spots_per_m2, 1, "");
+        assert_string_equal(text_string(&note), "");
+        text_free(&note);
+        surface_model_room(&f.record.summary, model_named("cmy"))->invalid_area_load = f.loads[0];
+        find(&f);
+        assert_true(isnan(answer(&f, target, "two-band-plastic")->spots_per_m2));
+        drop(&f);
+    }
+}
+
+/* The joint's rows of scene_asked.c. */
+static const struct scene_asked_row joint_ecr = {.symbol = "ECR", .quantity = QUANTITY_JOINT_ECR},
+                                    joint_heat = {.symbol = "h_j", .quantity = QUANTITY_JOINT, .rises = true};
+
+/* Nothing but the film resists where contact is full: two bands are at P = H, and have no number from A/A_n = 0.75 on,
+ * with a plating from 0.1 on. */
+static void full_contact_meets_every_resistance_above_the_film(void **state)
+{
+    (void)state;
+    struct fixture f;
+    struct text note = {0};
+    make(&f, 1);
+    f.scene.joint = joint_default();
+    f.scene.joint.film_ohm_m2 = 1e-12;
+    f.scene.joint.plating_thickness_m = 1e-6;
+    f.scene.joint.plating_ohm_m = 2e-8;
+    double full = f.task.hardness_Pa / f.record.summary.pair.effective_modulus_Pa;
+    double end = value_at(&f.task, "two-band-plastic", 0.7499 * full, QUANTITY_ECR);
+    assert_true(end > 0 && isnan(value_at(&f.task, "two-band-plastic", 0.7501 * full, QUANTITY_ECR)));
+    size_t near = ask(&f, "ecr", 0.995 * end), ecr = ask(&f, "ecr", 0.95 * end), tcr = ask(&f, "tcr", 1e-20);
+    size_t above = ask(&f, "ecr", 1.01e-12), below = ask(&f, "ecr", 0.99e-12), heat = ask(&f, "conductance", 1e15);
+    f.targets[above].row = f.targets[below].row = &joint_ecr;
+    f.targets[heat].row = &joint_heat;
+    find(&f);
+    assert_int_equal(answer(&f, near, "two-band-plastic")->kind, ANSWER_LOAD);
+    assert_false(answer(&f, near, "two-band-plastic")->full); /* the curve's end is it to within a hundredth */
+    assert_near(answer(&f, near, "two-band-plastic")->load, 0.75 * full, 1e-6);
+    const size_t met[] = {ecr, tcr, above, heat};
+    for (int k = 0; k < 4; k++) {
+        const struct answer *found = answer(&f, met[k], "two-band-plastic");
+        assert_int_equal(found->kind, ANSWER_LOAD);
+        assert_true(found->full && isnan(found->low) && isnan(found->high));
+        assert_near(found->load, full, 1e-9);
+    }
+    answers_note(&note, answer(&f, ecr, "two-band-plastic"), NAN, 1, "");
+    assert_string_equal(text_string(&note), "at full contact at the latest");
+    text_free(&note);
+    assert_int_equal(answer(&f, below, "two-band-plastic")->kind, ANSWER_NOT_REACHED);
+    assert_true(answer(&f, below, "two-band-plastic")->load == f.loads[LOADS - 1]);
+    assert_int_equal(answer(&f, below, "multiscale-plastic")->kind, ANSWER_NOT_REACHED); /* which has numbers there */
+    while (f.task.load_count > 0 && f.loads[f.task.load_count - 1] >= full)
+        f.task.load_count--;
+    find(&f);
+    assert_int_equal(answer(&f, ecr, "two-band-plastic")->kind, ANSWER_NOT_REACHED);
+    assert_near(answer(&f, ecr, "two-band-plastic")->load, 0.75 * full, 1e-6);
     drop(&f);
 }
 
@@ -388,13 +555,77 @@ static void limits(void **state)
     }
 }
 
+/* Where the leading model has no number at the operating load: what lighter loads have decided for good, and full
+ * contact. */
+static void limits_without_a_number(void **state)
+{
+    (void)state;
+    static struct contact_point points[LOADS + 1];
+    struct scene_asked limit[6] = {{.row = &joint_ecr}};
+    struct fixture f;
+    struct status status = {0};
+    make(&f, 1);
+    f.scene.joint = joint_default();
+    f.scene.joint.film_ohm_m2 = 1e-12;
+    f.scene.joint.plating_thickness_m = 1e-6;
+    f.scene.joint.plating_ohm_m = 2e-8;
+    size_t m = model_named("two-band-plastic");
+    assert_int_equal(plan_leading_model(&f.plan), m);
+    double full = f.task.hardness_Pa / f.record.summary.pair.effective_modulus_Pa;
+    const double loads[] = {0.01 * full, 0.09 * full, 0.3 * full, 0.5 * full, 1.5 * full};
+    f.task = model_task_at(&f.task, loads, 5);
+    struct model_curve *curve = &f.record.curves[m];
+    curve->points = points;
+    assert_int_equal(model_run(curve, model_rows[m], &f.task, &status), STATUS_OK);
+    const struct joint_task joint = surface_joint(&f.record, &f.scene, &f.plan, &f.task);
+    assert_int_equal(joined_curve(curve, model_rows[m], &f.task, &joint, &status), STATUS_OK);
+    double last = points[1].joint_ecr_ohm_m2;
+    assert_true(last > 2e-12 && isnan(points[2].joint_ecr_ohm_m2) && isnan(points[4].ecr_ohm_m2));
+    const struct {
+        const struct scene_asked_row *row;
+        double value;
+        bool is_upper;
+        enum limit_verdict partial, complete;
+    } rows[6] = {{&joint_ecr, 1.001 * last, true, LIMIT_MET, LIMIT_MET},
+                 {&joint_ecr, 0.999 * last, true, LIMIT_NO_VALUE, LIMIT_MET},
+                 {&joint_ecr, 1.001 * last, false, LIMIT_MISSED, LIMIT_MISSED},
+                 {&joint_ecr, 0.999 * last, false, LIMIT_NO_VALUE, LIMIT_MISSED},
+                 {&joint_ecr, 0.999e-12, true, LIMIT_NO_VALUE, LIMIT_MISSED}, /* below the film's */
+                 {&joint_heat, 1e15, false, LIMIT_NO_VALUE, LIMIT_MET}};
+    f.scene.limits = limit;
+    f.scene.limit_count = 6;
+    for (int k = 0; k < 6; k++)
+        limit[k] = (struct scene_asked){.row = rows[k].row, .value = rows[k].value, .is_upper = rows[k].is_upper};
+    for (size_t at = 2; at < 5; at += 2) {
+        f.task.operating_place = at + 1;
+        find(&f);
+        for (int k = 0; k < 6; k++) {
+            const struct limit_check *check = &f.record.summary.limits[k];
+            if (check->verdict != (at == 4 ? rows[k].complete : rows[k].partial))
+                fail_msg("limit %d at load %zu: verdict %d", k, at, (int)check->verdict);
+            assert_true(at == 4 && k < 5 ? fabs(check->value / 1e-12 - 1) < 1e-12 : isnan(check->value));
+        }
+    }
+    curve->points = NULL;
+    drop(&f);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_reference_forces),    cmocka_unit_test(the_target_is_met),
-        cmocka_unit_test(no_load_within_the_list), cmocka_unit_test(the_mark),
-        cmocka_unit_test(intervals_of_scans),      cmocka_unit_test(a_scan_without_a_load),
-        cmocka_unit_test(intervals_of_a_band),     cmocka_unit_test(limits),
+        cmocka_unit_test(the_reference_forces),
+        cmocka_unit_test(the_target_is_met),
+        cmocka_unit_test(no_load_within_the_list),
+        cmocka_unit_test(where_the_numbers_end),
+        cmocka_unit_test(the_mark),
+        cmocka_unit_test(intervals_of_scans),
+        cmocka_unit_test(a_scan_without_a_load),
+        cmocka_unit_test(intervals_of_a_band),
+        cmocka_unit_test(limits),
+        cmocka_unit_test(half_of_the_scans_beyond_validity),
+        cmocka_unit_test(spots_are_those_at_the_answers_load),
+        cmocka_unit_test(full_contact_meets_every_resistance_above_the_film),
+        cmocka_unit_test(limits_without_a_number),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -4,6 +4,7 @@
 #include "analysis/evaluate.h"
 #include "contact/convergence.h"
 #include "contact/multiscale.h"
+#include "contact/persson.h"
 #include "contact/statistical.h"
 #include "profile/synth.h"
 #include "support.h"
@@ -271,6 +272,55 @@ static void test_the_closures(void **state)
                         sinusoid_fit_error((enum sinusoid_fit_id)c, gap), 1e-12);
 }
 
+static size_t most_waves; /* of any spectrum that persson_make() was given */
+
+/* In place of persson_make() where models call it (ld --wrap, tests/CMakeLists.txt). */
+enum status_code __real_persson_make(struct persson *out, const struct spectrum *spectrum, double energy_factor,
+                                     struct status *status);
+enum status_code __wrap_persson_make(struct persson *out, const struct spectrum *spectrum, double energy_factor,
+                                     struct status *status);
+enum status_code __wrap_persson_make(struct persson *out, const struct spectrum *spectrum, double energy_factor,
+                                     struct status *status)
+{
+    most_waves = spectrum->count > most_waves ? spectrum->count : most_waves;
+    return __real_persson_make(out, spectrum, energy_factor, status);
+}
+
+/* The waves that every number of loads is summed over, of a scan so long that fewer show it too. */
+static void test_a_long_scan(void **state)
+{
+    (void)state;
+    enum { WAVES = 150000 };
+    size_t waves[2], persson = 0;
+    while (strcmp(model_rows[persson]->name, "persson") != 0)
+        persson++;
+    for (int longer = 0; longer < 2; longer++) {
+        struct surface_record *scan = malloc(sizeof *scan);
+        struct benchmark rows = {0};
+        struct status status = {0};
+        assert_non_null(scan);
+        *scan = *record;
+        scan->curves = calloc(model_count, sizeof *scan->curves);
+        scan->spectrum.count = longer ? 4 * WAVES : WAVES;
+        scan->spectrum.amplitude_m = malloc(scan->spectrum.count * sizeof *scan->spectrum.amplitude_m);
+        assert_true(scan->curves && scan->spectrum.amplitude_m);
+        for (size_t i = 0; i < scan->spectrum.count; i++)
+            scan->spectrum.amplitude_m[i] = 1e-7 * pow((double)(i + 1), -1.5);
+        scan->curves[persson].exists = true;
+        const struct benchmark_task task = {scan, &scene, &plan, loads, LOADS, NULL};
+        most_waves = 0;
+        assert_int_equal(benchmark_curves(&rows, &task, &status), STATUS_OK);
+        waves[longer] = most_waves;
+        assert_non_null(benchmark_find(&rows, "loads", "persson", "129"));
+        benchmark_free(&rows);
+        spectrum_free(&scan->spectrum);
+        free(scan->curves);
+        free(scan);
+    }
+    assert_true(waves[0] > 10000);
+    assert_int_equal(waves[0], waves[1]);
+}
+
 static void count_runs(void *context)
 {
     ++*(int *)context;
@@ -293,7 +343,7 @@ int main(void)
         cmocka_unit_test(test_what_is_chosen),      cmocka_unit_test(test_closed_forms_alone),
         cmocka_unit_test(test_the_cut_off),         cmocka_unit_test(test_the_number_of_loads),
         cmocka_unit_test(test_the_closures),        cmocka_unit_test(test_the_clock),
-        cmocka_unit_test(test_the_error_itself),
+        cmocka_unit_test(test_the_error_itself),    cmocka_unit_test(test_a_long_scan),
     };
     return cmocka_run_group_tests(tests, make, end);
 }

@@ -77,7 +77,8 @@ static const double loads[] = {1e-4};
 /* The spectrum's short end along alpha lambda^gamma. */
 static struct convergence_tail tail(double alpha, double gamma)
 {
-    return (struct convergence_tail){.wavelength_m = 1e-4, .amplitude_m = alpha * pow(1e-4, gamma), .gamma = gamma};
+    return (struct convergence_tail){
+        .wavelength_m = 1e-4, .amplitude_m = alpha * pow(1e-4, gamma), .gamma = gamma, .count = 1};
 }
 
 static int make(void **state)
@@ -243,8 +244,9 @@ static void test_no_tail_to_carry_on(void **state)
     record.summary.tail = tail(1, NAN);
     assert_near(bounds_of(STACK)->yield, 1e-6, 1e-12);
     decide(0, 0);
-    assert_string_equal(plan.effects[EFFECT_CONVERGENCE].reason,
-                        "sweeps only: 1 of 1 surfaces have too few harmonics to carry on below their sampling limit");
+    assert_string_equal(
+        plan.effects[EFFECT_CONVERGENCE].reason,
+        "sweeps only: of 1 of 1 surfaces the spectrum does not tell how it goes on below what is known");
 }
 
 /* A refused surface has no say; nor has a bound in a scene that lists its effects. */

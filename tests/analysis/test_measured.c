@@ -108,6 +108,15 @@ static void headings_say_the_units(void **state)
         {"Load (N), R (mOhm)\n10 4.8 0.1\n", 10, 4.8e-3, 1e-4},
         {"Load (N),R (mOhm)\n10,4.8,0.1\n", 10, 4.8e-3, 1e-4},
         {"Load (N),R (mOhm)\n10,4.8\nunloading (N),R (milliohm)\n9,5\n", 10, 4.8e-3, NAN},
+        /* columns in another order, of which all name their unit */
+        {"R (mOhm),F (N)\n4.8,10\n", 10, 4.8e-3, NAN},
+        {"mOhm;kN\n4.8;10\n", 1e4, 4.8e-3, NAN},
+        {"R F\nmOhm kN\n4.8 10\n", 1e4, 4.8e-3, NAN},
+        {"# R (mOhm), F (kN)\n4.8,10\n", 1e4, 4.8e-3, NAN},
+        {"R (mOhm),u (uOhm),F (kN)\n4.8,30,10\n", 1e4, 4.8e-3, 3e-5},
+        {"R (mOhm),F (kN),u (%)\n4.8,10,5\n", 1e4, 4.8e-3, 2.4e-4},
+        {"F (kN),u (%),R (mOhm)\n10,5,4.8\n", 1e4, 4.8e-3, 2.4e-4},
+        {"R (mOhm),F (N)\n4.8 mOhm,10 N\n", 10, 4.8e-3, NAN},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
         for (int agreed = 0; agreed < 2; agreed++) {
@@ -132,6 +141,25 @@ static void headings_say_the_units(void **state)
             snprintf(resistance_unit, sizeof resistance_unit, "%s", measured.resistance_unit);
             measured_free(&measured);
         }
+}
+
+/* A second block has its columns as its own heading says. */
+static void blocks_may_differ_in_order(void **state)
+{
+    (void)state;
+    static const unsigned quantities[MEASURED_COLUMNS] = {UNIT_LOADS, UNIT_RESISTANCE, UNIT_RESISTANCE};
+    static const char csv[] = "F (N),R (mOhm)\n10,4\nR (mOhm),F (N)\n5,9\nunloading\n6,8\nF (N),R (mOhm)\n7,7.5\n";
+    static const double load[] = {10, 9, 8, 7}, resistance[] = {4, 5, 6, 7.5};
+    struct measured_file file;
+    struct status status = {0};
+    assert_int_equal(measured_file_read(&file, (struct string_view){csv, csv + strlen(csv)}, "x", quantities, &status),
+                     STATUS_OK);
+    assert_int_equal(file.count, 4);
+    for (size_t i = 0; i < file.count; i++) {
+        assert_near(file.rows[i].value[MEASURED_LOAD], load[i], 0);
+        assert_near(file.rows[i].value[MEASURED_RESISTANCE], resistance[i], 0);
+    }
+    measured_file_free(&file);
 }
 
 static void what_is_wrong_is_named(void **state)
@@ -188,7 +216,10 @@ static void what_is_wrong_is_named(void **state)
         {"F/KN,R/ohm\n1,2\n", &newton, "ecr.csv:1: 'KN' is no unit of load"},
         {"F,R\nN,mOm\n1,2\n", &newton, "ecr.csv:2: 'mOm' is no unit of electrical resistance"},
         {"load_N,R_mV\n1,2\n", &newton, "ecr.csv:1: 'mV' is no unit of electrical resistance"},
-        {"R (mOhm),load (N)\n1,2\n", &newton, "ecr.csv:1: 'mOhm' is no unit of load"},
+        {"R (mOhm),load\n1,2\n", &newton, "ecr.csv:1: 'mOhm' is no unit of load"}, /* not all say theirs */
+        {"n,F (N),R (mOhm)\n1,2,3\n", &newton, "ecr.csv:1: 'N' is no unit of electrical resistance"},
+        {"R (mOhm),F (N)\n1,2\nnan,3\n", &newton, "ecr.csv:3: 'nan' is no resistance; correct the row"},
+        {"R (mOhm),u (%),F (N)\n1,2\n", &newton, "ecr.csv:2: a row is load, resistance"},
         {"load (N),R (K/W)\n1,2\n", &silent, "the 'quantity' of 'measured' in the scene"},
         {"load (N),R (mohm)\n1,2\n", &thermal, "ecr.csv:1: 'mohm' is no unit of thermal resistance"},
         {"load (N),R (mOhm),T (degC)\n1,2,3\n", &newton, "ecr.csv:1: 'degC' is no unit of the error"},
@@ -416,6 +447,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(units_are_the_models),
         cmocka_unit_test(headings_say_the_units),
+        cmocka_unit_test(blocks_may_differ_in_order),
         cmocka_unit_test(what_is_wrong_is_named),
         cmocka_unit_test(any_bytes_are_read_or_refused),
         cmocka_unit_test(only_an_effect_that_runs_is_compared),

@@ -83,8 +83,8 @@ static void rows(void **state)
     assert_near(estimate.mean, 31.5, 1e-14);
 }
 
-/** A value that is missing, or not positive where logarithms count, leaves nothing known; equal ones spread by nothing.
- */
+/** A value that is missing, or not positive where logarithms count, leaves nothing known; equal ones have no interval,
+ * rather than one of no width. */
 static void nothing_known(void **state)
 {
     (void)state;
@@ -102,11 +102,19 @@ static void nothing_known(void **state)
     assert_int_equal(estimate.count, 0);
     assert_int_equal(repeats_estimate(&estimate, same, &set, true, &status), STATUS_OK);
     assert_int_equal(estimate.count, 2);
-    assert_near(estimate_end(&estimate, 0), estimate_end(&estimate, 1), 1e-15);
+    assert_near(estimate_value(&estimate), 0.3, 1e-15);
+    assert_true(isnan(estimate_end(&estimate, 0)) && isnan(estimate_end(&estimate, 1)));
+    assert_true(isnan(estimate_next_end(&estimate, 0)));
+    static const double apart[] = {1e-30, 1e30}, far[] = {1e-15, 1e15};
+    assert_int_equal(repeats_estimate(&estimate, apart, &set, true, &status), STATUS_OK);
+    assert_near(estimate_value(&estimate), 1, 1e-12);
+    assert_true(isnan(estimate_end(&estimate, 0)) && isnan(estimate_end(&estimate, 1)));
+    assert_int_equal(repeats_estimate(&estimate, far, &set, true, &status), STATUS_OK); /* no double holds the next's */
+    assert_true(isfinite(estimate_end(&estimate, 1)) && isnan(estimate_next_end(&estimate, 1)));
 }
 
 /** The curve of a surface is the mean of its scans' own, not that of their mean spectrum: a scan in two pieces counts
- * twice, area and resistances by their logarithms, separations as they are. */
+ * twice, by the logarithms of area and of separation/sigma, each part's over its own. */
 static void the_mean_of_curves(void **state)
 {
     (void)state;
@@ -118,8 +126,11 @@ static void the_mean_of_curves(void **state)
     struct repeat parts[3];
     struct repeats_scan scans[2] = {{.weight = 1}, {.weight = 2}};
     struct repeat_set set = set_of(parts, scan, 3, scans, 2);
-    for (int p = 0; p < 3; p++)
+    for (int p = 0; p < 3; p++) {
         parts[p].spectrum = (struct spectrum){amplitude_m[p], 3, 1e-4, false};
+        roughness_from_spectrum(&parts[p].roughness, &parts[p].spectrum);
+    }
+    set.sigma_m = 7e-7;
     struct model_task task = {.spectrum = &parts[0].spectrum,
                               .pair = &pair,
                               .loads = loads,
@@ -154,17 +165,27 @@ static void the_mean_of_curves(void **state)
     for (size_t i = 0; i < reached; i++) {
         double area[2] = {log(own_points[0][i].area_ratio),
                           (log(own_points[1][i].area_ratio) + log(own_points[2][i].area_ratio)) / 2};
-        double mean = (area[0] + 2 * area[1]) / 3, gap = 0;
+        double mean = (area[0] + 2 * area[1]) / 3, gap[3];
         double sd = sqrt(pow(area[0] - mean, 2) + 2 * pow(area[1] - mean, 2)), t = 12.706204736174707; /* t(1) */
         for (int p = 0; p < 3; p++)
-            gap += own_points[p][i].separation_m / 3;
+            gap[p] = log(own_points[p][i].separation_m / sqrt(parts[p].roughness.m0_m2));
+        double own_gap[2] = {gap[0], (gap[1] + gap[2]) / 2}, mean_gap = (own_gap[0] + 2 * own_gap[1]) / 3;
+        double gap_sd = sqrt(pow(own_gap[0] - mean_gap, 2) + 2 * pow(own_gap[1] - mean_gap, 2));
         assert_near(curve.points[i].load, loads[i], 0);
         assert_near(curve.points[i].area_ratio, exp(mean), 1e-12);
-        assert_near(curve.points[i].separation_m, gap, 1e-12);
+        bool left = isfinite(mean_gap); /* of the last load, where a part has no separation left: empty */
+        assert_true(left || i == LOADS - 1);
+        if (left)
+            assert_near(curve.points[i].separation_m, set.sigma_m * exp(mean_gap), 1e-12);
+        else
+            assert_true(isnan(curve.points[i].separation_m));
         assert_near(result.band[i].load, loads[i], 0);
-        assert_near(log(result.band[i].mean[QUANTITY_AREA][1]), mean + t * sd / sqrt(3), 1e-9);
+        assert_near(result.band[i].mean[QUANTITY_AREA][1], fmin(1, exp(mean + t * sd / sqrt(3))), 1e-9);
+        for (int side = 0; side < 2 && left; side++)
+            assert_near(log(result.band[i].mean[QUANTITY_SEPARATION][side]),
+                        mean_gap + (side ? t : -t) * gap_sd / sqrt(3), 1e-9);
         assert_near(log(result.band[i].mean[QUANTITY_AREA][0]), mean - t * sd / sqrt(3), 1e-9);
-        assert_near(log(result.band[i].next[QUANTITY_AREA][1]), mean + t * sd * sqrt(1 + 1 / 3.0), 1e-9);
+        assert_near(result.band[i].next[QUANTITY_AREA][1], fmin(1, exp(mean + t * sd * sqrt(1 + 1 / 3.0))), 1e-9);
         assert_true(isnan(result.band[i].mean[QUANTITY_LOAD][0]));
     }
     assert_near(estimate_value(&result.middle[QUANTITY_AREA]), curve.points[LOADS / 2].area_ratio, 1e-12);
@@ -172,7 +193,7 @@ static void the_mean_of_curves(void **state)
     free(result.band);
 }
 
-/** The same part again and again has its own curve, and intervals of no width. */
+/** The same part again and again has its own curve, and no intervals. */
 static void the_mean_of_one_curve(void **state)
 {
     (void)state;
@@ -184,8 +205,11 @@ static void the_mean_of_one_curve(void **state)
     struct repeat parts[3];
     struct repeats_scan scans[3] = {{.weight = 1}, {.weight = 1}, {.weight = 1}};
     struct repeat_set set = set_of(parts, scan, 3, scans, 3);
-    for (int p = 0; p < 3; p++)
+    for (int p = 0; p < 3; p++) {
         parts[p].spectrum = (struct spectrum){amplitude_m, 2, 1e-4, false};
+        roughness_from_spectrum(&parts[p].roughness, &parts[p].spectrum);
+    }
+    set.sigma_m = sqrt(parts[0].roughness.m0_m2);
     struct model_task task = {.spectrum = &parts[0].spectrum,
                               .pair = &pair,
                               .loads = loads,
@@ -208,7 +232,7 @@ static void the_mean_of_one_curve(void **state)
         assert_near(points[i].separation_m, own_points[i].separation_m, 1e-13);
     }
     for (int side = 0; side < 2; side++)
-        assert_near(result.band[0].mean[QUANTITY_AREA][side], own_points[0].area_ratio, 1e-13);
+        assert_true(isnan(result.band[0].mean[QUANTITY_AREA][side]));
     free(result.band);
 }
 
@@ -265,6 +289,91 @@ static void the_end_of_curves(void **state)
     free(result.band);
 }
 
+static double uniform(uint64_t *seed)
+{
+    *seed = *seed * 6364136223846793005u + 1442695040888963407u;
+    return (double)(*seed >> 11) * 0x1p-53;
+}
+
+/** Ends of an interval of a positive number: none, or about the number with a width, above 0 and up to `most`. */
+static size_t assert_about(const double end[2], double value, double most)
+{
+    assert_int_equal(isnan(end[0]), isnan(end[1]));
+    if (isnan(end[0]))
+        return 0;
+    assert_true(end[0] > 0 && end[0] < end[1] && end[1] <= most);
+    assert_true(end[0] <= value * (1 + 1e-9) && value <= end[1] * (1 + 1e-9));
+    return 1;
+}
+
+/** Random surfaces of 2 to 5 scans, or of a map's rows, as unlike each other as scans never are, up to full contact. */
+static void intervals_of_random_records(void **state)
+{
+    (void)state;
+    enum { PARTS = 5, HARMONICS = 6, SETS = 60, MODELS = 5 };
+    static const char *const names[MODELS] = {"multiscale-elastic", "multiscale-plastic", "two-band-plastic", "gw",
+                                              "cmy"};
+    static const double loads[LOADS] = {1e-5, 1e-4, 1e-3, 3e-3, 1e-2};
+    const struct material_pair pair = {.effective_modulus_Pa = 1e11,
+                                       .yield_strength_Pa = 1e9,
+                                       .hardness_Pa = 2.84e9,
+                                       .resistivity_ohm_m = 1e-7,
+                                       .conductivity_W_per_mK = 60};
+    uint64_t seed = 1;
+    size_t known[QUANTITY_COUNT] = {0}, unknown = 0;
+    for (int run = 0; run < SETS * MODELS; run++) {
+        const struct model_row *model = model_rows[model_named(names[run % MODELS])];
+        size_t count = 2 + (size_t)(4 * uniform(&seed)), scan[PARTS];
+        bool rows = uniform(&seed) < 0.25;
+        double amplitude_m[PARTS][HARMONICS], scale = pow(10, -7 + 2 * uniform(&seed));
+        struct repeat parts[PARTS];
+        struct repeats_scan scans[PARTS];
+        for (size_t p = 0; p < count; p++) {
+            scan[p] = rows ? 0 : p;
+            scans[p] = (struct repeats_scan){.weight = 1 + floor(3 * uniform(&seed))};
+        }
+        struct repeat_set set = set_of(parts, scan, count, scans, rows ? 1 : count);
+        for (size_t p = 0; p < count; p++) {
+            double own = scale * exp(uniform(&seed));
+            for (int n = 0; n < HARMONICS; n++)
+                amplitude_m[p][n] = own * exp(uniform(&seed)) * pow(n + 1, -1.4);
+            parts[p].spectrum = (struct spectrum){amplitude_m[p], HARMONICS, 1e-4, false};
+            roughness_from_spectrum(&parts[p].roughness, &parts[p].spectrum);
+            set.sigma_m = hypot(set.sigma_m, sqrt(parts[p].roughness.m0_m2 / (double)count));
+        }
+        struct model_task task = {.spectrum = &parts[0].spectrum,
+                                  .pair = &pair,
+                                  .loads = loads,
+                                  .load_count = LOADS,
+                                  .wanted = QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_SEPARATION) |
+                                            QUANTITY_BIT(QUANTITY_ADJUSTED) | QUANTITY_BIT(QUANTITY_ECR),
+                                  .tolerance = 1e-8,
+                                  .sinusoid_fit = SINUSOID_FIT_THESIS,
+                                  .hardness_Pa = 2.84e9};
+        struct status status = {0};
+        struct contact_point points[LOADS + 1];
+        struct model_curve curve = {.points = points};
+        struct repeats_result result = {.band = repeats_band_make(loads, LOADS)};
+        assert_non_null(result.band);
+        assert_int_equal(repeats_model(&curve, &result, &set, model, &task, &status), STATUS_OK);
+        for (size_t i = 0; i < curve.count && i < LOADS && points[i].load == loads[i]; i++)
+            for (int q = QUANTITY_AREA; q <= QUANTITY_ECR; q++) {
+                double value = quantity_shown(&points[i], model_shown(model, (enum quantity)q), set.sigma_m);
+                double most = q == QUANTITY_AREA ? 1 : INFINITY;
+                size_t there = assert_about(result.band[i].mean[q], value, most);
+                assert_int_equal(assert_about(result.band[i].next[q], value, most), rows ? 0 : there);
+                known[q] += there;
+                if (strcmp(model->name, "cmy") == 0 && q == QUANTITY_AREA) { /* P/H, whatever the scan */
+                    assert_int_equal(there, 0);
+                    unknown++;
+                }
+            }
+        free(result.band);
+    }
+    assert_true(known[QUANTITY_AREA] > 200 && known[QUANTITY_SEPARATION] > 200 && known[QUANTITY_ECR] > 200);
+    assert_true(unknown > 100);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -275,6 +384,7 @@ int main(void)
         cmocka_unit_test(the_mean_of_curves),
         cmocka_unit_test(the_mean_of_one_curve),
         cmocka_unit_test(the_end_of_curves),
+        cmocka_unit_test(intervals_of_random_records),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

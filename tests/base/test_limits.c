@@ -4,6 +4,7 @@
  * own in this test. */
 #include "base/limits.h"
 #include "scan/zip_support.h"
+#include "scene/measured_file.h"
 #include "scene/scene_directory.h"
 
 #include <dirent.h>
@@ -24,7 +25,11 @@ enum {
     SMALL_XML_BYTES = 400000,
     SMALL_XML_ELEMENTS = 40,
     SMALL_XML_TAG_BYTES = 100000,
-    SMALL_XML_DEPTH = 8
+    SMALL_XML_DEPTH = 8,
+    SMALL_MEASURED_LINES = 5,
+    SMALL_MEASURED_LINE_BYTES = 60,
+    SMALL_NAME_BYTES = 20,
+    SMALL_DIRECT_POINTS = 4 * 64 * 64
 };
 
 const struct limit_row limit_rows[LIMIT_COUNT] = {
@@ -233,6 +238,54 @@ static void test_scene_files(void **state)
     scene_directory_remove(&directory);
 }
 
+/* Lines of a measured file, whatever is in them, and bytes of one: a heading, a row, a remark. */
+static void test_measured(void **state)
+{
+    (void)state;
+    static const unsigned quantities[MEASURED_COLUMNS] = {UNIT_LOADS, UNIT_RESISTANCE, UNIT_RESISTANCE};
+    static const char *const begun[] = {"F (N),R (mOhm)", "1 N,2 mOhm", "#"};
+    for (size_t over = 0; over < 2; over++)
+        for (size_t kind = 0; kind < 4; kind++) {
+            struct text text = {0};
+            struct measured_file file;
+            struct status status = {0};
+            if (kind < 3)
+                text_add(&text, "%-*s\n1 N,2 mOhm\n", SMALL_MEASURED_LINE_BYTES + (int)over, begun[kind]);
+            for (size_t i = 0; kind == 3 && i < SMALL_MEASURED_LINES + over; i++)
+                text_add(&text, i % 2 ? "1 N,2 mOhm\n" : "\n");
+            enum status_code code = measured_file_read(&file, string_view_of(text.data), "a", quantities, &status);
+            assert_int_equal(code, over ? STATUS_SCENE : STATUS_OK);
+            if (over)
+                expect_limit(status.message, kind < 3 ? LIMIT_MEASURED_LINE_BYTES : LIMIT_MEASURED_LINES);
+            measured_file_free(&file);
+            text_free(&text);
+        }
+}
+
+/* What a scene asks for. */
+static void test_scenes(void **state)
+{
+    (void)state;
+    static const char *const scenes[2][2] = {{"surfaces: [{file: a.csv, name: abcdefghijklmnopqrst}]\n",
+                                              "surfaces: [{file: a.csv, name: abcdefghijklmnopqrstu}]\n"},
+                                             {"direct: {grid: 64, seeds: 4}\n", "direct: {grid: 66, seeds: 4}\n"}};
+    static const enum limit limits[2] = {LIMIT_NAME_BYTES, LIMIT_DIRECT_POINTS};
+    struct scene_directory directory = scene_directory_make();
+    scene_directory_add(&directory, "a.csv");
+    for (size_t i = 0; i < 2; i++)
+        for (size_t over = 0; over < 2; over++) {
+            struct scene scene;
+            struct status status = {0};
+            scene_directory_write(&directory, "scene.yaml", scenes[i][over], strlen(scenes[i][over]));
+            enum status_code code = scene_read(&scene, directory.path, NULL, &status);
+            assert_int_equal(code, over ? STATUS_SCENE : STATUS_OK);
+            if (over)
+                expect_limit(status.message, limits[i]);
+            scene_free(&scene);
+        }
+    scene_directory_remove(&directory);
+}
+
 static const char heights[] = "x [um],z [um]\n0,0.5\n0.5,-1.25\n1,2.75\n1.5,0.125\n2,8\n2.5,-3.5\n";
 
 /* The heights, and blank lines up to `length` bytes. */
@@ -388,7 +441,8 @@ int main(void)
         cmocka_unit_test(test_maps),        cmocka_unit_test(test_files),
         cmocka_unit_test(test_directories), cmocka_unit_test(test_scene_files),
         cmocka_unit_test(test_gzip),        cmocka_unit_test(test_archives),
-        cmocka_unit_test(test_x3p),         cmocka_unit_test(test_no_row_is_without_its_test),
+        cmocka_unit_test(test_x3p),         cmocka_unit_test(test_measured),
+        cmocka_unit_test(test_scenes),      cmocka_unit_test(test_no_row_is_without_its_test),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

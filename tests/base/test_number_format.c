@@ -124,6 +124,27 @@ static void assert_text(struct text *text, const char *expected)
     text_free(text);
 }
 
+/* Nothing stands for an interval that is not known, or narrower than its digits. */
+static void test_intervals(void **state)
+{
+    (void)state;
+    static const struct {
+        double low, high;
+        const char *expected;
+    } cases[] = {{0.21, 0.27, " (0.210…0.270)"},
+                 {0.21001, 0.21002, ""},
+                 {0.2104, 0.2106, " (0.210…0.211)"},
+                 {NAN, NAN, ""},
+                 {NAN, 2, " (–…2.00)"},
+                 {2e-7, 3e7, " (2.00·10⁻⁷…3.00·10⁷)"}};
+    for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
+        struct text text = {0};
+        number_format_interval(&text, " (", cases[c].low, cases[c].high, 3, ")");
+        assert_string_equal(text_string(&text), cases[c].expected);
+        text_free(&text);
+    }
+}
+
 static void test_loads_are_powers_of_ten(void **state)
 {
     (void)state;
@@ -186,6 +207,7 @@ int main(void)
         cmocka_unit_test(test_what_is_no_number),
         cmocka_unit_test(test_every_magnitude_reads_back),
         cmocka_unit_test(test_ranges),
+        cmocka_unit_test(test_intervals),
         cmocka_unit_test(test_loads_are_powers_of_ten),
         cmocka_unit_test(test_given_numbers_keep_no_zeros),
         cmocka_unit_test(test_value_and_error_have_the_same_decimals),

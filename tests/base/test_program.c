@@ -8,19 +8,33 @@
 #include <pthread.h>
 #include <signal.h>
 #include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
-
-extern char **environ;
 
 static struct directory place;
 
-/* Runs these lines by a shell in the directory, for at most `seconds`. */
-static enum status_code run(char *lines, double seconds, struct status *status)
+/* Starts a shell with these lines in the directory; what it says goes to the file `said`. */
+static int start(pid_t *process, char *lines, const char *directory)
 {
-    char shell[] = "/bin/sh", option[] = "-c";
+    static const char *const drops[] = {"HOME=", "LC_", NULL};
+    char shell[] = "/bin/sh", option[] = "-c", home[] = "HOME=/nowhere";
     char *const arguments[] = {shell, option, lines, NULL};
-    return program_run(arguments, place.path, seconds, status);
+    int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC),
+        said = open(directory_path(&place, "said"), O_RDWR | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0600);
+    assert_true(nothing > 2 && said > 2);
+    int error = program_start(process, &(struct program_task){arguments, shell, directory, drops, home, nothing, said});
+    close(nothing);
+    close(said);
+    return error;
+}
+
+/* Runs them for at most `seconds`. */
+static enum program_state run(char *lines, double seconds, int *how)
+{
+    pid_t process;
+    assert_int_equal(start(&process, lines, place.path), 0);
+    enum program_state state = program_wait(process, clock_seconds() + seconds, -1);
+    *how = program_end(process);
+    return state;
 }
 
 static void test_find(void **state)
@@ -41,79 +55,55 @@ static void test_find(void **state)
     free(with);
 }
 
-static void test_run(void **state)
+static void assert_said(const char *expected)
 {
-    (void)state;
-    struct status status = {0};
-    char home[] = "pwd > where; echo \"$HOME\" >> where; echo loud; read line || echo no input >> where";
-    assert_int_equal(run(home, 60, &status), STATUS_OK);
-    struct text where = directory_read(&place, "where");
-    char expected[600];
-    snprintf(expected, sizeof expected, "%s\n%s\nno input\n", place.path, place.path);
-    assert_string_equal(text_string(&where), expected);
-    text_free(&where);
-    char fails[] = "exit 3", dies[] = "kill -9 $$", *const none[] = {expected, NULL};
-    assert_int_equal(run(fails, 60, &status), STATUS_IO);
-    assert_non_null(strstr(status.message, "'sh' failed"));
-    status = (struct status){0};
-    assert_int_equal(run(dies, 60, &status), STATUS_IO);
-    status = (struct status){0};
-    assert_int_equal(program_run(none, place.path, 60, &status), STATUS_IO);
-    assert_non_null(strstr(status.message, "cannot start"));
-}
-
-/* Waits for what `task` starts; the file `said` has what it printed. */
-static void run_task(const struct program_task *task, const char *expected)
-{
-    pid_t process;
-    assert_int_equal(program_start(&process, task), 0);
-    enum program_state state = program_wait(process, clock_seconds() + 60, -1);
-    int how = program_end(process);
-    assert_int_equal(state, PROGRAM_ENDED);
-    assert_int_equal(how, 0);
     struct text said = directory_read(&place, "said");
     assert_string_equal(text_string(&said), expected);
     text_free(&said);
 }
 
-/* It gets both outputs, a process group of its own, the usual signals though this program holds them back and ignores
- * some, and the usual stack though this program has little. */
+/* It gets both outputs, its directory, no input, a process group of its own, the environment but for what it is not to
+ * have, and the usual signals though this program holds them back and ignores some. */
 static void test_what_it_gets(void **state)
 {
     (void)state;
-    char shell[] = "/bin/sh", option[] = "-c",
-         lines[] = "echo output; echo complaint >&2; read line; echo \"$line\"\n"
-                   "[ $(cut -d' ' -f5 /proc/$$/stat) = $$ ] && echo its own group\n"
-                   "grep SigIgn /proc/self/status; ulimit -S -s";
-    char *const arguments[] = {shell, option, lines, NULL};
-    struct rlimit before, little;
-    sigset_t signals, held;
-    assert_int_equal(getrlimit(RLIMIT_STACK, &before), 0);
-    little = before;
-    little.rlim_cur = 256 << 10;
-    assert_int_equal(setrlimit(RLIMIT_STACK, &little), 0);
+    int how;
+    char expected[600],
+        first[] = "pwd; echo \"$HOME $LC_ALL $KEPT\"; echo complaint >&2; read line || echo no input\n"
+                  "[ $(cut -d' ' -f5 /proc/$$/stat) = $$ ] && echo its own group\n"
+                  "grep SigIgn /proc/self/status",
+        second[] = "exec grep SigBlk /proc/self/status"; /* a shell lets signals in itself */
+    sigset_t signals;
     void (*pipes)(int) = signal(SIGPIPE, SIG_IGN);
-    sigemptyset(&signals);
-    sigaddset(&signals, SIGUSR1);
+    sigfillset(&signals);
     pthread_sigmask(SIG_BLOCK, &signals, NULL);
-    program_hold_signals(&held);
-    directory_write(&place, "input", "given\n");
-    directory_write(&place, "said", "");
-    int input = open(directory_path(&place, "input"), O_RDONLY | O_CLOEXEC),
-        said = open(directory_path(&place, "said"), O_RDWR | O_APPEND | O_CLOEXEC);
-    assert_true(input >= 0 && said >= 0);
-    run_task(&(struct program_task){arguments, shell, place.path, environ, input, said},
-             "output\ncomplaint\ngiven\nits own group\nSigIgn:\t0000000000000000\n8192\n");
-    assert_int_equal(ftruncate(said, 0), 0);
-    char grep[] = "/bin/grep", what[] = "SigBlk", where[] = "/proc/self/status"; /* a shell lets signals in itself */
-    char *const looks[] = {grep, what, where, NULL};
-    run_task(&(struct program_task){looks, grep, place.path, environ, input, said}, "SigBlk:\t0000000000000000\n");
-    close(input);
-    close(said);
-    program_let_signals(&held);
+    assert_int_equal(setenv("LC_ALL", "C", 1) + setenv("KEPT", "kept", 1), 0);
+    assert_int_equal(run(first, 60, &how), PROGRAM_ENDED);
+    assert_int_equal(how, 0);
+    snprintf(expected, sizeof expected,
+             "%s\n/nowhere  kept\ncomplaint\nno input\nits own group\nSigIgn:\t0000000000000000\n", place.path);
+    assert_said(expected);
+    assert_int_equal(run(second, 60, &how), PROGRAM_ENDED);
+    assert_said("SigBlk:\t0000000000000000\n");
     pthread_sigmask(SIG_UNBLOCK, &signals, NULL);
     signal(SIGPIPE, pipes);
-    assert_int_equal(setrlimit(RLIMIT_STACK, &before), 0);
+}
+
+static void test_how_it_ends(void **state)
+{
+    (void)state;
+    int how;
+    pid_t process;
+    char fails[] = "exit 3", dies[] = "kill -9 $$", path[] = "/no/such/program", *const none[] = {path, NULL};
+    assert_int_equal(run(fails, 60, &how), PROGRAM_ENDED);
+    assert_true(WIFEXITED(how) && WEXITSTATUS(how) == 3);
+    assert_int_equal(run(dies, 60, &how), PROGRAM_ENDED);
+    assert_true(WIFSIGNALED(how) && WTERMSIG(how) == SIGKILL);
+    assert_int_equal(start(&process, fails, "/no/such/place"), ENOENT);
+    assert_int_equal(
+        program_start(&process, &(struct program_task){none, path, "/", (const char *const[]){NULL}, NULL, 3, 3}),
+        ENOENT);
+    assert_int_equal(waitpid(-1, &how, 0), -1); /* nothing is left of them */
 }
 
 /* It does not outlive this program, however that ends. */
@@ -126,11 +116,9 @@ static void test_it_ends_with_its_parent(void **state)
     pid_t parent = fork();
     assert_true(parent >= 0);
     if (parent == 0) {
-        char program[] = "/bin/sleep", seconds[] = "1000";
-        char *const arguments[] = {program, seconds, NULL};
+        char lines[] = "exec sleep 1000";
         pid_t process;
-        int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
-        if (program_start(&process, &(struct program_task){arguments, program, "/", environ, nothing, nothing}) != 0)
+        if (start(&process, lines, "/") != 0)
             _exit(1);
         snprintf(number, sizeof number, "%d", (int)process);
         directory_write(&place, "number", number);
@@ -154,26 +142,17 @@ static void test_it_ends_with_its_parent(void **state)
 static void test_stop(void **state)
 {
     (void)state;
-    struct status status = {0};
-    char slow[] = "sleep 1000";
-    assert_int_equal(run(slow, 0.05, &status), STATUS_IO);
-    assert_non_null(strstr(status.message, "took more than 0.05 s"));
-    status = (struct status){0};
-    sigset_t before;
-    program_hold_signals(&before);
-    raise(SIGTERM);
-    assert_int_equal(run(slow, 1000, &status), STATUS_INTERRUPTED);
-    signal(SIGTERM, SIG_IGN); /* takes it off */
-    program_let_signals(&before);
-    signal(SIGTERM, SIG_DFL);
-    status = (struct status){0};
-    program_stop();
-    assert_int_equal(run(slow, 1000, &status), STATUS_INTERRUPTED);
-    char shell[] = "/bin/sh", option[] = "-c", mark[] = "echo > begun";
-    char *const arguments[] = {shell, option, mark, NULL};
+    int how;
     pid_t process;
-    assert_int_equal(program_start(&process, &(struct program_task){arguments, shell, place.path, environ, 0, 1}),
-                     ECANCELED);
+    char slow[] = "sleep 1000", mark[] = "echo > begun";
+    assert_int_equal(run(slow, 0.05, &how), PROGRAM_LATE);
+    assert_true(WIFSIGNALED(how));
+    assert_int_equal(start(&process, slow, place.path), 0);
+    program_stop();
+    assert_int_equal(program_wait(process, clock_seconds() + 1000, -1), PROGRAM_STOPPED);
+    program_kill();
+    assert_true(WIFSIGNALED(program_end(process)));
+    assert_int_equal(start(&process, mark, place.path), ECANCELED);
     assert_false(directory_has(&place, "begun")); /* it is not even begun */
 }
 
@@ -195,7 +174,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_find, make, end),
-        cmocka_unit_test_setup_teardown(test_run, make, end),
+        cmocka_unit_test_setup_teardown(test_how_it_ends, make, end),
         cmocka_unit_test_setup_teardown(test_what_it_gets, make, end),
         cmocka_unit_test_setup_teardown(test_it_ends_with_its_parent, make, end),
         cmocka_unit_test_setup_teardown(test_stop, make, end), /* last: nothing starts after it */

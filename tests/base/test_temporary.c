@@ -1,10 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A directory for another program: its own for as long as it lives; what a killed process left goes with the next. */
+#include "base/clock.h"
 #include "base/temporary.h"
 #include "directory.h"
 
+#include <fcntl.h>
+#include <pthread.h>
 #include <signal.h>
+#include <stdatomic.h>
 #include <sys/wait.h>
+#include <time.h>
 
 static struct directory place;
 static char *usual; /* TMPDIR outside the test */
@@ -27,7 +32,7 @@ static void leave(char path[static PATH_MAX], bool killed, pid_t *process)
         struct temporary made;
         struct status status = {0};
         char inner[PATH_MAX + 16];
-        if (temporary_make(&made, &status) != STATUS_OK)
+        if (temporary_make(&made, NULL, NULL, &status) != STATUS_OK)
             _exit(1);
         snprintf(inner, sizeof inner, "%s/folder", made.path);
         if (mkdir(inner, 0700) != 0 || symlink("/", strcat(inner, "/link")) != 0 ||
@@ -54,13 +59,14 @@ static void test_it_is_made_and_removed(void **state)
     struct status status = {0};
     struct stat info;
     char file[PATH_MAX + 16];
-    assert_int_equal(temporary_make(&made, &status), STATUS_OK);
+    assert_int_equal(temporary_make(&made, NULL, NULL, &status), STATUS_OK);
     assert_int_equal(stat(made.path, &info), 0);
     assert_int_equal(info.st_mode & 0777, 0700);
     name_of(made.path);
     snprintf(file, sizeof file, "%s/file", made.path);
     assert_int_equal(mkdir(file, 0700), 0);
-    assert_int_equal(temporary_make(&other, &status), STATUS_OK); /* what lives in this process stays, too */
+    assert_int_equal(temporary_make(&other, NULL, NULL, &status),
+                     STATUS_OK); /* what lives in this process stays, too */
     assert_int_equal(access(file, F_OK), 0);
     temporary_remove(&other);
     temporary_remove(&made);
@@ -68,7 +74,7 @@ static void test_it_is_made_and_removed(void **state)
     assert_int_equal(access(other.path, F_OK), -1);
     struct temporary none;
     assert_int_equal(setenv("TMPDIR", directory_path(&place, "no such place"), 1), 0);
-    assert_int_equal(temporary_make(&none, &status), STATUS_IO);
+    assert_int_equal(temporary_make(&none, NULL, NULL, &status), STATUS_IO);
     assert_non_null(strstr(status.message, "no such place"));
 }
 
@@ -85,14 +91,14 @@ static void test_what_the_dead_left_goes(void **state)
     leave(alive, false, &second); /* which clears the first away */
     assert_false(directory_has(&place, name_of(dead)));
     leave(dead, true, &first);
-    assert_int_equal(temporary_make(&made, &status), STATUS_OK);
+    assert_int_equal(temporary_make(&made, NULL, NULL, &status), STATUS_OK);
     assert_false(directory_has(&place, name_of(dead)));
     assert_true(directory_has(&place, name_of(alive)));
     kill(second, SIGKILL);
     assert_int_equal(waitpid(second, &how, 0), second);
     temporary_remove(&made);
     assert_true(directory_has(&place, name_of(alive)));
-    assert_int_equal(temporary_make(&made, &status), STATUS_OK);
+    assert_int_equal(temporary_make(&made, NULL, NULL, &status), STATUS_OK);
     assert_false(directory_has(&place, name_of(alive)));
     temporary_remove(&made);
 }
@@ -101,28 +107,29 @@ static void test_what_the_dead_left_goes(void **state)
 static void test_nobody_elses_is_touched(void **state)
 {
     (void)state;
-    static const char *const names[] = {"roughcontact-abcdef", "roughcontact-ABCDEF", "roughcontact-abcde",
-                                        "roughcontact-report", "other-thing-abcdefg", "roughcontact-linked"};
-    enum { NO_LOCK, OPEN_MODE, SHORT, FULL_LOCK, OTHER_NAME, LINKED, KINDS };
+    enum { OPEN_MODE, SHORT, OTHER_NAME, NO_LOCK, LINKED, KINDS };
+    static const char *const names[KINDS] = {"roughcontact-ABCDEF", "roughcontact-abcde", "other-thing-abcdefg",
+                                             "roughcontact-abcdef", "roughcontact-linked"};
     struct temporary made;
     struct status status = {0};
-    char path[64];
-    for (int i = 0; i < KINDS; i++) {
-        if (i == LINKED) {
-            assert_int_equal(symlink("other-thing-abcdefg", directory_path(&place, names[i])), 0);
-            continue;
-        }
-        assert_int_equal(mkdir(directory_path(&place, names[i]), 0700), 0);
-        snprintf(path, sizeof path, "%s/lock", names[i]);
-        if (i != NO_LOCK)
-            directory_write(&place, path, i == FULL_LOCK ? "my own" : "");
-        if (i == OPEN_MODE)
-            assert_int_equal(chmod(directory_path(&place, names[i]), 0750), 0);
+    char dead[KINDS][PATH_MAX];
+    pid_t process[KINDS];
+    int how;
+    for (int i = 0; i < NO_LOCK; i++) /* what the dead have left but for that; the living clear nothing away */
+        leave(dead[i], false, &process[i]);
+    for (int i = 0; i < NO_LOCK; i++) {
+        assert_int_equal(rename(dead[i], directory_path(&place, names[i])), 0);
+        assert_int_equal(chmod(directory_path(&place, names[i]), i == OPEN_MODE ? 0750 : 0700), 0);
+        kill(process[i], SIGKILL);
+        assert_int_equal(waitpid(process[i], &how, 0), process[i]);
     }
-    assert_int_equal(temporary_make(&made, &status), STATUS_OK);
+    assert_int_equal(mkdir(directory_path(&place, names[NO_LOCK]), 0700), 0);
+    directory_write(&place, "roughcontact-abcdef/lock", "");
+    assert_int_equal(symlink(names[OTHER_NAME], directory_path(&place, names[LINKED])), 0);
+    assert_int_equal(temporary_make(&made, NULL, NULL, &status), STATUS_OK);
     temporary_remove(&made);
     for (int i = 0; i < KINDS; i++)
-        assert_true(directory_has(&place, names[i]));
+        assert_int_equal(directory_entries(&place, names[i]), i == NO_LOCK ? 1 : 2);
 }
 
 /* Even root, who could, lets another user's be. */
@@ -138,9 +145,130 @@ static void test_another_users_stays(void **state)
         skip();
     leave(dead, true, &process);
     assert_int_equal(chown(dead, NOBODY, NOBODY), 0);
-    assert_int_equal(temporary_make(&made, &status), STATUS_OK);
+    assert_int_equal(temporary_make(&made, NULL, NULL, &status), STATUS_OK);
     temporary_remove(&made);
     assert_true(directory_has(&place, name_of(dead)));
+}
+
+/* temporary_end() in a process of its own, as it never lets go; exits with 0 when the note is `expected`. */
+static void end_all(const char *expected)
+{
+    int how;
+    pid_t child = fork();
+    assert_true(child >= 0);
+    if (child == 0)
+        _exit(strcmp(temporary_end(), expected) == 0 ? 0 : 1);
+    assert_int_equal(waitpid(child, &how, 0), child);
+    assert_int_equal(how, 0);
+}
+
+/* All go in the end but what was forgotten, and no link is followed. */
+static void test_the_end(void **state)
+{
+    (void)state;
+    struct temporary first, second, third;
+    struct status status = {0};
+    directory_write(&place, "mine", "mine");
+    assert_int_equal(mkdir(directory_path(&place, "deep"), 0700), 0);
+    directory_write(&place, "deep/mine", "mine");
+    assert_int_equal(temporary_make(&first, NULL, NULL, &status), STATUS_OK);
+    assert_int_equal(temporary_make(&second, NULL, NULL, &status), STATUS_OK);
+    assert_int_equal(temporary_make(&third, place.path, NULL, &status), STATUS_OK);
+    assert_int_equal(strncmp(name_of(third.path), ".roughcontact-", 14), 0);
+    assert_int_equal(mkdirat(first.directory, "a", 0700) + mkdirat(first.directory, "a/b", 0700), 0);
+    assert_int_equal(symlinkat("../mine", first.directory, "link") + symlinkat("../deep", first.directory, "deep"), 0);
+    assert_int_equal(linkat(AT_FDCWD, directory_path(&place, "mine"), first.directory, "a/b/mine", 0), 0);
+    temporary_forget(&second);
+    temporary_note("one");
+    temporary_note("two");
+    end_all("two");
+    assert_int_equal(access(first.path, F_OK), -1);
+    assert_int_equal(access(third.path, F_OK), -1);
+    assert_int_equal(access(second.path, F_OK), 0);
+    assert_true(directory_has(&place, "mine") && directory_has(&place, "deep/mine"));
+    assert_int_equal(directory_entries(&place, ""), 3);
+    temporary_remove(&third);
+    temporary_remove(&second);
+    temporary_remove(&first);
+    assert_int_equal(directory_entries(&place, ""), 2);
+    temporary_note("");
+}
+
+/* What is in it when it is closed is no longer the program's. */
+static void test_what_is_closed_stays(void **state)
+{
+    (void)state;
+    struct temporary made;
+    struct status status = {0};
+    char path[PATH_MAX];
+    assert_int_equal(temporary_make(&made, NULL, NULL, &status), STATUS_OK);
+    strcpy(path, made.path);
+    assert_int_equal(mkdirat(made.directory, "mine", 0700), 0);
+    temporary_close(&made);
+    assert_string_equal(made.path, "");
+    end_all("");
+    assert_int_equal(temporary_make(&made, NULL, NULL, &status), STATUS_OK);
+    temporary_remove(&made);
+    assert_int_equal(access(path, F_OK), 0);
+    assert_int_equal(directory_entries(&place, name_of(path)), 1);
+}
+
+/* Whole copies, as out of an archive, have a lock that names another directory. */
+static void test_a_copy_is_nobodys(void **state)
+{
+    (void)state;
+    char dead[PATH_MAX], line[3 * PATH_MAX];
+    pid_t process;
+    struct temporary made;
+    struct status status = {0};
+    leave(dead, true, &process);
+    snprintf(line, sizeof line, "cp -a %s %s/roughcontact-copied", dead, place.path);
+    assert_int_equal(system(line), 0);
+    assert_int_equal(temporary_make(&made, NULL, NULL, &status), STATUS_OK);
+    temporary_remove(&made);
+    assert_false(directory_has(&place, name_of(dead)));
+    assert_true(directory_has(&place, "roughcontact-copied/folder"));
+}
+
+static atomic_bool waits, ended;
+
+static void *end_here(void *context)
+{
+    (void)context;
+    waits = true;
+    (void)temporary_end();
+    ended = true;
+    return NULL;
+}
+
+static void test_what_is_held_is_waited_for(void **state)
+{
+    const struct timespec pause = {.tv_nsec = 50000000};
+    int how;
+    (void)state;
+    pid_t child = fork();
+    assert_true(child >= 0);
+    if (child == 0) {
+        pthread_t thread;
+        struct temporary made;
+        struct status status = {0};
+        temporary_hold();
+        if (temporary_make(&made, NULL, NULL, &status) != STATUS_OK || /* holds and releases */
+            pthread_create(&thread, NULL, end_here, NULL) != 0)
+            _exit(1);
+        double before = clock_seconds();
+        while (!waits)
+            ;
+        nanosleep(&pause, NULL);
+        bool early = ended || access(made.path, F_OK) != 0;
+        double waited = clock_seconds() - before; /* it does not wait for long, should this process have to */
+        temporary_release();
+        pthread_join(thread, NULL);
+        bool gone = ended && access(made.path, F_OK) != 0;
+        _exit(waited > 0.2 ? 0 : early ? 2 : gone ? 0 : 3);
+    }
+    assert_int_equal(waitpid(child, &how, 0), child);
+    assert_int_equal(how, 0);
 }
 
 static int make(void **state)
@@ -167,6 +295,10 @@ int main(void)
         cmocka_unit_test_setup_teardown(test_what_the_dead_left_goes, make, end),
         cmocka_unit_test_setup_teardown(test_nobody_elses_is_touched, make, end),
         cmocka_unit_test_setup_teardown(test_another_users_stays, make, end),
+        cmocka_unit_test_setup_teardown(test_the_end, make, end),
+        cmocka_unit_test_setup_teardown(test_what_is_closed_stays, make, end),
+        cmocka_unit_test_setup_teardown(test_a_copy_is_nobodys, make, end),
+        cmocka_unit_test_setup_teardown(test_what_is_held_is_waited_for, make, end),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -258,9 +258,9 @@ static struct direct_result direct_case(size_t n, double hardness)
     double *height_m = malloc(n * n * sizeof *height_m);
     if (!height_m)
         exit(1);
-    must(direct_surface_realise(height_m, n, direct_spectrum_variance, &spectrum, 1, &status));
+    must(direct_surface_make(height_m, n, direct_spectrum_variance, &spectrum, NULL, 0, 1, &status));
     double before = bytes_held();
-    must(direct_contact_make(&contact, height_m, n, n, 3e-4 / (double)n, &status));
+    must(direct_contact_make(&contact, NULL, height_m, n, n, 3e-4 / (double)n, &status));
     for (int run = 0; run < DIRECT_RUNS; run++) {
         struct direct_contact_effort effort = {0};
         double started = clock_seconds(), cpu = cpu_seconds();
@@ -288,7 +288,6 @@ static struct direct_result direct_ladder_case(void)
                                       .n = 256,
                                       .variance = direct_spectrum_variance,
                                       .context = &spectrum,
-                                      .first_seed = 1,
                                       .seeds = 12,
                                       .threads = 2};
     struct direct_result result = {0, INFINITY, INFINITY, NAN};
@@ -343,6 +342,7 @@ static void direct_cases(void)
 
 /* ---------------------------------------------------------------- growth */
 
+/** A scan of 0.3 mm of a law so flat that a stack is visited far down, and so kinked that captions speak of it. */
 static void write_scan(const char *path, size_t points, unsigned long seed)
 {
     struct synth_def def = synth_def_default();
@@ -352,12 +352,13 @@ static void write_scan(const char *path, size_t points, unsigned long seed)
     if (!height_m || !file)
         exit(1);
     def.points = points;
-    def.length_m = 0.5e-6 * (double)points;
+    def.gamma = 1.2;
     def.seed = seed;
-    must(synth_profile(height_m, &def, &status));
+    while (synth_profile(height_m, &def, &status) != STATUS_OK) /* not of every seed can it be made level */
+        def.seed += 1000;
     fputs("x [um],z [um]\n", file);
     for (size_t i = 0; i < points; i++)
-        fprintf(file, "%.9g,%.9g\n", 0.5 * (double)i, height_m[i] * 1e6);
+        fprintf(file, "%.9g,%.9g\n", def.length_m * 1e6 / (double)points * (double)i, height_m[i] * 1e6);
     if (fclose(file) != 0)
         exit(1);
     free(height_m);
@@ -369,18 +370,42 @@ static int remove_entry(const char *path, const struct stat *info, int type, str
     return remove(path);
 }
 
-/** CPU time of a report of so many scans on one thread, without what gnuplot takes for its charts, which are always as
- * many. */
-static double report_seconds(size_t scans, size_t points, size_t loads)
+/** The whole, and its stages; gnuplot's charts are always as many. */
+enum { WHOLE, READ, LEVEL, SPECTRA, MODELS, CONVERGENCE, COST, TABLES, CHARTS, PAGE, STAGES };
+static const char *const stage_names[STAGES] = {
+    "whole",    "  read scans",          "  level",           "  spectra",    "  models",
+    "  sweeps", "  what accuracy costs", "  tables and json", "  chart data", "  page"};
+
+/** Lowers `seconds` to those of one run. */
+static void take_stages(double seconds[STAGES], double cpu, const struct run_times *times)
+{
+    double run[STAGES] = {[WHOLE] = cpu,
+                          [READ] = times->read,
+                          [LEVEL] = times->prepare,
+                          [SPECTRA] = times->spectrum,
+                          [CONVERGENCE] = times->convergence,
+                          [COST] = times->cost,
+                          [TABLES] = times->tables,
+                          [CHARTS] = times->figures,
+                          [PAGE] = times->report};
+    for (size_t m = 0; m < model_count; m++)
+        run[MODELS] += times->models[m];
+    for (int stage = 0; stage < STAGES; stage++)
+        seconds[stage] = fmin(seconds[stage], run[stage]);
+}
+
+/** Times of a report of so many scans on one thread: CPU time of the whole, without gnuplot's, and the stages by the
+ * clock. */
+static void time_report(double seconds[STAGES], size_t scans, size_t points, size_t loads)
 {
     const char *temporary = getenv("TMPDIR");
     char directory[256], path[300], output[300], text[200];
     snprintf(directory, sizeof directory, "%s/roughcontact-bench-XXXXXX",
              temporary && strlen(temporary) < 200 ? temporary : P_tmpdir);
-    struct run_options options = {
-        .output = output, .templates = PROJECT_SOURCE "/templates", .jobs = 1, .no_cost = true};
+    struct run_options options = {.output = output, .templates = PROJECT_SOURCE "/templates", .jobs = 1};
     struct status status = {0};
-    double seconds = INFINITY;
+    for (int stage = 0; stage < STAGES; stage++)
+        seconds[stage] = INFINITY;
     if (!mkdtemp(directory))
         exit(1);
     snprintf(output, sizeof output, "%s-out", directory);
@@ -403,13 +428,12 @@ static double report_seconds(size_t scans, size_t points, size_t loads)
             printf("%s\n", status.message);
             exit(1);
         }
-        seconds = fmin(seconds, cpu_seconds() - started);
+        take_stages(seconds, cpu_seconds() - started, &outcome.times);
         run_outcome_free(&outcome);
         scene_free(&scene);
     }
     nftw(directory, remove_entry, 16, FTW_DEPTH | FTW_PHYS);
     nftw(output, remove_entry, 16, FTW_DEPTH | FTW_PHYS);
-    return seconds;
 }
 
 /** A stack of so many scales made and pressed at every load, of a law so flat that it is visited to its end. */
@@ -433,21 +457,32 @@ static void print_growth(const char *name, const size_t size[3], const double se
     printf("   exponent %.2f\n", log(seconds[2] / seconds[1]) / log((double)size[2] / (double)size[1]));
 }
 
+/** The same of a report and each of its stages that comes to more than moments. */
+static void print_stages(const char *name, const size_t size[3], double seconds[3][STAGES])
+{
+    const double moments = 5e-3;
+    for (int stage = 0; stage < STAGES; stage++)
+        if (stage == WHOLE || seconds[2][stage] > moments)
+            print_growth(stage == WHOLE ? name : stage_names[stage], size,
+                         (const double[]){seconds[0][stage], seconds[1][stage], seconds[2][stage]});
+}
+
 static void growth(void)
 {
     static const size_t scans[] = {10, 40, 160}, points[] = {10000, 100000, 1000000}, loads[] = {100, 1000, 10000},
                         scales[] = {1000, 10000, 100000};
-    double seconds[3];
-    printf("\nCPU time of a whole report without gnuplot, one thread; aimed at: an exponent of 1.05 or less\n");
+    double seconds[3], stages[3][STAGES];
+    printf("\nA whole report on tin: CPU time without gnuplot's, one thread, and its stages by the clock; aimed at: "
+           "exponents of 1.1 or less\n");
     for (int i = 0; i < 3; i++)
-        seconds[i] = report_seconds(scans[i], 4000, 31);
-    print_growth("scans of 4000 points", scans, seconds);
+        time_report(stages[i], scans[i], 4000, 31);
+    print_stages("scans of 4000 points", scans, stages);
     for (int i = 0; i < 3; i++)
-        seconds[i] = report_seconds(1, points[i], 31);
-    print_growth("points of one scan", points, seconds);
+        time_report(stages[i], 1, points[i], 31);
+    print_stages("points of one scan", points, stages);
     for (int i = 0; i < 3; i++)
-        seconds[i] = report_seconds(1, 4000, loads[i]);
-    print_growth("loads on one scan", loads, seconds);
+        time_report(stages[i], 1, 4000, loads[i]);
+    print_stages("loads on one scan", loads, stages);
     for (int i = 0; i < 3; i++)
         seconds[i] = stack_seconds(scales[i]);
     print_growth("scales of a stack", scales, seconds);

@@ -716,40 +716,55 @@ static void test_a_process_that_ended_early_is_reported_not_deadly(void **state)
     assert_ptr_equal(before.sa_handler, after.sa_handler);
 }
 
-/* One that neither reads nor ends: it is not waited for longer than its time, nor when a signal asks to stop. */
-static void test_a_gnuplot_that_hangs_is_ended(void **state)
+/* Starts a gnuplot of these lines. */
+static struct gnuplot start_other(const struct place *place, const char *lines)
 {
-    const struct place *place = *state;
+    struct gnuplot gnuplot;
+    struct status status = {0};
     char path[1024], *before = strdup(getenv("PATH"));
-    write_file(place, "gnuplot", "#!/bin/sh\ntrap '' INT TERM HUP\n/bin/sleep 1000\n");
+    write_file(place, "gnuplot", lines);
     snprintf(path, sizeof path, "%s/gnuplot", place->directory);
     assert_int_equal(chmod(path, 0755), 0);
+    assert_int_equal(setenv("PATH", place->directory, 1), 0);
+    enum status_code started = gnuplot_start(&gnuplot, place->directory, &status);
+    assert_int_equal(setenv("PATH", before, 1), 0);
+    free(before);
+    assert_int_equal(started, STATUS_OK);
+    return gnuplot;
+}
+
+/* What it says is kept to some size, as it lies in memory. */
+static void test_endless_messages_are_cut(void **state)
+{
+    struct status status = {0};
+    struct stat info;
+    struct gnuplot gnuplot =
+        start_other(*state, "#!/bin/sh\necho 'line 7: wrong'\n/usr/bin/head -c 30000000 /dev/zero\n");
+    assert_int_equal(program_wait(gnuplot.process, INFINITY, -1), PROGRAM_ENDED);
+    assert_int_equal(fstat(fileno(gnuplot.complaints), &info), 0);
+    assert_true(info.st_size <= 1 << 20);
+    assert_int_equal(gnuplot_finish(&gnuplot, &status), STATUS_CHART);
+    assert_string_equal(status.message, "gnuplot: line 7: wrong");
+}
+
+/* One that neither reads nor ends: it is not waited for longer than its time, nor when asked to stop. */
+static void test_a_gnuplot_that_hangs_is_ended(void **state)
+{
     for (int asked = 0; asked < 2; asked++) {
-        struct gnuplot gnuplot;
         struct status status = {0};
-        sigset_t signals, held;
-        assert_int_equal(setenv("PATH", place->directory, 1), 0);
-        enum status_code started = gnuplot_start(&gnuplot, place->directory, &status);
-        assert_int_equal(setenv("PATH", before, 1), 0);
-        assert_int_equal(started, STATUS_OK);
+        struct gnuplot gnuplot = start_other(*state, "#!/bin/sh\ntrap '' INT TERM HUP\n/bin/sleep 1000\n");
         assert_true(gnuplot.most_seconds >= 60); /* for the slowest of machines */
         for (int i = 0; i < 100000; i++)         /* far more than a pipe holds */
             gnuplot_send(&gnuplot, "x = %d", i);
         if (asked) {
-            program_hold_signals(&held);
-            raise(SIGTERM);
+            program_stop();
             assert_int_equal(gnuplot_finish(&gnuplot, &status), STATUS_INTERRUPTED);
-            sigemptyset(&signals);
-            sigaddset(&signals, SIGTERM);
-            assert_int_equal(sigwaitinfo(&signals, NULL), SIGTERM);
-            program_let_signals(&held);
         } else {
             gnuplot.most_seconds = 0.2;
             assert_int_equal(gnuplot_finish(&gnuplot, &status), STATUS_CHART);
             assert_non_null(strstr(status.message, "gnuplot did not end within 0.2 s and was stopped"));
         }
     }
-    free(before);
 }
 
 static size_t open_files(void)
@@ -828,9 +843,10 @@ int main(void)
         cmocka_unit_test(test_a_missing_directory_is_an_error),
         PLACED(test_any_complaint_is_a_failure),
         PLACED(test_a_process_that_ended_early_is_reported_not_deadly),
-        PLACED(test_a_gnuplot_that_hangs_is_ended),
         PLACED(test_the_user_s_setup_has_no_say),
         PLACED(test_no_descriptor_is_left_open),
+        PLACED(test_endless_messages_are_cut),
+        PLACED(test_a_gnuplot_that_hangs_is_ended), /* last: nothing starts after it */
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

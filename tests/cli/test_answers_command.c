@@ -3,6 +3,7 @@
  */
 #include "cli/process.h"
 
+#include <jansson.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -190,6 +191,67 @@ static void the_table_is_of_the_data(void **state)
     free(report);
 }
 
+/** Every number of results.json that is a load says in its key what it is in; returns how many keys there are. */
+static size_t check_load_keys(const json_t *json)
+{
+    static const char *const other[] = {"area_load_slope", "largest_load_share_beyond_fit",
+                                        "largest_load_share_clamped_at_radius", "load_unit", "at_middle_load"};
+    const char *key;
+    json_t *value;
+    size_t index, found = 0;
+    json_array_foreach((json_t *)json, index, value) found += check_load_keys(value);
+    json_object_foreach((json_t *)json, key, value)
+    {
+        bool is_load = strstr(key, "load");
+        for (size_t k = 0; k < sizeof other / sizeof *other; k++)
+            is_load = is_load && strcmp(key, other[k]) != 0;
+        if (is_load && !strstr(key, "_over_AnEp") && strcmp(key, "load_N") != 0)
+            fail_msg("what is '%s' in?", key);
+        found += is_load + check_load_keys(value);
+    }
+    return found;
+}
+
+/** Whatever unit the scene has its loads in. */
+static void loads_say_what_they_are_in(void **state)
+{
+    const char *place = *state;
+    static const char *const loads[] = {"{from: 0.01 N, to: 100 N, points: 9}",
+                                        "{from: 10 kPa, to: 100 MPa, points: 9}", "{from: 1e-7, to: 1e-2, points: 9}"};
+    scans(place);
+    for (int k = 0; k < 3; k++) {
+        char scene[400], path[4096];
+        snprintf(scene, sizeof scene, "material: tin\nnominal_area: 1 mm2\nload: %s\ntargets: [{ecr: 0.1 mohm}]\n",
+                 loads[k]);
+        struct process run = run_scene(place, 0, scene, NULL);
+        process_free(&run);
+        snprintf(path, sizeof path, "%s/out/results.json", place);
+        json_t *root = json_load_file(path, 0, NULL), *answers = json_object_get(root, "answers");
+        snprintf(path, sizeof path, "%s/out/data/answers.csv", place);
+        struct table table = table_read_path(path);
+        size_t intervals = 0;
+        assert_true(check_load_keys(root) > 50);
+        assert_true(table.rows > 0 && json_array_size(answers) == table.rows);
+        for (size_t i = 0; i < table.rows; i++) {
+            const json_t *answer = json_array_get(answers, i), *ends = json_object_get(answer, "load_over_AnEp_95");
+            assert_int_equal(json_array_size(ends), 2);
+            assert_null(json_object_get(answer, "interval_95"));
+            for (size_t side = 0; side < 2; side++) {
+                const char *cell = table_text(&table, i, side ? "high" : "low");
+                assert_int_equal(json_is_null(json_array_get(ends, side)), *cell == '\0');
+                assert_true(!*cell || json_number_value(json_array_get(ends, side)) == strtod(cell, NULL));
+                intervals += *cell != '\0';
+            }
+            const char *note = table_text(&table, i, "note"), *limit = strstr(note, "not reached up to ");
+            assert_true(!limit || strstr(limit, "up to P/(A_n E') = "));
+            assert_string_equal(json_string_value(json_object_get(answer, "note")), note);
+        }
+        assert_true(intervals > 0);
+        table_free(&table);
+        json_decref(root);
+    }
+}
+
 /** The number of a model at the one load of a report. */
 static double at_load(const char *place, const char *model, double load, const char *column)
 {
@@ -254,6 +316,7 @@ int main(void)
         workspace_test(no_key_no_trace),
         workspace_test(targets_are_answered),
         workspace_test(the_table_is_of_the_data),
+        workspace_test(loads_say_what_they_are_in),
         workspace_test(targets_of_a_joint),
         workspace_test(a_missed_limit_ends_with_5),
         workspace_test(a_check_of_nothing_is_refused),

@@ -46,7 +46,7 @@ static const struct bad_input bad_inputs[] = {
     {"materail: tin\n", ROUGH, 3, 1, "roughcontact: d/scene.yaml:1: unknown key 'materail'; did you mean 'material'?"},
     {"title: x\nmaterial: tim\n", ROUGH, 3, 1, "d/scene.yaml:2: unknown material 'tim'; did you mean 'tin'?"},
     {"title: x\neffects: [electrical]\nmaterial: {E_Pa: 1e11, nu: 0.3, Sy_Pa: 1e8}\n", ROUGH, 3, 1,
-     "d/scene.yaml:2: effect 'electrical' needs 'resistivity_ohm_m'; add it to 'material'"},
+     "d/scene.yaml:2: effect 'electrical' needs 'resistivity'; add it to 'material'"},
     {"effects: [thermal, elecrical]\n", ROUGH, 3, 1,
      "d/scene.yaml:1: unknown effect 'elecrical'; did you mean 'electrical'?"},
     {"\n\ntolerance: 3\n", ROUGH, 3, 1, "d/scene.yaml:3: 'tolerance' is 3; allowed is 1e-14 to 0.1"},
@@ -110,7 +110,7 @@ static void test_where_it_cannot_write(void **state)
     char *before = workspace_digest(place, ".");
     expect_failure(place, 4, 1, "cannot write the report to 'file': Not a directory", "report", "d", "-o", "file");
     expect_failure(place, 4, 1, "'file/report': Not a directory", "report", "d", "-o", "file/report");
-    expect_failure(place, 4, 1, "'/proc/report'", "report", "d", "-o", "/proc/report");
+    expect_failure(place, 4, 1, "cannot make a directory in '/proc/'", "report", "d", "-o", "/proc/report");
     expect_failure(place, 2, 1, "'' is no name for a report's directory", "report", "d", "-o", "");
     expect_failure(place, 2, 1, "'.' is no name", "report", "d", "-o", ".");
     char *after = workspace_digest(place, ".");
@@ -123,7 +123,7 @@ static void test_where_it_cannot_write(void **state)
     char *closed;
     assert_true(asprintf(&closed, "%s/closed", place) > 0);
     assert_int_equal(chmod(closed, 0555), 0);
-    expect_failure(place, 4, 1, "cannot write beside 'closed/report': Permission denied", "report", "d", "-o",
+    expect_failure(place, 4, 1, "cannot make a directory in 'closed/': Permission denied", "report", "d", "-o",
                    "closed/report");
     assert_int_equal(chmod(closed, 0755), 0);
     free(closed);
@@ -142,11 +142,11 @@ static void test_foreign_files(void **state)
     leave_report(place);
     workspace_write(place, "out/d/figures/src.csv/thesis.tex", "mine\n");
     char *before = workspace_digest(place, ".");
-    expect_failure(place, 4, 1, "'notes' holds 'todo.txt', and no manifest.txt names it as part of a report; choose",
+    expect_failure(place, 4, 1, "'notes' holds 'todo.txt', and no manifest.txt names it as part of a report (",
                    "report", "d", "-o", "notes");
     expect_failure(place, 4, 1, "'project' holds 'data/mine.csv', and no manifest.txt", "report", "d", "-o", "project");
     expect_failure(place, 4, 1, "'plots' holds 'figures/plot1.svg', and no manifest.txt", "report", "d", "-o", "plots");
-    expect_failure(place, 4, 1, "'out/d' holds the directory 'figures/src.csv', which is not part", "report", "d");
+    expect_failure(place, 4, 1, "'out/d' holds 'figures/src.csv', a directory, which is not part", "report", "d");
     expect_failure(place, 4, 1, "'d' holds 'a.csv'", "report", "d", "-o", "d");
     char *after = workspace_digest(place, ".");
     assert_string_equal(before, after);
@@ -200,6 +200,32 @@ static void test_one_bad_scan_stops_no_other(void **state)
     free(csv);
 }
 
+/* Nor does one of several scans of a surface; the exit status says that not all is there, of `plan` too. */
+static void test_one_bad_scan_of_a_surface(void **state)
+{
+    const char *place = *state;
+    workspace_scan(place, "d/s/a.csv", 200, 1);
+    workspace_write(place, "d/s/b.csv", "x [um],z [um]\n0,1\n1,2\n2,x\n");
+    workspace_scan(place, "d/s/c.csv", 200, 3);
+    static const char said[] =
+        "surface 's': s/b.csv:4: 'x' in a column of numbers; correct or remove this line - refused; 2 of "
+        "its 3 scans are used\n";
+    struct process process = expect_exit(place, 1, "report", "d", "--no-cost");
+    expect_part(process.err, said);
+    expect_no_part(process.err, "predicted, ");
+    process_free(&process);
+    process = expect_exit(place, 1, "plan", "d");
+    expect_part(process.err, said);
+    process_free(&process);
+    workspace_write(place, "d/s/a.csv", "x [um],z [um]\n0,1\n1,2\n2,y\n");
+    workspace_write(place, "d/s/c.csv", "x [um],z [um]\n0,1\n1,2\n2,z\n");
+    process = expect_exit(place, 4, "report", "d", "--no-cost");
+    expect_part(process.err, "surface 's' refused: s/a.csv:4: 'y'");
+    expect_part(process.err, "surface 's': s/b.csv:4: 'x'");
+    expect_part(process.err, "surface 's': s/c.csv:4: 'z'");
+    process_free(&process);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -209,6 +235,7 @@ int main(void)
         workspace_test(test_foreign_files),
         workspace_test(test_without_gnuplot),
         workspace_test(test_one_bad_scan_stops_no_other),
+        workspace_test(test_one_bad_scan_of_a_surface),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The direct solution from the command line to the report: on call, what it writes, and nothing where it is not. */
 #include "cli/process.h"
+#include "contact/model.h"
 #include "support.h"
 
 #include <jansson.h>
@@ -368,6 +369,49 @@ static void test_cost_colours(void **state)
     free(script);
 }
 
+/* An error against the direct solution is the largest, over as many loads as have one, both as in direct_ratio.csv; an
+ * elastic-plastic area that is P/H in both says so, and what was not run does. */
+static void test_cost_errors(void **state)
+{
+    const char *place = *state;
+    write_profile(place, EFFECTS "direct: {grid: 64, seeds: 3, loads: [1e-4, 3e-4, 1e-3, 1e-2]}\n");
+    struct process run = expect_exit(place, 0, "report", "d", "-o", "out");
+    process_free(&run);
+    struct table cost = data(place, "out/data/cost.csv"), ratios = data(place, "out/data/direct_ratio.csv");
+    static const char *const quantities[] = {"area", "gap", "ecr"};
+    size_t compared = 0, fewer = 0;
+    for (size_t r = 0; r < cost.rows; r++)
+        for (int q = 0; q < 3; q++)
+            for (size_t m = 0; m < model_count; m++) {
+                char study[16], setting[32];
+                double largest = 0;
+                size_t loads = 0;
+                snprintf(study, sizeof study, "direct-%s", quantities[q]);
+                if (strcmp(table_text(&cost, r, "study"), study) != 0 ||
+                    strcmp(table_text(&cost, r, "method"), model_rows[m]->label) != 0)
+                    continue;
+                for (size_t k = 0; k < ratios.rows; k++)
+                    if (strcmp(table_text(&ratios, k, "model"), model_rows[m]->name) == 0 &&
+                        *table_text(&ratios, k, quantities[q])) {
+                        largest = fmax(largest, fabs(table_number(&ratios, k, quantities[q]) - 1));
+                        loads++;
+                    }
+                snprintf(setting, sizeof setting, "%zu load%s", loads, loads == 1 ? "" : "s");
+                assert_string_equal(table_text(&cost, r, "setting"), setting);
+                assert_within(table_number(&cost, r, "max_relative_error"), largest, 1e-12 * (1 + largest));
+                compared++;
+                fewer += loads < 4;
+            }
+    assert_true(compared > 12 && fewer > 0);
+    table_free(&cost);
+    table_free(&ratios);
+    char *page = workspace_read(place, "out/report.md");
+    expect_part(page, " | 64^2 x 1 | ");
+    expect_part(page, " | not run: scaled from all 3 |\n");
+    expect_part(page, " | 0 | A/Aₙ = P/H in both |\n");
+    free(page);
+}
+
 /* A map with a plateau: beside every model that takes heights as Gaussian stands a mark, and in the captions; none
  * where the models are held against Gaussian surfaces. */
 static void test_marks(void **state)
@@ -487,11 +531,11 @@ static void test_stopped(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        workspace_test(test_files),        workspace_test(test_marks),      workspace_test(test_numbers),
-        workspace_test(test_same_bytes),   workspace_test(test_off),        workspace_test(test_budget),
-        workspace_test(test_called_for),   workspace_test(test_map),        workspace_test(test_key),
-        workspace_test(test_impossible),   workspace_test(test_resolution), workspace_test(test_few_surfaces),
-        workspace_test(test_cost_colours), workspace_test(test_stopped),
+        workspace_test(test_files),        workspace_test(test_marks),       workspace_test(test_numbers),
+        workspace_test(test_same_bytes),   workspace_test(test_off),         workspace_test(test_budget),
+        workspace_test(test_called_for),   workspace_test(test_map),         workspace_test(test_key),
+        workspace_test(test_impossible),   workspace_test(test_resolution),  workspace_test(test_few_surfaces),
+        workspace_test(test_cost_colours), workspace_test(test_cost_errors), workspace_test(test_stopped),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -41,17 +41,22 @@ static void generic(char out[NAME], const char *name)
             out[length - strlen(ends[e])] = '\0';
 }
 
-/** What stands below the heading that names a file of data/. To be freed. */
+/** What stands below the one heading that names a file of data/. To be freed. */
 static char *read_chapter(const char *document, const char *file)
 {
+    char *chapter = NULL;
     for (const char *at = document; (at = strstr(at, "\n## ")); at++) {
         size_t heading = strcspn(at + 1, "\n") + 1;
         const char *named = strstr(at, file), *end = strstr(at + heading, "\n## ");
-        if (named && named < at + heading)
-            return strndup(at + heading, end ? (size_t)(end - at) - heading : strlen(at + heading));
+        if (!named || named >= at + heading)
+            continue;
+        if (chapter)
+            fail_msg("docs/report.md has two chapters on data/%s", file);
+        chapter = strndup(at + heading, end ? (size_t)(end - at) - heading : strlen(at + heading));
     }
-    fail_msg("docs/report.md has no chapter on data/%s", file);
-    return NULL;
+    if (!chapter)
+        fail_msg("docs/report.md has no chapter on data/%s", file);
+    return chapter;
 }
 
 /** The columns of a table in the chapter of its name. */

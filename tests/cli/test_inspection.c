@@ -210,10 +210,23 @@ static void test_options(void **state)
     process_free(&text);
     expect_failure(place, 2, 3, "unknown level 'plane'; allowed: none, mean, line, parabola, circle, robust", "inspect",
                    "--level", "plane", "a.csv");
-    expect_failure(place, 2, 3, "'8 um' is no length in metres", "inspect", "--lambda-s", "8 um", "a.csv");
+    struct process metres =
+        expect_exit(place, 0, "inspect", "--json", "--lambda-s=8e-6", "--lambda-c", "8e-5", "a.csv");
+    static const char *const spelled[][2] = {{"--lambda-s=8um", "80um"}, {"--lambda-s=8 um", "0.08mm"}};
+    for (size_t i = 0; i < 2; i++) {
+        struct process same =
+            expect_exit(place, 0, "inspect", "--json", spelled[i][0], "--lambda-c", spelled[i][1], "a.csv");
+        assert_string_equal(same.out, metres.out);
+        process_free(&same);
+    }
+    process_free(&metres);
+    expect_failure(place, 2, 3, "--lambda-s must be a length such as 0.31mm, not '8 N'", "inspect", "--lambda-s", "8 N",
+                   "a.csv");
+    expect_failure(place, 2, 3, "--lambda-s is '2 km'; allowed is 1e-12 to 1000 m", "inspect", "--lambda-s", "2 km",
+                   "a.csv");
     expect_failure(place, 2, 3, "--lambda-c is not above --lambda-s", "inspect", "--lambda-s", "8e-6", "--lambda-c",
                    "8e-6", "a.csv");
-    expect_failure(place, 4, 1, "a.csv: lambda_c_m is 1, longer than the scan", "inspect", "--lambda-c", "1", "a.csv");
+    expect_failure(place, 4, 1, "a.csv: lambda_c is 1 m, longer than the scan", "inspect", "--lambda-c", "1", "a.csv");
 }
 
 /* Runs `inspect` with a file as standard input. */

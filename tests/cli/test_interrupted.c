@@ -311,6 +311,29 @@ static void test_no_room(void **state)
     free(before);
 }
 
+/** A file that is written stays as it was where the new one is too large. */
+static void test_no_room_for_a_scan(void **state)
+{
+    const char *place = *state;
+    workspace_write(place, "a.csv", "before\n");
+    char *before = workspace_digest(place, ".");
+    static const char *const files[] = {"a.csv", "b.csv"};
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
+        process_expect_failure(staged(place, "ulimit -f 1;", "synth", "-o", files[i]), 4, 1, "ulimit -f", __FILE__,
+                               __LINE__);
+        char *after = workspace_digest(place, ".");
+        assert_string_equal(before, after);
+        free(after);
+    }
+    struct process process = expect_exit(place, 0, "synth", "-o", "a.csv");
+    process_free(&process);
+    char *text = workspace_read(place, "a.csv");
+    expect_part(text, "x [um],z [um]\n");
+    free(text);
+    free(before);
+    assert_int_equal(workspace_count(place, ".roughcontact-"), 0);
+}
+
 static void test_full_output(void **state)
 {
     const char *place = *state;
@@ -332,7 +355,7 @@ int main(void)
         workspace_test(test_a_hanging_gnuplot), workspace_test(test_no_standard_output),
         workspace_test(test_little_stack),      workspace_test(test_mount_point),
         workspace_test(test_files_of_the_user), workspace_test(test_no_room),
-        workspace_test(test_full_output),
+        workspace_test(test_full_output),       workspace_test(test_no_room_for_a_scan),
     };
     static const int used[] = {SIGINT, SIGTERM, SIGHUP};
     for (size_t i = 0; i < sizeof used / sizeof *used; i++)

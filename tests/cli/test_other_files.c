@@ -147,6 +147,16 @@ static void test_packed(void **state)
     struct status status = {0};
     assert_int_equal(text_read_file(&bytes, name, &status), STATUS_OK);
     write_bytes(place, "z/s.zip", bytes.data, bytes.length);
+    /* one of them damaged: the others are read, and it is named */
+    char *second = memmem(bytes.data, bytes.length, "2.csv", 5);
+    assert_non_null(second);
+    second[100] ^= 1;
+    write_bytes(place, "damaged.zip", bytes.data, bytes.length);
+    process = expect_exit(place, 1, "inspect", "damaged.zip");
+    expect_part(process.out, "damaged.zip(1.csv)\n");
+    expect_part(process.out, "damaged.zip(3.csv)\n");
+    expect_part(process.err, "'2.csv' in the archive is damaged; copy the file again\n");
+    process_free(&process);
     text_free(&bytes);
     free(name);
     workspace_scan(place, "f/1.csv", 200, 1);
@@ -245,6 +255,17 @@ static void test_gwyddion(void **state)
     process = expect_exit(place, 0, "inspect", "b.bin");
     expect_part(process.out, "converted by the program Gwyddion from a format that is not read here");
     process_free(&process);
+    static const char *const headed[] = {"fileType      Image\n", "UK SOFT\r\n"}; /* text as far as one looks */
+    for (size_t i = 0; i < sizeof headed / sizeof *headed; i++) {
+        struct text text = {0};
+        text_add(&text, "%s%5000s", headed[i], "Data_section\r\n");
+        text_add_bytes(&text, "\0\1\2\3", 4);
+        write_bytes(place, "d.mi", text.data, text.length);
+        text_free(&text);
+        process = expect_exit(place, 0, "inspect", "d.mi");
+        expect_part(process.out, "converted by the program Gwyddion from a Molecular Imaging");
+        process_free(&process);
+    }
     expect_failure(place, 4, 1, "c.png: it is no scan: PNG picture", "inspect", "c.png");
     workspace_write(place, "converted", "hello\n");
     expect_failure(place, 4, 1, "the format is not read here: Wyko OPD file", "inspect", "--", "-a.opd");

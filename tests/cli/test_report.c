@@ -150,6 +150,13 @@ static void test_wrong_options(void **state)
     assert_false(workspace_has(place, "out"));
 }
 
+static void synthesise(const char *place, const char *alpha, const char *gamma, const char *length, const char *path)
+{
+    struct process process =
+        expect_exit(place, 0, "synth", "-a", alpha, "-g", gamma, "-l", length, "-n", "1200", "-o", path);
+    process_free(&process);
+}
+
 static void test_terminal(void **state)
 {
     const char *place = *state;
@@ -203,6 +210,35 @@ static void test_table(void **state)
     expect_no_part(process.out, "GW");
     expect_no_part(process.out, "MS pl.");
     process_free(&process);
+}
+
+/* Surfaces' laws stand on the terminal by their amplitudes at one wavelength, the middle of what the bands share: bands
+ * 0.5 ... 300 and 1 ... 600 um, so at sqrt(1 x 300) um. alpha, their value at 1 m, is no number to compare. */
+static void test_laws_at_one_wavelength(void **state)
+{
+    const char *place = *state;
+    workspace_write(place, "d/scene.yaml", "models: [multiscale]\nfit: thesis\n");
+    synthesise(place, "0.085", "1.5", "0.3mm", "d/a.csv");
+    synthesise(place, "1e-3", "1", "0.6mm", "d/b.csv");
+    struct process process = expect_exit(place, 0, "report", "d", "--no-cost");
+    expect_part(process.out, "\nΔ: amplitude of the power law at 17.3 µm\n");
+    expect_part(process.out, " 0.00613×÷1.07 1.500±0.027 "); /* 0.085 17.32e-6^1.5 m */
+    expect_part(process.out, " 0.0173×÷1.07 1.000±0.027 ");
+    expect_no_part(process.out, "α");
+    process_free(&process);
+    char *report = workspace_read(place, "out/d/report.md");
+    expect_part(report, "| points | γ | band (µm) | Δ (µm) at λ (µm) | Δ (µm) at 17.3 µm | C (m³) | misfit (decades) | "
+                        "α (SI) |\n");
+    expect_part(report, " | 1.000 ± 0.027 | 1.00…600 | 0.0245 ×÷ 1.07 at 24.5 | 0.0173 ×÷ 1.07 | ");
+    expect_part(report, " | 0.28 | 0.00100 |\n");
+    free(report);
+    workspace_write(place, "d/scene.yaml", "surfaces: [{name: a, file: a.csv}]\nfit: thesis\n");
+    process = expect_exit(place, 0, "report", "d", "--no-cost");
+    expect_part(process.out, "\nΔ: amplitude of the power law at 12.2 µm\n"); /* of one surface, its band's middle */
+    process_free(&process);
+    report = workspace_read(place, "out/d/report.md");
+    expect_part(report, "| points | γ | band (µm) | Δ (µm) at λ (µm) | C (m³) |");
+    free(report);
 }
 
 /** Does a path in `svg` go through `count` points like a measurement: to the right and downwards (y grows) until point
@@ -305,8 +341,13 @@ static void test_measured(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        workspace_test(test_real_scans),    workspace_test(test_overrides), workspace_test(test_units),
-        workspace_test(test_wrong_options), workspace_test(test_terminal),  workspace_test(test_table),
+        workspace_test(test_real_scans),
+        workspace_test(test_overrides),
+        workspace_test(test_units),
+        workspace_test(test_wrong_options),
+        workspace_test(test_terminal),
+        workspace_test(test_table),
+        workspace_test(test_laws_at_one_wavelength),
         workspace_test(test_measured),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Whatever the program is doing when a signal comes, it ends, with all that it has started and made. */
 #include "base/clock.h"
-#include "base/leftover.h"
 #include "base/program.h"
+#include "base/temporary.h"
 #include "cli/signals.h"
 #include "directory.h"
 
@@ -10,10 +10,9 @@
 #include <math.h>
 #include <signal.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <time.h>
-
-extern char **environ;
 
 static struct directory place;
 
@@ -36,7 +35,7 @@ static pid_t start_stubborn(void)
     char *const arguments[] = {shell, option, lines, NULL};
     int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
     pid_t process = 0;
-    struct program_task task = {arguments, shell, place.path, environ, nothing, nothing};
+    struct program_task task = {arguments, shell, place.path, (const char *const[]){NULL}, NULL, nothing, nothing};
     if (program_start(&process, &task) != 0)
         _exit(70);
     return process;
@@ -56,19 +55,17 @@ static int deaf(int argc, char **argv)
 {
     (void)argc, (void)argv;
     (void)signals_stop(100);
-    mkdir(directory_path(&place, "staging"), 0700);
-    mkdir(directory_path(&place, "staging/data"), 0700);
-    size_t number = leftover_add(directory_path(&place, "staging"));
-    leftover_hold();
-    leftover_note("'out' is as it was before");
-    leftover_release();
-    if (number == 0)
+    struct temporary staging;
+    struct status status = {0};
+    if (temporary_make(&staging, place.path, NULL, &status) != STATUS_OK ||
+        mkdirat(staging.directory, "data", 0700) != 0)
         return 72;
+    temporary_note("'out' is as it was before");
     begin(start_stubborn());
     for (int i = 0;; i = (i + 1) % 100) {
         char path[300];
-        snprintf(path, sizeof path, "%s/staging/data/%d", place.path, i);
-        int file = open(path, O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
+        snprintf(path, sizeof path, "data/%d", i);
+        int file = openat(staging.directory, path, O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
         if (file >= 0)
             close(file);
     }
@@ -91,12 +88,12 @@ static int holds(int argc, char **argv)
 {
     (void)argc, (void)argv;
     (void)signals_stop(0);
-    leftover_hold();
+    temporary_hold();
     begin(0);
-    sleep_for(0.5);
+    sleep_for(0.2);
     directory_write(&place, "finished", "");
-    leftover_note("the report is in 'out'");
-    leftover_release();
+    temporary_note("the report is in 'out'");
+    temporary_release();
     while (clock_seconds() > 0)
         wait_a_little();
     return 73;
@@ -130,11 +127,12 @@ static int ends(int argc, char **argv)
 static int follows(int argc, char **argv)
 {
     (void)argc, (void)argv;
-    char shell[] = "/bin/sh", option[] = "-c", lines[] = "exit 3";
+    char shell[] = "/bin/sh", option[] = "-c",
+         lines[] = "s=$(ulimit -S -s); [ $s = unlimited ] || [ $s -ge 8192 ] && exit 3";
     char *const arguments[] = {shell, option, lines, NULL};
     int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
     pid_t process = 0;
-    struct program_task task = {arguments, shell, place.path, environ, nothing, nothing};
+    struct program_task task = {arguments, shell, place.path, (const char *const[]){NULL}, NULL, nothing, nothing};
     if (program_start(&process, &task) != 0 || program_wait(process, INFINITY, -1) != PROGRAM_ENDED)
         return 70;
     begin(0);
@@ -190,7 +188,7 @@ static void test_what_does_not_listen_is_ended(void **state)
     for (size_t i = 0; i < sizeof signals / sizeof *signals; i++) {
         assert_signalled(run(deaf, signals[i], 1, said, &other), signals[i]);
         assert_string_equal(said, "roughcontact: stopped by a signal; 'out' is as it was before\n");
-        assert_false(directory_has(&place, "staging"));
+        assert_int_equal(directory_entries(&place, ""), 0);
         int end;
         assert_int_equal(waitpid(other, &end, 0), other); /* orphans come to this process: make() */
         assert_signalled(end, SIGKILL);
@@ -267,6 +265,22 @@ static void test_what_was_started_is_known_to_have_ended(void **state)
     assert_int_equal(WEXITSTATUS(end), 3);
 }
 
+/* What it starts has the usual stack though whoever started it gave it little. */
+static void test_others_have_the_usual_stack(void **state)
+{
+    char said[256];
+    pid_t other;
+    struct rlimit before, little;
+    (void)state;
+    assert_int_equal(getrlimit(RLIMIT_STACK, &before), 0);
+    little = before;
+    little.rlim_cur = 256 << 10;
+    assert_int_equal(setrlimit(RLIMIT_STACK, &little), 0);
+    int end = run(follows, 0, 0, said, &other);
+    assert_int_equal(setrlimit(RLIMIT_STACK, &before), 0);
+    assert_int_equal(WEXITSTATUS(end), 3);
+}
+
 /* As under nohup. */
 static void test_an_ignored_signal_stays_ignored(void **state)
 {
@@ -333,6 +347,7 @@ int main(void)
         TEST(test_nothing_asked_is_no_time),
         TEST(test_the_status_of_a_body_that_ends),
         TEST(test_what_was_started_is_known_to_have_ended),
+        TEST(test_others_have_the_usual_stack),
         TEST(test_an_ignored_signal_stays_ignored),
         TEST(test_a_killed_program_takes_others_with_it),
     };

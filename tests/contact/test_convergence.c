@@ -40,25 +40,57 @@ static struct spectrum spectrum_of_law(size_t count, double length_m, double alp
     return spectrum;
 }
 
-/** The tail is the law at the short end, whatever the long harmonics are. */
+/** Harmonics are known down to a cut-off, to what rounding leaves, and to 1e-4 of Rq. */
+static void what_is_known_of_a_spectrum(void **state)
+{
+    (void)state;
+    struct spectrum spectrum = spectrum_of_law(400, 1e-3, 1e-3, 1.2, 1);
+    assert_int_equal(convergence_known(&spectrum, 0, 0), 400);
+    assert_int_equal(convergence_known(&spectrum, 1e-3 / 50, 0), 50);
+    assert_int_equal(convergence_known(&spectrum, 1e-3 / 49.9, 0), 49);
+    assert_int_equal(convergence_known(&spectrum, 2e-3, 0), 0);
+    double shorter_m2 = 0; /* of harmonic 71 and above */
+    for (size_t i = 400; i-- > 70;)
+        shorter_m2 += spectrum_power(&spectrum, i);
+    assert_int_equal(convergence_known(&spectrum, 0, sqrt(6 * shorter_m2) * (1 - 1e-9)), 71);
+    assert_int_equal(convergence_known(&spectrum, 0, sqrt(6 * shorter_m2) * (1 + 1e-9)), 70);
+    for (double size = 1e-9; size < 1e9; size *= 1e3) { /* without a step, whatever the unit */
+        for (int n = 1; n <= 400; n++)
+            spectrum.amplitude_m[n - 1] = size * (n == 1 ? 1 : n <= 30 ? 4.5e-5 : 1e-7);
+        assert_int_equal(convergence_known(&spectrum, 0, 0), 30);
+        for (int n = 2; n <= 30; n++) /* 29 waves are 4.04e-5 of Rq, and 1e-4/sqrt(6) is 4.08e-5 */
+            spectrum.amplitude_m[n - 1] = size * 7.5e-6;
+        assert_int_equal(convergence_known(&spectrum, 0, 0), 1);
+    }
+    spectrum_free(&spectrum);
+}
+
+/** The tail is the law at the short end of what is known, whatever the long harmonics are and whatever is beyond. */
 static void the_tail_is_the_short_end(void **state)
 {
     (void)state;
-    for (double gamma = -0.5; gamma < 70; gamma = gamma * 3 + 2) { /* to the flank of a filter: alpha overflows */
+    for (double gamma = -0.5; gamma < 70; gamma = gamma * 3 + 2) { /* to the flank of a filter: it tells nothing */
         struct spectrum spectrum = spectrum_of_law(500, 1e-3, exp(10.4 * gamma) * 1e-9, gamma, 100);
-        struct convergence_tail tail = convergence_tail(&spectrum);
+        struct convergence_tail tail = convergence_tail(&spectrum, 500);
+        if (gamma > 3) {
+            assert_true(isnan(tail.gamma));
+            spectrum_free(&spectrum);
+            continue;
+        }
         assert_near(tail.gamma, gamma, 1e-9);
         assert_near(convergence_tail_amplitude(&tail, 2e-6), spectrum.amplitude_m[499], 1e-9);
         assert_true(tail.wavelength_m > 2e-6 && tail.wavelength_m < 2e-6 * sqrt(10));
         for (int n = 1; n < 158; n++) /* below 500/sqrt(10) another law: it does not matter */
             spectrum.amplitude_m[n - 1] = 1e-9 * pow(n, -0.3);
-        assert_near(convergence_tail(&spectrum).gamma, gamma, 1e-9);
+        assert_near(convergence_tail(&spectrum, 500).gamma, gamma, 1e-9);
+        spectrum.amplitude_m[499] = 1e-20; /* rounding */
+        assert_near(convergence_tail(&spectrum, 499).gamma, gamma, 1e-9);
         spectrum_free(&spectrum);
     }
     struct spectrum short_one = spectrum_of_law(3, 1e-5, 0.1, 1.5, 1); /* harmonics 1, 2, 3: two in the half decade */
-    assert_near(convergence_tail(&short_one).gamma, 1.5, 1e-9);
+    assert_near(convergence_tail(&short_one, 3).gamma, 1.5, 1e-9);
     short_one.amplitude_m[1] = 0;
-    assert_true(isnan(convergence_tail(&short_one).gamma));
+    assert_true(isnan(convergence_tail(&short_one, 3).gamma));
     spectrum_free(&short_one);
 }
 
@@ -73,7 +105,7 @@ static void extension_matches_every_scale(void **state)
         for (double gamma = 0.65; gamma < 1.7; gamma += 0.2) {
             double length = 3e-5, area = 1, measured = 1, load = 1e-4, alpha = 0.085 * pow(3e-6, 1.5 - gamma);
             struct spectrum spectrum = spectrum_of_law(30, length, alpha, gamma, 5);
-            struct convergence_tail tail = convergence_tail(&spectrum);
+            struct convergence_tail tail = convergence_tail(&spectrum, 30);
             for (double n = 1; length / n >= convergence_atom_m; n++) {
                 double amplitude = n <= 30 ? spectrum.amplitude_m[(size_t)n - 1] : alpha * pow(length / n, gamma);
                 struct sinusoid_scale scale = sinusoid_scale(amplitude, n / length, &pair, plastic);
@@ -95,6 +127,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(gamma_decides),
+        cmocka_unit_test(what_is_known_of_a_spectrum),
         cmocka_unit_test(the_tail_is_the_short_end),
         cmocka_unit_test(extension_matches_every_scale),
     };

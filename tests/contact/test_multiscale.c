@@ -115,13 +115,13 @@ static size_t walk(struct contact_point *out, size_t *open, const struct sinusoi
         area *= cell.area_ratio;
         *open += cell.area_complement > 0 || cell.gap_ratio > 0;
     }
-    *out = (struct contact_point){.load = load,
-                                  .area_ratio = area,
-                                  .separation_m = separation_m,
-                                  .adjusted_m = NAN,
-                                  .ecr_ohm_m2 = constriction_electrical(&spot, &sum),
-                                  .tcr_K_m2_per_W = constriction_thermal(&spot, &sum),
-                                  .tcr_sd_K_m2_per_W = constriction_thermal_scale_dependent(&spot, &sum)};
+    *out = quantity_nothing();
+    out->load = load;
+    out->area_ratio = area;
+    out->separation_m = separation_m;
+    out->ecr_ohm_m2 = constriction_electrical(&spot, &sum);
+    out->tcr_K_m2_per_W = constriction_thermal(&spot, &sum);
+    out->tcr_sd_K_m2_per_W = constriction_thermal_scale_dependent(&spot, &sum);
     return limited;
 }
 
@@ -257,12 +257,71 @@ static void visits_do_not_grow_with_the_scales(void **state)
     }
 }
 
+/** Is scale k complete at the load? From all scales before it. */
+static bool is_complete(const struct sinusoid_scale *scales, size_t k, const struct sinusoid_fit *closure,
+                        const struct material_pair *pair, double load)
+{
+    struct sinusoid_cell cell = {0};
+    double area = 1;
+    for (size_t i = 0; i <= k; i++) {
+        sinusoid_press(&cell, &scales[i], closure, load * pair->effective_modulus_Pa / area, false);
+        area *= cell.area_ratio;
+    }
+    return !(cell.area_complement > 0);
+}
+
+/** The longest scale that closes between two loads, against every scale in turn. */
+static void the_longest_closing_scale(void **state)
+{
+    (void)state;
+    enum { STACKS = 600 };
+    uint64_t random = 77;
+    size_t closing = 0, shorter = 0;
+    for (int k = 0; k < STACKS; k++) {
+        struct material_pair pair = material_pair(material_find(k % 3 ? "tin" : "copper"), 0, NULL);
+        bool plastic = k % 4 > 0;
+        enum sinusoid_fit_id closure = k % 5 == 0 ? SINUSOID_FIT_NUMERIC : SINUSOID_FIT_THESIS;
+        const struct sinusoid_fit *fit = &sinusoid_fits[closure];
+        struct spectrum spectrum = random_spectrum(&random);
+        struct sinusoid_scale *scales = malloc(spectrum.count * sizeof *scales);
+        struct multiscale stack;
+        struct model_kink kink;
+        assert_non_null(scales);
+        for (size_t i = 0; i < spectrum.count; i++)
+            scales[i] = sinusoid_scale(spectrum.amplitude_m[i], spectrum_frequency(&spectrum, i), &pair, plastic);
+        multiscale_make(&stack, &spectrum, &pair, plastic, closure);
+        double low = stack.closed_load * pow(10, -3 * uniform(&random)), high = low * (1 + uniform(&random));
+        size_t longest = 0;
+        while (longest < spectrum.count &&
+               (is_complete(scales, longest, fit, &pair, low) || !is_complete(scales, longest, fit, &pair, high)))
+            longest++;
+        assert_int_equal(multiscale_closing(&kink, &stack, low, high), longest < spectrum.count);
+        if (longest < spectrum.count) {
+            assert_near(kink.wavelength_m, 1 / spectrum_frequency(&spectrum, longest), 1e-12);
+            assert_true(kink.load > low && kink.load <= high);
+            assert_true(is_complete(scales, longest, fit, &pair, kink.load));
+            bool open = false; /* just below; the yield of a longer scale may close and open it more than once */
+            for (int i = 1; i <= 11; i++)
+                open = open || !is_complete(scales, longest, fit, &pair, kink.load * (1 - i * 1e-5));
+            assert_true(open);
+            closing++;
+            shorter += longest > 20;
+        }
+        multiscale_free(&stack);
+        free(scales);
+        spectrum_free(&spectrum);
+    }
+    assert_in_range(closing, STACKS / 10, STACKS * 9 / 10);
+    assert_true(shorter > 5);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(matches_reference),       cmocka_unit_test(full_load_is_sharp),
-        cmocka_unit_test(areas_fall_to_the_total), cmocka_unit_test(passes_over_closed_scales),
-        cmocka_unit_test(scales_that_just_yield),  cmocka_unit_test(visits_do_not_grow_with_the_scales),
+        cmocka_unit_test(matches_reference),         cmocka_unit_test(full_load_is_sharp),
+        cmocka_unit_test(areas_fall_to_the_total),   cmocka_unit_test(passes_over_closed_scales),
+        cmocka_unit_test(scales_that_just_yield),    cmocka_unit_test(visits_do_not_grow_with_the_scales),
+        cmocka_unit_test(the_longest_closing_scale),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -26,22 +26,34 @@ double *recipe_surface(size_t n)
     double *height = malloc(n * n * sizeof *height), scale = recipe_scale();
     struct status status = {0};
     assert_non_null(height);
-    assert_int_equal(direct_surface_realise(height, n, recipe_variance, &scale, 1, &status), STATUS_OK);
+    assert_int_equal(direct_surface_make(height, n, recipe_variance, &scale, NULL, 0, 1, &status), STATUS_OK);
     return height;
+}
+
+double gradient_of(const double *height, size_t n, double spacing)
+{
+    double sum = 0;
+    for (size_t j = 0; j < n; j++)
+        for (size_t i = 0; i < n; i++) {
+            double along = height[j * n + (i + 1) % n] - height[j * n + (i + n - 1) % n];
+            double across = height[(j + 1) % n * n + i] - height[(j + n - 1) % n * n + i];
+            sum += (along * along + across * across) / (double)(n * n);
+        }
+    return sqrt(sum) / (2 * spacing);
 }
 
 struct direct_contact contact_of(const double *height, size_t nx, size_t ny)
 {
     struct direct_contact contact;
     struct status status = {0};
-    if (direct_contact_make(&contact, height, nx, ny, 1 / (double)nx, &status) != STATUS_OK)
+    if (direct_contact_make(&contact, NULL, height, nx, ny, 1 / (double)nx, &status) != STATUS_OK)
         fail_msg("%s", status.message);
     return contact;
 }
 
 struct direct_contact_load load_of(double mean_pressure, double hardness, double tolerance)
 {
-    return (struct direct_contact_load){mean_pressure, hardness, tolerance, 0, false, NULL};
+    return (struct direct_contact_load){mean_pressure, hardness, tolerance, false, NULL};
 }
 
 struct direct_quantities solved(struct direct_contact *contact, const struct direct_contact_load *load)
@@ -61,6 +73,24 @@ double constriction_of(struct direct_contact *contact, double tolerance)
     double length;
     if (direct_constriction_of_contact(&length, contact, tolerance, NULL, &effort, &status) != STATUS_OK)
         fail_msg("%s", status.message);
+    return length;
+}
+
+double constriction_of_drawing(const uint8_t *drawing, size_t n, size_t *iterations)
+{
+    double *height = calloc(n * n, sizeof *height), length;
+    struct direct_contact_effort effort = {0};
+    struct status status = {0};
+    assert_non_null(height);
+    height[0] = 1; /* no surface is solved, but it must not be flat */
+    struct direct_contact contact = contact_of(height, n, n);
+    for (size_t k = 0; k < n * n; k++)
+        contact.pressure[k / n * contact.kernel.stride + k % n] = drawing[k];
+    if (direct_constriction_of_contact(&length, &contact, 1e-9, NULL, &effort, &status) != STATUS_OK)
+        fail_msg("%s", status.message);
+    *iterations = effort.iterations;
+    direct_contact_free(&contact);
+    free(height);
     return length;
 }
 

@@ -15,6 +15,9 @@ double recipe_scale(void);
 /** The recipe surface, seed 1. To be freed. */
 double *recipe_surface(size_t n);
 
+/** Root mean square gradient of a periodic square, by central differences. */
+double gradient_of(const double *height, size_t n, double spacing);
+
 /** A contact of ny rows of nx heights, cell length 1 along x; fails the test when it cannot be made. */
 struct direct_contact contact_of(const double *height, size_t nx, size_t ny);
 
@@ -26,6 +29,9 @@ struct direct_quantities solved(struct direct_contact *contact, const struct dir
 
 /** Constriction length of a contact just solved. */
 double constriction_of(struct direct_contact *contact, double tolerance);
+
+/** Constriction length of n x n points drawn, 1 in contact, in a cell of length 1; how many iterations to 1e-9. */
+double constriction_of_drawing(const uint8_t *drawing, size_t n, size_t *iterations);
 
 /** Largest violation of the conditions of contact, by a gap computed anew with the pixel's sums left to FFTW alone: the
  * pressure's bounds and mean, and the gap's sign on each side, as a share of the heights' rms. */

@@ -1,32 +1,22 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "direct_support.h"
 
-#include "direct/direct_constriction.h"
-
 /** Constriction length of a set drawn on an n x n grid of a cell of length 1, the first point `shift` spacings from 0.
  */
 static double length_of_set(size_t n, bool (*inside)(double x, double y, const void *context), const void *context,
                             double shift, size_t *points)
 {
-    struct direct_kernel kernel;
-    struct status status = {0};
-    struct direct_contact_effort effort = {0};
-    double length;
-    assert_int_equal(direct_kernel_make(&kernel, n, n, 1 / (double)n, &status), STATUS_OK);
-    uint32_t *set = malloc(n * n * sizeof *set);
-    double *block = malloc(3 * n * n * sizeof *block);
-    double *const scratch[3] = {block, block + n * n, block + 2 * n * n};
+    uint8_t *drawing = malloc(n * n);
+    size_t iterations;
+    assert_non_null(drawing);
     *points = 0;
-    for (size_t j = 0; j < n; j++)
-        for (size_t i = 0; i < n; i++)
-            if (inside(((double)i + shift) / (double)n, ((double)j + shift) / (double)n, context))
-                set[(*points)++] = (uint32_t)(j * kernel.stride + i);
-    if (direct_constriction_of_set(&length, &kernel, set, *points, scratch, 1e-9, NULL, &effort, &status) != STATUS_OK)
-        fail_msg("%s", status.message);
-    assert_true(effort.iterations > 0 && effort.iterations < 20); /* 10 to 21 to 1e-12 */
-    direct_kernel_free(&kernel);
-    free(set);
-    free(block);
+    for (size_t k = 0; k < n * n; k++) {
+        drawing[k] = inside(((double)(k % n) + shift) / (double)n, ((double)(k / n) + shift) / (double)n, context);
+        *points += drawing[k];
+    }
+    double length = constriction_of_drawing(drawing, n, &iterations);
+    assert_true(iterations > 0 && iterations < 20); /* 10 to 21 to 1e-12 */
+    free(drawing);
     return length;
 }
 

@@ -19,7 +19,6 @@ static void random_rows(const char *file, size_t n, int expected_rows, double to
         assert_near((double)found.contact_points, table_number(&table, row, "contact_points"), 0);
         assert_near((double)found.perimeter_faces, table_number(&table, row, "perimeter_faces"), 0);
         assert_near((double)found.capped_points, table_number(&table, row, "capped_points"), 0);
-        assert_near(found.area_raw, table_number(&table, row, "area"), 1e-11);
         assert_near(direct_area_corrected(&found, n * n, direct_kappa_yastrebov),
                     table_number(&table, row, "area_corrected"), 1e-9);
         assert_near(found.gap_m, table_number(&table, row, "open_gap"), 1e-9);
@@ -151,7 +150,8 @@ static void sphere_after_hertz(void **state)
         }
         assert_near((double)found.contact_points, table_number(&table, row, "contact_points"), 0);
         assert_near((double)found.perimeter_faces, table_number(&table, row, "perimeter_faces"), 0);
-        assert_near(found.area_raw / (M_PI * a * a), table_number(&table, row, "area_over_hertz"), 1e-9);
+        assert_near((double)found.contact_points / ((double)(n * n) * M_PI * a * a),
+                    table_number(&table, row, "area_over_hertz"), 1e-9);
         assert_near(direct_area_corrected(&found, n * n, direct_kappa_yastrebov) / (M_PI * a * a),
                     table_number(&table, row, "corrected_area_over_hertz"), 1e-9);
         assert_near(most / (2 * a / M_PI), table_number(&table, row, "pmax_over_hertz"), 1e-9);
@@ -171,7 +171,7 @@ static enum status_code result_of(const double *height, size_t n, const struct d
 {
     struct direct_contact contact;
     struct direct_contact_effort effort = {0};
-    if (direct_contact_make(&contact, height, n, n, 1 / (double)n, status) != STATUS_OK)
+    if (direct_contact_make(&contact, NULL, height, n, n, 1 / (double)n, status) != STATUS_OK)
         return status->code;
     enum status_code rc = direct_contact_solve(&contact, load, &effort, status);
     direct_contact_free(&contact);
@@ -196,8 +196,8 @@ static void refuses_what_cannot_be_solved(void **state)
         {"positive", 0, INFINITY, 1e-6, NULL, STATUS_MODEL},
         {"positive", NAN, INFINITY, 1e-6, NULL, STATUS_MODEL},
         {"positive", INFINITY, INFINITY, 1e-6, NULL, STATUS_MODEL},
-        {"not converge", 0.01, INFINITY, 1e-6, NULL, STATUS_MODEL},
-        {"not converge", 0.01, 0.5, 1e-6, NULL, STATUS_MODEL},
+        {"not converge", 0.01, INFINITY, 1e-300, NULL, STATUS_MODEL},
+        {"not converge", 0.01, 0.5, 1e-300, NULL, STATUS_MODEL},
         {"stopped", 0.01, INFINITY, 1e-6, &stop, STATUS_INTERRUPTED},
     };
     struct status status = {0};
@@ -217,7 +217,6 @@ static void refuses_what_cannot_be_solved(void **state)
     for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
         load = load_of(cases[k].p, cases[k].hardness, cases[k].tolerance);
         load.stop = cases[k].stop;
-        load.most_iterations = strcmp(cases[k].says, "not converge") == 0 ? 8 : 0;
         status = (struct status){0};
         if (result_of(rough, 64, &load, &status) != cases[k].code)
             fail_msg("case %zu: %s", k, status.message);
@@ -266,7 +265,7 @@ static void small_grids(void **state)
                 struct direct_quantities found = solved(&contact, &load);
                 assert_true(violation_of(&contact, &load) < 1.1e-9);
                 assert_true(found.area_ratio > 0 || !capped);
-                assert_true(!capped || found.area_raw >= 1.0 / 3);
+                assert_true(!capped || 3 * found.contact_points >= n * n);
                 assert_true(found.gap_m >= 0 && found.gap_m >= found.plane_gap_m);
             }
         direct_contact_free(&contact);
@@ -344,7 +343,7 @@ static void scale_free(void **state)
     struct status status = {0};
     for (size_t k = 0; k < 64 * 64; k++)
         height[k] = height[k] * 1e-9 + 1e-3; /* far off its datum */
-    assert_int_equal(direct_contact_make(&small, height, 64, 64, 1e-9 / 64, &status), STATUS_OK);
+    assert_int_equal(direct_contact_make(&small, NULL, height, 64, 64, 1e-9 / 64, &status), STATUS_OK);
     struct direct_contact_load load = load_of(0.05, INFINITY, 1e-9);
     struct direct_quantities found = solved(&contact, &load), other = solved(&small, &load);
     assert_int_equal(found.contact_points, other.contact_points);
@@ -388,7 +387,8 @@ static void few_points_at_the_hardness(void **state)
     struct status status = {0};
     double *height = malloc(N * N * sizeof *height);
     assert_int_equal(direct_spectrum_of_law(&spectrum, &law, &status), STATUS_OK);
-    assert_int_equal(direct_surface_realise(height, N, direct_spectrum_variance, &spectrum, 1, &status), STATUS_OK);
+    assert_int_equal(direct_surface_make(height, N, direct_spectrum_variance, &spectrum, NULL, 0, 1, &status),
+                     STATUS_OK);
     struct direct_contact contact = contact_of(height, N, N);
     for (size_t k = 0; k < N * N; k++)
         height[k] *= 9.84e-4 / contact.rms_m;
@@ -399,39 +399,12 @@ static void few_points_at_the_hardness(void **state)
     if (direct_contact_solve(&contact, &load, &effort, &status) != STATUS_OK)
         fail_msg("%s", status.message);
     struct direct_quantities found = direct_quantities_of(&contact, &load);
-    assert_true(found.area_raw > 0.6 && found.capped_points > 0 && found.capped_points < 20);
+    assert_true(found.contact_points > 0.6 * N * N && found.capped_points > 0 && found.capped_points < 20);
     assert_true(effort.convolutions < 200);
     assert_true(violation_of(&contact, &load) < 1.1e-6);
     direct_contact_free(&contact);
     direct_spectrum_free(&spectrum);
     free(height);
-}
-
-/** Patches of a set drawn by hand: one round the corner of the cell, one of three, one that touches it by a corner
- * only. */
-static void patches(void **state)
-{
-    (void)state;
-    enum { N = 8 };
-    static const int drawn[][2] = {{0, 0}, {7, 0}, {0, 7}, {7, 7}, {3, 3}, {4, 3}, {4, 4}, {5, 5}};
-    double height[N * N] = {1};
-    struct direct_contact contact = contact_of(height, N, N);
-    struct direct_patches found;
-    struct status status = {0};
-    for (size_t k = 0; k < 8; k++)
-        contact.pressure[(size_t)drawn[k][1] * contact.kernel.stride + (size_t)drawn[k][0]] = 1;
-    struct direct_contact_load load = load_of(0.125, INFINITY, 1e-9);
-    struct direct_quantities quantities = direct_quantities_of(&contact, &load);
-    assert_int_equal(quantities.contact_points, 8);
-    assert_int_equal(quantities.perimeter_faces, 8 + 8 + 4);
-    assert_near(quantities.area_ratio, (8 - 0.1 * 20) / 64, 1e-15);
-    assert_int_equal(direct_patches_find(&found, &contact, &status), STATUS_OK);
-    assert_int_equal(found.count, 3);
-    assert_int_equal(found.points[0], 4);
-    assert_int_equal(found.points[1], 3);
-    assert_int_equal(found.points[2], 1);
-    direct_patches_free(&found);
-    direct_contact_free(&contact);
 }
 
 int main(void)
@@ -452,7 +425,6 @@ int main(void)
         cmocka_unit_test(scale_free),
         cmocka_unit_test(effort_as_known),
         cmocka_unit_test(few_points_at_the_hardness),
-        cmocka_unit_test(patches),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

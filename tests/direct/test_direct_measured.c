@@ -27,7 +27,7 @@ static void solve(struct direct_point *out, const double *height_m, const struct
     struct status status = {0};
     struct direct_ladder_def ladder = {measured->load, LOADS, INFINITY, 1e-6, true, NULL};
     size_t n = measured->map.n;
-    if (direct_contact_make(&contact, height_m, n, n, measured->map.spacing_m, &status) != STATUS_OK ||
+    if (direct_contact_make(&contact, NULL, height_m, n, n, measured->map.spacing_m, &status) != STATUS_OK ||
         direct_ladder_run(out, &contact, &ladder, &status) != STATUS_OK)
         fail_msg("%s: %s", measured->name, status.message);
     direct_contact_free(&contact);
@@ -161,9 +161,7 @@ static void compare(double area[LOADS], double gap[LOADS], const struct measured
     memset(gap, 0, LOADS * sizeof *gap);
     for (uint64_t seed = 1; seed <= SEEDS; seed++) {
         struct direct_point point[LOADS];
-        enum status_code rc =
-            given_m ? direct_surface_with_heights(height_m, n, variance, context, given_m, n * n, seed, &status)
-                    : direct_surface_realise(height_m, n, variance, context, seed, &status);
+        enum status_code rc = direct_surface_make(height_m, n, variance, context, given_m, n * n, seed, &status);
         if (rc != STATUS_OK)
             fail_msg("%s: %s", measured->name, status.message);
         solve(point, height_m, measured);

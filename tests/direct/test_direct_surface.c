@@ -59,8 +59,8 @@ static void rows_have_the_law(void **state)
         assert_true(count == 60);
         assert_int_equal(direct_spectrum_of_law(&spectrum, &law, &status), STATUS_OK);
         for (uint64_t seed = 1; seed < 3; seed++) {
-            assert_int_equal(direct_surface_realise(height, N, direct_spectrum_variance, &spectrum, seed, &status),
-                             STATUS_OK);
+            assert_int_equal(
+                direct_surface_make(height, N, direct_spectrum_variance, &spectrum, NULL, 0, seed, &status), STATUS_OK);
             row_powers(power, count, height, N);
             for (size_t m = 1; m <= count; m++)
                 assert_near(power[m - 1], pow(direct_law_amplitude(&law, m), 2) / 2, m < 40 ? 1e-10 : 1e-6);
@@ -73,7 +73,8 @@ static void rows_have_the_law(void **state)
         rows[m - 1] = 1 / (1 + pow((double)m / 5, 4));
     assert_int_equal(direct_spectrum_of_rows(&spectrum, rows, 20, 1.3, &status), STATUS_OK);
     assert_true(spectrum.positive);
-    assert_int_equal(direct_surface_realise(height, N, direct_spectrum_variance, &spectrum, 7, &status), STATUS_OK);
+    assert_int_equal(direct_surface_make(height, N, direct_spectrum_variance, &spectrum, NULL, 0, 7, &status),
+                     STATUS_OK);
     row_powers(power, 20, height, N);
     for (size_t m = 1; m <= 20; m++)
         assert_near(power[m - 1], rows[m - 1], 1e-11);
@@ -81,7 +82,8 @@ static void rows_have_the_law(void **state)
     rows[10] = 5; /* a peak: no isotropic surface */
     assert_int_equal(direct_spectrum_of_rows(&spectrum, rows, 20, 1.3, &status), STATUS_OK);
     assert_false(spectrum.positive);
-    assert_int_equal(direct_surface_realise(height, N, direct_spectrum_variance, &spectrum, 7, &status), STATUS_MODEL);
+    assert_int_equal(direct_surface_make(height, N, direct_spectrum_variance, &spectrum, NULL, 0, 7, &status),
+                     STATUS_MODEL);
     direct_spectrum_free(&spectrum);
     free(height);
 }
@@ -164,32 +166,26 @@ static void surface_with_heights(void **state)
     struct status status = {0};
     for (size_t k = 0; k < GIVEN; k++) /* chi squared of 8 degrees of freedom, upside down: plateaus with pits */
         given[k] = 3 - pow(1 - 2.0 / 72 + sqrt(2.0 / 72) * 3 * cos(M_PI * ((double)k + 0.5) / GIVEN), 3);
-    assert_int_equal(direct_surface_realise(other, N, recipe_variance, &scale, 1, &status), STATUS_OK);
+    assert_int_equal(direct_surface_make(other, N, recipe_variance, &scale, NULL, 0, 1, &status), STATUS_OK);
     row_powers(expected, 16, other, N);
-    assert_int_equal(direct_surface_with_heights(height, N, recipe_variance, &scale, given, GIVEN, 1, &status),
-                     STATUS_OK);
+    assert_int_equal(direct_surface_make(height, N, recipe_variance, &scale, given, GIVEN, 1, &status), STATUS_OK);
     row_powers(power, 16, height, N);
     for (size_t m = 1; m <= 16; m++)
         assert_near(power[m - 1], expected[m - 1], 1e-10);
     assert_true(fabs(moment(other, N * N, 3)) < 0.3);
     assert_within(moment(height, N * N, 3), moment(given, GIVEN, 3), 0.1);
     assert_within(moment(height, N * N, 4), moment(given, GIVEN, 4), 0.2);
-    assert_int_equal(direct_surface_with_heights(other, N, recipe_variance, &scale, given, GIVEN, 1, &status),
-                     STATUS_OK);
+    assert_int_equal(direct_surface_make(other, N, recipe_variance, &scale, given, GIVEN, 1, &status), STATUS_OK);
     assert_memory_equal(height, other, N * N * sizeof *height);
-    assert_int_equal(direct_surface_with_heights(other, N, recipe_variance, &scale, given, GIVEN, 2, &status),
-                     STATUS_OK);
+    assert_int_equal(direct_surface_make(other, N, recipe_variance, &scale, given, GIVEN, 2, &status), STATUS_OK);
     assert_memory_not_equal(height, other, N * N * sizeof *height);
     given[5] = NAN;
-    assert_int_equal(direct_surface_with_heights(other, N, recipe_variance, &scale, given, GIVEN, 2, &status),
-                     STATUS_MODEL);
+    assert_int_equal(direct_surface_make(other, N, recipe_variance, &scale, given, GIVEN, 2, &status), STATUS_MODEL);
     status = (struct status){0};
-    assert_int_equal(direct_surface_with_heights(other, N, recipe_variance, &scale, given, 1, 2, &status),
-                     STATUS_MODEL);
+    assert_int_equal(direct_surface_make(other, N, recipe_variance, &scale, given, 1, 2, &status), STATUS_MODEL);
     given[0] = given[1] = 4;
     status = (struct status){0};
-    assert_int_equal(direct_surface_with_heights(other, N, recipe_variance, &scale, given, 2, 2, &status),
-                     STATUS_MODEL);
+    assert_int_equal(direct_surface_make(other, N, recipe_variance, &scale, given, 2, 2, &status), STATUS_MODEL);
     free(height);
     free(other);
 }

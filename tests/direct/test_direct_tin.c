@@ -82,7 +82,6 @@ static struct direct_ensemble_point solve(const struct direct_law *law, size_t n
                                       .n = n,
                                       .variance = direct_spectrum_variance,
                                       .context = &spectrum,
-                                      .first_seed = 1,
                                       .seeds = seeds};
     if (direct_spectrum_of_law(&spectrum, law, &status) != STATUS_OK ||
         direct_ensemble_run(&ensemble, &def, &status) != STATUS_OK)

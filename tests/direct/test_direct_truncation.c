@@ -2,9 +2,7 @@
 /* CMY's resistance against the direct solution of the very islands it speaks of: what of a Gaussian surface lies above
  * a plane. Its islands are round and evenly spread, those of a surface are neither. */
 #include "contact/truncation_model.h"
-#include "direct/direct_constriction.h"
-#include "direct/direct_surface.h"
-#include "support.h"
+#include "direct_support.h"
 
 #include <stdbool.h>
 #include <stdio.h>
@@ -29,30 +27,15 @@ static int falling(const void *a, const void *b)
 }
 
 /** Constriction length of what is above the plane, taking every `step`-th point; the cell is 1 m long. */
-static double constriction_of(const double *height_m, double plane_m, size_t step)
+static double constriction_above(const double *height_m, double plane_m, size_t step)
 {
-    struct direct_kernel kernel;
-    struct direct_contact_effort effort = {0};
-    struct status status = {0};
-    size_t side = SIDE / step, count = 0;
-    uint32_t *set = malloc(side * side * sizeof *set);
-    double *scratch[3], length_m;
-    assert_non_null(set);
-    assert_int_equal(direct_kernel_make(&kernel, side, side, 1.0 / (double)side, &status), STATUS_OK);
-    for (size_t i = 0; i < side; i++)
-        for (size_t j = 0; j < side; j++)
-            if (height_m[(i * SIDE + j) * step] > plane_m)
-                set[count++] = (uint32_t)(i * kernel.stride + j);
-    for (int k = 0; k < 3; k++) {
-        scratch[k] = malloc(count * sizeof **scratch);
-        assert_non_null(scratch[k]);
-    }
-    assert_int_equal(direct_constriction_of_set(&length_m, &kernel, set, count, scratch, 1e-3, NULL, &effort, &status),
-                     STATUS_OK);
-    for (int k = 0; k < 3; k++)
-        free(scratch[k]);
-    free(set);
-    direct_kernel_free(&kernel);
+    size_t side = SIDE / step, iterations;
+    uint8_t *drawing = malloc(side * side);
+    assert_non_null(drawing);
+    for (size_t k = 0; k < side * side; k++)
+        drawing[k] = height_m[(k / side * SIDE + k % side) * step] > plane_m;
+    double length_m = constriction_of_drawing(drawing, side, &iterations);
+    free(drawing);
     return length_m;
 }
 
@@ -73,7 +56,8 @@ static void the_stated_range_holds(void **state)
         for (uint64_t seed = 1; seed <= 2; seed++) {
             struct status status = {0};
             double m0 = 0, m2 = 0;
-            assert_int_equal(direct_surface_realise(height_m, SIDE, variance, &bands[b], seed, &status), STATUS_OK);
+            assert_int_equal(direct_surface_make(height_m, SIDE, variance, &bands[b], NULL, 0, seed, &status),
+                             STATUS_OK);
             for (int i = -SIDE / 2; i < SIDE / 2; i++)
                 for (int j = -SIDE / 2; j < SIDE / 2; j++) {
                     double power = variance(hypot(i, j), &bands[b]);
@@ -89,7 +73,8 @@ static void the_stated_range_holds(void **state)
                 if (contact.spot_density_per_m2 < 10)
                     continue;
                 double plane_m = sorted_m[(size_t)(areas[a] * SIDE * SIDE)];
-                double fine_m = constriction_of(height_m, plane_m, 1), coarse_m = constriction_of(height_m, plane_m, 2);
+                double fine_m = constriction_above(height_m, plane_m, 1),
+                       coarse_m = constriction_above(height_m, plane_m, 2);
                 /* ECR A_n = 2 rho l, and the error falls as the spacing */
                 double ratio = truncation_resistance(&law, &contact, 1) / (2 * (2 * fine_m - coarse_m));
                 assert_near(coarse_m, fine_m, 0.05);

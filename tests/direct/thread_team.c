@@ -12,9 +12,6 @@ struct crowd {
     size_t size;
     pthread_barrier_t barrier;
     const void *shown[MOST]; /* by each rank, for all to copy */
-    pthread_mutex_t lock;
-    pthread_cond_t changed;
-    const void *post[MOST][MOST]; /* from, to; NULL: taken */
 };
 
 struct member {
@@ -22,7 +19,7 @@ struct member {
     struct crowd *crowd;
     void (*work)(const struct direct_team *, void *);
     void *context;
-    double scratch[MOST * DIRECT_TEAM_VALUES];
+    struct status scratch[MOST];
 };
 
 static void gather(const struct direct_team *team, void *all, const void *mine, size_t bytes)
@@ -35,61 +32,53 @@ static void gather(const struct direct_team *team, void *all, const void *mine, 
     pthread_barrier_wait(&crowd->barrier);
 }
 
-static void exchange(const struct direct_team *team, size_t to, const void *out, size_t from, void *in, size_t bytes)
+static void spread(const struct direct_team *team, void *data, size_t bytes)
 {
     struct crowd *crowd = team->context;
-    pthread_mutex_lock(&crowd->lock);
-    if (to < team->size)
-        crowd->post[team->rank][to] = out;
-    pthread_cond_broadcast(&crowd->changed);
-    while (from < team->size && !crowd->post[from][team->rank])
-        pthread_cond_wait(&crowd->changed, &crowd->lock);
-    if (from < team->size) {
-        memcpy(in, crowd->post[from][team->rank], bytes);
-        crowd->post[from][team->rank] = NULL;
-        pthread_cond_broadcast(&crowd->changed);
-    }
-    while (to < team->size && crowd->post[team->rank][to])
-        pthread_cond_wait(&crowd->changed, &crowd->lock);
-    pthread_mutex_unlock(&crowd->lock);
+    crowd->shown[team->rank] = data;
+    pthread_barrier_wait(&crowd->barrier);
+    if (team->rank > 0)
+        memcpy(data, crowd->shown[0], bytes);
+    pthread_barrier_wait(&crowd->barrier);
+}
+
+/** The others are there already. */
+static enum status_code call(const struct direct_team *team, size_t n, double spacing_m,
+                             const struct direct_ladder_def *def, struct status *status)
+{
+    (void)team, (void)n, (void)spacing_m, (void)def;
+    return status->code;
 }
 
 struct transposition {
     const struct direct_team *team;
     size_t ny, nx;
-    double *rows, *columns;
+    double *from, *to;
 };
 
-static void *transposition_make(const struct direct_team *team, size_t ny, size_t nx, double *rows, double *columns)
+static void *transposition_make(const struct direct_team *team, size_t ny, size_t nx, double *from, double *to)
 {
     struct transposition *out = malloc(sizeof *out);
     if (out)
-        *out = (struct transposition){team, ny, nx, rows, columns};
+        *out = (struct transposition){team, ny, nx, from, to};
     return out;
 }
 
-static void transposition_free(void *transposition)
-{
-    free(transposition);
-}
-
 /** Each thread fetches its own slab from all others'. */
-static void transpose(void *transposition, bool back)
+static void transpose(void *transposition)
 {
     const struct transposition *own = transposition;
     const struct direct_team *team = own->team;
     struct crowd *crowd = team->context;
-    size_t n = back ? own->nx : own->ny, across = back ? own->ny : own->nx, first;
-    size_t count = direct_team_slab(across, team->size, team->rank, &first);
-    double *to = back ? own->rows : own->columns;
-    crowd->shown[team->rank] = back ? own->columns : own->rows;
+    size_t first, count = direct_team_slab(own->nx, team->size, team->rank, &first);
+    crowd->shown[team->rank] = own->from;
     pthread_barrier_wait(&crowd->barrier);
     for (size_t rank = 0; rank < team->size; rank++) {
         const double *from = crowd->shown[rank];
-        size_t start, lines = direct_team_slab(n, team->size, rank, &start);
+        size_t start, lines = direct_team_slab(own->ny, team->size, rank, &start);
         for (size_t j = 0; j < lines; j++)
             for (size_t i = 0; i < count; i++)
-                memcpy(to + 2 * (i * n + start + j), from + 2 * (j * across + first + i), 2 * sizeof *to);
+                memcpy(own->to + 2 * (i * own->ny + start + j), from + 2 * (j * own->nx + first + i), 2 * sizeof *from);
     }
     pthread_barrier_wait(&crowd->barrier);
 }
@@ -103,22 +92,23 @@ static void *run(void *context)
 
 void thread_team_run(size_t size, void (*work)(const struct direct_team *team, void *context), void *context)
 {
-    struct crowd crowd = {.size = size, .lock = PTHREAD_MUTEX_INITIALIZER, .changed = PTHREAD_COND_INITIALIZER};
+    struct crowd crowd = {.size = size};
     struct member *members = calloc(size, sizeof *members);
     pthread_t threads[MOST];
     if (!members || size > MOST)
         abort();
     pthread_barrier_init(&crowd.barrier, NULL, (unsigned)size);
     for (size_t rank = 0; rank < size; rank++) {
-        members[rank].team = (struct direct_team){rank,
-                                                  size,
-                                                  members[rank].scratch,
-                                                  &crowd,
-                                                  gather,
-                                                  exchange,
-                                                  transposition_make,
-                                                  transpose,
-                                                  transposition_free};
+        members[rank].team = (struct direct_team){.rank = rank,
+                                                  .size = size,
+                                                  .scratch = members[rank].scratch,
+                                                  .context = &crowd,
+                                                  .call = call,
+                                                  .spread = spread,
+                                                  .gather = gather,
+                                                  .transposition_make = transposition_make,
+                                                  .transpose = transpose,
+                                                  .transposition_free = free};
         members[rank].crowd = &crowd;
         members[rank].work = work;
         members[rank].context = context;

@@ -5,6 +5,7 @@
 #include "material/material.h"
 #include "scan/reader.h"
 #include "scan/scan.h"
+#include "spectrum/height_law.h"
 #include "support.h"
 
 #include <dirent.h>
@@ -329,7 +330,9 @@ static void tables_are_described(void **state)
 {
     (void)state;
     char *laws = read_document("docs/equations.md"), *formats = read_document("docs/formats.md");
-    char *report = read_document("docs/report.md");
+    char *report = read_document("docs/report.md"), *commands = read_document("docs/commands.md");
+    for (int v = 0; v < HEIGHT_VERDICTS; v++)
+        expect_named("docs/commands.md", commands, height_verdicts[v].name);
     for (size_t m = 0; m < model_count; m++)
         expect_named("docs/equations.md", laws, model_rows[m]->name);
 #define EXPECT_FORMAT(reader, name) expect_named("docs/formats.md", formats, name);
@@ -339,6 +342,7 @@ static void tables_are_described(void **state)
         expect_named("docs/report.md", report, q == QUANTITY_LOAD ? "load_over_AnEp" : quantity_rows[q].name);
     for (size_t p = 0; p < material_property_count; p++)
         expect_named("docs/report.md", report, material_properties[p].key);
+    free(commands);
     free(laws);
     free(formats);
     free(report);

@@ -143,7 +143,7 @@ static void loads_beyond_full_contact(void **state)
             for (size_t m = 0; m < model_count; m++) {
                 struct contact_point points[LOADS + 1];
                 struct model_curve curve = {.points = points};
-                assert_int_equal(model_rows[m]->run(&curve, model_rows[m], &task, &status), STATUS_OK);
+                assert_int_equal(model_run(&curve, model_rows[m], &task, &status), STATUS_OK);
                 check_curve(&curve, model_rows[m], &task);
             }
             spectrum_free(&spectrum);
@@ -167,7 +167,7 @@ static void nothing_but_full_contact(void **state)
             struct contact_point points[4];
             struct model_curve curve = {.points = points};
             struct model_task task = task_of(&spectrum, &surface, &pair, loads, count);
-            assert_int_equal(model_rows[m]->run(&curve, model_rows[m], &task, &status), STATUS_OK);
+            assert_int_equal(model_run(&curve, model_rows[m], &task, &status), STATUS_OK);
             bool silent = model_rows[m]->uses_heights || model_rows[m]->truncation_model;
             assert_int_equal(curve.count, silent ? 0 : model_rows[m]->asperity_model ? 1 : count);
             assert_int_equal(curve.exists, !silent);
@@ -192,7 +192,7 @@ static void no_asperities(void **state)
         struct contact_point points[3];
         struct model_curve curve = {.points = points};
         struct status status = {0};
-        assert_int_equal(model_rows[m]->run(&curve, model_rows[m], &task, &status), STATUS_OK);
+        assert_int_equal(model_run(&curve, model_rows[m], &task, &status), STATUS_OK);
         assert_true(curve.exists == !(model_rows[m]->asperity_model || model_rows[m]->uses_heights));
         assert_int_equal(curve.count, !curve.exists ? 0 : model_rows[m]->truncation_model ? 1 : 2);
         assert_true(curve.exists || curve.evaluations == 0);
@@ -226,10 +226,10 @@ static void every_choice_of_quantities(void **state)
             struct model_task task = task_of(&spectrum, &surface, &known, loads, 5);
             task.points = heights;
             task.point_count = heights_of(heights, &spectrum);
-            assert_int_equal(model_rows[m]->run(&reference, model_rows[m], &task, &status), STATUS_OK);
+            assert_int_equal(model_run(&reference, model_rows[m], &task, &status), STATUS_OK);
             task.wanted = wanted;
             task.pair = conducts ? &known : &bare;
-            assert_int_equal(model_rows[m]->run(&curve, model_rows[m], &task, &status), STATUS_OK);
+            assert_int_equal(model_run(&curve, model_rows[m], &task, &status), STATUS_OK);
             assert_int_equal(curve.count, reference.count);
             for (size_t i = 0; i < curve.count; i++) {
                 assert_near(some[i].area_ratio, all[i].area_ratio, 1e-9);

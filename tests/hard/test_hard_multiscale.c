@@ -262,7 +262,7 @@ static void convergence_study(void **state)
                 struct spectrum spectrum = {.amplitude_m = amplitudes_m, .count = 10, .length_m = 1e-6};
                 for (int n = 1; n <= 10; n++)
                     amplitudes_m[n - 1] = law.alpha * pow(1e-6 / n, law.gamma);
-                struct convergence_tail tail = convergence_tail(&spectrum);
+                struct convergence_tail tail = convergence_tail(&spectrum, 10);
                 for (double load = 1e-30; load < 1e7; load *= 1e12) {
                     struct convergence_extension out = convergence_extend(&spectrum, &tail, &pair, plastic, load);
                     assert_true(out.area_extended > 0 && out.area_extended <= out.area_measured);

@@ -8,13 +8,13 @@
 
 static struct contact_point point_of(double area, double separation_m)
 {
-    return (struct contact_point){.load = 1e-4,
-                                  .area_ratio = area,
-                                  .separation_m = separation_m,
-                                  .adjusted_m = NAN,
-                                  .ecr_ohm_m2 = 2e-10,
-                                  .tcr_K_m2_per_W = 4e-5,
-                                  .tcr_sd_K_m2_per_W = NAN};
+    struct contact_point point = quantity_nothing();
+    point.load = 1e-4;
+    point.area_ratio = area;
+    point.separation_m = separation_m;
+    point.ecr_ohm_m2 = 2e-10;
+    point.tcr_K_m2_per_W = 4e-5;
+    return point;
 }
 
 static const struct material_pair pair = {.resistivity_ohm_m = 6e-8, .side_resistivity_ohm_m = {1e-7, 2e-8}};
@@ -139,6 +139,12 @@ static void platings(void **state)
                 (1e-8 * plating_factor(t, 1e-8, 1e-7) + 2e-8) / 1.2e-7, 1e-14);
     struct contact_point dense = apply(&joint, plating, point_of(0.11, NAN));
     assert_true(isnan(dense.plating_factor) && isnan(dense.joint_ecr_ohm_m2));
+    /* of full contact the film is left */
+    struct contact_point full = point_of(1, 0);
+    full.ecr_ohm_m2 = 0;
+    joint.film_ohm_m2 = 3e-12;
+    full = apply(&joint, plating | EFFECT_BIT(EFFECT_FILM), full);
+    assert_true(isnan(full.plating_factor) && full.joint_ecr_ohm_m2 == 3e-12);
 }
 
 /** V = I R; the film and the plating are part of R when they run; no current to speak of heats nothing. */

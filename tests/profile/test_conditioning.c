@@ -100,7 +100,7 @@ static void test_filters(void **state)
     profile_free(&profile);
     struct scan scan = scan_on(NULL, f->z, POINTS, 1e-6);
     assert_profile_refused(&scan, &(struct profile_options){.lambda_c_m = 0.01},
-                           "lambda_c_m is 0.01, longer than the scan");
+                           "lambda_c is 0.01 m, longer than the scan");
     scan = scan_on(NULL, f->z, POINTS, 1e-12);
     assert_profile_refused(&scan, &(struct profile_options){.lambda_s_m = 1e3}, "no roughness is left between");
     for (size_t i = 0; i < POINTS; i++) /* such as a row of a map whose other rows are rough */
@@ -213,6 +213,8 @@ static void test_noise(void **state)
     assert_non_null(note);
     double ratio = strtod(note + strlen("m4 is noise of the shortest wavelengths: "), NULL);
     assert_true(ratio > 14 && ratio < 16);
+    assert_null(find_note(&profile, "lambda_s_m")); /* the scene's key by the name it has now */
+    assert_non_null(find_note(&profile, "give lambda_s"));
     profile_free(&profile);
     profile = condition(f->z, 1e-6, (struct profile_options){.lambda_s_m = 8e-6});
     assert_null(find_note(&profile, "m4 is noise"));

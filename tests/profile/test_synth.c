@@ -105,6 +105,26 @@ static void test_the_cut_off(void **state)
     free(height_m);
 }
 
+/* Of a surface that is scaled to its Rq every height is as many times as high. */
+static void test_scaled_to_rq(void **state)
+{
+    (void)state;
+    static const double rq_m[] = {1e-12, 4e-7, 5e-6, 0.1};
+    struct synth_def def = synth_def_default();
+    double *height_m = make(&def);
+    double as_made_m = root_mean_square(height_m, def.points);
+    def.scaled = true;
+    for (size_t i = 0; i < sizeof rq_m / sizeof *rq_m; i++) {
+        def.rq_m = rq_m[i];
+        double *scaled_m = make(&def);
+        assert_near(root_mean_square(scaled_m, def.points), rq_m[i], 1e-12);
+        for (size_t k = 0; k < def.points; k++)
+            assert_within(scaled_m[k], height_m[k] * (rq_m[i] / as_made_m), 1e-10 * rq_m[i]);
+        free(scaled_m);
+    }
+    free(height_m);
+}
+
 static void test_a_seed_names_a_surface(void **state)
 {
     (void)state;
@@ -143,6 +163,9 @@ static void test_what_cannot_be_made_is_refused(void **state)
     assert_refused(&def, "change --length");
     def.rq_m = 1e-15;
     assert_refused(&def, "change --length");
+    def.scaled = true;
+    def.rq_m = 1e31;
+    assert_refused(&def, "Rq would be above");
     def = good;
     def.scatter_decades = 2.01;
     assert_refused(&def, "at most 2 decades");
@@ -252,6 +275,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_the_law_comes_back),
+        cmocka_unit_test(test_scaled_to_rq),
         cmocka_unit_test(test_the_cut_off),
         cmocka_unit_test(test_a_seed_names_a_surface),
         cmocka_unit_test(test_what_cannot_be_made_is_refused),

@@ -1,15 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What ranks solve for the first of them is what it would solve alone. Run by mpirun; how many ranks it should find is
- * the argument. */
+/* What ranks solve together is what one process solves. Run by mpirun; how many ranks it should find is the argument.
+ */
 #include "direct/direct_ensemble.h"
 #include "direct_points.h"
 #include "ranks/ranks.h"
 #include "support.h"
 
-static const double loads[] = {5e-3, 0.1};
-enum { LOADS = sizeof loads / sizeof loads[0], SEEDS = 4 };
+#include <pthread.h>
+#include <stdio.h>
+#include <time.h>
+#include <unistd.h>
 
-static const struct direct_crew *crew;
+static const double loads[] = {5e-3, 0.1};
+enum { LOADS = sizeof loads / sizeof loads[0], N = 128 };
+
+static const struct direct_team *team;
 
 static struct direct_spectrum spectrum_of_law(void)
 {
@@ -24,152 +29,130 @@ static struct direct_spectrum spectrum_of_law(void)
     return spectrum;
 }
 
-static void expect_number(double found, double expected)
-{
-    if (isnan(expected)) /* no number at this load, or no error from one surface */
-        assert_true(isnan(found));
-    else
-        assert_near(found, expected, 1e-9);
-}
-
-static void expect_mean(struct direct_mean found, struct direct_mean expected)
-{
-    expect_number(found.value, expected.value);
-    expect_number(found.standard_error, expected.standard_error);
-    expect_number(found.fine_ratio, expected.fine_ratio);
-}
-
-/** An ensemble by the crew and alone. */
-static void compare(struct direct_ensemble_def def)
-{
-    struct direct_ensemble found, expected;
-    struct status status = {0};
-    assert_int_equal(direct_ensemble_run(&expected, &def, &status), STATUS_OK);
-    def.crew = crew;
-    assert_int_equal(direct_ensemble_run(&found, &def, &status), STATUS_OK);
-    assert_int_equal(found.seeds, expected.seeds);
-    assert_near(found.rms_m, expected.rms_m, 1e-12);
-    expect_same(found.seed_point, expected.seed_point, found.seeds * LOADS);
-    for (size_t i = 0; i < LOADS; i++) {
-        assert_int_equal(found.point[i].state, expected.point[i].state);
-        expect_mean(found.point[i].area_ratio, expected.point[i].area_ratio);
-        expect_mean(found.point[i].gap_m, expected.point[i].gap_m);
-        expect_mean(found.point[i].constriction_m, expected.point[i].constriction_m);
-        expect_mean(found.point[i].patches_per_m2, expected.point[i].patches_per_m2);
-    }
-    direct_ensemble_free(&found);
-    direct_ensemble_free(&expected);
-}
-
+/** Ensembles with and without a finer grid, given heights, a hardness below the last load. */
 static void ensembles(void **state)
 {
     (void)state;
+    static const struct {
+        size_t fine_times, seeds, given;
+        double hardness;
+    } cases[] = {{2, 2, 0, INFINITY}, {2, 1, 200, INFINITY}, {0, 3, 0, 0.05}};
     struct direct_spectrum spectrum = spectrum_of_law();
     double given[200];
     for (size_t k = 0; k < 200; k++)
         given[k] = pow((double)k, 2);
-    struct direct_ensemble_def def = {.ladder = {loads, LOADS, INFINITY, 1e-6, true, NULL},
-                                      .length_m = 1,
-                                      .n = 128,
-                                      .fine_times = 2,
-                                      .variance = direct_spectrum_variance,
-                                      .context = &spectrum,
-                                      .first_seed = 3,
-                                      .seeds = SEEDS,
-                                      .threads = 1};
-    compare(def); /* a surface a rank, the fine grid on all */
-    def.seeds = 1;
-    def.given_m = given;
-    def.given_count = 200;
-    compare(def); /* the surface on all ranks as well */
-    def.fine_times = 0;
-    def.ladder.hardness = 0.05; /* below the last load */
-    def.given_m = NULL;
-    def.threads = 2;
-    def.enough = 1e-6; /* in batches of 4 */
-    def.seeds = SEEDS + 1;
-    compare(def);
+    for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
+        struct direct_ensemble_def def = {.ladder = {loads, LOADS, cases[c].hardness, 1e-6, true, NULL},
+                                          .length_m = 1,
+                                          .n = N,
+                                          .fine_times = cases[c].fine_times,
+                                          .variance = direct_spectrum_variance,
+                                          .context = &spectrum,
+                                          .given_m = cases[c].given ? given : NULL,
+                                          .given_count = cases[c].given,
+                                          .seeds = cases[c].seeds,
+                                          .threads = 2};
+        struct direct_ensemble found, expected;
+        struct status status = {0};
+        assert_int_equal(direct_ensemble_run(&expected, &def, &status), STATUS_OK);
+        def.team = team;
+        assert_int_equal(direct_ensemble_run(&found, &def, &status), STATUS_OK);
+        assert_int_equal(found.seeds, expected.seeds);
+        assert_near(found.rms_m, expected.rms_m, 1e-12);
+        expect_same(found.seed_point, expected.seed_point, found.seeds * LOADS);
+        for (size_t i = 0; i < LOADS; i++) {
+            struct direct_mean one = found.point[i].gap_m, two = expected.point[i].gap_m;
+            assert_int_equal(found.point[i].state, expected.point[i].state);
+            if (found.point[i].state != DIRECT_ENSEMBLE_GIVEN)
+                continue;
+            assert_near(one.value, two.value, 1e-9);
+            assert_near(one.fine_ratio, two.fine_ratio, 1e-9);
+        }
+        direct_ensemble_free(&found);
+        direct_ensemble_free(&expected);
+    }
     direct_spectrum_free(&spectrum);
 }
 
-static void heights(void **state)
+static enum status_code solve(struct direct_point *out, uint8_t *touching, const double *height,
+                              const struct direct_team *by, const atomic_bool *stop, struct status *status)
+{
+    struct direct_ladder_def ladder = {loads, LOADS, INFINITY, 1e-6, true, stop};
+    double *copy = malloc(N * N * sizeof *copy);
+    assert_non_null(copy);
+    memcpy(copy, height, N * N * sizeof *copy);
+    *status = (struct status){0};
+    return direct_ladder_of_heights(out, NULL, touching, copy, N, 1.0 / N, &ladder, by, status);
+}
+
+/** Where the bodies touch comes back; the first rank's stop ends all, and so does what one rank finds wrong; and the
+ * ranks are there for the next surface. */
+static void heights_errors_and_stop(void **state)
 {
     (void)state;
-    enum { N = 128 };
+    static const atomic_bool stop = true;
     struct direct_spectrum spectrum = spectrum_of_law();
-    struct direct_ladder_def ladder = {loads, LOADS, INFINITY, 1e-6, true, NULL};
     struct direct_point expected[LOADS], found[LOADS];
     uint8_t *touching = malloc(2 * N * N), *there = touching + N * N;
     double *height = malloc(N * N * sizeof *height);
     struct status status = {0};
     assert_true(touching && height);
-    assert_int_equal(direct_surface_realise(height, N, direct_spectrum_variance, &spectrum, 1, &status), STATUS_OK);
-    assert_int_equal(direct_ladder_of_heights(expected, touching, height, N, 1.0 / N, &ladder, NULL, &status),
+    assert_int_equal(direct_surface_make(height, N, direct_spectrum_variance, &spectrum, NULL, 0, 1, &status),
                      STATUS_OK);
-    memset(there, 2, N * N);
-    assert_int_equal(direct_ladder_of_heights(found, there, height, N, 1.0 / N, &ladder, crew, &status), STATUS_OK);
-    expect_same(found, expected, LOADS);
-    assert_memory_equal(touching, there, N * N);
-    assert_int_equal(direct_ladder_of_heights(found, NULL, height, N, 1.0 / N, &ladder, crew, &status), STATUS_OK);
-    height[N * N - 1] = INFINITY; /* on the last rank */
-    assert_int_equal(direct_ladder_of_heights(found, NULL, height, N, 1.0 / N, &ladder, crew, &status), STATUS_MODEL);
-    assert_non_null(strstr(status.message, "height 16383 of the surface"));
+    assert_int_equal(solve(expected, touching, height, NULL, NULL, &status), STATUS_OK);
+    for (int round = 0; round < 2; round++) {
+        double last = height[N * N - 1];
+        memset(there, 2, N * N);
+        assert_int_equal(solve(found, there, height, team, NULL, &status), STATUS_OK);
+        expect_same(found, expected, LOADS);
+        assert_memory_equal(touching, there, N * N);
+        assert_int_equal(solve(found, NULL, height, team, &stop, &status), STATUS_INTERRUPTED);
+        height[N * N - 1] = INFINITY; /* on the last rank */
+        assert_int_equal(solve(found, NULL, height, team, NULL, &status), STATUS_MODEL);
+        assert_non_null(strstr(status.message, "height 16383 of the surface"));
+        height[N * N - 1] = last;
+    }
     free(height);
     free(touching);
     direct_spectrum_free(&spectrum);
 }
 
-/** The first rank's stop ends all; so do errors; and the ranks are there for the next surfaces. */
-static void errors_and_stop(void **state)
+/** What a rank that waits uses of its processor in half a second; the first one sleeps for so long. */
+static void *watch(void *used)
 {
-    (void)state;
-    static const atomic_bool stop = true;
-    struct direct_spectrum spectrum = spectrum_of_law();
-    double equal[2] = {1, 1};
-    struct direct_ensemble_def def = {.ladder = {loads, LOADS, INFINITY, 1e-6, true, &stop},
-                                      .length_m = 1,
-                                      .n = 128,
-                                      .variance = direct_spectrum_variance,
-                                      .context = &spectrum,
-                                      .first_seed = 1,
-                                      .seeds = 1,
-                                      .threads = 1,
-                                      .crew = crew};
-    for (size_t seeds = 1; seeds <= 4; seeds += 3) { /* one on all ranks, and one a rank */
-        struct direct_ensemble found;
-        struct status status = {0};
-        def.seeds = seeds;
-        def.ladder.stop = &stop;
-        def.given_m = NULL;
-        assert_int_equal(direct_ensemble_run(&found, &def, &status), STATUS_INTERRUPTED);
-        def.ladder.stop = NULL;
-        def.given_m = equal;
-        def.given_count = 2;
-        status = (struct status){0};
-        assert_int_equal(direct_ensemble_run(&found, &def, &status), STATUS_MODEL);
-        assert_non_null(strstr(status.message, "all equal"));
-    }
-    def.given_m = NULL;
-    compare(def);
-    direct_spectrum_free(&spectrum);
+    const struct timespec pause = {.tv_nsec = 250000000}, half = {.tv_nsec = 500000000};
+    struct timespec begun, ended;
+    nanosleep(&pause, NULL); /* MPI starts threads of its own */
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &begun);
+    nanosleep(&half, NULL);
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &ended);
+    *(double *)used = (double)(ended.tv_sec - begun.tv_sec) + 1e-9 * (double)(ended.tv_nsec - begun.tv_nsec);
+    return NULL;
+}
+
+/** Another rank than the first: leaves the processor to others while it waits. */
+static int serve(void)
+{
+    pthread_t watcher;
+    double used = 1;
+    bool watched = pthread_create(&watcher, NULL, watch, &used) == 0;
+    ranks_serve(NULL);
+    if (watched)
+        pthread_join(watcher, NULL);
+    if (used > 0.1)
+        fprintf(stderr, "a rank that waits used the processor for %.2f s of half a second\n", used);
+    return used > 0.1;
 }
 
 int main(int argc, char **argv)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(ensembles), cmocka_unit_test(heights),
-                                       cmocka_unit_test(errors_and_stop)};
-    const struct CMUnitTest alone[] = {cmocka_unit_test(ensembles)};
-    const struct ranks_options each = {1}, all = {0};
-    ranks_begin(&argc, &argv);
-    if (!ranks_is_first()) {
-        ranks_serve(NULL);
-        return 0;
-    }
-    crew = ranks_crew(&all);
-    int failed = (crew != NULL) != (argc > 1 && strcmp(argv[1], "1") != 0);
-    failed += cmocka_run_group_tests_name("as many ranks a surface as there are", tests, NULL, NULL);
-    crew = ranks_crew(&each);
-    failed += cmocka_run_group_tests_name("one rank a surface", alone, NULL, NULL);
+    const struct CMUnitTest tests[] = {cmocka_unit_test(ensembles), cmocka_unit_test(heights_errors_and_stop)};
+    team = ranks_begin(&argc, &argv);
+    if (team && team->rank > 0)
+        return serve();
+    sleep(1);
+    int failed = (team ? team->size : 1) != (argc > 1 ? strtoul(argv[1], NULL, 10) : 1);
+    failed += cmocka_run_group_tests(tests, NULL, NULL);
     ranks_end();
     return failed;
 }

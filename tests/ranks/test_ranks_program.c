@@ -51,6 +51,15 @@ static void expect_same(const char *place, const char *one, const char *two)
     table_free(&b);
 }
 
+/** How many lines of `text` begin with "roughcontact: ". */
+static size_t complaints(const char *text)
+{
+    size_t count = 0;
+    for (const char *at = text; (at = strstr(at, "roughcontact: ")); at++)
+        count++;
+    return count;
+}
+
 static void same_report(void **state)
 {
     const char *place = *state;
@@ -65,104 +74,55 @@ static void same_report(void **state)
         expect_same(place, "plain", ranks[k]);
         process_free(&run);
     }
-    run = expect_ranks(place, 0, "4", "--ranks-per-grid", "2", "direct", "d", "-o", "pairs", "--no-cost");
-    expect_same(place, "plain", "pairs");
-    process_free(&run);
 }
 
-/** Surfaces of every kind: one scan, several, one file for two, one that is refused; targets, limits, a measurement of
- * the baseline, whose scans are kept for it. */
-static void write_many(const char *place, const char *material, const char *other, const char *more)
-{
-    char name[16], scene[1024];
-    for (unsigned i = 0; i < 7; i++) {
-        snprintf(name, sizeof name, "d/%u.csv", i);
-        workspace_scan(place, name, 300 + 50 * i, i + 1);
-    }
-    workspace_write(place, "d/text.csv", "no,unit\n1,2\n");
-    workspace_write(place, "d/ecr.txt", "# load [N]\tresistance [mohm]\n1\t3\n3\t1.2\n10\t0.4\n");
-    snprintf(scene, sizeof scene,
-             "material: %s\nnominal_area: 1 mm2\nbaseline: two\n"
-             "targets: [{ecr: 1 mohm}]\nlimits: {ecr: {most: 2 mohm}}\n"
-             "measured: {file: ecr.txt, quantity: ecr}\n"
-             "surfaces: [{name: three, file: ['0.csv', '1.csv', '2.csv']}, {name: refused, file: text.csv},\n"
-             "  {name: one, file: 3.csv}, {name: two, file: ['4.csv', '5.csv']},\n"
-             "  {name: other, file: 6.csv, material: %s}, {name: again, file: 3.csv}]\n%s",
-             material, other, more);
-    workspace_write(place, "d/scene.yaml", scene);
-}
-
-/** Every file of the report has the bytes that one process writes, and so have the messages. */
+/** Without a direct solution the report has the bytes that one process writes, and the messages come once. */
 static void same_bytes(void **state)
 {
     const char *place = *state;
-    write_many(place, "tin", "copper", "");
-    struct process one = expect_exit(place, 1, "report", "d", "-o", "plain", "--no-cost", "--tolerance", "1e-7");
-    char *reference = workspace_digest(place, "plain");
-    static const char *const ranks[] = {"2", "3", "8"}; /* the last are more than surfaces */
-    for (size_t k = 0; k < 3; k++) {
-        struct process run =
-            expect_ranks(place, 1, ranks[k], "report", "d", "-o", "shared", "--no-cost", "--tolerance", "1e-7");
-        char *digest = workspace_digest(place, "shared");
-        assert_string_equal(digest, reference);
-        expect_part(run.err, "'refused' refused: text.csv");
-        expect_part(run.err, ", as predicted;");
-        assert_int_equal(strlen(run.out) - strlen("shared"), strlen(one.out) - strlen("plain"));
-        free(digest);
-        process_free(&run);
-    }
+    write_scene(place, EFFECTS);
+    workspace_write(place, "d/text.csv", "no,unit\n1,2\n");
+    workspace_write(place, "d/scene.yaml",
+                    "material: tin\nsurfaces: [{name: a, file: a.csv}, {name: b, file: text.csv}]\n" EFFECTS);
+    struct process one = expect_exit(place, 1, "report", "d", "-o", "plain", "--no-cost");
+    struct process run = expect_ranks(place, 1, "3", "report", "d", "-o", "shared", "--no-cost");
+    char *reference = workspace_digest(place, "plain"), *digest = workspace_digest(place, "shared");
+    assert_string_equal(digest, reference);
+    assert_int_equal(complaints(run.err), complaints(one.err));
+    free(digest);
     free(reference);
     process_free(&one);
-}
-
-/** What the first process decides with all surfaces in view holds when others run their models: here, that nothing
- * yields, and so nothing is capped either. */
-static void planned_together(void **state)
-{
-    const char *place = *state;
-    static const char stiff[] = "{E: 1 GPa, nu: 0.3, Sy: 50 GPa, resistivity: 1e-7 ohm m}";
-    write_many(place, stiff, stiff,
-               "direct: {grid: 64, seeds: 4, surfaces: all, hardness: 1 MPa, "
-               "loads: [1e-4, 1e-3]}\n");
-    struct process run = expect_exit(place, 1, "report", "d", "-o", "plain", "--no-cost");
-    process_free(&run);
-    run = expect_ranks(place, 1, "3", "report", "d", "-o", "shared", "--no-cost");
-    expect_part(run.err, ", as predicted;");
-    expect_same(place, "plain", "shared");
     process_free(&run);
 }
 
-/** A process that does not see the files of the first one ends the run with its message. */
-static void other_files(void **state)
+/** One process here and one in the folder `where`, which has `what` to do there. */
+static struct process two_places(const char *place, const char *where, const char *what)
+{
+    return process_end(process_start_list(place,
+                                          (const char *const[]){MPIEXEC, "-q", "-n", "1", PROGRAM_MPI, "direct", "d",
+                                                                "--no-cost", ":", "-n", "1", "-wdir", where,
+                                                                PROGRAM_MPI, "direct", what, "--no-cost", NULL},
+                                          NULL));
+}
+
+/** Only the first process reads the scene; but another scene, asked for by another, is an error. */
+static void other_places(void **state)
 {
     const char *place = *state;
-    write_many(place, "tin", "copper", "");
-    workspace_scan(place, "fewer/d/0.csv", 300, 1);
-    static const char *const wdir[] = {"nowhere", "fewer"}, *const message[] = {"cannot open directory 'd'",
-                                                                                "all have to see the same files"};
-    static const int status[] = {4, 4};
+    write_scene(place, EFFECTS "direct: {grid: 64, seeds: 1, loads: [1e-3]}\n");
     workspace_folder(place, "nowhere");
-    for (size_t k = 0; k < 2; k++) {
-        struct process run = process_end(
-            process_start_list(place,
-                               (const char *const[]){MPIEXEC, "-q", "-n", "1", PROGRAM_MPI, "report", "d", ":", "-n",
-                                                     "1", "-wdir", wdir[k], PROGRAM_MPI, "report", "d", NULL},
-                               NULL));
-        process_expect(run, status[k], __FILE__, __LINE__);
-        expect_part(run.err, message[k]);
-        assert_false(workspace_has(place, "out/d/report.md"));
-        assert_int_equal(workspace_count(place, ".roughcontact-"), 0);
-        process_free(&run);
-    }
-}
-
-/** How many lines of `text` begin with "roughcontact: ". */
-static size_t complaints(const char *text)
-{
-    size_t count = 0;
-    for (const char *at = text; (at = strstr(at, "roughcontact: ")); at++)
-        count++;
-    return count;
+    struct process run = two_places(place, ".", "e");
+    process_expect(run, 2, __FILE__, __LINE__);
+    expect_part(run.err, "started with different arguments");
+    assert_int_equal(complaints(run.err), 1);
+    assert_false(workspace_has(place, "out/d/report.md"));
+    process_free(&run);
+    run = two_places(place, "nowhere", "d");
+    process_expect(run, 0, __FILE__, __LINE__);
+    process_free(&run);
+    run = expect_exit(place, 0, "direct", "d", "-o", "plain", "--no-cost");
+    expect_same(place, "plain", "out/d");
+    process_free(&run);
 }
 
 static void errors(void **state)
@@ -176,15 +136,10 @@ static void errors(void **state)
     run = expect_ranks(place, 2, "3", "direct", "d", "--jobs", "0");
     expect_part(run.err, "--jobs must be 1 to 64");
     process_free(&run);
-    run = expect_ranks(place, 2, "2", "--ranks-per-grid", "none", "direct", "d");
-    expect_part(run.err, "--ranks-per-grid must be");
-    assert_int_equal(complaints(run.err), 1);
-    process_free(&run);
     run = expect_ranks(place, 2, "2", "no-such-command");
     assert_int_equal(complaints(run.err), 1);
     process_free(&run);
     run = expect_ranks(place, 0, "2", "--help");
-    expect_part(run.out, "--ranks-per-grid N");
     expect_part(run.out, "roughcontact direct");
     process_free(&run);
 }
@@ -210,8 +165,7 @@ static void stopped(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {workspace_test(same_report),      workspace_test(same_bytes),
-                                       workspace_test(planned_together), workspace_test(other_files),
-                                       workspace_test(errors),           workspace_test(stopped)};
+    const struct CMUnitTest tests[] = {workspace_test(same_report), workspace_test(same_bytes),
+                                       workspace_test(other_places), workspace_test(errors), workspace_test(stopped)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -15,6 +15,18 @@ static const struct scene_asked_row *row_named(const char *name)
     return row;
 }
 
+static struct answer answer_of(enum answer_kind kind, double load, double low, double high, double spots_per_m2,
+                               bool invalid)
+{
+    return (struct answer){.kind = kind,
+                           .load = load,
+                           .low = low,
+                           .high = high,
+                           .spots_per_m2 = spots_per_m2,
+                           .invalid = invalid,
+                           .counted_by = made_up_model("jg")};
+}
+
 static void put(size_t surface, const char *model, struct answer answer)
 {
     made_up_surface(&made, surface)->answers[made_up_model(model)] = answer;
@@ -58,16 +70,19 @@ static int setup(void **state)
         summary->limits = calloc(2, sizeof *summary->limits);
         assert_true(summary->answers && summary->limits);
         for (size_t m = 0; m < model_count; m++)
-            summary->answers[m] = (struct answer){ANSWER_NONE, NAN, NAN, NAN, NAN, false, 0, 0};
+            summary->answers[m] = answer_of(ANSWER_NONE, NAN, NAN, NAN, NAN, false);
     }
-    put(1, "multiscale-plastic", (struct answer){ANSWER_LOAD, 1e-6, 0.8e-6, 1.3e-6, NAN, false, 0, 0});
-    put(1, "gw", (struct answer){ANSWER_LOAD, 5e-6, NAN, NAN, 3e7, false, 0, 0});
-    put(1, "multiscale-elastic", (struct answer){ANSWER_LOAD, 2e-6, NAN, NAN, NAN, false, 0, 0});
-    put(1, "jg", (struct answer){ANSWER_LOAD, 9e-6, NAN, NAN, 5e6, true, 0, 0});
-    put(0, "multiscale-plastic", (struct answer){ANSWER_NOT_REACHED, 1e-2, NAN, NAN, NAN, false, 0, 0});
-    put(0, "gw", (struct answer){ANSWER_NONE, NAN, NAN, NAN, NAN, false, 0, 0});
-    put(2, "multiscale-plastic", (struct answer){ANSWER_LOAD, 4e-6, NAN, NAN, NAN, true, 0, 0});
-    put(2, "gw", (struct answer){ANSWER_LOAD, 6e-6, NAN, NAN, 7e6, false, 0, 0});
+    put(1, "multiscale-plastic", answer_of(ANSWER_LOAD, 1e-6, 0.8e-6, 1.3e-6, 3e7, false));
+    put(1, "gw", answer_of(ANSWER_LOAD, 5e-6, NAN, NAN, 6e7, false)); /* at its own load, which is another */
+    struct answer hard = answer_of(ANSWER_LOAD, 6e-6, NAN, NAN, NAN, false), full = hard;
+    hard.above_hardness = full.full = true;
+    put(1, "multiscale-elastic", answer_of(ANSWER_LOAD, 2e-6, NAN, NAN, NAN, false));
+    put(1, "jg", answer_of(ANSWER_LOAD, 9e-6, NAN, NAN, 5e6, true));
+    put(0, "multiscale-plastic", answer_of(ANSWER_NOT_REACHED, 1e-2, NAN, NAN, NAN, false));
+    put(0, "gw", answer_of(ANSWER_NONE, NAN, NAN, NAN, NAN, false));
+    put(2, "multiscale-plastic", answer_of(ANSWER_LOAD, 4e-6, NAN, NAN, 7e6, true));
+    put(2, "gw", hard);
+    put(2, "jg", full);
     check(0, 0, 1.5e-9, 1e-9, 2.5e-9);
     check(1, 0, 1e-9, NAN, NAN);
     check(2, 0, 3e-9, 2.5e-9, 3.5e-9);
@@ -99,16 +114,35 @@ static void the_section(void **state)
     expect(&text, "## Answers\n");
     expect(&lead, "- **ECR ≤ 1 mo\\|hm** takes 0.100 N (0.0800…0.130) on surface alpha, the least, and "
                   "0.400 N on surface gamma, the most (beyond the model's validity); not reached within the loads on "
-                  "1 of 3 surfaces (multiscale elastic-plastic).\n");
+                  "1 of 3 surfaces (multiscale elastic-plastic; intervals for scans of this length).\n");
     expect(&lead, "- Limit **ECR ≤ 2 mohm**: 1 of 3 surfaces meet it, 1 miss it, of 1 the interval straddles it.\n");
     expect(&lead, "- Limit **h ≥ 10 kW/m2/K**: 1 of 3 surfaces meet it, 1 miss it, 1 have no value.\n");
-    expect(&text, "\n| alpha | 0.100 (0.0800…0.130) | 0.200 (multiscale elastic) to 0.500 (GW) | 30 (GW) |  |\n");
-    expect(&text, "\n| beta | – | – | – | not reached up to 1e+03 |\n");
+    expect(&text, "\n| alpha | 0.100 (0.0800…0.130) | 0.200 (multiscale elastic) to 0.500 (GW) | 30 (JG) |  |\n");
+    expect(&text, "\n| beta | – | – | – | not reached up to 1e+03 N |\n");
     expect(&text,
-           "\n| gamma | 0.400 | 0.600 (GW) | 7.0 (GW): **too few for statistics** | beyond the model's validity |\n");
+           "\n| gamma | 0.400 | – | 7.0 (JG) | beyond the model's validity; too few spots for statistics (7) |\n");
     expect(&text, "\n| beta | ? cannot tell: 1.50 mohm (1.00…2.50) | – no value |\n");
     expect(&text, "\n| alpha | ✓ meets: 1.00 mohm | ✓ meets: 20.0 kW/m2/K (12.5…25.0) |\n");
     expect(&text, "\n| gamma | ✗ **misses**: 3.00 mohm (2.50…3.50) | ✗ **misses**: 5.00 kW/m2/K (4.00…6.25) |\n");
+    text_free(&lead);
+    text_free(&text);
+}
+
+/* Full contact, at which it is met at the latest; and a limit that was met below the load, where numbers end. */
+static void what_is_known_without_a_number(void **state)
+{
+    (void)state;
+    struct answer *leading = &made_up_surface(&made, 2)->answers[made_up_model("multiscale-plastic")], kept = *leading;
+    struct limit_check *of_beta = &made_up_surface(&made, 0)->limits[1], limit = *of_beta;
+    leading->full = true;
+    of_beta->verdict = LIMIT_MET;
+    struct text text = made_up_section(&made, &section_answers), lead = {0};
+    section_answers_lead(&lead, &made.context);
+    expect(&lead, "and at most 0.400 N on surface gamma, the most");
+    expect(&text, "\n| gamma | at most 0.400 | – | 7.0 (JG) | at full contact at the latest; beyond");
+    expect(&text, " | ✓ meets: from a lighter load on |\n");
+    *leading = kept;
+    *of_beta = limit;
     text_free(&lead);
     text_free(&text);
 }
@@ -118,14 +152,17 @@ static void the_lines_of_a_check(void **state)
     (void)state;
     struct text text = {0};
     assert_int_equal(report_missed_limits(&text, &made.results), 2);
-    assert_string_equal(text_string(&text), "surface 'gamma' misses the limit ECR ≤ 2 mohm: 3.00 mohm (2.50…3.50)\n"
-                                            "surface 'gamma' misses the limit h ≥ 10 kW/m2/K: 5.00 kW/m2/K "
-                                            "(4.00…6.25)\n");
+    assert_string_equal(
+        text_string(&text),
+        "surface 'gamma' misses the limit ECR ≤ 2 mohm: 3.00 mohm (2.50…3.50), for scans of this length\n"
+        "surface 'gamma' misses the limit h ≥ 10 kW/m2/K: 5.00 kW/m2/K "
+        "(4.00…6.25), for scans of this length\n");
     text_free(&text);
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(the_section), cmocka_unit_test(the_lines_of_a_check)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(the_section), cmocka_unit_test(what_is_known_without_a_number),
+                                       cmocka_unit_test(the_lines_of_a_check)};
     return cmocka_run_group_tests(tests, setup, teardown);
 }

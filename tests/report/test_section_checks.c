@@ -206,6 +206,8 @@ static void test_gamma(void **state)
     fake.surfaces[1].summary.power_law.knee_m = 1e-5; /* then the slope at short wavelengths counts */
     fake.surfaces[1].summary.power_law.gamma_below = 0.5;
     assert_verdict(&fake, claim, "fails", "for 1 of 3 surfaces (judged on 1 of them by the slope");
+    fake.surfaces[1].summary.length_m = 1e-4; /* one harmonic known, 100 um: below the knee is rounding, and no slope */
+    assert_verdict(&fake, claim, "in part", "for 1 of 2 surfaces; ");
     for (size_t k = 0; k < SURFACES; k++) {
         fake.surfaces[k].summary.power_law.gamma = NAN;
         fake.surfaces[k].summary.power_law.knee_m = NAN;
@@ -357,12 +359,24 @@ static void test_numbers_against_roughness(void **state)
     fake.surfaces[2].summary.power_law.gamma_error = 0.15;
     assert_verdict(&fake, "γ falls", "not tested", "in 0 of 0 pairs, 2 more differ");
 
-    assert_verdict(&fake, "α varies independently", "holds", "in 1 of 2 pairs"); /* 0.1, 0.2, 0.1 */
-    fake.surfaces[2].summary.power_law.alpha = 0.3;
-    assert_verdict(&fake, "α varies independently", "fails", "in 0 of 2 pairs");
-    fake.surfaces[2].summary.power_law.alpha = 0.1;
-    fake.surfaces[1].summary.power_law.alpha_error = 0.15; /* ln 2 is less than that of it */
-    assert_verdict(&fake, "α varies independently", "not tested", "2 more differ");
+    /* 0.1, 0.2, 0.1 um at 10 um, whatever alpha is: 10, 2, 0.1 */
+    make_fake(&fake);
+    assert_verdict(&fake, "α) varies independently", "holds",
+                   "at λ = 10.0 µm Δ falls from the smoother to the rougher "
+                   "neighbour in 1 of 2 pairs");
+    fake_law(&fake.surfaces[2].summary.power_law, 3e-7, 1.2);
+    assert_verdict(&fake, "α) varies independently", "fails", "in 0 of 2 pairs");
+    fake_law(&fake.surfaces[2].summary.power_law, 1e-7, 1.2);
+    fake.surfaces[1].summary.power_law.amplitude_error_decades = 0.31; /* a factor of 2.04 */
+    assert_verdict(&fake, "α) varies independently", "not tested", "2 more differ");
+    fake.surfaces[1].summary.power_law.amplitude_error_decades = 0;
+    fake.surfaces[0].summary.power_law.gamma_error = fake.surfaces[2].summary.power_law.gamma_error = 0.7;
+    assert_verdict(&fake, "α) varies independently", "holds", "in 1 of 2 pairs"); /* it turns about the middle */
+    fake.surfaces[1].summary.power_law.band_m[0] = 9e-5; /* three bands share 90 to 100 um: 0.68 decades off it */
+    assert_verdict(&fake, "α) varies independently", "not tested", "at λ = 94.9 µm Δ falls from");
+    for (size_t k = 0; k < SURFACES; k++)
+        fake.surfaces[k].summary.power_law.found = POWER_LAW_BAND_NARROW;
+    assert_verdict(&fake, "α) varies independently", "not tested", "no power law holds");
 
     assert_verdict(&fake, "β does not follow", "holds",
                    "GW: β falls from the smoother to the rougher neighbour in 1 of 2");
@@ -464,7 +478,7 @@ static const struct {
     {"TCR is ECR in other units", EFFECT_BIT(EFFECT_ELECTRICAL) | EFFECT_BIT(EFFECT_THERMAL), false, false, 1},
     {"Scale dependence is negligible", EFFECT_BIT(EFFECT_SCALE_DEPENDENT), false, false, 1},
     {"γ falls as roughness rises", 0, false, false, 2},
-    {"α varies independently", 0, false, false, 3},
+    {"α) varies independently", 0, false, false, 3},
     {"Smoother surfaces have the larger area", 0, false, false, 2},
     {"same order of magnitude", 0, false, false, 2},
     {"Plasticity narrows the spread", EFFECT_BIT(EFFECT_PLASTICITY), false, false, 2},

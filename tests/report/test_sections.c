@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What each section says of results made up to order: made_up_results.h gives the numbers, the expected texts are
  * worked out by hand from them. */
+#include "analysis/direct_study.h"
 #include "made_up_results.h"
 #include "report/report.h"
+#include "results/doubt.h"
 #include "support.h"
 
 #include <stdio.h>
@@ -218,28 +220,30 @@ static void test_what_the_sections_say(void **state)
     } expected[] = {
         {&section_summary, "- 3 surfaces, Rq 0.100 to 0.400 µm, of tin, pressed against a rigid flat that conducts "
                            "like it at nominal pressures of 0.100 to 1000 MPa.\n"},
-        {&section_summary, "**At 10.0 MPa ECR·Aₙ is 5.00·10⁻¹¹ Ω·m² (95 % 4.46·10⁻¹¹…5.61·10⁻¹¹; surface alpha) to "
-                           "3.75·10⁻¹⁰ Ω·m² (95 % 3.34·10⁻¹⁰…4.21·10⁻¹⁰; surface gamma)**, by multiscale "
-                           "elastic-plastic at P/(Aₙ E′) = 1.00·10⁻⁴; on 1 mm² 5.00·10⁻⁵ to 3.75·10⁻⁴ Ω; the real "
-                           "contact area is 4.00 to 20.0 % of the nominal one; TCR·Aₙ is 1.00·10⁻⁵ to 7.50·10⁻⁵ "
-                           "K·m²/W.\n\n- 3 surfaces"},
-        {&section_summary, "- **Surface alpha has the lowest ECR** there: lower than surface beta, the next (×0.333, "
+        {&section_summary,
+         "**At 10.0 MPa ECR·Aₙ is 5.00·10⁻¹¹ Ω·m² (95 % 4.46·10⁻¹¹…5.61·10⁻¹¹; surface alpha) to "
+         "3.75·10⁻¹⁰ Ω·m² (95 % 3.34·10⁻¹⁰…4.21·10⁻¹⁰; surface gamma)**, for scans of this length, by multiscale "
+         "elastic-plastic at P/(Aₙ E′) = 1.00·10⁻⁴; on 1 mm² 5.00·10⁻⁵ to 3.75·10⁻⁴ Ω; the real "
+         "contact area is 4.00 to 20.0 % of the nominal one; TCR·Aₙ is 1.00·10⁻⁵ to 7.50·10⁻⁵ "
+         "K·m²/W.\n\n- 3 surfaces"},
+        {&section_summary, "- **Surface alpha has the lowest ECR** there, for scans of this length: lower than surface "
+                           "beta, the next (×0.333, "
                            "95 % 0.210…0.530, 1 and "
                            "2 scans), and than surface gamma, the worst (×0.133, 95 % 0.113…0.157, one scan each). It "
                            "comes first in 4 of "
                            "4 models.\n"},
-        {&section_summary, "for surface beta at that load, the area is 2.50 (GW) to 10.0 % (multiscale "
-                           "elastic-plastic), ECR·Aₙ 1.50·10⁻¹⁰ (multiscale elastic-plastic) to 6.00·10⁻¹⁰ Ω·m² "
-                           "(GW).\n"},
+        {&section_summary, "for surface beta at that load, the area is 4.00 (JG) to 10.0 % (multiscale "
+                           "elastic-plastic), ECR·Aₙ 1.50·10⁻¹⁰ (multiscale elastic-plastic) to 3.75·10⁻¹⁰ Ω·m² "
+                           "(JG); without GW, elastic and above the hardness there.\n"},
         {&section_summary, "multiscale elastic is nearest, off by a factor of 1.33 (root mean square over 3 of 3 "
                            "points) and 1.33 times the measured on average; GW is farthest, off by a factor of 2.67."},
-        {&section_summary, "scales below the sampling limit would take up to 25 % more of the area"},
+        {&section_summary, "scales below the shortest wavelength known would take up to 25 % more of the area"},
         {&section_summary, "- **1 surface was refused**"},
         {&section_summary,
-         "| beta | 0.200 | 10.0 (6.38…15.7) | 1.00 | 0.900 (0.496…1.30) | 1.50·10⁻¹⁰ (9.57·10⁻¹¹…2.35·10⁻¹⁰) | "
+         "| beta | 0.200 | 10.0 (6.38…15.7) | 1.00 | 0.900 (0.574…1.41) | 1.50·10⁻¹⁰ (9.57·10⁻¹¹…2.35·10⁻¹⁰) | "
          "3.00·10⁻⁵ (1.91·10⁻⁵…4.70·10⁻⁵) | 450 | 450 | 450 | 450 | 3.00 | b | 1.00·10⁻³ |\n"},
-        {&section_surfaces,
-         "| beta | 0.200 | 0.160 | 0.200 | 1.00 | 200 | 0.500 ± 0.050 | 1.400 ± 0.010 | 0.200 | 0.174 |\n"},
+        {&section_surfaces, "| beta | 0.200 | 0.160 | 0.200 | 1.00 | 200 | 1.400 ± 0.010 | 2.00…100 | 0.0812 ×÷ 1.26 "
+                            "at 14.1 | 0.0812 ×÷ 1.26 | 3.00·10⁻¹⁹ | 0.20 | 0.500 |\n"},
         {&section_surfaces, "| gamma | 0.0100 | 0.00100 | 10.0 | 10000 | 2.00 | 0.360 | 0.0400 |\n"},
         {&section_material, "E′ = 100.0 GPa, C = 1.600"},
         {&section_material, "that is 0.100 to 1000 MPa of nominal pressure"},
@@ -286,6 +290,7 @@ static void test_what_the_sections_say(void **state)
         {&section_cost, "`thesis` is off by up to 8.0 % in area, `numeric` by 0.10 %, at 3.0 times the time."},
         {&section_cost, "is off by up to: multiscale-elastic 0.0020; gw 0.0030."},
         {&section_cost, "sub-intervals"},
+        {&section_cost, "take 0.75 (0.01), 1.5 (1e-10) times what they take at 1e-06, which is 1.0 % of the time"},
         {&section_cost, "ringed: what this report uses.](figures/cost-integrals.svg)"},
         {&section_cost, "Lower left is better.](figures/cost-curves.svg)"},
         {&section_methods, "| closure-area | thesis |  | 20 | 1.00 | 0.080 | used here |\n"},
@@ -309,11 +314,32 @@ static void test_what_limits_the_answer(void **state)
         "that it changes most.\n\n| what | changed | factor | to measure next |\n|---|---|---:|---|\n"
         "| choice of model | the farthest valid one of the same material law | × 2.50 | nothing; let a direct solution "
         "run |\n"
-        "| place of the scans | 95 % of the mean | ×÷ 1.57 (surface beta) | more scans, at other places |\n"
+        "| place of the scans | 95 % of the mean, for scans of this length | ×÷ 1.57 (surface beta) | more scans, at "
+        "other places |\n"
         "| scan length | halved | × 1.30 | a longer scan |\n"
         "| hardness | raised by 10 % | × 1.08 | the hardness of the part |\n"
         "| bandwidth | cut-off doubled | × 0.950 | at a finer spacing, with a sharper tip |\n"
         "| resistivity | off by 5 % | ×÷ 1.05 | the resistivity of the part |\n");
+}
+
+/* A direct solution that has run is not asked for once more: on the surface in question nothing is left, else the
+ * others are to be solved. */
+static void test_a_direct_solution_that_ran(void **state)
+{
+    (void)state;
+    struct direct_study *study = calloc(1, sizeof *study);
+    assert_non_null(study);
+    made.results.direct = study;
+    made.results.direct_count = 1;
+    struct doubt doubts[DOUBTS_MOST];
+    assert_true(doubts_rank(doubts, &made.results, made.context.comparison) > 0);
+    study->surface = doubts[0].surface;
+    expect(&section_doubts, "same material law | × 2.50 | nothing |\n");
+    study->surface = (doubts[0].surface + 1) % MADE_UP_SURFACES;
+    expect(&section_doubts, "same material law | × 2.50 | nothing; solve all directly (`direct: {surfaces: all}`) |\n");
+    made.results.direct = NULL;
+    made.results.direct_count = 0;
+    free(study);
 }
 
 /* A model outside its range of validity is no choice; an elastic leading model is held against elastic ones. */
@@ -342,11 +368,14 @@ static void test_the_best_by_area(void **state)
     make_of("multiscale-elastic", "gw", EFFECT_BIT(EFFECT_UNCERTAINTY));
     made.results.measured = NULL;
     expect(&section_summary, "**At 10.0 MPa the real contact area is 2.00 % (95 % 1.78…2.24; surface gamma) to 10.0 % "
-                             "(95 % 8.91…11.2; surface alpha)** of the nominal one, by multiscale elastic at P/(Aₙ E′) "
+                             "(95 % 8.91…11.2; surface alpha)** of the nominal one, for scans of this length, by "
+                             "multiscale elastic at P/(Aₙ E′) "
                              "= 1.00·10⁻⁴.\n");
-    expect(&section_summary, "- **Surface alpha has the largest area** there: larger than surface beta, the next "
-                             "(×2.00, 95 % 1.26…3.18, 1 and 2 scans), and than surface gamma, the worst (×5.00, 95 % "
-                             "4.25…5.88, one scan each). It comes first in 2 of 2 models.");
+    expect(
+        &section_summary,
+        "- **Surface alpha has the largest area** there, for scans of this length: larger than surface beta, the next "
+        "(×2.00, 95 % 1.26…3.18, 1 and 2 scans), and than surface gamma, the worst (×5.00, 95 % "
+        "4.25…5.88, one scan each). It comes first in 2 of 2 models.");
     expect_not(&section_summary, "CR");
     expect(&section_baseline, "| 1.00·10⁻⁴ | 10.0 | GW | 0.0250 | 4.00 |\n");
     expect_not(&section_all_surfaces, "CR");
@@ -361,7 +390,8 @@ static void test_the_best_by_heat(void **state)
     made.results.usable_count = 2;
     memcpy(made.order, two, sizeof two);
     made_up_again(&made);
-    expect(&section_summary, "- **Surface alpha has the lowest TCR** there: lower than surface gamma (×0.133, 95 % "
+    expect(&section_summary, "- **Surface alpha has the lowest TCR** there, for scans of this length: lower than "
+                             "surface gamma (×0.133, 95 % "
                              "0.113…0.157, one scan each).\n");
 }
 
@@ -400,9 +430,9 @@ static void test_no_best_where_none_is_told_apart(void **state)
     set_deviation(0, 0.34, false); /* 1.106 */
     set_deviation(1, 0.34, false);
     made_up_again(&made);
-    expect(&section_summary,
-           "- **No surface stands out by its ECR** there: surface alpha is not told apart from surface "
-           "beta (×0.333, 95 % 0.110…1.01, one scan each); from the other it is.\n");
+    expect(&section_summary, "- **No surface stands out by its ECR** there, for scans of this length: surface alpha is "
+                             "not told apart from surface "
+                             "beta (×0.333, 95 % 0.110…1.01, one scan each); from the other it is.\n");
     expect_not(&section_summary, "has the lowest");
 }
 
@@ -429,8 +459,12 @@ static void test_ranking_of_several_scans(void **state)
     for (size_t i = 0; i < MADE_UP_USABLE; i++)
         set_deviation(i, 0.2, true);
     made_up_again(&made);
-    expect(&section_summary, "- **Surface alpha has the lowest ECR** there: lower than surface beta, the next (×0.333, "
-                             "95 % 0.212…0.525, p = 0.0051, 3 and 3 scans)");
+    expect(&section_summary, "- **Surface alpha has the lowest ECR** there, for scans of this length: lower than "
+                             "surface beta, the next (×0.333, 95 % 0.212…0.525 of this pair alone, p = 0.0051 over all "
+                             "pairs, 3 and 3 scans)");
+    ecr_of(1)->count = 0; /* two are left, and one pair to adjust over */
+    made_up_again(&made);
+    expect(&section_summary, "(×0.400, 95 % 0.254…0.629, p = 0.005, 3 and 3 scans)");
     for (size_t i = 0; i < MADE_UP_USABLE; i++)
         set_deviation(i, 0.6, true);
     made_up_again(&made);
@@ -453,6 +487,32 @@ static void test_no_verdict_without_grounds(void **state)
                              "scanned, the largest value is 7.50 times the smallest.\n");
     expect_not(&section_summary, "has the lowest");
     expect_not(&section_summary, "share a letter");
+    expect_not(&section_summary, "| alike |");
+}
+
+/* A surface of whose scatter nothing is known has no letter and no verdict, whatever its value. */
+static void test_no_test_no_verdict(void **state)
+{
+    (void)state;
+    ecr_of(1)->count = 0; /* alpha, of the lowest ECR */
+    made_up_again(&made);
+    expect(&section_summary, "- **Surface beta has the lowest ECR** there of those tested, for scans of this length: "
+                             "lower than surface gamma (");
+    expect(&section_summary, ". 1 more was not tested: how far another scan would be off is not known.\n");
+    expect(&section_summary, " | – | – | 5.00·10⁻⁴ |\n"); /* alpha */
+    expect(&section_summary, " | 1 | a | 1.00·10⁻³ |\n");
+    expect(&section_summary, " | b | 2.50·10⁻³ |\n");
+    set_deviation(0, 0.9, false);
+    set_deviation(2, 0.9, false);
+    made_up_again(&made);
+    expect(&section_summary, "- **No surface stands out by its ECR** there, for scans of this length: surface beta is "
+                             "not told apart from surface "
+                             "gamma (×0.400, 95 % 0.0214…7.47, one scan each). 1 more was not tested");
+    expect_not(&section_summary, "surface alpha (×");
+    ecr_of(2)->half_width = NAN;
+    made_up_again(&made);
+    expect(&section_summary, "- **The surfaces are not ranked by ECR**: how far another scan would be off is known of "
+                             "fewer than two; as scanned, the largest value is 7.50 times the smallest.\n");
     expect_not(&section_summary, "| alike |");
 }
 
@@ -546,11 +606,21 @@ static void test_the_limits(void **state)
         for (size_t m = 0; m < model_count; m++)
             if (made_up_surface(&made, i)->models[m])
                 made_up_surface(&made, i)->models[m]->extension.area_extended = 0.4 * (1 - 0.9e-3);
-    expect(&section_summary, "- **Limits**: in JG the real contact bears more than 3 S_y, beyond any hardness, "
-                             "on 1 of 3 surfaces (up to 6.2 S_y).\n");
-    for (size_t i = 0; i < MADE_UP_USABLE; i++)
-        made_up_surface(&made, i)->pair.yield_strength_Pa *= 10;
+    expect(&section_summary, "- **Limits**: in JG the real contact bears more than the hardness of 284 MPa "
+                             "(2.84 S_y, as none is given) on 1 of 3 surfaces (up to 6.2 S_y).\n");
+    made_up_surface(&made, 2)->pair.hardness_Pa = 6.26e8; /* of a metal that hardens; it bears 625 MPa */
     expect_not(&section_summary, "Limits");
+    made_up_surface(&made, 2)->pair.hardness_Pa = 6.24e8;
+    expect_not(&section_baseline, "exceeds the hardness"); /* 250 MPa */
+    made_up_surface(&made, 0)->pair.hardness_Pa = 2.49e8;
+    expect(&section_baseline, " In JG the mean pressure P/A of the partial contact exceeds the hardness of 249 MPa "
+                              "between P/(Aₙ E′) = 1.00·10⁻⁶ and 1.00·10⁻³ (up to 2.5 S_y).");
+    made_up_surface(&made, 0)->pair.hardness_Pa = 2.84e8;
+    expect(&section_summary, "- **Limits**: in JG");
+    for (size_t i = 0; i < MADE_UP_USABLE; i++)
+        made_up_surface(&made, i)->pair.hardness_Pa *= 10;
+    expect_not(&section_summary, "Limits");
+    expect(&section_summary, "2.50 (GW) to 10.0 %"); /* which is below it now */
     model_of(2, "multiscale-plastic")->extension.area_extended = 0.4 * (1 - 1.1e-3);
     expect(&section_summary, "would take up to 0.11 % more of the area.\n");
     made_up_surface(&made, 1)->jump_share = 0.49;
@@ -653,6 +723,7 @@ int main(void)
         section_test(test_tables_are_whole),
         section_test(test_the_first_page_alone),
         section_test(test_what_limits_the_answer),
+        section_test(test_a_direct_solution_that_ran),
         section_test(test_models_that_are_no_choice),
         section_test(test_what_the_sections_say),
         section_test(test_the_best_by_area),
@@ -661,6 +732,7 @@ int main(void)
         section_test(test_letters_are_shared_by_those_not_told_apart),
         section_test(test_ranking_of_several_scans),
         section_test(test_no_verdict_without_grounds),
+        section_test(test_no_test_no_verdict),
         section_test(test_the_range_of_beta),
         section_test(test_what_is_left_at_full_contact),
         section_test(test_captions_of_some_surfaces),

@@ -58,6 +58,14 @@ static inline void fake_sweep(struct fake *fake, enum convergence_sweep sweep, c
     area[1] = settled ? 0.5 : 0.4;
 }
 
+/* A law of this amplitude at 10 um. */
+static inline void fake_law(struct power_law *law, double amplitude_m, double gamma)
+{
+    law->gamma = gamma;
+    law->amplitude_m = amplitude_m;
+    law->alpha = amplitude_m / pow(1e-5, gamma);
+}
+
 static inline void make_fake(struct fake *fake)
 {
     static const struct comparison_gap none = {NAN, NAN, NAN, NAN};
@@ -102,10 +110,10 @@ static inline void make_fake(struct fake *fake)
         struct surface_summary *summary = &fake->surfaces[k].summary;
         summary->scene = &fake->names[k];
         summary->usable = true;
-        summary->power_law.found = POWER_LAW_BAND_LAW;
-        summary->power_law.gamma = 1.6 - 0.2 * (double)k;
-        summary->power_law.alpha = k == 1 ? 0.2 : 0.1;
-        summary->power_law.knee_m = NAN;
+        summary->power_law = (struct power_law){
+            .found = POWER_LAW_BAND_LAW, .band_m = {1e-6, 1e-4}, .wavelength_m = 1e-5, .knee_m = NAN};
+        fake_law(&summary->power_law, k == 1 ? 2e-7 : 1e-7, 1.6 - 0.2 * (double)k);
+        summary->tail.count = 1;
         summary->models = fake->curve_of[k];
         for (size_t m = 0; m < model_count; m++)
             fake->curve_of[k][m] = &fake->curves[k][m];

@@ -85,7 +85,7 @@ static void of_many_surfaces_bins(void **state)
     assert_false(says(place, "other/report.md", "bins of a tenth"));
     assert_true(says(place, "one/results.json", "\"curves\": \"in data/contact.csv alone\""));
     assert_false(says(place, "one/results.json", "\"area_ratio\": ["));
-    assert_true(says(place, "one/results.json", "\"full_contact_load\": "));
+    assert_true(says(place, "one/results.json", "\"full_contact_load_over_AnEp\": "));
     assert_false(says(place, "other/results.json", "data/contact.csv alone"));
     assert_true(says(place, "other/results.json", "\"area_ratio\": ["));
     assert_true(says(place, "one/report.md", "| … 1 more in data/ |"));

@@ -207,7 +207,8 @@ static void test_no_law(void **state)
     for (size_t i = 0; i < POINTS; i++)
         height_m[i] = 1e-6 * cos(2 * M_PI * 20 * (double)i / POINTS);
     pipeline_scan(place, "none/one-harmonic.csv", height_m, POINTS);
-    pipeline_scan(place, "none/eight-points.csv", (const double[]){0, 1e-7, 3e-7, 2e-7, 5e-7, 1e-7, 0, 2e-7}, 8);
+    pipeline_scan(place, "none/eleven-points.csv",
+                  (const double[]){0, 1e-7, 3e-7, 2e-7, 5e-7, 1e-7, 0, 2e-7, 4e-7, 1e-7, 3e-7}, 11);
     for (size_t i = 0; i < POINTS; i++) { /* a comb */
         height_m[i] = 0;
         for (int n = 8; n < POINTS / 2; n *= 2)
@@ -217,7 +218,7 @@ static void test_no_law(void **state)
     directory_write(place, "none/scene.yaml",
                     "material: tin\neffects: [electrical, convergence]\nconvergence: {scales: 64}\n");
     assert_int_equal(pipeline_run(place, "none", "none-out", 1), 0);
-    static const char *const names[] = {"white", "constant", "one-harmonic", "eight-points", "all-lines"};
+    static const char *const names[] = {"white", "constant", "one-harmonic", "eleven-points", "all-lines"};
     for (size_t s = 0; s < sizeof names / sizeof *names; s++) {
         json_t *root, *surface = read_surface(place, "none-out", names[s], &root);
         if (strcmp(law_class(surface), "no power law found") != 0)
@@ -249,11 +250,61 @@ static void test_a_narrow_law(void **state)
     assert_within(number(surface, "gamma"), gamma_made, 3 * number(surface, "gamma_stderr"));
     json_decref(root);
     expect_in(place, "narrow-out/report.md", " (narrow) | ");
-    struct text text = {0};
+}
+
+/* Heights to the picometre of a law that an instrument has cut at 8 um: what is left below is the file's last digit.
+ * The spectrum is carried on from 8 um where the scene says so; where it does not, the filter's flank tells nothing. */
+static void test_what_lies_below_a_cut_off(void **state)
+{
+    static const char scene[] = "material: tin\nmodels: [multiscale]\neffects: [convergence]\nfit: thesis\n"
+                                "convergence: {scales: 64, load: 1e-6}\n";
+    static const char finding[] = "| γ ≥ 1, so the area converges | **";
+    const struct directory *place = *state;
+    enum { HEIGHTS = 1200 };
+    struct synth_def def = synth_def_default();
     struct status status = {0};
-    assert_int_equal(text_read_file(&text, directory_path(place, "narrow-out/report.md"), &status), STATUS_OK);
-    assert_null(strstr(text_string(&text), "sampling limit (µm) | A/Aₙ elastic | further fall"));
-    text_free(&text);
+    struct text csv = {0}, given = {0};
+    double height_m[HEIGHTS];
+    def.lambda_s_m = 8e-6;
+    def.gamma = 0.7;
+    def.alpha *= pow(1e-5, 0.8);
+    def.scatter_decades = 0.02;
+    assert_int_equal(synth_profile(height_m, &def, &status), STATUS_OK);
+    text_add(&csv, "x [um],z [um]\n");
+    for (size_t i = 0; i < HEIGHTS; i++)
+        text_add(&csv, "%g,%.6f\n", 0.25 * (double)i, height_m[i] * 1e6);
+    mkdir(directory_path(place, "cut"), 0777);
+    directory_write(place, "cut/a.csv", text_string(&csv));
+    directory_write(place, "cut/scene.yaml", scene);
+    assert_int_equal(pipeline_run(place, "cut", "cut-out", 1), 0);
+    struct text report = directory_read(place, "cut-out/report.md");
+    assert_non_null(strstr(text_string(&report), "their spectra do not tell"));
+    assert_null(strstr(text_string(&report), "of the area at P/(Aₙ E′)"));
+    const char *found = strstr(text_string(&report), finding);
+    assert_non_null(found);
+    assert_int_equal(strncmp(found + strlen(finding), "not tested", 10), 0);
+    text_free(&report);
+
+    text_add(&given, "%sfit_band: [8 um, 1 mm]\n", scene);
+    directory_write(place, "cut/scene.yaml", text_string(&given));
+    assert_int_equal(pipeline_run(place, "cut", "cut-out", 1), 0);
+    report = directory_read(place, "cut-out/report.md");
+    const char *table = strstr(text_string(&report), "| γ at the short end | ");
+    assert_non_null(table);
+    table = strstr(table, "\n| a ");
+    assert_non_null(table);
+    char *end;
+    assert_within(strtod(strstr(table + 3, " | ") + 3, &end), def.gamma, 0.1);
+    assert_near(strtod(end + strlen(" | "), NULL), 300. / 37, 1e-3);
+    found = strstr(text_string(&report), finding);
+    assert_non_null(found);
+    assert_int_equal(strncmp(found + strlen(finding), "fails", 5), 0);
+    found = strstr(found, "would take at most ");
+    assert_non_null(found);
+    assert_true(strtod(found + strlen("would take at most "), NULL) > 1);
+    text_free(&report);
+    text_free(&given);
+    text_free(&csv);
 }
 
 /* Rows of a map: copies of one row say nothing more than it does; the errors must not shrink with their number. */
@@ -320,6 +371,7 @@ int main(void)
         cmocka_unit_test(test_a_window_by_name),
         cmocka_unit_test(test_no_law),
         cmocka_unit_test(test_a_narrow_law),
+        cmocka_unit_test(test_what_lies_below_a_cut_off),
         cmocka_unit_test(test_rows_of_a_map),
         cmocka_unit_test(test_the_counterface_is_in_the_law),
     };

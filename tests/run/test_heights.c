@@ -34,7 +34,7 @@ static void write_scene(const struct directory *place, const char *in, const cha
     text_free(&text);
 }
 
-/** Two near-Gaussian surfaces and a plateau in place/in; eight points more in place/short. */
+/** Two near-Gaussian surfaces and a plateau in place/in; eleven points more in place/short. */
 static int place_setup(void **state)
 {
     static struct directory place;
@@ -44,7 +44,7 @@ static int place_setup(void **state)
     mkdir(directory_path(&place, "short"), 0777);
     heights(height_m, false, 4);
     pipeline_scan(&place, "in/even.csv", height_m, POINTS);
-    pipeline_scan(&place, "short/eight.csv", height_m, 8);
+    pipeline_scan(&place, "short/eleven.csv", height_m, 11);
     heights(height_m, false, 7);
     pipeline_scan(&place, "in/fair.csv", height_m, POINTS);
     heights(height_m, true, 4);
@@ -122,6 +122,43 @@ static void unasked_only_where_heights_are_not_gaussian(void **state)
             fabs(log10(table_number(&contact, i, "load_over_AnEp")) + 4) < 1e-9)
             assert_near(area, 100 * table_number(&contact, i, "area_ratio"), 0.006);
     table_free(&contact);
+    text_free(&report);
+}
+
+/** Beside a plastic model that leads, what contacting slopes says stands only below the hardness. */
+static void nothing_elastic_above_the_hardness(void **state)
+{
+    const struct directory *place = *state;
+    for (int soft = 0; soft < 2; soft++) {
+        write_scene(place, "in", soft ? "" : "hardness: 100 GPa\n");
+        struct text scene = directory_read(place, "in/scene.yaml"), plastic = {0};
+        const char *effects = strstr(scene.data, "[separation");
+        text_add(&plastic, "%.*s[plasticity, %s", (int)(effects - scene.data), scene.data, effects + 1);
+        directory_write(place, "in/scene.yaml", text_string(&plastic));
+        assert_int_equal(pipeline_run(place, "in", "hard", 1), 0);
+        struct text report = report_of(place, "hard");
+        assert_non_null(strstr(report.data, "**Heights are not Gaussian**"));
+        assert_int_equal(times(&report, "contacting slopes says more"), !soft);
+        assert_int_equal(times(&report, "| surface | Rsk | Rku | A/Aₙ (%)"), !soft);
+        assert_int_equal(times(&report, "factors of 2 to 30 in area"), !soft);
+        assert_int_equal(times(&report, "There the hardness alone sets their area; "), soft);
+        assert_int_equal(times(&report, "What contacting slopes says there is elastic and above the hardness."), soft);
+        text_free(&scene);
+        text_free(&plastic);
+        text_free(&report);
+    }
+    directory_write(place, "in/scene.yaml",
+                    "material: tin\nlevel: none\neffects: [plasticity, separation, electrical]\n"
+                    "load: {from: 1e-6, to: 1e-2, points: 9}\nsurfaces: [{name: soft, file: plateau.csv}, "
+                    "{name: hard, file: plateau.csv, hardness: 100 GPa}]\n");
+    assert_int_equal(pipeline_run(place, "in", "hard", 1), 0);
+    struct text report = report_of(place, "hard");
+    const char *table = strstr(report.data, "| surface | Rsk | Rku | A/Aₙ (%)");
+    assert_non_null(table);
+    const char *end = strstr(table, "\n\nLeft out: 1 above the hardness.\n");
+    assert_true(end && strstr(table, "\n| hard | ") < end && strstr(table, "\n| hard | "));
+    const char *soft_row = strstr(table, "\n| soft | ");
+    assert_true(!soft_row || soft_row > end);
     text_free(&report);
 }
 
@@ -409,8 +446,8 @@ static void none_where_there_cannot_be_one(void **state)
     const struct directory *place = *state;
     write_scene(place, "short", "models: [multiscale, contacting-slopes]\n");
     assert_int_equal(pipeline_run(place, "short", "out", 1), 0);
-    assert_int_equal(rows_of(place, "out", "eight", "contacting-slopes"), 0);
-    assert_int_equal(rows_of(place, "out", "eight", "multiscale-elastic"), 9);
+    assert_int_equal(rows_of(place, "out", "eleven", "contacting-slopes"), 0);
+    assert_int_equal(rows_of(place, "out", "eleven", "multiscale-elastic"), 9);
     assert_false(directory_has(place, "out/figures/normal-probability.svg"));
     write_scene(place, "in",
                 "models: [multiscale, contacting-slopes]\ncounterface: {surface: fair.csv}\n"
@@ -493,6 +530,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(unasked_only_where_heights_are_not_gaussian),
+        cmocka_unit_test(nothing_elastic_above_the_hardness),
         cmocka_unit_test(marks_in_every_table),
         cmocka_unit_test(marks_where_effects_call_for_tables),
         cmocka_unit_test(marks_in_captions),

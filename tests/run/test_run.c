@@ -189,19 +189,11 @@ static void test_the_baseline_and_the_order_do_not_depend_on_file_names(void **s
     text_free(&report);
 }
 
-static enum status_code fail_to_converge(const struct direct_crew *crew, struct direct_point *out, double *rms_m,
-                                         const struct direct_ensemble_def *def, size_t first, size_t count,
-                                         struct status *status)
+static enum status_code fail_to_converge(const struct direct_team *team, size_t n, double spacing_m,
+                                         const struct direct_ladder_def *def, struct status *status)
 {
-    (void)crew, (void)out, (void)rms_m, (void)def, (void)first, (void)count;
+    (void)team, (void)n, (void)spacing_m, (void)def;
     return status_fail(status, STATUS_MODEL, "the direct solution does not converge at p/E' = 0.01");
-}
-
-static enum status_code leave_fine_grid(const struct direct_crew *crew, struct direct_point *out,
-                                        const struct direct_ensemble_def *def, struct status *status)
-{
-    (void)crew, (void)out, (void)def, (void)status;
-    return STATUS_OK;
 }
 
 /* A direct solution that does not converge gives no number and takes none of the report away. */
@@ -210,12 +202,12 @@ static void test_no_convergence_leaves_the_report(void **state)
     struct run_outcome outcome;
     struct status status = {0};
     char target[4096];
-    const struct direct_crew crew = {.surfaces = fail_to_converge, .fine = leave_fine_grid};
+    const struct direct_team team = {.size = 1, .call = fail_to_converge};
     directory_write(*state, "in/scene.yaml",
                     "material: tin\neffects: [electrical]\nbaseline: b\ndirect: {grid: 64, seeds: 1, loads: 3}\n");
     snprintf(target, sizeof target, "%s", directory_path(*state, "out"));
     struct run_options options = options_to(target);
-    options.crew = &crew;
+    options.team = &team;
     assert_int_equal(pipeline_try(&outcome, *state, "in", options, &status), STATUS_OK);
     run_outcome_free(&outcome);
     struct text report = directory_read(*state, "out/report.md");

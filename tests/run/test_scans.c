@@ -66,11 +66,13 @@ static bool report_says(const struct directory *place, const char *report, const
     return says;
 }
 
-/** The surface's curve is the geometric mean of those of its scans, each reported by itself; of separations the
- * arithmetic one. The scans' order in the scene does not matter. */
+/** The surface's curve is the geometric mean of those of its scans, each reported by itself: of
+ * separation/sigma, not of metres; of what may be negative the arithmetic one. The scans' order in the scene does not
+ * matter. */
 static void the_mean_of_five_reports(void **state)
 {
-    static const char *const columns[] = {"area_ratio", "ecr_ohm_m2", "separation_m"};
+    static const char *const columns[] = {"area_ratio", "ecr_ohm_m2", "separation_over_sigma",
+                                          "adjusted_separation_over_sigma"};
     const struct directory *place = *state;
     struct table alone[SCANS];
     char name[64], surface[64];
@@ -90,16 +92,17 @@ static void the_mean_of_five_reports(void **state)
     struct table all = read_data(place, "all/data/contact.csv");
     size_t compared = 0;
     for (size_t r = 0; r < all.rows; r++)
-        for (size_t c = 0; c < 3; c++) {
+        for (size_t c = 0; c < 4; c++) {
             double sum = 0, load = table_number(&all, r, "load_over_AnEp");
             const char *model = table_text(&all, r, "model");
+            bool signed_one = c == 2 && (strcmp(model, "gw") == 0 || strcmp(model, "jg") == 0);
             if (table_text(&all, r, columns[c])[0] == '\0' || table_number(&all, r, "area_ratio") == 1)
                 continue;
             for (int s = 0; s < SCANS; s++) {
                 double value = table_number(&alone[s], row_of(&alone[s], "m", model, load), columns[c]);
-                sum += c < 2 ? log(value) : value;
+                sum += signed_one ? value : log(value);
             }
-            double mean = c < 2 ? exp(sum / SCANS) : sum / SCANS;
+            double mean = signed_one ? sum / SCANS : exp(sum / SCANS);
             assert_near(table_number(&all, r, columns[c]), mean, 1e-12);
             compared++;
         }
@@ -120,7 +123,7 @@ static void the_mean_of_five_reports(void **state)
 static void the_interval_of_two(void **state)
 {
     const struct directory *place = *state;
-    double ln[2];
+    double ln[2], ln_gap[2];
     mkdir(directory_path(place, "in"), 0777);
     rough(place, "in/0.csv", POINTS, 1, 1);
     rough(place, "in/1.csv", POINTS, 1, 2);
@@ -129,6 +132,7 @@ static void the_interval_of_two(void **state)
         assert_int_equal(pipeline_run(place, "in", s ? "one" : "zero", 1), 0);
         struct table table = read_data(place, s ? "one/data/contact.csv" : "zero/data/contact.csv");
         ln[s] = log(table_number(&table, row_of(&table, "m", "gw", 1e-5), "ecr_ohm_m2"));
+        ln_gap[s] = log(table_number(&table, row_of(&table, "m", "gw", 1e-5), "adjusted_separation_over_sigma"));
         table_free(&table);
     }
     scene(place, "in", listed, "{name: m, file: [0.csv, 1.csv]}");
@@ -139,7 +143,69 @@ static void the_interval_of_two(void **state)
     assert_near(table_number(&bands, row, "ecr_ohm_m2_mean_low_95"), exp(mean - half), 1e-9);
     assert_near(table_number(&bands, row, "ecr_ohm_m2_mean_high_95"), exp(mean + half), 1e-9);
     assert_near(table_number(&bands, row, "ecr_ohm_m2_next_scan_high_95"), exp(mean + half * sqrt(3)), 1e-9);
+    mean = (ln_gap[0] + ln_gap[1]) / 2; /* each over its own sigma */
+    half = 12.706204736432095 * fabs(ln_gap[0] - ln_gap[1]) / 2;
+    assert_near(table_number(&bands, row, "separation_over_sigma_mean_low_95"), exp(mean - half), 1e-9);
+    assert_near(table_number(&bands, row, "separation_over_sigma_mean_high_95"), exp(mean + half), 1e-9);
     table_free(&bands);
+    assert_true(report_says(place, "both/report.md", "95 % interval of the mean, for scans of this length."));
+}
+
+/** A cell; NaN where it is empty. */
+static double cell(const struct table *table, size_t row, const char *column)
+{
+    return *table_text(table, row, column) ? table_number(table, row, column) : NAN;
+}
+
+/** Intervals of one scan and of two that are quite unlike, up to full contact: each about its value and with a width,
+ * above 0, of an area up to 1; none where a number is that of the load alone. */
+static void intervals_in_the_data(void **state)
+{
+    static const char *const names[] = {"area_ratio", "separation_over_sigma", "ecr_ohm_m2"};
+    const struct directory *place = *state;
+    mkdir(directory_path(place, "in"), 0777);
+    rough(place, "in/0.csv", POINTS, 1, 1);
+    rough(place, "in/1.csv", POINTS, 4, 2);
+    rough(place, "in/2.csv", POINTS, 0.02, 3);
+    rough(place, "in/3.csv", POINTS, 100, 4);
+    scene(place, "in",
+          "models: [multiscale, statistical, cmy]\neffects: [plasticity, separation, electrical, uncertainty]\n",
+          "{name: one, file: 0.csv}, {name: two, file: [0.csv, 1.csv]}, {name: smooth, file: 2.csv}, {name: rough, "
+          "file: 3.csv}");
+    assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
+    struct table bands = read_data(place, "out/data/bands.csv"), contact = read_data(place, "out/data/contact.csv");
+    size_t known[2][3] = {{0}}, at_most[2] = {0}, alike = 0;
+    for (size_t r = 0; r < bands.rows; r++)
+        for (int q = 0; q < 3; q++) {
+            const char *surface = table_text(&bands, r, "surface"), *model = table_text(&bands, r, "model");
+            bool statistical = strcmp(model, "gw") == 0 || strcmp(model, "jg") == 0,
+                 several = strcmp(surface, "two") == 0;
+            char low_name[64], high_name[64];
+            snprintf(low_name, sizeof low_name, "%s_mean_low_95", names[q]);
+            snprintf(high_name, sizeof high_name, "%s_mean_high_95", names[q]);
+            double low = cell(&bands, r, low_name), high = cell(&bands, r, high_name);
+            assert_int_equal(isnan(low), isnan(high));
+            if (strcmp(model, "cmy") == 0 && q == 0)
+                alike += isnan(low) != 0;
+            if (isnan(low))
+                continue;
+            assert_true(low > 0 && low < high && (q > 0 || high <= 1));
+            double value = cell(&contact, row_of(&contact, surface, model, table_number(&bands, r, "load_over_AnEp")),
+                                statistical && q == 1 ? "adjusted_separation_over_sigma" : names[q]);
+            assert_true(low <= value * (1 + 1e-9) && value <= high * (1 + 1e-9));
+            known[several][q]++;
+            at_most[several] += q == 0 && high == 1 ? 1 : 0;
+        }
+    /* pressed lightly, a separation goes as sigma: record by record their scatter cancels; in metres it is 14 times */
+    size_t light = row_of(&bands, "rough", "multiscale-elastic", 1e-6);
+    assert_true(cell(&bands, light, "separation_over_sigma_mean_high_95") <
+                4 * cell(&bands, light, "separation_over_sigma_mean_low_95"));
+    for (int several = 0; several < 2; several++)
+        for (int q = 0; q < 3; q++)
+            assert_true(known[several][q] > 10);
+    assert_true(at_most[0] > 0 && at_most[1] > 0 && alike > 4);
+    table_free(&bands);
+    table_free(&contact);
 }
 
 /** A scan of twice the length is cut in two: it then says what its halves, reported as scans of one surface, say. */
@@ -244,7 +310,8 @@ static void ranked_in_words(void **state)
     assert_false(report_says(place, "three/report.md", "has the lowest ECR"));
     scene(place, "in", more, "{name: a, file: [a0.csv, a1.csv, a2.csv]}, {name: c, file: [c0.csv, c1.csv, c2.csv]}");
     assert_int_equal(pipeline_run(place, "in", "two", 1), 0);
-    assert_true(report_says(place, "two/report.md", "Surface a has the lowest ECR** there: lower than surface c (×"));
+    assert_true(report_says(place, "two/report.md",
+                            "Surface a has the lowest ECR** there, for scans of this length: lower than surface c (×"));
     assert_true(report_says(place, "two/report.md", "| a | "));
 }
 
@@ -305,6 +372,107 @@ static void a_map_by_blocks(void **state)
     table_free(&spread);
 }
 
+/* Runs place/IN into place/OUT; how many scans the surfaces that are reported go on without. */
+static size_t left_out(const struct directory *place, const char *in, const char *out, struct run_outcome *outcome)
+{
+    struct status status = {0};
+    char target[4096];
+    snprintf(target, sizeof target, "%s", directory_path(place, out));
+    const struct run_options options = {.output = target, .templates = PROJECT_SOURCE "/templates", .no_cost = true};
+    if (pipeline_try(outcome, place, in, options, &status) != STATUS_OK)
+        fail_msg("%s\n%s", status.message, text_string(&outcome->messages));
+    return outcome->left_out;
+}
+
+/* Scans that cannot be used, one of which is refused after another of its surface was added, leave no trace in numbers:
+ * the surface is that of the others, and says so. */
+static void bad_scans_of_several(void **state)
+{
+    const struct directory *place = *state;
+    static const char *const folders[] = {"good", "bad"};
+    struct run_outcome good, bad;
+    for (int f = 0; f < 2; f++) {
+        char path[64];
+        assert_int_equal(mkdir(directory_path(place, folders[f]), 0755), 0);
+        for (unsigned s = 0; s < 3; s++) {
+            snprintf(path, sizeof path, "%s/%c.csv", folders[f], "ace"[s]);
+            rough(place, path, POINTS, 1, 7 + s);
+        }
+        scene(place, folders[f], listed, "{name: s, file: [\"*.csv\"]}");
+    }
+    directory_write(place, "bad/b.csv", "x [um],z [um]\n0,1\n1,oops\n2,3\n");
+    directory_write(place, "bad/d.csv", "x [um],z [um]\n0,1\n1,0.5\n2,0.7\n"); /* refused for its spectrum */
+    assert_int_equal(left_out(place, "good", "out-good", &good), 0);
+    assert_int_equal(left_out(place, "bad", "out-bad", &bad), 2);
+    assert_int_equal(bad.refused, 0);
+    assert_true(bad.work_agrees);
+    expect_same_file(place, "out-good/data/contact.csv", "out-bad/data/contact.csv");
+    expect_same_file(place, "out-good/data/spread.csv", "out-bad/data/spread.csv");
+    static const char *const said[] = {
+        "surface 's': b.csv:3: 'oops' in a column of numbers; correct or remove this line - refused; 3 of its 5 scans "
+        "are used\n",
+        "surface 's': d.csv: 3 points carry no spectrum; at least 11 are needed: take a longer scan, or leave it out - "
+        "refused; 3 of its 5 scans are used\n"};
+    struct text report = directory_read(place, "out-bad/report.md");
+    for (int k = 0; k < 2; k++)
+        if (!strstr(text_string(&bad.messages), said[k]))
+            fail_msg("%s", text_string(&bad.messages));
+    assert_non_null(strstr(text_string(&report), "2 scans were refused"));
+    assert_non_null(strstr(text_string(&report), "at least 11 are needed"));
+    text_free(&report);
+    run_outcome_free(&good);
+    run_outcome_free(&bad);
+}
+
+/* A surface of too short a scan is none, and leads nothing; the shortest that is taken has 11 points. */
+static void too_short_to_lead(void **state)
+{
+    const struct directory *place = *state;
+    struct run_outcome outcome;
+    assert_int_equal(mkdir(directory_path(place, "in"), 0755), 0);
+    rough(place, "in/long.csv", POINTS, 1, 3);
+    static const double height_m[] = {0, 3e-7, 1e-7, 4e-7, -2e-7, 2e-7, 5e-7, -1e-7, 1e-7, 3e-7, -3e-7};
+    pipeline_scan(place, "in/eleven.csv", height_m, 11);
+    pipeline_scan(place, "in/ten.csv", height_m, 10);
+    scene(place, "in", listed,
+          "{name: ten, file: ten.csv}, {name: eleven, file: eleven.csv}, {name: long, file: long.csv}");
+    assert_int_equal(left_out(place, "in", "out", &outcome), 0);
+    assert_int_equal(outcome.refused, 1);
+    assert_non_null(
+        strstr(text_string(&outcome.messages), "surface 'ten' refused: ten.csv: 10 points carry no spectrum"));
+    run_outcome_free(&outcome);
+}
+
+/* Scans of one surface that have nothing in common, as um read as mm or a factor too many: a number that cannot be had
+ * is empty, with its reason, and the report is made. */
+static void scans_that_have_nothing_in_common(void **state)
+{
+    const struct directory *place = *state;
+    struct run_outcome outcome;
+    struct text csv = {0};
+    assert_int_equal(mkdir(directory_path(place, "in"), 0755), 0);
+    rough(place, "in/a.csv", POINTS, 1, 3);
+    rough(place, "in/b.csv", POINTS, 1, 4);
+    rough(place, "in/c.csv", POINTS, 0.3, 5);
+    text_add(&csv, "x [mm],z [um]\n");
+    for (int i = 0; i < POINTS; i++)
+        text_add(&csv, "%g,%.9f\n", 0.5 * i, sin(0.7 * i) + 0.5 * sin(2.1 * i));
+    directory_write(place, "in/mm.csv", text_string(&csv));
+    text_free(&csv);
+    directory_write(place, "in/scene.yaml",
+                    "material: tin\nmodels: [persson]\nfit: thesis\n"
+                    "surfaces: [{name: s, file: [a.csv, mm.csv]}, "
+                    "{name: t, file: [b.csv, c.csv]}]\n");
+    assert_int_equal(left_out(place, "in", "out", &outcome), 0);
+    if (!strstr(text_string(&outcome.messages), "surface 's': no power law: fewer than 3 harmonics") ||
+        !strstr(text_string(&outcome.messages), "surface 't': no interval at some loads (Persson): the scans differ"))
+        fail_msg("%s", text_string(&outcome.messages));
+    struct table surfaces = read_data(place, "out/data/surfaces.csv");
+    assert_string_equal(table_text(&surfaces, 0, "fit_high_m"), "");
+    table_free(&surfaces);
+    run_outcome_free(&outcome);
+}
+
 static int make(void **state)
 {
     struct directory *place = malloc(sizeof *place);
@@ -325,12 +493,16 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(the_mean_of_five_reports, make, clean),
         cmocka_unit_test_setup_teardown(the_interval_of_two, make, clean),
+        cmocka_unit_test_setup_teardown(intervals_in_the_data, make, clean),
         cmocka_unit_test_setup_teardown(unlike_lengths, make, clean),
         cmocka_unit_test_setup_teardown(identical_scans, make, clean),
         cmocka_unit_test_setup_teardown(one_scan_each, make, clean),
         cmocka_unit_test_setup_teardown(ranked_in_words, make, clean),
         cmocka_unit_test_setup_teardown(more_pairs_ask_for_more, make, clean),
         cmocka_unit_test_setup_teardown(a_map_by_blocks, make, clean),
+        cmocka_unit_test_setup_teardown(bad_scans_of_several, make, clean),
+        cmocka_unit_test_setup_teardown(too_short_to_lead, make, clean),
+        cmocka_unit_test_setup_teardown(scans_that_have_nothing_in_common, make, clean),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

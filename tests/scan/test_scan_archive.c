@@ -139,7 +139,10 @@ static void test_x3p_refusals(void **state)
     assert_main_refused(MAIN("SUR", AXIS("CX", "A", "D", "", "") CZ, MATRIX("3", "2", "1") LINK), "on a grid");
     assert_main_refused(MAIN("SUR", GRID CZ, MATRIX("3", "2", "1") VALID_LINK), "no 'valid.bin' in the archive");
     assert_main_refused("<x><y></x>", "main.xml, line 1: mismatched tag");
-    assert_main_refused("<!DOCTYPE x [<!ENTITY a \"aaaa\"><!ENTITY b \"&a;&a;\">]><x>&b;</x>", "an entity declaration");
+    assert_main_refused("<!DOCTYPE x [<!ENTITY a \"aaaa\"><!ENTITY b \"&a;&a;\">]><x>&b;</x>",
+                        "main.xml, line 1: a DOCTYPE; export the scan again");
+    assert_main_refused("<!DOCTYPE x [<!ATTLIST x a CDATA \"1\">]><x/>", "a DOCTYPE");
+    assert_main_refused("<!DOCTYPE x SYSTEM \"x.dtd\"><x/>", "a DOCTYPE");
 }
 
 static void test_checksums(void **state)

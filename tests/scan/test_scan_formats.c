@@ -121,6 +121,29 @@ static void test_maps(void **state)
     assert_refused("0 0 1\n1 0 2\n2 0 3\n0 1 4\n1 1 5\n", "file:5: the last row of points is not complete");
 }
 
+/* x y z as Gwyddion exports a map: metres, centres of pixels, five digits, so that places round by 2 % of a step. */
+static void test_gwyddion_xyz(void **state)
+{
+    (void)state;
+    enum { NX = 512, NY = 4 };
+    const double step_m = 1.3e-5 / NX;
+    struct text text = {0};
+    text_add(&text, "# Channel: Topography\n# Lateral units: m\n# Value units: m\n");
+    for (size_t i = 0; i < NX * NY; i++)
+        text_add(&text, "%.5g\t%.5g\t%.5g\n", ((double)(i % NX) + 0.5) * step_m, ((double)(i / NX) + 0.5) * step_m,
+                 1e-9 * (double)(i * i % 101));
+    struct scan scan = read_good(text_string(&text), "", "");
+    assert_int_equal(scan.nx, NX);
+    assert_int_equal(scan.ny, NY);
+    assert_near(scan.dx_m, step_m, 1e-4);
+    assert_near(scan.dy_m, step_m, 1e-4);
+    for (size_t i = 0; i < NX * NY; i++)
+        assert_near(scan.z_m[i], 1e-9 * (double)(i * i % 101), 1e-4);
+    scan_free(&scan);
+    text_free(&text);
+    assert_refused("0 0 1\n1 0 2\n2.03 0 3\n3 0 4\n", "file:3: this point is not on the grid");
+}
+
 static void test_columns(void **state)
 {
     (void)state;
@@ -263,9 +286,9 @@ static void test_mutations(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_profiles),  cmocka_unit_test(test_maps),     cmocka_unit_test(test_columns),
-        cmocka_unit_test(test_utf16),     cmocka_unit_test(test_refusals), cmocka_unit_test(test_checksum),
-        cmocka_unit_test(test_mutations),
+        cmocka_unit_test(test_profiles), cmocka_unit_test(test_maps),      cmocka_unit_test(test_gwyddion_xyz),
+        cmocka_unit_test(test_columns),  cmocka_unit_test(test_utf16),     cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_checksum), cmocka_unit_test(test_mutations),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

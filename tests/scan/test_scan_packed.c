@@ -75,12 +75,57 @@ static void test_several(void **state)
     text_free(&text);
 }
 
-/* A scan that is damaged, or in a format that is not read, is not passed over. */
+/* A file that is damaged, encrypted or of a format that is not read is refused by its name, and the others are read,
+ * whether those are texts or not. */
+static void test_the_others_are_read(void **state)
+{
+    (void)state;
+    enum { FILES = 7 };
+    static const char wyko[] = "\1\0Directory\0\0";
+    static const char *const parts[FILES] = {"a", "b", "c", "d", "e", "f", "g"};
+    static const char *const refused[FILES] = {"file(a): the format is not read here: Wyko OPD file",
+                                               NULL,
+                                               "'c' in the archive is damaged; copy the file again",
+                                               NULL,
+                                               "'e' in the archive is encrypted",
+                                               NULL,
+                                               "'g' in the archive is damaged"};
+    for (int texts = 0; texts < 2; texts++) {
+        const char *bytes = texts ? csv : sdf;
+        size_t length = texts ? sizeof csv - 1 : sizeof sdf - 1;
+        struct packed all[FILES];
+        for (size_t i = 0; i < FILES; i++)
+            all[i] = pack(parts[i], i == 0 ? wyko : bytes, i == 0 ? sizeof wyko : length, i > 2);
+        all[2].bytes.data[8]++;
+        all[4].flags = 1;
+        all[6].crc++;
+        struct text text = zip_of(all, FILES);
+        struct scan_options options = {.x_unit = "um", .z_unit = "um"};
+        for (size_t i = 0; i < FILES; i++) {
+            struct scan scan;
+            struct status status = {0};
+            enum status_code code = read_bytes(&scan, text.data, text.length, &options, &status);
+            assert_int_equal(code, refused[i] ? STATUS_SCAN : STATUS_OK);
+            if (refused[i] && !strstr(status.message, refused[i]))
+                fail_msg("'%s' without '%s'", status.message, refused[i]);
+            assert_string_equal(scan.part, parts[i]);
+            options.entry = scan.next_entry;
+            assert_int_equal(options.entry > 0, i + 1 < FILES);
+            scan_free(&scan);
+        }
+        fuzz_sample(&text, 540 + (uint64_t)texts);
+        text_free(&text);
+        for (size_t i = 0; i < FILES; i++)
+            text_free(&all[i].bytes);
+    }
+}
+
+/* A text that may be a scan and has no numbers is not passed over, nor is what may be one and is the only one. */
 static void test_refusals(void **state)
 {
     (void)state;
     const struct member damaged[] = {{"a.csv", csv, sizeof csv - 1}, {"b.csv", "no numbers\n", 11}, {NULL, NULL, 0}};
-    const struct member wyko[] = {{"a.csv", csv, sizeof csv - 1}, {"b.opd", "\1\0Directory\0\0", 13}, {NULL, NULL, 0}};
+    const struct member wyko[] = {{"a.txt", "by hand\n", 8}, {"b.opd", "\1\0Directory\0\0", 13}, {NULL, NULL, 0}};
     struct scan_options second = {.entry = 3}; /* of two entries: the second among the texts */
     struct text text = zip(damaged, true);
     assert_refused_bytes(text.data, text.length, &second, "file(b.csv): no line of numbers in it");
@@ -262,8 +307,9 @@ static void test_gwy_refusals(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_several), cmocka_unit_test(test_refusals),     cmocka_unit_test(test_gzip),
-        cmocka_unit_test(test_gwy),     cmocka_unit_test(test_gwy_refusals),
+        cmocka_unit_test(test_several),  cmocka_unit_test(test_the_others_are_read),
+        cmocka_unit_test(test_refusals), cmocka_unit_test(test_gzip),
+        cmocka_unit_test(test_gwy),      cmocka_unit_test(test_gwy_refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

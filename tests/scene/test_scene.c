@@ -350,7 +350,7 @@ static void test_wrong_overrides(void **state)
                          "--x-unit is 'a very long unit'; give a unit of length such as mm or um");
     check_wrong_override(
         DATA("elastic"), (struct scene_overrides){.effects = "electrical"}, STATUS_SCENE,
-        "--effects: 'electrical' needs 'resistivity_ohm_m'; add it to 'material' in '" DATA("elastic") "/scene.yaml'");
+        "--effects: 'electrical' needs 'resistivity'; add it to 'material' in '" DATA("elastic") "/scene.yaml'");
 }
 
 static void test_titles(void **state)

@@ -112,6 +112,10 @@ static void test_numbers(void **state)
         {"tolerance: 0.11\n", 1, "'tolerance' is 0.11; allowed is 1e-14 to 0.1"},
         {"max_missing: 0.95\n", 1, "'max_missing' is 0.95; allowed is 0 to 0.9"},
         {"tip_radius_m: -2e-6\n", 1, "'tip_radius_m' is -2e-6; allowed is 1e-12 to 1 m"},
+        {"%YAML 1.1\n---\ntitle: x\n", 1, "a directive of YAML (%); a scene needs none, remove it"},
+        {"# x\n%TAG ! tag:x\n---\ntitle: x\n", 2, "a directive of YAML (%); a scene needs none, remove it"},
+        {"title: x\n...\n%TAG ! tag:x\n---\ntitle: x\n", 3,
+         "a second document starts here; a scene is one, remove the '---'"},
         {"lambda_s_m: 0\n", 1, "'lambda_s_m' is 0; allowed is 1e-12 to 1000 m"},
         {"lambda_c_m: 8e-6\nlambda_s_m: 8e-6\n", 1,
          "'lambda_c' is 8e-06 m, not above 'lambda_s', 8e-06 m; nothing would be left between them"},
@@ -217,16 +221,16 @@ static void test_effects_without_their_property(void **state)
 #define DULL "material: {E_Pa: 70e9, nu: 0.3}\n"
     static const struct wrong rows[] = {
         {DULL "effects: plasticity\n", 2,
-         "effect 'plasticity' needs 'Sy_Pa'; add it to 'material' or leave the effect out"},
+         "effect 'plasticity' needs 'Sy'; add it to 'material' or leave the effect out"},
         {"effects:\n- separation\n- electrical\n" DULL, 3,
-         "effect 'electrical' needs 'resistivity_ohm_m'; add it to 'material' or leave the effect out"},
+         "effect 'electrical' needs 'resistivity'; add it to 'material' or leave the effect out"},
         {"effects: [thermal]\nmaterial: tin\ncounterface: {E_Pa: 70e9, nu: 0.3}\n", 1,
-         "effect 'thermal' needs 'conductivity_W_per_mK'; add it to 'counterface' or leave the effect out"},
+         "effect 'thermal' needs 'conductivity'; add it to 'counterface' or leave the effect out"},
         {"effects: [separation,\n scale-dependent]\nmaterial: {E_Pa: 70e9, nu: 0.3, conductivity_W_per_mK: 9, "
          "density_kg_per_m3: 9, sound_speed_m_per_s: 9}\n",
-         2, "effect 'scale-dependent' needs 'specific_heat_J_per_kgK'; add it to 'material' or leave the effect out"},
+         2, "effect 'scale-dependent' needs 'specific_heat'; add it to 'material' or leave the effect out"},
         {"effects: [separation,\n scale-dependent]\n" DULL, 2,
-         "effect 'thermal' needs 'conductivity_W_per_mK'; add it to 'material' or leave the effect out"},
+         "effect 'thermal' needs 'conductivity'; add it to 'material' or leave the effect out"},
     };
     CHECK_WRONG(rows);
 }
@@ -249,7 +253,7 @@ static void test_joint(void **state)
         {"material: tin\ncurrent: 5 A\n", 2, "'current' flows through which area? add 'nominal_area'"},
         {"effects: [electrical]\nfilm: 0\nmaterial: {E_Pa: 70e9, nu: 0.3, resistivity_ohm_m: 1e-7}\n"
          "gap: {gas: air}\n",
-         4, "effect 'thermal' needs 'conductivity_W_per_mK'; add it to 'material' or leave the effect out"},
+         4, "effect 'thermal' needs 'conductivity'; add it to 'material' or leave the effect out"},
         {"effects: [separation]\nfilm: 0\n", 2,
          "effect 'electrical' needs a material; add 'material' or leave the effect out"},
         {"gap: {gas: xenon}\n", 1, "unknown gas 'xenon'; allowed: air, nitrogen, helium, argon, vacuum"},
@@ -378,8 +382,7 @@ static void test_materials_of_surfaces(void **state)
     static const struct wrong rows[] = {
         {"effects: electrical\nsurfaces:\n  - {file: a.csv, material: tin}\n  - {file: b.csv, material: {E: 1 GPa, nu: "
          "0.3}}\n",
-         1,
-         "effect 'electrical' needs 'resistivity_ohm_m'; add it to 'material' of surface 'b' or leave the effect out"},
+         1, "effect 'electrical' needs 'resistivity'; add it to 'material' of surface 'b' or leave the effect out"},
         {"effects: electrical\nsurfaces:\n  - {file: a.csv, material: tin}\n  - {file: b.csv}\n", 1,
          "effect 'electrical' needs a material; add 'material' or leave the effect out"},
         {"surfaces:\n  - {file: a.csv, material: tim}\n", 2, "unknown material 'tim'; did you mean 'tin'?"},
@@ -520,7 +523,7 @@ static void test_asked(void **state)
          "'ecr' needs the effect 'electrical', which is not listed; add it or leave 'ecr' out"},
         {"targets: [{ecr: 1e-9 ohm m2}]\n", 1, "'ecr' needs a material; add 'material' or leave 'ecr' out"},
         {"material: {E: 41 GPa, nu: 0.36}\ntargets: [{conductance: 1e4}]\n", 2,
-         "'conductance' needs 'conductivity_W_per_mK' of surface 'a'; add it to the material or leave 'conductance' "
+         "'conductance' needs 'conductivity' of surface 'a'; add it to the material or leave 'conductance' "
          "out"},
         {"targets: [{area: 5 %}, {area: 5 %}]\n", 1, "'area' is asked to be 5 % twice; remove one"},
         {"limits: {}\n", 1, "'limits' names none; remove the line, or give one such as ecr: {most: 2 mohm}"},

@@ -60,7 +60,7 @@ static void test_an_exact_law_comes_back(void **state)
         assert_within(law.gamma, laws[l].gamma, 1e-10);
         assert_within(law.misfit_decades, 0, 1e-6); /* the root of a sum that rounds at 1e-14 */
         assert_within(law.gamma_error, 0, 1e-6);
-        assert_within(law.alpha_error, 0, 1e-5 * law.alpha);
+        assert_within(power_law_error_decades(&law, 1), 0, 1e-5);
         assert_int_equal(law.harmonics, laws[l].count);
         assert_near(law.band_m[0], laws[l].length_m / (double)laws[l].count, 1e-14);
         assert_near(law.band_m[1], laws[l].length_m, 1e-14);
@@ -93,7 +93,10 @@ static void assert_textbook_line(const struct power_law *law, const struct spect
     assert_near(law->gamma, (double)slope, 1e-10);
     assert_near(law->alpha, (double)expl(intercept), 1e-9);
     assert_near(law->gamma_error, (double)sqrtl(variance / xx), 1e-9);
-    assert_near(law->alpha_error, (double)(expl(intercept) * sqrtl(variance * (1 / n + x_mean * x_mean / xx))), 1e-9);
+    double lever = log(law->wavelength_m) - (double)x_mean;
+    assert_near(law->amplitude_error_decades * M_LN10,
+                sqrt((double)variance * (1 / (double)n + lever * lever / (double)xx)), 1e-9);
+    assert_near(law->amplitude_m, (double)expl(intercept + slope * logl(law->wavelength_m)), 1e-9);
     assert_near(law->misfit_decades, (double)(sqrtl(squares / n) / logl(10)), 1e-9);
     assert_int_equal(law->harmonics, last - first + 1);
 }
@@ -122,8 +125,8 @@ static void test_standard_errors_are_those_of_repeated_surfaces(void **state)
         struct power_law law = power_law_fit(spectrum, all_m);
         squares += pow(law.gamma - 1.5, 2) / SURFACES;
         stated += pow(law.gamma_error, 2) / SURFACES;
-        log_squares += pow(log(law.alpha / 0.085), 2) / SURFACES;
-        log_stated += pow(law.alpha_error / law.alpha, 2) / SURFACES;
+        log_squares += pow(log10(law.amplitude_m / (0.085 * pow(law.wavelength_m, 1.5))), 2) / SURFACES;
+        log_stated += pow(law.amplitude_error_decades, 2) / SURFACES;
     }
     gsl_rng_free(random);
     assert_near(stated, squares, 0.1); /* relative error of a variance from 2000: 0.03 */
@@ -164,7 +167,7 @@ static void assert_no_fit(const struct spectrum *spectrum, const double band_m[2
 {
     struct power_law law = power_law_fit(spectrum, band_m);
     assert_int_equal(law.harmonics, harmonics);
-    assert_true(isnan(law.alpha) && isnan(law.alpha_error) && isnan(law.gamma) && isnan(law.gamma_error));
+    assert_true(isnan(law.alpha) && isnan(law.amplitude_m) && isnan(law.gamma) && isnan(law.gamma_error));
     assert_true(isnan(law.misfit_decades) && isnan(law.knee_m) && isnan(power_law_amplitude(&law, 1e-5)));
 }
 
@@ -241,7 +244,7 @@ static void test_an_alpha_beyond_double_is_no_fit(void **state)
     spectrum->length_m = 1e-25;
     struct power_law law = power_law_fit(spectrum, all_m);
     assert_int_equal(law.harmonics, 40);
-    assert_true(isnan(law.alpha) && isnan(law.alpha_error) && isnan(law.gamma) && isnan(law.misfit_decades));
+    assert_true(isnan(law.alpha) && isnan(law.amplitude_m) && isnan(law.gamma) && isnan(law.misfit_decades));
     spectrum = sample_law(*state, 40, 1, 1e-6, -20);
     spectrum->length_m = 1e-25; /* 1e-506 */
     law = power_law_fit(spectrum, all_m);

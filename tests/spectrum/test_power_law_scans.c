@@ -129,7 +129,7 @@ static void test_a_given_band(void **state)
     assert_true(band.fit.band_m[0] >= 10e-6 && band.fit.band_m[0] < 10.1e-6);
     assert_true(band.fit.band_m[1] <= 150e-6 && band.fit.band_m[1] > 125e-6);
     struct power_law law = power_law_of_band(&band);
-    assert_true(power_law_holds(&law) && isnan(law.alpha_error));
+    assert_true(power_law_holds(&law));
     assert_near(power_law_amplitude(&law, law.wavelength_m), law.amplitude_m, 1e-12);
     assert_near(law.amplitude_m, power_law_band_amplitude(&band, law.wavelength_m), 1e-12);
     power_law_scans_free(&scans);

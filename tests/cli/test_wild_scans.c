@@ -1,0 +1,197 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Folders of made-up scans and scenes, unlike in every way, from fixed seeds: the program ends with 0, 1 or 4, blames
+ * itself for nothing, and what it writes holds numbers alone. ROUGHCONTACT_WILD=10000 makes as many,
+ * ROUGHCONTACT_WILD_FIRST=17 begins with that seed. */
+#include "cli/process.h"
+
+#include <stdio.h>
+
+static uint64_t random_state;
+
+/* splitmix64, from 0 to below 1 */
+static double uniform(void)
+{
+    uint64_t z = random_state += 0x9E3779B97F4A7C15u;
+    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
+    z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
+    return (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
+}
+
+static size_t below(size_t count)
+{
+    return (size_t)(uniform() * (double)count);
+}
+
+static bool once_in(size_t count)
+{
+    return below(count) == 0;
+}
+
+static double between(double low, double high)
+{
+    return low + (high - low) * uniform();
+}
+
+static double normal(void)
+{
+    return sqrt(-2 * log(1 - uniform())) * cos(2 * M_PI * uniform());
+}
+
+enum kind { BROWNIAN, WHITE, SINE, STEPS, PITS, EXPONENTIAL, PARABOLA, QUANTISED, CAUCHY, CHIRP, KINDS };
+
+/* Heights of that kind, of the order of 1. */
+static void make_heights(double *z, size_t points, enum kind kind)
+{
+    double walk = 0, level = 0, waves = between(0.5, 20), step = between(0.01, 1), phase = between(0, 6);
+    for (size_t i = 0; i < points; i++) {
+        double t = (double)i / (double)points;
+        walk += normal() / sqrt((double)points);
+        level = once_in(10) ? normal() : level;
+        double of[KINDS] = {[BROWNIAN] = walk,
+                            [WHITE] = normal(),
+                            [SINE] = sin(2 * M_PI * waves * t + phase),
+                            [STEPS] = level,
+                            [PITS] = once_in(20) ? -uniform() : 0,
+                            [EXPONENTIAL] = -log(1 - uniform()),
+                            [PARABOLA] = 4 * t * (1 - t),
+                            [QUANTISED] = step * round(walk / step),
+                            [CAUCHY] = tan(M_PI * (uniform() - 0.5)),
+                            [CHIRP] = sin(2 * M_PI * waves * t * t)};
+        z[i] = of[kind];
+    }
+}
+
+static void write_scan(const char *place, const char *path, size_t points, enum kind kind, double height_m,
+                       double spacing_m)
+{
+    char *csv = malloc(points * 64 + 64);
+    double *z = malloc(points * sizeof *z);
+    assert_true(csv && z);
+    make_heights(z, points, kind);
+    int used = sprintf(csv, "x [m],z [m]\n");
+    for (size_t i = 0; i < points; i++)
+        used += sprintf(csv + used, "%.17g,%.17g\n", spacing_m * (double)i, height_m * z[i]);
+    workspace_write(place, path, csv);
+    free(z);
+    free(csv);
+}
+
+static size_t some_points(void)
+{
+    return once_in(20) ? 3 + below(14) : (size_t)(16 * pow(500.0 / 16, uniform()));
+}
+
+/* Repeated scans of one surface, alike or not. */
+static void write_surface(const char *place, size_t surface)
+{
+    size_t scans = once_in(3) ? 1 : 2 + below(3), points = some_points();
+    enum kind kind = (enum kind)below(KINDS);
+    double height_m = pow(10, between(-15, 0)), spacing_m = pow(10, between(-13, 2));
+    bool usual = once_in(2); /* as instruments have them */
+    if (usual) {
+        height_m = pow(10, between(-8, -5));
+        spacing_m = pow(10, between(-7, -5));
+    }
+    for (size_t scan = 0; scan < scans; scan++) {
+        char path[80];
+        snprintf(path, sizeof path, "in/s%zu/scan%zu.csv", surface, scan);
+        write_scan(place, path, points, kind, height_m, spacing_m);
+        if (once_in(3))
+            height_m *= pow(10, once_in(3) ? between(-15, 5) : between(-1, 1));
+        if (once_in(6))
+            spacing_m *= once_in(2) ? 1000 : pow(10, between(-1, 1));
+        if (once_in(6))
+            points = some_points();
+        if (once_in(6))
+            kind = (enum kind)below(KINDS);
+    }
+}
+
+/* Lines of a scene, each taken or not. */
+static const struct {
+    size_t once_in;
+    const char *lines[10];
+} choices[] = {
+    {2,
+     {"material: tin\n", "material: steel\n", "material: {E: 1 MPa, nu: 0.49}\n", "material: hard-gold\n",
+      "material: {E: 1e13 Pa, nu: 0, Sy: 1e12, resistivity: 1e-3, conductivity: 1e-2}\n",
+      "material: {E: 1e6 Pa, nu: 0.3, Sy: 1e3, resistivity: 1e-8}\n"}},
+    {2,
+     {"models: [persson]\n", "models: [multiscale]\n", "models: [gw, jg]\n", "models: [two-band]\n",
+      "models: [contacting-slopes, cmy]\n",
+      "models: [multiscale, statistical, two-band, contacting-slopes, persson]\n"}},
+    {2, {"fit: thesis\n"}},
+    {6, {"closure: numeric\n"}},
+    {6, {"moments: spectral\n"}},
+    {4, {"window: none\n", "window: hann\n"}},
+    {3, {"level: none\n", "level: mean\n", "level: parabola\n", "level: robust\n", "level: circle\n"}},
+    {4,
+     {"load: {from: 1e-12, to: 1e3, points: 9}\n", "load: {values: [1e-3]}\n", "load: {from: 1e-3, to: 1, points: 5}\n",
+      "load: {from: 1e-9 Pa, to: 1e12 Pa, points: 7}\n"}},
+    {6, {"tolerance: 0.1\n", "tolerance: 1e-13\n", "tolerance: 1e-2\n"}},
+    {6, {"lambda_s: 2.5 um\n", "lambda_c: 0.8 mm\n", "lambda_s: 1 nm\n"}},
+    {6, {"fit_band: [1 um, 1 mm]\n", "fit_band: [1 nm, 1 km]\n"}},
+    {6, {"gap: {gas: air}\n", "gap: {conductivity: 0.8 W/m/K}\n", "gap: {gas: vacuum}\n"}},
+    {6, {"targets: [{area: 5 %}]\n", "limits: {area: {least: 1 %}}\n"}},
+    {8, {"effects: [plasticity, separation, uncertainty]\n", "effects: []\n", "effects: [separation, convergence]\n"}},
+};
+
+static void write_scene(const char *place)
+{
+    char scene[2000];
+    int used = snprintf(scene, sizeof scene, "title: wild\n");
+    for (size_t c = 0; c < sizeof choices / sizeof *choices; c++) {
+        size_t count = 0;
+        while (count < 10 && choices[c].lines[count])
+            count++;
+        if (once_in(choices[c].once_in))
+            used += sprintf(scene + used, "%s", choices[c].lines[below(count)]);
+    }
+    workspace_write(place, "in/scene.yaml", scene);
+}
+
+static size_t next_seed;
+
+static void one_folder_is_reported_or_refused(void **state)
+{
+    const char *place = *state;
+    size_t seed = next_seed++;
+    random_state = seed;
+    print_message("seed %zu\n", seed);
+    for (size_t surface = 1 + below(3); surface > 0; surface--)
+        write_surface(place, surface);
+    write_scene(place);
+    struct process run = process_run(place, "report", "in", "-o", "out", once_in(8) ? "-v" : "--no-cost");
+    if (run.status == 3) /* what the material lacks for what was asked */
+        expect_part(run.err, "in/scene.yaml:");
+    else if (run.status != 0 && run.status != 1 && run.status != 4)
+        fail_msg("exit status %d: ...%s", run.status, run.err + (strlen(run.err) > 400 ? strlen(run.err) - 400 : 0));
+    if (run.status == 4)
+        expect_part(run.err, "no readable scan");
+    expect_no_part(run.err, "fault of the program");
+    expect_no_part(run.err, "please report");
+    expect_no_part(run.err, "ERROR: ");
+    process_expect_numbers(run.out, "stdout");
+    process_expect_numbers(run.err, "stderr");
+    if (run.status < 2)
+        assert_true(workspace_expect_numbers(place, "out") > 5);
+    process_free(&run);
+}
+
+static size_t number_of(const char *name, size_t usual)
+{
+    const char *said = getenv(name);
+    return said ? strtoul(said, NULL, 10) : usual;
+}
+
+int main(void)
+{
+    size_t count = number_of("ROUGHCONTACT_WILD", 300);
+    struct CMUnitTest *tests = calloc(count, sizeof *tests);
+    next_seed = number_of("ROUGHCONTACT_WILD_FIRST", 1);
+    for (size_t i = 0; tests && i < count; i++)
+        tests[i] = (struct CMUnitTest)workspace_test(one_folder_is_reported_or_refused);
+    int failed = tests ? _cmocka_run_group_tests("wild scans", tests, count, NULL, NULL) : 1;
+    free(tests);
+    return failed;
+}

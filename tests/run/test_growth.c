@@ -1,0 +1,83 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* How much a whole report computes, counted where it is computed, grows no faster than what it is of: captions and
+ * tables ask what the models have kept, and solve nothing again. */
+#include "pipeline.h"
+
+static uint64_t presses; /* of a scale at a load, by the whole program */
+
+/* In place of sinusoid_press() where any file calls it (ld --wrap, tests/CMakeLists.txt). */
+void __real_sinusoid_press(struct sinusoid_cell *out, const struct sinusoid_scale *scale,
+                           const struct sinusoid_fit *closure, double pressure_Pa, bool with_gap);
+void __wrap_sinusoid_press(struct sinusoid_cell *out, const struct sinusoid_scale *scale,
+                           const struct sinusoid_fit *closure, double pressure_Pa, bool with_gap);
+void __wrap_sinusoid_press(struct sinusoid_cell *out, const struct sinusoid_scale *scale,
+                           const struct sinusoid_fit *closure, double pressure_Pa, bool with_gap)
+{
+    presses++;
+    __real_sinusoid_press(out, scale, closure, pressure_Pa, with_gap);
+}
+
+/** Presses that a report takes on one tin surface of a law so flat that its stack is visited far down, whose curves
+ * have a kink. */
+static double presses_of(size_t points, size_t loads)
+{
+    struct directory place = directory_make();
+    struct synth_def def = synth_def_default();
+    struct status status = {0};
+    struct text scene = {0}, csv = {0};
+    double *height_m = malloc(points * sizeof *height_m);
+    assert_non_null(height_m);
+    def.points = points;
+    def.length_m = 3e-4;
+    def.gamma = 1.2;
+    def.seed = 1;
+    assert_int_equal(synth_profile(height_m, &def, &status), STATUS_OK);
+    mkdir(directory_path(&place, "in"), 0777);
+    text_add(&csv, "x [m],z [m]\n");
+    for (size_t i = 0; i < points; i++)
+        text_add(&csv, "%.9g,%.9g\n", def.length_m / (double)points * (double)i, height_m[i]);
+    directory_write(&place, "in/a.csv", text_string(&csv));
+    text_add(&scene,
+             "material: tin\nmodels: [multiscale]\neffects: [plasticity, electrical, thermal]\n"
+             "load: {from: 1e-6, to: 0.1, points: %zu}\n",
+             loads);
+    directory_write(&place, "in/scene.yaml", text_string(&scene));
+    presses = 0;
+    assert_int_equal(pipeline_run(&place, "in", "out", 1), 0);
+    struct text report = directory_read(&place, "out/report.md");
+    assert_non_null(strstr(text_string(&report), " Kinks, where a scale's contact becomes complete"));
+    text_free(&report);
+    text_free(&scene);
+    text_free(&csv);
+    free(height_m);
+    directory_remove(&place);
+    return (double)presses;
+}
+
+static void assert_growth(double n, double four_n)
+{
+    assert_true(n > 0);
+    if (!(four_n <= 4.4 * n))
+        fail_msg("%.0f evaluations, of four times as much %.0f", n, four_n);
+}
+
+static void test_points(void **state)
+{
+    (void)state;
+    assert_growth(presses_of(4000, 121), presses_of(16000, 121));
+}
+
+static void test_loads(void **state)
+{
+    (void)state;
+    assert_growth(presses_of(4000, 121), presses_of(4000, 484));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_points),
+        cmocka_unit_test(test_loads),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
