@@ -294,7 +294,7 @@ static void test_what_the_sections_say(void **state)
         {&section_cost, "ringed: what this report uses.](figures/cost-integrals.svg)"},
         {&section_cost, "Lower left is better.](figures/cost-curves.svg)"},
         {&section_methods, "| closure-area | thesis |  | 20 | 1.00 | 0.080 | used here |\n"},
-        {&section_computed, "| thermal | run | reason 3 | the sums of electrical in other units"},
+        {&section_computed, "| thermal | run | reason 3 | in the same pass as the area"},
         {&section_computed, "- beta: beta.csv: a note\n"},
         {&section_computed, "- broken: broken.csv: no number in it\n"},
         {&section_sources, "- **JG** (eq. 4.31-4.38, 4.45-4.46, 4.54). Assumes: "},
@@ -389,6 +389,7 @@ static void test_the_best_by_heat(void **state)
     make_of("multiscale-elastic", "multiscale-elastic", EFFECT_BIT(EFFECT_THERMAL) | EFFECT_BIT(EFFECT_UNCERTAINTY));
     made.results.usable_count = 2;
     memcpy(made.order, two, sizeof two);
+    made.surfaces[0].summary.models[made_up_model("multiscale-elastic")]->exists = false;
     made_up_again(&made);
     expect(&section_summary, "- **Surface alpha has the lowest TCR** there, for scans of this length: lower than "
                              "surface gamma (×0.133, 95 % "

@@ -182,6 +182,7 @@ static inline void fake_put_curves(struct fake *fake, size_t index, const double
                                        .adjusted_m = model_rows[model]->asperity_model ? 2e-6 / area : NAN,
                                        .tcr_K_m2_per_W = 2e5 * ecr};
         }
+        record->summary.models[model]->operating = curve->points[LOADS / 2];
     }
 }
 

@@ -1,236 +1,184 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Only what the scene calls for: each effect switched off removes exactly its work, the plan's counts are those done,
- * and `auto` leaves out what cannot change a number. */
-#include "run/prepare.h"
-#include "support.h"
+/* Only what the scene calls for is computed: what is off takes no evaluation, what is on takes its own, and `auto`
+ * leaves out what cannot change a number. */
+#include "analysis/effects.h"
+#include "pipeline.h"
 
-#include <ftw.h>
-#include <stdio.h>
-#include <unistd.h>
+#include <jansson.h>
 
-static char directory[256];
+static struct directory place;
 
-static void write_scene(const char *text)
+/** What a run did, by effect. */
+struct work {
+    json_int_t area, plasticity, convergence, uncertainty, all;
+};
+
+static json_int_t evaluations(const json_t *work, const char *effect)
 {
-    char path[300];
-    struct status status = {0};
-    snprintf(path, sizeof path, "%s/scene.yaml", directory);
-    assert_int_equal(text_write_file(path, text, strlen(text), &status), STATUS_OK);
+    return json_integer_value(json_object_get(json_object_get(work, effect), "evaluations"));
 }
 
-/** Predicts the scene's work; what a run then does has to be the same. */
-static struct work work_of(const char *scene_text, struct plan *plan)
+static struct work work_of(const char *scene)
 {
-    struct scene scene;
-    struct status status = {0};
-    struct prepared prepared;
     struct run_outcome outcome;
-    char output[300];
-    snprintf(output, sizeof output, "%s/out", directory);
-    struct run_options options = {
-        .output = output, .templates = PROJECT_SOURCE "/templates", .jobs = 1, .no_cost = true};
-    write_scene(scene_text);
-    assert_int_equal(scene_read(&scene, directory, &(struct scene_overrides){0}, &status), STATUS_OK);
-    assert_int_equal(prepare(&prepared, &scene, &options, NULL, &status), STATUS_OK);
-    struct work work = prepared.results.predicted;
-    if (plan)
-        *plan = prepared.plan;
-    prepared_free(&prepared);
-    if (run_report(&outcome, &scene, &options, &status) != STATUS_OK)
-        fail_msg("%s", status.message);
-    assert_true(outcome.work_agrees);
+    struct status status = {0};
+    struct run_options options = {.output = NULL, .templates = PROJECT_SOURCE "/templates", .jobs = 2, .no_cost = true};
+    char target[300];
+    snprintf(target, sizeof target, "%s/out", place.path);
+    options.output = target;
+    directory_write(&place, "in/scene.yaml", scene);
+    if (pipeline_try(&outcome, &place, "in", options, &status) != STATUS_OK)
+        fail_msg("%s\n%s", status.message, text_string(&outcome.messages));
     run_outcome_free(&outcome);
-    scene_free(&scene);
-    return work;
+    json_t *results = json_load_file(directory_path(&place, "out/results.json"), 0, NULL);
+    const json_t *work = json_object_get(results, "work"), *row;
+    const char *name;
+    assert_int_equal(json_object_size(work), EFFECTS_ROWS);
+    struct work out = {evaluations(work, "area"), evaluations(work, "plasticity"), evaluations(work, "convergence"),
+                       evaluations(work, "uncertainty"), 0};
+    json_object_foreach((json_t *)work, name, row) out.all += evaluations(work, name);
+    json_decref(results);
+    return out;
 }
 
-#define SURFACES "surfaces: [{name: a, file: a.csv}, {name: b, file: b.csv}]\n"
-#define FILES    SURFACES "material: tin\nfit: thesis\nfit_band: [8 um, 2 mm]\nload: {from: 1e-6, to: 0.1, points: 31}\n"
-#define ALL      "plasticity, separation, electrical, thermal, scale-dependent, convergence"
-
-/** The two material laws, elastic and plastic, of one kind of work. */
-static uint64_t gaps(const struct work *work)
-{
-    return work->elastic.gaps + work->plastic.gaps;
-}
-
-static uint64_t constrictions(const struct work *work)
-{
-    return work->elastic.constrictions + work->plastic.constrictions;
-}
-
-/** Asserts that two works differ in nothing but what the caller has already set equal. */
-static void assert_same(const struct work *a, const struct work *b)
-{
-    assert_memory_equal(a, b, sizeof *a);
-}
-
-static void assert_none(const struct model_work *work)
-{
-    const struct model_work none = {0};
-    assert_memory_equal(work, &none, sizeof none);
-}
+#define FILES                                                                                                          \
+    "surfaces: [{name: a, file: a.csv}, {name: b, file: b.csv}]\nmaterial: tin\nfit: thesis\n"                         \
+    "fit_band: [8 um, 2 mm]\nload: {from: 1e-6, to: 0.1, points: 31}\n"
+#define ALL "plasticity, separation, electrical, thermal, scale-dependent, convergence, uncertainty"
 
 static void each_effect_removes_its_own_work(void **state)
 {
     (void)state;
-    struct work all = work_of(FILES "effects: [" ALL "]\n", NULL), less;
-    assert_true(gaps(&all) > 0 && constrictions(&all) > 0 && all.sweep_scales > 0 && all.extensions == 4);
+    struct work all = work_of(FILES "effects: [" ALL "]\n"), less;
+    assert_true(all.area > 0 && all.plasticity > 0 && all.convergence > 0 && all.uncertainty > 0);
+    assert_int_equal(all.area + all.plasticity + all.convergence + all.uncertainty, all.all);
 
-    less = work_of(FILES "effects: [plasticity, electrical, thermal, scale-dependent, convergence]\n", NULL);
-    assert_int_equal(gaps(&less), 0);
-    assert_int_equal(all.elastic.separations - less.elastic.separations, 2 * 31); /* two-band elastic: Barber's */
-    less.elastic.separations = all.elastic.separations;
-    less.elastic.gaps = all.elastic.gaps;
-    less.plastic.gaps = all.plastic.gaps;
-    assert_int_equal(all.elastic.searches - less.elastic.searches, 2); /* GW's beta nearest to the stack, twice */
-    assert_int_equal(all.plastic.searches - less.plastic.searches, 2);
-    less.elastic.searches = all.elastic.searches;
-    less.plastic.searches = all.plastic.searches;
-    assert_same(&less, &all);
+    less = work_of(FILES "effects: [separation, electrical, thermal, scale-dependent, convergence, uncertainty]\n");
+    assert_int_equal(less.plasticity, 0);
+    assert_int_equal(less.area, all.area);
+    assert_int_equal(less.convergence * 2, all.convergence); /* of the elastic stack alone */
+    assert_true(less.uncertainty < all.uncertainty);
 
-    less = work_of(FILES "effects: [separation, electrical, thermal, scale-dependent, convergence]\n", NULL);
-    assert_none(&less.plastic);
-    less.plastic = all.plastic;
-    assert_int_equal(less.sweep_scales * 2, all.sweep_scales);
-    assert_int_equal(less.extensions * 2, all.extensions);
-    less.sweep_scales = all.sweep_scales;
-    less.extensions = all.extensions;
-    assert_same(&less, &all);
+    less = work_of(FILES "effects: [plasticity, separation, electrical, thermal, scale-dependent, uncertainty]\n");
+    assert_int_equal(less.convergence, 0);
+    assert_int_equal(less.all, all.all - all.convergence);
 
-    less = work_of(FILES "effects: [plasticity, separation, electrical, thermal, scale-dependent]\n", NULL);
-    assert_int_equal(less.sweep_scales + less.extensions, 0);
-    less.sweep_scales = all.sweep_scales;
-    less.extensions = all.extensions;
-    assert_same(&less, &all);
+    less = work_of(FILES "effects: [plasticity, separation, electrical, thermal, scale-dependent, convergence]\n");
+    assert_int_equal(less.uncertainty, 0);
+    assert_int_equal(less.all, all.all - all.uncertainty);
 
-    less = work_of(FILES "effects: [plasticity, separation, electrical, thermal, convergence]\n", NULL);
-    assert_true(all.elastic.scale_dependent_nodes > 0);
-    assert_int_equal(less.elastic.nodes + less.elastic.scale_dependent_nodes, 0); /* closed forms do */
-    assert_true(less.plastic.nodes > 0 && less.plastic.nodes <= all.plastic.nodes);
-    less.elastic.scale_dependent_nodes = all.elastic.scale_dependent_nodes;
-    less.plastic.nodes = all.plastic.nodes;
-    assert_same(&less, &all);
+    less = work_of(FILES "effects: [plasticity, separation, electrical, thermal, convergence, uncertainty]\n");
+    assert_true(less.area < all.area); /* GW has closed forms for all but scale dependence */
+    assert_int_equal(less.convergence, all.convergence);
 
-    struct work thermal = work_of(FILES "effects: [plasticity, separation, thermal, convergence]\n", NULL);
-    struct work electrical = work_of(FILES "effects: [plasticity, separation, electrical, convergence]\n", NULL);
-    assert_true(constrictions(&thermal) > 0 && constrictions(&thermal) < constrictions(&electrical));
-    thermal.elastic.constrictions = electrical.elastic.constrictions; /* sensitivity speaks of ECR alone */
-    thermal.plastic.constrictions = electrical.plastic.constrictions;
-    assert_same(&thermal, &electrical); /* the two share their sums over contact spots */
-    less = work_of(FILES "effects: [plasticity, separation, convergence]\n", NULL);
-    assert_int_equal(constrictions(&less), 0);
-    less.elastic.constrictions = electrical.elastic.constrictions;
-    less.plastic.constrictions = electrical.plastic.constrictions;
-    assert_same(&less, &electrical);
+    /* both share their sums over contact spots; sensitivity and landmarks speak of ECR, else of the area */
+    less = work_of(FILES "effects: [plasticity, electrical, thermal]\n");
+    struct work electrical = work_of(FILES "effects: [plasticity, electrical]\n");
+    assert_memory_equal(&less, &electrical, sizeof less);
 }
 
-/** What all families take is what each takes alone: visits of scales in stacks, solved loads and laws in others. */
+/** What all families take is what each takes alone. */
 static void families_remove_their_own_work(void **state)
 {
     (void)state;
-    struct work all = work_of(FILES "effects: [plasticity]\n"
-                                    "models: [multiscale, statistical, two-band, persson, contacting-slopes, "
-                                    "cmy, sridhar-yovanovich]\n",
-                              NULL);
-    struct work multiscale = work_of(FILES "effects: [plasticity]\nmodels: [multiscale]\n", NULL);
-    struct work statistical = work_of(FILES "effects: [plasticity]\nmodels: [statistical]\n", NULL);
-    struct work sum = multiscale;
-    model_work_add(&sum.elastic, &statistical.elastic);
-    model_work_add(&sum.plastic, &statistical.plastic);
-    static const char *const others[] = {"two-band", "persson", "contacting-slopes", "cmy", "sridhar-yovanovich"};
-    for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
-        char scene[200];
-        snprintf(scene, sizeof scene, FILES "effects: [plasticity]\nmodels: [%s]\n", others[i]);
-        struct work other = work_of(scene, NULL);
-        assert_true(model_evaluations(&other.elastic) + model_evaluations(&other.plastic) > 0);
-        assert_int_equal(other.elastic.nodes + other.plastic.nodes, 0);
-        assert_true((other.plastic.scales > other.elastic.scales) == (i == 0)); /* once more, with a harder metal */
-        assert_true(i == 0 || other.plastic.scales == 0);
-        model_work_add(&sum.elastic, &other.elastic);
-        model_work_add(&sum.plastic, &other.plastic);
+    static const char *const families[] = {"multiscale", "statistical",       "two-band",          "persson",
+                                           "cmy",        "contacting-slopes", "sridhar-yovanovich"};
+    struct text scene = {0};
+    struct work sum = {0}, all;
+    for (size_t i = 0; i <= sizeof families / sizeof *families; i++) {
+        bool one = i < sizeof families / sizeof *families;
+        scene.length = 0;
+        text_add(&scene, FILES "effects: [plasticity]\nmodels: [%s]\n",
+                 one ? families[i]
+                     : "multiscale, statistical, two-band, persson, cmy, contacting-slopes, "
+                       "sridhar-yovanovich");
+        all = work_of(text_string(&scene));
+        assert_true(all.all > 0);
+        if (one) {
+            sum.area += all.area;
+            sum.plasticity += all.plasticity;
+        }
     }
-    assert_same(&sum, &all);
-    const struct model_work *laws[2][2] = {{&multiscale.elastic, &statistical.elastic},
-                                           {&multiscale.plastic, &statistical.plastic}};
-    for (int law = 0; law < 2; law++) {
-        assert_true(laws[law][0]->scales > 0 && laws[law][1]->separations > 0);
-        assert_int_equal(laws[law][0]->separations + laws[law][0]->nodes + laws[law][0]->scale_dependent_nodes, 0);
-        assert_int_equal(laws[law][1]->scales + laws[law][1]->gaps + laws[law][1]->constrictions, 0);
-    }
+    assert_int_equal(all.area, sum.area);
+    assert_int_equal(all.plasticity, sum.plasticity);
+    text_free(&scene);
 }
 
-/** A metal so hard that nothing yields: auto skips plasticity, and the models it skips would have given the same area.
- */
+/** A metal so hard that nothing yields: `auto` skips plasticity on both surfaces; a softer one runs it. */
 static void auto_skips_what_cannot_matter(void **state)
 {
     (void)state;
-    struct plan plan;
-    struct work work = work_of(SURFACES "material: {E_Pa: 1e9, nu: 0.3, Sy_Pa: 1e12}\n"
-                                        "load: {from: 1e-6, to: 1e-3, points: 31}\n",
-                               &plan);
-    assert_false(plan_runs(&plan, EFFECT_PLASTICITY));
-    assert_none(&work.plastic);
-    assert_true(work.elastic.scales > 0 && work.elastic.separations > 0);
-    assert_non_null(strstr(plan.effects[EFFECT_PLASTICITY].reason, "every scale"));
-    assert_false(plan_runs(&plan, EFFECT_ELECTRICAL));
-    assert_non_null(strstr(plan.effects[EFFECT_ELECTRICAL].reason, "no resistivity"));
+    struct work work =
+        work_of("surfaces: [{name: a, file: a.csv}, {name: b, file: b.csv}]\n"
+                "material: {E: 1 GPa, nu: 0.3, Sy: 1000 GPa}\nload: {from: 1e-6, to: 1e-3, points: 31}\n");
+    assert_true(work.area > 0);
+    assert_int_equal(work.plasticity, 0);
+    struct text report = directory_read(&place, "out/report.md");
+    assert_non_null(strstr(text_string(&report), "| plasticity | skipped | every scale is complete before it yields"));
+    text_free(&report);
+    assert_true(work_of(FILES "effects: auto\n").plasticity > 0);
+}
 
-    work_of(FILES "effects: auto\n", &plan);
-    assert_true(plan_runs(&plan, EFFECT_PLASTICITY) && plan_runs(&plan, EFFECT_SCALE_DEPENDENT));
+/** Decided surface by surface: what is skipped on one has that one's elastic numbers, and the other its own. */
+static void effects_are_a_surfaces_own(void **state)
+{
+    (void)state;
+    work_of("surfaces: [{name: hard, file: a.csv, material: {E: 1 GPa, nu: 0.3, Sy: 1000 GPa}}, {name: soft, file: "
+            "a.csv}]\n"
+            "material: {E: 1 GPa, nu: 0.3, Sy: 1 MPa}\nmodels: [multiscale]\n"
+            "load: {from: 1e-6, to: 1e-3, points: 5}\n");
+    struct table table = table_read_path(directory_path(&place, "out/data/contact.csv"));
+    size_t same = 0, other = 0;
+    for (size_t i = 0; i < table.rows; i++)
+        for (size_t j = 0; j < table.rows; j++) {
+            if (strcmp(table_text(&table, i, "surface"), table_text(&table, j, "surface")) != 0 ||
+                strcmp(table_text(&table, i, "model"), "multiscale-elastic") != 0 ||
+                strcmp(table_text(&table, j, "model"), "multiscale-plastic") != 0 ||
+                strcmp(table_text(&table, i, "load_over_AnEp"), table_text(&table, j, "load_over_AnEp")) != 0)
+                continue;
+            bool hard = strcmp(table_text(&table, i, "surface"), "hard") == 0;
+            bool equal = strcmp(table_text(&table, i, "area_ratio"), table_text(&table, j, "area_ratio")) == 0;
+            assert_true(!hard || equal);
+            same += hard;
+            other += !hard && !equal;
+        }
+    assert_int_equal(same, 5);
+    assert_true(other > 0);
+    table_free(&table);
+}
+
+/** A target is a search on every model's curve of each surface; no target is none. */
+static void targets_are_searches(void **state)
+{
+    (void)state;
+    struct work none = work_of(FILES "models: [gw, jg, cmy]\neffects: [plasticity, electrical]\n");
+    struct work two = work_of(FILES "models: [gw, jg, cmy]\neffects: [plasticity, electrical]\n"
+                                    "targets: [{ecr: 1e-9 ohm m2}, {area: 1 %}]\n");
+    assert_true(two.area > none.area && two.plasticity > none.plasticity);
 }
 
 static int set_up(void **state)
 {
     (void)state;
-    const char *base = getenv("TMPDIR");
-    char a[300], b[300];
-    snprintf(directory, sizeof directory, "%s/test-work-XXXXXX", base ? base : "/tmp");
-    if (!mkdtemp(directory))
-        return -1;
-    snprintf(a, sizeof a, "%s/a.csv", directory);
-    snprintf(b, sizeof b, "%s/b.csv", directory);
-    return symlink(PROJECT_SOURCE "/surfaces/chapter6/surface-1.csv", a) |
-           symlink(PROJECT_SOURCE "/surfaces/chapter6/surface-4.csv", b);
-}
-
-static int remove_entry(const char *path, const struct stat *info, int type, struct FTW *level)
-{
-    (void)info;
-    (void)type;
-    (void)level;
-    return remove(path);
+    place = directory_make();
+    return mkdir(directory_path(&place, "in"), 0700) |
+           symlink(PROJECT_SOURCE "/surfaces/chapter6/surface-1.csv", directory_path(&place, "in/a.csv")) |
+           symlink(PROJECT_SOURCE "/surfaces/chapter6/surface-4.csv", directory_path(&place, "in/b.csv"));
 }
 
 static int tear_down(void **state)
 {
     (void)state;
-    return nftw(directory, remove_entry, 16, FTW_DEPTH | FTW_PHYS);
-}
-
-/** A target is a search on every model's curve of each surface, and nothing else; no target is none. */
-static void targets_are_searches(void **state)
-{
-    (void)state;
-    static const char without[] = FILES "models: [gw, jg, cmy]\neffects: [plasticity, electrical]\n";
-    struct work none = work_of(without, NULL), two;
-    two = work_of(FILES "models: [gw, jg, cmy]\neffects: [plasticity, electrical]\n"
-                        "targets: [{ecr: 1e-9 ohm m2}, {area: 1 %}]\nlimits: {area: {least: 1 %}}\n",
-                  NULL);
-    assert_int_equal(two.elastic.searches, none.elastic.searches + 2 * 2 * 1);
-    assert_int_equal(two.plastic.searches, none.plastic.searches + 2 * 2 * 2);
-    two.elastic.searches = none.elastic.searches;
-    two.plastic.searches = none.plastic.searches;
-    assert_same(&two, &none);
+    directory_remove(&place);
+    return 0;
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(each_effect_removes_its_own_work),
-        cmocka_unit_test(targets_are_searches),
-        cmocka_unit_test(families_remove_their_own_work),
-        cmocka_unit_test(auto_skips_what_cannot_matter),
+        cmocka_unit_test(each_effect_removes_its_own_work), cmocka_unit_test(targets_are_searches),
+        cmocka_unit_test(families_remove_their_own_work),   cmocka_unit_test(auto_skips_what_cannot_matter),
+        cmocka_unit_test(effects_are_a_surfaces_own),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }
