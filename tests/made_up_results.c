@@ -33,7 +33,7 @@ static void keep_wanted(struct contact_point *point, unsigned wanted)
 {
     for (int q = 0; q < QUANTITY_COUNT; q++)
         if (!(wanted & QUANTITY_BIT(q)))
-            *(double *)((char *)point + quantity_rows[q].offset) = NAN;
+            point->value[q] = NAN;
 }
 
 static void make_curve(struct surface_record *record, size_t index, size_t m, const double *loads, unsigned wanted)
@@ -47,21 +47,23 @@ static void make_curve(struct surface_record *record, size_t index, size_t m, co
                                   .full_load = 1 / area,
                                   .closed_load = 1 / area,
                                   .beta = adjusts ? 6 : NAN,
-                                  .full = {.load = 1 / area, .area_ratio = 1, .adjusted_m = adjusts ? 0 : NAN}};
+                                  .full = {.value[QUANTITY_LOAD] = 1 / area,
+                                           .value[QUANTITY_AREA] = 1,
+                                           .value[QUANTITY_ADJUSTED] = adjusts ? 0 : NAN}};
     assert_non_null(curve->points);
     for (size_t i = 0; i < MADE_UP_LOADS; i++) {
         double ratio = fmin(1, area * loads[i]);
         double ecr = ratio < 1 ? surfaces[index].ecr * 1e-14 / factor_of(m) / loads[i] : 0;
-        curve->points[i] = (struct contact_point){.load = loads[i],
-                                                  .area_ratio = ratio,
-                                                  .separation_m = sigma_m * (1 - ratio),
-                                                  .adjusted_m = adjusts ? sigma_m * (1 - ratio) : NAN,
-                                                  .ecr_ohm_m2 = ecr,
-                                                  .tcr_K_m2_per_W = 2e5 * ecr,
-                                                  .tcr_sd_K_m2_per_W = 1.02 * 2e5 * ecr};
+        curve->points[i] = (struct contact_point){.value[QUANTITY_LOAD] = loads[i],
+                                                  .value[QUANTITY_AREA] = ratio,
+                                                  .value[QUANTITY_SEPARATION] = sigma_m * (1 - ratio),
+                                                  .value[QUANTITY_ADJUSTED] = adjusts ? sigma_m * (1 - ratio) : NAN,
+                                                  .value[QUANTITY_ECR] = ecr,
+                                                  .value[QUANTITY_TCR] = 2e5 * ecr,
+                                                  .value[QUANTITY_TCR_SCALE_DEPENDENT] = 1.02 * 2e5 * ecr};
         for (int q = 0; q < QUANTITY_COUNT; q++) /* any number that goes down as the area goes up */
             if (quantity_rows[q].from)
-                *(double *)((char *)&curve->points[i] + quantity_rows[q].offset) = 3e12 * ecr;
+                curve->points[i].value[q] = 3e12 * ecr;
         keep_wanted(&curve->points[i], wanted);
     }
     keep_wanted(&curve->full, wanted);
@@ -113,7 +115,7 @@ static void make_bands(struct surface_record *record, size_t m)
     for (size_t i = 0; i < MADE_UP_LOADS; i++) {
         const struct contact_point *point = &record->curves[m].points[i];
         struct repeats_band *band = &record->bands[m][i];
-        band->load = point->load;
+        band->load = point->value[QUANTITY_LOAD];
         for (int q = 0; q < QUANTITY_COUNT; q++)
             for (int side = 0; side < 2; side++) {
                 double value = repeats_band_holds((enum quantity)q)

@@ -19,7 +19,7 @@ static const double end_slack = 0.01;
 static const struct contact_point *point_at(const struct model_curve *curve, double load)
 {
     for (size_t i = 0; i < curve->count; i++)
-        if (curve->points[i].load == load)
+        if (curve->points[i].value[QUANTITY_LOAD] == load)
             return &curve->points[i];
     return NULL;
 }
@@ -27,7 +27,7 @@ static const struct contact_point *point_at(const struct model_curve *curve, dou
 /** `point` NULL: contact is full. */
 static bool is_invalid(const struct contact_point *point, const struct model_row *row)
 {
-    double area = point ? point->area_ratio : 1;
+    double area = point ? point->value[QUANTITY_AREA] : 1;
     return (row->largest_area > 0 && area > row->largest_area) ||
            (point && point->beyond_fit > curve_summary_beyond_fit_share);
 }
@@ -36,12 +36,13 @@ static bool is_invalid(const struct contact_point *point, const struct model_row
 static double full_value(enum quantity quantity, const struct joint_task *joint)
 {
     struct contact_point point = quantity_nothing();
-    point.area_ratio = 1;
-    point.separation_m = point.ecr_ohm_m2 = point.tcr_K_m2_per_W = point.tcr_sd_K_m2_per_W = 0;
+    point.value[QUANTITY_AREA] = 1;
+    point.value[QUANTITY_SEPARATION] = point.value[QUANTITY_ECR] = point.value[QUANTITY_TCR] =
+        point.value[QUANTITY_TCR_SCALE_DEPENDENT] = 0;
     if (quantity == QUANTITY_JOINT)
         return INFINITY;
     joint_apply(&point, NULL, 1, joint);
-    return quantity_value(&point, quantity);
+    return point.value[quantity];
 }
 
 /** Is what lies between two loads, of which nothing is known at the upper one, the target? It is where the contact
@@ -51,7 +52,7 @@ static bool ends_there(const struct model_curve *curve, const struct contact_poi
 {
     if (!after && curve->exists && isfinite(curve->full_load))
         return full_meets;
-    double value = before ? quantity_value(before, target->row->quantity) : NAN;
+    double value = before ? before->value[target->row->quantity] : NAN;
     return fabs(log(value / target->value)) < end_slack;
 }
 
@@ -59,7 +60,7 @@ static bool ends_there(const struct model_curve *curve, const struct contact_poi
 static bool is_above_hardness(const struct contact_point *point, double load, const struct model_row *row,
                               const struct model_task *task)
 {
-    double area = point ? point->area_ratio : 1;
+    double area = point ? point->value[QUANTITY_AREA] : 1;
     return !row->plastic && material_pair_pressure(task->pair, load) > task->hardness_Pa * area;
 }
 
@@ -79,10 +80,10 @@ static double made_with(const struct contact_point *point, const double resistan
                         const struct joint_task *joint)
 {
     struct contact_point at = *point;
-    at.ecr_ohm_m2 = isnan(resistance[0]) ? at.ecr_ohm_m2 : resistance[0];
-    at.tcr_K_m2_per_W = isnan(resistance[1]) ? at.tcr_K_m2_per_W : resistance[1];
+    at.value[QUANTITY_ECR] = isnan(resistance[0]) ? at.value[QUANTITY_ECR] : resistance[0];
+    at.value[QUANTITY_TCR] = isnan(resistance[1]) ? at.value[QUANTITY_TCR] : resistance[1];
     joint_apply(&at, NULL, 1, joint);
-    return quantity_value(&at, quantity);
+    return at.value[quantity];
 }
 
 /** The number at one end of the band at load i. */
@@ -103,9 +104,9 @@ static double band_shift(double ln_load, const void *context)
     const struct band_end *end = context;
     double before = NAN, ln_before = NAN;
     for (size_t i = 0; i < end->count && i < end->curve->count; i++) {
-        double value = quantity_value(&end->curve->points[i], end->quantity), ln_own = log(end->band[i].load);
+        double value = end->curve->points[i].value[end->quantity], ln_own = log(end->band[i].load);
         double shift = log(at_end(end, i) / value);
-        if (end->curve->points[i].load != end->band[i].load || !isfinite(shift))
+        if (end->curve->points[i].value[QUANTITY_LOAD] != end->band[i].load || !isfinite(shift))
             continue;
         if (ln_own >= ln_load)
             return isnan(before) ? shift : before + (shift - before) * (ln_load - ln_before) / (ln_own - ln_before);
@@ -152,7 +153,7 @@ static enum status_code solve(struct answer *out, struct search *search, const s
     if (run_search(&curve, loads, count, search, status) != STATUS_OK)
         return status->code;
     const struct contact_point *after = point_at(&curve, loads[count - 1]), *before = point_at(&curve, loads[0]);
-    double there = after ? quantity_value(after, value.quantity) : NAN;
+    double there = after ? after->value[value.quantity] : NAN;
     bool passed = found || (first == last && (value.rises ? there >= value.value : there <= value.value));
     double full = full_value(value.quantity, &search->joint);
     bool full_meets = value.rises ? full >= value.value : full <= value.value;
@@ -338,8 +339,8 @@ static struct limit_check check_point(const struct surface_record *record, size_
     const struct model_curve *curve = &record->curves[leading];
     const struct repeats_band *band = record->bands[leading];
     enum quantity quantity = limit->row->quantity;
-    struct limit_check out = {.value = quantity_value(&curve->points[i], quantity), .low = NAN, .high = NAN};
-    if (band && i < record->band_count && band[i].load == curve->points[i].load) {
+    struct limit_check out = {.value = curve->points[i].value[quantity], .low = NAN, .high = NAN};
+    if (band && i < record->band_count && band[i].load == curve->points[i].value[QUANTITY_LOAD]) {
         double ends[2];
         for (int side = 0; side < 2; side++) {
             const struct band_end end = {
@@ -360,9 +361,9 @@ static struct limit_check check_limit(const struct surface_record *record, size_
     const struct model_curve *curve = &record->curves[leading];
     struct limit_check out = {.value = NAN, .low = NAN, .high = NAN};
     size_t below = 0;
-    while (curve->exists && below < curve->count && curve->points[below].load < load)
+    while (curve->exists && below < curve->count && curve->points[below].value[QUANTITY_LOAD] < load)
         below++;
-    if (curve->exists && below < curve->count && curve->points[below].load == load)
+    if (curve->exists && below < curve->count && curve->points[below].value[QUANTITY_LOAD] == load)
         out = check_point(record, leading, limit, joint, below);
     if (out.verdict == LIMIT_NO_VALUE && curve->exists && curve->full_load <= load) {
         out.value = full_value(limit->row->quantity, joint);

@@ -65,7 +65,7 @@ static void solve_cut(void *context)
     for (size_t i = 0; i < attempt->task->load_count; i++) {
         struct contact_point point;
         multiscale_solve(&point, &stack, &none, 0, attempt->task->loads[i], &attempt->evaluations);
-        attempt->area[i] = point.area_ratio;
+        attempt->area[i] = point.value[QUANTITY_AREA];
     }
     multiscale_free(&stack);
 }
@@ -137,11 +137,12 @@ static double interpolation_error(const struct model_curve *curve)
     double error = 0;
     for (size_t i = 1; i + 1 < curve->count; i += 2) {
         const struct contact_point *p = &curve->points[i - 1], *q = p + 1, *r = p + 2;
-        if (!(p->area_ratio > 0))
+        if (!(p->value[QUANTITY_AREA] > 0))
             continue;
-        double share = log(q->load / p->load) / log(r->load / p->load);
-        double between = p->area_ratio * pow(r->area_ratio / p->area_ratio, share);
-        error = fmax(error, fabs(between / q->area_ratio - 1));
+        double share = log(q->value[QUANTITY_LOAD] / p->value[QUANTITY_LOAD]) /
+                       log(r->value[QUANTITY_LOAD] / p->value[QUANTITY_LOAD]);
+        double between = p->value[QUANTITY_AREA] * pow(r->value[QUANTITY_AREA] / p->value[QUANTITY_AREA], share);
+        error = fmax(error, fabs(between / q->value[QUANTITY_AREA] - 1));
     }
     return error;
 }
@@ -236,8 +237,7 @@ static enum status_code tolerances(struct benchmark *cost, const struct benchmar
         row->evaluations = attempt.evaluations;
         for (size_t i = 0; i < count; i++)
             for (int q = QUANTITY_AREA; q <= QUANTITY_ECR; q++) {
-                double better = quantity_value(&best[i], (enum quantity)q),
-                       ratio = quantity_value(&attempt.points[i], (enum quantity)q) / better;
+                double better = best[i].value[q], ratio = attempt.points[i].value[q] / better;
                 if (better > 0 && isfinite(ratio))
                     row->error = fmax(row->error, fabs(ratio - 1));
             }

@@ -14,9 +14,9 @@ static void fit_area_slope(struct curve_summary *model, const struct model_curve
     double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0, syy = 0;
     for (size_t i = 0; i < curve->count; i++) {
         const struct contact_point *point = &curve->points[i];
-        if (point->area_ratio >= slope_area || !(point->area_ratio > 0))
+        if (point->value[QUANTITY_AREA] >= slope_area || !(point->value[QUANTITY_AREA] > 0))
             continue;
-        double x = log(point->load), y = log(point->area_ratio);
+        double x = log(point->value[QUANTITY_LOAD]), y = log(point->value[QUANTITY_AREA]);
         n += 1;
         sx += x;
         sy += y;
@@ -35,7 +35,7 @@ static void fit_area_slope(struct curve_summary *model, const struct model_curve
 
 static bool is_touching(const struct contact_point *point, const struct model_row *row)
 {
-    return row->largest_area > 0 && point->area_ratio > row->largest_area;
+    return row->largest_area > 0 && point->value[QUANTITY_AREA] > row->largest_area;
 }
 
 static bool is_valid(const struct contact_point *point, const struct model_row *row)
@@ -106,7 +106,7 @@ void curve_summary_make(struct curve_summary *model, const struct model_curve *c
 {
     *model = (struct curve_summary){
         .exists = curve->exists,
-        .first_load = curve->count > 0 ? curve->points[0].load : NAN,
+        .first_load = curve->count > 0 ? curve->points[0].value[QUANTITY_LOAD] : NAN,
         .full_load = curve->full_load,
         .closed_load = curve->closed_load,
         .beta = curve->beta,
@@ -117,7 +117,7 @@ void curve_summary_make(struct curve_summary *model, const struct model_curve *c
         .invalid_area_load = NAN,
         .invalid_fit_load = NAN,
         .gap_at_full = quantity_shown(&curve->full, model_shown(row, QUANTITY_SEPARATION), sigma_m),
-        .area_low = curve->count > 0 ? curve->points[0].area_ratio : NAN,
+        .area_low = curve->count > 0 ? curve->points[0].value[QUANTITY_AREA] : NAN,
         .yielding_scales = curve->yielding_scales,
         .clamped = curve->clamped,
         .sensitivity = model->sensitivity,
@@ -129,22 +129,26 @@ void curve_summary_make(struct curve_summary *model, const struct model_curve *c
     fit_area_slope(model, curve);
     for (size_t i = 0; i < curve->count; i++) {
         const struct contact_point *point = &curve->points[i], *before = i > 0 ? point - 1 : NULL;
-        if (point->load == operating_load)
+        if (point->value[QUANTITY_LOAD] == operating_load)
             model->operating = *point;
         if (isnan(model->invalid_area_load) && is_touching(point, row))
-            model->invalid_area_load = point->load;
+            model->invalid_area_load = point->value[QUANTITY_LOAD];
         if (i >= valid.first && isnan(model->invalid_fit_load) && point->beyond_fit > curve_summary_beyond_fit_share)
-            model->invalid_fit_load = point->load;
+            model->invalid_fit_load = point->value[QUANTITY_LOAD];
         model->most_beyond_fit = fmax(model->most_beyond_fit, point->beyond_fit);
         model->most_radius_clamped = fmax(model->most_radius_clamped, point->radius_clamped);
-        if (point->tcr_K_m2_per_W > 0 && !isnan(point->tcr_sd_K_m2_per_W)) {
-            model->sd_least = fmin(model->sd_least, point->tcr_sd_K_m2_per_W / point->tcr_K_m2_per_W - 1);
-            model->sd_most = fmax(model->sd_most, point->tcr_sd_K_m2_per_W / point->tcr_K_m2_per_W - 1);
+        if (point->value[QUANTITY_TCR] > 0 && !isnan(point->value[QUANTITY_TCR_SCALE_DEPENDENT])) {
+            model->sd_least =
+                fmin(model->sd_least, point->value[QUANTITY_TCR_SCALE_DEPENDENT] / point->value[QUANTITY_TCR] - 1);
+            model->sd_most =
+                fmax(model->sd_most, point->value[QUANTITY_TCR_SCALE_DEPENDENT] / point->value[QUANTITY_TCR] - 1);
         }
         /* a load where the resistance has gone to 0 ends the elbow too */
-        if (before && before->ecr_ohm_m2 > 0 && !isnan(point->ecr_ohm_m2) && isnan(model->elbow_load) &&
-            !(point->ecr_ohm_m2 > 0 && log(before->ecr_ohm_m2 / point->ecr_ohm_m2) <
-                                           curve_summary_elbow_slope * log(point->load / before->load)))
-            model->elbow_load = before->load;
+        if (before && before->value[QUANTITY_ECR] > 0 && !isnan(point->value[QUANTITY_ECR]) &&
+            isnan(model->elbow_load) &&
+            !(point->value[QUANTITY_ECR] > 0 &&
+              log(before->value[QUANTITY_ECR] / point->value[QUANTITY_ECR]) <
+                  curve_summary_elbow_slope * log(point->value[QUANTITY_LOAD] / before->value[QUANTITY_LOAD])))
+            model->elbow_load = before->value[QUANTITY_LOAD];
     }
 }

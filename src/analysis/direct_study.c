@@ -538,7 +538,7 @@ static const struct contact_point *point_at(const struct direct_study *study, si
     const struct model_curve *curve = &study->models[model];
     double load = study->load_triples[3 * i + (size_t)(side + 1)];
     for (size_t k = 0; curve->exists && k < curve->count; k++)
-        if (curve->points[k].load == load)
+        if (curve->points[k].value[QUANTITY_LOAD] == load)
             return &curve->points[k];
     return NULL;
 }
@@ -553,7 +553,7 @@ double direct_study_ratio(const struct direct_study *study, const struct materia
 {
     const struct contact_point *point = direct_study_model(study, model, i);
     double direct = direct_study_value(study, pair, direct_study_kind_of(study, model), quantity, i, NULL);
-    double value = point ? quantity_value(point, quantity) : NAN;
+    double value = point ? point->value[quantity] : NAN;
     return value > 0 && direct > 0 ? value / direct : NAN;
 }
 
@@ -562,10 +562,11 @@ double direct_study_conductance(const struct direct_study *study, const struct m
 {
     const struct contact_point *low = point_at(study, model, i, -1), *at = point_at(study, model, i, 0),
                                *high = point_at(study, model, i, 1);
-    if (model_rows[model]->plastic || !low || !at || !high || !(at->ecr_ohm_m2 > 0))
+    if (model_rows[model]->plastic || !low || !at || !high || !(at->value[QUANTITY_ECR] > 0))
         return NAN;
-    double slope_m = (high->separation_m - low->separation_m) / (high->load - low->load);
-    return -pair->resistivity_ohm_m * slope_m / at->ecr_ohm_m2;
+    double slope_m = (high->value[QUANTITY_SEPARATION] - low->value[QUANTITY_SEPARATION]) /
+                     (high->value[QUANTITY_LOAD] - low->value[QUANTITY_LOAD]);
+    return -pair->resistivity_ohm_m * slope_m / at->value[QUANTITY_ECR];
 }
 
 struct direct_study_distance direct_study_distance(const struct direct_study *study, const struct material_pair *pair,

@@ -66,7 +66,9 @@ static enum status_code run_uncertainty(struct surface_record *record, const str
         for (int which = 0; which < CURVE_ESTIMATES; which++)
             estimates[which] = estimate_none;
         for (size_t i = 0; i < curve->count; i++)
-            for (int q = 0; q < QUANTITY_COUNT && curve->points[i].load == task->loads[model_task_operating(task)]; q++)
+            for (int q = 0;
+                 q < QUANTITY_COUNT && curve->points[i].value[QUANTITY_LOAD] == task->loads[model_task_operating(task)];
+                 q++)
                 estimates[q] =
                     uncertainty_estimate(&all[m], (enum quantity)q,
                                          quantity_shown(&curve->points[i], model_shown(model_rows[m], (enum quantity)q),
@@ -90,7 +92,7 @@ static enum status_code run_sensitivity(struct surface_record *record, size_t m,
     struct model_task one = surface_middle_task(task);
     struct contact_point as_is = quantity_nothing();
     for (size_t i = 0; i < record->curves[m].count; i++)
-        if (record->curves[m].points[i].load == one.loads[0])
+        if (record->curves[m].points[i].value[QUANTITY_LOAD] == one.loads[0])
             as_is = record->curves[m].points[i];
     bool averaged = record->repeats.count > 0; /* as the changed scans are: the curve is not of the mean spectrum */
     return sensitivity_run(&model->sensitivity, &record->sensitivity, model_rows[m], &one, averaged ? NULL : &as_is,
@@ -162,8 +164,8 @@ static bool loses_interval(const struct surface_record *record, size_t m)
 {
     const struct model_curve *curve = &record->curves[m];
     for (size_t i = 0; record->bands[m] && i < curve->count && i < record->band_count; i++)
-        for (int q = 0; q < QUANTITY_COUNT && record->bands[m][i].load == curve->points[i].load; q++) {
-            double value = quantity_value(&curve->points[i], model_shown(model_rows[m], (enum quantity)q));
+        for (int q = 0; q < QUANTITY_COUNT && record->bands[m][i].load == curve->points[i].value[QUANTITY_LOAD]; q++) {
+            double value = curve->points[i].value[model_shown(model_rows[m], (enum quantity)q)];
             if (repeats_band_holds((enum quantity)q) && value > 0 && isnan(record->bands[m][i].mean[q][0]))
                 return true;
         }
@@ -304,11 +306,12 @@ static enum status_code fill_skipped(struct surface_record *record, const struct
     for (size_t m = 0; m < model_count && without_scale; m++)
         for (size_t i = 0; i < record->curves[m].count; i++)
             if (model_rows[m]->quantities & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT))
-                record->curves[m].points[i].tcr_sd_K_m2_per_W = record->curves[m].points[i].tcr_K_m2_per_W;
+                record->curves[m].points[i].value[QUANTITY_TCR_SCALE_DEPENDENT] =
+                    record->curves[m].points[i].value[QUANTITY_TCR];
     for (size_t m = 0; m < model_count && without_scale; m++)
         if (record->summary.models && record->summary.models[m])
-            record->summary.models[m]->operating.tcr_sd_K_m2_per_W =
-                record->summary.models[m]->operating.tcr_K_m2_per_W;
+            record->summary.models[m]->operating.value[QUANTITY_TCR_SCALE_DEPENDENT] =
+                record->summary.models[m]->operating.value[QUANTITY_TCR];
     for (size_t m = 0; m < model_count; m++)
         if (plan_runs_model(allowed, m) && model_rows[m]->plastic && !plan_runs(plan, EFFECT_PLASTICITY) &&
             copy_elastic(record, m, scene->target_count, status) != STATUS_OK)

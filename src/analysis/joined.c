@@ -24,7 +24,7 @@ enum status_code joined_curve(struct model_curve *curve, const struct model_row 
             return status_memory(status);
         rc = row->spots(spots, row, task, status);
         for (size_t i = 0; i < curve->count; i++)
-            if (i >= task->load_count || curve->points[i].load != task->loads[i]) /* full contact */
+            if (i >= task->load_count || curve->points[i].value[QUANTITY_LOAD] != task->loads[i]) /* full contact */
                 spots[i] = (struct contact_spots){NAN, NAN};
     }
     if (rc == STATUS_OK)

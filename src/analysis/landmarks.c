@@ -39,7 +39,7 @@ static double area_excess(const struct search *search, const struct contact_poin
                           const struct contact_point *after)
 {
     (void)after;
-    return before ? log(before->area_ratio / search->row->largest_area) : INFINITY;
+    return before ? log(before->value[QUANTITY_AREA] / search->row->largest_area) : INFINITY;
 }
 
 static double fit_excess(const struct search *search, const struct contact_point *before,
@@ -53,19 +53,20 @@ static double fit_excess(const struct search *search, const struct contact_point
 static double slope_excess(const struct search *search, const struct contact_point *before,
                            const struct contact_point *after)
 {
-    if (!before || !(before->ecr_ohm_m2 > 0) || !after || !(after->ecr_ohm_m2 > 0))
+    if (!before || !(before->value[QUANTITY_ECR] > 0) || !after || !(after->value[QUANTITY_ECR] > 0))
         return INFINITY; /* complete */
-    return log(before->ecr_ohm_m2 / after->ecr_ohm_m2) - curve_summary_elbow_slope * 2 * search->half_step;
+    return log(before->value[QUANTITY_ECR] / after->value[QUANTITY_ECR]) -
+           curve_summary_elbow_slope * 2 * search->half_step;
 }
 
 static double value_excess(const struct search *search, const struct contact_point *before,
                            const struct contact_point *after)
 {
     const struct landmarks_value *sought = search->value;
-    double value = before ? quantity_value(before, sought->quantity) : NAN, ratio = log(value / sought->value);
+    double value = before ? before->value[sought->quantity] : NAN, ratio = log(value / sought->value);
     (void)after;
     if (before && sought->shift)
-        ratio += sought->shift(log(before->load), sought->context);
+        ratio += sought->shift(log(before->value[QUANTITY_LOAD]), sought->context);
     return isnan(value) ? INFINITY : sought->rises ? ratio : -ratio;
 }
 
@@ -123,7 +124,7 @@ static void choose_trials(struct search *search, double tolerance)
 static const struct contact_point *point_at(const struct model_curve *curve, double load)
 {
     for (size_t i = 0; i < curve->count; i++)
-        if (curve->points[i].load == load)
+        if (curve->points[i].value[QUANTITY_LOAD] == load)
             return &curve->points[i];
     return NULL;
 }
@@ -196,7 +197,7 @@ static enum status_code solve(struct search *searches, size_t count, const struc
 static size_t index_of(const struct model_curve *curve, double load)
 {
     size_t i = 0;
-    while (i < curve->count && curve->points[i].load != load)
+    while (i < curve->count && curve->points[i].value[QUANTITY_LOAD] != load)
         i++;
     return i;
 }
@@ -218,7 +219,8 @@ enum status_code landmarks_solve(struct curve_summary *summary, const struct mod
     for (int k = 0; k < SEARCHES; k++) {
         bool slope = sought[k].half_step > 0;
         size_t i = index_of(curve, *sought[k].load); /* the slope's: the load before it is too steep */
-        if (slope && isnan(*sought[k].load) && curve->count > 1 && curve->points[curve->count - 1].ecr_ohm_m2 > 0)
+        if (slope && isnan(*sought[k].load) && curve->count > 1 &&
+            curve->points[curve->count - 1].value[QUANTITY_ECR] > 0)
             i = curve->count - 2; /* it may have become so since the last two loads */
         if (!(slope ? i + 1 < curve->count : i > 0 && i < curve->count))
             continue;
@@ -228,8 +230,8 @@ enum status_code landmarks_solve(struct curve_summary *summary, const struct mod
         struct search search = {.excess = sought[k].excess,
                                 .row = row,
                                 .half_step = sought[k].half_step,
-                                .low = log(low->load),
-                                .high = log(high->load),
+                                .low = log(low->value[QUANTITY_LOAD]),
+                                .high = log(high->value[QUANTITY_LOAD]),
                                 .excess_low = NAN,
                                 .excess_high = NAN,
                                 .found = !slope};
@@ -244,7 +246,7 @@ enum status_code landmarks_solve(struct curve_summary *summary, const struct mod
         return status->code;
     for (size_t s = 0; s < count; s++)
         if (searches[s].found)
-            *results[s] = fmax(exp(searches[s].high), curve->points[0].load);
+            *results[s] = fmax(exp(searches[s].high), curve->points[0].value[QUANTITY_LOAD]);
     return STATUS_OK;
 }
 
@@ -305,7 +307,7 @@ static enum status_code mean_separation(double *mean_m, const struct landmarks_c
         if (added.count != count)
             return STATUS_OK;
         for (int k = 1; k < parts; k += step)
-            separation_m[k * every] = points[(k - 1) / step].separation_m;
+            separation_m[k * every] = points[(k - 1) / step].value[QUANTITY_SEPARATION];
         *mean_m = 0;
         for (int k = 1; k < parts / 2; k++) /* weights are the same from both ends */
             *mean_m += fejer_weight(k, parts) * (separation_m[k * every] + separation_m[(parts - k) * every]);

@@ -191,8 +191,8 @@ static bool answers(const struct measured *measured, size_t m, size_t load_count
 static double resistance_at(const struct model_curve *curve, double load, enum quantity quantity)
 {
     for (size_t i = 0; i < curve->count; i++)
-        if (curve->points[i].load == load && quantity_value(&curve->points[i], quantity) > 0)
-            return quantity_value(&curve->points[i], quantity);
+        if (curve->points[i].value[QUANTITY_LOAD] == load && curve->points[i].value[quantity] > 0)
+            return curve->points[i].value[quantity];
     return NAN;
 }
 

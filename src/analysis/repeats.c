@@ -263,48 +263,49 @@ static enum status_code mean_number(double *mean, struct estimate *estimate, con
     return mean_of(mean, estimate, runs, set, logarithmic, status);
 }
 
+/** Point `at` of a run's curve; SIZE_MAX: that of full contact. */
+static const struct contact_point *point_of(const struct runs *runs, size_t r, size_t at)
+{
+    return at == SIZE_MAX ? &runs->curves[r].full : &runs->curves[r].points[at];
+}
+
 /** Fills the quantities of `out` from a point of every run, `at` (in each curve's points), or the one of full contact
  * where that is SIZE_MAX. estimates: NULL, or QUANTITY_COUNT; lengths over sigma. */
 static enum status_code mean_point(struct contact_point *out, struct estimate *estimates, const struct runs *runs,
                                    const struct repeat_set *set, const struct model_row *model, size_t at,
                                    struct status *status)
 {
-    static const size_t shares[] = {offsetof(struct contact_point, beyond_fit),
-                                    offsetof(struct contact_point, radius_clamped)};
+    struct estimate unused;
     *out = quantity_nothing();
-    for (int q = QUANTITY_AREA; q < QUANTITY_COUNT + 2; q++) {
-        struct estimate unused;
-        bool quantity = q < QUANTITY_COUNT, over_sigma = quantity && quantity_rows[q].over_sigma;
-        struct estimate *estimate = quantity && estimates ? &estimates[q] : &unused;
-        if (quantity && quantity_rows[q].from) { /* of the mean curve: joint_apply() */
-            if (estimates)
-                estimates[q] = estimate_none;
-            continue;
-        }
-        size_t offset = quantity ? quantity_rows[q].offset : shares[q - QUANTITY_COUNT];
-        bool logarithmic =
-            quantity && (quantity_rows[q].logarithmic || q == (int)model_shown(model, QUANTITY_SEPARATION));
+    for (int q = QUANTITY_AREA; q < QUANTITY_COUNT; q++) {
+        const struct quantity_row *row = &quantity_rows[q];
+        struct estimate *estimate = estimates ? &estimates[q] : &unused;
+        bool logarithmic = row->logarithmic || q == (int)model_shown(model, QUANTITY_SEPARATION);
         double mean = NAN;
-        for (size_t r = 0; r < runs->count; r++) {
-            const struct contact_point *point = at == SIZE_MAX ? &runs->curves[r].full : &runs->curves[r].points[at];
-            memcpy(&runs->value[r], (const char *)point + offset, sizeof *runs->value);
-        }
-        for (size_t r = 0; r < runs->count && over_sigma; r++)
-            runs->value[r] /= runs->sigma_m[r];
+        *estimate = estimate_none;
+        if (row->from) /* of the mean curve: joint_apply() */
+            continue;
+        for (size_t r = 0; r < runs->count; r++)
+            runs->value[r] = point_of(runs, r, at)->value[q] / (row->over_sigma ? runs->sigma_m[r] : 1);
         if (mean_of(&mean, estimate, runs, set, logarithmic, status) != STATUS_OK)
             return status->code;
         estimate->share = q == QUANTITY_AREA;
-        mean *= over_sigma ? set->sigma_m : 1;
-        memcpy((char *)out + offset, &mean, sizeof mean);
+        out->value[q] = mean * (row->over_sigma ? set->sigma_m : 1);
     }
-    return STATUS_OK;
+    for (size_t r = 0; r < runs->count; r++)
+        runs->value[r] = point_of(runs, r, at)->beyond_fit;
+    if (mean_of(&out->beyond_fit, &unused, runs, set, false, status) != STATUS_OK)
+        return status->code;
+    for (size_t r = 0; r < runs->count; r++)
+        runs->value[r] = point_of(runs, r, at)->radius_clamped;
+    return mean_of(&out->radius_clamped, &unused, runs, set, false, status);
 }
 
 /** Have all runs a point at load i of the task, not one of their own? */
 static bool all_reach(const struct runs *runs, size_t i, double load)
 {
     for (size_t r = 0; r < runs->count; r++)
-        if (i >= runs->curves[r].count || runs->curves[r].points[i].load != load)
+        if (i >= runs->curves[r].count || runs->curves[r].points[i].value[QUANTITY_LOAD] != load)
             return false;
     return true;
 }
@@ -314,7 +315,7 @@ static bool all_close(const struct runs *runs)
 {
     for (size_t r = 0; r < runs->count; r++) {
         const struct model_curve *curve = &runs->curves[r];
-        if (curve->count == 0 || curve->points[curve->count - 1].load != curve->full_load)
+        if (curve->count == 0 || curve->points[curve->count - 1].value[QUANTITY_LOAD] != curve->full_load)
             return false;
     }
     return true;
@@ -345,12 +346,12 @@ static enum status_code mean_curve(struct model_curve *curve, struct repeats_res
         mean_number(&curve->beta, &result->beta, runs, set, beta, false, status) != STATUS_OK ||
         mean_point(&curve->full, NULL, runs, set, model, SIZE_MAX, status) != STATUS_OK)
         return status->code;
-    curve->full.load = curve->full_load;
+    curve->full.value[QUANTITY_LOAD] = curve->full_load;
     for (size_t i = 0; i < task->load_count && all_reach(runs, i, task->loads[i]); i++) {
         struct contact_point *point = &curve->points[curve->count++];
         if (mean_point(point, estimates, runs, set, model, i, status) != STATUS_OK)
             return status->code;
-        point->load = task->loads[i];
+        point->value[QUANTITY_LOAD] = task->loads[i];
         fill_band(&result->band[i], estimates, model);
         for (int q = 0; q < QUANTITY_COUNT && i == model_task_operating(task); q++)
             result->middle[q] = estimates[model_shown(model, (enum quantity)q)];

@@ -107,12 +107,12 @@ static struct model_task variant_task(struct asperities *asperities, const struc
 static enum status_code solve_one(struct contact_point *out, const struct model_row *model,
                                   const struct model_task *task, struct status *status)
 {
-    struct contact_point points[2] = {{0}};
+    struct contact_point points[2] = {0};
     struct model_curve curve = {.points = points};
     *out = quantity_nothing();
     if (model_run(&curve, model, task, status) != STATUS_OK)
         return status->code;
-    if (curve.exists && curve.count > 0 && points[0].load == task->loads[0])
+    if (curve.exists && curve.count > 0 && points[0].value[QUANTITY_LOAD] == task->loads[0])
         *out = points[0];
     return STATUS_OK;
 }
@@ -142,12 +142,16 @@ static enum status_code run_variants(struct sensitivity_factors *out, const stru
     }
     const struct contact_point *first = &points[SENSITIVITY_FIRST_HALF], *second = &points[SENSITIVITY_SECOND_HALF],
                                *whole = &points[SENSITIVITY_WHOLE];
-    out->area[SENSITIVITY_CUTOFF_DOUBLED] = points[SENSITIVITY_CUTOFF].area_ratio / as_is->area_ratio;
-    out->area[SENSITIVITY_SCAN_HALVED] = sqrt(first->area_ratio * second->area_ratio) / whole->area_ratio;
-    if (as_is->ecr_ohm_m2 > 0)
-        out->ecr[SENSITIVITY_CUTOFF_DOUBLED] = points[SENSITIVITY_CUTOFF].ecr_ohm_m2 / as_is->ecr_ohm_m2;
-    if (whole->ecr_ohm_m2 > 0)
-        out->ecr[SENSITIVITY_SCAN_HALVED] = sqrt(first->ecr_ohm_m2) * sqrt(second->ecr_ohm_m2) / whole->ecr_ohm_m2;
+    out->area[SENSITIVITY_CUTOFF_DOUBLED] =
+        points[SENSITIVITY_CUTOFF].value[QUANTITY_AREA] / as_is->value[QUANTITY_AREA];
+    out->area[SENSITIVITY_SCAN_HALVED] =
+        sqrt(first->value[QUANTITY_AREA] * second->value[QUANTITY_AREA]) / whole->value[QUANTITY_AREA];
+    if (as_is->value[QUANTITY_ECR] > 0)
+        out->ecr[SENSITIVITY_CUTOFF_DOUBLED] =
+            points[SENSITIVITY_CUTOFF].value[QUANTITY_ECR] / as_is->value[QUANTITY_ECR];
+    if (whole->value[QUANTITY_ECR] > 0)
+        out->ecr[SENSITIVITY_SCAN_HALVED] =
+            sqrt(first->value[QUANTITY_ECR]) * sqrt(second->value[QUANTITY_ECR]) / whole->value[QUANTITY_ECR];
     return STATUS_OK;
 }
 
@@ -160,9 +164,9 @@ static enum status_code run_harder(struct sensitivity_factors *out, const struct
     struct model_task own = harder_task(&pair, task);
     if (solve_one(&point, model, &own, status) != STATUS_OK)
         return status->code;
-    out->area[SENSITIVITY_HARDNESS_RAISED] = point.area_ratio / as_is->area_ratio;
-    if (as_is->ecr_ohm_m2 > 0)
-        out->ecr[SENSITIVITY_HARDNESS_RAISED] = point.ecr_ohm_m2 / as_is->ecr_ohm_m2;
+    out->area[SENSITIVITY_HARDNESS_RAISED] = point.value[QUANTITY_AREA] / as_is->value[QUANTITY_AREA];
+    if (as_is->value[QUANTITY_ECR] > 0)
+        out->ecr[SENSITIVITY_HARDNESS_RAISED] = point.value[QUANTITY_ECR] / as_is->value[QUANTITY_ECR];
     return STATUS_OK;
 }
 

@@ -117,7 +117,7 @@ static enum status_code take(struct pass *pass, const double *height_m, size_t p
         for (size_t i = 0; i < loads.count; i++)
             for (int q = 0; q < QUANTITY_COUNT; q++)
                 *place(&pass->answers[m], (enum quantity)q, i, record, quarter) =
-                    rc == STATUS_OK && curve.exists && i < curve.count && room[i].load == loads.load[i]
+                    rc == STATUS_OK && curve.exists && i < curve.count && room[i].value[QUANTITY_LOAD] == loads.load[i]
                         ? answer(&room[i], (enum quantity)q, model_rows[m], asperities.sigma_m)
                         : NAN;
     }
@@ -272,9 +272,9 @@ void uncertainty_band(struct repeats_band *band, const struct uncertainty *uncer
             own.share = q == QUANTITY_AREA;
             own.mean = answer(point, (enum quantity)q, model, sigma_m);
             own.half_width = repeats_band_holds((enum quantity)q)
-                                 ? half_width_at(uncertainty, (enum quantity)q, log(point->load))
+                                 ? half_width_at(uncertainty, (enum quantity)q, log(point->value[QUANTITY_LOAD]))
                                  : NAN;
-            if (point->load != band[i].load)
+            if (point->value[QUANTITY_LOAD] != band[i].load)
                 continue; /* a statistical curve closes at a load of its own */
             for (int side = 0; side < 2; side++)
                 band[i].mean[q][side] = estimate_end(&own, side);

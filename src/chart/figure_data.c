@@ -47,7 +47,7 @@ struct shown {
 static double value_shown(const struct contact_point *point, const struct shown *shown)
 {
     double value = quantity_shown(point, shown->y, shown->sigma_m);
-    return shown->over == QUANTITY_LOAD ? value : value / quantity_value(point, shown->over);
+    return shown->over == QUANTITY_LOAD ? value : value / point->value[shown->over];
 }
 
 /** Points `from` to before `to` of a curve as one block. A resistance ends with the row of full contact, where it is 0.
@@ -67,7 +67,7 @@ static void put_part(struct figure_file *out, const struct model_curve *curve, s
     for (size_t i = from; i < to; i++) {
         const struct contact_point *point = &curve->points[i];
         double at = scale * quantity_shown(point, x, shown->sigma_m), value = value_shown(point, shown);
-        if (conductance && point->area_ratio > nearly_full_area)
+        if (conductance && point->value[QUANTITY_AREA] > nearly_full_area)
             continue; /* it has no bound there */
         if (ratio && isfinite(value)) {
             put(out, at, value);
@@ -91,8 +91,8 @@ static void put_curve(struct figure_file *out, const struct model_curve *curve, 
 {
     struct curve_validity valid = curve_summary_validity(curve, model);
     if (QUANTITY_BIT(shown->y) & QUANTITY_RESISTANCES && shown->over == QUANTITY_LOAD)
-        for (size_t i = 0; i < curve->count && curve->points[i].area_ratio <= nearly_full_area; i++)
-            out->floor = fmin(out->floor, quantity_value(&curve->points[i], shown->y));
+        for (size_t i = 0; i < curve->count && curve->points[i].value[QUANTITY_AREA] <= nearly_full_area; i++)
+            out->floor = fmin(out->floor, curve->points[i].value[shown->y]);
     char outside_style[32];
     snprintf(outside_style, sizeof outside_style, "%sx", shown->style);
     put_part(out, curve, valid.first, valid.end, shown, shown->style);
@@ -314,8 +314,8 @@ static double area_known(const struct surface_record *record, size_t m, double l
 {
     const struct model_curve *curve = &record->curves[m];
     for (size_t i = 0; i < curve->count && record->summary.scans == 1; i++)
-        if (curve->points[i].load == load)
-            return curve->points[i].area_ratio;
+        if (curve->points[i].value[QUANTITY_LOAD] == load)
+            return curve->points[i].value[QUANTITY_AREA];
     return NAN;
 }
 
@@ -421,12 +421,12 @@ static void put_sensitivity(struct figure_file *out, const struct sensitivity_cu
         const struct contact_point *points = curves->points + m * SENSITIVITY_WAVELENGTHS;
         bool any = false;
         for (size_t w = 0; w < SENSITIVITY_WAVELENGTHS; w++)
-            any = any || quantity_value(&points[w], y) > 0;
+            any = any || points[w].value[y] > 0;
         if (!any)
             continue;
         drawing_begin(&out->drawing, model_rows[m]->style, model_rows[m]->label);
         for (size_t w = 0; w < SENSITIVITY_WAVELENGTHS; w++)
-            put_point(out, curves->wavelength_m[w], quantity_value(&points[w], y), true, true);
+            put_point(out, curves->wavelength_m[w], points[w].value[y], true, true);
     }
     if (out->drawing.blocks == 0)
         drawing_begin(&out->drawing, model_rows[0]->style, "no model has a value");

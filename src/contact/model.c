@@ -40,7 +40,7 @@ bool model_runs(size_t m, uint64_t models, unsigned effects)
 static bool is_finite(const struct contact_point *points, size_t count, enum quantity quantity, bool needed)
 {
     for (size_t i = 0; i < count; i++) {
-        double value = quantity_value(&points[i], quantity);
+        double value = points[i].value[quantity];
         if (isinf(value) || (needed && isnan(value)))
             return false;
     }
@@ -59,7 +59,7 @@ enum status_code model_run(struct model_curve *curve, const struct model_row *ro
     if (task->evaluations)
         *task->evaluations += curve->evaluations;
     /* a model that knows of no full contact says nothing of it */
-    bool full = curve->exists && !(isnan(curve->full_load) && isnan(curve->full.area_ratio));
+    bool full = curve->exists && !(isnan(curve->full_load) && isnan(curve->full.value[QUANTITY_AREA]));
     unsigned always = task->wanted & row->quantities & ~row->may_be_empty;
     bool finite = true;
     for (int q = 0; q < QUANTITY_COUNT && finite; q++) {

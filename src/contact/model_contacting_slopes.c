@@ -18,14 +18,14 @@ static void solve(struct contact_point *out, const struct contacting_slopes *slo
         (void)contacting_slopes_gap(&gap, slopes, persson, load, area.area_ratio); /* false: nothing to show */
     double resistance_m = 2 * gap.constriction_m;                                  /* (rho_1 + rho_2) l = 2 rho l */
     *out = quantity_nothing();
-    out->load = load;
-    out->area_ratio = area.area_ratio;
+    out->value[QUANTITY_LOAD] = load;
+    out->value[QUANTITY_AREA] = area.area_ratio;
     if (task->wanted & QUANTITY_BIT(QUANTITY_SEPARATION))
-        out->separation_m = gap.separation_m;
+        out->value[QUANTITY_SEPARATION] = gap.separation_m;
     if (task->wanted & QUANTITY_BIT(QUANTITY_ECR))
-        out->ecr_ohm_m2 = task->pair->resistivity_ohm_m * resistance_m;
+        out->value[QUANTITY_ECR] = task->pair->resistivity_ohm_m * resistance_m;
     if (task->wanted & QUANTITY_BIT(QUANTITY_TCR))
-        out->tcr_K_m2_per_W = resistance_m / task->pair->conductivity_W_per_mK;
+        out->value[QUANTITY_TCR] = resistance_m / task->pair->conductivity_W_per_mK;
     out->beyond_fit = area.mark == CONTACTING_SLOPES_INSIDE ? 0 : 1;
 }
 

@@ -21,11 +21,12 @@ static bool find_kink(size_t *low, size_t *high, const struct model_curve *curve
     double steepest = 0, before = 0;
     size_t at = from;
     for (size_t i = from; i + 1 < curve->count; i++) {
-        double r = quantity_value(&curve->points[i], resistance);
-        double next = quantity_value(&curve->points[i + 1], resistance);
+        double r = curve->points[i].value[resistance];
+        double next = (curve->points[i + 1]).value[resistance];
         if (!(r > 0) || !(next > 0))
             return false;
-        double slope = -log(next / r) / log(curve->points[i + 1].load / curve->points[i].load);
+        double slope =
+            -log(next / r) / log(curve->points[i + 1].value[QUANTITY_LOAD] / curve->points[i].value[QUANTITY_LOAD]);
         if (slope >= before) { /* rising: where it fell enough before, that was a kink */
             if (steepest > fall * before && before > 0) {
                 *low = at;
@@ -46,8 +47,9 @@ static void keep_kinks(struct model_curve *curve, struct multiscale *stack, unsi
     size_t low, high;
     for (size_t from = 0; find_kink(&low, &high, curve, from, resistance) && curve->kink_count < MODEL_KINKS_MOST;
          from = high)
-        curve->kink_count += multiscale_closing(&curve->kinks[curve->kink_count], stack, curve->points[low].load,
-                                                curve->points[high].load);
+        curve->kink_count +=
+            multiscale_closing(&curve->kinks[curve->kink_count], stack, curve->points[low].value[QUANTITY_LOAD],
+                               curve->points[high].value[QUANTITY_LOAD]);
 }
 
 static enum status_code run(struct model_curve *curve, const struct model_row *row, const struct model_task *task,
@@ -109,7 +111,8 @@ struct stack_study {
 
 static double raise(const struct contact_point *point)
 {
-    return point->tcr_K_m2_per_W > 0 ? point->tcr_sd_K_m2_per_W / point->tcr_K_m2_per_W - 1 : 0;
+    return point->value[QUANTITY_TCR] > 0 ? point->value[QUANTITY_TCR_SCALE_DEPENDENT] / point->value[QUANTITY_TCR] - 1
+                                          : 0;
 }
 
 static double raise_at(struct contact_point *point, struct stack_study *study, size_t load)
@@ -128,11 +131,11 @@ static double bound_between(struct stack_study *study, size_t low, const struct 
 {
     /* yield of a long scale unloads the shorter ones: TCR then rises, by 3 % in the worst of random stacks */
     static const double slack = 1.1;
-    if (high - low < 2 || !(at_low->tcr_K_m2_per_W > 0))
+    if (high - low < 2 || !(at_low->value[QUANTITY_TCR] > 0))
         return 0;
-    double added = at_low->tcr_sd_K_m2_per_W - at_low->tcr_K_m2_per_W;
-    if (slack * added <= study->tolerance * at_high->tcr_K_m2_per_W)
-        return slack * added / at_high->tcr_K_m2_per_W;
+    double added = at_low->value[QUANTITY_TCR_SCALE_DEPENDENT] - at_low->value[QUANTITY_TCR];
+    if (slack * added <= study->tolerance * at_high->value[QUANTITY_TCR])
+        return slack * added / at_high->value[QUANTITY_TCR];
     struct contact_point at_middle;
     size_t middle = low + (high - low) / 2;
     double most = raise_at(&at_middle, study, middle);

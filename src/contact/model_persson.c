@@ -19,16 +19,16 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
         struct contact_point *point = &curve->points[curve->count++];
         struct persson_separation at = {NAN, NAN};
         *point = quantity_nothing();
-        point->load = task->loads[i];
-        point->area_ratio = persson_area(task->loads[i], persson.m2, persson_energy_factor);
+        point->value[QUANTITY_LOAD] = task->loads[i];
+        point->value[QUANTITY_AREA] = persson_area(task->loads[i], persson.m2, persson_energy_factor);
         if (beyond_area)
             at = persson_separation(&persson, task->loads[i]);
         if (task->wanted & QUANTITY_BIT(QUANTITY_SEPARATION))
-            point->separation_m = at.separation_m;
+            point->value[QUANTITY_SEPARATION] = at.separation_m;
         if (task->wanted & QUANTITY_BIT(QUANTITY_ECR))
-            point->ecr_ohm_m2 = task->pair->resistivity_ohm_m * at.constriction_m;
+            point->value[QUANTITY_ECR] = task->pair->resistivity_ohm_m * at.constriction_m;
         if (task->wanted & QUANTITY_BIT(QUANTITY_TCR))
-            point->tcr_K_m2_per_W = at.constriction_m / task->pair->conductivity_W_per_mK;
+            point->value[QUANTITY_TCR] = at.constriction_m / task->pair->conductivity_W_per_mK;
     }
     /* complete only in the limit of an infinite load: there is no point of full contact */
     curve->evaluations = task->load_count;

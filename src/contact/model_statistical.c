@@ -126,7 +126,7 @@ static double yield_bound(const struct model_row *row, const struct model_task *
     double d = 3;
     for (size_t loads = task->load_count; loads > 0 && !statistical_solve(&point, &model, task->loads[loads - 1], &d);)
         loads--;
-    return jg_excess(task->asperities, task, model.full_d, point.area_ratio);
+    return jg_excess(task->asperities, task, model.full_d, point.value[QUANTITY_AREA]);
 }
 
 static void yield_reason(char *out, size_t size, double bound, bool runs)

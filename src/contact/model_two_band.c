@@ -27,11 +27,12 @@ static enum status_code make_stack(struct multiscale *out, const struct model_ro
 /** Takes out what should not be trusted at this point. */
 static void blank(struct contact_point *point, const struct model_row *row, const struct model_task *task)
 {
-    double pressure_Pa = point->load * task->pair->effective_modulus_Pa;
-    if (!two_band_trusted(point->area_ratio))
-        point->separation_m = point->ecr_ohm_m2 = point->tcr_K_m2_per_W = point->tcr_sd_K_m2_per_W = NAN;
-    if (row->plastic && !two_band_plastic_gap_trusted(point->area_ratio, pressure_Pa, task->hardness_Pa))
-        point->separation_m = NAN;
+    double pressure_Pa = point->value[QUANTITY_LOAD] * task->pair->effective_modulus_Pa;
+    if (!two_band_trusted(point->value[QUANTITY_AREA]))
+        point->value[QUANTITY_SEPARATION] = point->value[QUANTITY_ECR] = point->value[QUANTITY_TCR] =
+            point->value[QUANTITY_TCR_SCALE_DEPENDENT] = NAN;
+    if (row->plastic && !two_band_plastic_gap_trusted(point->value[QUANTITY_AREA], pressure_Pa, task->hardness_Pa))
+        point->value[QUANTITY_SEPARATION] = NAN;
 }
 
 /** Barber's integral in place of the elastic gaps, which light loads know less well. */
@@ -43,7 +44,7 @@ static enum status_code elastic_separation(struct model_curve *curve, struct mul
         return status_memory(status);
     two_band_separation(separation_m, task->loads, task->load_count, stack, task->tolerance, &curve->evaluations);
     for (size_t i = 0; i < task->load_count; i++)
-        curve->points[i].separation_m = separation_m[i];
+        curve->points[i].value[QUANTITY_SEPARATION] = separation_m[i];
     free(separation_m);
     return STATUS_OK;
 }
@@ -110,8 +111,8 @@ static enum status_code scale_dependence_bound(double *most, const struct model_
     for (size_t i = 0; stack.count > 0 && i < task->load_count; i++) {
         struct contact_point point;
         multiscale_solve(&point, &stack, &constriction, QUANTITY_RESISTANCES, task->loads[i], &visits);
-        if (point.tcr_K_m2_per_W > 0)
-            *most = fmax(*most, point.tcr_sd_K_m2_per_W / point.tcr_K_m2_per_W - 1);
+        if (point.value[QUANTITY_TCR] > 0)
+            *most = fmax(*most, point.value[QUANTITY_TCR_SCALE_DEPENDENT] / point.value[QUANTITY_TCR] - 1);
     }
     multiscale_free(&stack);
     return STATUS_OK;

@@ -229,16 +229,16 @@ size_t multiscale_solve(struct contact_point *out, struct multiscale *stack, con
         area *= cell.area_ratio;
     }
     *out = quantity_nothing();
-    out->load = load;
-    out->area_ratio = area;
+    out->value[QUANTITY_LOAD] = load;
+    out->value[QUANTITY_AREA] = area;
     if (with_gap)
-        out->separation_m = separation;
+        out->value[QUANTITY_SEPARATION] = separation;
     if (wanted & QUANTITY_BIT(QUANTITY_ECR))
-        out->ecr_ohm_m2 = constriction_electrical(spot, &sum);
+        out->value[QUANTITY_ECR] = constriction_electrical(spot, &sum);
     if (wanted & QUANTITY_BIT(QUANTITY_TCR))
-        out->tcr_K_m2_per_W = constriction_thermal(spot, &sum);
+        out->value[QUANTITY_TCR] = constriction_thermal(spot, &sum);
     if (wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT))
-        out->tcr_sd_K_m2_per_W = constriction_thermal_scale_dependent(spot, &sum);
+        out->value[QUANTITY_TCR_SCALE_DEPENDENT] = constriction_thermal_scale_dependent(spot, &sum);
     return clamped;
 }
 

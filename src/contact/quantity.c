@@ -2,61 +2,47 @@
 #include "contact/quantity.h"
 
 #include <math.h>
-#include <string.h>
 
-#define ON_SPOTS      (EFFECT_BIT(EFFECT_FILM) | EFFECT_BIT(EFFECT_PLATING) | EFFECT_BIT(EFFECT_HEATING))
-#define SPOTS         (QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_ECR))
-#define FIELD(member) offsetof(struct contact_point, member)
+#define ON_SPOTS (EFFECT_BIT(EFFECT_FILM) | EFFECT_BIT(EFFECT_PLATING) | EFFECT_BIT(EFFECT_HEATING))
+#define SPOTS    (QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_ECR))
 
 /* In the order of enum quantity. */
 const struct quantity_row quantity_rows[] = {
-    {"load_over_AnEp", "load_over_AnEp", NULL, "P/(Aₙ E′)", "load", "Load", "", "load P/(Aₙ E′)", 0, 0, true, false,
-     FIELD(load)},
-    {"area_ratio", "area_ratio", NULL, "A/Aₙ", "area", "Area", "", "area ratio A/Aₙ", 0, 0, true, false,
-     FIELD(area_ratio)},
+    {"load_over_AnEp", "load_over_AnEp", NULL, "P/(Aₙ E′)", "load", "Load", "", "load P/(Aₙ E′)", 0, 0, true, false},
+    {"area_ratio", "area_ratio", NULL, "A/Aₙ", "area", "Area", "", "area ratio A/Aₙ", 0, 0, true, false},
     {"separation_m", "separation_m", "separation_over_sigma", "separation/σ", "separation", "Separation", "σ",
-     "separation / σ", EFFECT_BIT(EFFECT_SEPARATION), 0, false, true, FIELD(separation_m)},
+     "separation / σ", EFFECT_BIT(EFFECT_SEPARATION), 0, false, true},
     {"adjusted_separation_m", NULL, "adjusted_separation_over_sigma", "adjusted", "separation", "Adjusted separation",
-     "σ", "separation / σ", EFFECT_BIT(EFFECT_SEPARATION), 0, false, true, FIELD(adjusted_m)},
+     "σ", "separation / σ", EFFECT_BIT(EFFECT_SEPARATION), 0, false, true},
     {"ecr_ohm_m2", "ecr_ohm_m2", NULL, "ECR·Aₙ", "ECR", "ECR", "Ω·m²", "ECR·Aₙ (Ω·m²)", EFFECT_BIT(EFFECT_ELECTRICAL),
-     0, true, false, FIELD(ecr_ohm_m2)},
+     0, true, false},
     {"tcr_K_m2_per_W", "tcr_K_m2_per_W", NULL, "TCR·Aₙ", "TCR", "TCR", "K·m²/W", "TCR·Aₙ (K·m²/W)",
-     EFFECT_BIT(EFFECT_THERMAL), 0, true, false, FIELD(tcr_K_m2_per_W)},
+     EFFECT_BIT(EFFECT_THERMAL), 0, true, false},
     {"tcr_sd_K_m2_per_W", "tcr_sd_K_m2_per_W", NULL, "TCR·Aₙ, scale-dependent", "TCR", "TCR", "K·m²/W",
-     "TCR·Aₙ (K·m²/W)", EFFECT_BIT(EFFECT_SCALE_DEPENDENT), 0, true, false, FIELD(tcr_sd_K_m2_per_W)},
+     "TCR·Aₙ (K·m²/W)", EFFECT_BIT(EFFECT_SCALE_DEPENDENT), 0, true, false},
     {"gap_W_per_m2K", "gap_W_per_m2K", NULL, "h_g", "h_g", "Gap conductance", "W/(m²·K)",
-     "gap conductance h_g (W/(m²·K))", EFFECT_BIT(EFFECT_GAP), QUANTITY_BIT(QUANTITY_SEPARATION), true, false,
-     FIELD(gap_W_per_m2K)},
+     "gap conductance h_g (W/(m²·K))", EFFECT_BIT(EFFECT_GAP), QUANTITY_BIT(QUANTITY_SEPARATION), true, false},
     {"joint_W_per_m2K", "joint_W_per_m2K", NULL, "h_j", "h_j", "Joint conductance", "W/(m²·K)",
      "joint conductance h_j (W/(m²·K))", EFFECT_BIT(EFFECT_GAP),
-     QUANTITY_BIT(QUANTITY_SEPARATION) | QUANTITY_BIT(QUANTITY_TCR), true, false, FIELD(joint_W_per_m2K)},
-    {"spots_per_m2", "spots_per_m2", NULL, "n", "n", "Spots", "1/m²", "spots n (1/m²)", ON_SPOTS, SPOTS, true, false,
-     FIELD(spots_per_m2)},
+     QUANTITY_BIT(QUANTITY_SEPARATION) | QUANTITY_BIT(QUANTITY_TCR), true, false},
+    {"spots_per_m2", "spots_per_m2", NULL, "n", "n", "Spots", "1/m²", "spots n (1/m²)", ON_SPOTS, SPOTS, true, false},
     {"spot_radius_m", "spot_radius_m", NULL, "a", "a", "Spot radius", "m", "spot radius a (m)", ON_SPOTS, SPOTS, true,
-     false, FIELD(spot_radius_m)},
+     false},
     {"plating_factor", "plating_factor", NULL, "plating factor", "plating factor", "Plating factor", "",
-     "resistance, plated over unplated", EFFECT_BIT(EFFECT_PLATING), SPOTS, true, false, FIELD(plating_factor)},
+     "resistance, plated over unplated", EFFECT_BIT(EFFECT_PLATING), SPOTS, true, false},
     {"joint_ecr_ohm_m2", "joint_ecr_ohm_m2", NULL, "ECR·Aₙ with film and plating", "joint ECR",
      "ECR with film and plating", "Ω·m²", "ECR·Aₙ with film and plating (Ω·m²)",
-     EFFECT_BIT(EFFECT_FILM) | EFFECT_BIT(EFFECT_PLATING), SPOTS, true, false, FIELD(joint_ecr_ohm_m2)},
+     EFFECT_BIT(EFFECT_FILM) | EFFECT_BIT(EFFECT_PLATING), SPOTS, true, false},
     {"contact_voltage_V", "contact_voltage_V", NULL, "V", "V", "Contact voltage", "V", "contact voltage (V)",
-     EFFECT_BIT(EFFECT_HEATING), SPOTS, true, false, FIELD(contact_voltage_V)},
+     EFFECT_BIT(EFFECT_HEATING), SPOTS, true, false},
     {"contact_temperature_K", "contact_temperature_K", NULL, "T_max", "T_max", "Contact temperature", "K",
-     "temperature of the hottest place (K)", EFFECT_BIT(EFFECT_HEATING), SPOTS, true, false,
-     FIELD(contact_temperature_K)},
+     "temperature of the hottest place (K)", EFFECT_BIT(EFFECT_HEATING), SPOTS, true, false},
 };
 _Static_assert(sizeof quantity_rows / sizeof *quantity_rows == QUANTITY_COUNT, "a quantity has its row");
 
-double quantity_value(const struct contact_point *point, enum quantity quantity)
-{
-    double value;
-    memcpy(&value, (const char *)point + quantity_rows[quantity].offset, sizeof value);
-    return value;
-}
-
 double quantity_shown(const struct contact_point *point, enum quantity quantity, double sigma_m)
 {
-    double value = quantity_value(point, quantity);
+    double value = point->value[quantity];
     return quantity_rows[quantity].over_sigma ? value / sigma_m : value;
 }
 
@@ -84,16 +70,10 @@ unsigned quantity_with_made(unsigned computed)
     return all;
 }
 
-static void set_nan(struct contact_point *point, enum quantity quantity)
-{
-    const double nothing = NAN;
-    memcpy((char *)point + quantity_rows[quantity].offset, &nothing, sizeof nothing);
-}
-
 struct contact_point quantity_nothing(void)
 {
-    struct contact_point point = {0};
+    struct contact_point point = {.beyond_fit = 0};
     for (int q = 0; q < QUANTITY_COUNT; q++)
-        set_nan(&point, (enum quantity)q);
+        point.value[q] = NAN;
     return point;
 }

@@ -6,23 +6,29 @@
 
 #include "contact/effect.h"
 
-/** Contact at one load. What was not wanted, or what a model does not compute, is NaN. */
+/** Of a contact at one load, SI. */
+enum quantity {
+    QUANTITY_LOAD,       /* P/(A_n E') */
+    QUANTITY_AREA,       /* A/A_n, 0...1 */
+    QUANTITY_SEPARATION, /* mean gap (multiscale: H), or distance of the mean planes (statistical: delta) [m] */
+    QUANTITY_ADJUSTED,   /* statistical: delta_ADJ (4.54) [m] */
+    QUANTITY_ECR,        /* ECR A_n [ohm m²] */
+    QUANTITY_TCR,        /* TCR A_n [K m²/W] */
+    QUANTITY_TCR_SCALE_DEPENDENT, /* the same, scale-dependent */
+    QUANTITY_GAP,                 /* h_g: of what fills the gaps [W/(m² K)] */
+    QUANTITY_JOINT,               /* h_j = 1/(TCR A_n) + h_g [W/(m² K)] */
+    QUANTITY_SPOT_DENSITY,        /* of contact_spots, or of equal spots with the model's area and resistance [1/m²] */
+    QUANTITY_SPOT_RADIUS,         /* [m] */
+    QUANTITY_PLATING_FACTOR,      /* resistance of a spot with its plating over that without */
+    QUANTITY_JOINT_ECR,           /* ECR A_n with plating and film [ohm m²] */
+    QUANTITY_VOLTAGE,             /* over the contact [V] */
+    QUANTITY_TEMPERATURE,         /* of the hottest place [K] */
+    QUANTITY_COUNT
+};
+
+/** Contact at one load. What was not wanted, or what a model does not compute, is NaN: see quantity_nothing(). */
 struct contact_point {
-    double load;              /* P/(A_n E') */
-    double area_ratio;        /* A/A_n, 0...1 */
-    double separation_m;      /* mean gap (multiscale: H), or distance of the mean planes (statistical: delta) */
-    double adjusted_m;        /* statistical: delta_ADJ (4.54) */
-    double ecr_ohm_m2;        /* ECR A_n */
-    double tcr_K_m2_per_W;    /* TCR A_n */
-    double tcr_sd_K_m2_per_W; /* the same, scale-dependent */
-    double gap_W_per_m2K;     /* h_g: of what fills the gaps */
-    double joint_W_per_m2K;   /* h_j = 1/(TCR A_n) + h_g */
-    double spots_per_m2;      /* of contact_spots, or of equal spots with the model's area and resistance */
-    double spot_radius_m;
-    double plating_factor;   /* resistance of a spot with its plating over that without */
-    double joint_ecr_ohm_m2; /* ECR A_n with plating and film */
-    double contact_voltage_V;
-    double contact_temperature_K; /* the hottest place */
+    double value[QUANTITY_COUNT];
     double beyond_fit;     /* share of the load on asperities beyond the law's fitted range, 0...1 (JG), else 0 */
     double radius_clamped; /* share of the load on asperities whose a/R is clamped to 1 (JG), else 0 */
 };
@@ -32,25 +38,6 @@ struct contact_point {
 struct contact_spots {
     double density_per_m2; /* n: of them in an area S there are n S */
     double radius_m;       /* a, mean over the area of contact */
-};
-
-enum quantity {
-    QUANTITY_LOAD,
-    QUANTITY_AREA,
-    QUANTITY_SEPARATION,
-    QUANTITY_ADJUSTED,
-    QUANTITY_ECR,
-    QUANTITY_TCR,
-    QUANTITY_TCR_SCALE_DEPENDENT,
-    QUANTITY_GAP,
-    QUANTITY_JOINT,
-    QUANTITY_SPOT_DENSITY,
-    QUANTITY_SPOT_RADIUS,
-    QUANTITY_PLATING_FACTOR,
-    QUANTITY_JOINT_ECR,
-    QUANTITY_VOLTAGE,
-    QUANTITY_TEMPERATURE,
-    QUANTITY_COUNT
 };
 
 /** Bit of a quantity in a set of quantities. */
@@ -75,14 +62,11 @@ struct quantity_row {
     unsigned from;            /* QUANTITY_BITs that it is made of once a model has run; 0: the model computes it */
     bool logarithmic;         /* axis */
     bool over_sigma;          /* a length that is shown divided by sigma */
-    size_t offset;            /* of its double in struct contact_point */
 };
 
 extern const struct quantity_row quantity_rows[]; /* QUANTITY_COUNT */
 
-/** Value of a quantity at a point, SI. */
-double quantity_value(const struct contact_point *point, enum quantity quantity);
-/** The same as tables and charts show it: a length as a multiple of sigma_m. */
+/** A quantity as tables and charts show it: a length as a multiple of sigma_m. */
 double quantity_shown(const struct contact_point *point, enum quantity quantity, double sigma_m);
 /** Its name, with the SI unit or as a multiple of sigma. */
 const char *quantity_shown_name(enum quantity quantity);

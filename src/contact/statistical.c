@@ -139,8 +139,8 @@ enum status_code statistical_make(struct statistical *out, const struct asperiti
         out->full_d = solve(out, true, 0, out->full_d);
     struct contact_point full;
     statistical_at(&full, out, out->full_d);
-    out->full_load = full.load;
-    out->beta = -2 * full.separation_m / surface->sigma_m;
+    out->full_load = full.value[QUANTITY_LOAD];
+    out->beta = -2 * full.value[QUANTITY_SEPARATION] / surface->sigma_m;
     return STATUS_OK;
 }
 
@@ -167,16 +167,16 @@ void statistical_at(struct contact_point *out, const struct statistical *model, 
          QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT))) /* else GW has no panels to sum it from: it would be psi/0 */
         spread_sd = psi / (2 * scale * sums.radius_scale_dependent);
     *out = quantity_nothing();
-    out->load = scale * sums.load / model->asperity.effective_modulus_Pa;
-    out->area_ratio = area;
-    out->separation_m = separation_m;
-    out->adjusted_m = (separation_m - full_m) / 2; /* (delta + beta sigma/2)/2 (4.54) */
+    out->value[QUANTITY_LOAD] = scale * sums.load / model->asperity.effective_modulus_Pa;
+    out->value[QUANTITY_AREA] = area;
+    out->value[QUANTITY_SEPARATION] = separation_m;
+    out->value[QUANTITY_ADJUSTED] = (separation_m - full_m) / 2; /* (delta + beta sigma/2)/2 (4.54) */
     if (wanted & QUANTITY_BIT(QUANTITY_ECR))
-        out->ecr_ohm_m2 = model->spot.resistivity_ohm_m * spread;
+        out->value[QUANTITY_ECR] = model->spot.resistivity_ohm_m * spread;
     if (wanted & QUANTITY_BIT(QUANTITY_TCR))
-        out->tcr_K_m2_per_W = spread / model->spot.conductivity_W_per_mK;
+        out->value[QUANTITY_TCR] = spread / model->spot.conductivity_W_per_mK;
     if (wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT))
-        out->tcr_sd_K_m2_per_W = spread_sd / model->spot.conductivity_W_per_mK;
+        out->value[QUANTITY_TCR_SCALE_DEPENDENT] = spread_sd / model->spot.conductivity_W_per_mK;
     out->beyond_fit = sums.load > 0 ? sums.load_beyond_fit / sums.load : 0;
     out->radius_clamped = sums.load > 0 ? sums.load_radius_clamped / sums.load : 0;
 }
@@ -188,8 +188,8 @@ bool statistical_solve(struct contact_point *out, const struct statistical *mode
     *d = solve(model, false, log(load), fmax(*d, model->full_d));
     *d = fmax(*d, model->full_d);
     statistical_at(out, model, *d);
-    out->load = load;
-    out->area_ratio = fmin(1, out->area_ratio); /* but for rounding it is */
+    out->value[QUANTITY_LOAD] = load;
+    out->value[QUANTITY_AREA] = fmin(1, out->value[QUANTITY_AREA]); /* but for rounding it is */
     return true;
 }
 
@@ -208,10 +208,11 @@ struct contact_spots statistical_spots(const struct statistical *model, double d
 void statistical_full(struct contact_point *out, const struct statistical *model)
 {
     statistical_at(out, model, model->full_d);
-    out->load = model->full_load;
-    out->area_ratio = 1;
-    out->adjusted_m = 0;
-    double *resistances[] = {&out->ecr_ohm_m2, &out->tcr_K_m2_per_W, &out->tcr_sd_K_m2_per_W};
+    out->value[QUANTITY_LOAD] = model->full_load;
+    out->value[QUANTITY_AREA] = 1;
+    out->value[QUANTITY_ADJUSTED] = 0;
+    double *resistances[] = {&out->value[QUANTITY_ECR], &out->value[QUANTITY_TCR],
+                             &out->value[QUANTITY_TCR_SCALE_DEPENDENT]};
     for (int i = 0; i < 3; i++)
         if (!isnan(*resistances[i]))
             *resistances[i] = 0;

@@ -45,14 +45,14 @@ enum status_code truncation_model_run(struct model_curve *curve, const struct mo
         double spread_m = truncation_resistance(&law, &contact, 1);
         struct contact_point *point = &curve->points[curve->count++];
         *point = quantity_nothing();
-        point->load = task->loads[i];
-        point->area_ratio = contact.area_ratio;
+        point->value[QUANTITY_LOAD] = task->loads[i];
+        point->value[QUANTITY_AREA] = contact.area_ratio;
         if (gap && contact.separation_over_sigma >= 0)
-            point->separation_m = contact.separation_over_sigma * law.sigma_m;
+            point->value[QUANTITY_SEPARATION] = contact.separation_over_sigma * law.sigma_m;
         if (task->wanted & QUANTITY_BIT(QUANTITY_ECR))
-            point->ecr_ohm_m2 = task->pair->resistivity_ohm_m * spread_m;
+            point->value[QUANTITY_ECR] = task->pair->resistivity_ohm_m * spread_m;
         if (task->wanted & QUANTITY_BIT(QUANTITY_TCR))
-            point->tcr_K_m2_per_W = spread_m / task->pair->conductivity_W_per_mK;
+            point->value[QUANTITY_TCR] = spread_m / task->pair->conductivity_W_per_mK;
     }
     curve->exists = curve->count > 0;
     return STATUS_OK;

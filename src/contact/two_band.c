@@ -77,7 +77,7 @@ static double length_at(const struct resistance_length *length, double load)
 {
     struct contact_point point;
     multiscale_solve(&point, length->stack, &unit, QUANTITY_BIT(QUANTITY_ECR), load, length->evaluations);
-    return point.ecr_ohm_m2;
+    return point.value[QUANTITY_ECR];
 }
 
 /** Both count downwards from heavy loads, as the integral does. */
@@ -123,7 +123,7 @@ static double excess_at(struct multiscale *above, double logarithm, double targe
     struct contact_point point;
     uint64_t uncounted = 0;
     multiscale_solve(&point, above, &unit, 0, exp(logarithm), &uncounted);
-    return log(point.load / (point.area_ratio * target));
+    return log(point.value[QUANTITY_LOAD] / (point.value[QUANTITY_AREA] * target));
 }
 
 /** The load at which scale `index` is pressed by x p*: p/A_above(p) = x p*, to rounding. p/A_above rises, but may jump:

@@ -73,23 +73,26 @@ double joint_plating(const struct joint_task *task, double radius_m)
 static void add_spots(struct contact_point *point, const struct contact_spots *own, const struct joint_task *task)
 {
     const struct contact_spots spots =
-        own ? *own : joint_equal_spots(point->area_ratio, point->ecr_ohm_m2, task->pair->resistivity_ohm_m);
-    double ecr_ohm_m2 = point->ecr_ohm_m2;
-    point->spots_per_m2 = finite_or_nan(spots.density_per_m2);
-    point->spot_radius_m = finite_or_nan(spots.radius_m);
+        own ? *own
+            : joint_equal_spots(point->value[QUANTITY_AREA], point->value[QUANTITY_ECR], task->pair->resistivity_ohm_m);
+    double ecr_ohm_m2 = point->value[QUANTITY_ECR];
+    point->value[QUANTITY_SPOT_DENSITY] = finite_or_nan(spots.density_per_m2);
+    point->value[QUANTITY_SPOT_RADIUS] = finite_or_nan(spots.radius_m);
     if (runs(task, EFFECT_PLATING)) {
-        bool independent = point->area_ratio < joint_independent_area && spots.radius_m > 0;
-        point->plating_factor = independent ? joint_plating(task, spots.radius_m) : NAN;
-        ecr_ohm_m2 *= ecr_ohm_m2 > 0 ? point->plating_factor : 1; /* of full contact nothing is left to change */
+        bool independent = point->value[QUANTITY_AREA] < joint_independent_area && spots.radius_m > 0;
+        point->value[QUANTITY_PLATING_FACTOR] = independent ? joint_plating(task, spots.radius_m) : NAN;
+        ecr_ohm_m2 *=
+            ecr_ohm_m2 > 0 ? point->value[QUANTITY_PLATING_FACTOR] : 1; /* of full contact nothing is left to change */
     }
     if (runs(task, EFFECT_FILM))
-        ecr_ohm_m2 = film_resistance(ecr_ohm_m2, task->joint->film_ohm_m2, point->area_ratio);
+        ecr_ohm_m2 = film_resistance(ecr_ohm_m2, task->joint->film_ohm_m2, point->value[QUANTITY_AREA]);
     if (runs(task, EFFECT_PLATING) || runs(task, EFFECT_FILM))
-        point->joint_ecr_ohm_m2 = finite_or_nan(ecr_ohm_m2);
+        point->value[QUANTITY_JOINT_ECR] = finite_or_nan(ecr_ohm_m2);
     if (runs(task, EFFECT_HEATING)) {
         double ambient_K = task->joint->temperature_K;
-        point->contact_voltage_V = finite_or_nan(task->joint->current_A * (ecr_ohm_m2 / task->nominal_area_m2));
-        point->contact_temperature_K = finite_or_nan(ambient_K + heating_rise(point->contact_voltage_V, ambient_K));
+        point->value[QUANTITY_VOLTAGE] = finite_or_nan(task->joint->current_A * (ecr_ohm_m2 / task->nominal_area_m2));
+        point->value[QUANTITY_TEMPERATURE] =
+            finite_or_nan(ambient_K + heating_rise(point->value[QUANTITY_VOLTAGE], ambient_K));
     }
 }
 
@@ -100,9 +103,9 @@ void joint_apply(struct contact_point *points, const struct contact_spots *spots
     for (size_t i = 0; i < count; i++) {
         struct contact_point *point = &points[i];
         if (runs(task, EFFECT_GAP)) {
-            double gap = joint_gap_conductance(task, point->separation_m, point->area_ratio);
-            point->gap_W_per_m2K = finite_or_nan(gap);
-            point->joint_W_per_m2K = finite_or_nan(1 / point->tcr_K_m2_per_W + gap);
+            double gap = joint_gap_conductance(task, point->value[QUANTITY_SEPARATION], point->value[QUANTITY_AREA]);
+            point->value[QUANTITY_GAP] = finite_or_nan(gap);
+            point->value[QUANTITY_JOINT] = finite_or_nan(1 / point->value[QUANTITY_TCR] + gap);
         }
         if (task->effects & on_spots)
             add_spots(point, spots ? &spots[i] : NULL, task);

@@ -174,14 +174,14 @@ static enum status_code take_loads(double **out, const double *loads, size_t cou
 static struct roughcontact_point show_point(const struct contact_point *point, const struct material_pair *pair)
 {
     return (struct roughcontact_point){.exists = 1,
-                                       .load = point->load,
-                                       .pressure_Pa = material_pair_pressure(pair, point->load),
-                                       .area_ratio = point->area_ratio,
-                                       .separation_m = point->separation_m,
-                                       .adjusted_m = point->adjusted_m,
-                                       .ecr_ohm_m2 = point->ecr_ohm_m2,
-                                       .tcr_K_m2_per_W = point->tcr_K_m2_per_W,
-                                       .tcr_sd_K_m2_per_W = point->tcr_sd_K_m2_per_W,
+                                       .load = point->value[QUANTITY_LOAD],
+                                       .pressure_Pa = material_pair_pressure(pair, point->value[QUANTITY_LOAD]),
+                                       .area_ratio = point->value[QUANTITY_AREA],
+                                       .separation_m = point->value[QUANTITY_SEPARATION],
+                                       .adjusted_m = point->value[QUANTITY_ADJUSTED],
+                                       .ecr_ohm_m2 = point->value[QUANTITY_ECR],
+                                       .tcr_K_m2_per_W = point->value[QUANTITY_TCR],
+                                       .tcr_sd_K_m2_per_W = point->value[QUANTITY_TCR_SCALE_DEPENDENT],
                                        .beyond_fit = point->beyond_fit};
 }
 
@@ -192,10 +192,10 @@ static void show_curve(struct roughcontact_curve *out, const struct model_curve 
     const struct curve_validity valid = curve_summary_validity(curve, row);
     size_t at = 0;
     for (size_t i = 0; i < task->load_count; i++) {
-        while (at < curve->count && curve->points[at].load < task->loads[i])
+        while (at < curve->count && curve->points[at].value[QUANTITY_LOAD] < task->loads[i])
             at++;
         const struct contact_point nothing = quantity_nothing();
-        bool exists = at < curve->count && curve->points[at].load == task->loads[i];
+        bool exists = at < curve->count && curve->points[at].value[QUANTITY_LOAD] == task->loads[i];
         struct roughcontact_point *point = &out->points[i];
         *point = show_point(exists ? &curve->points[at] : &nothing, task->pair);
         point->exists = exists;

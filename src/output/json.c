@@ -163,15 +163,15 @@ static void add_points(json_t *json, const struct model_curve *curve, const stru
     double yields_at = pair->effective_modulus_Pa / pair->yield_strength_Pa;
     for (size_t i = 0; i < curve->count && isfinite(yields_at); i++)
         json_array_append_new(pressures, cell_json(guard, "contact_pressure_over_Sy",
-                                                   curve->points[i].load / curve->points[i].area_ratio * yields_at));
+                                                   curve->points[i].value[QUANTITY_LOAD] /
+                                                       curve->points[i].value[QUANTITY_AREA] * yields_at));
     json_object_set_new(json, "contact_pressure_over_Sy", pressures);
     for (int q = 0; q < QUANTITY_COUNT; q++) {
         if (!(plan->wanted & QUANTITY_BIT(q)))
             continue;
         json_t *values = json_array();
         for (size_t i = 0; i < curve->count; i++)
-            json_array_append_new(
-                values, cell_json(guard, quantity_rows[q].name, quantity_value(&curve->points[i], (enum quantity)q)));
+            json_array_append_new(values, cell_json(guard, quantity_rows[q].name, curve->points[i].value[q]));
         json_object_set_new(json, quantity_rows[q].name, values);
     }
 }

@@ -260,7 +260,7 @@ static void put_contact(struct table *table, const struct surface_record *record
                 const struct quantity_row *row = &quantity_rows[q];
                 if (!(quantities & QUANTITY_BIT(q)))
                     continue;
-                double value = quantity_value(point, (enum quantity)q);
+                double value = point->value[q];
                 if (q == QUANTITY_LOAD && i < all->load_count && value == all->loads[i].load)
                     text_add_bytes(&table->rows, all->loads[i].text, all->loads[i].length);
                 else if (row->column)

@@ -137,7 +137,7 @@ void section_cut(struct text *out, const struct section_context *context, const 
             !(model_rows[m]->quantities & QUANTITY_BIT(QUANTITY_ADJUSTED)))
             continue;
         for (size_t i = 0; i < curve->count; i++)
-            lowest = fmin(lowest, curve->points[i].separation_m / sigma_m);
+            lowest = fmin(lowest, curve->points[i].value[QUANTITY_SEPARATION] / sigma_m);
         if (!(lowest < figure_lowest_separation))
             continue;
         if (first)
@@ -274,7 +274,7 @@ const struct contact_point *section_middle(const struct section_context *context
 {
     const struct model_curve *curve = &context->baseline->curves[model];
     for (size_t i = 0; i < curve->count; i++)
-        if (curve->points[i].load == context->comparison->middle_load)
+        if (curve->points[i].value[QUANTITY_LOAD] == context->comparison->middle_load)
             return &curve->points[i];
     return NULL;
 }
@@ -334,7 +334,8 @@ bool section_exceeds_hardness(const struct section_context *context, size_t surf
 {
     static const double allowed = 1.001;
     const struct material_pair *pair = results_pair(context->results, surface);
-    return material_pair_pressure(pair, point->load) > allowed * pair->hardness_Pa * point->area_ratio;
+    return material_pair_pressure(pair, point->value[QUANTITY_LOAD]) >
+           allowed * pair->hardness_Pa * point->value[QUANTITY_AREA];
 }
 
 void section_hardness(struct text *out, const struct material_pair *pair)
@@ -355,7 +356,8 @@ double section_contact_pressure(const struct section_context *context, size_t su
                                 const struct contact_point *point)
 {
     const struct material_pair *pair = results_pair(context->results, surface);
-    return point->load / point->area_ratio * pair->effective_modulus_Pa / pair->yield_strength_Pa;
+    return point->value[QUANTITY_LOAD] / point->value[QUANTITY_AREA] * pair->effective_modulus_Pa /
+           pair->yield_strength_Pa;
 }
 
 bool section_knows_yield(const struct section_context *context)

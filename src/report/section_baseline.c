@@ -51,7 +51,7 @@ static void baseline_table(struct text *out, const struct section_context *conte
         for (size_t m = 0; m < model_count; m++)
             for (size_t i = 0; i < context->baseline->curves[m].count; i++) {
                 const struct contact_point *p = &context->baseline->curves[m].points[i];
-                if (p->load != load)
+                if (p->value[QUANTITY_LOAD] != load)
                     continue;
                 text_add(out, "| ");
                 section_load(out, results, results->baseline, load);
@@ -59,14 +59,14 @@ static void baseline_table(struct text *out, const struct section_context *conte
                     section_cell(out, material_pair_pressure(section_pair(context), load) * 1e-6, 3);
                 text_add(out, " | %s", model_rows[m]->label);
                 section_mark(out, context, results->baseline, m);
-                section_cell(out, p->area_ratio, 3);
+                section_cell(out, p->value[QUANTITY_AREA], 3);
                 if (yields)
                     section_cell(out, section_contact_pressure(context, results->baseline, p), 3);
                 for (int q = 0; q < QUANTITY_COUNT; q++)
                     if (has_column(context, q))
                         section_cell(out, quantity_shown(p, (enum quantity)q, sigma_m), 3);
                 if (has_ohms(context))
-                    section_cell(out, p->ecr_ohm_m2 / results->scene->nominal_area_m2, 3);
+                    section_cell(out, p->value[QUANTITY_ECR] / results->scene->nominal_area_m2, 3);
                 text_add(out, " |\n");
             }
     }
@@ -156,12 +156,12 @@ static void hard_text(struct text *out, const struct section_context *context, s
     double most = 0, from = NAN, to = NAN;
     for (size_t i = 0; i < curve->count; i++) {
         double pressure = section_contact_pressure(context, context->results->baseline, &curve->points[i]);
-        if (!(curve->points[i].area_ratio < 1) ||
+        if (!(curve->points[i].value[QUANTITY_AREA] < 1) ||
             !section_exceeds_hardness(context, context->results->baseline, &curve->points[i]))
             continue;
         most = fmax(most, pressure);
-        from = fmin(from, curve->points[i].load); /* of a number and NaN, the number */
-        to = fmax(to, curve->points[i].load);
+        from = fmin(from, curve->points[i].value[QUANTITY_LOAD]); /* of a number and NaN, the number */
+        to = fmax(to, curve->points[i].value[QUANTITY_LOAD]);
     }
     if (isnan(from))
         return;
@@ -201,7 +201,8 @@ static void area_text(struct text *out, const struct section_context *context)
             section_middle_pressure(out, context);
             text_add(out, " yielding multiplies it by ");
         }
-        number_format_between(out, first ? "" : " and by ", plastic->area_ratio / elastic->area_ratio, 3, "");
+        number_format_between(out, first ? "" : " and by ",
+                              plastic->value[QUANTITY_AREA] / elastic->value[QUANTITY_AREA], 3, "");
         text_add(out, " (%s against %s)", model_rows[m]->label, model_rows[partner]->label);
         first = false;
     }
@@ -283,7 +284,7 @@ static bool any_vanishes(const struct section_context *context, enum quantity y)
 {
     for (size_t m = 0; m < model_count; m++)
         for (size_t i = 0; i < context->baseline->curves[m].count; i++)
-            if (quantity_value(&context->baseline->curves[m].points[i], y) == 0)
+            if (context->baseline->curves[m].points[i].value[y] == 0)
                 return true;
     return false;
 }

@@ -19,7 +19,7 @@ static double ratio(const struct section_context *context, size_t m, size_t by, 
     for (int i = 0; i < 2; i++) {
         const struct model_curve *curve = &context->baseline->curves[models[i]];
         for (size_t p = 0; p < curve->count; p++)
-            if (curve->points[p].load == load)
+            if (curve->points[p].value[QUANTITY_LOAD] == load)
                 values[i] = comparison_value(&curve->points[p], quantity, models[i],
                                              context->baseline->summary.asperities.sigma_m);
     }

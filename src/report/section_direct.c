@@ -160,8 +160,8 @@ static void model_row(struct text *out, const struct section_context *context, c
         if (has(context, q))
             section_cell(out, direct_study_ratio(study, pair, m, direct_study_quantities[q], i), 3);
     for (size_t p = 0; p < scan->curves[m].count; p++)
-        if (scan->curves[m].points[p].load == study->plan.load[i])
-            as_scanned = scan->curves[m].points[p].area_ratio /
+        if (scan->curves[m].points[p].value[QUANTITY_LOAD] == study->plan.load[i])
+            as_scanned = scan->curves[m].points[p].value[QUANTITY_AREA] /
                          direct_study_value(study, pair, direct_study_kind_of(study, m), QUANTITY_AREA, i, NULL);
     section_cell(out, as_scanned, 3);
     section_cell(out, direct_study_conductance(study, pair, m, i), 3);

@@ -23,8 +23,7 @@ static size_t numbers_of(const struct section_context *context, size_t m)
     for (size_t i = 0; i < context->results->surface_count; i++) {
         const struct contact_point point = comparison_middle(context->results, m, i);
         for (int q = 0; q < QUANTITY_COUNT; q++)
-            count += quantity_rows[q].from && section_surface(context, i)->usable &&
-                     isfinite(quantity_value(&point, (enum quantity)q));
+            count += quantity_rows[q].from && section_surface(context, i)->usable && isfinite(point.value[q]);
     }
     return count;
 }
@@ -56,24 +55,24 @@ static struct contact_point middle_of(const struct section_context *context, siz
 static double gap_share(const struct contact_point *p, const struct joint *joint)
 {
     (void)joint;
-    return p->gap_W_per_m2K / p->joint_W_per_m2K;
+    return p->value[QUANTITY_GAP] / p->value[QUANTITY_JOINT];
 }
 
 static double film_share(const struct contact_point *p, const struct joint *joint)
 {
-    return joint->film_ohm_m2 / p->area_ratio / p->joint_ecr_ohm_m2;
+    return joint->film_ohm_m2 / p->value[QUANTITY_AREA] / p->value[QUANTITY_JOINT_ECR];
 }
 
 static double plating_of(const struct contact_point *p, const struct joint *joint)
 {
     (void)joint;
-    return p->plating_factor;
+    return p->value[QUANTITY_PLATING_FACTOR];
 }
 
 static double voltage_of(const struct contact_point *p, const struct joint *joint)
 {
     (void)joint;
-    return p->contact_voltage_V;
+    return p->value[QUANTITY_VOLTAGE];
 }
 
 /** The body that yields first, whose metal softens first. */
@@ -141,11 +140,11 @@ static void cells(struct text *out, const struct section_context *context, size_
         const struct column *column = &columns[c];
         if (!has_column(context, column))
             continue;
-        double value = column->number ? column->number(p, joint) : quantity_value(p, column->quantity);
+        double value = column->number ? column->number(p, joint) : p->value[column->quantity];
         section_cell(out, column->scale < 0 ? 1 / value : column->scale * value, 3);
     }
     if (runs(context, EFFECT_HEATING))
-        text_add(out, " | %s", state_words[state_at(context, index, p->contact_voltage_V)]);
+        text_add(out, " | %s", state_words[state_at(context, index, p->value[QUANTITY_VOLTAGE])]);
 }
 
 static void row(struct text *out, const struct section_context *context, size_t index)
@@ -181,7 +180,7 @@ static void models_table(struct text *out, const struct section_context *context
     text_add(out, " at that load in every model:\n\n");
     head(out, context, "model");
     for (size_t m = 0; m < model_count; m++)
-        if (plan_runs_model(context->results->plan, m) && isfinite(middle_of(context, m, index).load)) {
+        if (plan_runs_model(context->results->plan, m) && isfinite(middle_of(context, m, index).value[QUANTITY_LOAD])) {
             text_add(out, "| %s", model_rows[m]->label);
             section_mark(out, context, index, m);
             cells(out, context, m, index);
@@ -308,7 +307,7 @@ static void heating_sentence(struct text *out, const struct section_context *con
     if (!runs(context, EFFECT_HEATING) || voltage.count == 0)
         return;
     for (size_t i = context->results->surface_count; i-- > 0;) {
-        double voltage_V = section_surface(context, i)->usable ? middle_of(context, m, i).contact_voltage_V : NAN;
+        double voltage_V = section_surface(context, i)->usable ? middle_of(context, m, i).value[QUANTITY_VOLTAGE] : NAN;
         enum state state = state_at(context, i, voltage_V);
         soft += state >= STATE_SOFT;
         first = state >= STATE_SOFT ? i : first;

@@ -451,7 +451,7 @@ static void hard(struct text *list, const struct section_context *context, size_
     for (size_t k = 0; k < results->usable_count; k++) {
         const struct contact_point point = comparison_middle(context->results, m, results->by_roughness[k]);
         double pressure = section_contact_pressure(context, results->by_roughness[k], &point);
-        if (!(point.area_ratio < 1) || !section_exceeds_hardness(context, results->by_roughness[k], &point))
+        if (!(point.value[QUANTITY_AREA] < 1) || !section_exceeds_hardness(context, results->by_roughness[k], &point))
             continue;
         count++;
         most = fmax(most, pressure);
@@ -567,7 +567,8 @@ static bool bears_hardness(const struct section_context *context, size_t index)
     const struct contact_point point = comparison_middle(context->results, context->comparison->leading, index);
     const struct material_pair *pair = results_pair(context->results, index);
     return model_rows[context->comparison->leading]->plastic &&
-           material_pair_pressure(pair, point.load) >= nearly * pair->hardness_Pa * point.area_ratio;
+           material_pair_pressure(pair, point.value[QUANTITY_LOAD]) >=
+               nearly * pair->hardness_Pa * point.value[QUANTITY_AREA];
 }
 
 /** Does what the model that uses heights says there stand beside the leading one? */
@@ -689,7 +690,11 @@ static void surface_key(struct text *out, const struct section_context *context,
             double value = comparison_value(point, (enum quantity)q, leading, s->asperities.sigma_m);
             const struct estimate *estimate = curve_summary_estimate(surface_model(s, leading), q);
             if (estimate->count == 0) {
-                section_cell(out, isnan(point->load) ? NAN : q == QUANTITY_AREA ? 100 * value : value, 3);
+                section_cell(out,
+                             isnan(point->value[QUANTITY_LOAD]) ? NAN
+                             : q == QUANTITY_AREA               ? 100 * value
+                                                                : value,
+                             3);
             } else {
                 text_add(out, " | ");
                 section_interval(out, estimate, q == QUANTITY_AREA ? 100 : 1, 3);
@@ -749,7 +754,7 @@ static void surface_heights(struct text *out, const struct section_context *cont
                                *point = &own;
     section_cell(out, roughness_skewness(&s->roughness), 3);
     section_cell(out, roughness_kurtosis(&s->roughness), 3);
-    section_cell(out, 100 * point->area_ratio, 3);
+    section_cell(out, 100 * point->value[QUANTITY_AREA], 3);
     if (section_knows_yield(context))
         section_cell(out, section_contact_pressure(context, index, point), 3);
     for (int q = QUANTITY_SEPARATION; q <= QUANTITY_TCR; q++)

@@ -8,7 +8,7 @@
 static size_t common_points(const struct model_curve *a, const struct model_curve *b)
 {
     size_t count = a->count < b->count ? a->count : b->count;
-    while (count > 0 && a->points[count - 1].load != b->points[count - 1].load)
+    while (count > 0 && a->points[count - 1].value[QUANTITY_LOAD] != b->points[count - 1].value[QUANTITY_LOAD])
         count--; /* a statistical curve closes with a load of its own */
     return count;
 }
@@ -53,7 +53,7 @@ static void count_points(struct comparison_tally tallies[QUANTITY_COUNT], const 
                          double p_sigma_m, const struct contact_point *q, double q_sigma_m, size_t m,
                          const struct counting *how)
 {
-    if (p->area_ratio == 1 && q->area_ratio == 1)
+    if (p->value[QUANTITY_AREA] == 1 && q->value[QUANTITY_AREA] == 1)
         return; /* both full: nothing to compare */
     for (int k = QUANTITY_AREA; k < QUANTITY_COUNT; k++) {
         if (!(how->quantities & QUANTITY_BIT(k)))
@@ -68,7 +68,7 @@ static void count_points(struct comparison_tally tallies[QUANTITY_COUNT], const 
 /** ECR, or TCR where that alone was computed: they are proportional. NaN where contact is full. */
 static double resistance(const struct contact_point *point)
 {
-    double value = isnan(point->ecr_ohm_m2) ? point->tcr_K_m2_per_W : point->ecr_ohm_m2;
+    double value = isnan(point->value[QUANTITY_ECR]) ? point->value[QUANTITY_TCR] : point->value[QUANTITY_ECR];
     return value > 0 ? value : NAN;
 }
 
@@ -80,8 +80,8 @@ static size_t listed_points(const struct model_curve *a, const double *loads_a, 
         return common_points(a, b);
     size_t count = a->count < b->count ? a->count : b->count;
     count = count < load_count ? count : load_count;
-    while (count > 0 &&
-           (a->points[count - 1].load != loads_a[count - 1] || b->points[count - 1].load != loads_b[count - 1]))
+    while (count > 0 && (a->points[count - 1].value[QUANTITY_LOAD] != loads_a[count - 1] ||
+                         b->points[count - 1].value[QUANTITY_LOAD] != loads_b[count - 1]))
         count--; /* a statistical curve closes with a load of its own */
     return count;
 }
@@ -122,9 +122,9 @@ static void compare_laws(struct comparison_plastic *out, const struct model_curv
     size_t count = common_points(elastic, plastic);
     for (size_t i = 0; i < count; i++) {
         const struct contact_point *p = &plastic->points[i], *q = &elastic->points[i];
-        double ratio = p->area_ratio / q->area_ratio;
+        double ratio = p->value[QUANTITY_AREA] / q->value[QUANTITY_AREA];
         count_points(out->changes, p, sigma_m, q, sigma_m, m, how);
-        if (p->area_ratio == 1 && q->area_ratio == 1)
+        if (p->value[QUANTITY_AREA] == 1 && q->value[QUANTITY_AREA] == 1)
             continue;
         out->least = out->most > 0 ? fmin(out->least, ratio) : ratio;
         out->most = fmax(out->most, ratio);
@@ -138,9 +138,9 @@ static void check_proportion(struct comparison *out, const struct surface_record
     for (size_t m = 0; m < model_count; m++)
         for (size_t i = 0; i < record->curves[m].count; i++) {
             const struct contact_point *point = &record->curves[m].points[i];
-            if (!(point->ecr_ohm_m2 > 0) || !(point->tcr_K_m2_per_W > 0))
+            if (!(point->value[QUANTITY_ECR] > 0) || !(point->value[QUANTITY_TCR] > 0))
                 continue;
-            double error = fabs(point->tcr_K_m2_per_W / point->ecr_ohm_m2 * product - 1);
+            double error = fabs(point->value[QUANTITY_TCR] / point->value[QUANTITY_ECR] * product - 1);
             out->proportional_error = fmax(error, isnan(out->proportional_error) ? 0 : out->proportional_error);
         }
 }
@@ -154,12 +154,12 @@ static struct comparison_gap gap_between(const struct model_curve *multiscale, c
     struct comparison_gap gap = {0, 0, 0, 0};
     for (size_t i = 0; i < count; i++) {
         const struct contact_point *p = &multiscale->points[i], *q = &statistical->points[i];
-        gap.plain += fabs(p->separation_m - q->separation_m) / sigma_m;
-        gap.adjusted += fabs(p->separation_m - q->adjusted_m) / sigma_m;
-        if (!(p->ecr_ohm_m2 > 0) || !(q->ecr_ohm_m2 > 0))
+        gap.plain += fabs(p->value[QUANTITY_SEPARATION] - q->value[QUANTITY_SEPARATION]) / sigma_m;
+        gap.adjusted += fabs(p->value[QUANTITY_SEPARATION] - q->value[QUANTITY_ADJUSTED]) / sigma_m;
+        if (!(p->value[QUANTITY_ECR] > 0) || !(q->value[QUANTITY_ECR] > 0))
             continue;
-        gap.area += fabs(log10(p->area_ratio / q->area_ratio));
-        gap.ecr += fabs(log10(p->ecr_ohm_m2 / q->ecr_ohm_m2));
+        gap.area += fabs(log10(p->value[QUANTITY_AREA] / q->value[QUANTITY_AREA]));
+        gap.ecr += fabs(log10(p->value[QUANTITY_ECR] / q->value[QUANTITY_ECR]));
         conducting++;
     }
     double loads = count > 0 ? (double)count : NAN, conducting_loads = conducting > 0 ? (double)conducting : NAN;
@@ -183,9 +183,9 @@ static void note_extents(struct comparison *out, const struct results *results, 
     for (size_t m = 0; m < model_count; m++)
         for (size_t i = 0; i < record->curves[m].count && i < results->load_count; i++) {
             const struct contact_point *point = &record->curves[m].points[i];
-            if (point->load != loads[i] || !(point->area_ratio < 1))
+            if (point->value[QUANTITY_LOAD] != loads[i] || !(point->value[QUANTITY_AREA] < 1))
                 continue;
-            widen(&out->models[m].extents[i][COMPARISON_AREAS], point->area_ratio);
+            widen(&out->models[m].extents[i][COMPARISON_AREAS], point->value[QUANTITY_AREA]);
             widen(&out->models[m].extents[i][COMPARISON_RESISTANCES], resistance(point));
         }
 }
@@ -387,7 +387,7 @@ const struct comparison_pair *comparison_pair_of(const struct comparison_ranking
 static double leading_value(const struct results *results, enum quantity quantity, size_t surface)
 {
     const struct contact_point point = comparison_middle(results, plan_leading_model(results->plan), surface);
-    return quantity_value(&point, quantity);
+    return point.value[quantity];
 }
 
 /** Ranks the surfaces that have an answer in the leading model at the middle load. */

@@ -45,14 +45,15 @@ static double other_models(const struct results *results, const struct compariso
 {
     const struct surface_summary *summary = &results->surfaces[surface].summary;
     const struct contact_point leading = comparison_middle(results, comparison->leading, surface);
-    double own = quantity_value(&leading, quantity), factor = NAN;
+    double own = leading.value[quantity], factor = NAN;
     if (isfinite(against_direct(results, comparison, quantity, surface)))
         return NAN;
     for (size_t m = 0; m < model_count; m++) {
         const struct contact_point point = comparison_middle(results, m, surface);
-        double ratio = quantity_value(&point, quantity) / own;
+        double ratio = point.value[quantity] / own;
         if (m == comparison->leading || model_rows[m]->plastic != model_rows[comparison->leading]->plastic ||
-            !(ratio > 0) || !isfinite(ratio) || !curve_summary_is_valid(surface_model(summary, m), point.load))
+            !(ratio > 0) || !isfinite(ratio) ||
+            !curve_summary_is_valid(surface_model(summary, m), point.value[QUANTITY_LOAD]))
             continue;
         if (!(fabs(log(ratio)) <= fabs(log(factor)))) /* the first: of NaN */
             factor = ratio;
@@ -101,7 +102,7 @@ static double property(const struct results *results, const struct comparison *c
                        enum quantity of, size_t surface)
 {
     const struct contact_point leading = comparison_middle(results, comparison->leading, surface);
-    bool has_one = quantity == of && quantity_value(&leading, of) > 0;
+    bool has_one = quantity == of && leading.value[of] > 0;
     return has_one ? 1 + doubt_tolerance : NAN;
 }
 

@@ -238,10 +238,10 @@ static double number_of(const char *name, const struct contact_point *point, con
     if (strcmp(name, "spot_radius_m") == 0)
         return spots->radius_m;
     if (strcmp(name, "separation_over_sigma") == 0)
-        return point->separation_m / sigma_m;
+        return point->value[QUANTITY_SEPARATION] / sigma_m;
     for (int q = 0; q < QUANTITY_COUNT; q++)
         if (strcmp(quantity_rows[q].name, name) == 0)
-            return quantity_value(point, (enum quantity)q);
+            return point->value[q];
     return NAN;
 }
 

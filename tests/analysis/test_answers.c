@@ -106,7 +106,7 @@ static double value_at(const struct model_task *task, const char *model, double 
     struct model_task one = model_task_at(task, &load, 1);
     struct status status = {0};
     assert_int_equal(model_run(&curve, model_rows[model_named(model)], &one, &status), STATUS_OK);
-    return curve.count > 0 ? quantity_value(&points[0], quantity) : NAN;
+    return curve.count > 0 ? points[0].value[quantity] : NAN;
 }
 
 /* The load at which a falling quantity is `value`, by plain bisection. */
@@ -501,9 +501,9 @@ static void intervals_of_a_band(void **state)
     assert_non_null(f.record.bands[m]);
     static const enum quantity held[] = {QUANTITY_ECR, QUANTITY_AREA};
     for (size_t i = 0; i < LOADS; i++) {
-        points[i] = (struct contact_point){.load = f.loads[i]};
-        points[i].area_ratio = value_at(&f.task, "cmy", f.loads[i], QUANTITY_AREA);
-        points[i].ecr_ohm_m2 = value_at(&f.task, "cmy", f.loads[i], QUANTITY_ECR);
+        points[i] = (struct contact_point){.value[QUANTITY_LOAD] = f.loads[i]};
+        points[i].value[QUANTITY_AREA] = value_at(&f.task, "cmy", f.loads[i], QUANTITY_AREA);
+        points[i].value[QUANTITY_ECR] = value_at(&f.task, "cmy", f.loads[i], QUANTITY_ECR);
         for (int k = 0; k < 2; k++)
             for (int side = 0; side < 2; side++)
                 f.record.bands[m][i].mean[held[k]][side] = value_at(&f.task, "cmy", f.loads[i], held[k]) *
@@ -579,8 +579,8 @@ static void limits_without_a_number(void **state)
     assert_int_equal(model_run(curve, model_rows[m], &f.task, &status), STATUS_OK);
     const struct joint_task joint = surface_joint(&f.record, &f.scene, &f.plan, &f.task);
     assert_int_equal(joined_curve(curve, model_rows[m], &f.task, &joint, &status), STATUS_OK);
-    double last = points[1].joint_ecr_ohm_m2;
-    assert_true(last > 2e-12 && isnan(points[2].joint_ecr_ohm_m2) && isnan(points[4].ecr_ohm_m2));
+    double last = points[1].value[QUANTITY_JOINT_ECR];
+    assert_true(last > 2e-12 && isnan(points[2].value[QUANTITY_JOINT_ECR]) && isnan(points[4].value[QUANTITY_ECR]));
     const struct {
         const struct scene_asked_row *row;
         double value;

@@ -210,7 +210,7 @@ static void test_the_cut_off(void **state)
         struct contact_point point;
         multiscale_solve(&point, &stack, &none, 0, loads[i], &visits);
         size_t m = model_index(&model_multiscale_elastic);
-        error = fmax(error, fabs(point.area_ratio / record->curves[m].points[i].area_ratio - 1));
+        error = fmax(error, fabs(point.value[QUANTITY_AREA] / record->curves[m].points[i].value[QUANTITY_AREA] - 1));
     }
     multiscale_free(&stack);
     const struct benchmark_row *row = NULL;
@@ -256,9 +256,10 @@ static void test_the_number_of_loads(void **state)
     struct model_task task = surface_model_task(record, &scene, &plan, fine, 17);
     assert_int_equal(model_run(&curve, model_rows[gw], &task, &status), STATUS_OK);
     for (size_t i = 1; i + 1 < curve.count; i += 2) {
-        double x = log(points[i].load / points[i - 1].load) / log(points[i + 1].load / points[i - 1].load);
-        double between = pow(points[i - 1].area_ratio, 1 - x) * pow(points[i + 1].area_ratio, x);
-        error = fmax(error, fabs(between / points[i].area_ratio - 1));
+        double x = log(points[i].value[QUANTITY_LOAD] / points[i - 1].value[QUANTITY_LOAD]) /
+                   log(points[i + 1].value[QUANTITY_LOAD] / points[i - 1].value[QUANTITY_LOAD]);
+        double between = pow(points[i - 1].value[QUANTITY_AREA], 1 - x) * pow(points[i + 1].value[QUANTITY_AREA], x);
+        error = fmax(error, fabs(between / points[i].value[QUANTITY_AREA] - 1));
     }
     assert_near(find("loads", "gw", "9")->error, error, 1e-6);
 }

@@ -19,16 +19,16 @@ static void make(double slope)
                                  .full_load = 0.02,
                                  .closed_load = 0.03,
                                  .beta = 5,
-                                 .full = {.separation_m = 3e-8, .adjusted_m = 2e-8},
+                                 .full = {.value[QUANTITY_SEPARATION] = 3e-8, .value[QUANTITY_ADJUSTED] = 2e-8},
                                  .yielding_scales = 4,
                                  .clamped = 6};
     for (int i = 0; i < LOADS; i++) {
         double load = pow(10, -6 + i / 10.0);
-        points[i] = (struct contact_point){.load = load,
-                                           .area_ratio = 10 * pow(load, 0.9),
-                                           .ecr_ohm_m2 = 1e-12 * pow(load, -slope),
-                                           .tcr_K_m2_per_W = 1,
-                                           .tcr_sd_K_m2_per_W = 1.01 + 0.001 * i};
+        points[i] = (struct contact_point){.value[QUANTITY_LOAD] = load,
+                                           .value[QUANTITY_AREA] = 10 * pow(load, 0.9),
+                                           .value[QUANTITY_ECR] = 1e-12 * pow(load, -slope),
+                                           .value[QUANTITY_TCR] = 1,
+                                           .value[QUANTITY_TCR_SCALE_DEPENDENT] = 1.01 + 0.001 * i};
     }
 }
 
@@ -48,11 +48,11 @@ static void test_the_slope_of_the_area(void **state)
     assert_within(s.area_slope_rms, 0, 1e-6);
     assert_near(s.area_low, 10 * pow(1e-6, 0.9), 1e-12);
     for (int i = 0; i < LOADS; i++) /* no part of the law from A/A_n = 0.1 on */
-        if (points[i].area_ratio >= 0.1)
-            points[i].area_ratio = 0.1 + 0.1 * points[i].area_ratio;
+        if (points[i].value[QUANTITY_AREA] >= 0.1)
+            points[i].value[QUANTITY_AREA] = 0.1 + 0.1 * points[i].value[QUANTITY_AREA];
     assert_near(summary_of().area_slope, 0.9, 1e-9);
     for (int i = 0; i < LOADS; i++) /* every second one above, the others below by 0.01 decades */
-        points[i].area_ratio = pow(10, -5 + i / 20.0 + (i % 2 ? 0.01 : -0.01));
+        points[i].value[QUANTITY_AREA] = pow(10, -5 + i / 20.0 + (i % 2 ? 0.01 : -0.01));
     assert_near(summary_of().area_slope, 0.5, 0.01);
     assert_near(summary_of().area_slope_rms, 0.01, 0.01);
     curve.count = 5;
@@ -71,13 +71,14 @@ static void test_the_elbow(void **state)
     assert_near(summary_of().elbow_load, 1e-6, 1e-9);
     make(1.99);
     for (int i = 20; i < LOADS; i++) /* from the 20th point on it falls more steeply */
-        points[i].ecr_ohm_m2 = points[19].ecr_ohm_m2 * pow(points[i].load / points[19].load, -2.01);
-    assert_near(summary_of().elbow_load, points[19].load, 1e-9);
+        points[i].value[QUANTITY_ECR] = points[19].value[QUANTITY_ECR] *
+                                        pow(points[i].value[QUANTITY_LOAD] / points[19].value[QUANTITY_LOAD], -2.01);
+    assert_near(summary_of().elbow_load, points[19].value[QUANTITY_LOAD], 1e-9);
     make(1);
-    points[30].ecr_ohm_m2 = 0;
-    assert_near(summary_of().elbow_load, points[29].load, 1e-9);
+    points[30].value[QUANTITY_ECR] = 0;
+    assert_near(summary_of().elbow_load, points[29].value[QUANTITY_LOAD], 1e-9);
     for (int i = 0; i < LOADS; i++)
-        points[i].ecr_ohm_m2 = NAN;
+        points[i].value[QUANTITY_ECR] = NAN;
     assert_true(isnan(summary_of().elbow_load));
 }
 
@@ -93,14 +94,14 @@ static void test_where_it_is_not_valid(void **state)
     (void)state;
     make(1);
     for (int i = 0; i < LOADS; i++) {
-        points[i].area_ratio = i < 15 ? 0.1 : 0.1001;
+        points[i].value[QUANTITY_AREA] = i < 15 ? 0.1 : 0.1001;
         points[i].beyond_fit = i < 12 ? 0.1 : 0.1001;
         points[i].radius_clamped = i == 20 ? 0.3 : 0;
     }
     points[33].beyond_fit = 0.4;
     struct curve_summary s = summary_of();
-    assert_near(s.invalid_area_load, points[15].load, 1e-12);
-    assert_near(s.invalid_fit_load, points[12].load, 1e-12);
+    assert_near(s.invalid_area_load, points[15].value[QUANTITY_LOAD], 1e-12);
+    assert_near(s.invalid_fit_load, points[12].value[QUANTITY_LOAD], 1e-12);
     assert_near(s.most_beyond_fit, 0.4, 1e-12);
     assert_near(s.most_radius_clamped, 0.3, 1e-12);
     assert_validity(&plain, 0, 12);
@@ -120,7 +121,7 @@ static void test_light_loads_that_are_not_valid(void **state)
     (void)state;
     make(1);
     for (int i = 0; i < LOADS; i++)
-        points[i].area_ratio = 0.01;
+        points[i].value[QUANTITY_AREA] = 0.01;
     for (int i = 0; i < 5; i++)
         points[i].beyond_fit = 0.5;
     struct curve_summary s = summary_of();
@@ -130,19 +131,19 @@ static void test_light_loads_that_are_not_valid(void **state)
     points[30].beyond_fit = 0.2;
     s = summary_of();
     assert_validity(&plain, 5, 30);
-    assert_near(s.invalid_fit_load, points[30].load, 1e-12);
+    assert_near(s.invalid_fit_load, points[30].value[QUANTITY_LOAD], 1e-12);
     for (int i = 0; i < LOADS; i++)
         points[i].beyond_fit = 0.2;
     s = summary_of();
     assert_validity(&plain, 0, 0); /* nowhere */
-    assert_near(s.invalid_fit_load, points[0].load, 1e-12);
+    assert_near(s.invalid_fit_load, points[0].value[QUANTITY_LOAD], 1e-12);
 }
 
 static void test_the_rest(void **state)
 {
     (void)state;
     make(1);
-    points[40].tcr_K_m2_per_W = 0; /* full contact */
+    points[40].value[QUANTITY_TCR] = 0; /* full contact */
     struct curve_summary s = summary_of();
     assert_near(s.sd_least, 0.01, 1e-9);
     assert_near(s.sd_most, 0.01 + 0.039, 1e-9);

@@ -8,18 +8,19 @@ enum { LOADS = 8 };
 static void check(const double beyond_fit[LOADS], const double area[LOADS], size_t first, size_t end, size_t invalid)
 {
     static const struct model_row row = {.largest_area = 0.1};
-    struct contact_point points[LOADS] = {{0}};
+    struct contact_point points[LOADS] = {0};
     struct model_curve curve = {.exists = true, .points = points, .count = LOADS};
     struct curve_summary summary = {0};
     for (size_t i = 0; i < LOADS; i++)
-        points[i] =
-            (struct contact_point){.load = 1e-4 * (double)(i + 1), .area_ratio = area[i], .beyond_fit = beyond_fit[i]};
+        points[i] = (struct contact_point){.value[QUANTITY_LOAD] = 1e-4 * (double)(i + 1),
+                                           .value[QUANTITY_AREA] = area[i],
+                                           .beyond_fit = beyond_fit[i]};
     struct curve_validity valid = curve_summary_validity(&curve, &row);
     assert_int_equal(valid.first, first);
     assert_int_equal(valid.end, end);
     curve_summary_make(&summary, &curve, &row, 1e-6, NAN);
     if (invalid < LOADS)
-        assert_near(summary.invalid_fit_load, points[invalid].load, 0);
+        assert_near(summary.invalid_fit_load, points[invalid].value[QUANTITY_LOAD], 0);
     else
         assert_true(isnan(summary.invalid_fit_load));
 }

@@ -73,7 +73,7 @@ static struct contact_point at(const struct fixture *f, const char *name, double
 static double slope(const struct fixture *f, const char *name, double load)
 {
     double half = exp(landmarks_slope_step / 2);
-    double before = at(f, name, load / half).ecr_ohm_m2, after = at(f, name, load * half).ecr_ohm_m2;
+    double before = at(f, name, load / half).value[QUANTITY_ECR], after = at(f, name, load * half).value[QUANTITY_ECR];
     return after > 0 ? log(before / after) / landmarks_slope_step : INFINITY;
 }
 
@@ -92,8 +92,8 @@ static void landmarks_are_where_it_changes(void **state)
         struct curve_summary s = summarise(&f, names[n], 1e-9, 80);
         double less = 1 - 3e-8, more = 1 + 1e-8;
         if (row->largest_area > 0) {
-            assert_true(at(&f, names[n], s.invalid_area_load * less).area_ratio <= row->largest_area);
-            assert_true(at(&f, names[n], s.invalid_area_load * more).area_ratio > row->largest_area);
+            assert_true(at(&f, names[n], s.invalid_area_load * less).value[QUANTITY_AREA] <= row->largest_area);
+            assert_true(at(&f, names[n], s.invalid_area_load * more).value[QUANTITY_AREA] > row->largest_area);
             areas++;
         }
         if (row->fitted_to && isfinite(s.invalid_fit_load) && s.invalid_fit_load > 1e-9) {
@@ -170,7 +170,8 @@ static void the_nearest_beta(void **state)
         assert_int_equal(landmarks_run_model(&low_curve, loads, MANY, &own, &status), STATUS_OK);
         assert_int_equal(landmarks_run_model(&high_curve, loads, MANY, &other, &status), STATUS_OK);
         for (int i = 0; i < MANY; i++)
-            sum += 4 * (high[i].separation_m - low[i].separation_m / 2) / f.asperities.sigma_m / MANY;
+            sum += 4 * (high[i].value[QUANTITY_SEPARATION] - low[i].value[QUANTITY_SEPARATION] / 2) /
+                   f.asperities.sigma_m / MANY;
         assert_int_equal(landmarks_nearest_beta(&beta, &a, &b, from, to, f.asperities.sigma_m, &status), STATUS_OK);
         assert_within(beta, sum, pairs[p].tolerance * fmax(1, fabs(sum)));
         assert_int_equal(landmarks_nearest_beta(&beta, &a, &b, to, from, f.asperities.sigma_m, &status), STATUS_OK);

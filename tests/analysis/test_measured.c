@@ -415,8 +415,8 @@ static void models_answer_at_the_measured_loads(void **state)
                     continue;
                 }
                 assert_int_equal(model_run(&curve, model_rows[m], &alone, &status), STATUS_OK);
-                double expected = thermal ? points[0].tcr_K_m2_per_W : points[0].ecr_ohm_m2;
-                if (points[0].load == loads[i] && expected > 0)
+                double expected = thermal ? points[0].value[QUANTITY_TCR] : points[0].value[QUANTITY_ECR];
+                if (points[0].value[QUANTITY_LOAD] == loads[i] && expected > 0)
                     assert_near(answer, expected, 1e-9);
                 else
                     assert_true(isnan(answer));

@@ -153,7 +153,7 @@ static void the_mean_of_curves(void **state)
         own[p] = (struct model_curve){.points = own_points[p]};
         assert_int_equal(model_run(&own[p], model, &alone, &status), STATUS_OK);
         size_t all = 0;
-        while (all < own[p].count && all < LOADS && own_points[p][all].load == loads[all])
+        while (all < own[p].count && all < LOADS && own_points[p][all].value[QUANTITY_LOAD] == loads[all])
             all++;
         reached = all < reached ? all : reached;
         full += log(own[p].full_load) / 3;
@@ -163,22 +163,23 @@ static void the_mean_of_curves(void **state)
     assert_near(curve.full_load, exp(full), 1e-12);
     assert_near(estimate_value(&result.full_load), curve.full_load, 1e-12);
     for (size_t i = 0; i < reached; i++) {
-        double area[2] = {log(own_points[0][i].area_ratio),
-                          (log(own_points[1][i].area_ratio) + log(own_points[2][i].area_ratio)) / 2};
+        double area[2] = {log(own_points[0][i].value[QUANTITY_AREA]),
+                          (log(own_points[1][i].value[QUANTITY_AREA]) + log(own_points[2][i].value[QUANTITY_AREA])) /
+                              2};
         double mean = (area[0] + 2 * area[1]) / 3, gap[3];
         double sd = sqrt(pow(area[0] - mean, 2) + 2 * pow(area[1] - mean, 2)), t = 12.706204736174707; /* t(1) */
         for (int p = 0; p < 3; p++)
-            gap[p] = log(own_points[p][i].separation_m / sqrt(parts[p].roughness.m0_m2));
+            gap[p] = log(own_points[p][i].value[QUANTITY_SEPARATION] / sqrt(parts[p].roughness.m0_m2));
         double own_gap[2] = {gap[0], (gap[1] + gap[2]) / 2}, mean_gap = (own_gap[0] + 2 * own_gap[1]) / 3;
         double gap_sd = sqrt(pow(own_gap[0] - mean_gap, 2) + 2 * pow(own_gap[1] - mean_gap, 2));
-        assert_near(curve.points[i].load, loads[i], 0);
-        assert_near(curve.points[i].area_ratio, exp(mean), 1e-12);
+        assert_near(curve.points[i].value[QUANTITY_LOAD], loads[i], 0);
+        assert_near(curve.points[i].value[QUANTITY_AREA], exp(mean), 1e-12);
         bool left = isfinite(mean_gap); /* of the last load, where a part has no separation left: empty */
         assert_true(left || i == LOADS - 1);
         if (left)
-            assert_near(curve.points[i].separation_m, set.sigma_m * exp(mean_gap), 1e-12);
+            assert_near(curve.points[i].value[QUANTITY_SEPARATION], set.sigma_m * exp(mean_gap), 1e-12);
         else
-            assert_true(isnan(curve.points[i].separation_m));
+            assert_true(isnan(curve.points[i].value[QUANTITY_SEPARATION]));
         assert_near(result.band[i].load, loads[i], 0);
         assert_near(result.band[i].mean[QUANTITY_AREA][1], fmin(1, exp(mean + t * sd / sqrt(3))), 1e-9);
         for (int side = 0; side < 2 && left; side++)
@@ -188,7 +189,7 @@ static void the_mean_of_curves(void **state)
         assert_near(result.band[i].next[QUANTITY_AREA][1], fmin(1, exp(mean + t * sd * sqrt(1 + 1 / 3.0))), 1e-9);
         assert_true(isnan(result.band[i].mean[QUANTITY_LOAD][0]));
     }
-    assert_near(estimate_value(&result.middle[QUANTITY_AREA]), curve.points[LOADS / 2].area_ratio, 1e-12);
+    assert_near(estimate_value(&result.middle[QUANTITY_AREA]), curve.points[LOADS / 2].value[QUANTITY_AREA], 1e-12);
     assert_int_equal(result.left_out, 0);
     free(result.band);
 }
@@ -227,9 +228,9 @@ static void the_mean_of_one_curve(void **state)
     assert_int_equal(curve.count, own.count);
     assert_near(curve.full_load, own.full_load, 1e-14);
     for (size_t i = 0; i < own.count; i++) {
-        assert_near(points[i].load, own_points[i].load, 1e-14);
-        assert_near(points[i].area_ratio, own_points[i].area_ratio, 1e-13);
-        assert_near(points[i].separation_m, own_points[i].separation_m, 1e-13);
+        assert_near(points[i].value[QUANTITY_LOAD], own_points[i].value[QUANTITY_LOAD], 1e-14);
+        assert_near(points[i].value[QUANTITY_AREA], own_points[i].value[QUANTITY_AREA], 1e-13);
+        assert_near(points[i].value[QUANTITY_SEPARATION], own_points[i].value[QUANTITY_SEPARATION], 1e-13);
     }
     for (int side = 0; side < 2; side++)
         assert_true(isnan(result.band[0].mean[QUANTITY_AREA][side]));
@@ -280,10 +281,11 @@ static void the_end_of_curves(void **state)
     assert_true(own[0].count < own[1].count);
     assert_int_equal(curve.count, own[0].count);
     assert_near(curve.full_load, sqrt(own[0].full_load * own[1].full_load), 1e-12);
-    assert_near(points[curve.count - 1].load, curve.full_load, 0);
+    assert_near(points[curve.count - 1].value[QUANTITY_LOAD], curve.full_load, 0);
     for (size_t i = 0; i + 1 < curve.count; i++) {
-        assert_near(points[i].load, loads[i], 0);
-        assert_near(points[i].area_ratio, sqrt(own_points[0][i].area_ratio * own_points[1][i].area_ratio), 1e-12);
+        assert_near(points[i].value[QUANTITY_LOAD], loads[i], 0);
+        assert_near(points[i].value[QUANTITY_AREA],
+                    sqrt(own_points[0][i].value[QUANTITY_AREA] * own_points[1][i].value[QUANTITY_AREA]), 1e-12);
     }
     assert_true(isnan(result.band[curve.count].mean[QUANTITY_AREA][0]));
     free(result.band);
@@ -356,7 +358,7 @@ static void intervals_of_random_records(void **state)
         struct repeats_result result = {.band = repeats_band_make(loads, LOADS)};
         assert_non_null(result.band);
         assert_int_equal(repeats_model(&curve, &result, &set, model, &task, &status), STATUS_OK);
-        for (size_t i = 0; i < curve.count && i < LOADS && points[i].load == loads[i]; i++)
+        for (size_t i = 0; i < curve.count && i < LOADS && points[i].value[QUANTITY_LOAD] == loads[i]; i++)
             for (int q = QUANTITY_AREA; q <= QUANTITY_ECR; q++) {
                 double value = quantity_shown(&points[i], model_shown(model, (enum quantity)q), set.sigma_m);
                 double most = q == QUANTITY_AREA ? 1 : INFINITY;

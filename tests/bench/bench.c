@@ -120,9 +120,11 @@ static double separation_at(int i)
 
 static double largest_error(const struct contact_point *point, const struct contact_point *better)
 {
-    const double errors[] = {point->area_ratio / better->area_ratio - 1, point->load / better->load - 1,
-                             point->tcr_K_m2_per_W / better->tcr_K_m2_per_W - 1,
-                             point->tcr_sd_K_m2_per_W / better->tcr_sd_K_m2_per_W - 1};
+    const double errors[] = {point->value[QUANTITY_AREA] / better->value[QUANTITY_AREA] - 1,
+                             point->value[QUANTITY_LOAD] / better->value[QUANTITY_LOAD] - 1,
+                             point->value[QUANTITY_TCR] / better->value[QUANTITY_TCR] - 1,
+                             point->value[QUANTITY_TCR_SCALE_DEPENDENT] / better->value[QUANTITY_TCR_SCALE_DEPENDENT] -
+                                 1};
     double largest = 0;
     for (size_t i = 0; i < sizeof errors / sizeof errors[0]; i++)
         largest = fmax(largest, fabs(errors[i]));
@@ -151,7 +153,7 @@ static struct result separations_case(const struct material_pair *pair, enum asp
     }
     for (int i = 0; i < SEPARATIONS; i++) {
         statistical_at(&point, &better, separation_at(i));
-        if (points[i].area_ratio < 0.999 && point.area_ratio < 0.999)
+        if (points[i].value[QUANTITY_AREA] < 0.999 && point.value[QUANTITY_AREA] < 0.999)
             result.error = fmax(result.error, largest_error(&points[i], &point));
     }
     statistical_free(&better);
@@ -195,7 +197,7 @@ static struct result simpson_case(const struct material_pair *pair, enum asperit
     result.evaluations = SEPARATIONS * (INTERVALS + 1);
     for (int s = 0; s < SEPARATIONS && isfinite(kept); s++) {
         statistical_at(&point, &better, separation_at(s));
-        result.error = fmax(result.error, fabs(area[s] / point.area_ratio - 1));
+        result.error = fmax(result.error, fabs(area[s] / point.value[QUANTITY_AREA] - 1));
     }
     statistical_free(&better);
     return result;

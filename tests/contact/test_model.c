@@ -59,8 +59,8 @@ static size_t next_below(uint64_t *seed, size_t count)
 static void assert_nothing(const struct contact_point *point, unsigned but_for)
 {
     for (int q = 0; q < QUANTITY_COUNT; q++)
-        if (!(but_for & QUANTITY_BIT(q)) && !isnan(quantity_value(point, (enum quantity)q)))
-            fail_msg("%s is %g", quantity_rows[q].name, quantity_value(point, (enum quantity)q));
+        if (!(but_for & QUANTITY_BIT(q)) && !isnan(point->value[q]))
+            fail_msg("%s is %g", quantity_rows[q].name, point->value[q]);
 }
 
 enum { HARMONICS_MOST = 60, HEIGHTS_MOST = 90, TASKS = 300 };
@@ -131,7 +131,7 @@ static enum status_code answer(struct model_curve *curve, const struct model_row
     curve->points[1] = answered[1];
     curve->count = 2;
     curve->full = answered_full;
-    curve->full_load = answered_full.load;
+    curve->full_load = answered_full.value[QUANTITY_LOAD];
     curve->exists = true;
     return STATUS_OK;
 }
@@ -158,23 +158,23 @@ static void test_a_curve_that_leaves_the_numbers(void **state)
 {
     (void)state;
     struct contact_point good = quantity_nothing();
-    good.load = 1e-3;
-    good.area_ratio = 0.1;
+    good.value[QUANTITY_LOAD] = 1e-3;
+    good.value[QUANTITY_AREA] = 0.1;
     struct contact_point *const tried[] = {&answered[0], &answered[1], &answered_full};
     for (size_t t = 0; t < 3; t++) {
         answered[0] = answered[1] = answered_full = good;
         assert_true(stands());
-        tried[t]->ecr_ohm_m2 = INFINITY;
+        tried[t]->value[QUANTITY_ECR] = INFINITY;
         assert_false(stands());
-        tried[t]->ecr_ohm_m2 = NAN; /* may be empty */
-        tried[t]->tcr_sd_K_m2_per_W = -INFINITY;
+        tried[t]->value[QUANTITY_ECR] = NAN; /* may be empty */
+        tried[t]->value[QUANTITY_TCR_SCALE_DEPENDENT] = -INFINITY;
         assert_false(stands());
-        tried[t]->tcr_sd_K_m2_per_W = NAN;
-        tried[t]->area_ratio = NAN;
+        tried[t]->value[QUANTITY_TCR_SCALE_DEPENDENT] = NAN;
+        tried[t]->value[QUANTITY_AREA] = NAN;
         assert_false(stands());
     }
-    answered_full.load = answered_full.area_ratio = NAN; /* says nothing of full contact */
-    answered_full.ecr_ohm_m2 = INFINITY;
+    answered_full.value[QUANTITY_LOAD] = answered_full.value[QUANTITY_AREA] = NAN; /* says nothing of full contact */
+    answered_full.value[QUANTITY_ECR] = INFINITY;
     assert_true(stands());
 }
 
@@ -196,7 +196,7 @@ static void test_what_is_not_set(void **state)
     static const struct model_row row = {.run = set_nothing};
     const double loads[] = {1e-4, 1e-3};
     struct model_task task = {.loads = loads, .load_count = 2, .wanted = (1u << QUANTITY_COUNT) - 1};
-    struct contact_point points[3] = {{0}};
+    struct contact_point points[3] = {0};
     struct model_curve curve = {.points = points};
     struct status status = {0};
     assert_int_equal(model_run(&curve, &row, &task, &status), STATUS_OK);

@@ -71,21 +71,22 @@ static void what_is_given(void **state)
     assert_true(curve.exists && curve.count == MODEL_LOADS && isnan(curve.full_load));
     for (size_t i = 0; i < curve.count; i++) {
         const struct contact_point *point = &points[i];
-        bool gap = point->area_ratio <= 0.15;
-        assert_true(point->area_ratio > 0 && point->area_ratio < 1);
-        assert_true(i == 0 || point->area_ratio >= points[i - 1].area_ratio);
-        assert_true(isnan(point->separation_m) == !gap && isnan(point->ecr_ohm_m2) == !gap &&
-                    isnan(point->tcr_K_m2_per_W) == !gap);
-        assert_true(isnan(point->tcr_sd_K_m2_per_W) && isnan(point->adjusted_m));
-        bool touching_few = point->area_ratio < 30.0 / (POINTS - 2);
-        bool all_but_one = point->area_ratio >= (POINTS - 3.0) / (POINTS - 2);
+        bool gap = point->value[QUANTITY_AREA] <= 0.15;
+        assert_true(point->value[QUANTITY_AREA] > 0 && point->value[QUANTITY_AREA] < 1);
+        assert_true(i == 0 || point->value[QUANTITY_AREA] >= points[i - 1].value[QUANTITY_AREA]);
+        assert_true(isnan(point->value[QUANTITY_SEPARATION]) == !gap && isnan(point->value[QUANTITY_ECR]) == !gap &&
+                    isnan(point->value[QUANTITY_TCR]) == !gap);
+        assert_true(isnan(point->value[QUANTITY_TCR_SCALE_DEPENDENT]) && isnan(point->value[QUANTITY_ADJUSTED]));
+        bool touching_few = point->value[QUANTITY_AREA] < 30.0 / (POINTS - 2);
+        bool all_but_one = point->value[QUANTITY_AREA] >= (POINTS - 3.0) / (POINTS - 2);
         assert_true((point->beyond_fit == 1) == (touching_few || all_but_one));
         struct contacting_slopes_gap fit;
         if (gap) {
-            assert_true(contacting_slopes_gap(&fit, &slopes, &persson, point->load, point->area_ratio));
-            assert_near(point->separation_m, fit.separation_m, 1e-14);
-            assert_near(point->ecr_ohm_m2, 2 * of.pair.resistivity_ohm_m * fit.constriction_m, 1e-14);
-            assert_near(point->ecr_ohm_m2 / point->tcr_K_m2_per_W,
+            assert_true(contacting_slopes_gap(&fit, &slopes, &persson, point->value[QUANTITY_LOAD],
+                                              point->value[QUANTITY_AREA]));
+            assert_near(point->value[QUANTITY_SEPARATION], fit.separation_m, 1e-14);
+            assert_near(point->value[QUANTITY_ECR], 2 * of.pair.resistivity_ohm_m * fit.constriction_m, 1e-14);
+            assert_near(point->value[QUANTITY_ECR] / point->value[QUANTITY_TCR],
                         of.pair.resistivity_ohm_m * of.pair.conductivity_W_per_mK, 1e-12);
         }
         given += gap;
@@ -98,8 +99,8 @@ static void what_is_given(void **state)
     of.task.wanted = QUANTITY_BIT(QUANTITY_AREA);
     struct contact_point area_only[MODEL_LOADS + 1];
     model_support_run(area_only, "contacting-slopes", &of.task);
-    assert_near(area_only[3].area_ratio, points[3].area_ratio, 0);
-    assert_true(isnan(area_only[3].separation_m) && isnan(area_only[3].ecr_ohm_m2));
+    assert_near(area_only[3].value[QUANTITY_AREA], points[3].value[QUANTITY_AREA], 0);
+    assert_true(isnan(area_only[3].value[QUANTITY_SEPARATION]) && isnan(area_only[3].value[QUANTITY_ECR]));
     spectrum_free(&of.spectrum);
 }
 
@@ -116,8 +117,8 @@ static void a_plateau_has_more_area_than_its_spectrum_says(void **state)
         model_support_run(points, "contacting-slopes", &of.task);
         model_support_run(persson, "persson", &of.task);
         for (size_t i = 0; i < MODEL_LOADS; i++) {
-            double ratio = points[i].area_ratio / persson[i].area_ratio;
-            if (points[i].area_ratio < 0.01 || points[i].area_ratio > 0.3)
+            double ratio = points[i].value[QUANTITY_AREA] / persson[i].value[QUANTITY_AREA];
+            if (points[i].value[QUANTITY_AREA] < 0.01 || points[i].value[QUANTITY_AREA] > 0.3)
                 continue;
             most = fmax(most, ratio);
             least = fmin(least, ratio);
@@ -151,7 +152,7 @@ static void a_map_has_both_slopes(void **state)
     assert_int_equal(contacting_slopes_of_map(point, map, NX, NY, spacing_m, 7e-6), of.task.point_count);
     model_support_run(both, "contacting-slopes", &of.task);
     for (size_t i = 0; i < MODEL_LOADS; i++)
-        assert_near(both[i].area_ratio, rows[i].area_ratio, 1e-9);
+        assert_near(both[i].value[QUANTITY_AREA], rows[i].value[QUANTITY_AREA], 1e-9);
     spectrum_free(&of.spectrum);
 }
 

@@ -28,16 +28,17 @@ static void the_row_is_the_theory(void **state)
     assert_true(curve.exists && curve.count == MODEL_LOADS && isnan(curve.full_load) && isnan(curve.beta));
     for (size_t i = 0; i < curve.count; i++) {
         struct persson_separation at = persson_separation(&persson, load[i]);
-        assert_near(points[i].area_ratio, persson_area(load[i], spectrum_moment(&spectrum, 1), 0.45), 1e-12);
-        assert_near(points[i].separation_m, at.separation_m, 1e-15);
-        assert_near(points[i].ecr_ohm_m2, pair.resistivity_ohm_m * at.constriction_m, 1e-15);
-        assert_near(points[i].tcr_K_m2_per_W, at.constriction_m / pair.conductivity_W_per_mK, 1e-15);
-        assert_true(isnan(points[i].adjusted_m) && isnan(points[i].tcr_sd_K_m2_per_W));
+        assert_near(points[i].value[QUANTITY_AREA], persson_area(load[i], spectrum_moment(&spectrum, 1), 0.45), 1e-12);
+        assert_near(points[i].value[QUANTITY_SEPARATION], at.separation_m, 1e-15);
+        assert_near(points[i].value[QUANTITY_ECR], pair.resistivity_ohm_m * at.constriction_m, 1e-15);
+        assert_near(points[i].value[QUANTITY_TCR], at.constriction_m / pair.conductivity_W_per_mK, 1e-15);
+        assert_true(isnan(points[i].value[QUANTITY_ADJUSTED]) && isnan(points[i].value[QUANTITY_TCR_SCALE_DEPENDENT]));
     }
     persson_free(&persson);
     task.wanted = QUANTITY_BIT(QUANTITY_AREA);
     curve = model_support_run(points, "persson", &task);
-    assert_true(isnan(points[0].separation_m) && isnan(points[0].ecr_ohm_m2) && points[0].area_ratio > 0);
+    assert_true(isnan(points[0].value[QUANTITY_SEPARATION]) && isnan(points[0].value[QUANTITY_ECR]) &&
+                points[0].value[QUANTITY_AREA] > 0);
     spectrum_free(&spectrum);
 }
 
@@ -63,9 +64,9 @@ static void hard_spectra(void **state)
         struct model_curve curve = model_support_run(points, "persson", &task);
         assert_int_equal(curve.exists, spectra[s].amplitude_m > 0);
         for (size_t i = 1; i < curve.count; i++)
-            assert_true(points[i].area_ratio >= points[i - 1].area_ratio &&
-                        points[i].separation_m <= points[i - 1].separation_m &&
-                        points[i].ecr_ohm_m2 <= points[i - 1].ecr_ohm_m2);
+            assert_true(points[i].value[QUANTITY_AREA] >= points[i - 1].value[QUANTITY_AREA] &&
+                        points[i].value[QUANTITY_SEPARATION] <= points[i - 1].value[QUANTITY_SEPARATION] &&
+                        points[i].value[QUANTITY_ECR] <= points[i - 1].value[QUANTITY_ECR]);
         spectrum_free(&spectrum);
     }
 }
@@ -95,7 +96,8 @@ static void the_stated_range_holds(void **state)
                                   .tolerance = 1e-6};
         struct contact_point point[2];
         model_support_run(point, "persson", &task);
-        double ratio[2] = {point->area_ratio / truth, point->separation_m / table_number(&table, i, "mean_gap_over_L")};
+        double ratio[2] = {point->value[QUANTITY_AREA] / truth,
+                           point->value[QUANTITY_SEPARATION] / table_number(&table, i, "mean_gap_over_L")};
         for (int q = 0; q < 2; q++)
             if (truth >= 1e-3 && (q == 0 || truth < 0.6)) {
                 least[q] = fmin(least[q], ratio[q]);

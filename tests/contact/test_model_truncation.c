@@ -66,11 +66,11 @@ static void the_rows_match_the_reference(void **state)
         struct contact_spots spots;
         assert_true(model_support_run(point, model, &task).exists);
         spots_of(&spots, model, &task);
-        assert_near(point->area_ratio, table_number(&table, i, "area_ratio"), 1e-10);
+        assert_near(point->value[QUANTITY_AREA], table_number(&table, i, "area_ratio"), 1e-10);
         double separation = table_number(&table, i, "separation_over_sigma");
-        assert_same_number(point->separation_m / sigma_m, separation >= 0 ? separation : NAN, 1e-10);
-        assert_near(point->ecr_ohm_m2, table_number(&table, i, "ecr_ohm_m2"), 1e-10);
-        assert_near(1 / point->tcr_K_m2_per_W, table_number(&table, i, "h_W_per_m2K"), 1e-10);
+        assert_same_number(point->value[QUANTITY_SEPARATION] / sigma_m, separation >= 0 ? separation : NAN, 1e-10);
+        assert_near(point->value[QUANTITY_ECR], table_number(&table, i, "ecr_ohm_m2"), 1e-10);
+        assert_near(1 / point->value[QUANTITY_TCR], table_number(&table, i, "h_W_per_m2K"), 1e-10);
         assert_near(spots.density_per_m2, table_number(&table, i, "spot_density_per_m2"), 1e-10);
         assert_near(spots.radius_m, table_number(&table, i, "spot_radius_m"), 1e-10);
         spectrum_free(&spectrum);
@@ -99,8 +99,8 @@ static void forces_for_a_target(void **state)
         struct contact_spots spots;
         model_support_run(point, "cmy", &task);
         spots_of(&spots, "cmy", &task);
-        assert_near(point->ecr_ohm_m2 / area_m2, table_number(&table, i, "target_ohm"), 1e-10);
-        assert_near(1 / point->tcr_K_m2_per_W, table_number(&table, i, "h_W_per_m2K"), 1e-10);
+        assert_near(point->value[QUANTITY_ECR] / area_m2, table_number(&table, i, "target_ohm"), 1e-10);
+        assert_near(1 / point->value[QUANTITY_TCR], table_number(&table, i, "h_W_per_m2K"), 1e-10);
         assert_near(spots.density_per_m2 * area_m2, table_number(&table, i, "spots"), 1e-10);
         assert_near(spots.radius_m, table_number(&table, i, "spot_radius_m"), 1e-10);
         if (table_number(&table, i, "target_ohm") == 1e-3) {
@@ -133,22 +133,24 @@ static void the_curve_ends_and_is_marked(void **state)
         double last = truncation_model_ratio(&law, &task, load[curve.count - 1]),
                next = truncation_model_ratio(&law, &task, load[curve.count]);
         assert_true(last < law.fraction && next >= law.fraction);
-        assert_true(isnan(curve.full_load) && isnan(curve.full.area_ratio) && isnan(curve.beta));
+        assert_true(isnan(curve.full_load) && isnan(curve.full.value[QUANTITY_AREA]) && isnan(curve.beta));
         struct curve_validity valid = curve_summary_validity(&curve, row);
         assert_true(valid.first == 0 && valid.end > 0 && valid.end < curve.count);
-        assert_true(points[valid.end - 1].area_ratio <= 0.1 && points[valid.end].area_ratio > 0.1);
+        assert_true(points[valid.end - 1].value[QUANTITY_AREA] <= 0.1 && points[valid.end].value[QUANTITY_AREA] > 0.1);
         spots_of(spots, names[n], &task);
         for (size_t i = 0; i < curve.count; i++) {
-            assert_near(points[i].area_ratio, load[i] * pair.effective_modulus_Pa / law.hardness_Pa, 1e-14);
-            assert_true(isnan(points[i].adjusted_m) && isnan(points[i].tcr_sd_K_m2_per_W));
-            assert_near(spots[i].density_per_m2 * M_PI * spots[i].radius_m * spots[i].radius_m, points[i].area_ratio,
-                        1e-12); /* the spots are the area */
+            assert_near(points[i].value[QUANTITY_AREA], load[i] * pair.effective_modulus_Pa / law.hardness_Pa, 1e-14);
+            assert_true(isnan(points[i].value[QUANTITY_ADJUSTED]) &&
+                        isnan(points[i].value[QUANTITY_TCR_SCALE_DEPENDENT]));
+            assert_near(spots[i].density_per_m2 * M_PI * spots[i].radius_m * spots[i].radius_m,
+                        points[i].value[QUANTITY_AREA], 1e-12); /* the spots are the area */
         }
         for (size_t i = curve.count; i < MODEL_LOADS; i++)
             assert_true(isnan(spots[i].density_per_m2) && isnan(spots[i].radius_m));
         task.wanted = QUANTITY_BIT(QUANTITY_AREA);
         model_support_run(points, names[n], &task);
-        assert_true(isnan(points->separation_m) && isnan(points->ecr_ohm_m2) && isnan(points->tcr_K_m2_per_W));
+        assert_true(isnan(points->value[QUANTITY_SEPARATION]) && isnan(points->value[QUANTITY_ECR]) &&
+                    isnan(points->value[QUANTITY_TCR]));
         task.wanted = MODEL_EVERYTHING;
     }
     spectrum_free(&spectrum);
@@ -165,24 +167,24 @@ static void hardness_and_limits(void **state)
     struct contact_point cmy[2], other[2];
     struct model_task task = task_of(&spectrum, &pair, &load, 1);
     model_support_run(cmy, "cmy", &task);
-    assert_near(cmy->area_ratio, load * pair.effective_modulus_Pa / (2.84 * pair.yield_strength_Pa), 1e-14);
+    assert_near(cmy->value[QUANTITY_AREA], load * pair.effective_modulus_Pa / (2.84 * pair.yield_strength_Pa), 1e-14);
     task.hardness_Pa *= 2;
     model_support_run(other, "cmy", &task);
-    assert_near(other->area_ratio, cmy->area_ratio / 2, 1e-14);
+    assert_near(other->value[QUANTITY_AREA], cmy->value[QUANTITY_AREA] / 2, 1e-14);
     model_support_run(cmy, "sridhar-yovanovich", &task);
     task.hardness_Pa = NAN;
     assert_false(model_support_run(other, "cmy", &task).exists);
     assert_true(model_support_run(other, "sridhar-yovanovich", &task).exists);
-    assert_near(other->ecr_ohm_m2, cmy->ecr_ohm_m2, 0);
+    assert_near(other->value[QUANTITY_ECR], cmy->value[QUANTITY_ECR], 0);
 
     pair.yield_strength_Pa = 1e4; /* e = 8e5 */
     load = 1e-9;
     task.hardness_Pa = 2.76e4;
     model_support_run(cmy, "cmy", &task);
     model_support_run(other, "sridhar-yovanovich", &task);
-    assert_near(other->area_ratio, cmy->area_ratio, 1e-5);
-    assert_near(other->ecr_ohm_m2, cmy->ecr_ohm_m2, 1e-5);
-    assert_near(other->separation_m, cmy->separation_m, 1e-5);
+    assert_near(other->value[QUANTITY_AREA], cmy->value[QUANTITY_AREA], 1e-5);
+    assert_near(other->value[QUANTITY_ECR], cmy->value[QUANTITY_ECR], 1e-5);
+    assert_near(other->value[QUANTITY_SEPARATION], cmy->value[QUANTITY_SEPARATION], 1e-5);
 
     pair.yield_strength_Pa = 1e16; /* e = 8e-7: 0.7091 m E' for Mikic's 0.7071 */
     load = 1e-4;
@@ -190,8 +192,8 @@ static void hardness_and_limits(void **state)
     struct truncation elastic = truncation_model_elastic.law(&task);
     struct truncation_contact contact;
     assert_true(truncation_press(&contact, &elastic, truncation_model_ratio(&elastic, &task, load)));
-    assert_near(other->area_ratio, contact.area_ratio, 0.004);
-    assert_near(other->ecr_ohm_m2, truncation_resistance(&elastic, &contact, pair.resistivity_ohm_m), 0.004);
+    assert_near(other->value[QUANTITY_AREA], contact.area_ratio, 0.004);
+    assert_near(other->value[QUANTITY_ECR], truncation_resistance(&elastic, &contact, pair.resistivity_ohm_m), 0.004);
     /* A = sqrt(pi/m2) p, whatever the modulus: BGT's asymptote */
     assert_near(contact.area_ratio, sqrt(M_PI / spectrum_moment(&spectrum, 1)) * load, 1e-12);
 

@@ -41,21 +41,23 @@ static void elastic_leaves_empty_what_is_not_to_be_trusted(void **state)
     assert_true(curve.exists && curve.count == MODEL_LOADS);
     for (size_t i = 0; i < curve.count; i++) {
         const struct contact_point *point = &points[i];
-        bool trusted = point->area_ratio <= 0.75;
-        assert_true(isnan(point->separation_m) == !trusted && isnan(point->ecr_ohm_m2) == !trusted);
-        assert_true(isnan(point->tcr_K_m2_per_W) == !trusted && isnan(point->tcr_sd_K_m2_per_W) == !trusted);
-        assert_true(point->area_ratio > 0 && isnan(point->adjusted_m));
+        bool trusted = point->value[QUANTITY_AREA] <= 0.75;
+        assert_true(isnan(point->value[QUANTITY_SEPARATION]) == !trusted &&
+                    isnan(point->value[QUANTITY_ECR]) == !trusted);
+        assert_true(isnan(point->value[QUANTITY_TCR]) == !trusted &&
+                    isnan(point->value[QUANTITY_TCR_SCALE_DEPENDENT]) == !trusted);
+        assert_true(point->value[QUANTITY_AREA] > 0 && isnan(point->value[QUANTITY_ADJUSTED]));
         full += trusted;
         empty += !trusted;
         if (trusted) {
-            assert_near(point->ecr_ohm_m2 / point->tcr_K_m2_per_W,
+            assert_near(point->value[QUANTITY_ECR] / point->value[QUANTITY_TCR],
                         of.pair.resistivity_ohm_m * of.pair.conductivity_W_per_mK, 1e-12);
-            assert_true(point->tcr_sd_K_m2_per_W > point->tcr_K_m2_per_W);
+            assert_true(point->value[QUANTITY_TCR_SCALE_DEPENDENT] > point->value[QUANTITY_TCR]);
         }
     }
     assert_true(full > 5 && empty > 5);
-    assert_true(isnan(curve.closed_load) && isnan(curve.beta) && isnan(curve.full.separation_m));
-    assert_near(curve.full.area_ratio, 1, 0);
+    assert_true(isnan(curve.closed_load) && isnan(curve.beta) && isnan(curve.full.value[QUANTITY_SEPARATION]));
+    assert_near(curve.full.value[QUANTITY_AREA], 1, 0);
     spectrum_free(&of.spectrum);
 }
 
@@ -72,24 +74,25 @@ static void plastic_gap_ends_at_a_quarter_of_the_hardness(void **state)
     assert_int_equal(curve.yielding_scales, 2);
     for (size_t i = 0; i < curve.count; i++) {
         const struct contact_point *point = &points[i];
-        double pressure_Pa = point->load * of.pair.effective_modulus_Pa;
-        bool trusted = point->area_ratio <= 0.75, gap = trusted && pressure_Pa <= of.task.hardness_Pa / 4;
-        assert_true(isnan(point->ecr_ohm_m2) == !trusted && isnan(point->separation_m) == !gap);
-        assert_true(pressure_Pa <= of.task.hardness_Pa * point->area_ratio * (1 + 1e-12) || point->area_ratio == 1);
+        double pressure_Pa = point->value[QUANTITY_LOAD] * of.pair.effective_modulus_Pa;
+        bool trusted = point->value[QUANTITY_AREA] <= 0.75, gap = trusted && pressure_Pa <= of.task.hardness_Pa / 4;
+        assert_true(isnan(point->value[QUANTITY_ECR]) == !trusted && isnan(point->value[QUANTITY_SEPARATION]) == !gap);
+        assert_true(pressure_Pa <= of.task.hardness_Pa * point->value[QUANTITY_AREA] * (1 + 1e-12) ||
+                    point->value[QUANTITY_AREA] == 1);
         gone += trusted && !gap;
-        limited += fabs(pressure_Pa / of.task.hardness_Pa / point->area_ratio - 1) < 1e-12;
+        limited += fabs(pressure_Pa / of.task.hardness_Pa / point->value[QUANTITY_AREA] - 1) < 1e-12;
     }
     assert_true(gone > 0 && limited > 0);
     of.task.hardness_Pa /= 2;
     model_support_run(soft, "two-band-plastic", &of.task);
     for (size_t i = 0; i < curve.count; i++)
-        assert_true(soft[i].area_ratio >= points[i].area_ratio);
+        assert_true(soft[i].value[QUANTITY_AREA] >= points[i].value[QUANTITY_AREA]);
     of.pair.yield_strength_Pa *= 1e6; /* nothing yields: the elastic area, whatever the hardness */
     struct contact_point elastic[MODEL_LOADS + 1];
     model_support_run(elastic, "two-band-elastic", &of.task);
     model_support_run(points, "two-band-plastic", &of.task);
     for (size_t i = 0; i < curve.count; i++)
-        assert_near(points[i].area_ratio, elastic[i].area_ratio, 1e-15);
+        assert_near(points[i].value[QUANTITY_AREA], elastic[i].value[QUANTITY_AREA], 1e-15);
     spectrum_free(&of.spectrum);
 }
 
@@ -115,11 +118,11 @@ static void scan_length_does_not_matter(void **state)
                 memcpy(first[m], points, sizeof points);
             size_t compared = 0;
             for (size_t i = 0; i < curve.count; i++) {
-                assert_near(points[i].area_ratio, first[m][i].area_ratio, 0.03);
-                if (isnan(points[i].separation_m) || isnan(first[m][i].separation_m))
+                assert_near(points[i].value[QUANTITY_AREA], first[m][i].value[QUANTITY_AREA], 0.03);
+                if (isnan(points[i].value[QUANTITY_SEPARATION]) || isnan(first[m][i].value[QUANTITY_SEPARATION]))
                     continue;
-                assert_near(points[i].separation_m, first[m][i].separation_m, 0.03);
-                assert_near(points[i].ecr_ohm_m2, first[m][i].ecr_ohm_m2, m == 0 ? 0.03 : 0.034);
+                assert_near(points[i].value[QUANTITY_SEPARATION], first[m][i].value[QUANTITY_SEPARATION], 0.03);
+                assert_near(points[i].value[QUANTITY_ECR], first[m][i].value[QUANTITY_ECR], m == 0 ? 0.03 : 0.034);
                 compared++;
             }
             assert_true(compared > 5);
@@ -165,8 +168,8 @@ static void the_stated_range_holds(void **state)
         struct model_curve curve = model_support_run(point, "two-band-elastic", &task);
         assert_true(curve.exists);
         if (truth >= from) {
-            least = fmin(least, point->area_ratio / truth);
-            most = fmax(most, point->area_ratio / truth);
+            least = fmin(least, point->value[QUANTITY_AREA] / truth);
+            most = fmax(most, point->value[QUANTITY_AREA] / truth);
             counted++;
         }
         spectrum_free(&spectrum);
@@ -199,12 +202,13 @@ static void hard_spectra(void **state)
             assert_int_equal(curve.count, curve.exists ? MODEL_LOADS : 0);
             assert_false(curve.overflows);
             for (size_t i = 0; i < curve.count; i++) {
-                assert_true(points[i].area_ratio > 0 && points[i].area_ratio <= 1);
-                assert_true(i == 0 || points[i].area_ratio >= points[i - 1].area_ratio * (1 - 6e-4));
-                assert_true(isnan(points[i].separation_m) || points[i].separation_m >= 0);
+                assert_true(points[i].value[QUANTITY_AREA] > 0 && points[i].value[QUANTITY_AREA] <= 1);
+                assert_true(i == 0 ||
+                            points[i].value[QUANTITY_AREA] >= points[i - 1].value[QUANTITY_AREA] * (1 - 6e-4));
+                assert_true(isnan(points[i].value[QUANTITY_SEPARATION]) || points[i].value[QUANTITY_SEPARATION] >= 0);
             }
             if (curve.exists)
-                assert_true(points[MODEL_LOADS - 1].area_ratio == 1);
+                assert_true(points[MODEL_LOADS - 1].value[QUANTITY_AREA] == 1);
         }
     spectrum_free(&of.spectrum);
 }

@@ -32,11 +32,11 @@ static void matches_reference(void **state)
         uint64_t evaluations = 0;
         multiscale_solve(&point, &stack, &spot, EVERYTHING, table_number(&table, i, "load_over_AnEp"), &evaluations);
         assert_true(evaluations <= spectrum.count);
-        assert_near(point.area_ratio, table_number(&table, i, "area_ratio"), 1e-10);
-        assert_near(point.separation_m / sigma, table_number(&table, i, "separation_over_sigma"), 1e-10);
-        assert_near(point.ecr_ohm_m2, table_number(&table, i, "ecr_ohm_m2"), 1e-10);
-        assert_near(point.tcr_K_m2_per_W, table_number(&table, i, "tcr_K_m2_per_W"), 1e-10);
-        assert_near(point.tcr_sd_K_m2_per_W, table_number(&table, i, "tcr_sd_K_m2_per_W"), 1e-10);
+        assert_near(point.value[QUANTITY_AREA], table_number(&table, i, "area_ratio"), 1e-10);
+        assert_near(point.value[QUANTITY_SEPARATION] / sigma, table_number(&table, i, "separation_over_sigma"), 1e-10);
+        assert_near(point.value[QUANTITY_ECR], table_number(&table, i, "ecr_ohm_m2"), 1e-10);
+        assert_near(point.value[QUANTITY_TCR], table_number(&table, i, "tcr_K_m2_per_W"), 1e-10);
+        assert_near(point.value[QUANTITY_TCR_SCALE_DEPENDENT], table_number(&table, i, "tcr_sd_K_m2_per_W"), 1e-10);
         multiscale_free(&stack);
         spectrum_free(&spectrum);
     }
@@ -56,14 +56,14 @@ static void full_load_is_sharp(void **state)
         struct contact_point point;
         uint64_t evaluations = 0;
         multiscale_solve(&point, &stack, &spot, EVERYTHING, stack.full_load * (1 + 1e-12), &evaluations);
-        assert_near(point.area_ratio, 1, 0);
-        assert_within(point.ecr_ohm_m2, 0, 0);
+        assert_near(point.value[QUANTITY_AREA], 1, 0);
+        assert_within(point.value[QUANTITY_ECR], 0, 0);
         multiscale_solve(&point, &stack, &spot, EVERYTHING, stack.full_load * (1 - 1e-3), &evaluations);
-        assert_true(point.area_ratio < 1 && point.ecr_ohm_m2 > 0);
+        assert_true(point.value[QUANTITY_AREA] < 1 && point.value[QUANTITY_ECR] > 0);
         multiscale_solve(&point, &stack, &spot, EVERYTHING, stack.closed_load * (1 + 1e-12), &evaluations);
-        assert_within(point.separation_m, 0, 0);
+        assert_within(point.value[QUANTITY_SEPARATION], 0, 0);
         multiscale_solve(&point, &stack, &spot, EVERYTHING, stack.closed_load * (1 - 1e-3), &evaluations);
-        assert_true(point.separation_m > 0);
+        assert_true(point.value[QUANTITY_SEPARATION] > 0);
         multiscale_free(&stack);
     }
     spectrum_free(&spectrum);
@@ -84,11 +84,12 @@ static void areas_fall_to_the_total(void **state)
     convergence_areas(area, &law, &pair, true, &evaluations);
     struct contact_point point;
     multiscale_solve(&point, &stack, &spot, 0, 1e-3, &evaluations);
-    assert_near(area[399], point.area_ratio, 1e-12);
+    assert_near(area[399], point.value[QUANTITY_AREA], 1e-12);
     assert_true(area[0] <= 1);
     for (int i = 1; i < 400; i++)
         assert_true(area[i] <= area[i - 1]);
-    assert_true(isnan(point.separation_m) && isnan(point.ecr_ohm_m2) && isnan(point.tcr_K_m2_per_W));
+    assert_true(isnan(point.value[QUANTITY_SEPARATION]) && isnan(point.value[QUANTITY_ECR]) &&
+                isnan(point.value[QUANTITY_TCR]));
     multiscale_free(&stack);
     spectrum_free(&spectrum);
 }
@@ -116,12 +117,12 @@ static size_t walk(struct contact_point *out, size_t *open, const struct sinusoi
         *open += cell.area_complement > 0 || cell.gap_ratio > 0;
     }
     *out = quantity_nothing();
-    out->load = load;
-    out->area_ratio = area;
-    out->separation_m = separation_m;
-    out->ecr_ohm_m2 = constriction_electrical(&spot, &sum);
-    out->tcr_K_m2_per_W = constriction_thermal(&spot, &sum);
-    out->tcr_sd_K_m2_per_W = constriction_thermal_scale_dependent(&spot, &sum);
+    out->value[QUANTITY_LOAD] = load;
+    out->value[QUANTITY_AREA] = area;
+    out->value[QUANTITY_SEPARATION] = separation_m;
+    out->value[QUANTITY_ECR] = constriction_electrical(&spot, &sum);
+    out->value[QUANTITY_TCR] = constriction_thermal(&spot, &sum);
+    out->value[QUANTITY_TCR_SCALE_DEPENDENT] = constriction_thermal_scale_dependent(&spot, &sum);
     return limited;
 }
 

@@ -70,14 +70,16 @@ static void spots_are_integrals_over_asperities(void **state)
                                       .tolerance = 1e-10};
             struct model_curve curve = model_support_run(points, names[law], &task);
             spots_of(spots, names[law], &task);
-            bool closed = curve.points[curve.count - 1].load == curve.full_load;
+            bool closed = curve.points[curve.count - 1].value[QUANTITY_LOAD] == curve.full_load;
             size_t pressed = curve.count - closed;
             assert_true(pressed > 5);
             for (size_t i = 0; i < pressed; i++) {
-                struct spot_integrand f = {&asperity, (enum asperity_model_id)law, surface.sigma_s_m,
-                                           (points[i].separation_m - surface.offset_m) / surface.sigma_s_m, 0};
+                struct spot_integrand f = {
+                    &asperity, (enum asperity_model_id)law, surface.sigma_s_m,
+                    (points[i].value[QUANTITY_SEPARATION] - surface.offset_m) / surface.sigma_s_m, 0};
                 double area = over_asperities(f, 2);
-                assert_near(surface.density_per_m2 * M_PI * area, points[i].area_ratio, 1e-8); /* the same spots */
+                assert_near(surface.density_per_m2 * M_PI * area, points[i].value[QUANTITY_AREA],
+                            1e-8); /* the same spots */
                 assert_near(spots[i].density_per_m2, surface.density_per_m2 * over_asperities(f, 0), 1e-8);
                 assert_near(spots[i].radius_m, over_asperities(f, 3) / area, 1e-8);
                 if (i > 0)

@@ -90,12 +90,13 @@ static void points_match_reference(void **state)
         struct contact_point point;
         uint64_t evaluations = 0;
         multiscale_solve(&point, &stack, &spot, EVERYTHING, load, &evaluations);
-        assert_near(point.area_ratio, table_number(&table, i, "area_ratio"), 1e-12);
-        assert_near(point.separation_m, table_number(&table, i, "separation_m"), 1e-10);
-        assert_near(point.ecr_ohm_m2, table_number(&table, i, "ecr_ohm_m2"), 1e-10);
-        assert_near(point.tcr_K_m2_per_W, table_number(&table, i, "tcr_K_m2_per_W"), 1e-10);
-        if (isfinite(hardness_Pa) && point.area_ratio < 1) /* no pressure beyond hardness while the last scale yields */
-            assert_true(load * pair.effective_modulus_Pa / point.area_ratio < hardness_Pa * (1 + 1e-12));
+        assert_near(point.value[QUANTITY_AREA], table_number(&table, i, "area_ratio"), 1e-12);
+        assert_near(point.value[QUANTITY_SEPARATION], table_number(&table, i, "separation_m"), 1e-10);
+        assert_near(point.value[QUANTITY_ECR], table_number(&table, i, "ecr_ohm_m2"), 1e-10);
+        assert_near(point.value[QUANTITY_TCR], table_number(&table, i, "tcr_K_m2_per_W"), 1e-10);
+        if (isfinite(hardness_Pa) &&
+            point.value[QUANTITY_AREA] < 1) /* no pressure beyond hardness while the last scale yields */
+            assert_true(load * pair.effective_modulus_Pa / point.value[QUANTITY_AREA] < hardness_Pa * (1 + 1e-12));
         if (strcmp(model, "elastic") == 0) {
             double separation;
             two_band_separation(&separation, &load, 1, &stack, 1e-12, &evaluations);
@@ -144,7 +145,7 @@ static void separation_is_the_integral(void **state)
             two_band_separation(around, pair_load, 2, &stack, 1e-12, &uncounted);
             struct contact_point point;
             multiscale_solve(&point, &stack, &unit, QUANTITY_BIT(QUANTITY_ECR), load[i], &uncounted);
-            assert_near((around[0] - around[1]) / (2e-5 * load[i]), point.ecr_ohm_m2, 1e-4);
+            assert_near((around[0] - around[1]) / (2e-5 * load[i]), point.value[QUANTITY_ECR], 1e-4);
             assert_true(i == 0 || exact[i] < exact[i - 1]);
         }
         multiscale_free(&stack);
@@ -211,9 +212,9 @@ static void scan_length_does_not_matter(void **state)
         multiscale_free(&stack);
         if (waves == 4)
             first = point;
-        assert_near(point.area_ratio, first.area_ratio, 0.03);
-        assert_near(point.separation_m, first.separation_m, 0.03);
-        assert_near(point.ecr_ohm_m2, first.ecr_ohm_m2, 0.03);
+        assert_near(point.value[QUANTITY_AREA], first.value[QUANTITY_AREA], 0.03);
+        assert_near(point.value[QUANTITY_SEPARATION], first.value[QUANTITY_SEPARATION], 0.03);
+        assert_near(point.value[QUANTITY_ECR], first.value[QUANTITY_ECR], 0.03);
         multiscale_make(&all, &spectrum, &pair, false, SINUSOID_FIT_THESIS);
         multiscale_solve(&point, &all, &spot, EVERYTHING, 1e-5, &evaluations);
         multiscale_free(&all);
@@ -221,7 +222,7 @@ static void scan_length_does_not_matter(void **state)
             first_all = point;
         spectrum_free(&spectrum);
     }
-    assert_true(point.area_ratio > 2 * first_all.area_ratio);
+    assert_true(point.value[QUANTITY_AREA] > 2 * first_all.value[QUANTITY_AREA]);
 }
 
 /** Ratios model/truth of area, Barber's separation and resistance on the 16 surfaces of direct solutions: their rms
@@ -248,10 +249,10 @@ static void direct_solutions(void **state)
         uint64_t evaluations = 0;
         multiscale_solve(&point, &stack, &unit, QUANTITY_BIT(QUANTITY_ECR), load, &evaluations);
         two_band_separation(&separation, &load, 1, &stack, 1e-8, &evaluations);
-        double area = log(point.area_ratio / truth);
+        double area = log(point.value[QUANTITY_AREA] / truth);
         double gap = log(separation / table_number(&table, i, "mean_gap_over_L"));
         /* ECR A_n = 2 rho ell */
-        double ecr = log(point.ecr_ohm_m2 / (2 * table_number(&table, i, "constriction_length_over_L")));
+        double ecr = log(point.value[QUANTITY_ECR] / (2 * table_number(&table, i, "constriction_length_over_L")));
         if (truth >= 1e-3 && truth <= 0.97) {
             assert_true(area > log(0.54) && area < log(1.3));
             area_sum += area * area;
@@ -289,9 +290,11 @@ static void extreme_loads(void **state)
             struct contact_point point;
             uint64_t evaluations = 0;
             multiscale_solve(&point, &stack, &spot, EVERYTHING, load, &evaluations);
-            assert_true(point.area_ratio >= area * (1 - 6e-4) && point.area_ratio > 0 && point.area_ratio <= 1);
-            assert_true(isfinite(point.separation_m) && isfinite(point.ecr_ohm_m2) && point.ecr_ohm_m2 >= 0);
-            area = point.area_ratio;
+            assert_true(point.value[QUANTITY_AREA] >= area * (1 - 6e-4) && point.value[QUANTITY_AREA] > 0 &&
+                        point.value[QUANTITY_AREA] <= 1);
+            assert_true(isfinite(point.value[QUANTITY_SEPARATION]) && isfinite(point.value[QUANTITY_ECR]) &&
+                        point.value[QUANTITY_ECR] >= 0);
+            area = point.value[QUANTITY_AREA];
             if (law == 0) {
                 double separation;
                 two_band_separation(&separation, &load, 1, &stack, 1e-6, &evaluations);

@@ -114,7 +114,7 @@ static void test_the_bound_of_jg(void **state)
                 assert_int_equal(statistical_make(&gw, &surface, &pair, ASPERITY_HERTZ, 0, 1, INFINITY, &none, &status),
                                  STATUS_OK);
                 double bound = model_jg.yield_bound(&model_jg, &task);
-                assert_near(bound, expected(wanted[w], gw.full_d, points[LOADS - 1].area_ratio), 1e-6);
+                assert_near(bound, expected(wanted[w], gw.full_d, points[LOADS - 1].value[QUANTITY_AREA]), 1e-6);
                 small += bound < 1e-6;
                 statistical_free(&gw);
             }
@@ -140,9 +140,9 @@ static void test_jg_stays_within_its_bound(void **state)
         assert_true(change(gw.full_load, jg.full_load) <= bound);
         assert_true(fabs(gw.beta - jg.beta) <= bound);
         for (size_t i = 0; i < gw.count && i < jg.count; i++) {
-            assert_true(change(a[i].area_ratio, b[i].area_ratio) <= bound);
-            assert_true(fabs(a[i].adjusted_m - b[i].adjusted_m) / surface.sigma_m <= bound);
-            assert_true(change(a[i].ecr_ohm_m2, b[i].ecr_ohm_m2) <= bound);
+            assert_true(change(a[i].value[QUANTITY_AREA], b[i].value[QUANTITY_AREA]) <= bound);
+            assert_true(fabs(a[i].value[QUANTITY_ADJUSTED] - b[i].value[QUANTITY_ADJUSTED]) / surface.sigma_m <= bound);
+            assert_true(change(a[i].value[QUANTITY_ECR], b[i].value[QUANTITY_ECR]) <= bound);
         }
     }
 }

@@ -46,45 +46,49 @@ static size_t heights_of(struct slope_point *out, const struct spectrum *spectru
 /** A number is there where the model computes it, and may be missing only where its row says so. */
 static void check_number(const struct model_row *row, const struct contact_point *point, enum quantity q)
 {
-    double value = quantity_value(point, q);
+    double value = point->value[q];
     bool computes = row->quantities & QUANTITY_BIT(q), may_lack = row->may_be_empty & QUANTITY_BIT(q);
     assert_true(computes ? isfinite(value) || (may_lack && isnan(value)) : isnan(value));
 }
 
 static void check_point(const struct model_row *row, const struct contact_point *point, double full_load)
 {
-    assert_true(isfinite(point->area_ratio) && point->area_ratio > 0 && point->area_ratio <= 1);
+    assert_true(isfinite(point->value[QUANTITY_AREA]) && point->value[QUANTITY_AREA] > 0 &&
+                point->value[QUANTITY_AREA] <= 1);
     for (int q = 0; q < QUANTITY_COUNT; q++)
         if (!quantity_rows[q].from) /* what is made of them is added later */
             check_number(row, point, (enum quantity)q);
-    const double resistances[] = {point->ecr_ohm_m2, point->tcr_K_m2_per_W, point->tcr_sd_K_m2_per_W};
+    const double resistances[] = {point->value[QUANTITY_ECR], point->value[QUANTITY_TCR],
+                                  point->value[QUANTITY_TCR_SCALE_DEPENDENT]};
     for (int i = 0; i < 3; i++)
         assert_true(isnan(resistances[i]) || isnan(full_load) ||
-                    ((resistances[i] > 0) == (point->load < full_load) && resistances[i] >= 0));
-    if (isgreaterequal(point->load, full_load)) /* quiet where there is none */
-        assert_true(point->area_ratio == 1);
+                    ((resistances[i] > 0) == (point->value[QUANTITY_LOAD] < full_load) && resistances[i] >= 0));
+    if (isgreaterequal(point->value[QUANTITY_LOAD], full_load)) /* quiet where there is none */
+        assert_true(point->value[QUANTITY_AREA] == 1);
 }
 
 static void check_ends(const struct model_curve *curve, const struct model_row *row)
 {
     const struct contact_point *last = &curve->points[curve->count - 1];
     if (row->truncation_model) { /* ends where all of the surface is truncated, and knows of no full contact */
-        assert_true(isnan(curve->full_load) && isnan(curve->closed_load) && last->load < 1e6);
+        assert_true(isnan(curve->full_load) && isnan(curve->closed_load) && last->value[QUANTITY_LOAD] < 1e6);
         return;
     }
     if (isnan(curve->full_load)) { /* complete only in the limit, or not known when */
-        assert_true(isnan(curve->closed_load) && last->load == 1e6);
-        assert_true(last->area_ratio > 0.99);
+        assert_true(isnan(curve->closed_load) && last->value[QUANTITY_LOAD] == 1e6);
+        assert_true(last->value[QUANTITY_AREA] > 0.99);
         return;
     }
     assert_true(curve->full_load > 0 && curve->full_load < 1e6);
     check_point(row, &curve->full, curve->full_load);
     bool empty = row->may_be_empty & QUANTITY_BIT(QUANTITY_ECR);
-    assert_true(last->area_ratio == 1 && (empty ? isnan(last->ecr_ohm_m2) : last->ecr_ohm_m2 == 0));
+    assert_true(last->value[QUANTITY_AREA] == 1 &&
+                (empty ? isnan(last->value[QUANTITY_ECR]) : last->value[QUANTITY_ECR] == 0));
     if (row->asperity_model)
-        assert_true(last->load == curve->full_load && last->adjusted_m == 0);
+        assert_true(last->value[QUANTITY_LOAD] == curve->full_load && last->value[QUANTITY_ADJUSTED] == 0);
     else
-        assert_true(last->load == 1e6 && (empty ? isnan(last->separation_m) : last->separation_m == 0));
+        assert_true(last->value[QUANTITY_LOAD] == 1e6 &&
+                    (empty ? isnan(last->value[QUANTITY_SEPARATION]) : last->value[QUANTITY_SEPARATION] == 0));
     if (!empty)
         assert_true(isfinite(curve->closed_load) && curve->closed_load >= curve->full_load);
 }
@@ -97,15 +101,16 @@ static void check_curve(const struct model_curve *curve, const struct model_row 
     for (size_t i = 0; i < curve->count; i++) {
         const struct contact_point *point = &curve->points[i], *before = i > 0 ? point - 1 : point;
         check_point(row, point, curve->full_load);
-        assert_true(point->area_ratio >= before->area_ratio);
-        assert_false(isgreater(point->separation_m, before->separation_m) && !row->uses_heights);
+        assert_true(point->value[QUANTITY_AREA] >= before->value[QUANTITY_AREA]);
+        assert_false(isgreater(point->value[QUANTITY_SEPARATION], before->value[QUANTITY_SEPARATION]) &&
+                     !row->uses_heights);
         if (!row->uses_heights) /* which fits a line anew at each load */
-            assert_false(isgreater(point->ecr_ohm_m2, before->ecr_ohm_m2) ||
-                         isgreater(point->tcr_K_m2_per_W, before->tcr_K_m2_per_W));
+            assert_false(isgreater(point->value[QUANTITY_ECR], before->value[QUANTITY_ECR]) ||
+                         isgreater(point->value[QUANTITY_TCR], before->value[QUANTITY_TCR]));
         if (statistical)
-            assert_true(isfinite(point->adjusted_m) && point->adjusted_m >= 0);
+            assert_true(isfinite(point->value[QUANTITY_ADJUSTED]) && point->value[QUANTITY_ADJUSTED] >= 0);
         else if (!row->uses_heights)
-            assert_true(!isless(point->separation_m, 0));
+            assert_true(!isless(point->value[QUANTITY_SEPARATION], 0));
     }
     check_ends(curve, row);
     assert_true(row->plastic || (curve->clamped == 0 && curve->yielding_scales == 0));
@@ -173,9 +178,9 @@ static void nothing_but_full_contact(void **state)
             assert_int_equal(curve.exists, !silent);
             bool empty = model_rows[m]->may_be_empty & QUANTITY_BIT(QUANTITY_ECR);
             for (size_t i = 0; i < curve.count; i++)
-                assert_true(points[i].area_ratio == 1 &&
-                            (empty ? isnan(points[i].ecr_ohm_m2) : points[i].ecr_ohm_m2 == 0) &&
-                            !isgreater(points[i].tcr_sd_K_m2_per_W, 0));
+                assert_true(points[i].value[QUANTITY_AREA] == 1 &&
+                            (empty ? isnan(points[i].value[QUANTITY_ECR]) : points[i].value[QUANTITY_ECR] == 0) &&
+                            !isgreater(points[i].value[QUANTITY_TCR_SCALE_DEPENDENT], 0));
         }
     spectrum_free(&spectrum);
 }
@@ -232,16 +237,18 @@ static void every_choice_of_quantities(void **state)
             assert_int_equal(model_run(&curve, model_rows[m], &task, &status), STATUS_OK);
             assert_int_equal(curve.count, reference.count);
             for (size_t i = 0; i < curve.count; i++) {
-                assert_near(some[i].area_ratio, all[i].area_ratio, 1e-9);
-                const double got[] = {some[i].ecr_ohm_m2, some[i].tcr_K_m2_per_W, some[i].tcr_sd_K_m2_per_W};
-                const double full[] = {all[i].ecr_ohm_m2, all[i].tcr_K_m2_per_W, all[i].tcr_sd_K_m2_per_W};
+                assert_near(some[i].value[QUANTITY_AREA], all[i].value[QUANTITY_AREA], 1e-9);
+                const double got[] = {some[i].value[QUANTITY_ECR], some[i].value[QUANTITY_TCR],
+                                      some[i].value[QUANTITY_TCR_SCALE_DEPENDENT]};
+                const double full[] = {all[i].value[QUANTITY_ECR], all[i].value[QUANTITY_TCR],
+                                       all[i].value[QUANTITY_TCR_SCALE_DEPENDENT]};
                 for (int k = 0; k < 3; k++)
                     if ((wanted & (QUANTITY_BIT(QUANTITY_ECR) << k)) && !isnan(full[k]))
                         assert_near(got[k], full[k], 1e-9);
                     else
                         assert_true(isnan(got[k]));
                 assert_true((wanted & QUANTITY_BIT(QUANTITY_SEPARATION)) || model_rows[m]->asperity_model ||
-                            isnan(some[i].separation_m));
+                            isnan(some[i].value[QUANTITY_SEPARATION]));
             }
         }
     spectrum_free(&spectrum);

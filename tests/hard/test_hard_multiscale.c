@@ -31,18 +31,20 @@ static struct contact_point solve(struct multiscale *stack, const struct constri
     uint64_t evaluations = 0;
     multiscale_solve(&point, stack, spot, EVERYTHING, load, &evaluations);
     assert_true(evaluations <= stack->count);
-    assert_true(isfinite(point.area_ratio) && point.area_ratio > 0 && point.area_ratio <= 1);
-    assert_true(isfinite(point.separation_m) && point.separation_m >= 0);
-    const double resistances[] = {point.ecr_ohm_m2, point.tcr_K_m2_per_W, point.tcr_sd_K_m2_per_W};
+    assert_true(isfinite(point.value[QUANTITY_AREA]) && point.value[QUANTITY_AREA] > 0 &&
+                point.value[QUANTITY_AREA] <= 1);
+    assert_true(isfinite(point.value[QUANTITY_SEPARATION]) && point.value[QUANTITY_SEPARATION] >= 0);
+    const double resistances[] = {point.value[QUANTITY_ECR], point.value[QUANTITY_TCR],
+                                  point.value[QUANTITY_TCR_SCALE_DEPENDENT]};
     for (int i = 0; i < 3; i++) {
         assert_true(isfinite(resistances[i]) && resistances[i] >= 0);
         assert_true((resistances[i] > 0) == (load < stack->full_load));
     }
-    assert_true(point.tcr_sd_K_m2_per_W >= point.tcr_K_m2_per_W);
+    assert_true(point.value[QUANTITY_TCR_SCALE_DEPENDENT] >= point.value[QUANTITY_TCR]);
     if (load >= stack->full_load)
-        assert_true(point.area_ratio == 1);
+        assert_true(point.value[QUANTITY_AREA] == 1);
     if (load >= stack->closed_load * (1 + 1e-12))
-        assert_true(point.separation_m == 0);
+        assert_true(point.value[QUANTITY_SEPARATION] == 0);
     return point;
 }
 
@@ -63,11 +65,11 @@ static void extreme_power_laws(void **state)
                 double area = 0, separation = amplitudes * (1 + 1e-12), resistance = INFINITY;
                 for (double load = 1e-30; load < 1e7; load *= 1e12) {
                     struct contact_point point = solve(&stack, &spot, load);
-                    assert_true(point.area_ratio >= area && point.separation_m <= separation);
-                    assert_true(point.ecr_ohm_m2 <= resistance);
-                    area = point.area_ratio;
-                    separation = point.separation_m;
-                    resistance = point.ecr_ohm_m2;
+                    assert_true(point.value[QUANTITY_AREA] >= area && point.value[QUANTITY_SEPARATION] <= separation);
+                    assert_true(point.value[QUANTITY_ECR] <= resistance);
+                    area = point.value[QUANTITY_AREA];
+                    separation = point.value[QUANTITY_SEPARATION];
+                    resistance = point.value[QUANTITY_ECR];
                 }
                 solve(&stack, &spot, stack.full_load);
                 solve(&stack, &spot, stack.full_load * (1 - 1e-12));
@@ -87,7 +89,7 @@ static void separation_starts_at_the_sum_of_amplitudes(void **state)
     for (int plastic = 0; plastic < 2; plastic++)
         for (int closure = 0; closure < SINUSOID_FIT_COUNT; closure++) {
             struct multiscale stack = make(&spectrum, &pair, plastic, closure);
-            assert_near(solve(&stack, &spot, 1e-30).separation_m, spectrum.amplitude_m[0], 1e-10);
+            assert_near(solve(&stack, &spot, 1e-30).value[QUANTITY_SEPARATION], spectrum.amplitude_m[0], 1e-10);
             multiscale_free(&stack);
         }
     spectrum_free(&spectrum);
@@ -108,8 +110,8 @@ static void single_scale(void **state)
                 struct contact_point point = solve(&stack, &spot, load);
                 struct sinusoid_cell cell;
                 sinusoid_press(&cell, &scale, &sinusoid_fits[closure], load * pair.effective_modulus_Pa, true);
-                assert_true(point.area_ratio == cell.area_ratio);
-                assert_true(point.separation_m == scale.amplitude_m * cell.gap_ratio);
+                assert_true(point.value[QUANTITY_AREA] == cell.area_ratio);
+                assert_true(point.value[QUANTITY_SEPARATION] == scale.amplitude_m * cell.gap_ratio);
             }
             multiscale_free(&stack);
         }
@@ -133,14 +135,16 @@ static void absent_scales(void **state)
                 struct multiscale stack = make(&spectrum, &pair, plastic, SINUSOID_FIT_THESIS);
                 struct contact_point point = solve(&stack, &spot, load);
                 first = k == 0 ? point : first;
-                assert_true(point.area_ratio == first.area_ratio && point.separation_m == first.separation_m);
-                assert_true(point.ecr_ohm_m2 == first.ecr_ohm_m2);
+                assert_true(point.value[QUANTITY_AREA] == first.value[QUANTITY_AREA] &&
+                            point.value[QUANTITY_SEPARATION] == first.value[QUANTITY_SEPARATION]);
+                assert_true(point.value[QUANTITY_ECR] == first.value[QUANTITY_ECR]);
                 multiscale_free(&stack);
                 for (size_t i = 1; i < spectrum.count; i += 2)
                     spectrum.amplitude_m[i] = nothing[k];
                 stack = make(&spectrum, &pair, plastic, SINUSOID_FIT_THESIS);
                 point = solve(&stack, &spot, load);
-                assert_true(point.area_ratio == 1 && point.separation_m < 1e-300 && point.ecr_ohm_m2 == 0);
+                assert_true(point.value[QUANTITY_AREA] == 1 && point.value[QUANTITY_SEPARATION] < 1e-300 &&
+                            point.value[QUANTITY_ECR] == 0);
                 multiscale_free(&stack);
                 spectrum_free(&spectrum);
             }
@@ -166,12 +170,12 @@ static struct steps scan(struct multiscale *stack, int points)
         double load = 2 * stack->closed_load * exp(((double)i / points - 1) * log(1e8));
         multiscale_solve(&point, stack, &spot, QUANTITY_BIT(QUANTITY_SEPARATION), load, &evaluations);
         if (i > 0) {
-            double area_step = point.area_ratio / before.area_ratio - 1;
+            double area_step = point.value[QUANTITY_AREA] / before.value[QUANTITY_AREA] - 1;
             steps.fall = fmax(steps.fall, -area_step);
             steps.largest = fmax(steps.largest, area_step);
             steps.large += area_step > 1e-3;
-            if (before.separation_m > 0)
-                steps.rise = fmax(steps.rise, point.separation_m / before.separation_m - 1);
+            if (before.value[QUANTITY_SEPARATION] > 0)
+                steps.rise = fmax(steps.rise, point.value[QUANTITY_SEPARATION] / before.value[QUANTITY_SEPARATION] - 1);
         }
         before = point;
     }
@@ -229,9 +233,9 @@ static void limits_are_counted(void **state)
                 bool yields = loads[i] * modulus > first.critical_pressure_Pa;
                 double x = fmin(1, loads[i] * modulus / first.full_pressure_Pa);
                 sinusoid_fits[closure].area(&elastic, x);
-                bool full = yields && point.area_ratio == 1 && loads[i] < stack.closed_load;
-                bool floor = yields && closure == SINUSOID_FIT_NUMERIC && point.area_ratio == elastic.area_ratio &&
-                             point.area_ratio < 1;
+                bool full = yields && point.value[QUANTITY_AREA] == 1 && loads[i] < stack.closed_load;
+                bool floor = yields && closure == SINUSOID_FIT_NUMERIC &&
+                             point.value[QUANTITY_AREA] == elastic.area_ratio && point.value[QUANTITY_AREA] < 1;
                 assert_int_equal(limited, full || floor);
                 cut += full;
                 raised += floor;

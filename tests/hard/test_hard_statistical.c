@@ -46,20 +46,22 @@ static void matches_reference_far_out(void **state)
         struct contact_point point;
         statistical_at(&point, &model, d);
         double area = table_number(&table, i, "area_ratio");
-        assert_near(point.area_ratio, area, 1e-9);
-        assert_near(point.load, table_number(&table, i, "load_over_AnEp"), 1e-9);
-        assert_near(point.load / point.area_ratio * pair.effective_modulus_Pa,
+        assert_near(point.value[QUANTITY_AREA], area, 1e-9);
+        assert_near(point.value[QUANTITY_LOAD], table_number(&table, i, "load_over_AnEp"), 1e-9);
+        assert_near(point.value[QUANTITY_LOAD] / point.value[QUANTITY_AREA] * pair.effective_modulus_Pa,
                     table_number(&table, i, "load_over_area_Pa"), 1e-10);
         if (area < 1) { /* Psi depends on 1 - A/A_n, whose relative error is that of A over it */
             double allowed = 1e-10 * (1 + 1 / (1 - area));
-            assert_near(point.ecr_ohm_m2, table_number(&table, i, "ecr_ohm_m2"), allowed);
-            assert_near(point.tcr_K_m2_per_W, table_number(&table, i, "tcr_K_m2_per_W"), allowed);
-            assert_near(point.tcr_sd_K_m2_per_W, table_number(&table, i, "tcr_sd_K_m2_per_W"), allowed);
+            assert_near(point.value[QUANTITY_ECR], table_number(&table, i, "ecr_ohm_m2"), allowed);
+            assert_near(point.value[QUANTITY_TCR], table_number(&table, i, "tcr_K_m2_per_W"), allowed);
+            assert_near(point.value[QUANTITY_TCR_SCALE_DEPENDENT], table_number(&table, i, "tcr_sd_K_m2_per_W"),
+                        allowed);
             double psi = constriction_alleviation(area, 1 - area);
-            assert_near(psi * pair.resistivity_ohm_m / (2 * point.ecr_ohm_m2 * point.area_ratio),
+            assert_near(psi * pair.resistivity_ohm_m / (2 * point.value[QUANTITY_ECR] * point.value[QUANTITY_AREA]),
                         table_number(&table, i, "radius_over_area_per_m"), allowed);
         } else {
-            assert_true(point.ecr_ohm_m2 == 0 && point.tcr_K_m2_per_W == 0 && point.tcr_sd_K_m2_per_W == 0);
+            assert_true(point.value[QUANTITY_ECR] == 0 && point.value[QUANTITY_TCR] == 0 &&
+                        point.value[QUANTITY_TCR_SCALE_DEPENDENT] == 0);
         }
         statistical_free(&model);
     }
@@ -91,18 +93,23 @@ static void no_summit_variance(void **state)
 /** Loads from 1e-100 (and the ends of the curve) must come back, with everything bounded and monotone. */
 static void check_curve(const struct statistical *model)
 {
-    struct contact_point point, again, before = {.separation_m = INFINITY, .ecr_ohm_m2 = INFINITY};
+    struct contact_point point, again,
+        before = {.value[QUANTITY_SEPARATION] = INFINITY, .value[QUANTITY_ECR] = INFINITY};
     double d = 3, last = model->full_load * (1 - 1e-9);
     for (double load = fmin(1e-100, last); load <= last; load = load * 1e5 < last || load == last ? load * 1e5 : last) {
         assert_true(statistical_solve(&point, model, load, &d));
         statistical_at(&again, model, d);
-        assert_near(again.load, load, 1e-9);
-        assert_true(isfinite(point.area_ratio) && point.area_ratio > before.area_ratio && point.area_ratio <= 1);
-        assert_true(isfinite(point.separation_m) && point.separation_m < before.separation_m);
-        assert_true(isfinite(point.adjusted_m) && point.adjusted_m >= 0);
-        assert_true(isfinite(point.ecr_ohm_m2) && point.ecr_ohm_m2 > 0 && point.ecr_ohm_m2 <= before.ecr_ohm_m2);
-        assert_true(isfinite(point.tcr_K_m2_per_W) && point.tcr_K_m2_per_W > 0);
-        assert_true(isfinite(point.tcr_sd_K_m2_per_W) && point.tcr_sd_K_m2_per_W >= point.tcr_K_m2_per_W);
+        assert_near(again.value[QUANTITY_LOAD], load, 1e-9);
+        assert_true(isfinite(point.value[QUANTITY_AREA]) && point.value[QUANTITY_AREA] > before.value[QUANTITY_AREA] &&
+                    point.value[QUANTITY_AREA] <= 1);
+        assert_true(isfinite(point.value[QUANTITY_SEPARATION]) &&
+                    point.value[QUANTITY_SEPARATION] < before.value[QUANTITY_SEPARATION]);
+        assert_true(isfinite(point.value[QUANTITY_ADJUSTED]) && point.value[QUANTITY_ADJUSTED] >= 0);
+        assert_true(isfinite(point.value[QUANTITY_ECR]) && point.value[QUANTITY_ECR] > 0 &&
+                    point.value[QUANTITY_ECR] <= before.value[QUANTITY_ECR]);
+        assert_true(isfinite(point.value[QUANTITY_TCR]) && point.value[QUANTITY_TCR] > 0);
+        assert_true(isfinite(point.value[QUANTITY_TCR_SCALE_DEPENDENT]) &&
+                    point.value[QUANTITY_TCR_SCALE_DEPENDENT] >= point.value[QUANTITY_TCR]);
         assert_true(point.radius_clamped >= 0 && point.radius_clamped <= point.beyond_fit && point.beyond_fit <= 1);
         assert_true(model->law == ASPERITY_JG || point.beyond_fit == 0);
         before = point;
@@ -111,11 +118,12 @@ static void check_curve(const struct statistical *model)
     for (int i = 0; i < 3; i++)
         assert_false(statistical_solve(&point, model, model->full_load * beyond[i], &d));
     statistical_full(&point, model);
-    assert_true(point.area_ratio == 1 && point.adjusted_m == 0 && point.ecr_ohm_m2 == 0 && point.tcr_K_m2_per_W == 0);
-    assert_true(point.tcr_sd_K_m2_per_W == 0 && point.load == model->full_load);
+    assert_true(point.value[QUANTITY_AREA] == 1 && point.value[QUANTITY_ADJUSTED] == 0 &&
+                point.value[QUANTITY_ECR] == 0 && point.value[QUANTITY_TCR] == 0);
+    assert_true(point.value[QUANTITY_TCR_SCALE_DEPENDENT] == 0 && point.value[QUANTITY_LOAD] == model->full_load);
     statistical_at(&again, model, model->full_d);
-    assert_near(again.area_ratio, 1, 1e-12);
-    assert_near(model->beta, -2 * again.separation_m / model->surface.sigma_m, 1e-14);
+    assert_near(again.value[QUANTITY_AREA], 1, 1e-12);
+    assert_near(model->beta, -2 * again.value[QUANTITY_SEPARATION] / model->surface.sigma_m, 1e-14);
 }
 
 /** Nayak from just above its limit over 0.9 to 1e6, slopes from 1e-6 to 10 (mean square), every material. */
@@ -170,7 +178,7 @@ static void roots_of_full_contact(void **state)
             check_curve(&model);
             struct contact_point point;
             statistical_at(&point, &model, model.full_d);
-            assert_near(point.area_ratio, 1, 1e-12);
+            assert_near(point.value[QUANTITY_AREA], 1, 1e-12);
             d[law] = model.full_d;
             statistical_free(&model);
         }
@@ -248,7 +256,8 @@ static double largest_bend(const struct statistical *model, double from, double 
     for (int i = 0; i <= points; i++) {
         struct contact_point point;
         statistical_at(&point, model, from + (to - from) * i / points);
-        double value[3] = {log(point.area_ratio), log(point.load), log(point.ecr_ohm_m2)};
+        double value[3] = {log(point.value[QUANTITY_AREA]), log(point.value[QUANTITY_LOAD]),
+                           log(point.value[QUANTITY_ECR])};
         for (int k = 0; k < 3; k++) {
             if (i > 1)
                 largest = fmax(largest, fabs(value[k] - 2 * past[1][k] + past[0][k]));

@@ -9,11 +9,11 @@
 static struct contact_point point_of(double area, double separation_m)
 {
     struct contact_point point = quantity_nothing();
-    point.load = 1e-4;
-    point.area_ratio = area;
-    point.separation_m = separation_m;
-    point.ecr_ohm_m2 = 2e-10;
-    point.tcr_K_m2_per_W = 4e-5;
+    point.value[QUANTITY_LOAD] = 1e-4;
+    point.value[QUANTITY_AREA] = area;
+    point.value[QUANTITY_SEPARATION] = separation_m;
+    point.value[QUANTITY_ECR] = 2e-10;
+    point.value[QUANTITY_TCR] = 4e-5;
     return point;
 }
 
@@ -39,11 +39,11 @@ static void off_is_empty(void **state)
     for (unsigned effects = 0; effects < 1u << EFFECT_COUNT; effects++) {
         struct contact_point before = point_of(0.01, 1e-6), after = apply(&joint, effects, before);
         for (int q = 0; q < QUANTITY_COUNT; q++) {
-            double value = quantity_value(&after, (enum quantity)q);
+            double value = after.value[q];
             if (quantity_rows[q].from)
                 assert_int_equal(isfinite(value), (effects & quantity_rows[q].effect) != 0);
             else
-                assert_true(isnan(value) || value == quantity_value(&before, (enum quantity)q));
+                assert_true(isnan(value) || value == before.value[q]);
         }
     }
 }
@@ -54,34 +54,34 @@ static void gaps(void **state)
     struct joint joint = joint_default();
     const unsigned gap = EFFECT_BIT(EFFECT_GAP);
     struct contact_point air = apply(&joint, gap, point_of(0.01, 2e-6));
-    assert_near(air.joint_W_per_m2K, 1 / 4e-5 + air.gap_W_per_m2K, 1e-15);
+    assert_near(air.value[QUANTITY_JOINT], 1 / 4e-5 + air.value[QUANTITY_GAP], 1e-15);
     /* a thousandth of an atmosphere: free molecules, k/M */
     joint.pressure_Pa = 1e-6 * gas_table_pressure_Pa;
     double jump_m = gas_jump_length(joint.gas, 300, joint.pressure_Pa, joint.accommodation, joint.accommodation);
     /* of the gaps that a cut at 2 sigma leaves, a share of the Gaussian distribution */
-    assert_near(apply(&joint, gap, point_of(0.01, 2e-6)).gap_W_per_m2K,
+    assert_near(apply(&joint, gap, point_of(0.01, 2e-6)).value[QUANTITY_GAP],
                 0.99 * joint.gas->conductivity_W_per_mK / jump_m * erfc(-2 / M_SQRT2) / 2, 1e-4);
     joint.pressure_Pa = 0;
-    assert_within(apply(&joint, gap, point_of(0.01, 2e-6)).gap_W_per_m2K, 0, 0);
+    assert_within(apply(&joint, gap, point_of(0.01, 2e-6)).value[QUANTITY_GAP], 0, 0);
     joint.fill = JOINT_VACUUM;
     struct contact_point vacuum = apply(&joint, gap, point_of(0.01, 2e-6));
-    assert_within(vacuum.gap_W_per_m2K, 0, 0);
-    assert_near(vacuum.joint_W_per_m2K, 1 / 4e-5, 1e-15);
+    assert_within(vacuum.value[QUANTITY_GAP], 0, 0);
+    assert_near(vacuum.value[QUANTITY_JOINT], 1 / 4e-5, 1e-15);
     /* grease: k/Y on what does not touch */
     joint.fill = JOINT_MEDIUM;
     joint.conductivity_W_per_mK = 0.8;
-    assert_near(apply(&joint, gap, point_of(0.25, 2e-6)).gap_W_per_m2K, 0.75 * 0.8 / 2e-6, 1e-15);
-    assert_true(isnan(apply(&joint, gap, point_of(0.25, 0)).gap_W_per_m2K));
+    assert_near(apply(&joint, gap, point_of(0.25, 2e-6)).value[QUANTITY_GAP], 0.75 * 0.8 / 2e-6, 1e-15);
+    assert_true(isnan(apply(&joint, gap, point_of(0.25, 0)).value[QUANTITY_GAP]));
     /* a model without a separation has none, whatever fills the gaps */
     for (int fill = JOINT_VACUUM; fill <= JOINT_MEDIUM; fill++) {
         joint.fill = (enum joint_fill)fill;
         struct contact_point none = apply(&joint, gap, point_of(0.25, NAN));
-        assert_true(isnan(none.gap_W_per_m2K) && isnan(none.joint_W_per_m2K));
+        assert_true(isnan(none.value[QUANTITY_GAP]) && isnan(none.value[QUANTITY_JOINT]));
     }
     /* planes that have met count as touching */
     joint = joint_default();
-    assert_near(apply(&joint, gap, point_of(0.3, -1e-6)).gap_W_per_m2K,
-                apply(&joint, gap, point_of(0.3, 0)).gap_W_per_m2K, 1e-15);
+    assert_near(apply(&joint, gap, point_of(0.3, -1e-6)).value[QUANTITY_GAP],
+                apply(&joint, gap, point_of(0.3, 0)).value[QUANTITY_GAP], 1e-15);
 }
 
 /** Equal spots have the area and the resistance they are made from; own ones come through as they are. */
@@ -99,8 +99,8 @@ static void spots(void **state)
     const struct contact_spots own = {5e7, 3e-6};
     struct contact_point point = point_of(0.5, 1e-6);
     joint_apply(&point, &own, 1, &task);
-    assert_within(point.spots_per_m2 - 5e7, 0, 0);
-    assert_within(point.spot_radius_m - 3e-6, 0, 0);
+    assert_within(point.value[QUANTITY_SPOT_DENSITY] - 5e7, 0, 0);
+    assert_within(point.value[QUANTITY_SPOT_RADIUS] - 3e-6, 0, 0);
 }
 
 /** No film: no change; a film alone adds s_f A_n/A. */
@@ -108,12 +108,12 @@ static void films(void **state)
 {
     (void)state;
     struct joint joint = {.film_ohm_m2 = 0};
-    assert_within(apply(&joint, EFFECT_BIT(EFFECT_FILM), point_of(0.04, NAN)).joint_ecr_ohm_m2 - 2e-10, 0, 0);
+    assert_within(apply(&joint, EFFECT_BIT(EFFECT_FILM), point_of(0.04, NAN)).value[QUANTITY_JOINT_ECR] - 2e-10, 0, 0);
     joint.film_ohm_m2 = 1e-12;
-    assert_near(apply(&joint, EFFECT_BIT(EFFECT_FILM), point_of(0.04, NAN)).joint_ecr_ohm_m2, 2e-10 + 1e-12 / 0.04,
-                1e-15);
-    assert_near(apply(&joint, EFFECT_BIT(EFFECT_FILM), point_of(0.5, NAN)).joint_ecr_ohm_m2, 2e-10 + 1e-12 / 0.5,
-                1e-15); /* needs no spots */
+    assert_near(apply(&joint, EFFECT_BIT(EFFECT_FILM), point_of(0.04, NAN)).value[QUANTITY_JOINT_ECR],
+                2e-10 + 1e-12 / 0.04, 1e-15);
+    assert_near(apply(&joint, EFFECT_BIT(EFFECT_FILM), point_of(0.5, NAN)).value[QUANTITY_JOINT_ECR],
+                2e-10 + 1e-12 / 0.5, 1e-15); /* needs no spots */
 }
 
 /** No plating: 1; a thick one: a body of plating; the surface's side alone, or both; nothing beyond independent spots.
@@ -123,28 +123,30 @@ static void platings(void **state)
     (void)state;
     const unsigned plating = EFFECT_BIT(EFFECT_PLATING);
     struct joint joint = {.plating_thickness_m = 1e-18, .plating_ohm_m = 1e-8};
-    assert_near(apply(&joint, plating, point_of(0.04, NAN)).plating_factor, 1, 1e-9);
+    assert_near(apply(&joint, plating, point_of(0.04, NAN)).value[QUANTITY_PLATING_FACTOR], 1, 1e-9);
     joint.plating_thickness_m = 1;
-    assert_near(apply(&joint, plating, point_of(0.04, NAN)).plating_factor, (1e-8 + 2e-8) / 1.2e-7, 1e-4);
+    assert_near(apply(&joint, plating, point_of(0.04, NAN)).value[QUANTITY_PLATING_FACTOR], (1e-8 + 2e-8) / 1.2e-7,
+                1e-4);
     joint.both_plated = true;
-    assert_near(apply(&joint, plating, point_of(0.04, NAN)).plating_factor, (1e-8 + 1e-8) / 1.2e-7, 1e-4);
+    assert_near(apply(&joint, plating, point_of(0.04, NAN)).value[QUANTITY_PLATING_FACTOR], (1e-8 + 1e-8) / 1.2e-7,
+                1e-4);
     joint.plating_thickness_m = 1e-6;
     struct contact_point both = apply(&joint, plating, point_of(0.04, NAN));
-    double t = 1e-6 / both.spot_radius_m;
-    assert_near(both.plating_factor, 1e-8 * (plating_factor(t, 1e-8, 1e-7) + plating_factor(t, 1e-8, 2e-8)) / 1.2e-7,
-                1e-14);
-    assert_near(both.joint_ecr_ohm_m2, 2e-10 * both.plating_factor, 1e-15);
+    double t = 1e-6 / both.value[QUANTITY_SPOT_RADIUS];
+    assert_near(both.value[QUANTITY_PLATING_FACTOR],
+                1e-8 * (plating_factor(t, 1e-8, 1e-7) + plating_factor(t, 1e-8, 2e-8)) / 1.2e-7, 1e-14);
+    assert_near(both.value[QUANTITY_JOINT_ECR], 2e-10 * both.value[QUANTITY_PLATING_FACTOR], 1e-15);
     joint.both_plated = false;
-    assert_near(apply(&joint, plating, point_of(0.04, NAN)).plating_factor,
+    assert_near(apply(&joint, plating, point_of(0.04, NAN)).value[QUANTITY_PLATING_FACTOR],
                 (1e-8 * plating_factor(t, 1e-8, 1e-7) + 2e-8) / 1.2e-7, 1e-14);
     struct contact_point dense = apply(&joint, plating, point_of(0.11, NAN));
-    assert_true(isnan(dense.plating_factor) && isnan(dense.joint_ecr_ohm_m2));
+    assert_true(isnan(dense.value[QUANTITY_PLATING_FACTOR]) && isnan(dense.value[QUANTITY_JOINT_ECR]));
     /* of full contact the film is left */
     struct contact_point full = point_of(1, 0);
-    full.ecr_ohm_m2 = 0;
+    full.value[QUANTITY_ECR] = 0;
     joint.film_ohm_m2 = 3e-12;
     full = apply(&joint, plating | EFFECT_BIT(EFFECT_FILM), full);
-    assert_true(isnan(full.plating_factor) && full.joint_ecr_ohm_m2 == 3e-12);
+    assert_true(isnan(full.value[QUANTITY_PLATING_FACTOR]) && full.value[QUANTITY_JOINT_ECR] == 3e-12);
 }
 
 /** V = I R; the film and the plating are part of R when they run; no current to speak of heats nothing. */
@@ -156,15 +158,16 @@ static void heat(void **state)
     joint.film_ohm_m2 = 1e-12;
     const unsigned heating = EFFECT_BIT(EFFECT_HEATING);
     struct contact_point hot = apply(&joint, heating, point_of(0.04, NAN));
-    assert_near(hot.contact_voltage_V, 500 * 2e-10 / 2e-6, 1e-14);
-    assert_near(pow(hot.contact_temperature_K, 2), 300. * 300 + pow(0.05, 2) / (4 * heating_lorenz_number()), 1e-13);
-    assert_near(apply(&joint, heating | EFFECT_BIT(EFFECT_FILM), point_of(0.04, NAN)).contact_voltage_V,
+    assert_near(hot.value[QUANTITY_VOLTAGE], 500 * 2e-10 / 2e-6, 1e-14);
+    assert_near(pow(hot.value[QUANTITY_TEMPERATURE], 2), 300. * 300 + pow(0.05, 2) / (4 * heating_lorenz_number()),
+                1e-13);
+    assert_near(apply(&joint, heating | EFFECT_BIT(EFFECT_FILM), point_of(0.04, NAN)).value[QUANTITY_VOLTAGE],
                 500 * (2e-10 + 1e-12 / 0.04) / 2e-6, 1e-14);
     joint.temperature_K = 400;
-    assert_near(pow(apply(&joint, heating, point_of(0.04, NAN)).contact_temperature_K, 2),
+    assert_near(pow(apply(&joint, heating, point_of(0.04, NAN)).value[QUANTITY_TEMPERATURE], 2),
                 400. * 400 + pow(0.05, 2) / (4 * heating_lorenz_number()), 1e-13);
     joint.current_A = 1e-12;
-    assert_near(apply(&joint, heating, point_of(0.04, NAN)).contact_temperature_K, 400, 1e-15);
+    assert_near(apply(&joint, heating, point_of(0.04, NAN)).value[QUANTITY_TEMPERATURE], 400, 1e-15);
 }
 
 int main(void)

@@ -174,13 +174,13 @@ static inline void fake_put_curves(struct fake *fake, size_t index, const double
         assert_non_null(curve->points);
         for (int i = 0; i < LOADS; i++) {
             double area = fmin(1, areas[m] * pow(10, i - 3)), ecr = area < 1 ? 1e-9 / area : 0;
-            curve->points[i] =
-                (struct contact_point){.load = pow(10, i - 5),
-                                       .area_ratio = area,
-                                       .ecr_ohm_m2 = ecr,
-                                       .separation_m = 1e-6 / area,
-                                       .adjusted_m = model_rows[model]->asperity_model ? 2e-6 / area : NAN,
-                                       .tcr_K_m2_per_W = 2e5 * ecr};
+            curve->points[i] = (struct contact_point){.value[QUANTITY_LOAD] = pow(10, i - 5),
+                                                      .value[QUANTITY_AREA] = area,
+                                                      .value[QUANTITY_ECR] = ecr,
+                                                      .value[QUANTITY_SEPARATION] = 1e-6 / area,
+                                                      .value[QUANTITY_ADJUSTED] =
+                                                          model_rows[model]->asperity_model ? 2e-6 / area : NAN,
+                                                      .value[QUANTITY_TCR] = 2e5 * ecr};
         }
         record->summary.models[model]->operating = curve->points[LOADS / 2];
     }

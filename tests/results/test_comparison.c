@@ -46,7 +46,7 @@ static void test_ordered_surfaces(void **state)
         assert_near(steps[1], log10(areas[1][m] / areas[2][m]), 1e-9);
     }
     assert_int_equal(fake.comparison.leading, model_named("multiscale-plastic"));
-    assert_near(comparison_middle(&fake.results, fake.comparison.leading, 1).area_ratio, 0.06,
+    assert_near(comparison_middle(&fake.results, fake.comparison.leading, 1).value[QUANTITY_AREA], 0.06,
                 1e-12); /* ten to the (3 - 3) times */
     comparison_free(&fake.comparison);
 }

@@ -33,10 +33,10 @@ static void test_power_laws(void **state)
     const struct comparison *c = &made.comparison;
     assert_near(c->middle_load, 1e-4, 1e-12);
     assert_int_equal(c->leading, made_up_model("multiscale-plastic"));
-    assert_near(comparison_middle(&made.results, c->leading, 0).area_ratio, 0.1, 1e-12);
-    assert_near(comparison_middle(&made.results, c->leading, 1).area_ratio, 0.2, 1e-12);
-    assert_near(comparison_middle(&made.results, c->leading, 2).ecr_ohm_m2, 3.75e-10, 1e-12);
-    assert_true(isnan(comparison_middle(&made.results, c->leading, 3).load)); /* refused */
+    assert_near(comparison_middle(&made.results, c->leading, 0).value[QUANTITY_AREA], 0.1, 1e-12);
+    assert_near(comparison_middle(&made.results, c->leading, 1).value[QUANTITY_AREA], 0.2, 1e-12);
+    assert_near(comparison_middle(&made.results, c->leading, 2).value[QUANTITY_ECR], 3.75e-10, 1e-12);
+    assert_true(isnan(comparison_middle(&made.results, c->leading, 3).value[QUANTITY_LOAD])); /* refused */
     assert_within(c->proportional_error, 0, 1e-14);
 
     /* elastic: full from 1e-3 (alpha), 2e-3 (beta), 5e-3 (gamma), so that both of a pair are full at 1e-2 alone, and
@@ -86,12 +86,12 @@ static void turn_one(struct surface_record *record, size_t index)
     if (index != 2)
         return;
     struct contact_point *p = point_of(record, "gw", 3);
-    p->area_ratio *= 10;
-    p->ecr_ohm_m2 /= 10;
-    p->tcr_K_m2_per_W /= 10;
-    p->adjusted_m = 0;
-    p->separation_m = 0; /* what is shown is the adjusted one */
-    point_of(record, "gw", 4)->separation_m = 0;
+    p->value[QUANTITY_AREA] *= 10;
+    p->value[QUANTITY_ECR] /= 10;
+    p->value[QUANTITY_TCR] /= 10;
+    p->value[QUANTITY_ADJUSTED] = 0;
+    p->value[QUANTITY_SEPARATION] = 0; /* what is shown is the adjusted one */
+    point_of(record, "gw", 4)->value[QUANTITY_SEPARATION] = 0;
 }
 
 static void test_neighbours_out_of_order(void **state)
@@ -113,10 +113,10 @@ static void make_equal(struct surface_record *record, size_t index)
     (void)index;
     for (size_t i = 0; i < MADE_UP_LOADS; i++) {
         struct contact_point *elastic = point_of(record, "gw", i), *plastic = point_of(record, "jg", i);
-        elastic->area_ratio = 0.01 * (double)(i + 1);
-        elastic->ecr_ohm_m2 = 1e-10;
-        elastic->adjusted_m = 0.5 * record->summary.roughness.rq_m;
-        plastic->area_ratio = elastic->area_ratio * (i == 0 ? 1 - 1e-9 : i == 1 ? 1 - 1e-7 : 1.5);
+        elastic->value[QUANTITY_AREA] = 0.01 * (double)(i + 1);
+        elastic->value[QUANTITY_ECR] = 1e-10;
+        elastic->value[QUANTITY_ADJUSTED] = 0.5 * record->summary.roughness.rq_m;
+        plastic->value[QUANTITY_AREA] = elastic->value[QUANTITY_AREA] * (i == 0 ? 1 - 1e-9 : i == 1 ? 1 - 1e-7 : 1.5);
     }
     record->curves[made_up_model("jg")].full_load = record->curves[made_up_model("gw")].full_load;
 }
@@ -147,7 +147,7 @@ static void cut_short(struct surface_record *record, size_t index)
 {
     struct model_curve *jg = &record->curves[made_up_model("jg")];
     jg->count = 4;
-    jg->points[3].load *= 1.5; /* the point of full contact */
+    jg->points[3].value[QUANTITY_LOAD] *= 1.5; /* the point of full contact */
     if (index == 1)
         record->curves[made_up_model("gw")] =
             (struct model_curve){.points = record->curves[made_up_model("gw")].points};
@@ -170,7 +170,7 @@ static void test_short_curves(void **state)
 static void disturb_one(struct surface_record *record, size_t index)
 {
     if (index == 1)
-        point_of(record, "jg", 2)->tcr_K_m2_per_W *= 1 - 1e-3;
+        point_of(record, "jg", 2)->value[QUANTITY_TCR] *= 1 - 1e-3;
 }
 
 static void test_proportion(void **state)

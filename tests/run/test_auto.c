@@ -33,10 +33,10 @@ static double plastic_change(const struct surface_record *record, const char *el
         most = fmax(most, fabs(a->beta - b->beta));
     for (size_t i = 0; i < a->count && i < b->count; i++) {
         const struct contact_point *p = &a->points[i], *q = &b->points[i];
-        most = fmax(most, difference(p->area_ratio, q->area_ratio));
-        most = fmax(most, fabs(p->separation_m - q->separation_m) / sigma_m);
-        if (p->tcr_K_m2_per_W > 0)
-            most = fmax(most, difference(p->tcr_K_m2_per_W, q->tcr_K_m2_per_W));
+        most = fmax(most, difference(p->value[QUANTITY_AREA], q->value[QUANTITY_AREA]));
+        most = fmax(most, fabs(p->value[QUANTITY_SEPARATION] - q->value[QUANTITY_SEPARATION]) / sigma_m);
+        if (p->value[QUANTITY_TCR] > 0)
+            most = fmax(most, difference(p->value[QUANTITY_TCR], q->value[QUANTITY_TCR]));
     }
     return most;
 }
@@ -65,9 +65,10 @@ static struct truth truth_of(const char *text)
         for (size_t m = 0; m < model_count; m++)
             for (size_t i = 0; i < record->curves[m].count; i++) {
                 const struct contact_point *point = &record->curves[m].points[i];
-                if (point->tcr_K_m2_per_W > 0)
+                if (point->value[QUANTITY_TCR] > 0)
                     truth.scale_dependent =
-                        fmax(truth.scale_dependent, point->tcr_sd_K_m2_per_W / point->tcr_K_m2_per_W - 1);
+                        fmax(truth.scale_dependent,
+                             point->value[QUANTITY_TCR_SCALE_DEPENDENT] / point->value[QUANTITY_TCR] - 1);
             }
     }
     prepared_free(&prepared);

@@ -23,7 +23,7 @@ static enum status_code stack_run(struct model_curve *curve, const struct model_
         struct contact_point *point = i < task->load_count ? &curve->points[i] : &curve->full;
         multiscale_solve(point, &stack, &constriction, task->wanted,
                          i < task->load_count ? task->loads[i] : stack.full_load, &curve->evaluations);
-        point->adjusted_m = point->separation_m;
+        point->value[QUANTITY_ADJUSTED] = point->value[QUANTITY_SEPARATION];
     }
     curve->count = task->load_count;
     curve->full_load = stack.full_load;
@@ -47,8 +47,8 @@ static enum status_code area_run(struct model_curve *curve, const struct model_r
     (void)row, (void)status;
     for (size_t i = 0; i < task->load_count; i++) {
         double x = 2 * task->loads[i] / slope_of(task->spectrum);
-        curve->points[i].load = task->loads[i];
-        curve->points[i].area_ratio = x / (x + 1);
+        curve->points[i].value[QUANTITY_LOAD] = task->loads[i];
+        curve->points[i].value[QUANTITY_AREA] = x / (x + 1);
     }
     curve->count = task->load_count;
     curve->exists = true;
