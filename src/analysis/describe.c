@@ -443,39 +443,73 @@ struct file_task {
     const char *file, *path;
     const struct text *bytes;
     char *sidecar; /* a file whose text belongs to it; owned, NULL: none */
+    size_t added;  /* scans of it */
 };
 
-/** Reads the scans out of the bytes, of which an archive may hold several, and adds them. */
-static enum status_code add_scans(struct file_task *task, struct status *status)
+/** Notes a scan that its surface goes on without, before all else that is noted: these lines are never left out. */
+static enum status_code note_refused_scan(struct surface_summary *summary, const char *why, const char *others,
+                                          struct status *status)
+{
+    char *notes = NULL;
+    if (asprintf(&notes, "%s%s%s%s", why, others, summary->notes ? "\n" : "", summary->notes ? summary->notes : "") < 0)
+        return status_memory(status);
+    free(summary->notes);
+    summary->notes = notes;
+    summary->refused_scans++;
+    return STATUS_OK;
+}
+
+/** Reads the scan at options->entry out of the bytes, and adds it. */
+static enum status_code add_scan_at(struct file_task *task, struct scan_options *options, struct scan *scan,
+                                    struct status *status)
 {
     struct surface_summary *summary = &task->record->summary;
+    struct scan_bytes content = {task->bytes->data, task->bytes->length, task->file};
+    double started = clock_seconds();
+    enum status_code rc = scan_read_beside(scan, &content, task->path, options, status);
+    if (rc == STATUS_OK && scan->sidecar && options->entry == 0 && !(task->sidecar = strdup(scan->sidecar)))
+        rc = status_memory(status);
+    if (rc == STATUS_OK && scan->kind == SCAN_AREAL && task->scene->direction == SCAN_DIRECTION_Y)
+        rc = scan_transpose(scan, status);
+    summary->times.read += clock_seconds() - started;
+    if (rc != STATUS_OK)
+        return rc;
+    snprintf(summary->format, sizeof summary->format, "%s", scan->format);
+    snprintf(summary->units, sizeof summary->units, "x %s, z %s", scan->x_unit, scan->z_unit);
+    task->added++;
+    return add_rows(task->record, task->scans, scan, task->scene, task->file, status);
+}
+
+/** Adds the scans of the file, of which an archive may hold several: one that cannot be read costs itself alone. */
+static enum status_code add_scans(struct file_task *task, struct status *status)
+{
     const struct scene_surface *surface = task->surface;
     struct scan_options options = {.x_unit = surface->x_unit,
                                    .z_unit = surface->z_unit,
                                    .quantity = surface->quantity,
                                    .x_column = surface->x_column,
                                    .z_column = surface->z_column};
-    enum status_code rc = STATUS_OK;
+    struct status refused = {0};
     for (bool more = true; more;) {
-        double started = clock_seconds();
         struct scan scan = {0};
-        struct scan_bytes content = {task->bytes->data, task->bytes->length, task->file};
-        rc = scan_read_beside(&scan, &content, task->path, &options, status);
-        if (rc == STATUS_OK && scan.sidecar && options.entry == 0 && !(task->sidecar = strdup(scan.sidecar)))
-            rc = status_memory(status);
-        if (rc == STATUS_OK && scan.kind == SCAN_AREAL && task->scene->direction == SCAN_DIRECTION_Y)
-            rc = scan_transpose(&scan, status);
-        summary->times.read += clock_seconds() - started;
-        if (rc == STATUS_OK) {
-            snprintf(summary->format, sizeof summary->format, "%s", scan.format);
-            snprintf(summary->units, sizeof summary->units, "x %s, z %s", scan.x_unit, scan.z_unit);
-            rc = add_rows(task->record, task->scans, &scan, task->scene, task->file, status);
-        }
+        struct status problem = {0};
+        size_t before = task->added;
+        enum status_code rc = add_scan_at(task, &options, &scan, &problem);
+        bool unread = rc == STATUS_SCAN && task->added == before, of_several = scan.next_entry > 0 || options.entry > 0;
         options.entry = scan.next_entry;
-        more = rc == STATUS_OK && options.entry > 0;
+        more = options.entry > 0;
         scan_free(&scan);
+        if (rc == STATUS_OK)
+            continue;
+        if (!unread || !of_several)
+            return status_fail(status, rc, "%s", problem.message);
+        if (refused.code == STATUS_OK)
+            refused = problem;
+        if (note_refused_scan(&task->record->summary, problem.message, " - refused; the others of the archive are used",
+                              status) != STATUS_OK)
+            return status->code;
     }
-    return rc;
+    return task->added > 0 ? STATUS_OK : status_fail(status, refused.code, "%s", refused.message);
 }
 
 static enum status_code hash_file(struct hash *hash, const char *path, struct status *status)
@@ -496,7 +530,7 @@ enum status_code describe_file(struct surface_record *record, struct power_law_s
     char *path = scene_file_path(scene, file);
     if (!path)
         return status_memory(status);
-    struct file_task task = {record, scans, scene, surface, file, path, &bytes, NULL};
+    struct file_task task = {record, scans, scene, surface, file, path, &bytes, NULL, 0};
     double started = clock_seconds();
     enum status_code rc = text_read_file(&bytes, path, status);
     record->summary.times.read += clock_seconds() - started;
@@ -943,24 +977,16 @@ static enum status_code take_files(struct surface_record *out, struct power_law_
 static enum status_code note_refused(struct surface_summary *summary, const struct files *files, size_t first,
                                      struct status *status)
 {
-    struct text notes = {0};
     size_t used = files->count - files->refused;
-    for (size_t f = 0; f < files->count; f++) {
+    for (size_t f = files->count; f-- > 0;) { /* each before those noted so far */
         if (!files->refusal[f] || (used == 0 && f == first))
             continue;
-        text_add(&notes, "%s%s", notes.length > 0 ? "\n" : "", files->refusal[f]);
+        char others[80] = "";
         if (used > 0)
-            text_add(&notes, " - refused; %zu of its %zu scans are used", used, files->count);
+            snprintf(others, sizeof others, " - refused; %zu of its %zu scans are used", used, files->count);
+        if (note_refused_scan(summary, files->refusal[f], others, status) != STATUS_OK)
+            return status->code;
     }
-    if (summary->notes)
-        text_add(&notes, "\n%s", summary->notes);
-    if (notes.failed) {
-        text_free(&notes);
-        return status_memory(status);
-    }
-    free(summary->notes);
-    summary->notes = notes.data;
-    summary->refused_scans = files->refused;
     return STATUS_OK;
 }
 

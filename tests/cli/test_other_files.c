@@ -11,6 +11,14 @@
 
 #define ROUGH "x [um],z [um]\n0,1\n1,3\n2,2\n3,5\n4,1\n5,4\n6,2\n7,6\n8,3\n9,1\n"
 
+static void expect_same_files(const char *place, const char *one, const char *other)
+{
+    char *left = workspace_read(place, one), *right = workspace_read(place, other);
+    assert_string_equal(left, right);
+    free(left);
+    free(right);
+}
+
 /** Writes bytes that may hold NUL. */
 static void write_bytes(const char *place, const char *path, const char *bytes, size_t length)
 {
@@ -157,6 +165,17 @@ static void test_packed(void **state)
     expect_part(process.out, "damaged.zip(3.csv)\n");
     expect_part(process.err, "'2.csv' in the archive is damaged; copy the file again\n");
     process_free(&process);
+    write_bytes(place, "dz/s.zip", bytes.data, bytes.length);
+    process = expect_exit(place, 1, "report", "--no-cost", "dz");
+    expect_part(process.err, "'2.csv' in the archive is damaged; copy the file again - refused; the others of the "
+                             "archive are used\n");
+    process_free(&process);
+    workspace_scan(place, "df/1.csv", 200, 1);
+    workspace_scan(place, "df/3.csv", 200, 3);
+    workspace_write(place, "df/scene.yaml", "surfaces: [{name: s, file: [1.csv, 3.csv]}]\n");
+    process = expect_exit(place, 0, "report", "--no-cost", "df");
+    process_free(&process);
+    expect_same_files(place, "out/dz/data/contact.csv", "out/df/data/contact.csv");
     text_free(&bytes);
     free(name);
     workspace_scan(place, "f/1.csv", 200, 1);
@@ -167,11 +186,7 @@ static void test_packed(void **state)
     process_free(&process);
     process = expect_exit(place, 0, "report", "--no-cost", "f");
     process_free(&process);
-    char *packed = workspace_read(place, "out/z/data/contact.csv"),
-         *files = workspace_read(place, "out/f/data/contact.csv");
-    assert_string_equal(packed, files);
-    free(packed);
-    free(files);
+    expect_same_files(place, "out/z/data/contact.csv", "out/f/data/contact.csv");
 }
 
 /** Runs `inspect` with the file `input` as standard input. */
