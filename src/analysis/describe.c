@@ -11,57 +11,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** How many scans said `message` by this line, "file: message" or "file: message (and of N more scans)"; 0: none. */
-static size_t count_said(const char *line, size_t length, const char *message)
-{
-    size_t own = strlen(message);
-    const char *found = NULL;
-    for (const char *at = line; at + own + 2 <= line + length; at++)
-        if (memcmp(at, ": ", 2) == 0 && memcmp(at + 2, message, own) == 0)
-            found = at + 2 + own;
-    size_t more = 0;
-    int end = 0;
-    if (!found)
-        return 0;
-    if (found == line + length)
-        return 1;
-    if (sscanf(found, " (and of %zu more scan%n", &more, &end) != 1 || end == 0)
-        return 0;
-    end += found[end] == 's';
-    return found[end] == ')' && found + end + 1 == line + length ? more + 1 : 0;
-}
-
-/** Notes what is said of one scan; what was said of others in the same words is counted there. */
-static void note_file(struct surface_summary *summary, const char *file, const char *message)
-{
-    for (const char *line = summary->notes; line && *line;) {
-        size_t length = strcspn(line, "\n"), said = count_said(line, length, message);
-        if (said > 0) {
-            struct text notes = {0};
-            size_t kept = (size_t)(line - summary->notes) +
-                          (said == 1 ? length
-                                     : length - (size_t)snprintf(NULL, 0, " (and of %zu more scan%s)", said - 1,
-                                                                 said == 2 ? "" : "s"));
-            text_add_bytes(&notes, summary->notes, kept);
-            text_add(&notes, " (and of %zu more scan%s)%s", said, said == 1 ? "" : "s", line + length);
-            if (!notes.failed) {
-                free(summary->notes);
-                summary->notes = notes.data;
-            }
-            return;
-        }
-        line += length + (line[length] == '\n');
-    }
-    surface_note(summary, "%s: %s", file, message);
-}
-
 static void note_scan(struct surface_summary *summary, const struct scan *scan, const struct profile *profile,
                       const char *file)
 {
     for (size_t w = 0; w < scan->warning_count; w++)
-        note_file(summary, file, scan->warnings[w]);
+        note_add(&summary->notes, file, scan->warnings[w]);
     for (size_t n = 0; n < profile->note_count; n++)
-        note_file(summary, file, profile->notes[n]);
+        note_add(&summary->notes, file, profile->notes[n]);
 }
 
 /** The profile thinned for its chart: of every run of points the lowest and the highest, in their order. */
@@ -353,6 +309,15 @@ static struct profile_options profile_options_of(const struct scene *scene)
  * (docs/equations.md, power_law_band.h); a record has it below its Nyquist frequency from 11 points on. */
 enum { LEAST_POINTS = 11 };
 
+static void note_rows_left_out(struct surface_summary *summary, const char *file, size_t count, const char *kind,
+                               const struct status *first)
+{
+    struct text line = {0};
+    text_add(&line, "%zu %s%s left out, the first because %s", count, kind, count == 1 ? "" : "s", first->message);
+    note_add(&summary->notes, file, text_string(&line));
+    text_free(&line);
+}
+
 /** Every row of a scan (a profile has one, whose heights are taken over) into the surface. A row of a map that cannot
  * be used (all missing, flat) is left out and counted; the map is refused when none is left. */
 static enum status_code add_rows(struct surface_record *record, struct power_law_scans *scans, struct scan *scan,
@@ -427,10 +392,9 @@ static enum status_code add_rows(struct surface_record *record, struct power_law
     snprintf(note, sizeof note, "a map; its %zu %s were averaged as profiles for spectrum and fit%s", used, rows,
              models);
     if (scan->kind == SCAN_AREAL)
-        note_file(summary, file, note);
+        note_add(&summary->notes, file, note);
     if (unusable > 0)
-        surface_note(summary, "%s: %zu %s%s left out, the first because %s", file, unusable,
-                     scene->direction == SCAN_DIRECTION_X ? "row" : "column", unusable == 1 ? "" : "s", first.message);
+        note_rows_left_out(summary, file, unusable, scene->direction == SCAN_DIRECTION_X ? "row" : "column", &first);
     return power_law_scans_end_file(scans, scan->ny - unusable, scan->kind == SCAN_AREAL, status);
 }
 
@@ -446,17 +410,14 @@ struct file_task {
     size_t added;  /* scans of it */
 };
 
-/** Notes a scan that its surface goes on without, before all else that is noted: these lines are never left out. */
-static enum status_code note_refused_scan(struct surface_summary *summary, const char *why, const char *others,
-                                          struct status *status)
+/** Notes a scan that its surface goes on without. */
+static void note_refused_scan(struct surface_summary *summary, const char *why, const char *others)
 {
-    char *notes = NULL;
-    if (asprintf(&notes, "%s%s%s%s", why, others, summary->notes ? "\n" : "", summary->notes ? summary->notes : "") < 0)
-        return status_memory(status);
-    free(summary->notes);
-    summary->notes = notes;
+    struct text line = {0};
+    text_add(&line, "%s%s", why, others);
+    note_add_refused(&summary->notes, text_string(&line));
     summary->refused_scans++;
-    return STATUS_OK;
+    text_free(&line);
 }
 
 /** Reads the scan at options->entry out of the bytes, and adds it. */
@@ -505,9 +466,7 @@ static enum status_code add_scans(struct file_task *task, struct status *status)
             return status_fail(status, rc, "%s", problem.message);
         if (refused.code == STATUS_OK)
             refused = problem;
-        if (note_refused_scan(&task->record->summary, problem.message, " - refused; the others of the archive are used",
-                              status) != STATUS_OK)
-            return status->code;
+        note_refused_scan(&task->record->summary, problem.message, " - refused; the others of the archive are used");
     }
     return task->added > 0 ? STATUS_OK : status_fail(status, refused.code, "%s", refused.message);
 }
@@ -550,17 +509,13 @@ enum status_code describe_file(struct surface_record *record, struct power_law_s
 /** Repeats, for a surface, what was noted about the scans of its counterface. */
 static void note_counterface(struct surface_summary *summary, const struct surface_summary *counterface)
 {
-    const struct scene_surface *scene = counterface->scene;
-    for (const char *line = counterface->notes; line && *line;) {
-        size_t length = strcspn(line, "\n");
-        for (size_t f = 0; f < scene->file_count; f++) {
-            size_t name = strlen(scene->files[f]);
-            if (length > name && strncmp(line, scene->files[f], name) == 0 && strchr(":(", line[name])) {
-                surface_note(summary, "counterface %.*s", (int)length, line);
-                break;
-            }
-        }
-        line += length + (line[length] == '\n');
+    for (size_t i = 0; i < counterface->notes.count; i++) {
+        const struct note *note = &counterface->notes.notes[i];
+        struct text line = {0};
+        note_line(&line, note);
+        if (note->subject || note->refused_scan)
+            surface_note(summary, "counterface %s", text_string(&line));
+        text_free(&line);
     }
 }
 
@@ -972,22 +927,16 @@ static enum status_code take_files(struct surface_record *out, struct power_law_
     return STATUS_OK;
 }
 
-/** Says which scans were refused, but for the `first` of a surface that has no other: that is its own refusal. Before
- * all else that is noted, as these are never left out. */
-static enum status_code note_refused(struct surface_summary *summary, const struct files *files, size_t first,
-                                     struct status *status)
+/** Notes which scans were refused, but for the `first` of a surface that has no other: that is its own refusal. */
+static void note_refused(struct surface_summary *summary, const struct files *files, size_t first)
 {
     size_t used = files->count - files->refused;
-    for (size_t f = files->count; f-- > 0;) { /* each before those noted so far */
-        if (!files->refusal[f] || (used == 0 && f == first))
-            continue;
-        char others[80] = "";
-        if (used > 0)
-            snprintf(others, sizeof others, " - refused; %zu of its %zu scans are used", used, files->count);
-        if (note_refused_scan(summary, files->refusal[f], others, status) != STATUS_OK)
-            return status->code;
-    }
-    return STATUS_OK;
+    char others[80] = "";
+    if (used > 0)
+        snprintf(others, sizeof others, " - refused; %zu of its %zu scans are used", used, files->count);
+    for (size_t f = 0; f < files->count; f++)
+        if (files->refusal[f] && (used > 0 || f != first))
+            note_refused_scan(summary, files->refusal[f], others);
 }
 
 /** Gathers the scans of a surface that can be used. Error: why there is none. */
@@ -1013,8 +962,8 @@ static enum status_code take_usable(struct surface_record *out, struct power_law
     size_t first = 0;
     while (!files->refusal[first])
         first++;
-    if (files->count > 1 && note_refused(&out->summary, files, first, status) != STATUS_OK)
-        return status->code;
+    if (files->count > 1)
+        note_refused(&out->summary, files, first);
     if (files->refused < files->count)
         return STATUS_OK;
     return status_fail(status, STATUS_SCAN, "%s", files->refusal[first]);

@@ -8,22 +8,15 @@
 
 void surface_note(struct surface_summary *summary, const char *format, ...)
 {
-    char *line = NULL, *all = NULL;
+    char *line = NULL;
     va_list args;
     va_start(args, format);
     int length = vasprintf(&line, format, args);
     va_end(args);
     if (length < 0)
         return;
-    if (!summary->notes) {
-        summary->notes = line;
-    } else if (asprintf(&all, "%s\n%s", summary->notes, line) >= 0) {
-        free(summary->notes);
-        free(line);
-        summary->notes = all;
-    } else {
-        free(line);
-    }
+    note_add(&summary->notes, NULL, line);
+    free(line);
 }
 
 double surface_short_gamma(const struct power_law *law)
@@ -147,7 +140,7 @@ void surface_record_free(struct surface_record *record)
         }
     free(summary->models);
     free(summary->refusal);
-    free(summary->notes);
+    note_list_free(&summary->notes);
     free(summary->bounds);
     free(summary->repeats);
     free(summary->direct);

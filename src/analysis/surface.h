@@ -6,6 +6,7 @@
 #include "analysis/answers.h"
 #include "analysis/curve_summary.h"
 #include "analysis/direct_plan.h"
+#include "analysis/note.h"
 #include "analysis/plan.h"
 #include "analysis/uncertainty.h"
 #include "base/text.h"
@@ -26,8 +27,8 @@ struct surface_summary {
     struct material_pair pair;         /* what the models need of the bodies */
     bool usable;                       /* false: refused, see `refusal` */
     char *refusal;                     /* one line; owned */
-    char *notes;                       /* one line a warning; owned, NULL: none */
-    size_t refused_scans;              /* of several; the notes begin with a line of each */
+    struct note_list notes;            /* warnings; owned */
+    size_t refused_scans;              /* of several; the notes begin with them */
     char hash[65];                     /* SHA-256 of the first file (of all of them one after another), hexadecimal */
     char format[32];
     char units[40];                 /* "x mm, z um" as read */
@@ -92,7 +93,7 @@ struct repeats *surface_repeats_room(struct surface_summary *summary);
 const struct curve_summary *surface_model(const struct surface_summary *summary, size_t m);
 /** The same, to be filled: zeroed where there was none. NULL: out of memory. */
 struct curve_summary *surface_model_room(struct surface_summary *summary, size_t m);
-/** Adds a line to the surface's notes; a note that cannot be stored for want of memory is dropped. */
+/** Adds a note on the surface. */
 void surface_note(struct surface_summary *summary, const char *format, ...) PRINTF_LIKE(2, 3);
 
 /** gamma at short wavelengths, where convergence is decided. */

@@ -253,6 +253,18 @@ static json_t *lines_json(const char *lines)
     return array;
 }
 
+static json_t *notes_json(const struct note_list *list)
+{
+    json_t *array = json_array();
+    for (size_t n = 0; n < list->count; n++) {
+        struct text line = {0};
+        note_line(&line, &list->notes[n]);
+        json_array_append_new(array, string(text_string(&line)));
+        text_free(&line);
+    }
+    return array;
+}
+
 /** What was found beside the law's numbers; of fit: thesis its class alone. */
 static json_t *fit_json(const struct surface_record *record, enum power_law_method method,
                         const struct cell_guard *guard)
@@ -358,7 +370,7 @@ static json_t *surface_json(const struct surface_record *record, const struct sc
     set(json, guard, "scans_independent", s->independent);
     if (surface_repeats(s)->count > 0)
         json_object_set_new(json, "spread", repeats_json(s, guard));
-    json_object_set_new(json, "notes", lines_json(s->notes));
+    json_object_set_new(json, "notes", notes_json(&s->notes));
     json_object_set_new(json, "models", models);
     return json;
 }
@@ -518,7 +530,7 @@ static json_t *outline_surface_json(const struct surface_summary *s, const struc
         json_array_append_new(files, string(s->scene->files[f]));
     json_t *json =
         json_pack("{s:o, s:o, s:b, s:o, s:o}", "surface", string(s->scene->name), "files", files, "usable", s->usable,
-                  "refused", s->refusal ? string(s->refusal) : json_null(), "notes", lines_json(s->notes));
+                  "refused", s->refusal ? string(s->refusal) : json_null(), "notes", notes_json(&s->notes));
     for (size_t m = 0; m < model_count && complete && s->usable; m++) {
         json_t *model = json_object();
         set(model, guard, "full_contact_load_over_AnEp", surface_model(s, m)->full_load);

@@ -63,13 +63,12 @@ static void notes(struct text *out, const struct section_context *context)
 {
     size_t items = 0;
     for (size_t i = 0; i < context->results->surface_count; i++)
-        for (const char *line = section_surface(context, i)->notes; line && *line;) {
-            char single[1200];
-            size_t length = strcspn(line, "\n");
-            snprintf(single, sizeof single, "%.*s", (int)length, line);
+        for (size_t n = 0; n < section_surface(context, i)->notes.count; n++) {
+            struct text line = {0};
+            note_line(&line, &section_surface(context, i)->notes.notes[n]);
             if (items++ < SECTION_ROWS)
-                list_item(out, context, i, single);
-            line += length + (line[length] == '\n');
+                list_item(out, context, i, text_string(&line));
+            text_free(&line);
         }
     if (items > SECTION_ROWS)
         text_add(out, "- … %zu more in results.json\n", items - SECTION_ROWS);

@@ -12,8 +12,7 @@ struct kind {
     uint64_t key;
     size_t count;
     const char *surface; /* the last that was said */
-    const char *line;
-    size_t length;
+    const struct note *note;
 };
 
 struct kinds {
@@ -27,14 +26,14 @@ static bool is_of_number(char c)
 }
 
 /** FNV-1a of what a message says without its digits and what stands between single quotes. */
-static uint64_t key_of(const char *line, size_t length)
+static uint64_t key_of(const char *line)
 {
     uint64_t key = UINT64_C(0xcbf29ce484222325);
     bool quoted = false;
-    for (size_t i = 0; i < length; i++) {
-        quoted = quoted != (line[i] == '\'');
-        if (!quoted && !is_of_number(line[i]))
-            key = (key ^ (unsigned char)line[i]) * UINT64_C(0x100000001b3);
+    for (; *line; line++) {
+        quoted = quoted != (*line == '\'');
+        if (!quoted && !is_of_number(*line))
+            key = (key ^ (unsigned char)*line) * UINT64_C(0x100000001b3);
     }
     return key;
 }
@@ -52,29 +51,33 @@ static struct kind *kind_of(struct kinds *kinds, uint64_t key)
     return &kinds->of[at];
 }
 
-static void say(struct text *messages, const char *surface, const char *what, const char *line, size_t length)
+static void say(struct text *messages, const char *surface, const char *what, const char *line)
 {
-    struct text one = {0};
-    text_add_bytes(&one, line, length);
     text_add(messages, "surface '");
     text_add_shown(messages, surface);
     text_add(messages, "'%s: ", what);
-    text_add_shown(messages, text_string(&one));
+    text_add_shown(messages, line);
     text_add(messages, "\n");
-    text_free(&one);
+}
+
+static void say_note(struct text *messages, const char *surface, const struct note *note)
+{
+    struct text line = {0};
+    note_line(&line, note);
+    say(messages, surface, "", text_string(&line));
+    text_free(&line);
 }
 
 /** Says a note, or counts it. */
-static void take(struct text *messages, struct kinds *kinds, const char *surface, const char *line, size_t length)
+static void take(struct text *messages, struct kinds *kinds, const char *surface, const struct note *note)
 {
-    struct kind *kind = kinds ? kind_of(kinds, key_of(line, length)) : NULL;
+    struct kind *kind = kinds ? kind_of(kinds, key_of(note->what)) : NULL;
     if (kind && kind->count++ >= MESSAGES_OF_A_KIND)
         return;
-    say(messages, surface, "", line, length);
+    say_note(messages, surface, note);
     if (kind) {
         kind->surface = surface;
-        kind->line = line;
-        kind->length = length;
+        kind->note = note;
     }
 }
 
@@ -86,7 +89,7 @@ static void say_more(struct text *messages, const struct kinds *kinds)
         if (kind->count <= MESSAGES_OF_A_KIND)
             continue;
         text_add(messages, "... and %zu more like this, all in results.json: ", kind->count - MESSAGES_OF_A_KIND);
-        say(messages, kind->surface, "", kind->line, kind->length);
+        say_note(messages, kind->surface, kind->note);
     }
 }
 
@@ -101,13 +104,11 @@ size_t messages_add(struct text *messages, const struct results *results, bool r
         const char *name = summary->scene ? summary->scene->name : NULL;
         refused += summary->refusal != NULL;
         if (summary->refusal)
-            say(messages, name, " refused", summary->refusal, strlen(summary->refusal));
-        size_t number = 0;
-        for (const char *line = summary->notes; line && *line; number++) { /* of a refused one the report has none */
-            size_t length = strcspn(line, "\n");
-            bool all = summary->refusal || number < summary->refused_scans;
-            take(messages, all ? NULL : kinds, name, line, length);
-            line += length + (line[length] == '\n');
+            say(messages, name, " refused", summary->refusal);
+        for (size_t n = 0; n < summary->notes.count; n++) {
+            const struct note *note = &summary->notes.notes[n];
+            bool all = summary->refusal || note->refused_scan; /* of a refused surface the report has none */
+            take(messages, all ? NULL : kinds, name, note);
         }
     }
     if (kinds)

@@ -11,20 +11,29 @@ enum { SURFACES = 50 };
 
 static struct scene_surface surfaces[SURFACES];
 static struct surface_record records[SURFACES];
-static char names[SURFACES][32], notes[SURFACES][200], refusals[SURFACES][200];
+static char names[SURFACES][32], refusals[SURFACES][200];
+
+static void note_it(size_t i)
+{
+    char line[64];
+    snprintf(line, sizeof line, "holds from %g to 20 um", 1.5 + (double)i);
+    note_add(&records[i].summary.notes, NULL, line);
+    if (i % 2)
+        note_add(&records[i].summary.notes, NULL, "looks like 'a.csv', too");
+}
 
 /* Every surface has a note of one kind, every second one of another besides, every fifth is refused for the same. */
 static struct results make(const struct scene *scene)
 {
     for (size_t i = 0; i < SURFACES; i++) {
         snprintf(names[i], sizeof names[i], "s%zu", i);
-        snprintf(notes[i], sizeof notes[i], "holds from %g to 20 um%s", 1.5 + (double)i,
-                 i % 2 ? "\nlooks like 'a.csv', too" : "");
         snprintf(refusals[i], sizeof refusals[i], "s%zu.csv:%zu: 'x%c' is no number", i, i + 3, 'a' + (char)(i % 26));
         surfaces[i] = (struct scene_surface){.name = names[i]};
         bool refused = i % 5 == 4;
-        records[i].summary = (struct surface_summary){
-            .scene = &surfaces[i], .notes = refused ? NULL : notes[i], .refusal = refused ? refusals[i] : NULL};
+        note_list_free(&records[i].summary.notes);
+        records[i].summary = (struct surface_summary){.scene = &surfaces[i], .refusal = refused ? refusals[i] : NULL};
+        if (!refused)
+            note_it(i);
     }
     return (struct results){.scene = scene, .surfaces = records, .surface_count = SURFACES};
 }
@@ -82,13 +91,16 @@ static void what_is_of_no_kind_is_said(void **state)
     for (size_t i = 0; i < MANY; i++) {
         snprintf(note[i], sizeof *note, "%c%c%c", (char)('a' + i % 25), (char)('a' + i / 25), 'a');
         all[i].name = note[i];
-        said[i].summary = (struct surface_summary){.scene = &all[i], .notes = note[i]};
+        said[i].summary = (struct surface_summary){.scene = &all[i]};
+        note_add(&said[i].summary.notes, NULL, note[i]);
     }
     struct results results = {.scene = &scene, .surfaces = said, .surface_count = MANY};
     struct text text = {0};
     assert_int_equal(messages_add(&text, &results, true), 0);
     assert_int_equal(lines_with(&text, "\n"), MANY);
     text_free(&text);
+    for (size_t i = 0; i < MANY; i++)
+        note_list_free(&said[i].summary.notes);
     free(note);
     free(said);
     free(all);
@@ -101,7 +113,8 @@ static void notes_of_the_refused_are_said(void **state)
     struct scene scene = {.passed_over = NULL};
     struct results results = make(&scene);
     for (size_t i = 0; i < SURFACES; i++) {
-        records[i].summary.notes = notes[i];
+        note_list_free(&records[i].summary.notes);
+        note_it(i);
         records[i].summary.refusal = refusals[i];
     }
     struct text text = {0};
@@ -109,6 +122,14 @@ static void notes_of_the_refused_are_said(void **state)
     assert_int_equal(lines_with(&text, "holds from"), SURFACES);
     assert_int_equal(lines_with(&text, " refused: "), SURFACES); /* each has to be seen to */
     text_free(&text);
+}
+
+static int let_go(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < SURFACES; i++)
+        note_list_free(&records[i].summary.notes);
+    return 0;
 }
 
 int main(void)
@@ -119,5 +140,5 @@ int main(void)
         cmocka_unit_test(what_is_of_no_kind_is_said),
         cmocka_unit_test(notes_of_the_refused_are_said),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return cmocka_run_group_tests(tests, NULL, let_go);
 }
