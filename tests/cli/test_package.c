@@ -56,6 +56,7 @@ static void test_package(void **state)
     expect_part(text, "usr/share/doc/roughcontact/changelog.gz\n");
     expect_part(text, "usr/share/doc/libroughcontact0/changelog.gz\n");
     expect_part(text, "usr/share/roughcontact/templates/page.html\n");
+    expect_part(text, "usr/share/roughcontact/selftest.csv\n");
     expect_part(text, "usr/share/roughcontact/surfaces/chapter6/scene.yaml\n");
     free(text);
 
