@@ -46,7 +46,7 @@ struct selftest_result {
     struct status problem; /* STATUS_OK: it could be computed */
 };
 
-/** Reads the table. Errors: STATUS_IO with path and line: not there, cut off, a line that is none; STATUS_MEMORY. */
+/** Reads the table. Errors: STATUS_IO with path and line: not there, cut off, not to be read; STATUS_MEMORY. */
 MUST_CHECK enum status_code selftest_table_read(struct selftest_table *out, const char *path, struct status *status);
 void selftest_table_free(struct selftest_table *table);
 

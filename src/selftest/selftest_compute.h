@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* One function a group of selftest.csv. Private to src/selftest. */
+/* What computes the groups of selftest.csv; selftest_plain those that have no function of their own. Private to
+ * src/selftest. */
 #ifndef SELFTEST_SELFTEST_COMPUTE_H
 #define SELFTEST_SELFTEST_COMPUTE_H
 

@@ -120,12 +120,13 @@ static void expect_refused(const struct directory *place, const char *bytes, siz
     selftest_table_free(&damaged);
 }
 
-/** The table cut off anywhere, a cell that is no number, a group, a tolerance or a column that is none. */
+/** The table cut off anywhere, a cell that is no number, a tolerance of none, a column too few, an input that is none.
+ */
 static void a_damaged_table_is_refused(void **state)
 {
     static const struct {
         const char *from, *to;
-    } changes[] = {{"gap,integral,1,", "gap,integral,one,"},       {"\njoint,air,", "\nthermal,air,"},
+    } changes[] = {{"gap,integral,1,", "gap,integral,one,"},       {"\njoint,air,", "\njoint;air,"},
                    {",1e-11,another solver", ",0,another solver"}, {"F_1/2,-10,,", "F_1/2,-10,"},
                    {"input,plateau,", "input,elsewhere,"},         {",2.228,", ",inf,"}};
     struct directory place = directory_make();
