@@ -156,6 +156,8 @@ int command_self_test(int argc, char **argv)
                 selftest_table_read(&table, text_string(&path), &status) == STATUS_OK &&
                 run_groups(&wrong, groups, &table, arguments.verbose, &status) == STATUS_OK;
     bool right = done && print_end(wrong, groups, &table);
+    if (!done && groups)
+        (void)command_json_print(json_pack("{s:b, s:o}", "right", 0, "error", command_json_text(status.message)));
     json_decref(groups);
     selftest_table_free(&table);
     text_free(&path);
