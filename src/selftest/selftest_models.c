@@ -75,7 +75,7 @@ static double number_of(const char *name, const struct contact_point *point, con
 static enum status_code press(double *value, const struct selftest_reference *r, const struct model_row *row,
                               const struct model_task *task, double sigma_m, struct status *status)
 {
-    struct contact_point points[2] = {quantity_nothing()};
+    struct contact_point points[2];
     struct contact_spots spots = {0};
     struct model_curve curve = {.points = points};
     if (model_run(&curve, row, task, status) != STATUS_OK ||

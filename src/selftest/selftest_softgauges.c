@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Software gauges (ISO 5436-2, type F2 data in its own file format): profiles that are formulas, read as a file would
- * be, and their parameters. */
+/* Software gauges (ISO 5436-2, type F2): profiles that are formulas, read as a file would be, and their parameters. */
 #include "profile/profile.h"
 #include "scan/scan.h"
 #include "selftest/selftest_compute.h"
@@ -28,29 +27,15 @@ static const struct gauge {
     double (*height_um)(size_t i);
 } gauges[] = {{"sine", 8000, sine_um}, {"triangle", 4000, triangle_um}};
 
-/** The gauge as an SMD file: fields end with NUL, records with ETX. */
-static void write_gauge(struct text *out, const struct gauge *gauge)
-{
-    static const char first[] = "ISO 5436-2:2012\0softgauge\0\r\nPRF\0 1 ISO5436\0\r\nCX\0 I\0 ",
-                      x_axis[] = " um\0 1.0e0 D\0 0.5\r\nCZ\0 A\0 ", z_axis[] = " um\0 1.0e0 D\0\r\n\3\r\n\3\r\n",
-                      last[] = "\3\r\n";
-    text_add_bytes(out, first, sizeof first - 1);
-    text_add(out, "%zu", gauge->points);
-    text_add_bytes(out, x_axis, sizeof x_axis - 1);
-    text_add(out, "%zu", gauge->points);
-    text_add_bytes(out, z_axis, sizeof z_axis - 1);
-    for (size_t i = 0; i < gauge->points; i++)
-        text_add(out, "%.17g\r\n", gauge->height_um(i));
-    text_add_bytes(out, last, sizeof last - 1);
-}
-
 static enum status_code measure(struct parameters *out, const struct gauge *gauge, struct status *status)
 {
-    static const struct scan_options options = {.x_unit = ""};
+    static const struct scan_options options = {.no_programs = true};
     struct text file = {0};
     struct scan scan = {0};
     struct profile profile = {0};
-    write_gauge(&file, gauge);
+    text_add(&file, "x [um],z [um]\n");
+    for (size_t i = 0; i < gauge->points; i++)
+        text_add(&file, "%.1f,%.17g\n", 0.5 * (double)i, gauge->height_um(i));
     enum status_code rc = file.failed ? status_memory(status) : STATUS_OK;
     if (rc == STATUS_OK)
         rc = scan_read_bytes(&scan, &(struct scan_bytes){text_string(&file), file.length, gauge->name}, &options,
