@@ -380,29 +380,24 @@ static void units_are_not_guessed(void **state)
 
 static void faults_of_surfaces_are_errors(void **state)
 {
-    static const struct {
-        double lambda_s_m, lambda_c_m;
-        size_t row, size;
+    const size_t size = sizeof(struct roughcontact_surface_options), profile = ROUGHCONTACT_NO_ROW;
+    const struct {
+        struct roughcontact_surface_options options;
         int code;
         const char *part;
     } faults[] = {
-        {NAN, 0, ROUGHCONTACT_NO_ROW, sizeof(struct roughcontact_surface_options), ROUGHCONTACT_USAGE,
-         "lambda_s_m is nan"},
-        {0, -1, ROUGHCONTACT_NO_ROW, sizeof(struct roughcontact_surface_options), ROUGHCONTACT_USAGE,
-         "lambda_c_m is -1"},
-        {1e-5, 1e-6, ROUGHCONTACT_NO_ROW, sizeof(struct roughcontact_surface_options), ROUGHCONTACT_USAGE,
-         "nothing would be left"},
-        {1e-5, 1, ROUGHCONTACT_NO_ROW, sizeof(struct roughcontact_surface_options), ROUGHCONTACT_SCAN, "lambda_c"},
-        {0, 0, 1, sizeof(struct roughcontact_surface_options), ROUGHCONTACT_USAGE, "there is no row 1"},
-        {0, 0, ROUGHCONTACT_NO_ROW, 0, ROUGHCONTACT_USAGE, "roughcontact_surface_options_init"},
+        {{size, profile, NAN, 0}, ROUGHCONTACT_USAGE, "lambda_s_m is nan"},
+        {{size, profile, 0, -1}, ROUGHCONTACT_USAGE, "lambda_c_m is -1"},
+        {{size, profile, 1e-5, 1e-6}, ROUGHCONTACT_USAGE, "nothing would be left"},
+        {{size, profile, 1e-5, 1}, ROUGHCONTACT_SCAN, "lambda_c"},
+        {{size, 1, 0, 0}, ROUGHCONTACT_USAGE, "there is no row 1"},
+        {{0, profile, 0, 0}, ROUGHCONTACT_USAGE, "roughcontact_surface_options_init"},
     };
     struct roughcontact_surface *surface;
     workspace_scan(*state, "a.csv", 300, 9);
     struct roughcontact_scan *scan = read_scan(*state, "a.csv");
     for (size_t i = 0; i < sizeof faults / sizeof *faults; i++) {
-        const struct roughcontact_surface_options options = {faults[i].size, faults[i].row, faults[i].lambda_s_m,
-                                                             faults[i].lambda_c_m};
-        EXPECT(roughcontact_surface_make(&surface, scan, &options, &status), faults[i].code, faults[i].part);
+        EXPECT(roughcontact_surface_make(&surface, scan, &faults[i].options, &status), faults[i].code, faults[i].part);
         assert_null(surface);
     }
     EXPECT(roughcontact_surface_make(&surface, NULL, NULL, &status), ROUGHCONTACT_USAGE, "no scan");
