@@ -9,6 +9,7 @@ include(\"${CMAKE_SOURCE_DIR}/cmake/record_folders.cmake\")")
 
 install(TARGETS ${programs} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
 install(DIRECTORY templates DESTINATION share/roughcontact COMPONENT program)
+install(FILES src/selftest/selftest.csv DESTINATION share/roughcontact COMPONENT program)
 install(DIRECTORY surfaces DESTINATION share/roughcontact COMPONENT program PATTERN make.sh EXCLUDE)
 
 add_custom_command(OUTPUT ${CMAKE_BINARY_DIR}/roughcontact.1.gz DEPENDS docs/roughcontact.1 VERBATIM

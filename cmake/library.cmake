@@ -5,7 +5,7 @@ file(GLOB library_sources CONFIGURE_DEPENDS src/library/*.c)
 set(library_exports ${CMAKE_SOURCE_DIR}/src/library/roughcontact.map)
 add_library(libroughcontact SHARED ${library_sources})
 set_target_properties(libroughcontact PROPERTIES
-                      OUTPUT_NAME roughcontact VERSION ${PROJECT_VERSION} SOVERSION 0 C_VISIBILITY_PRESET hidden
+                      OUTPUT_NAME roughcontact VERSION 1.${PROJECT_VERSION_MINOR}.${PROJECT_VERSION_PATCH} SOVERSION 1 C_VISIBILITY_PRESET hidden
                       LINK_DEPENDS ${library_exports} LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
 target_link_libraries(libroughcontact PRIVATE roughcontact_core)
 target_compile_options(libroughcontact PRIVATE ${roughcontact_frames})

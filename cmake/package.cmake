@@ -32,7 +32,7 @@ surfaces do when pressed together: real contact area, separation,
 electrical and thermal contact resistance against load, by several models
 side by side, in a report with charts.")
 
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libroughcontact0)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libroughcontact1)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${package_doc}/triggers)
 file(WRITE ${package_doc}/triggers "activate-noawait ldconfig\n")
@@ -43,7 +43,7 @@ electrical and thermal resistance against load.")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libroughcontact-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libroughcontact0 (= ${PROJECT_VERSION})")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libroughcontact1 (= ${PROJECT_VERSION})")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "contact of measured rough surfaces, development files
 The header, the pkg-config file and examples in C and Python for programs
 that use libroughcontact.")

@@ -21,6 +21,10 @@ int main(int argc, char **argv)
         roughcontact_surface_make(&surface, scan, NULL, &status) != ROUGHCONTACT_OK ||
         roughcontact_material_new(&tin, "tin", &status) != ROUGHCONTACT_OK)
         goto end;
+    for (size_t i = 0; roughcontact_scan_warning(scan, i); i++)
+        fprintf(stderr, "%s\n", roughcontact_scan_warning(scan, i));
+    for (size_t i = 0; roughcontact_surface_note(surface, i); i++)
+        fprintf(stderr, "%s\n", roughcontact_surface_note(surface, i));
     const struct roughcontact_roughness *roughness = roughcontact_surface_roughness(surface);
     const struct roughcontact_power_law *law = roughcontact_surface_power_law(surface);
     printf("Rq %.6g um, gamma %.4g +- %.2g\n", roughness->rq_m * 1e6, law->gamma, law->gamma_error);

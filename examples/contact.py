@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a scan says of its surface, as contact.c does: python3 contact.py scan.csv [um]"""
 import ctypes
+import itertools
 import sys
 from ctypes import byref, c_char_p, c_double, c_int, c_size_t, c_void_p, sizeof
 
@@ -10,29 +11,31 @@ class Status(ctypes.Structure):
 
 
 class ScanOptions(ctypes.Structure):
-    _fields_ = [("size", c_size_t), ("x_unit", c_char_p), ("z_unit", c_char_p), ("quantity", c_int),
-                ("x_column", c_char_p), ("z_column", c_char_p), ("entry", c_size_t)]
+    _fields_ = [("size", c_size_t), ("x_unit", c_char_p), ("z_unit", c_char_p)]
 
 
 class RunOptions(ctypes.Structure):
     _fields_ = [("size", c_size_t), ("material", c_void_p), ("counterface", c_void_p), ("hardness_Pa", c_double),
-                ("tolerance", c_double), ("load", c_int)]
+                ("load", c_int)]
 
 
 class Point(ctypes.Structure):
     _fields_ = [("exists", c_int), ("valid", c_int)] + [(name, c_double) for name in (
-        "load", "pressure_Pa", "area_ratio", "separation_m", "adjusted_m", "ecr_ohm_m2", "tcr_K_m2_per_W")]
+        "load", "pressure_Pa", "area_ratio", "separation_m", "ecr_ohm_m2", "tcr_K_m2_per_W")]
 
 
 class PowerLaw(ctypes.Structure):
     _fields_ = [("law", c_int), ("alpha", c_double), ("gamma", c_double), ("gamma_error", c_double)]
 
 
-library = ctypes.CDLL("libroughcontact.so.0")
+library = ctypes.CDLL("libroughcontact.so.1")
 library.roughcontact_surface_roughness.restype = ctypes.POINTER(c_double)  # rq_m comes first
 library.roughcontact_surface_power_law.restype = ctypes.POINTER(PowerLaw)
 library.roughcontact_curve_point.restype = ctypes.POINTER(Point)
 library.roughcontact_curve_point.argtypes = [c_void_p, c_size_t]
+for name in ("scan_warning", "surface_note"):
+    getattr(library, "roughcontact_" + name).restype = c_char_p
+    getattr(library, "roughcontact_" + name).argtypes = [c_void_p, c_size_t]
 for name in ("surface_roughness", "surface_power_law", "scan_free", "surface_free", "material_free", "curve_free"):
     getattr(library, "roughcontact_" + name).argtypes = [c_void_p]
 
@@ -55,6 +58,10 @@ scan = make("scan_read_file", sys.argv[1].encode(), byref(units))
 surface = make("surface_make", scan, None)
 how.material = make("material_new", b"tin")
 curve = make("run", surface, b"two-band-plastic", loads, c_size_t(len(loads)), byref(how))
+
+for said, handle in ((library.roughcontact_scan_warning, scan), (library.roughcontact_surface_note, surface)):
+    for i in itertools.takewhile(lambda i: said(handle, i), itertools.count()):
+        print(said(handle, i).decode(), file=sys.stderr)
 
 law = library.roughcontact_surface_power_law(surface)[0]
 print("Rq %.6g um, gamma %.4g +- %.2g"

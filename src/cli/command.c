@@ -30,18 +30,23 @@ int command_fail(const struct status *status)
                                           : COMMAND_NOTHING;
 }
 
-enum status_code command_templates(struct text *out, struct status *status)
+enum status_code command_share(struct text *out, const char *name, struct status *status)
 {
     char program[PATH_MAX];
     ssize_t length = readlink("/proc/self/exe", program, sizeof program - 1);
     if (length < 0)
         return status_fail(status, STATUS_IO, "cannot find the program's own place: %s", strerror(errno));
     program[length] = '\0';
-    text_add(out, "%s/share/roughcontact/templates", dirname(dirname(program))); /* beside bin */
+    text_add(out, "%s/share/roughcontact/%s", dirname(dirname(program)), name); /* beside bin */
     if (access(text_string(out), R_OK) != 0)
-        return status_fail(status, STATUS_IO, "no templates in '%s'; install the program with cmake --install",
+        return status_fail(status, STATUS_IO, "no %s in '%s'; install the program with cmake --install", name,
                            text_string(out));
     return STATUS_OK;
+}
+
+enum status_code command_templates(struct text *out, struct status *status)
+{
+    return command_share(out, "templates", status);
 }
 
 enum { KEY_USAGE = 0x1000 };

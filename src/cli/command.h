@@ -62,6 +62,8 @@ void command_list(FILE *stream);
 int command_run_help(const struct command_row *row);
 /** The row of that name; NULL: none, and `status` says which there are. */
 const struct command_row *command_find(const char *name, struct status *status);
+/** The templates'. */
+MUST_CHECK enum status_code command_templates(struct text *out, struct status *status);
 
 /** The manual page, in roff for man(1), and the completion for bash: from the rows, their options and the scene's keys.
  */
@@ -81,8 +83,8 @@ void command_complain(const char *what, const char *message);
 /** Prints the message in the same way and returns the exit status that goes with the code. */
 int command_fail(const struct status *status);
 
-/** Directory of the templates: share/roughcontact/templates beside the program's bin. Error: STATUS_IO. */
-MUST_CHECK enum status_code command_templates(struct text *out, struct status *status);
+/** What is installed as share/roughcontact/`name` beside the program's bin. Error: STATUS_IO. */
+MUST_CHECK enum status_code command_share(struct text *out, const char *name, struct status *status);
 
 /** The length [m] that option `name` gives: 0.8mm, 8 um, or a plain number in m; ends the program where it is none. */
 double command_length(const char *name, const char *value, struct argp_state *state);

@@ -119,8 +119,8 @@ static const struct {
         {"OUT/figures", "the charts, with the data and the script that redraw each"},
         {"OUT/manifest.txt", "the files that the program wrote, which the next run replaces"},
         {"PREFIX/share/roughcontact",
-         "templates of report and charts, which the program looks for beside its own PREFIX/bin, "
-         "and example surfaces"},
+         "templates of report and charts and the numbers of self-test, which the program looks for beside its own "
+         "PREFIX/bin, and example surfaces"},
 },
   environment[] =
       {

@@ -8,22 +8,11 @@
 
 static int public_code(enum status_code code)
 {
-    switch (code) {
-    case STATUS_OK:
-        return ROUGHCONTACT_OK;
-    case STATUS_MEMORY:
-        return ROUGHCONTACT_MEMORY;
-    case STATUS_IO:
-        return ROUGHCONTACT_IO;
-    case STATUS_SCAN:
-        return ROUGHCONTACT_SCAN;
-    case STATUS_MODEL:
-        return ROUGHCONTACT_MODEL;
-    case STATUS_NUMBER:
-        return ROUGHCONTACT_NUMBER;
-    default:
-        return ROUGHCONTACT_USAGE;
-    }
+    static const int codes[STATUS_INTERRUPTED + 1] = {
+        [STATUS_MEMORY] = ROUGHCONTACT_MEMORY, [STATUS_IO] = ROUGHCONTACT_IO,
+        [STATUS_USAGE] = ROUGHCONTACT_USAGE,   [STATUS_SCAN] = ROUGHCONTACT_SCAN,
+        [STATUS_MODEL] = ROUGHCONTACT_MODEL,   [STATUS_NUMBER] = ROUGHCONTACT_NUMBER};
+    return codes[code];
 }
 
 int library_end(const struct host *host, const struct status *problem, struct roughcontact_status *status)

@@ -16,7 +16,6 @@
 
 struct roughcontact_scan {
     struct scan scan;
-    struct roughcontact_scan_info info;
 };
 
 struct roughcontact_surface {
@@ -24,9 +23,9 @@ struct roughcontact_surface {
     struct spectrum spectrum;
     struct asperities asperities;
     bool has_asperities;
-    char problem[240]; /* why there are none */
-    double lambda_c_m;
-    struct roughcontact_surface_info info;
+    struct status problem;      /* why there are none */
+    struct slope_point *points; /* heights and slopes, for models that use them */
+    size_t point_count;
     struct roughcontact_roughness roughness;
     struct roughcontact_spectrum shown_spectrum;
     struct roughcontact_power_law power_law;

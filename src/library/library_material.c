@@ -1,19 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "library/library.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-const char *roughcontact_material_name(size_t i)
-{
-    return i < material_table_count ? material_table[i].name : NULL;
-}
-
-const char *roughcontact_material_key(size_t i)
-{
-    return i < material_property_count ? material_properties[i].key : NULL;
-}
 
 int roughcontact_material_new(struct roughcontact_material **out, const char *name, struct roughcontact_status *status)
 {
@@ -24,7 +13,7 @@ int roughcontact_material_new(struct roughcontact_material **out, const char *na
     *out = NULL;
     if (name && !found)
         (void)status_fail(&problem, STATUS_USAGE,
-                          "unknown material '%.60s'; roughcontact_material_name() has those that are known", name);
+                          "unknown material '%.60s'; `roughcontact materials` lists those that are known", name);
     else if (!(*out = malloc(sizeof **out)))
         (void)status_memory(&problem);
     else
@@ -43,7 +32,7 @@ int roughcontact_material_set(struct roughcontact_material *material, const char
         (void)status_fail(&problem, STATUS_USAGE, "no material is given");
     else if (!property)
         (void)status_fail(&problem, STATUS_USAGE,
-                          "no property is called '%.60s'; roughcontact_material_key() has those that are known",
+                          "no property is called '%.60s'; `roughcontact materials --json` has those that are known",
                           key ? key : "");
     else if (!(value >= property->least && value <= property->most))
         (void)status_fail(&problem, STATUS_USAGE, "%s is %g; allowed is %g to %g", key, value, property->least,
@@ -51,12 +40,6 @@ int roughcontact_material_set(struct roughcontact_material *material, const char
     else
         memcpy((char *)&material->material + property->offset, &value, sizeof value);
     return library_end(&host, &problem, status);
-}
-
-double roughcontact_material_get(const struct roughcontact_material *material, const char *key)
-{
-    const struct material_property *property = key ? material_property_find(key) : NULL;
-    return material && property ? material_value(&material->material, property) : NAN;
 }
 
 void roughcontact_material_free(struct roughcontact_material *material)

@@ -4,58 +4,28 @@
 #include "analysis/curve_summary.h"
 #include "contact/model.h"
 #include <math.h>
-#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 
-static const double tolerance_least = 1e-14, tolerance_most = 0.1; /* as the scene's */
 static const struct roughcontact_run_options defaults = {
-    .size = sizeof defaults, .hardness_Pa = NAN, .tolerance = 1e-6, .load = ROUGHCONTACT_LOAD_OVER_MODULUS};
+    .size = sizeof defaults, .hardness_Pa = NAN, .load = ROUGHCONTACT_LOAD_OVER_MODULUS};
 
 struct roughcontact_curve {
-    struct roughcontact_curve_info info;
-    struct roughcontact_point *points; /* info.count of them */
+    size_t count;
+    struct roughcontact_point *points;
 };
 
-enum { MODELS_MOST = 64 }; /* see model_count */
-static struct roughcontact_model shown_models[MODELS_MOST];
-
-static void fill_models(void)
+const char *roughcontact_model_name(size_t i)
 {
-    for (size_t m = 0; m < model_count; m++) {
-        const struct model_row *row = model_rows[m];
-        shown_models[m] = (struct roughcontact_model){.name = row->name,
-                                                      .label = row->label,
-                                                      .family = row->family,
-                                                      .plastic = row->plastic,
-                                                      .uses_asperities = row->asperity_model != NULL,
-                                                      .gaussian = !row->uses_heights,
-                                                      .largest_area = row->largest_area,
-                                                      .equations = row->equations,
-                                                      .source = row->source,
-                                                      .assumes = row->assumes,
-                                                      .valid = row->valid};
-    }
+    return i < model_count ? model_rows[i]->name : NULL;
 }
 
-const struct roughcontact_model *roughcontact_model(size_t i)
+static const struct model_row *find_model(const char *name)
 {
-    static pthread_once_t once = PTHREAD_ONCE_INIT;
-    pthread_once(&once, fill_models);
-    return i < model_count ? &shown_models[i] : NULL;
-}
-
-static size_t find_model(const char *name)
-{
-    size_t m = 0;
-    while (m < model_count && !(name && strcmp(model_rows[m]->name, name) == 0))
-        m++;
-    return m;
-}
-
-const struct roughcontact_model *roughcontact_model_find(const char *name)
-{
-    return roughcontact_model(find_model(name));
+    for (size_t m = 0; name && m < model_count; m++)
+        if (strcmp(model_rows[m]->name, name) == 0)
+            return model_rows[m];
+    return NULL;
 }
 
 void roughcontact_run_options_init(struct roughcontact_run_options *options, size_t size)
@@ -128,13 +98,14 @@ static enum status_code take_bodies(struct bodies *out, struct material_pair *pa
 }
 
 /** Can this model answer? */
-static enum status_code check_model(size_t m, const char *name, const struct roughcontact_surface *surface,
-                                    const struct bodies *bodies, struct status *status)
+static enum status_code check_model(const struct model_row *row, const char *name,
+                                    const struct roughcontact_surface *surface, const struct bodies *bodies,
+                                    struct status *status)
 {
-    if (m == model_count)
-        return status_fail(status, STATUS_USAGE, "unknown model '%.60s'; roughcontact_model() has those that are known",
+    if (!row)
+        return status_fail(status, STATUS_USAGE,
+                           "unknown model '%.60s'; roughcontact_model_name() has those that are known",
                            name ? name : "");
-    const struct model_row *row = model_rows[m];
     const char *lack = row->plastic ? find_lack(bodies, EFFECT_PLASTICITY) : NULL;
     if (lack && !bodies->material)
         return status_fail(status, STATUS_USAGE, "model '%s' needs a material with %s", row->name, lack);
@@ -142,7 +113,7 @@ static enum status_code check_model(size_t m, const char *name, const struct rou
         return status_fail(status, STATUS_USAGE, "model '%s' needs %s; set it by roughcontact_material_set()",
                            row->name, lack);
     if (row->asperity_model && !surface->has_asperities)
-        return status_fail(status, STATUS_MODEL, "no %s for this surface: %s", row->name, surface->problem);
+        return status_fail(status, STATUS_MODEL, "no %s for this surface: %s", row->name, surface->problem.message);
     return STATUS_OK;
 }
 
@@ -171,44 +142,29 @@ static enum status_code take_loads(double **out, const double *loads, size_t cou
     return STATUS_OK;
 }
 
-static struct roughcontact_point show_point(const struct contact_point *point, const struct material_pair *pair)
-{
-    return (struct roughcontact_point){.exists = 1,
-                                       .load = point->value[QUANTITY_LOAD],
-                                       .pressure_Pa = material_pair_pressure(pair, point->value[QUANTITY_LOAD]),
-                                       .area_ratio = point->value[QUANTITY_AREA],
-                                       .separation_m = point->value[QUANTITY_SEPARATION],
-                                       .adjusted_m = point->value[QUANTITY_ADJUSTED],
-                                       .ecr_ohm_m2 = point->value[QUANTITY_ECR],
-                                       .tcr_K_m2_per_W = point->value[QUANTITY_TCR],
-                                       .tcr_sd_K_m2_per_W = point->value[QUANTITY_TCR_SCALE_DEPENDENT],
-                                       .beyond_fit = point->beyond_fit};
-}
-
 /** One point a load; those that the curve does not have, as a statistical model's beyond full contact, do not exist. */
 static void show_curve(struct roughcontact_curve *out, const struct model_curve *curve, const struct model_row *row,
                        const struct model_task *task)
 {
     const struct curve_validity valid = curve_summary_validity(curve, row);
+    const struct contact_point nothing = quantity_nothing();
     size_t at = 0;
     for (size_t i = 0; i < task->load_count; i++) {
-        while (at < curve->count && curve->points[at].value[QUANTITY_LOAD] < task->loads[i])
+        double load = task->loads[i];
+        while (at < curve->count && curve->points[at].value[QUANTITY_LOAD] < load)
             at++;
-        const struct contact_point nothing = quantity_nothing();
-        bool exists = at < curve->count && curve->points[at].value[QUANTITY_LOAD] == task->loads[i];
-        struct roughcontact_point *point = &out->points[i];
-        *point = show_point(exists ? &curve->points[at] : &nothing, task->pair);
-        point->exists = exists;
-        point->valid = exists && at >= valid.first && at < valid.end;
-        point->load = task->loads[i];
-        point->pressure_Pa = material_pair_pressure(task->pair, task->loads[i]);
+        bool exists = at < curve->count && curve->points[at].value[QUANTITY_LOAD] == load;
+        const struct contact_point *point = exists ? &curve->points[at] : &nothing;
+        out->points[i] = (struct roughcontact_point){.exists = exists,
+                                                     .valid = exists && at >= valid.first && at < valid.end,
+                                                     .load = load,
+                                                     .pressure_Pa = material_pair_pressure(task->pair, load),
+                                                     .area_ratio = point->value[QUANTITY_AREA],
+                                                     .separation_m = point->value[QUANTITY_SEPARATION],
+                                                     .ecr_ohm_m2 = point->value[QUANTITY_ECR],
+                                                     .tcr_K_m2_per_W = point->value[QUANTITY_TCR],
+                                                     .tcr_sd_K_m2_per_W = point->value[QUANTITY_TCR_SCALE_DEPENDENT]};
     }
-    out->info = (struct roughcontact_curve_info){.model = row->name,
-                                                 .count = task->load_count,
-                                                 .effective_modulus_Pa =
-                                                     task->pair->unknown ? NAN : task->pair->effective_modulus_Pa,
-                                                 .full_load = curve->full_load,
-                                                 .beta = curve->beta};
 }
 
 /** Runs the model of a task that was checked. */
@@ -216,6 +172,7 @@ static enum status_code solve(struct roughcontact_curve *out, const struct model
                               const struct model_task *task, struct status *status)
 {
     struct model_curve curve = {.points = calloc(task->load_count + 1, sizeof *curve.points)};
+    out->count = task->load_count;
     out->points = calloc(task->load_count, sizeof *out->points);
     enum status_code code = curve.points && out->points ? model_run(&curve, row, task, status) : status_memory(status);
     if (code == STATUS_OK && curve.overflows)
@@ -238,41 +195,30 @@ static enum status_code run(struct roughcontact_curve **out, const struct roughc
     struct roughcontact_run_options own = defaults;
     struct bodies bodies;
     struct material_pair pair;
-    size_t m = find_model(model);
+    const struct model_row *row = find_model(model);
     double *over_modulus = NULL;
     if (!surface)
         return status_fail(status, STATUS_USAGE, "no surface is given");
     if (library_take(&own, sizeof own, options, "roughcontact_run_options_init", status) != STATUS_OK ||
         take_bodies(&bodies, &pair, &own, status) != STATUS_OK ||
-        check_model(m, model, surface, &bodies, status) != STATUS_OK)
+        check_model(row, model, surface, &bodies, status) != STATUS_OK)
         return status->code;
-    if (!(own.tolerance >= tolerance_least && own.tolerance <= tolerance_most))
-        return status_fail(status, STATUS_USAGE, "tolerance is %g; allowed is %g to %g", own.tolerance, tolerance_least,
-                           tolerance_most);
-    const struct profile *profile = &surface->profile;
     struct roughcontact_curve *made = calloc(1, sizeof *made);
-    struct slope_point *points = model_rows[m]->uses_heights ? malloc(profile->points * sizeof *points) : NULL;
-    enum status_code code = made && (points || !model_rows[m]->uses_heights)
-                                ? take_loads(&over_modulus, loads, count, &own, &pair, status)
-                                : status_memory(status);
+    enum status_code code = made ? take_loads(&over_modulus, loads, count, &own, &pair, status) : status_memory(status);
     if (code == STATUS_OK) {
-        const struct model_task task = {
-            .spectrum = &surface->spectrum,
-            .asperities = surface->has_asperities ? &surface->asperities : NULL,
-            .pair = &pair,
-            .loads = over_modulus,
-            .load_count = count,
-            .wanted = find_wanted(&bodies),
-            .tolerance = own.tolerance,
-            .sinusoid_fit = SINUSOID_FIT_THESIS,
-            .hardness_Pa = pair.hardness_Pa,
-            .points = points,
-            .point_count =
-                points ? contacting_slopes_of_profile(points, profile->height_m, profile->points, profile->spacing_m)
-                       : 0};
-        code = solve(made, model_rows[m], &task, status);
+        const struct model_task task = {.spectrum = &surface->spectrum,
+                                        .asperities = surface->has_asperities ? &surface->asperities : NULL,
+                                        .pair = &pair,
+                                        .loads = over_modulus,
+                                        .load_count = count,
+                                        .wanted = find_wanted(&bodies),
+                                        .tolerance = 1e-6, /* the scene's default */
+                                        .sinusoid_fit = SINUSOID_FIT_THESIS,
+                                        .hardness_Pa = pair.hardness_Pa,
+                                        .points = surface->points,
+                                        .point_count = surface->point_count};
+        code = solve(made, row, &task, status);
     }
-    free(points);
     free(over_modulus);
     if (code == STATUS_OK)
         *out = made;
@@ -293,14 +239,9 @@ int roughcontact_run(struct roughcontact_curve **out, const struct roughcontact_
     return library_end(&host, &problem, status);
 }
 
-const struct roughcontact_curve_info *roughcontact_curve_info(const struct roughcontact_curve *curve)
-{
-    return &curve->info;
-}
-
 const struct roughcontact_point *roughcontact_curve_point(const struct roughcontact_curve *curve, size_t i)
 {
-    return i < curve->info.count ? &curve->points[i] : NULL;
+    return i < curve->count ? &curve->points[i] : NULL;
 }
 
 void roughcontact_curve_free(struct roughcontact_curve *curve)

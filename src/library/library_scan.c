@@ -19,43 +19,15 @@ static enum status_code take_options(struct scan_options *out, const struct roug
     struct roughcontact_scan_options own = defaults;
     if (library_take(&own, sizeof own, given, "roughcontact_scan_options_init", status) != STATUS_OK)
         return status->code;
-    if (own.quantity != ROUGHCONTACT_HEIGHT && own.quantity != ROUGHCONTACT_SLOPE)
-        return status_fail(status, STATUS_USAGE, "quantity %d is not known; give ROUGHCONTACT_HEIGHT or _SLOPE",
-                           own.quantity);
-    enum scan_quantity quantity = own.quantity == ROUGHCONTACT_SLOPE ? SCAN_SLOPE : SCAN_HEIGHT;
     const char *const units[2] = {own.x_unit, own.z_unit};
     for (int axis = 0; axis < 2; axis++) {
         const char *unit = units[axis];
-        bool slope = axis == 1 && quantity == SCAN_SLOPE;
-        if (unit && *unit && !((slope ? scan_unit_slope : scan_unit_m)(unit, strlen(unit)) > 0))
-            return status_fail(status, STATUS_USAGE, "%c_unit is '%.60s'; give a unit of %s", "xz"[axis], unit,
-                               slope ? "slope such as urad or um/mm" : "length such as mm or um");
+        if (unit && *unit && !(scan_unit_m(unit, strlen(unit)) > 0))
+            return status_fail(status, STATUS_USAGE, "%c_unit is '%.60s'; give a unit of length such as mm or um",
+                               "xz"[axis], unit);
     }
-    *out = (struct scan_options){.x_unit = own.x_unit,
-                                 .z_unit = own.z_unit,
-                                 .quantity = quantity,
-                                 .x_column = own.x_column,
-                                 .z_column = own.z_column,
-                                 .entry = own.entry,
-                                 .no_programs = true};
+    *out = (struct scan_options){.x_unit = own.x_unit, .z_unit = own.z_unit, .no_programs = true};
     return STATUS_OK;
-}
-
-static void fill_info(struct roughcontact_scan *out)
-{
-    const struct scan *scan = &out->scan;
-    out->info = (struct roughcontact_scan_info){.format = scan->format,
-                                                .nx = scan->nx,
-                                                .ny = scan->ny,
-                                                .dx_m = scan->dx_m,
-                                                .dy_m = scan->dy_m,
-                                                .z_m = scan->z_m,
-                                                .x_m = scan->x_m,
-                                                .missing = scan->missing,
-                                                .x_unit = scan->x_unit,
-                                                .z_unit = scan->z_unit,
-                                                .part = scan->part,
-                                                .next_entry = scan->next_entry};
 }
 
 /** Reads the file at `path`, or with `path` NULL the bytes of `name`. */
@@ -80,7 +52,8 @@ static enum status_code read_scan(struct roughcontact_scan **out, const char *pa
         roughcontact_scan_free(made);
         return code;
     }
-    fill_info(made);
+    if (made->scan.next_entry > 0)
+        scan_warn(&made->scan, "the archive holds several scans; '%.60s', the first, is read", made->scan.part);
     *out = made;
     return STATUS_OK;
 }
@@ -112,11 +85,6 @@ int roughcontact_scan_read_bytes(struct roughcontact_scan **out, const void *byt
     else
         (void)read_scan(out, NULL, &given, options, &problem);
     return library_end(&host, &problem, status);
-}
-
-const struct roughcontact_scan_info *roughcontact_scan_info(const struct roughcontact_scan *scan)
-{
-    return &scan->info;
 }
 
 const char *roughcontact_scan_warning(const struct roughcontact_scan *scan, size_t i)

@@ -1,26 +1,24 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "selftest/selftest.h"
+#include "selftest/selftest_compute.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
-#define GROUPS(X)                                                                                                      \
-    X(softgauges)                                                                                                      \
-    X(spectrum)                                                                                                        \
-    X(integrals)                                                                                                       \
-    X(statistics)                                                                                                      \
-    X(sinusoid)                                                                                                        \
-    X(models)                                                                                                          \
-    X(direct)                                                                                                          \
-    X(joint)
-
-#define DECLARE(name) extern const struct selftest_group selftest_##name;
-#define ENTRY(name)   &selftest_##name,
-
-GROUPS(DECLARE)
-
-const struct selftest_group *const selftest_groups[] = {GROUPS(ENTRY)};
-const size_t selftest_group_count = sizeof selftest_groups / sizeof selftest_groups[0];
+static selftest_compute *find_compute(const char *group)
+{
+    static const struct {
+        const char *group;
+        selftest_compute *compute;
+    } computes[] = {{"softgauges", selftest_softgauge},
+                    {"spectrum", selftest_spectrum},
+                    {"models", selftest_model},
+                    {"direct", selftest_direct}};
+    for (size_t i = 0; i < sizeof computes / sizeof computes[0]; i++)
+        if (strcmp(computes[i].group, group) == 0)
+            return computes[i].compute;
+    return selftest_plain;
+}
 
 double selftest_error(const struct selftest_reference *reference, double value)
 {
@@ -28,18 +26,23 @@ double selftest_error(const struct selftest_reference *reference, double value)
     return isfinite(value) ? fabs(value - reference->expected) / allowed : INFINITY;
 }
 
-enum status_code selftest_run(struct selftest_result *out, const struct selftest_group *group, struct status *status)
+enum status_code selftest_run(struct selftest_result *out, const struct selftest_table *table,
+                              const struct selftest_group *group, struct status *status)
 {
     *out = (struct selftest_result){.values = calloc(group->count, sizeof *out->values)};
     if (!out->values)
         return status_memory(status);
-    if (group->compute(out->values, group->references, group->count, &out->problem) != STATUS_OK) {
-        out->wrong = group->count;
-        out->worst = INFINITY;
-        return STATUS_OK;
-    }
     for (size_t i = 0; i < group->count; i++) {
-        double error = selftest_error(&group->references[i], out->values[i]);
+        const struct selftest_reference *reference = &group->references[i];
+        out->values[i] = NAN;
+        if (find_compute(reference->group)(&out->values[i], reference, table, &out->problem) != STATUS_OK) {
+            if (out->problem.code == STATUS_IO)
+                return status_fail(status, STATUS_IO, "%s", out->problem.message);
+            out->wrong = group->count;
+            out->worst = INFINITY;
+            return STATUS_OK;
+        }
+        double error = selftest_error(reference, out->values[i]);
         out->wrong += !(error <= 1);
         if (error > out->worst) {
             out->worst = error;

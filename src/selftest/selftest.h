@@ -1,35 +1,41 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Does this build compute correctly here? Numbers whose values are known from elsewhere (closed forms, printed figures
- * of other programs, evaluations of the same equations in 30 digits or by other methods), computed again from nothing
- * but what is compiled in: no file is read, and none written. */
+ * of other programs, evaluations of the same equations in 30 digits or by other methods) stand in selftest.csv, which
+ * is installed with the program; here they are computed again. */
 #ifndef SELFTEST_SELFTEST_H
 #define SELFTEST_SELFTEST_H
 
-#include "base/status.h"
-#include <stdbool.h>
-#include <stddef.h>
+#include "base/text.h"
 
-/** One number: of what, at which arguments, and what it has to be. */
+/** One number: of what, at which arguments, and what it has to be. A line of selftest.csv. */
 struct selftest_reference {
-    const char *what; /* a model, a gas, a parameter, ...: the group knows */
-    const char *of;   /* which of its numbers */
-    double at[3];     /* arguments; SI, or as `of` says */
+    const char *group;
+    const char *of;       /* a model, a gas, a wave, ... */
+    const char *quantity; /* which of its numbers */
+    double at[3];         /* arguments, as the table says */
     double expected;
-    double tolerance; /* relative */
+    double tolerance;   /* relative */
+    const char *source; /* where the group's numbers are from: in its first line */
 };
 
-/** Numbers that one function computes together. */
+/** Inputs that take a list: how many numbers each has. */
+enum { SELFTEST_PLATEAU = 512, SELFTEST_LAW = 60, SELFTEST_SCANS = 5 };
+
+/** The table. Owned: selftest_table_free(). */
+struct selftest_table {
+    struct text text; /* of the file, which the references point into */
+    struct selftest_reference *references;
+    size_t count;
+    double plateau_m[SELFTEST_PLATEAU]; /* heights of a profile worn flat on top, 1 um apart */
+    double law_m2[SELFTEST_LAW];        /* squared amplitudes of a multitaper spectrum of 1 mm */
+    double scans[SELFTEST_SCANS];
+};
+
+/** Numbers that are told together: references of a table, one behind the other. */
 struct selftest_group {
-    const char *name;
-    const char *source; /* where the expected values are from */
     const struct selftest_reference *references;
     size_t count;
-    /** Computes all of them, values[i] of references[i]. Errors: those of what it tests. */
-    enum status_code (*compute)(double *values, const struct selftest_reference *references, size_t count,
-                                struct status *status);
 };
-extern const struct selftest_group *const selftest_groups[];
-extern const size_t selftest_group_count;
 
 /** How a group came out. Owned: selftest_result_free(). */
 struct selftest_result {
@@ -40,15 +46,23 @@ struct selftest_result {
     struct status problem; /* STATUS_OK: it could be computed */
 };
 
-/** Runs a group. Error: STATUS_MEMORY; what else went wrong is in out->problem. */
-MUST_CHECK enum status_code selftest_run(struct selftest_result *out, const struct selftest_group *group,
-                                         struct status *status);
+/** Reads the table. Errors: STATUS_IO with path and line: not there, cut off, not to be read; STATUS_MEMORY. */
+MUST_CHECK enum status_code selftest_table_read(struct selftest_table *out, const char *path, struct status *status);
+void selftest_table_free(struct selftest_table *table);
+
+/** The group that begins at reference `first`. */
+struct selftest_group selftest_group(const struct selftest_table *table, size_t first);
+
+/** Computes the numbers of a group. Errors: STATUS_MEMORY; STATUS_IO: the table asks for what nothing here computes.
+ * What else went wrong is in out->problem. */
+MUST_CHECK enum status_code selftest_run(struct selftest_result *out, const struct selftest_table *table,
+                                         const struct selftest_group *group, struct status *status);
 void selftest_result_free(struct selftest_result *result);
 
 /** Error of one number as a share of its tolerance; infinite for one that is not finite. */
 double selftest_error(const struct selftest_reference *reference, double value);
 
-/** Has the model at this place of the table references here? */
-bool selftest_covers_model(size_t model);
+/** Has the table numbers of the model of this name? */
+bool selftest_covers_model(const struct selftest_table *table, const char *name);
 
 #endif

@@ -72,6 +72,20 @@ static void test_install(void **state)
                            "first/share/roughcontact/templates'; install the program with cmake --install", __FILE__,
                            __LINE__);
     assert_false(workspace_has(place, "out"));
+    const char *const self_test[] = {program, "self-test", NULL};
+    struct process tested =
+        process_expect(process_end(process_start_list(place, self_test, NULL)), 0, __FILE__, __LINE__);
+    process_free(&tested);
+    assert_int_equal(unlink_in(place, "first/share/roughcontact/selftest.csv"), 0);
+    process_expect_failure(process_end(process_start_list(place, self_test, NULL)), 4, 1,
+                           "first/share/roughcontact/selftest.csv'; install the program with cmake --install", __FILE__,
+                           __LINE__);
+    const char *const as_json[] = {program, "self-test", "--json", NULL};
+    struct process json = process_end(process_start_list(place, as_json, NULL));
+    assert_int_equal(json.status, 4);
+    expect_part(json.out, "\"right\": false");
+    expect_part(json.out, "selftest.csv");
+    process_free(&json);
     free(reference);
     free(second);
     free(third);

@@ -38,24 +38,25 @@ static void test_package(void **state)
     expect_part(text, "libmd4c0"); /* GSL and others are inside it */
     expect_no_part(text, "libgsl");
     free(text);
-    text = workspace_shell(place, "dpkg-deb -f packages/libroughcontact0_*.deb Depends");
+    text = workspace_shell(place, "dpkg-deb -f packages/libroughcontact1_*.deb Depends");
     expect_part(text, "libgsl27");
     expect_no_part(text, "gnuplot"); /* which the library has no use for */
     expect_no_part(text, "libyaml");
     free(text);
     text = workspace_shell(place, "dpkg-deb -f packages/libroughcontact-dev_*.deb Depends");
-    expect_part(text, "libroughcontact0 (= ");
+    expect_part(text, "libroughcontact1 (= ");
     free(text);
     text = workspace_shell(place,
                            "for p in packages/*.deb; do dpkg-deb -x $p root; done; cd root && find usr -type f | sort");
     expect_part(text, "usr/bin/roughcontact\n");
     expect_part(text, "usr/include/roughcontact.h\n");
     expect_part(text, "/pkgconfig/roughcontact.pc\n");
-    expect_part(text, "/libroughcontact.so.0.");
+    expect_part(text, "/libroughcontact.so.1.");
     expect_part(text, "usr/share/doc/roughcontact/copyright\n");
     expect_part(text, "usr/share/doc/roughcontact/changelog.gz\n");
-    expect_part(text, "usr/share/doc/libroughcontact0/changelog.gz\n");
+    expect_part(text, "usr/share/doc/libroughcontact1/changelog.gz\n");
     expect_part(text, "usr/share/roughcontact/templates/page.html\n");
+    expect_part(text, "usr/share/roughcontact/selftest.csv\n");
     expect_part(text, "usr/share/roughcontact/surfaces/chapter6/scene.yaml\n");
     free(text);
 

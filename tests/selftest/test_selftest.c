@@ -1,125 +1,159 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The self-test: right as it is, wrong wherever a number or its expected value is planted wrong. */
+/* The self-test: right as it is, wrong wherever a number or its expected value is planted wrong; its table is the
+ * reference tables', and refused when damaged. */
 #include "contact/model.h"
+#include "directory.h"
 #include "selftest/selftest.h"
 #include "support.h"
 
 #include <dirent.h>
-#include <stdbool.h>
 #include <stdio.h>
+
+#define TABLE PROJECT_SOURCE "/src/selftest/selftest.csv"
+
+static struct selftest_table table;
+
+static int read_table(void **state)
+{
+    struct status status = {0};
+    (void)state;
+    return selftest_table_read(&table, TABLE, &status) != STATUS_OK;
+}
+
+static int free_table(void **state)
+{
+    (void)state;
+    selftest_table_free(&table);
+    return 0;
+}
 
 static struct selftest_result run(const struct selftest_group *group)
 {
     struct selftest_result result;
     struct status status = {0};
-    assert_int_equal(selftest_run(&result, group, &status), STATUS_OK);
+    assert_int_equal(selftest_run(&result, &table, group, &status), STATUS_OK);
     return result;
 }
 
 static void all_groups_are_right(void **state)
 {
     (void)state;
-    size_t numbers = 0;
-    for (size_t g = 0; g < selftest_group_count; g++) {
-        const struct selftest_group *group = selftest_groups[g];
-        struct selftest_result result = run(group);
-        if (result.problem.code != STATUS_OK || result.wrong > 0)
-            fail_msg("%s: %zu wrong, %s", group->name, result.wrong, result.problem.message);
-        assert_true(result.worst <= 1 && strlen(group->source) > 10);
-        for (size_t i = 0; i < group->count; i++)
-            assert_near(result.values[i], group->references[i].expected, group->references[i].tolerance);
-        numbers += group->count;
+    struct selftest_group group;
+    for (size_t first = 0; first < table.count; first += group.count) {
+        group = selftest_group(&table, first);
+        struct selftest_result result = run(&group);
+        assert_int_equal(result.problem.code, STATUS_OK);
+        assert_int_equal(result.wrong, 0);
+        assert_true(result.worst <= 1 && strlen(group.references->source) > 10);
+        for (size_t i = 0; i < group.count; i++)
+            assert_near(result.values[i], group.references[i].expected, group.references[i].tolerance);
         selftest_result_free(&result);
     }
-    assert_true(numbers > 200);
+    assert_true(table.count > 200);
 }
 
-/** One number after another is expected a little off: that one alone is wrong, and is said to be the worst. */
+/** Every number is expected a little off: it is wrong, and is said to be the worst of its group. */
 static void every_number_counts(void **state)
 {
     (void)state;
-    for (size_t g = 0; g < selftest_group_count; g++) {
-        struct selftest_group group = *selftest_groups[g];
-        struct selftest_reference *planted = malloc(group.count * sizeof *planted);
-        assert_non_null(planted);
-        memcpy(planted, group.references, group.count * sizeof *planted);
-        group.references = planted;
-        for (size_t i = 0; i<group.count; i += group.count> 40 ? 7 : 1) {
-            struct selftest_reference right = planted[i];
-            for (int sign = -1; sign <= 1; sign += 2) {
-                planted[i].expected = right.expected * (1 + sign * 2.5 * right.tolerance);
-                struct selftest_result result = run(&group);
-                assert_int_equal(result.wrong, 1);
-                assert_int_equal(result.worst_place, i);
-                assert_true(result.worst > 1);
-                selftest_result_free(&result);
-            }
-            planted[i] = right;
+    for (size_t i = 0; i < table.count; i++)
+        for (int sign = -1; sign <= 1; sign += 2) {
+            struct selftest_reference two[2] = {table.references[i], table.references[i]};
+            two[1].expected *= 1 + sign * 2.5 * two[1].tolerance;
+            struct selftest_result result = run(&(struct selftest_group){two, 2});
+            assert_int_equal(result.wrong, 1);
+            assert_int_equal(result.worst_place, 1);
+            assert_true(result.worst > 1);
+            selftest_result_free(&result);
         }
-        free(planted);
-    }
 }
 
 /** The numbers are computed from the arguments: others give others. */
 static void arguments_count(void **state)
 {
+    static const char *const same[] = {"constriction", "contact points", "corrected area"};
     (void)state;
-    size_t changed = 0;
-    for (size_t g = 0; g < selftest_group_count; g++) {
-        struct selftest_group group = *selftest_groups[g];
-        struct selftest_reference *planted = malloc(group.count * sizeof *planted);
-        assert_non_null(planted);
-        memcpy(planted, group.references, group.count * sizeof *planted);
-        group.references = planted;
-        bool argued = false;
-        for (size_t i = 0; i < group.count; i++) {
-            bool takes = planted[i].at[0] > 0 && strcmp(group.name, "spectrum") != 0;
-            planted[i].at[0] *= takes ? 1.01 : 1;
-            argued = argued || takes;
-        }
-        struct selftest_result result = run(&group);
-        if (argued) {
-            if (result.problem.code != STATUS_OK || result.wrong == 0)
-                fail_msg("%s does not look at its arguments", group.name);
-            changed++;
-        }
+    for (size_t i = 0; i < table.count; i++) {
+        struct selftest_reference planted = table.references[i];
+        bool may_stay = planted.at[0] == 0 || planted.expected == 1 || strcmp(planted.group, "spectrum") == 0;
+        for (size_t k = 0; k < sizeof same / sizeof *same; k++) /* as many points of the grid are in contact */
+            may_stay = may_stay || strcmp(planted.quantity, same[k]) == 0;
+        if (may_stay)
+            continue;
+        planted.at[0] *= 1.01;
+        struct selftest_result result = run(&(struct selftest_group){&planted, 1});
+        if (result.wrong != 1)
+            fail_msg("%s, %s at %g: its argument does not count", planted.of, planted.quantity, planted.at[0]);
         selftest_result_free(&result);
-        free(planted);
     }
-    assert_true(changed >= 6);
-}
-
-static enum status_code compute_nothing(double *values, const struct selftest_reference *references, size_t count,
-                                        struct status *status)
-{
-    (void)references;
-    for (size_t i = 0; i < count; i++)
-        values[i] = i == 0 ? NAN : 1;
-    return count > 2 ? status_fail(status, STATUS_MODEL, "nothing came out") : STATUS_OK;
 }
 
 static void no_number_is_wrong(void **state)
 {
     (void)state;
-    static const struct selftest_reference ones[] = {
-        {"a", "b", {0}, 1, 1e-3}, {"a", "b", {0}, 1, 1e-3}, {"a", "b", {0}, 1, 1}};
-    struct selftest_group group = {"none", "made up", ones, 2, compute_nothing};
-    struct selftest_result result = run(&group);
+    struct status status = {0};
+    struct selftest_result result;
+    struct selftest_reference none = {"models", "persson", quantity_rows[QUANTITY_GAP].name, {1e-4, 64, 0}, 1,
+                                      1e-10,    ""},
+                              unknown = none;
+    result = run(&(struct selftest_group){&none, 1}); /* which that model does not compute */
     assert_true(result.wrong == 1 && isinf(result.worst) && result.worst_place == 0);
     selftest_result_free(&result);
-    group.count = 3;
-    result = run(&group);
-    assert_true(result.wrong == 3 && result.problem.code == STATUS_MODEL);
+    unknown.of = "no such model";
+    assert_int_equal(selftest_run(&result, &table, &(struct selftest_group){&unknown, 1}, &status), STATUS_IO);
+    assert_non_null(strstr(status.message, "'no such model, "));
     selftest_result_free(&result);
 }
 
-/** A new model needs its numbers in src/selftest/selftest_models.c. */
-static void every_model_is_covered(void **state)
+/** A table of these bytes, of NULL none at all, is an error that says where and `part`. */
+static void expect_refused(const struct directory *place, const char *bytes, size_t length, const char *part)
 {
+    struct status status = {0};
+    struct selftest_table damaged;
+    const char *path = directory_path(place, "selftest.csv");
+    (void)remove(path);
+    if (bytes)
+        assert_int_equal(text_write_file(path, bytes, length, &status), STATUS_OK);
+    assert_int_equal(selftest_table_read(&damaged, path, &status), STATUS_IO);
+    assert_non_null(strstr(status.message, path));
+    assert_non_null(strstr(status.message, part));
+    selftest_table_free(&damaged);
+}
+
+/** The table cut off anywhere, a cell that is no number, a tolerance of none, a column too few, an input that is none.
+ */
+static void a_damaged_table_is_refused(void **state)
+{
+    static const struct {
+        const char *from, *to;
+    } changes[] = {{"gap,integral,1,", "gap,integral,one,"},
+                   {"\njoint,air,", "\njoint;air,"},
+                   {",1e-11,another solver", ",0,another solver"},
+                   {"F_1/2,-10,,", "F_1/2,-10,"},
+                   {"input,plateau,", "input,elsewhere,"},
+                   {" -20.74669085342877", ""},
+                   {",2.228,", ",inf,"}};
+    struct directory place = directory_make();
+    struct text whole = {0};
+    struct status status = {0};
     (void)state;
-    for (size_t m = 0; m < model_count; m++)
-        if (!selftest_covers_model(m))
-            fail_msg("the self-test has no numbers of %s", model_rows[m]->name);
+    assert_int_equal(text_read_file(&whole, TABLE, &status), STATUS_OK);
+    expect_refused(&place, NULL, 0, "selftest.csv");
+    for (size_t length = 0; length < whole.length; length += length + 1100 < whole.length ? 997 : 7)
+        expect_refused(&place, whole.data, length, "; install the program again");
+    for (size_t i = 0; i < sizeof changes / sizeof *changes; i++) {
+        struct text changed = {0};
+        const char *at = strstr(whole.data, changes[i].from);
+        if (!at)
+            fail_msg("the table has no '%s'", changes[i].from);
+        text_add_bytes(&changed, whole.data, (size_t)(at - whole.data));
+        text_add(&changed, "%s", changes[i].to);
+        text_add_bytes(&changed, at + strlen(changes[i].from), strlen(at) - strlen(changes[i].from));
+        expect_refused(&place, changed.data, changed.length, ": damaged; install the program again");
+        text_free(&changed);
+    }
+    text_free(&whole);
+    directory_remove(&place);
 }
 
 enum { NUMBERS_MOST = 40000 };
@@ -132,23 +166,23 @@ struct numbers {
 static void read_numbers(struct numbers *numbers, const char *folder)
 {
     char path[4096];
-    snprintf(path, sizeof path, "%s/golden/%s", TEST_DATA, folder);
+    snprintf(path, sizeof path, "%s/%s", TEST_DATA, folder);
     DIR *directory = opendir(path);
     assert_non_null(directory);
     for (const struct dirent *entry; (entry = readdir(directory));) {
         if (!strstr(entry->d_name, ".csv"))
             continue;
-        snprintf(path, sizeof path, "golden/%s/%s", folder, entry->d_name);
-        struct table table = table_read(path);
-        for (size_t cell = table.columns; cell < (table.rows + 1) * table.columns; cell++) {
+        snprintf(path, sizeof path, "%s/%s", folder, entry->d_name);
+        struct table golden = table_read(path);
+        for (size_t cell = golden.columns; cell < (golden.rows + 1) * golden.columns; cell++) {
             char *end;
-            double value = strtod(table.cell[cell], &end);
-            if (end == table.cell[cell] || *end != '\0')
+            double value = strtod(golden.cell[cell], &end);
+            if (end == golden.cell[cell] || *end != '\0')
                 continue;
             assert_true(numbers->count < NUMBERS_MOST);
             numbers->value[numbers->count++] = value;
         }
-        table_free(&table);
+        table_free(&golden);
     }
     closedir(directory);
 }
@@ -161,39 +195,48 @@ static bool has_number(const struct numbers *numbers, double value)
     return false;
 }
 
-/** What the models are held against stands in the reference tables: it was not printed by this program. */
-static void model_numbers_are_the_references(void **state)
+/** What the models are held against, and the inputs, stand in the reference tables: this program did not print them. */
+static void numbers_are_the_references(void **state)
 {
     (void)state;
-    static const char *const folders[] = {".", "models", "two-band", "contacting-slopes"};
+    static const char *const folders[] = {"golden", "golden/models", "golden/two-band", "golden/contacting-slopes",
+                                          "statistics"};
     struct numbers *numbers = calloc(1, sizeof *numbers);
     size_t made = 0;
     assert_non_null(numbers);
     for (size_t f = 0; f < sizeof folders / sizeof *folders; f++)
         read_numbers(numbers, folders[f]);
-    for (size_t g = 0; g < selftest_group_count; g++) {
-        const struct selftest_group *group = selftest_groups[g];
-        if (strcmp(group->name, "models") != 0 && strcmp(group->name, "sinusoid") != 0)
+    for (size_t i = 0; i < table.count; i++) {
+        const struct selftest_reference *r = &table.references[i];
+        if (strcmp(r->group, "models") != 0 && strcmp(r->group, "sinusoid") != 0)
             continue;
-        for (size_t i = 0; i < group->count; i++) {
-            const struct selftest_reference *r = &group->references[i];
-            bool copied = has_number(numbers, r->expected) || /* or h = 1/TCR, or rho times the length behind an ECR */
-                          has_number(numbers, 1 / r->expected) || has_number(numbers, r->expected / (2 * 11.5e-8));
-            if (!copied && (strcmp(r->what, "persson") != 0 || strcmp(r->of, "area_ratio") != 0))
-                fail_msg("%s, %s: %.17g stands in no reference table", r->what, r->of, r->expected);
-            made += !copied;
-        }
+        bool copied = has_number(numbers, r->expected) || /* or h = 1/TCR, or rho times the length behind an ECR */
+                      has_number(numbers, 1 / r->expected) || has_number(numbers, r->expected / (2 * 11.5e-8));
+        if (!copied && (strcmp(r->of, "persson") != 0 || strcmp(r->quantity, "area_ratio") != 0))
+            fail_msg("%s, %s: %.17g stands in no reference table", r->of, r->quantity, r->expected);
+        made += !copied;
     }
+    size_t covered = 0;
+    for (size_t m = 0; m < model_count; m++)
+        covered += selftest_covers_model(&table, model_rows[m]->name);
+    assert_true(covered >= 10);
     assert_true(made <= 3); /* Persson's areas: bisection on erf(p/sqrt(m2 (g + (1-g) A))) = A */
+    for (size_t i = 0; i < SELFTEST_PLATEAU; i++)
+        assert_true(has_number(numbers, table.plateau_m[i]));
+    for (size_t i = 0; i < SELFTEST_LAW; i++)
+        assert_true(has_number(numbers, table.law_m2[i]));
     free(numbers);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(all_groups_are_right),   cmocka_unit_test(every_number_counts),
-        cmocka_unit_test(arguments_count),        cmocka_unit_test(no_number_is_wrong),
-        cmocka_unit_test(every_model_is_covered), cmocka_unit_test(model_numbers_are_the_references),
+        cmocka_unit_test(all_groups_are_right),
+        cmocka_unit_test(every_number_counts),
+        cmocka_unit_test(arguments_count),
+        cmocka_unit_test(no_number_is_wrong),
+        cmocka_unit_test(a_damaged_table_is_refused),
+        cmocka_unit_test(numbers_are_the_references),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return cmocka_run_group_tests(tests, read_table, free_table);
 }
