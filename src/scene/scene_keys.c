@@ -406,128 +406,53 @@ static bool read_baseline(struct scene_source *source, const struct scene_key *k
     return scene_source_text(source, key, value);
 }
 
-/** The outermost keys, their fields in `scene`; returns how many. */
-static size_t make_keys(struct scene_key out[SCENE_KEYS_MOST], struct scene *scene)
-{
-    const struct scene_key keys[] = {
-        {"title", scene_source_text, .field = &scene->title,
-         .about = "heading of the report; default: the directory's name"},
-        {"models", read_models, .field = &scene->models,
-         .about = "families or single models, as `roughcontact models` lists them; default: those that run by default"},
-        {"effects", read_effects, .field = NULL,
-         .about = "auto, or a list of effects, as --effects takes it; default: auto"},
-        {"material", scene_surfaces_body, .field = &scene->bodies,
-         .about = "a built-in material, or a mapping of its properties (E, nu, Sy, resistivity, conductivity, density, "
-                  "specific_heat, sound_speed, hardness, mean_free_path); default: none, and only what needs no "
-                  "material runs"},
-        {"counterface", scene_surfaces_counterface, .field = &scene->bodies,
-         .about = "rigid, same, a material, a mapping of its properties, or another rough surface: {surface: FILE, "
-                  "material: NAME}; default: rigid, a flat that conducts like the material"},
-        {"direction", SCENE_CHOICE(scene->direction, scan_direction_names),
-         .about = "profiles of a map are its rows or its columns; default: x"},
-        {"measured", read_measured, .field = &scene->measured,
-         .about = "{file, quantity: ecr or tcr, load_unit, resistance_unit}: measured resistance to hold the models "
-                  "against"},
-        {"nominal_area", SCENE_QUANTITY(scene->nominal_area_m2, UNIT_AREA, 1e-18, 1e6), .word = "none",
-         .alias = "nominal_area_m2", .about = "default: none, and resistances stay per area"},
-        {"hardness", SCENE_QUANTITY(scene->bodies.hardness_Pa, UNIT_PRESSURE, 1e3, 1e12), .alias = "hardness_Pa",
-         .about = "of the softer body; default: the material's, else 2.84 of its yield strength"},
-        {"mean_free_path", read_mean_free_path, .field = NULL, .least = 1e-12, .most = 1e-3,
-         .quantities = UNIT_DISTANCE, .about = "of what carries heat: thesis, electron or a length; default: thesis"},
-        {"load", read_load, .field = &scene->load,
-         .about = "{from, to, points}, spaced by equal factors, or {values: [...]}, as P/(A_n E') or with a unit; "
-                  "default: 1e-6 to 0.1 in 121 points"},
-        {"operating_load", read_operating_load, .field = &scene->operating, .least = LOAD_LEAST, .most = LOAD_MOST,
-         .quantities = UNIT_LOADS, .about = "where the summary stands; default: the middle one"},
-        {"targets", scene_asked_targets, .field = NULL,
-         .about = "a list of {ecr, tcr, conductance, area or temperature: value}: the load that each takes"},
-        {"limits", scene_asked_limits, .field = NULL,
-         .about = "a mapping of such quantities, each {most: value} or {least: value}, at the operating load; `report "
-                  "--check` ends with 5 where one is missed"},
-        {"tolerance", SCENE_NUMBER(scene->tolerance, SCENE_KEYS_TOLERANCE_LEAST, SCENE_KEYS_TOLERANCE_MOST),
-         .about = "relative, of every reported number; default: 1e-6"},
-        {"level", SCENE_CHOICE(scene->level, level_names),
-         .about = "what is taken out of a scan; default: line, of a periodic record the mean alone"},
-        {"window", SCENE_CHOICE(scene->window, spectrum_window_names),
-         .about = "of the spectrum; default: auto, none for a periodic record, else Hann"},
-        {"fit", SCENE_CHOICE(scene->fit, power_law_method_names),
-         .about = "of the power law: in the band found, or through all harmonics; default: auto"},
-        {"fit_band", read_fit_band, scene->fit_band_m, 1e-12, 1e3, .word = "all", .quantities = UNIT_DISTANCE,
-         .alias = "fit_band_m",
-         .about = "[shortest, longest] wavelength that the fit uses; default: found (auto), all (thesis)"},
-        {"moments", SCENE_CHOICE(scene->moments, roughness_moments_names),
-         .about = "how slopes and curvatures come about; default: difference"},
-        {"closure", SCENE_CHOICE(scene->closure, closure_names),
-         .about = "area and gap of a sinusoid; default: thesis"},
-        {"data", SCENE_CHOICE(scene->data, scene_data_names),
-         .about =
-             "spectra in data/: auto, every harmonic up to 100 surfaces and binned ones beyond, or full, every one "
-             "of any number; default: auto"},
-        {"max_missing", SCENE_QUANTITY(scene->max_missing, UNIT_NUMBER | UNIT_PERCENT, 0.0, 0.9),
-         .about = "share of missing points that may be bridged; default: 10 %"},
-        {"lambda_s", SCENE_QUANTITY(scene->lambda_s_m, UNIT_DISTANCE, 1e-12, 1e3), .word = "none",
-         .alias = "lambda_s_m", .about = "cut-off of the Gaussian low-pass; default: none"},
-        {"lambda_c", SCENE_QUANTITY(scene->lambda_c_m, UNIT_DISTANCE, 1e-12, 1e3), .word = "none",
-         .alias = "lambda_c_m", .about = "cut-off of the Gaussian high-pass; default: none"},
-        {"tip_radius", SCENE_QUANTITY(scene->tip_radius_m, UNIT_DISTANCE, 1e-12, 1.0), .word = "none",
-         .alias = "tip_radius_m", .about = "of the stylus: warns where the surface is sharper; default: none"},
-        {"baseline", read_baseline, .field = &scene->baseline,
-         .about = "the surface of the one-surface comparison; default: the second smoothest"},
-        {"direct", read_direct, .field = &scene->direct,
-         .about = "off, or {grid, seeds, loads, hardness, budget, surfaces: baseline or all}: the direct solution; "
-                  "default: off"},
-        {"gap", scene_joint_gap, .field = &scene->joint,
-         .about = "{gas: air, nitrogen, helium, argon or vacuum, pressure, temperature, accommodation} or "
-                  "{conductivity}: what fills the gaps; default: nothing is said of it"},
-        {"film", SCENE_QUANTITY(scene->joint.film_ohm_m2, UNIT_RESISTANCE_AREA, 0.0, 1e6),
-         .about = "insulating film on the spots, a resistance times an area; default: none"},
-        {"plating", scene_joint_plating, .field = &scene->joint,
-         .about = "{thickness, resistivity, sides: one or both}; default: none"},
-        {"current", SCENE_QUANTITY(scene->joint.current_A, UNIT_CURRENT, 1e-12, 1e9),
-         .about = "through the contact, for its voltage and temperature; default: none"},
-        {"convergence", read_convergence, .field = &scene->convergence,
-         .about = "{alpha, gamma, load, scan_length, scales} of the convergence study"},
-        {"surfaces", scene_surfaces_read, .field = NULL,
-         .about = "a list of {name, file, x_unit, z_unit, quantity, column, material, counterface, hardness}; default: "
-                  "every scan in the directory by its name, a sub-directory a surface of its files"},
-    };
-    _Static_assert(SCENE_COUNT(keys) <= SCENE_KEYS_MOST, "a mapping has room for so many keys");
-    memcpy(out, keys, sizeof keys);
-    return SCENE_COUNT(keys);
-}
-
-/** What the value of a key may be, as far as its row says it. */
-static void describe_value(struct text *out, const struct scene_key *key)
-{
-    for (size_t i = 0; i < key->choice_count; i++)
-        text_add(out, "%s%s", i > 0 ? " | " : "", key->choices[i]);
-    if (key->word)
-        text_add(out, "%s | ", key->word);
-    if (key->quantities)
-        text_add(out, "in %s", unit_known(key->quantities).text);
-    else if (key->read == scene_source_number || key->read == scene_source_whole)
-        text_add(out, "%g to %g", key->least, key->most);
-}
-
-void scene_each_key(void (*each)(const char *name, const char *value, const char *about, void *context), void *context)
-{
-    struct scene nothing = {0};
-    struct scene_key keys[SCENE_KEYS_MOST];
-    size_t count = make_keys(keys, &nothing);
-    for (size_t k = 0; k < count; k++) {
-        struct text value = {0};
-        describe_value(&value, &keys[k]);
-        each(keys[k].name, text_string(&value), keys[k].about, context);
-        text_free(&value);
-    }
-}
-
 bool scene_keys_read(struct scene_source *source, const yaml_node_t *root)
 {
     struct scene *scene = source->scene;
-    struct scene_key keys[SCENE_KEYS_MOST];
-    size_t count = make_keys(keys, scene);
-    if (!scene_source_mapping(source, root, "scene", keys, count))
+    struct scene_key keys[] = {
+        {"title", scene_source_text, .field = &scene->title},
+        {"models", read_models, .field = &scene->models},
+        {"effects", read_effects, .field = NULL},
+        {"material", scene_surfaces_body, .field = &scene->bodies},
+        {"counterface", scene_surfaces_counterface, .field = &scene->bodies},
+        {"direction", SCENE_CHOICE(scene->direction, scan_direction_names)},
+        {"measured", read_measured, .field = &scene->measured},
+        {"nominal_area", SCENE_QUANTITY(scene->nominal_area_m2, UNIT_AREA, 1e-18, 1e6), .word = "none",
+         .alias = "nominal_area_m2"},
+        {"hardness", SCENE_QUANTITY(scene->bodies.hardness_Pa, UNIT_PRESSURE, 1e3, 1e12), .alias = "hardness_Pa"},
+        {"mean_free_path", read_mean_free_path, .field = NULL, .least = 1e-12, .most = 1e-3,
+         .quantities = UNIT_DISTANCE},
+        {"load", read_load, .field = &scene->load},
+        {"operating_load", read_operating_load, .field = &scene->operating, .least = LOAD_LEAST, .most = LOAD_MOST,
+         .quantities = UNIT_LOADS},
+        {"targets", scene_asked_targets, .field = NULL},
+        {"limits", scene_asked_limits, .field = NULL},
+        {"tolerance", SCENE_NUMBER(scene->tolerance, SCENE_KEYS_TOLERANCE_LEAST, SCENE_KEYS_TOLERANCE_MOST)},
+        {"level", SCENE_CHOICE(scene->level, level_names)},
+        {"window", SCENE_CHOICE(scene->window, spectrum_window_names)},
+        {"fit", SCENE_CHOICE(scene->fit, power_law_method_names)},
+        {"fit_band", read_fit_band, scene->fit_band_m, 1e-12, 1e3, .word = "all", .quantities = UNIT_DISTANCE,
+         .alias = "fit_band_m"},
+        {"moments", SCENE_CHOICE(scene->moments, roughness_moments_names)},
+        {"closure", SCENE_CHOICE(scene->closure, closure_names)},
+        {"data", SCENE_CHOICE(scene->data, scene_data_names)},
+        {"max_missing", SCENE_QUANTITY(scene->max_missing, UNIT_NUMBER | UNIT_PERCENT, 0.0, 0.9)},
+        {"lambda_s", SCENE_QUANTITY(scene->lambda_s_m, UNIT_DISTANCE, 1e-12, 1e3), .word = "none",
+         .alias = "lambda_s_m"},
+        {"lambda_c", SCENE_QUANTITY(scene->lambda_c_m, UNIT_DISTANCE, 1e-12, 1e3), .word = "none",
+         .alias = "lambda_c_m"},
+        {"tip_radius", SCENE_QUANTITY(scene->tip_radius_m, UNIT_DISTANCE, 1e-12, 1.0), .word = "none",
+         .alias = "tip_radius_m"},
+        {"baseline", read_baseline, .field = &scene->baseline},
+        {"direct", read_direct, .field = &scene->direct},
+        {"gap", scene_joint_gap, .field = &scene->joint},
+        {"film", SCENE_QUANTITY(scene->joint.film_ohm_m2, UNIT_RESISTANCE_AREA, 0.0, 1e6)},
+        {"plating", scene_joint_plating, .field = &scene->joint},
+        {"current", SCENE_QUANTITY(scene->joint.current_A, UNIT_CURRENT, 1e-12, 1e9)},
+        {"convergence", read_convergence, .field = &scene->convergence},
+        {"surfaces", scene_surfaces_read, .field = NULL},
+    };
+    if (!scene_source_mapping(source, root, "scene", keys, SCENE_COUNT(keys)))
         return false;
     source->hardness_line = scene_source_line_of(keys, "hardness");
     if (scene->direct.called)
