@@ -101,7 +101,7 @@ static bool add_files(struct scene_source *source, struct scene_surface *surface
     if (!pattern)
         return scene_files_add(surface, file, source->status) == STATUS_OK && check_file(source, node, file);
     struct status problem = {0};
-    if (scene_files_match(surface, source->scene, file, &problem) == STATUS_MEMORY)
+    if (scene_files_match(surface, source->scene, file, S_IFREG, &problem) == STATUS_MEMORY)
         return scene_source_memory(source);
     if (problem.code != STATUS_OK)
         return scene_source_fail(source, line, "%s", problem.message);

@@ -152,7 +152,7 @@ static void test_sidecars_in_a_folder(void **state)
         struct scene_surface surface = {.name = NULL};
         struct scene scene = {.directory = directory.path};
         struct status status = {0};
-        assert_int_equal(scene_files_match(&surface, &scene, "s/*", &status), STATUS_OK);
+        assert_int_equal(scene_files_match(&surface, &scene, "s/*", S_IFREG, &status), STATUS_OK);
         if (surface.file_count != expected)
             fail_msg("%zu files with %s, not %zu", surface.file_count, scans[lone], expected);
         for (size_t i = 0; i < surface.file_count; i++)
