@@ -81,13 +81,10 @@ static enum status_code check_directory(const char *directory, struct status *st
     return STATUS_OK;
 }
 
-/* Takes over scene.yaml when there is one; a dangling link of that name is an error, not an absence. */
+/* Reads scene.yaml; without one, scene->path goes. A dangling link of that name is an error, not an absence. */
 static enum status_code load_text(struct text *bytes, struct scene *scene, struct status *status)
 {
     struct stat info;
-    scene->path = scene_file_path(scene, "scene.yaml");
-    if (!scene->path)
-        return status_memory(status);
     if (lstat(scene->path, &info) != 0 && errno == ENOENT) {
         free(scene->path);
         scene->path = NULL;
@@ -206,37 +203,34 @@ static enum status_code override_units(struct scene *scene, const struct scene_o
     return STATUS_OK;
 }
 
-/* Fails when `body` ("material" or "counterface") of surface `owner` (NULL: the scene) lacks a property that an effect
- * asked for by name needs. */
-static enum status_code check_effects(const struct scene *scene, struct scene_source *source, const char *body,
-                                      const struct material *material, const char *owner)
+/* Fails when the bodies of surface `owner` (NULL: the scene) lack what an effect needs that is asked for by name. */
+static enum status_code check_effects(const struct scene *scene, struct scene_source *source,
+                                      const struct scene_bodies *bodies, const char *owner)
 {
     char whose[140] = "";
     if (owner)
         snprintf(whose, sizeof whose, " of surface '%s'", scene_words_show(owner, strlen(owner)).text);
-    bool none = isnan(material->youngs_modulus_Pa);
-    for (int i = 0; i < EFFECT_COUNT; i++) {
-        if (scene->effects_auto || !(scene->effects & EFFECT_BIT(i)))
+    for (int i = 0; i < EFFECT_COUNT && !scene->effects_auto; i++) {
+        const struct effect_row *effect = &effect_rows[i];
+        const char *body;
+        const struct material_property *property =
+            scene->effects & EFFECT_BIT(i) ? scene_surfaces_lack(&body, bodies, effect) : NULL;
+        bool none = isnan(bodies->material.youngs_modulus_Pa);
+        if (!property)
             continue;
-        for (const char *const *key = effect_rows[i].properties; *key; key++) {
-            const struct material_property *property = material_property_find(*key);
-            if (!isnan(material_value(material, property)))
-                continue;
-            if (source->effect_line[i] && none)
-                scene_source_fail(source, source->effect_line[i],
-                                  "effect '%s' needs a material; add 'material' or leave the effect out",
-                                  effect_rows[i].name);
-            else if (source->effect_line[i])
-                scene_source_fail(source, source->effect_line[i],
-                                  "effect '%s' needs '%s'; add it to '%s'%s or leave the effect out",
-                                  effect_rows[i].name, property->name, body, whose);
-            if (none)
-                return status_fail(source->status, STATUS_SCENE,
-                                   "--effects: '%s' needs a material; add --material or 'material' in scene.yaml",
-                                   effect_rows[i].name);
-            return status_fail(source->status, STATUS_SCENE, "--effects: '%s' needs '%s'; add it to '%s'%s in '%s'",
-                               effect_rows[i].name, property->name, body, whose, scene->path);
-        }
+        if (source->effect_line[i] && none)
+            scene_source_fail(source, source->effect_line[i],
+                              "effect '%s' needs a material; add 'material' or leave the effect out", effect->name);
+        else if (source->effect_line[i])
+            scene_source_fail(source, source->effect_line[i],
+                              "effect '%s' needs '%s'; add it to '%s'%s or leave the effect out", effect->name,
+                              property->name, body, whose);
+        if (none)
+            return status_fail(source->status, STATUS_SCENE,
+                               "--effects: '%s' needs a material; add --material or 'material' in scene.yaml",
+                               effect->name);
+        return status_fail(source->status, STATUS_SCENE, "--effects: '%s' needs '%s'; add it to '%s'%s in '%s'",
+                           effect->name, property->name, body, whose, scene->path);
     }
     return STATUS_OK;
 }
@@ -287,9 +281,7 @@ static enum status_code complete_bodies(struct scene_bodies *bodies, const struc
                           scene_words_show(bodies->counterface.name, strlen(bodies->counterface.name)).text);
         return source->status->code;
     }
-    const char *named = own ? owner : NULL;
-    if (check_effects(scene, source, "material", &bodies->material, named) != STATUS_OK ||
-        (elastic && check_effects(scene, source, "counterface", &bodies->counterface, named) != STATUS_OK) ||
+    if (check_effects(scene, source, bodies, own ? owner : NULL) != STATUS_OK ||
         give_mean_free_path(&bodies->material, scene, source) != STATUS_OK)
         return source->status->code;
     return elastic ? give_mean_free_path(&bodies->counterface, scene, source) : STATUS_OK;
@@ -435,44 +427,38 @@ static enum status_code complete(struct scene *scene, struct scene_source *sourc
     return scene->title ? STATUS_OK : status_memory(status);
 }
 
-/* Begins a scene of that directory. */
-static enum status_code begin(struct scene *out, const char *directory, struct status *status)
-{
-    *out = default_scene();
-    if (check_directory(directory, status) != STATUS_OK)
-        return status->code;
-    return (out->directory = strdup(directory)) ? STATUS_OK : status_memory(status);
-}
-
-/* The rest of it: what `text` says, where there is one. */
-static enum status_code finish(struct scene *out, const struct text *text, const struct scene_overrides *overrides,
-                               struct status *status)
+/* `given`: the scene's text; NULL: that of the directory's scene.yaml, if there is one. */
+static enum status_code read_scene(struct scene *out, const char *directory, const struct text *given,
+                                   const struct scene_overrides *overrides, struct status *status)
 {
     static const struct scene_overrides nothing = {0};
     struct scene_source source = {.scene = out, .status = status};
-    if (out->path && !scene_source_read(&source, text_string(text), text->length, scene_keys_read))
+    struct text loaded = {0};
+    const struct text *text = given ? given : &loaded;
+    *out = default_scene();
+    if (check_directory(directory, status) != STATUS_OK)
         return status->code;
-    return complete(out, &source, overrides ? overrides : &nothing);
+    out->directory = strdup(directory);
+    out->path = out->directory ? scene_file_path(out, "scene.yaml") : NULL;
+    if (!out->path)
+        return status_memory(status);
+    if ((given || load_text(&loaded, out, status) == STATUS_OK) &&
+        (!out->path || scene_source_read(&source, text_string(text), text->length, scene_keys_read)))
+        (void)complete(out, &source, overrides ? overrides : &nothing);
+    text_free(&loaded);
+    return status->code;
 }
 
 enum status_code scene_read(struct scene *out, const char *directory, const struct scene_overrides *overrides,
                             struct status *status)
 {
-    struct text text = {0};
-    if (begin(out, directory, status) == STATUS_OK && load_text(&text, out, status) == STATUS_OK)
-        (void)finish(out, &text, overrides, status);
-    text_free(&text);
-    return status->code;
+    return read_scene(out, directory, NULL, overrides, status);
 }
 
 enum status_code scene_read_text(struct scene *out, const char *directory, const struct text *text,
                                  const struct scene_overrides *overrides, struct status *status)
 {
-    if (begin(out, directory, status) != STATUS_OK)
-        return status->code;
-    if (!(out->path = scene_file_path(out, "scene.yaml")))
-        return status_memory(status);
-    return finish(out, text, overrides, status);
+    return read_scene(out, directory, text, overrides, status);
 }
 
 void scene_free(struct scene *scene)

@@ -152,13 +152,13 @@ static bool read_load_number(struct scene_source *source, const struct scene_key
     return read_load_one(source, key, &source->scene->load, number, value);
 }
 
-static bool read_load_values(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+static bool read_load_list(struct scene_source *source, const struct scene_key *key, struct scene_load *load,
+                           size_t most, const yaml_node_t *value)
 {
-    struct scene_load *load = key->field;
     size_t count = scene_source_item_count(value);
-    if (count == 0 || count > LOAD_POINTS_MOST)
-        return scene_source_fail(source, scene_source_line(value), "'values' holds %zu loads; allowed is 1 to %d",
-                                 count, LOAD_POINTS_MOST);
+    if (count == 0 || count > most)
+        return scene_source_fail(source, scene_source_line(value), "'%s' holds %zu loads; allowed is 1 to %zu",
+                                 key->name, count, most);
     load->values = malloc(count * sizeof *load->values);
     if (!load->values)
         return scene_source_memory(source);
@@ -167,6 +167,19 @@ static bool read_load_values(struct scene_source *source, const struct scene_key
         if (!read_load_one(source, key, load, &load->values[i], scene_source_item(source, value, i)))
             return false;
     return true;
+}
+
+static bool read_load_values(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+{
+    return read_load_list(source, key, key->field, LOAD_POINTS_MOST, value);
+}
+
+/* Loads that have a unit beside some that have none: fails. */
+static bool check_units_of_all(struct scene_source *source, const struct scene_load *load)
+{
+    return load->kind_line == 0 || load->plain_line == 0 ||
+           scene_source_fail(source, load->plain_line,
+                             "a load has no unit, but one in line %zu has; give all of them theirs", load->kind_line);
 }
 
 /* 'dimensionless', or the unit of loads that are given as plain numbers. */
@@ -194,12 +207,8 @@ static bool apply_load_unit(struct scene_source *source, struct scene_load *load
         return scene_source_fail(source, key->line > 0 ? key->line : load->plain_line,
                                  "a load is %s, but %s stands in line %zu; give one kind", unit_quantity_name(kind),
                                  unit_quantity_name(load->kind), load->kind_line);
-    if (load->kind_line > 0 && load->plain_line > 0)
-        return scene_source_fail(source, load->plain_line,
-                                 "a load has no unit, but one in line %zu has; give all of them theirs",
-                                 load->kind_line);
     if (load->kind_line > 0 || key->line == 0)
-        return true;
+        return check_units_of_all(source, load);
     load->kind = kind;
     load->kind_line = key->line;
     load->unit = unit;
@@ -347,31 +356,17 @@ static bool read_direct_loads(struct scene_source *source, const struct scene_ke
     if (value->type != YAML_SEQUENCE_NODE)
         return scene_source_whole(
             source, &(struct scene_key){key->name, SCENE_WHOLE(direct->loads, 2, SCENE_DIRECT_LOADS)}, value);
-    size_t count = scene_source_item_count(value);
-    if (count < 1 || count > SCENE_DIRECT_LOADS)
-        return scene_source_fail(source, scene_source_line(value), "'loads' holds %zu loads; allowed is 1 to %d", count,
-                                 SCENE_DIRECT_LOADS);
-    direct->values = malloc(count * sizeof *direct->values);
-    if (!direct->values)
-        return scene_source_memory(source);
-    direct->loads = count;
-    const struct scene_key number = {key->name, .least = 1e-100, .most = 1e100, .quantities = UNIT_LOADS};
-    for (size_t i = 0; i < count; i++) {
-        const yaml_node_t *item = scene_source_item(source, value, i);
-        struct scene_quantity quantity;
-        if (!scene_source_quantity_of(&quantity, source, &number, item))
-            return false;
-        if (i > 0 && quantity.kind != direct->kind)
-            return scene_source_fail(source, scene_source_line(item), "'loads' holds %s beside %s; give one kind",
-                                     unit_quantity_name(quantity.kind), unit_quantity_name(direct->kind));
-        direct->kind = quantity.kind;
-        direct->kind_line = scene_source_line(item);
-        direct->values[i] = quantity.value;
-    }
-    for (size_t i = 1; i < count; i++)
+    const struct scene_key number = {key->name, .least = LOAD_LEAST, .most = LOAD_MOST, .quantities = UNIT_LOADS};
+    struct scene_load load = {.kind = UNIT_NUMBER};
+    bool good = read_load_list(source, &number, &load, SCENE_DIRECT_LOADS, value) && check_units_of_all(source, &load);
+    direct->values = load.values;
+    direct->loads = load.points;
+    direct->kind = load.kind;
+    direct->kind_line = load.kind_line;
+    for (size_t i = 1; i < load.points && good; i++)
         if (!(direct->values[i] > direct->values[i - 1]))
             return scene_source_fail(source, scene_source_line(value), "'loads' do not rise; order them, each once");
-    return true;
+    return good;
 }
 
 static bool read_direct(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)

@@ -114,8 +114,7 @@ static void test_numbers(void **state)
         {"tip_radius_m: -2e-6\n", 1, "'tip_radius_m' is -2e-6; allowed is 1e-12 to 1 m"},
         {"%YAML 1.1\n---\ntitle: x\n", 1, "a directive of YAML (%); a scene needs none, remove it"},
         {"# x\n%TAG ! tag:x\n---\ntitle: x\n", 2, "a directive of YAML (%); a scene needs none, remove it"},
-        {"title: x\n...\n%TAG ! tag:x\n---\ntitle: x\n", 3,
-         "a second document starts here; a scene is one, remove the '---'"},
+        {"title: x\n...\n%TAG ! tag:x\n---\ntitle: x\n", 3, "a directive of YAML (%); a scene needs none, remove it"},
         {"lambda_s_m: 0\n", 1, "'lambda_s_m' is 0; allowed is 1e-12 to 1000 m"},
         {"lambda_c_m: 8e-6\nlambda_s_m: 8e-6\n", 1,
          "'lambda_c' is 8e-06 m, not above 'lambda_s', 8e-06 m; nothing would be left between them"},
@@ -350,7 +349,8 @@ static void test_loads_with_units(void **state)
          "both alike"},
         {"direct: {loads: [1 MPa, 2 MPa]}\n", 1,
          "'loads' is a pressure, which without a material is no P/(A_n E'); add 'material', or give P/(A_n E')"},
-        {AREA "direct: {loads: [1e-3, 2 MPa]}\n", 3, "'loads' holds a pressure beside a plain number; give one kind"},
+        {AREA "direct: {loads: [1e-3, 2 MPa]}\n", 3,
+         "a load has no unit, but one in line 3 has; give all of them theirs"},
     };
     CHECK_WRONG(rows);
 }
