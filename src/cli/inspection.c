@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/inspection.h"
 #include "base/text.h"
-#include "base/threads.h"
 #include "cli/command_json.h"
 
 #include <math.h>
@@ -83,27 +82,15 @@ static enum status_code fit_law(struct inspection *out, struct status *status)
     return code;
 }
 
-/** What is made of a profile; neither needs what the other makes. */
-enum { LOOK_PARAMETERS, LOOK_LAW, LOOKS };
-
-static enum status_code look_one(void *context, size_t index, struct threads_turn *turn, struct status *status)
-{
-    struct inspection *out = context;
-    (void)turn;
-    return index == LOOK_LAW ? fit_law(out, status) : compute_parameters(out, status);
-}
-
 static enum status_code look_at_profile(struct inspection *out, struct status *status)
 {
-    enum { SHARED_POINTS = 1 << 16 }; /* with fewer, threads take longer to start than they save */
-    static const struct threads all = {0};
     struct profile *profile = &out->profile;
     if (profile_make(profile, &out->scan, 0, &out->options, status) != STATUS_OK)
         return status->code;
     out->roughness = profile->measured_x_m
                          ? roughness_of_points(profile->measured_x_m, profile->measured_z_m, profile->points)
                          : roughness_of_heights(profile->height_m, profile->points, profile->spacing_m);
-    return threads_run(profile->points >= SHARED_POINTS ? &all : NULL, LOOKS, look_one, out, status);
+    return compute_parameters(out, status);
 }
 
 enum status_code inspection_make(struct inspection *out, const char *path, const struct scan_bytes *bytes,
@@ -117,7 +104,7 @@ enum status_code inspection_make(struct inspection *out, const char *path, const
     if (code != STATUS_OK)
         return code;
     code = out->scan.kind == SCAN_AREAL ? look_at_map(out, status) : look_at_profile(out, status);
-    if (code == STATUS_OK && out->scan.kind == SCAN_AREAL)
+    if (code == STATUS_OK)
         code = fit_law(out, status);
     return code == STATUS_OK ? STATUS_OK : status_prefix(status, "%s", path);
 }
