@@ -93,20 +93,20 @@ static enum status_code look_at_profile(struct inspection *out, struct status *s
     return compute_parameters(out, status);
 }
 
-enum status_code inspection_make(struct inspection *out, const char *path, const struct scan_bytes *bytes,
+enum status_code inspection_make(struct inspection *out, const struct scan_bytes *file,
                                  const struct scan_options *units, const struct profile_options *options,
                                  enum power_law_method fit, struct status *status)
 {
     *out = (struct inspection){.options = *options, .fit = fit};
-    enum status_code code = !bytes                   ? scan_read(&out->scan, path, units, status)
-                            : strcmp(path, "-") == 0 ? scan_read_bytes(&out->scan, bytes, units, status)
-                                                     : scan_read_beside(&out->scan, bytes, path, units, status);
+    enum status_code code = strcmp(file->path, "-") == 0
+                                ? scan_read_bytes(&out->scan, file, units, status)
+                                : scan_read_beside(&out->scan, file, file->path, units, status);
     if (code != STATUS_OK)
         return code;
     code = out->scan.kind == SCAN_AREAL ? look_at_map(out, status) : look_at_profile(out, status);
     if (code == STATUS_OK)
         code = fit_law(out, status);
-    return code == STATUS_OK ? STATUS_OK : status_prefix(status, "%s", path);
+    return code == STATUS_OK ? STATUS_OK : status_prefix(status, "%s", file->path);
 }
 
 void inspection_free(struct inspection *inspection)
