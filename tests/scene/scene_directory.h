@@ -40,6 +40,11 @@ static inline void scene_directory_add(const struct scene_directory *directory, 
     scene_directory_write(directory, file, "0 1\n", 4);
 }
 
+static inline void scene_directory_says(const struct scene_directory *directory, const char *scene)
+{
+    scene_directory_write(directory, "scene.yaml", scene, strlen(scene));
+}
+
 static inline int scene_directory_unlink(const char *path, const struct stat *info, int kind, struct FTW *walk)
 {
     (void)info, (void)kind, (void)walk;

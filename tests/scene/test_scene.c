@@ -57,7 +57,7 @@ static void test_defaults_of_texts_that_say_nothing(void **state)
     static const char *const texts[] = {"", "\n", "# only a comment\n", "---\n", "---\n...\n", "{}", "~\n", "load: {}"};
     struct scene_directory directory = scene_directory_make();
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
-        scene_directory_write(&directory, "scene.yaml", texts[i], strlen(texts[i]));
+        scene_directory_says(&directory, texts[i]);
         struct scene scene = scene_directory_read(directory.path, NULL);
         check_defaults(&scene);
         assert_non_null(scene.path);
@@ -211,7 +211,7 @@ static void test_spellings_that_are_allowed(void **state)
     struct scene_directory directory = scene_directory_make();
     scene_directory_add(&directory, "a");
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
-        scene_directory_write(&directory, "scene.yaml", texts[i], strlen(texts[i]));
+        scene_directory_says(&directory, texts[i]);
         struct scene scene = scene_directory_read(directory.path, NULL);
         assert_false(scene.effects_auto); /* none at all */
         assert_int_equal(scene.effects, 0);
@@ -226,7 +226,7 @@ static void test_absolute_file(void **state)
     (void)state;
     static const char text[] = "surfaces: [{file: " DATA("full/a.csv") "}]\n";
     struct scene_directory directory = scene_directory_make();
-    scene_directory_write(&directory, "scene.yaml", text, strlen(text));
+    scene_directory_says(&directory, text);
     struct scene scene = scene_directory_read(directory.path, NULL);
     assert_int_equal(scene.surface_count, 1);
     assert_string_equal(scene.surfaces[0].name, "a"); /* named by its file */
@@ -255,7 +255,7 @@ static void test_filters_bound_the_fit(void **state)
     struct scene_directory directory = scene_directory_make();
     scene_directory_add(&directory, "a");
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        scene_directory_write(&directory, "scene.yaml", rows[i].text, strlen(rows[i].text));
+        scene_directory_says(&directory, rows[i].text);
         struct scene scene = scene_directory_read(directory.path, NULL);
         assert_true(scene.fit_band_m[0] == rows[i].shortest && scene.fit_band_m[1] == rows[i].longest);
         assert_near(scene.max_missing, 0.1, 0);
@@ -419,7 +419,7 @@ static void test_targets_and_limits(void **state)
         "nominal_area: 2 mm2\n";
     struct scene_directory directory = scene_directory_make();
     scene_directory_add(&directory, "a.csv");
-    scene_directory_write(&directory, "scene.yaml", text, strlen(text));
+    scene_directory_says(&directory, text);
     struct scene scene = scene_directory_read(directory.path, NULL);
     static const struct {
         const char *name, *text;
