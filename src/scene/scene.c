@@ -8,6 +8,7 @@
 #include "scene/scene_words.h"
 
 #include <errno.h>
+#include <libgen.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -47,28 +48,18 @@ bool scene_bins_spectra(const struct scene *scene)
     return scene->data == SCENE_DATA_AUTO && scene->surface_count > SCENE_DATA_SURFACES;
 }
 
-/* The last component of `path`; NULL when that is not a name of its own: "", ".", "..", "/". */
-static char *last_component(const char *path)
-{
-    size_t end = strlen(path);
-    while (end > 0 && path[end - 1] == '/')
-        end--;
-    size_t start = end;
-    while (start > 0 && path[start - 1] != '/')
-        start--;
-    size_t length = end - start;
-    if (length == 0 || (length <= 2 && strncmp(path + start, "..", length) == 0))
-        return NULL;
-    return strndup(path + start, length);
-}
-
+/* The directory's own name, also where it is given as "." or "..". */
 static char *directory_title(const char *directory)
 {
-    char *resolved = NULL, *title = last_component(directory);
-    if (!title && (resolved = realpath(directory, NULL)))
-        title = last_component(resolved);
-    free(resolved);
-    return title ? title : strdup(directory);
+    char *path = strdup(directory), *name = path ? basename(path) : NULL;
+    if (name && (strcmp(name, ".") == 0 || strcmp(name, "..") == 0)) {
+        free(path);
+        path = realpath(directory, NULL);
+        name = path ? basename(path) : NULL;
+    }
+    char *title = strdup(name ? name : directory);
+    free(path);
+    return title;
 }
 
 static enum status_code check_directory(const char *directory, struct status *status)
@@ -287,33 +278,26 @@ static enum status_code complete_bodies(struct scene_bodies *bodies, const struc
     return elastic ? give_mean_free_path(&bodies->counterface, scene, source) : STATUS_OK;
 }
 
-/* Those of every surface; the scene's own count where a surface uses them. */
+/* The bodies of every surface; the scene's own count where a surface uses them. */
 static enum status_code complete_all_bodies(struct scene *scene, struct scene_source *source)
 {
     bool used = scene->surface_count == 0;
     for (size_t i = 0; i < scene->surface_count; i++)
         used = used || !scene->surfaces[i].bodies || !scene->surfaces[i].bodies->material_given;
-    struct scene_bodies whole = scene->bodies;
-    whole.material_given = whole.counterface_given = true;
-    if (used && complete_bodies(&whole, scene, source, NULL) != STATUS_OK)
+    if (used && complete_bodies(&scene->bodies, scene, source, NULL) != STATUS_OK)
         return source->status->code;
-    struct scene_bodies *shared = malloc(sizeof *shared);
-    if (!shared)
+    scene->shared_bodies = malloc(sizeof *scene->shared_bodies);
+    if (!scene->shared_bodies)
         return status_memory(source->status);
-    *shared = (struct scene_bodies){.hardness_Pa = NAN};
-    scene->shared_bodies = shared;
-    bool is_shared = false;
+    *scene->shared_bodies = scene->bodies;
+    scene->shared_bodies->material_given = scene->shared_bodies->counterface_given = false; /* not a surface's own */
     for (size_t i = 0; i < scene->surface_count; i++) {
         struct scene_surface *surface = &scene->surfaces[i];
-        bool done = !surface->bodies && is_shared;
-        is_shared = is_shared || !surface->bodies;
-        surface->bodies = surface->bodies ? surface->bodies : shared;
-        if (!done && complete_bodies(surface->bodies, scene, source, surface->name) != STATUS_OK)
+        if (!surface->bodies)
+            surface->bodies = scene->shared_bodies;
+        else if (complete_bodies(surface->bodies, scene, source, surface->name) != STATUS_OK)
             return source->status->code;
     }
-    whole.material_given = scene->bodies.material_given;
-    whole.counterface_given = scene->bodies.counterface_given;
-    scene->bodies = whole;
     if (source->hardness_line > 0 && !scene_has_material(scene))
         scene_source_fail(source, source->hardness_line, "'hardness' stands without a material; add 'material'");
     return source->status->code;
