@@ -205,11 +205,7 @@ static void test_columns_and_quantity(void **state)
                                "surfaces:\n  - {name: p, file: a.csv}\n"
                                "  - {name: q, file: a.csv, quantity: slope, column: 3}\n"
                                "  - {name: r, file: a.csv, quantity: height, column: [1, 4]}\n";
-    struct scene_directory directory = scene_directory_make();
-    scene_directory_add(&directory, "a.csv");
-    scene_directory_add(&directory, "b.csv");
-    scene_directory_says(&directory, text);
-    struct scene scene = scene_directory_read(directory.path, NULL);
+    struct scene scene = scene_of(text);
     const struct scene_surface *surface[] = {&scene.surfaces[0], &scene.surfaces[1], &scene.surfaces[2],
                                              &scene.counterface_surface};
     static const struct {
@@ -223,7 +219,6 @@ static void test_columns_and_quantity(void **state)
         assert_string_equal(surface[i]->z_column ? surface[i]->z_column : "-", expected[i].z ? expected[i].z : "-");
     }
     scene_free(&scene);
-    scene_directory_remove(&directory);
 }
 
 static void test_many_files(void **state)
