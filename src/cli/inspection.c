@@ -165,35 +165,28 @@ void inspection_add_json(json_t *object, const struct inspection *inspection)
     const struct profile_options *options = &inspection->options;
     const struct scan *scan = &inspection->scan;
     const struct roughness *r = &inspection->roughness;
-    json_t *said =
-        json_pack("{s:s, s:s, s:I, s:o, s:o, s:s, s:s, s:I}", "format", scan->format, "kind",
-                  scan->kind == SCAN_AREAL ? "areal" : "profile", "points", (json_int_t)(scan->nx * scan->ny),
-                  "spacing_m", command_json_number(inspection_spacing_m(inspection)), "length_m",
-                  command_json_number(inspection_length_m(inspection)), "x_unit", scan->x_unit, "z_unit", scan->z_unit,
-                  "missing", (json_int_t)scan->missing);
-    json_object_update(object, said);
-    json_decref(said);
-    add_real(object, "rq_m", r->rq_m);
-    add_real(object, "ra_m", r->ra_m);
-    add_real(object, "pv_m", r->pv_m);
-    add_real(object, "m2", r->m2);
-    add_real(object, "m4_per_m2", r->m4_per_m2);
-    add_real(object, "alpha_SI", inspection->power_law.alpha);
-    add_real(object, "gamma", inspection->power_law.gamma);
     json_t *warnings = json_array();
     const char *warning;
     for (size_t w = 0; (warning = warning_at(inspection, w)); w++)
         json_array_append_new(warnings, command_json_text(warning));
-    json_object_set_new(object, "warnings", warnings);
-    if (scan->kind == SCAN_AREAL) {
-        json_object_set_new(object, "nx", json_integer((json_int_t)scan->nx));
-        json_object_set_new(object, "ny", json_integer((json_int_t)scan->ny));
-        add_real(object, "dx_m", scan->dx_m);
-        add_real(object, "dy_m", scan->dy_m);
-        add_real(object, "sq_m", inspection->areal.sq_m);
-        add_real(object, "sa_m", inspection->areal.sa_m);
-        add_real(object, "sz_m", inspection->areal.sz_m);
-    }
+    json_object_update_new(
+        object,
+        json_pack("{s:s, s:s, s:I, s:o, s:o, s:s, s:s, s:I, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "format",
+                  scan->format, "kind", scan->kind == SCAN_AREAL ? "areal" : "profile", "points",
+                  (json_int_t)(scan->nx * scan->ny), "spacing_m", command_json_number(inspection_spacing_m(inspection)),
+                  "length_m", command_json_number(inspection_length_m(inspection)), "x_unit", scan->x_unit, "z_unit",
+                  scan->z_unit, "missing", (json_int_t)scan->missing, "rq_m", command_json_number(r->rq_m), "ra_m",
+                  command_json_number(r->ra_m), "pv_m", command_json_number(r->pv_m), "m2", command_json_number(r->m2),
+                  "m4_per_m2", command_json_number(r->m4_per_m2), "alpha_SI",
+                  command_json_number(inspection->power_law.alpha), "gamma",
+                  command_json_number(inspection->power_law.gamma), "warnings", warnings));
+    if (scan->kind == SCAN_AREAL)
+        json_object_update_new(object, json_pack("{s:I, s:I, s:o, s:o, s:o, s:o, s:o}", "nx", (json_int_t)scan->nx,
+                                                 "ny", (json_int_t)scan->ny, "dx_m", command_json_number(scan->dx_m),
+                                                 "dy_m", command_json_number(scan->dy_m), "sq_m",
+                                                 command_json_number(inspection->areal.sq_m), "sa_m",
+                                                 command_json_number(inspection->areal.sa_m), "sz_m",
+                                                 command_json_number(inspection->areal.sz_m)));
     if (!inspection->has_parameters)
         return;
     json_t *parameters = json_object();

@@ -221,7 +221,7 @@ static enum status_code check_effects(const struct scene *scene, struct scene_so
                                "--effects: '%s' needs a material; add --material or 'material' in scene.yaml",
                                effect->name);
         return status_fail(source->status, STATUS_SCENE, "--effects: '%s' needs '%s'; add it to '%s'%s in '%s'",
-                           effect->name, property->name, body, whose, scene->path);
+                           effect->name, property->name, body, whose, scene->path ? scene->path : "scene.yaml");
     }
     return STATUS_OK;
 }

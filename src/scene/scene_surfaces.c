@@ -87,6 +87,14 @@ static bool check_file(struct scene_source *source, const yaml_node_t *node, con
                                                       "surface file '%s' is no regular file; name a scan", shown.text);
 }
 
+/* Counts files of the scene, which aliases of long lists multiply. */
+static bool count_files(struct scene_source *source, size_t more, size_t line)
+{
+    source->file_count += more;
+    return source->file_count <= limit_most(LIMIT_SCENE_FILES) ||
+           scene_source_fail(source, line, "more than %zu files in one scene; split it", limit_most(LIMIT_SCENE_FILES));
+}
+
 /* Adds what a path names: one file, or those that its pattern matches. */
 static bool add_files(struct scene_source *source, struct scene_surface *surface, const yaml_node_t *node,
                       const char *file)
@@ -105,10 +113,8 @@ static bool add_files(struct scene_source *source, struct scene_surface *surface
         return scene_source_memory(source);
     if (problem.code != STATUS_OK)
         return scene_source_fail(source, line, "%s", problem.message);
-    source->file_count += surface->file_count - before;
-    if (source->file_count > limit_most(LIMIT_SCENE_FILES)) /* aliases of long lists multiply */
-        return scene_source_fail(source, line, "more than %zu files in one scene; split it",
-                                 limit_most(LIMIT_SCENE_FILES));
+    if (!count_files(source, surface->file_count - before, line))
+        return false;
     return surface->file_count > before ||
            scene_source_fail(source, line, "'%s' matches no file; paths start at the scene's directory", shown.text);
 }
@@ -117,12 +123,10 @@ bool scene_surfaces_files(struct scene_source *source, const struct scene_key *k
 {
     struct scene_surface *surface = key->field;
     size_t count = scene_source_item_count(value), line = scene_source_line(value);
-    source->file_count += count;
     if (count == 0)
         return scene_source_fail(source, line, "'%s' lists none; name one or more scans", key->name);
-    if (source->file_count > limit_most(LIMIT_SCENE_FILES)) /* aliases of long lists multiply */
-        return scene_source_fail(source, line, "more than %zu files in one scene; split it",
-                                 limit_most(LIMIT_SCENE_FILES));
+    if (!count_files(source, count, line))
+        return false;
     for (size_t i = 0; i < count; i++) {
         char *file = NULL;
         const yaml_node_t *item = scene_source_item(source, value, i);
