@@ -41,8 +41,6 @@ static struct scene default_scene(void)
     };
 }
 
-const char *const scene_data_names[SCENE_DATA_COUNT] = {"auto", "full"};
-
 bool scene_bins_spectra(const struct scene *scene)
 {
     return scene->data == SCENE_DATA_AUTO && scene->surface_count > SCENE_DATA_SURFACES;
@@ -463,15 +461,6 @@ void scene_free(struct scene *scene)
     free(scene->path);
     free(scene->directory);
     *scene = (struct scene){0};
-}
-
-char *scene_file_path(const struct scene *scene, const char *file)
-{
-    const char *directory = file[0] == '/' ? "" : scene->directory;
-    size_t length = strlen(directory);
-    char *path;
-    bool joined = length == 0 || directory[length - 1] == '/';
-    return asprintf(&path, "%s%s%s", directory, joined ? "" : "/", file) < 0 ? NULL : path;
 }
 
 static int compare_doubles(const void *a, const void *b)

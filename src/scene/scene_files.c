@@ -15,6 +15,15 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+char *scene_file_path(const struct scene *scene, const char *file)
+{
+    const char *directory = file[0] == '/' ? "" : scene->directory;
+    size_t length = strlen(directory);
+    char *path;
+    bool joined = length == 0 || directory[length - 1] == '/';
+    return asprintf(&path, "%s%s%s", directory, joined ? "" : "/", file) < 0 ? NULL : path;
+}
+
 bool scene_files_is_pattern(const char *path)
 {
     return strpbrk(path, "*?[") != NULL;

@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+const char *const scene_data_names[SCENE_DATA_COUNT] = {"auto", "full"};
 static const char *const closure_names[SINUSOID_FIT_COUNT] = {"thesis", "numeric"};
 static const char *const measured_quantity_names[SCENE_MEASURED_QUANTITY_COUNT] = {"ecr", "tcr"};
 const unsigned scene_measured_resistances[SCENE_MEASURED_QUANTITY_COUNT] = {
