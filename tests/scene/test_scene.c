@@ -156,6 +156,8 @@ static void test_same_metal_and_pressures(void **state)
     struct scene scene = scene_directory_read(DATA("same"), NULL);
     assert_int_equal(scene.bodies.counterface_kind, MATERIAL_COUNTERFACE_ELASTIC);
     assert_string_equal(scene.bodies.counterface.name, "copper");
+    assert_string_equal(scene.surfaces[0].bodies->material.name, "copper");
+    assert_false(scene.surfaces[0].bodies->material_given); /* its own, which results.json would repeat */
     assert_true(scene.load.kind == UNIT_PRESSURE);
     size_t count;
     double *loads = scene_loads_of(&scene, 5e10, &count);
