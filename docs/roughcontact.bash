@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# bash completion of roughcontact. Written by `roughcontact help --completion`.
+# bash completion of roughcontact; tests/cli/test_manual.c holds its words to the tables of the program.
 _roughcontact()
 {
-    local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
+    local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} command=${COMP_WORDS[1]}
+    local commands='report direct plan inspect synth models materials self-test help'
+    local scene='--material= -m --effects= -e --tolerance= -t --x-unit= --z-unit='
     local options='' kind=nothing words='' argument='' before=''
     COMPREPLY=()
     if ((COMP_CWORD == 1)); then
-        mapfile -t COMPREPLY < <(compgen -W 'report direct plan inspect synth models materials self-test help --help --version' -- "$word")
+        mapfile -t COMPREPLY < <(compgen -W "$commands --help --version" -- "$word")
         return
     fi
     if [[ $word == '=' ]]; then # --option=, which bash takes apart
@@ -14,91 +16,45 @@ _roughcontact()
     elif [[ $previous == '=' ]]; then
         previous=${COMP_WORDS[COMP_CWORD - 2]}
     fi
-    case ${COMP_WORDS[1]} in
-    report)
-        options='--output= -o --jobs= -j --show -s --no-cost --check --brief --json --verbose -v --material= -m --effects= -e --tolerance= -t --x-unit= --z-unit= --help -h --usage'
-        case $previous in
-        --output | -o) kind=directories words='' ;;
-        --jobs | -j) kind=nothing words='' ;;
-        --material | -m) kind=words words='tin copper brass bronze gold silver nickel aluminium steel hard-gold beryllium-copper copper-nickel-silicon solder indium' ;;
-        --effects | -e) kind=list words='auto plasticity separation electrical thermal scale-dependent convergence uncertainty direct gap film plating heating' ;;
-        --tolerance | -t) kind=nothing words='' ;;
-        --x-unit) kind=words words='m mm um nm angstrom in uin mil' ;;
-        --z-unit) kind=words words='m mm um nm angstrom in uin mil' ;;
-        *) kind=directories words='' argument=1 ;;
-        esac ;;
-    direct)
-        options='--output= -o --jobs= -j --show -s --no-cost --check --brief --json --verbose -v --material= -m --effects= -e --tolerance= -t --x-unit= --z-unit= --help -h --usage'
-        case $previous in
-        --output | -o) kind=directories words='' ;;
-        --jobs | -j) kind=nothing words='' ;;
-        --material | -m) kind=words words='tin copper brass bronze gold silver nickel aluminium steel hard-gold beryllium-copper copper-nickel-silicon solder indium' ;;
-        --effects | -e) kind=list words='auto plasticity separation electrical thermal scale-dependent convergence uncertainty direct gap film plating heating' ;;
-        --tolerance | -t) kind=nothing words='' ;;
-        --x-unit) kind=words words='m mm um nm angstrom in uin mil' ;;
-        --z-unit) kind=words words='m mm um nm angstrom in uin mil' ;;
-        *) kind=directories words='' argument=1 ;;
-        esac ;;
+    case $command in
+    report | direct)
+        options="--output= -o --jobs= -j --show -s --no-cost --check --brief --json --verbose -v $scene"
+        kind=directories ;;
     plan)
-        options='--brief --json --material= -m --effects= -e --tolerance= -t --x-unit= --z-unit= --help -h --usage'
-        case $previous in
-        --material | -m) kind=words words='tin copper brass bronze gold silver nickel aluminium steel hard-gold beryllium-copper copper-nickel-silicon solder indium' ;;
-        --effects | -e) kind=list words='auto plasticity separation electrical thermal scale-dependent convergence uncertainty direct gap film plating heating' ;;
-        --tolerance | -t) kind=nothing words='' ;;
-        --x-unit) kind=words words='m mm um nm angstrom in uin mil' ;;
-        --z-unit) kind=words words='m mm um nm angstrom in uin mil' ;;
-        *) kind=directories words='' argument=1 ;;
-        esac ;;
+        options="--brief --json $scene"
+        kind=directories ;;
     inspect)
-        options='--json --no-chart --chart --x-unit= --z-unit= --quantity= --column= --level= --lambda-s= --lambda-c= --fit= --limits --help -h --usage'
-        case $previous in
-        --x-unit) kind=words words='m mm um nm angstrom in uin mil' ;;
-        --z-unit) kind=words words='m mm um nm angstrom in uin mil' ;;
-        --quantity) kind=words words='height slope' ;;
-        --column) kind=nothing words='' ;;
-        --level) kind=words words='none mean line parabola circle robust' ;;
-        --lambda-s) kind=nothing words='' ;;
-        --lambda-c) kind=nothing words='' ;;
-        --fit) kind=words words='auto thesis' ;;
-        *) kind=files words='' argument=1 ;;
-        esac ;;
+        options='--json --no-chart --chart --x-unit= --z-unit= --quantity= --column= --level= --lambda-s= --lambda-c='
+        options+=' --fit= --limits'
+        kind=files ;;
     synth)
-        options='--alpha= -a --gamma= -g --rq= -r --length= -l --points= -n --scatter= -c --lambda-s= -s --seed= -d --output= -o --help -h --usage'
-        case $previous in
-        --alpha | -a) kind=nothing words='' ;;
-        --gamma | -g) kind=nothing words='' ;;
-        --rq | -r) kind=nothing words='' ;;
-        --length | -l) kind=nothing words='' ;;
-        --points | -n) kind=nothing words='' ;;
-        --scatter | -c) kind=nothing words='' ;;
-        --lambda-s | -s) kind=nothing words='' ;;
-        --seed | -d) kind=nothing words='' ;;
-        --output | -o) kind=files words='' ;;
-        *) kind=nothing words='' argument=1 ;;
-        esac ;;
-    models)
-        options='--json --help -h --usage'
-        case $previous in
-        *) kind=nothing words='' argument=1 ;;
-        esac ;;
-    materials)
-        options='--json --help -h --usage'
-        case $previous in
-        *) kind=nothing words='' argument=1 ;;
-        esac ;;
-    self-test)
-        options='--json --verbose -v --help -h --usage'
-        case $previous in
-        *) kind=nothing words='' argument=1 ;;
-        esac ;;
-    help)
-        options='--man --completion --help -h --usage'
-        case $previous in
-        *) kind=words words='report direct plan inspect synth models materials self-test help' argument=1 ;;
-        esac ;;
+        options='--alpha= -a --gamma= -g --rq= -r --length= -l --points= -n --scatter= -c --lambda-s= -s --seed= -d'
+        options+=' --output= -o' ;;
+    models | materials) options='--json' ;;
+    self-test) options='--json --verbose -v' ;;
+    help) kind=words words=$commands ;;
+    esac
+    case "$command $previous" in # the value of an option
+    'synth --output' | 'synth -o') kind=files ;;
+    *' --output' | *' -o') kind=directories ;;
+    *' --material' | *' -m')
+        kind=words
+        words='tin copper brass bronze gold silver nickel aluminium steel hard-gold beryllium-copper'
+        words+=' copper-nickel-silicon solder indium' ;;
+    *' --effects' | *' -e')
+        kind=list
+        words='auto plasticity separation electrical thermal scale-dependent convergence uncertainty direct gap film'
+        words+=' plating heating' ;;
+    *' --x-unit' | *' --z-unit') kind=words words='m mm um nm angstrom in uin mil' ;;
+    *' --quantity') kind=words words='height slope' ;;
+    *' --level') kind=words words='none mean line parabola circle robust' ;;
+    *' --fit') kind=words words='auto thesis' ;;
+    *' --jobs' | *' -j' | *' --tolerance' | *' -t' | *' --column' | *' --lambda-'[sc] | 'synth -'[agrlncsd] | \
+        'synth --'[agrlps]*) kind=nothing ;;
+    *) argument=1 ;;
     esac
     if [[ -n $argument && $word == -* ]]; then
-        kind=words words=$options
+        kind=words words="$options --help -h --usage"
         compopt -o nospace 2>/dev/null
     fi
     case $kind in

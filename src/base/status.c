@@ -26,12 +26,8 @@ enum status_code status_prefix(struct status *status, const char *format, ...)
     va_start(args, format);
     int length = vsnprintf(status->message, sizeof status->message, format, args);
     va_end(args);
-    size_t used = length < 0 ? 0 : (size_t)length;
-    for (const char *rest = ": "; used + 1 < sizeof status->message && *rest; rest++)
-        status->message[used++] = *rest;
-    for (const char *rest = old; used + 1 < sizeof status->message && *rest; rest++)
-        status->message[used++] = *rest;
-    if (used < sizeof status->message)
+    size_t size = sizeof status->message, used = length < 0 ? 0 : (size_t)length;
+    if (used < size && snprintf(status->message + used, size - used, ": %s", old) < 0)
         status->message[used] = '\0';
     return status->code;
 }

@@ -6,23 +6,17 @@
 #define MUST_CHECK        __attribute__((warn_unused_result))
 #define PRINTF_LIKE(f, a) __attribute__((format(printf, f, a)))
 
-/* code, what it means */
-#define STATUS_CODES(X)                                                                                                \
-    X(OK, "done")                                                                                                      \
-    X(MEMORY, "out of memory")                                                                                         \
-    X(IO, "a file or directory could not be read or written")                                                          \
-    X(USAGE, "the command line is wrong")                                                                              \
-    X(SCENE, "the scene is invalid")                                                                                   \
-    X(SCAN, "a file is not a usable scan")                                                                             \
-    X(MODEL, "a model does not exist for this surface")                                                                \
-    X(NUMBER, "a number that is not finite came out: a fault of the program")                                          \
-    X(CHART, "the charts could not be drawn")                                                                          \
-    X(INTERRUPTED, "stopped by a signal")
-
 enum status_code {
-#define STATUS_ENUM(name, meaning) STATUS_##name,
-    STATUS_CODES(STATUS_ENUM)
-#undef STATUS_ENUM
+    STATUS_OK,
+    STATUS_MEMORY,
+    STATUS_IO,         /* a file or directory could not be read or written */
+    STATUS_USAGE,      /* the command line is wrong */
+    STATUS_SCENE,      /* the scene is invalid */
+    STATUS_SCAN,       /* a file is not a usable scan */
+    STATUS_MODEL,      /* a model does not exist for this surface */
+    STATUS_NUMBER,     /* a number that is not finite came out: a fault of the program */
+    STATUS_CHART,      /* the charts could not be drawn */
+    STATUS_INTERRUPTED /* stopped by a signal */
 };
 
 /** The outcome of the last call that failed. Zero-initialise; a message is lower case, the problem first, then the

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/unit.h"
+#include "base/text.h"
 
 #include <assert.h>
 #include <ctype.h>
@@ -173,6 +174,18 @@ bool unit_spell(char spelling[UNIT_LENGTH], const char *text, size_t length)
     return used > 0;
 }
 
+bool unit_shown(char shown[UNIT_LENGTH], const char *text, size_t length)
+{
+    size_t seen = 0;
+    if (length >= UNIT_LENGTH)
+        return false;
+    memcpy(shown, text, length);
+    shown[length] = '\0';
+    for (size_t bytes; (bytes = text_character(shown + seen)) > 0;)
+        seen += bytes;
+    return seen == length || unit_spell(shown, text, length); /* latin-1 */
+}
+
 /* A unit as it is put together: decimal powers are counted, so that mm² is 1e-6 and no rounded square of 1e-3. */
 struct product {
     struct unit unit;
@@ -333,20 +346,22 @@ bool unit_equal(const struct unit *a, const struct unit *b)
            fabs(a->factor - b->factor) <= 1e-12 * fabs(a->factor);
 }
 
-const char *unit_si(enum unit_quantity quantity)
+static size_t quantity_row(enum unit_quantity quantity)
 {
     size_t i = 0;
     for (; unit_quantities[i].quantity != quantity; i++)
         assert(i + 1 < COUNT(unit_quantities));
-    return unit_quantities[i].si;
+    return i;
+}
+
+const char *unit_si(enum unit_quantity quantity)
+{
+    return unit_quantities[quantity_row(quantity)].si;
 }
 
 const char *unit_quantity_name(enum unit_quantity quantity)
 {
-    size_t i = 0;
-    for (; unit_quantities[i].quantity != quantity; i++)
-        assert(i + 1 < COUNT(unit_quantities));
-    return unit_quantities[i].name;
+    return unit_quantities[quantity_row(quantity)].name;
 }
 
 struct unit_known unit_known(unsigned quantities)

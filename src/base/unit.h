@@ -49,6 +49,10 @@ enum { UNIT_LENGTH = 48 }; /* bytes of a spelling, with the NUL */
  * (UTF-8, and what latin-1 has of them). False when it is empty or does not fit. */
 bool unit_spell(char spelling[UNIT_LENGTH], const char *text, size_t length);
 
+/** A unit's `text` as it may be shown: as it stands, or where it is no UTF-8 as unit_spell() does. False when it does
+ * not fit. */
+bool unit_shown(char shown[UNIT_LENGTH], const char *text, size_t length);
+
 /** Reads a unit: `kN`, `mΩ`, `µOhm`, `milliohm`, `K m²/W`, `ohm_m2`, `K_m2_per_W`, `W/(m2 K)`, `N/mm^2`. Symbols are
  * told apart by case (m is milli, M is mega), words are not. False when it does not fit into UNIT_LENGTH, any part is
  * unknown, and where what is divided by is in doubt (`W/m2 K`: write `W/m2/K` or `W/(m2 K)`). */

@@ -7,6 +7,7 @@
 #include "cli/command_json.h"
 #include "cli/inspection.h"
 #include "scene/scene.h"
+#include "scene/scene_words.h"
 
 #include <argp.h>
 #include <jansson.h>
@@ -70,19 +71,14 @@ static double parse_cutoff(const char *name, const char *text, struct argp_state
 }
 
 /** Which of the `count` names is `value`? */
-static unsigned parse_name(const char *what, const char *value, const char *const *names, unsigned count,
+static unsigned parse_name(const char *what, const char *value, const char *const *names, size_t count,
                            struct argp_state *state)
 {
-    unsigned which = 0;
-    struct text allowed = {0};
-    while (which < count && strcmp(value, names[which]) != 0)
-        which++;
-    for (unsigned i = 0; which == count && i < count; i++)
-        text_add(&allowed, "%s%s", i ? ", " : "", names[i]);
+    size_t length = strlen(value), which = scene_words_find(value, length, names, count);
     if (which == count)
-        argp_error(state, "unknown %s '%s'; allowed: %s", what, value, text_string(&allowed));
-    text_free(&allowed);
-    return which;
+        argp_error(state, "unknown %s '%s'; %s", what, scene_words_show(value, length).text,
+                   scene_words_hint(value, names, count, 0).text);
+    return (unsigned)which;
 }
 
 /** `Z` or `X,Z`. */
@@ -272,49 +268,34 @@ static void show(struct outcome *outcome, const struct arguments *arguments, con
         command_complain("no charts: ", chart.message);
 }
 
-/** The scans of a file, or of `bytes` where they are not NULL: one, but for archives. */
+/** The scans of a file, or of standard input where it is called "-": one, but for archives. */
 static void inspect_file(struct outcome *outcome, const struct arguments *arguments, const char *path,
-                         const struct scan_bytes *bytes, struct scan_options how)
-{
-    struct text text = {0};
-    struct scan_bytes held;
-    do {
-        struct status status = {0};
-        struct inspection inspection;
-        struct text name = {0};
-        enum status_code code =
-            inspection_make(&inspection, path, bytes, &how, &arguments->how, arguments->fit, &status);
-        const char *part = inspection.scan.part;
-        text_add(&name, *part ? "%s(%s)" : "%s%s", path, part);
-        if (code == STATUS_OK)
-            show(outcome, arguments, text_string(&name), &inspection);
-        else
-            refuse(outcome, arguments, text_string(&name), status.message);
-        how.entry = inspection.scan.next_entry;
-        text_free(&name);
-        inspection_free(&inspection);
-        if (how.entry == 0 || bytes)
-            continue;
-        status = (struct status){0};
-        if (text_read_file(&text, path, &status) != STATUS_OK) { /* once for all its other scans */
-            refuse(outcome, arguments, path, status.message);
-            break;
-        }
-        held = (struct scan_bytes){text_string(&text), text.length, path};
-        bytes = &held;
-    } while (how.entry > 0);
-    text_free(&text);
-}
-
-static void inspect_input(struct outcome *outcome, const struct arguments *arguments)
+                         struct scan_options how)
 {
     struct status status = {0};
     struct text text = {0};
-    if (text_read_stream(&text, stdin, "-", &status) == STATUS_OK)
-        inspect_file(outcome, arguments, "-", &(struct scan_bytes){text_string(&text), text.length, "-"},
-                     arguments->scan);
-    else
-        refuse(outcome, arguments, "-", status.message);
+    enum status_code code =
+        strcmp(path, "-") == 0 ? text_read_stream(&text, stdin, "-", &status) : text_read_file(&text, path, &status);
+    const struct scan_bytes file = {text_string(&text), text.length, path};
+    if (code != STATUS_OK)
+        refuse(outcome, arguments, path, status.message);
+    while (code == STATUS_OK) {
+        struct status problem = {0};
+        struct inspection inspection;
+        struct text name = {0};
+        bool good = inspection_make(&inspection, &file, &how, &arguments->how, arguments->fit, &problem) == STATUS_OK;
+        const char *part = inspection.scan.part;
+        text_add(&name, *part ? "%s(%s)" : "%s%s", path, part);
+        if (good)
+            show(outcome, arguments, text_string(&name), &inspection);
+        else
+            refuse(outcome, arguments, text_string(&name), problem.message);
+        how.entry = inspection.scan.next_entry;
+        text_free(&name);
+        inspection_free(&inspection);
+        if (how.entry == 0)
+            break;
+    }
     text_free(&text);
 }
 
@@ -349,7 +330,7 @@ static void inspect_directory(struct outcome *outcome, const struct arguments *a
         for (size_t f = 0; f < surface->file_count; f++) {
             char *file = scene_file_path(&scene, surface->files[f]);
             if (file)
-                inspect_file(outcome, arguments, file, NULL, options_of(arguments, surface));
+                inspect_file(outcome, arguments, file, options_of(arguments, surface));
             else
                 refuse(outcome, arguments, surface->files[f], "out of memory");
             free(file);
@@ -397,18 +378,15 @@ int command_inspect(int argc, char **argv)
     for (int i = 0; i < arguments.file_count; i++) {
         const char *path = arguments.files[i];
         struct stat info;
-        if (strcmp(path, "-") == 0)
-            inspect_input(&outcome, &arguments);
-        else if (stat(path, &info) == 0 && S_ISDIR(info.st_mode))
+        if (stat(path, &info) == 0 && S_ISDIR(info.st_mode))
             inspect_directory(&outcome, &arguments, path);
         else
-            inspect_file(&outcome, &arguments, path, NULL, arguments.scan);
+            inspect_file(&outcome, &arguments, path, arguments.scan);
     }
-    if (arguments.json) {
-        json_dumpf(outcome.all, stdout, JSON_INDENT(1) | JSON_REAL_PRECISION(17));
-        printf("\n");
-    }
-    json_decref(outcome.all);
+    if (!arguments.json)
+        json_decref(outcome.all);
+    else if (!command_json_print(outcome.all))
+        outcome.refused = outcome.scans;
     return command_finish(outcome.refused == 0               ? COMMAND_DONE
                           : outcome.refused == outcome.scans ? COMMAND_NOTHING
                                                              : COMMAND_REFUSED,

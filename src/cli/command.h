@@ -28,7 +28,7 @@ struct command_row {
     const char *arguments;
     const char *summary;
     int (*run)(int argc, char **argv); /* argv[0] is "roughcontact NAME" */
-    const struct argp *argp;           /* its options: of --help, of the manual and of the completion */
+    const struct argp *argp;           /* its options */
 };
 extern const struct command_row command_rows[];
 extern const size_t command_count;
@@ -65,12 +65,6 @@ const struct command_row *command_find(const char *name, struct status *status);
 /** The templates'. */
 MUST_CHECK enum status_code command_templates(struct text *out, struct status *status);
 
-/** The manual page, in roff for man(1), and the completion for bash: from the rows, their options and the scene's keys.
- */
-void command_manual(struct text *out);
-void command_completion(struct text *out);
-/** Does the completion know what the word that stands for a value in --help ("MATERIAL") may be? */
-bool command_completes(const char *word);
 /** Version and what the program is made of, a line each. */
 void command_version(struct text *out);
 

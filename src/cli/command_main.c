@@ -4,7 +4,6 @@
 
 #include <argp.h>
 #include <gsl/gsl_errno.h>
-#include <malloc.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -79,17 +78,8 @@ int command_run_help(const struct command_row *row)
     return run(row, 2, argv);
 }
 
-/** What is freed serves again, and memory grows by large steps: the system is asked for pages less often. */
-static void keep_memory(void)
-{
-    mallopt(M_TOP_PAD, 1 << 20);
-    mallopt(M_MMAP_THRESHOLD, 16 << 20); /* larger arrays have pages of their own, returned when freed */
-    mallopt(M_TRIM_THRESHOLD, 64 << 20);
-}
-
 int command_main(int argc, char **argv)
 {
-    keep_memory();
     gsl_set_error_handler_off();
     argp_err_exit_status = COMMAND_USAGE;
     const char *name = argc > 1 ? argv[1] : "";

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/inspection.h"
 #include "base/text.h"
-#include "base/threads.h"
 #include "cli/command_json.h"
 
 #include <math.h>
@@ -83,43 +82,31 @@ static enum status_code fit_law(struct inspection *out, struct status *status)
     return code;
 }
 
-/** What is made of a profile; neither needs what the other makes. */
-enum { LOOK_PARAMETERS, LOOK_LAW, LOOKS };
-
-static enum status_code look_one(void *context, size_t index, struct threads_turn *turn, struct status *status)
-{
-    struct inspection *out = context;
-    (void)turn;
-    return index == LOOK_LAW ? fit_law(out, status) : compute_parameters(out, status);
-}
-
 static enum status_code look_at_profile(struct inspection *out, struct status *status)
 {
-    enum { SHARED_POINTS = 1 << 16 }; /* with fewer, threads take longer to start than they save */
-    static const struct threads all = {0};
     struct profile *profile = &out->profile;
     if (profile_make(profile, &out->scan, 0, &out->options, status) != STATUS_OK)
         return status->code;
     out->roughness = profile->measured_x_m
                          ? roughness_of_points(profile->measured_x_m, profile->measured_z_m, profile->points)
                          : roughness_of_heights(profile->height_m, profile->points, profile->spacing_m);
-    return threads_run(profile->points >= SHARED_POINTS ? &all : NULL, LOOKS, look_one, out, status);
+    return compute_parameters(out, status);
 }
 
-enum status_code inspection_make(struct inspection *out, const char *path, const struct scan_bytes *bytes,
+enum status_code inspection_make(struct inspection *out, const struct scan_bytes *file,
                                  const struct scan_options *units, const struct profile_options *options,
                                  enum power_law_method fit, struct status *status)
 {
     *out = (struct inspection){.options = *options, .fit = fit};
-    enum status_code code = !bytes                   ? scan_read(&out->scan, path, units, status)
-                            : strcmp(path, "-") == 0 ? scan_read_bytes(&out->scan, bytes, units, status)
-                                                     : scan_read_beside(&out->scan, bytes, path, units, status);
+    enum status_code code = strcmp(file->path, "-") == 0
+                                ? scan_read_bytes(&out->scan, file, units, status)
+                                : scan_read_beside(&out->scan, file, file->path, units, status);
     if (code != STATUS_OK)
         return code;
     code = out->scan.kind == SCAN_AREAL ? look_at_map(out, status) : look_at_profile(out, status);
-    if (code == STATUS_OK && out->scan.kind == SCAN_AREAL)
+    if (code == STATUS_OK)
         code = fit_law(out, status);
-    return code == STATUS_OK ? STATUS_OK : status_prefix(status, "%s", path);
+    return code == STATUS_OK ? STATUS_OK : status_prefix(status, "%s", file->path);
 }
 
 void inspection_free(struct inspection *inspection)
@@ -178,35 +165,28 @@ void inspection_add_json(json_t *object, const struct inspection *inspection)
     const struct profile_options *options = &inspection->options;
     const struct scan *scan = &inspection->scan;
     const struct roughness *r = &inspection->roughness;
-    json_t *said =
-        json_pack("{s:s, s:s, s:I, s:o, s:o, s:s, s:s, s:I}", "format", scan->format, "kind",
-                  scan->kind == SCAN_AREAL ? "areal" : "profile", "points", (json_int_t)(scan->nx * scan->ny),
-                  "spacing_m", command_json_number(inspection_spacing_m(inspection)), "length_m",
-                  command_json_number(inspection_length_m(inspection)), "x_unit", scan->x_unit, "z_unit", scan->z_unit,
-                  "missing", (json_int_t)scan->missing);
-    json_object_update(object, said);
-    json_decref(said);
-    add_real(object, "rq_m", r->rq_m);
-    add_real(object, "ra_m", r->ra_m);
-    add_real(object, "pv_m", r->pv_m);
-    add_real(object, "m2", r->m2);
-    add_real(object, "m4_per_m2", r->m4_per_m2);
-    add_real(object, "alpha_SI", inspection->power_law.alpha);
-    add_real(object, "gamma", inspection->power_law.gamma);
     json_t *warnings = json_array();
     const char *warning;
     for (size_t w = 0; (warning = warning_at(inspection, w)); w++)
         json_array_append_new(warnings, command_json_text(warning));
-    json_object_set_new(object, "warnings", warnings);
-    if (scan->kind == SCAN_AREAL) {
-        json_object_set_new(object, "nx", json_integer((json_int_t)scan->nx));
-        json_object_set_new(object, "ny", json_integer((json_int_t)scan->ny));
-        add_real(object, "dx_m", scan->dx_m);
-        add_real(object, "dy_m", scan->dy_m);
-        add_real(object, "sq_m", inspection->areal.sq_m);
-        add_real(object, "sa_m", inspection->areal.sa_m);
-        add_real(object, "sz_m", inspection->areal.sz_m);
-    }
+    json_object_update_new(
+        object,
+        json_pack("{s:s, s:s, s:I, s:o, s:o, s:s, s:s, s:I, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "format",
+                  scan->format, "kind", scan->kind == SCAN_AREAL ? "areal" : "profile", "points",
+                  (json_int_t)(scan->nx * scan->ny), "spacing_m", command_json_number(inspection_spacing_m(inspection)),
+                  "length_m", command_json_number(inspection_length_m(inspection)), "x_unit", scan->x_unit, "z_unit",
+                  scan->z_unit, "missing", (json_int_t)scan->missing, "rq_m", command_json_number(r->rq_m), "ra_m",
+                  command_json_number(r->ra_m), "pv_m", command_json_number(r->pv_m), "m2", command_json_number(r->m2),
+                  "m4_per_m2", command_json_number(r->m4_per_m2), "alpha_SI",
+                  command_json_number(inspection->power_law.alpha), "gamma",
+                  command_json_number(inspection->power_law.gamma), "warnings", warnings));
+    if (scan->kind == SCAN_AREAL)
+        json_object_update_new(object, json_pack("{s:I, s:I, s:o, s:o, s:o, s:o, s:o}", "nx", (json_int_t)scan->nx,
+                                                 "ny", (json_int_t)scan->ny, "dx_m", command_json_number(scan->dx_m),
+                                                 "dy_m", command_json_number(scan->dy_m), "sq_m",
+                                                 command_json_number(inspection->areal.sq_m), "sa_m",
+                                                 command_json_number(inspection->areal.sa_m), "sz_m",
+                                                 command_json_number(inspection->areal.sz_m)));
     if (!inspection->has_parameters)
         return;
     json_t *parameters = json_object();

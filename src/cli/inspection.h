@@ -28,9 +28,9 @@ struct inspection {
     struct profile_options options;
 };
 
-/** Reads and looks at a file, or at its `bytes` where they are not NULL; path "-": of no file. Owned:
- * inspection_free(), whatever comes back. Errors: those of the stages. */
-MUST_CHECK enum status_code inspection_make(struct inspection *out, const char *path, const struct scan_bytes *bytes,
+/** Looks at a file's bytes; one called "-" is standard input, which nothing lies beside. Owned: inspection_free(),
+ * whatever comes back. Errors: those of the stages. */
+MUST_CHECK enum status_code inspection_make(struct inspection *out, const struct scan_bytes *file,
                                             const struct scan_options *units, const struct profile_options *options,
                                             enum power_law_method fit, struct status *status);
 /** Makes the spectrum of a profile, if there is none yet: a chart shows it, the figures do not hang on it. Error:

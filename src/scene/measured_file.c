@@ -4,7 +4,6 @@
 
 #include "scan/number.h"
 #include "scene/scene_words.h"
-#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -130,20 +129,15 @@ static enum status_code refuse_unit(const struct reading *in, size_t column, str
 static enum status_code settle(const struct reading *in, size_t column, const struct cell_unit *cell)
 {
     struct measured_unit *known = &in->out->units[column];
-    size_t length = string_view_length(cell->text), shown = 0;
+    size_t length = string_view_length(cell->text);
     if (known->known && !unit_equal(&known->unit, &cell->unit))
         return status_fail(in->status, STATUS_SCENE, "'%s' as unit of %s, but line %zu says '%s'; correct one of them",
                            scene_words_show(cell->text.start, length).text, column_names[column], known->line,
                            known->text);
     if (known->known)
         return STATUS_OK;
-    assert(length < UNIT_LENGTH); /* or it would not have been read */
     *known = (struct measured_unit){.known = true, .unit = cell->unit, .line = in->line};
-    memcpy(known->text, cell->text.start, length);
-    for (size_t bytes; (bytes = text_character(known->text + shown)) > 0;)
-        shown += bytes;
-    if (shown < length) /* latin-1: in ASCII */
-        (void)unit_spell(known->text, cell->text.start, length);
+    (void)unit_shown(known->text, cell->text.start, length); /* as it was read, it fits */
     return STATUS_OK;
 }
 
@@ -222,10 +216,15 @@ static struct cell_unit heading_unit(struct string_view cell, unsigned quantitie
     return out;
 }
 
-/* Units of the columns as one line says them. */
+/* A line above the rows that may be a heading, and the units of the columns as it says them. */
 struct heading {
+    struct string_view text;
+    size_t line;
     struct cell_unit unit[MEASURED_COLUMNS];
 };
+
+/* Those that are looked at: the last two lines, and the last comment. */
+enum { HEADING_NAMES, HEADING_LAST, HEADING_COMMENT, HEADINGS };
 
 /* Is it a line of cells without a number among them? */
 static bool is_heading(struct string_view line)
@@ -239,52 +238,41 @@ static bool is_heading(struct string_view line)
 }
 
 /* `below_names`: the line may be one of units, of which not all need be known. */
-static struct heading heading_read(struct string_view line, const struct reading *in, bool below_names)
+static void heading_read(struct heading *out, const struct reading *in, bool below_names)
 {
-    struct heading out = {0};
-    if (!line.start)
-        return out;
-    struct cells cells = split(line, delimiter_of(line), false);
+    struct cells cells = {0};
+    if (out->text.start)
+        cells = split(out->text, delimiter_of(out->text), false);
     size_t units = 0, filled = 0;
     struct cell_unit whole[MEASURED_COLUMNS] = {0}; /* a cell that is nothing but a unit */
     for (size_t c = 0; c < MEASURED_COLUMNS; c++) {
         struct string_view cell = cells.cell[in->order[c]];
+        out->unit[c] = (struct cell_unit){.found = FOUND_NOTHING};
         if (cell.start == cell.end)
             continue;
-        out.unit[c] = heading_unit(cell, in->quantities[c]);
-        units += offer(&whole[c], cell, in->quantities[c], true) || out.unit[c].found == FOUND_UNIT;
+        out->unit[c] = heading_unit(cell, in->quantities[c]);
+        units += offer(&whole[c], cell, in->quantities[c], true) || out->unit[c].found == FOUND_UNIT;
         filled++;
     }
     bool any = whole[MEASURED_LOAD].found == FOUND_UNIT || whole[MEASURED_RESISTANCE].found == FOUND_UNIT;
     for (size_t c = 0; c < MEASURED_COLUMNS && any && (units == filled || below_names); c++)
-        if (out.unit[c].found != FOUND_UNIT && whole[c].found != FOUND_NOTHING)
-            out.unit[c] = whole[c];
-    return out;
+        if (out->unit[c].found != FOUND_UNIT && whole[c].found != FOUND_NOTHING)
+            out->unit[c] = whole[c];
 }
 
 /* Settles the units of a heading. */
-static enum status_code heading_use(const struct reading *in, const struct heading *heading)
+static enum status_code heading_use(struct reading *in, const struct heading *heading)
 {
+    in->line = heading->line;
     for (size_t c = 0; c < MEASURED_COLUMNS; c++)
         if (heading->unit[c].found == FOUND_UNIT && settle(in, c, &heading->unit[c]) != STATUS_OK)
             return in->status->code;
     return STATUS_OK;
 }
 
-/* A line above the rows that may be a heading. */
-struct numbered_line {
-    struct string_view text;
-    size_t number;
-};
-enum { ABOVE_COMMENT = 2, ABOVE_LINES };
-struct above {
-    struct numbered_line line[ABOVE_LINES]; /* the last two, and the last comment */
-};
-
 /* Has a row more cells than the heading above it, and no point? Then `10,4,8` may be 10 and 4,8. */
-static bool may_be_decimal_commas(const struct above *above, struct string_view row)
+static bool may_be_decimal_commas(struct string_view heading, struct string_view row)
 {
-    struct string_view heading = above->line[1].text;
     if (!heading.start || delimiter_of(row) != ',' || delimiter_of(heading) != ',' ||
         memchr(row.start, '.', string_view_length(row)))
         return false;
@@ -295,69 +283,65 @@ static bool may_be_decimal_commas(const struct above *above, struct string_view 
     return cells.count > split(heading, ',', false).count && digits == second;
 }
 
-static void above_note(struct above *above, struct string_view line, size_t number)
+/* Notes a line above the rows where it may be a heading. */
+static void headings_note(struct heading headings[HEADINGS], struct string_view text, size_t line)
 {
-    bool comment = *line.start == '#';
-    while (line.start < line.end && *line.start == '#')
-        line.start++;
-    line = string_view_trim(line);
-    if (line.start == line.end || !is_heading(line))
+    bool comment = *text.start == '#';
+    while (text.start < text.end && *text.start == '#')
+        text.start++;
+    text = string_view_trim(text);
+    if (text.start == text.end || !is_heading(text))
         return;
-    if (comment) {
-        above->line[ABOVE_COMMENT] = (struct numbered_line){line, number};
-        return;
-    }
-    above->line[0] = above->line[1];
-    above->line[1] = (struct numbered_line){line, number};
+    if (!comment)
+        headings[HEADING_NAMES] = headings[HEADING_LAST];
+    headings[comment ? HEADING_COMMENT : HEADING_LAST] = (struct heading){text, line, {{0}}};
 }
 
 /* Reads the headings in in->order; do they name the unit of every column? */
-static bool headings_read(struct heading out[ABOVE_LINES], const struct above *above, const struct reading *in)
+static bool headings_read(struct heading headings[HEADINGS], const struct reading *in)
 {
     size_t known = 0;
-    struct string_view titles = above->line[above->line[1].text.start ? 1 : ABOVE_COMMENT].text;
-    for (size_t i = 0; i < ABOVE_LINES; i++)
-        out[i] = heading_read(above->line[i].text, in, i == 1 && above->line[0].text.start);
-    for (size_t c = 0; c < MEASURED_COLUMNS; c++)
-        known += out[0].unit[c].found == FOUND_UNIT || out[1].unit[c].found == FOUND_UNIT ||
-                 out[ABOVE_COMMENT].unit[c].found == FOUND_UNIT;
+    struct string_view titles = headings[headings[HEADING_LAST].text.start ? HEADING_LAST : HEADING_COMMENT].text;
+    for (size_t i = 0; i < HEADINGS; i++)
+        heading_read(&headings[i], in, i == HEADING_LAST && headings[HEADING_NAMES].text.start);
+    for (size_t c = 0; c < MEASURED_COLUMNS; c++) {
+        bool is_known = false;
+        for (size_t i = 0; i < HEADINGS; i++)
+            is_known = is_known || headings[i].unit[c].found == FOUND_UNIT;
+        known += is_known;
+    }
     return titles.start && known == split(titles, delimiter_of(titles), false).count;
 }
 
 /* The same in the first order that they do so in; as before where there is none. */
-static void headings_order(struct heading out[ABOVE_LINES], const struct above *above, struct reading *in)
+static void headings_order(struct heading headings[HEADINGS], struct reading *in)
 {
     const size_t *before = in->order;
     for (size_t i = 0; i < sizeof orders / sizeof *orders; i++) {
         in->order = orders[i];
-        if (headings_read(out, above, in))
+        if (headings_read(headings, in))
             return;
     }
     in->order = before;
-    (void)headings_read(out, above, in);
+    (void)headings_read(headings, in);
 }
 
 /* The units of the headings. What is no unit in one line may be told by the other. */
-static enum status_code headings_use(struct reading *in, const struct above *above)
+static enum status_code headings_use(struct heading headings[HEADINGS], struct reading *in)
 {
-    struct heading heading[ABOVE_LINES];
-    headings_order(heading, above, in);
-    for (size_t i = 0; i < ABOVE_COMMENT; i++) {
-        in->line = above->line[i].number;
-        if (heading_use(in, &heading[i]) != STATUS_OK)
-            return in->status->code;
-    }
-    for (size_t i = 0; i < ABOVE_COMMENT; i++)
+    headings_order(headings, in);
+    if (heading_use(in, &headings[HEADING_NAMES]) != STATUS_OK || heading_use(in, &headings[HEADING_LAST]) != STATUS_OK)
+        return in->status->code;
+    for (size_t i = 0; i < HEADING_COMMENT; i++)
         for (size_t c = 0; c < MEASURED_COLUMNS; c++)
-            if (heading[i].unit[c].found == FOUND_UNKNOWN && !in->out->units[c].known) {
-                in->line = above->line[i].number;
-                return refuse_unit(in, c, heading[i].unit[c].text);
+            if (headings[i].unit[c].found == FOUND_UNKNOWN && !in->out->units[c].known) {
+                in->line = headings[i].line;
+                return refuse_unit(in, c, headings[i].unit[c].text);
             }
-    const struct heading *comment = &heading[ABOVE_COMMENT];
-    in->line = above->line[ABOVE_COMMENT].number;
-    return comment->unit[MEASURED_LOAD].found == FOUND_UNIT && comment->unit[MEASURED_RESISTANCE].found == FOUND_UNIT
-               ? heading_use(in, comment)
-               : STATUS_OK;
+    const struct heading *comment = &headings[HEADING_COMMENT];
+    bool complete =
+        comment->unit[MEASURED_LOAD].found == FOUND_UNIT && comment->unit[MEASURED_RESISTANCE].found == FOUND_UNIT;
+    return complete ? heading_use(in, comment) : STATUS_OK;
 }
 
 static enum status_code row_read(const struct reading *in, struct measured_row *row, struct string_view line)
@@ -457,7 +441,7 @@ enum status_code measured_file_read(struct measured_file *out, struct string_vie
 {
     *out = (struct measured_file){0};
     struct reading in = {out, quantities, orders[0], 0, status};
-    struct above above = {0};
+    struct heading headings[HEADINGS] = {0};
     size_t capacity = 0;
     if (string_view_starts(content, "\xEF\xBB\xBF"))
         content.start += 3;
@@ -478,26 +462,25 @@ enum status_code measured_file_read(struct measured_file *out, struct string_vie
             line = string_view_trim((struct string_view){line.start, comment});
         bool row = is_row(line);
         if (row && out->count == 0)
-            rc = headings_use(&in, &above);
+            rc = headings_use(headings, &in);
         if (rc != STATUS_OK)
             break;
         in.line = lines.number;
-        if (row && may_be_decimal_commas(&above, line)) {
-            rc =
-                status_fail(status, STATUS_SCENE,
-                            "more cells than titles in line %zu: decimal commas? Write decimals with a point, and give "
-                            "an error a title",
-                            above.line[1].number);
+        if (row && may_be_decimal_commas(headings[HEADING_LAST].text, line)) {
+            rc = status_fail(status, STATUS_SCENE,
+                             "more cells than titles in line %zu: decimal commas? Write decimals with a point, and "
+                             "give an error a title",
+                             headings[HEADING_LAST].line);
         } else if (row) {
             rc = row_add(&in, &capacity, line);
         } else if (is_broken_row(line, out->count == 0)) {
             rc = refuse_broken(&in, line);
         } else if (out->count == 0) {
-            above_note(&above, line, lines.number);
+            headings_note(headings, line, lines.number);
         } else if (is_heading(line) && *line.start != '#') { /* of a second block: the same units, or none */
-            struct heading heading[ABOVE_LINES];
-            headings_order(heading, &(struct above){.line = {[1] = {line, lines.number}}}, &in);
-            rc = heading_use(&in, &heading[1]);
+            struct heading block[HEADINGS] = {[HEADING_LAST] = {line, lines.number, {{0}}}};
+            headings_order(block, &in);
+            rc = heading_use(&in, &block[HEADING_LAST]);
         }
     }
     if (rc == STATUS_SCENE)

@@ -8,6 +8,7 @@
 #include "scene/scene_words.h"
 
 #include <errno.h>
+#include <libgen.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -40,35 +41,23 @@ static struct scene default_scene(void)
     };
 }
 
-const char *const scene_data_names[SCENE_DATA_COUNT] = {"auto", "full"};
-
 bool scene_bins_spectra(const struct scene *scene)
 {
     return scene->data == SCENE_DATA_AUTO && scene->surface_count > SCENE_DATA_SURFACES;
 }
 
-/* The last component of `path`; NULL when that is not a name of its own: "", ".", "..", "/". */
-static char *last_component(const char *path)
-{
-    size_t end = strlen(path);
-    while (end > 0 && path[end - 1] == '/')
-        end--;
-    size_t start = end;
-    while (start > 0 && path[start - 1] != '/')
-        start--;
-    size_t length = end - start;
-    if (length == 0 || (length <= 2 && strncmp(path + start, "..", length) == 0))
-        return NULL;
-    return strndup(path + start, length);
-}
-
+/* The directory's own name, also where it is given as "." or "..". */
 static char *directory_title(const char *directory)
 {
-    char *resolved = NULL, *title = last_component(directory);
-    if (!title && (resolved = realpath(directory, NULL)))
-        title = last_component(resolved);
-    free(resolved);
-    return title ? title : strdup(directory);
+    char *path = strdup(directory), *name = path ? basename(path) : NULL;
+    if (name && (strcmp(name, ".") == 0 || strcmp(name, "..") == 0)) {
+        free(path);
+        path = realpath(directory, NULL);
+        name = path ? basename(path) : NULL;
+    }
+    char *title = strdup(name ? name : directory);
+    free(path);
+    return title;
 }
 
 static enum status_code check_directory(const char *directory, struct status *status)
@@ -81,13 +70,10 @@ static enum status_code check_directory(const char *directory, struct status *st
     return STATUS_OK;
 }
 
-/* Takes over scene.yaml when there is one; a dangling link of that name is an error, not an absence. */
+/* Reads scene.yaml; without one, scene->path goes. A dangling link of that name is an error, not an absence. */
 static enum status_code load_text(struct text *bytes, struct scene *scene, struct status *status)
 {
     struct stat info;
-    scene->path = scene_file_path(scene, "scene.yaml");
-    if (!scene->path)
-        return status_memory(status);
     if (lstat(scene->path, &info) != 0 && errno == ENOENT) {
         free(scene->path);
         scene->path = NULL;
@@ -206,37 +192,34 @@ static enum status_code override_units(struct scene *scene, const struct scene_o
     return STATUS_OK;
 }
 
-/* Fails when `body` ("material" or "counterface") of surface `owner` (NULL: the scene) lacks a property that an effect
- * asked for by name needs. */
-static enum status_code check_effects(const struct scene *scene, struct scene_source *source, const char *body,
-                                      const struct material *material, const char *owner)
+/* Fails when the bodies of surface `owner` (NULL: the scene) lack what an effect needs that is asked for by name. */
+static enum status_code check_effects(const struct scene *scene, struct scene_source *source,
+                                      const struct scene_bodies *bodies, const char *owner)
 {
     char whose[140] = "";
     if (owner)
         snprintf(whose, sizeof whose, " of surface '%s'", scene_words_show(owner, strlen(owner)).text);
-    bool none = isnan(material->youngs_modulus_Pa);
-    for (int i = 0; i < EFFECT_COUNT; i++) {
-        if (scene->effects_auto || !(scene->effects & EFFECT_BIT(i)))
+    for (int i = 0; i < EFFECT_COUNT && !scene->effects_auto; i++) {
+        const struct effect_row *effect = &effect_rows[i];
+        const char *body;
+        const struct material_property *property =
+            scene->effects & EFFECT_BIT(i) ? scene_surfaces_lack(&body, bodies, effect) : NULL;
+        bool none = isnan(bodies->material.youngs_modulus_Pa);
+        if (!property)
             continue;
-        for (const char *const *key = effect_rows[i].properties; *key; key++) {
-            const struct material_property *property = material_property_find(*key);
-            if (!isnan(material_value(material, property)))
-                continue;
-            if (source->effect_line[i] && none)
-                scene_source_fail(source, source->effect_line[i],
-                                  "effect '%s' needs a material; add 'material' or leave the effect out",
-                                  effect_rows[i].name);
-            else if (source->effect_line[i])
-                scene_source_fail(source, source->effect_line[i],
-                                  "effect '%s' needs '%s'; add it to '%s'%s or leave the effect out",
-                                  effect_rows[i].name, property->name, body, whose);
-            if (none)
-                return status_fail(source->status, STATUS_SCENE,
-                                   "--effects: '%s' needs a material; add --material or 'material' in scene.yaml",
-                                   effect_rows[i].name);
-            return status_fail(source->status, STATUS_SCENE, "--effects: '%s' needs '%s'; add it to '%s'%s in '%s'",
-                               effect_rows[i].name, property->name, body, whose, scene->path);
-        }
+        if (source->effect_line[i] && none)
+            scene_source_fail(source, source->effect_line[i],
+                              "effect '%s' needs a material; add 'material' or leave the effect out", effect->name);
+        else if (source->effect_line[i])
+            scene_source_fail(source, source->effect_line[i],
+                              "effect '%s' needs '%s'; add it to '%s'%s or leave the effect out", effect->name,
+                              property->name, body, whose);
+        if (none)
+            return status_fail(source->status, STATUS_SCENE,
+                               "--effects: '%s' needs a material; add --material or 'material' in scene.yaml",
+                               effect->name);
+        return status_fail(source->status, STATUS_SCENE, "--effects: '%s' needs '%s'; add it to '%s'%s in '%s'",
+                           effect->name, property->name, body, whose, scene->path ? scene->path : "scene.yaml");
     }
     return STATUS_OK;
 }
@@ -287,41 +270,32 @@ static enum status_code complete_bodies(struct scene_bodies *bodies, const struc
                           scene_words_show(bodies->counterface.name, strlen(bodies->counterface.name)).text);
         return source->status->code;
     }
-    const char *named = own ? owner : NULL;
-    if (check_effects(scene, source, "material", &bodies->material, named) != STATUS_OK ||
-        (elastic && check_effects(scene, source, "counterface", &bodies->counterface, named) != STATUS_OK) ||
+    if (check_effects(scene, source, bodies, own ? owner : NULL) != STATUS_OK ||
         give_mean_free_path(&bodies->material, scene, source) != STATUS_OK)
         return source->status->code;
     return elastic ? give_mean_free_path(&bodies->counterface, scene, source) : STATUS_OK;
 }
 
-/* Those of every surface; the scene's own count where a surface uses them. */
+/* The bodies of every surface; the scene's own count where a surface uses them. */
 static enum status_code complete_all_bodies(struct scene *scene, struct scene_source *source)
 {
     bool used = scene->surface_count == 0;
     for (size_t i = 0; i < scene->surface_count; i++)
         used = used || !scene->surfaces[i].bodies || !scene->surfaces[i].bodies->material_given;
-    struct scene_bodies whole = scene->bodies;
-    whole.material_given = whole.counterface_given = true;
-    if (used && complete_bodies(&whole, scene, source, NULL) != STATUS_OK)
+    if (used && complete_bodies(&scene->bodies, scene, source, NULL) != STATUS_OK)
         return source->status->code;
-    struct scene_bodies *shared = malloc(sizeof *shared);
-    if (!shared)
+    scene->shared_bodies = malloc(sizeof *scene->shared_bodies);
+    if (!scene->shared_bodies)
         return status_memory(source->status);
-    *shared = (struct scene_bodies){.hardness_Pa = NAN};
-    scene->shared_bodies = shared;
-    bool is_shared = false;
+    *scene->shared_bodies = scene->bodies;
+    scene->shared_bodies->material_given = scene->shared_bodies->counterface_given = false; /* not a surface's own */
     for (size_t i = 0; i < scene->surface_count; i++) {
         struct scene_surface *surface = &scene->surfaces[i];
-        bool done = !surface->bodies && is_shared;
-        is_shared = is_shared || !surface->bodies;
-        surface->bodies = surface->bodies ? surface->bodies : shared;
-        if (!done && complete_bodies(surface->bodies, scene, source, surface->name) != STATUS_OK)
+        if (!surface->bodies)
+            surface->bodies = scene->shared_bodies;
+        else if (complete_bodies(surface->bodies, scene, source, surface->name) != STATUS_OK)
             return source->status->code;
     }
-    whole.material_given = scene->bodies.material_given;
-    whole.counterface_given = scene->bodies.counterface_given;
-    scene->bodies = whole;
     if (source->hardness_line > 0 && !scene_has_material(scene))
         scene_source_fail(source, source->hardness_line, "'hardness' stands without a material; add 'material'");
     return source->status->code;
@@ -435,44 +409,38 @@ static enum status_code complete(struct scene *scene, struct scene_source *sourc
     return scene->title ? STATUS_OK : status_memory(status);
 }
 
-/* Begins a scene of that directory. */
-static enum status_code begin(struct scene *out, const char *directory, struct status *status)
-{
-    *out = default_scene();
-    if (check_directory(directory, status) != STATUS_OK)
-        return status->code;
-    return (out->directory = strdup(directory)) ? STATUS_OK : status_memory(status);
-}
-
-/* The rest of it: what `text` says, where there is one. */
-static enum status_code finish(struct scene *out, const struct text *text, const struct scene_overrides *overrides,
-                               struct status *status)
+/* `given`: the scene's text; NULL: that of the directory's scene.yaml, if there is one. */
+static enum status_code read_scene(struct scene *out, const char *directory, const struct text *given,
+                                   const struct scene_overrides *overrides, struct status *status)
 {
     static const struct scene_overrides nothing = {0};
     struct scene_source source = {.scene = out, .status = status};
-    if (out->path && !scene_source_read(&source, text_string(text), text->length, scene_keys_read))
+    struct text loaded = {0};
+    const struct text *text = given ? given : &loaded;
+    *out = default_scene();
+    if (check_directory(directory, status) != STATUS_OK)
         return status->code;
-    return complete(out, &source, overrides ? overrides : &nothing);
+    out->directory = strdup(directory);
+    out->path = out->directory ? scene_file_path(out, "scene.yaml") : NULL;
+    if (!out->path)
+        return status_memory(status);
+    if ((given || load_text(&loaded, out, status) == STATUS_OK) &&
+        (!out->path || scene_source_read(&source, text_string(text), text->length, scene_keys_read)))
+        (void)complete(out, &source, overrides ? overrides : &nothing);
+    text_free(&loaded);
+    return status->code;
 }
 
 enum status_code scene_read(struct scene *out, const char *directory, const struct scene_overrides *overrides,
                             struct status *status)
 {
-    struct text text = {0};
-    if (begin(out, directory, status) == STATUS_OK && load_text(&text, out, status) == STATUS_OK)
-        (void)finish(out, &text, overrides, status);
-    text_free(&text);
-    return status->code;
+    return read_scene(out, directory, NULL, overrides, status);
 }
 
 enum status_code scene_read_text(struct scene *out, const char *directory, const struct text *text,
                                  const struct scene_overrides *overrides, struct status *status)
 {
-    if (begin(out, directory, status) != STATUS_OK)
-        return status->code;
-    if (!(out->path = scene_file_path(out, "scene.yaml")))
-        return status_memory(status);
-    return finish(out, text, overrides, status);
+    return read_scene(out, directory, text, overrides, status);
 }
 
 void scene_free(struct scene *scene)
@@ -493,15 +461,6 @@ void scene_free(struct scene *scene)
     free(scene->path);
     free(scene->directory);
     *scene = (struct scene){0};
-}
-
-char *scene_file_path(const struct scene *scene, const char *file)
-{
-    const char *directory = file[0] == '/' ? "" : scene->directory;
-    size_t length = strlen(directory);
-    char *path;
-    bool joined = length == 0 || directory[length - 1] == '/';
-    return asprintf(&path, "%s%s%s", directory, joined ? "" : "/", file) < 0 ? NULL : path;
 }
 
 static int compare_doubles(const void *a, const void *b)

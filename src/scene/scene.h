@@ -212,9 +212,6 @@ MUST_CHECK enum status_code scene_read_text(struct scene *out, const char *direc
                                             const struct scene_overrides *overrides, struct status *status);
 void scene_free(struct scene *scene);
 
-/** Calls `each` for the outermost keys of scene.yaml in the order of their table: the name, what the row knows of its
- * value ("thesis | numeric", "1e-14 to 0.1"; "" where `about` says it), and what it means. */
-void scene_each_key(void (*each)(const char *name, const char *value, const char *about, void *context), void *context);
 /** Does data/ hold bins of the spectra instead of every harmonic? */
 bool scene_bins_spectra(const struct scene *scene);
 

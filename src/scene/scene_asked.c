@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scene/scene_asked.h"
+#include "scene/scene_surfaces.h"
 #include "scene/scene_words.h"
 
 #include <math.h>
@@ -142,19 +143,6 @@ bool scene_asked_limits(struct scene_source *source, const struct scene_key *key
                               "'%s' names none; remove the line, or give one such as ecr: {most: 2 mohm}", key->name));
 }
 
-/* What an effect needs and the surface's material does not give; NULL: it gives all. */
-static const char *lacks(const struct scene_bodies *bodies, const struct effect_row *effect)
-{
-    for (const char *const *key = effect->properties; *key; key++) {
-        const struct material_property *property = material_property_find(*key);
-        if (isnan(material_value(&bodies->material, property)) ||
-            (bodies->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC &&
-             isnan(material_value(&bodies->counterface, property))))
-            return property->name;
-    }
-    return NULL;
-}
-
 /* Will the models compute it on every surface? */
 static bool check_effects(const struct scene *scene, struct scene_source *source, const struct scene_asked *asked)
 {
@@ -169,14 +157,15 @@ static bool check_effects(const struct scene *scene, struct scene_source *source
                                      asked->row->name, effect_rows[e].name, asked->row->name);
         for (size_t i = 0; i < scene->surface_count; i++) {
             const struct scene_surface *surface = &scene->surfaces[i];
-            const char *property = lacks(surface->bodies, &effect_rows[e]);
+            const char *body;
+            const struct material_property *property = scene_surfaces_lack(&body, surface->bodies, &effect_rows[e]);
             if (property && isnan(surface->bodies->material.youngs_modulus_Pa))
                 return scene_source_fail(source, asked->line, "'%s' needs a material; add 'material' or leave '%s' out",
                                          asked->row->name, asked->row->name);
             if (property)
                 return scene_source_fail(source, asked->line,
                                          "'%s' needs '%s' of surface '%s'; add it to the material or leave '%s' out",
-                                         asked->row->name, property,
+                                         asked->row->name, property->name,
                                          scene_words_show(surface->name, strlen(surface->name)).text, asked->row->name);
         }
     }

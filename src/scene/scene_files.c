@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scene/scene_files.h"
-
 #include "base/limits.h"
 #include "scan/sidecar.h"
-#include "scene/scene_listing.h"
 #include "scene/scene_words.h"
+
+#include <ctype.h>
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -14,6 +14,15 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+char *scene_file_path(const struct scene *scene, const char *file)
+{
+    const char *directory = file[0] == '/' ? "" : scene->directory;
+    size_t length = strlen(directory);
+    char *path;
+    bool joined = length == 0 || directory[length - 1] == '/';
+    return asprintf(&path, "%s%s%s", directory, joined ? "" : "/", file) < 0 ? NULL : path;
+}
 
 bool scene_files_is_pattern(const char *path)
 {
@@ -30,33 +39,38 @@ enum status_code scene_files_add(struct scene_surface *surface, const char *file
     return files[surface->file_count++] ? STATUS_OK : status_memory(status);
 }
 
-static int compare_paths(const void *a, const void *b)
+/* Compares the numbers that `*a` and `*b` start with, and moves both past them. */
+static int compare_numbers(const char **a, const char **b)
 {
-    return scene_listing_order(*(char *const *)a, *(char *const *)b);
+    const char *first = *a + strspn(*a, "0"), *second = *b + strspn(*b, "0");
+    size_t length = strspn(first, "0123456789"), other = strspn(second, "0123456789");
+    *a = first + length;
+    *b = second + other;
+    if (length != other)
+        return length < other ? -1 : 1;
+    return memcmp(first, second, length);
 }
 
-static bool is_regular(int directory, const char *name)
+int scene_files_order(const char *a, const char *b)
 {
-    struct stat info;
-    return fstatat(directory, name, &info, 0) == 0 && S_ISREG(info.st_mode);
-}
-
-bool scene_files_holds_scans(int directory, const char *name)
-{
-    struct dirent **entries = NULL;
-    int count = scandirat(directory, name, &entries, NULL, NULL), files = 0;
-    int inside = openat(directory, name, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    bool report = false;
-    for (int i = 0; i < count; i++) {
-        const char *file = entries[i]->d_name;
-        report = report || strcmp(file, "results.json") == 0;
-        files += inside >= 0 && file[0] != '.' && is_regular(inside, file);
-        free(entries[i]);
+    const char *first = a, *second = b;
+    while (*first && *second) {
+        int order;
+        if (isdigit((unsigned char)*first) && isdigit((unsigned char)*second))
+            order = compare_numbers(&first, &second);
+        else
+            order = (unsigned char)*first++ - (unsigned char)*second++;
+        if (order != 0)
+            return order;
     }
-    free(entries);
-    if (inside >= 0)
-        close(inside);
-    return files > 0 && !report;
+    if (*first || *second)
+        return *first ? 1 : -1;
+    return strcmp(a, b); /* 01 and 1 */
+}
+
+static int compare_naturally(const void *a, const void *b)
+{
+    return scene_files_order(*(char *const *)a, *(char *const *)b);
 }
 
 static int compare_bytes(const void *a, const void *b)
@@ -64,83 +78,67 @@ static int compare_bytes(const void *a, const void *b)
     return strcmp(*(char *const *)a, *(char *const *)b);
 }
 
-/* The first of the `count` files in `order`, which is that of strcmp(), whose first `length` characters do not come
- * before those of `name`. */
-static size_t find_first(char *const *order, size_t count, const char *name, size_t length)
-{
-    size_t low = 0, high = count;
-    while (low < high) {
-        size_t middle = low + (high - low) / 2;
-        if (strncmp(order[middle], name, length) < 0)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low;
-}
-
-/* Is there a file that `file`, whose name has an ending of sidecars, may be beside: `a` or `a.csv` of `a.txt`? */
-static bool has_scan(char *const *order, size_t count, const char *file)
-{
-    size_t stem = (size_t)(strrchr(file, '.') - file), at = find_first(order, count, file, stem);
-    bool bare = at < count && strncmp(order[at], file, stem) == 0 && order[at][stem] == '\0';
-    at = find_first(order, count, file, stem + 1); /* the dot too */
-    while (!bare && at < count && strncmp(order[at], file, stem + 1) == 0 &&
-           !sidecar_fits(basename(file), basename(order[at])))
-        at++;
-    return bare || (at < count && strncmp(order[at], file, stem + 1) == 0);
-}
-
-/* Is it one that only says units of another among them? */
-static bool is_sidecar(const struct scene *scene, char *const *order, size_t count, const char *file)
+/* Does `file` only say units of scans, wherever these are? */
+static bool is_sidecar(const struct scene *scene, const char *file)
 {
     size_t stem;
     struct sidecar sidecar;
-    if (!sidecar_ending(basename(file), &stem) || !has_scan(order, count, file))
-        return false;
-    char *path = scene_file_path(scene, file);
+    char *path = sidecar_ending(file, &stem) ? scene_file_path(scene, file) : NULL;
     bool is = path && sidecar_read(&sidecar, path);
     free(path);
     return is;
 }
 
-/* Takes the sidecars out of the files from `first` on. */
-static enum status_code drop_sidecars(struct scene_surface *surface, const struct scene *scene, size_t first,
-                                      struct status *status)
+/* Is one of the scans, in the order of their bytes, what the sidecar `file` may be beside: `a` or `a.csv` of `a.txt`?
+ */
+static bool has_scan(char *const *scans, size_t count, const char *file)
 {
-    char **files = surface->files + first, **order;
-    size_t count = surface->file_count - first, kept = 0, sidecars = 0;
-    bool *is = calloc(count + 1, sizeof *is);
-    order = malloc((count + 1) * sizeof *order);
-    if (!is || !order) {
-        free(is);
-        free(order);
-        return status_memory(status);
+    size_t stem, low = 0, high = count;
+    if (!sidecar_ending(file, &stem))
+        return false;
+    while (low < high) { /* the first that begins with the stem */
+        size_t middle = low + (high - low) / 2;
+        if (strncmp(scans[middle], file, stem) < 0)
+            low = middle + 1;
+        else
+            high = middle;
     }
-    memcpy(order, files, count * sizeof *order);
-    qsort(order, count, sizeof *order, compare_bytes);
-    for (size_t i = 0; i < count; i++)
-        sidecars += is[i] = is_sidecar(scene, order, count, files[i]);
-    free(order);
-    for (size_t i = 0; i < count; i++)
-        if (is[i] && sidecars < count) /* two that fit each other are none */
+    while (low < count && strncmp(scans[low], file, stem) == 0 && !sidecar_fits(file, scans[low]))
+        low++;
+    return low < count && strncmp(scans[low], file, stem) == 0;
+}
+
+/* Takes those out of the files from `first` on that only say units of others among them. */
+static void drop_sidecars(struct scene_surface *surface, const struct scene *scene, size_t first)
+{
+    char **files = surface->files + first;
+    size_t count = surface->file_count - first, scans = 0;
+    for (size_t i = 0; i < count; i++) { /* sidecars go behind the scans */
+        char *file = files[i];
+        if (!is_sidecar(scene, file)) {
+            files[i] = files[scans];
+            files[scans++] = file;
+        }
+    }
+    qsort(files, scans, sizeof *files, compare_bytes);
+    surface->file_count = first + scans;
+    for (size_t i = scans; i < count; i++) {
+        if (has_scan(files, scans, files[i]))
             free(files[i]);
         else
-            files[kept++] = files[i];
-    surface->file_count = first + kept;
-    free(is);
-    return STATUS_OK;
+            surface->files[surface->file_count++] = files[i];
+    }
 }
 
 enum status_code scene_files_match(struct scene_surface *surface, const struct scene *scene, const char *pattern,
-                                   struct status *status)
+                                   mode_t kind, struct status *status)
 {
     const char *slash = strrchr(pattern, '/'), *name = slash ? slash + 1 : pattern;
-    size_t before = (size_t)(name - pattern), first = surface->file_count;
-    char *folder = strndup(pattern, before);
-    char *path = folder ? scene_file_path(scene, before ? folder : ".") : NULL;
+    size_t first = surface->file_count;
+    char *folder = strndup(pattern, (size_t)(name - pattern));
+    char *path = folder && *folder ? scene_file_path(scene, folder) : strdup(scene->directory);
     struct dirent **entries = NULL;
-    enum status_code code = path ? STATUS_OK : status_memory(status);
+    enum status_code code = folder && path ? STATUS_OK : status_memory(status);
     int count = path ? scandir(path, &entries, NULL, NULL) : 0;
     int directory = path ? open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC) : -1;
     if (path && (count < 0 || directory < 0))
@@ -151,8 +149,9 @@ enum status_code scene_files_match(struct scene_surface *surface, const struct s
                            limit_words(LIMIT_FILES).text);
     for (int i = 0; i < count; i++) {
         char *file = NULL;
+        struct stat info;
         if (code == STATUS_OK && fnmatch(name, entries[i]->d_name, FNM_PERIOD) == 0 &&
-            is_regular(directory, entries[i]->d_name))
+            fstatat(directory, entries[i]->d_name, &info, 0) == 0 && (info.st_mode & S_IFMT) == kind)
             code = asprintf(&file, "%s%s", folder, entries[i]->d_name) < 0 ? status_memory(status)
                                                                            : scene_files_add(surface, file, status);
         free(file);
@@ -165,6 +164,8 @@ enum status_code scene_files_match(struct scene_surface *surface, const struct s
     free(folder);
     if (code != STATUS_OK || surface->file_count == first)
         return code;
-    qsort(surface->files + first, surface->file_count - first, sizeof *surface->files, compare_paths);
-    return drop_sidecars(surface, scene, first, status);
+    if (kind == S_IFREG)
+        drop_sidecars(surface, scene, first);
+    qsort(surface->files + first, surface->file_count - first, sizeof *surface->files, compare_naturally);
+    return STATUS_OK;
 }

@@ -2,15 +2,16 @@
 #include "scene/scene_keys.h"
 #include "base/limits.h"
 #include "scene/scene_asked.h"
-#include "scene/scene_joint.h"
 #include "scene/scene_surfaces.h"
 #include "scene/scene_words.h"
 
+#include <assert.h>
 #include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+const char *const scene_data_names[SCENE_DATA_COUNT] = {"auto", "full"};
 static const char *const closure_names[SINUSOID_FIT_COUNT] = {"thesis", "numeric"};
 static const char *const measured_quantity_names[SCENE_MEASURED_QUANTITY_COUNT] = {"ecr", "tcr"};
 const unsigned scene_measured_resistances[SCENE_MEASURED_QUANTITY_COUNT] = {
@@ -152,13 +153,13 @@ static bool read_load_number(struct scene_source *source, const struct scene_key
     return read_load_one(source, key, &source->scene->load, number, value);
 }
 
-static bool read_load_values(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+static bool read_load_list(struct scene_source *source, const struct scene_key *key, struct scene_load *load,
+                           size_t most, const yaml_node_t *value)
 {
-    struct scene_load *load = key->field;
     size_t count = scene_source_item_count(value);
-    if (count == 0 || count > LOAD_POINTS_MOST)
-        return scene_source_fail(source, scene_source_line(value), "'values' holds %zu loads; allowed is 1 to %d",
-                                 count, LOAD_POINTS_MOST);
+    if (count == 0 || count > most)
+        return scene_source_fail(source, scene_source_line(value), "'%s' holds %zu loads; allowed is 1 to %zu",
+                                 key->name, count, most);
     load->values = malloc(count * sizeof *load->values);
     if (!load->values)
         return scene_source_memory(source);
@@ -167,6 +168,19 @@ static bool read_load_values(struct scene_source *source, const struct scene_key
         if (!read_load_one(source, key, load, &load->values[i], scene_source_item(source, value, i)))
             return false;
     return true;
+}
+
+static bool read_load_values(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+{
+    return read_load_list(source, key, key->field, LOAD_POINTS_MOST, value);
+}
+
+/* Loads that have a unit beside some that have none: fails. */
+static bool check_units_of_all(struct scene_source *source, const struct scene_load *load)
+{
+    return load->kind_line == 0 || load->plain_line == 0 ||
+           scene_source_fail(source, load->plain_line,
+                             "a load has no unit, but one in line %zu has; give all of them theirs", load->kind_line);
 }
 
 /* 'dimensionless', or the unit of loads that are given as plain numbers. */
@@ -194,12 +208,8 @@ static bool apply_load_unit(struct scene_source *source, struct scene_load *load
         return scene_source_fail(source, key->line > 0 ? key->line : load->plain_line,
                                  "a load is %s, but %s stands in line %zu; give one kind", unit_quantity_name(kind),
                                  unit_quantity_name(load->kind), load->kind_line);
-    if (load->kind_line > 0 && load->plain_line > 0)
-        return scene_source_fail(source, load->plain_line,
-                                 "a load has no unit, but one in line %zu has; give all of them theirs",
-                                 load->kind_line);
     if (load->kind_line > 0 || key->line == 0)
-        return true;
+        return check_units_of_all(source, load);
     load->kind = kind;
     load->kind_line = key->line;
     load->unit = unit;
@@ -347,31 +357,17 @@ static bool read_direct_loads(struct scene_source *source, const struct scene_ke
     if (value->type != YAML_SEQUENCE_NODE)
         return scene_source_whole(
             source, &(struct scene_key){key->name, SCENE_WHOLE(direct->loads, 2, SCENE_DIRECT_LOADS)}, value);
-    size_t count = scene_source_item_count(value);
-    if (count < 1 || count > SCENE_DIRECT_LOADS)
-        return scene_source_fail(source, scene_source_line(value), "'loads' holds %zu loads; allowed is 1 to %d", count,
-                                 SCENE_DIRECT_LOADS);
-    direct->values = malloc(count * sizeof *direct->values);
-    if (!direct->values)
-        return scene_source_memory(source);
-    direct->loads = count;
-    const struct scene_key number = {key->name, .least = 1e-100, .most = 1e100, .quantities = UNIT_LOADS};
-    for (size_t i = 0; i < count; i++) {
-        const yaml_node_t *item = scene_source_item(source, value, i);
-        struct scene_quantity quantity;
-        if (!scene_source_quantity_of(&quantity, source, &number, item))
-            return false;
-        if (i > 0 && quantity.kind != direct->kind)
-            return scene_source_fail(source, scene_source_line(item), "'loads' holds %s beside %s; give one kind",
-                                     unit_quantity_name(quantity.kind), unit_quantity_name(direct->kind));
-        direct->kind = quantity.kind;
-        direct->kind_line = scene_source_line(item);
-        direct->values[i] = quantity.value;
-    }
-    for (size_t i = 1; i < count; i++)
+    const struct scene_key number = {key->name, .least = LOAD_LEAST, .most = LOAD_MOST, .quantities = UNIT_LOADS};
+    struct scene_load load = {.kind = UNIT_NUMBER};
+    bool good = read_load_list(source, &number, &load, SCENE_DIRECT_LOADS, value) && check_units_of_all(source, &load);
+    direct->values = load.values;
+    direct->loads = load.points;
+    direct->kind = load.kind;
+    direct->kind_line = load.kind_line;
+    for (size_t i = 1; i < load.points && good; i++)
         if (!(direct->values[i] > direct->values[i - 1]))
             return scene_source_fail(source, scene_source_line(value), "'loads' do not rise; order them, each once");
-    return true;
+    return good;
 }
 
 static bool read_direct(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
@@ -400,134 +396,109 @@ static bool read_direct(struct scene_source *source, const struct scene_key *key
                              direct->grid, direct->seeds, limit_words(LIMIT_DIRECT_POINTS).text);
 }
 
+/* What fills the gaps between the spots, into a struct joint. */
+static bool read_gap(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+{
+    struct joint *joint = key->field;
+    const char *names[SCENE_KEYS_MOST]; /* those of the table, then none */
+    unsigned gas = 0;
+    assert(gas_count < SCENE_KEYS_MOST);
+    for (size_t i = 0; i < gas_count; i++)
+        names[i] = gas_table[i].name;
+    names[gas_count] = "vacuum";
+    struct scene_key keys[] = {
+        {"gas", scene_source_choice, .field = &gas, .choices = names, .choice_count = gas_count + 1},
+        {"pressure", SCENE_QUANTITY(joint->pressure_Pa, UNIT_PRESSURE, 0.0, 1e9)},
+        {"accommodation", SCENE_NUMBER(joint->accommodation, 1e-3, 1.0)},
+        {"temperature", SCENE_QUANTITY(joint->temperature_K, UNIT_TEMPERATURE, 1.0, 1e4)},
+        {"conductivity", SCENE_QUANTITY(joint->conductivity_W_per_mK, UNIT_CONDUCTIVITY, 1e-6, 1e4)},
+    };
+    if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys)))
+        return false;
+    bool medium = scene_source_line_of(keys, "conductivity") > 0;
+    for (size_t k = 0; k < 3 && medium; k++)
+        if (keys[k].line > 0)
+            return scene_source_fail(source, keys[k].line,
+                                     "'%s' stands beside 'conductivity', which is of what fills the gaps; remove one",
+                                     keys[k].name);
+    joint->gas = gas < gas_count ? &gas_table[gas] : NULL;
+    joint->fill = medium ? JOINT_MEDIUM : joint->gas ? JOINT_GAS : JOINT_VACUUM;
+    return true;
+}
+
+static bool read_plating(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+{
+    static const char *const sides[] = {"one", "both"};
+    struct joint *joint = key->field;
+    unsigned both = joint->both_plated;
+    struct scene_key keys[] = {
+        {"thickness", SCENE_QUANTITY(joint->plating_thickness_m, UNIT_DISTANCE, 1e-12, 1.0)},
+        {"resistivity", SCENE_QUANTITY(joint->plating_ohm_m, UNIT_RESISTIVITY, 1e-12, 1e10)},
+        {"sides", SCENE_CHOICE(both, sides)},
+    };
+    if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys)))
+        return false;
+    for (size_t k = 0; k < 2; k++)
+        if (keys[k].line == 0)
+            return scene_source_fail(source, scene_source_line(value), "'%s' has no '%s'; add it", key->name,
+                                     keys[k].name);
+    joint->both_plated = both;
+    return true;
+}
+
 static bool read_baseline(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
 {
     source->baseline_line = scene_source_line(value);
     return scene_source_text(source, key, value);
 }
 
-/** The outermost keys, their fields in `scene`; returns how many. */
-static size_t make_keys(struct scene_key out[SCENE_KEYS_MOST], struct scene *scene)
-{
-    const struct scene_key keys[] = {
-        {"title", scene_source_text, .field = &scene->title,
-         .about = "heading of the report; default: the directory's name"},
-        {"models", read_models, .field = &scene->models,
-         .about = "families or single models, as `roughcontact models` lists them; default: those that run by default"},
-        {"effects", read_effects, .field = NULL,
-         .about = "auto, or a list of effects, as --effects takes it; default: auto"},
-        {"material", scene_surfaces_body, .field = &scene->bodies,
-         .about = "a built-in material, or a mapping of its properties (E, nu, Sy, resistivity, conductivity, density, "
-                  "specific_heat, sound_speed, hardness, mean_free_path); default: none, and only what needs no "
-                  "material runs"},
-        {"counterface", scene_surfaces_counterface, .field = &scene->bodies,
-         .about = "rigid, same, a material, a mapping of its properties, or another rough surface: {surface: FILE, "
-                  "material: NAME}; default: rigid, a flat that conducts like the material"},
-        {"direction", SCENE_CHOICE(scene->direction, scan_direction_names),
-         .about = "profiles of a map are its rows or its columns; default: x"},
-        {"measured", read_measured, .field = &scene->measured,
-         .about = "{file, quantity: ecr or tcr, load_unit, resistance_unit}: measured resistance to hold the models "
-                  "against"},
-        {"nominal_area", SCENE_QUANTITY(scene->nominal_area_m2, UNIT_AREA, 1e-18, 1e6), .word = "none",
-         .alias = "nominal_area_m2", .about = "default: none, and resistances stay per area"},
-        {"hardness", SCENE_QUANTITY(scene->bodies.hardness_Pa, UNIT_PRESSURE, 1e3, 1e12), .alias = "hardness_Pa",
-         .about = "of the softer body; default: the material's, else 2.84 of its yield strength"},
-        {"mean_free_path", read_mean_free_path, .field = NULL, .least = 1e-12, .most = 1e-3,
-         .quantities = UNIT_DISTANCE, .about = "of what carries heat: thesis, electron or a length; default: thesis"},
-        {"load", read_load, .field = &scene->load,
-         .about = "{from, to, points}, spaced by equal factors, or {values: [...]}, as P/(A_n E') or with a unit; "
-                  "default: 1e-6 to 0.1 in 121 points"},
-        {"operating_load", read_operating_load, .field = &scene->operating, .least = LOAD_LEAST, .most = LOAD_MOST,
-         .quantities = UNIT_LOADS, .about = "where the summary stands; default: the middle one"},
-        {"targets", scene_asked_targets, .field = NULL,
-         .about = "a list of {ecr, tcr, conductance, area or temperature: value}: the load that each takes"},
-        {"limits", scene_asked_limits, .field = NULL,
-         .about = "a mapping of such quantities, each {most: value} or {least: value}, at the operating load; `report "
-                  "--check` ends with 5 where one is missed"},
-        {"tolerance", SCENE_NUMBER(scene->tolerance, SCENE_KEYS_TOLERANCE_LEAST, SCENE_KEYS_TOLERANCE_MOST),
-         .about = "relative, of every reported number; default: 1e-6"},
-        {"level", SCENE_CHOICE(scene->level, level_names),
-         .about = "what is taken out of a scan; default: line, of a periodic record the mean alone"},
-        {"window", SCENE_CHOICE(scene->window, spectrum_window_names),
-         .about = "of the spectrum; default: auto, none for a periodic record, else Hann"},
-        {"fit", SCENE_CHOICE(scene->fit, power_law_method_names),
-         .about = "of the power law: in the band found, or through all harmonics; default: auto"},
-        {"fit_band", read_fit_band, scene->fit_band_m, 1e-12, 1e3, .word = "all", .quantities = UNIT_DISTANCE,
-         .alias = "fit_band_m",
-         .about = "[shortest, longest] wavelength that the fit uses; default: found (auto), all (thesis)"},
-        {"moments", SCENE_CHOICE(scene->moments, roughness_moments_names),
-         .about = "how slopes and curvatures come about; default: difference"},
-        {"closure", SCENE_CHOICE(scene->closure, closure_names),
-         .about = "area and gap of a sinusoid; default: thesis"},
-        {"data", SCENE_CHOICE(scene->data, scene_data_names),
-         .about =
-             "spectra in data/: auto, every harmonic up to 100 surfaces and binned ones beyond, or full, every one "
-             "of any number; default: auto"},
-        {"max_missing", SCENE_QUANTITY(scene->max_missing, UNIT_NUMBER | UNIT_PERCENT, 0.0, 0.9),
-         .about = "share of missing points that may be bridged; default: 10 %"},
-        {"lambda_s", SCENE_QUANTITY(scene->lambda_s_m, UNIT_DISTANCE, 1e-12, 1e3), .word = "none",
-         .alias = "lambda_s_m", .about = "cut-off of the Gaussian low-pass; default: none"},
-        {"lambda_c", SCENE_QUANTITY(scene->lambda_c_m, UNIT_DISTANCE, 1e-12, 1e3), .word = "none",
-         .alias = "lambda_c_m", .about = "cut-off of the Gaussian high-pass; default: none"},
-        {"tip_radius", SCENE_QUANTITY(scene->tip_radius_m, UNIT_DISTANCE, 1e-12, 1.0), .word = "none",
-         .alias = "tip_radius_m", .about = "of the stylus: warns where the surface is sharper; default: none"},
-        {"baseline", read_baseline, .field = &scene->baseline,
-         .about = "the surface of the one-surface comparison; default: the second smoothest"},
-        {"direct", read_direct, .field = &scene->direct,
-         .about = "off, or {grid, seeds, loads, hardness, budget, surfaces: baseline or all}: the direct solution; "
-                  "default: off"},
-        {"gap", scene_joint_gap, .field = &scene->joint,
-         .about = "{gas: air, nitrogen, helium, argon or vacuum, pressure, temperature, accommodation} or "
-                  "{conductivity}: what fills the gaps; default: nothing is said of it"},
-        {"film", SCENE_QUANTITY(scene->joint.film_ohm_m2, UNIT_RESISTANCE_AREA, 0.0, 1e6),
-         .about = "insulating film on the spots, a resistance times an area; default: none"},
-        {"plating", scene_joint_plating, .field = &scene->joint,
-         .about = "{thickness, resistivity, sides: one or both}; default: none"},
-        {"current", SCENE_QUANTITY(scene->joint.current_A, UNIT_CURRENT, 1e-12, 1e9),
-         .about = "through the contact, for its voltage and temperature; default: none"},
-        {"convergence", read_convergence, .field = &scene->convergence,
-         .about = "{alpha, gamma, load, scan_length, scales} of the convergence study"},
-        {"surfaces", scene_surfaces_read, .field = NULL,
-         .about = "a list of {name, file, x_unit, z_unit, quantity, column, material, counterface, hardness}; default: "
-                  "every scan in the directory by its name, a sub-directory a surface of its files"},
-    };
-    _Static_assert(SCENE_COUNT(keys) <= SCENE_KEYS_MOST, "a mapping has room for so many keys");
-    memcpy(out, keys, sizeof keys);
-    return SCENE_COUNT(keys);
-}
-
-/** What the value of a key may be, as far as its row says it. */
-static void describe_value(struct text *out, const struct scene_key *key)
-{
-    for (size_t i = 0; i < key->choice_count; i++)
-        text_add(out, "%s%s", i > 0 ? " | " : "", key->choices[i]);
-    if (key->word)
-        text_add(out, "%s | ", key->word);
-    if (key->quantities)
-        text_add(out, "in %s", unit_known(key->quantities).text);
-    else if (key->read == scene_source_number || key->read == scene_source_whole)
-        text_add(out, "%g to %g", key->least, key->most);
-}
-
-void scene_each_key(void (*each)(const char *name, const char *value, const char *about, void *context), void *context)
-{
-    struct scene nothing = {0};
-    struct scene_key keys[SCENE_KEYS_MOST];
-    size_t count = make_keys(keys, &nothing);
-    for (size_t k = 0; k < count; k++) {
-        struct text value = {0};
-        describe_value(&value, &keys[k]);
-        each(keys[k].name, text_string(&value), keys[k].about, context);
-        text_free(&value);
-    }
-}
-
 bool scene_keys_read(struct scene_source *source, const yaml_node_t *root)
 {
     struct scene *scene = source->scene;
-    struct scene_key keys[SCENE_KEYS_MOST];
-    size_t count = make_keys(keys, scene);
-    if (!scene_source_mapping(source, root, "scene", keys, count))
+    struct scene_key keys[] = {
+        {"title", scene_source_text, .field = &scene->title},
+        {"models", read_models, .field = &scene->models},
+        {"effects", read_effects, .field = NULL},
+        {"material", scene_surfaces_body, .field = &scene->bodies},
+        {"counterface", scene_surfaces_counterface, .field = &scene->bodies},
+        {"direction", SCENE_CHOICE(scene->direction, scan_direction_names)},
+        {"measured", read_measured, .field = &scene->measured},
+        {"nominal_area", SCENE_QUANTITY(scene->nominal_area_m2, UNIT_AREA, 1e-18, 1e6), .word = "none",
+         .alias = "nominal_area_m2"},
+        {"hardness", SCENE_QUANTITY(scene->bodies.hardness_Pa, UNIT_PRESSURE, 1e3, 1e12), .alias = "hardness_Pa"},
+        {"mean_free_path", read_mean_free_path, .field = NULL, .least = 1e-12, .most = 1e-3,
+         .quantities = UNIT_DISTANCE},
+        {"load", read_load, .field = &scene->load},
+        {"operating_load", read_operating_load, .field = &scene->operating, .least = LOAD_LEAST, .most = LOAD_MOST,
+         .quantities = UNIT_LOADS},
+        {"targets", scene_asked_targets, .field = NULL},
+        {"limits", scene_asked_limits, .field = NULL},
+        {"tolerance", SCENE_NUMBER(scene->tolerance, SCENE_KEYS_TOLERANCE_LEAST, SCENE_KEYS_TOLERANCE_MOST)},
+        {"level", SCENE_CHOICE(scene->level, level_names)},
+        {"window", SCENE_CHOICE(scene->window, spectrum_window_names)},
+        {"fit", SCENE_CHOICE(scene->fit, power_law_method_names)},
+        {"fit_band", read_fit_band, scene->fit_band_m, 1e-12, 1e3, .word = "all", .quantities = UNIT_DISTANCE,
+         .alias = "fit_band_m"},
+        {"moments", SCENE_CHOICE(scene->moments, roughness_moments_names)},
+        {"closure", SCENE_CHOICE(scene->closure, closure_names)},
+        {"data", SCENE_CHOICE(scene->data, scene_data_names)},
+        {"max_missing", SCENE_QUANTITY(scene->max_missing, UNIT_NUMBER | UNIT_PERCENT, 0.0, 0.9)},
+        {"lambda_s", SCENE_QUANTITY(scene->lambda_s_m, UNIT_DISTANCE, 1e-12, 1e3), .word = "none",
+         .alias = "lambda_s_m"},
+        {"lambda_c", SCENE_QUANTITY(scene->lambda_c_m, UNIT_DISTANCE, 1e-12, 1e3), .word = "none",
+         .alias = "lambda_c_m"},
+        {"tip_radius", SCENE_QUANTITY(scene->tip_radius_m, UNIT_DISTANCE, 1e-12, 1.0), .word = "none",
+         .alias = "tip_radius_m"},
+        {"baseline", read_baseline, .field = &scene->baseline},
+        {"direct", read_direct, .field = &scene->direct},
+        {"gap", read_gap, .field = &scene->joint},
+        {"film", SCENE_QUANTITY(scene->joint.film_ohm_m2, UNIT_RESISTANCE_AREA, 0.0, 1e6)},
+        {"plating", read_plating, .field = &scene->joint},
+        {"current", SCENE_QUANTITY(scene->joint.current_A, UNIT_CURRENT, 1e-12, 1e9)},
+        {"convergence", read_convergence, .field = &scene->convergence},
+        {"surfaces", scene_surfaces_read, .field = NULL},
+    };
+    if (!scene_source_mapping(source, root, "scene", keys, SCENE_COUNT(keys)))
         return false;
     source->hardness_line = scene_source_line_of(keys, "hardness");
     if (scene->direct.called)

@@ -1,15 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scene/scene_listing.h"
-#include "base/limits.h"
 #include "base/text.h"
 #include "scan/scan.h"
-#include "scan/sidecar.h"
 #include "scene/scene_files.h"
 #include "scene/scene_surfaces.h"
 
-#include <ctype.h>
-#include <dirent.h>
-#include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -17,51 +12,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* Compares the numbers that `*a` and `*b` start with, and moves both past them. */
-static int compare_numbers(const char **a, const char **b)
-{
-    const char *first = *a + strspn(*a, "0"), *second = *b + strspn(*b, "0");
-    size_t length = strspn(first, "0123456789"), other = strspn(second, "0123456789");
-    *a = first + length;
-    *b = second + other;
-    if (length != other)
-        return length < other ? -1 : 1;
-    return memcmp(first, second, length);
-}
-
-int scene_listing_order(const char *a, const char *b)
-{
-    const char *first = a, *second = b;
-    while (*first && *second) {
-        int order;
-        if (isdigit((unsigned char)*first) && isdigit((unsigned char)*second))
-            order = compare_numbers(&first, &second);
-        else
-            order = (unsigned char)*first++ - (unsigned char)*second++;
-        if (order != 0)
-            return order;
-    }
-    if (*first || *second)
-        return *first ? 1 : -1;
-    return strcmp(a, b); /* 01 and 1 */
-}
-
 static int compare_surfaces(const void *a, const void *b)
 {
     const struct scene_surface *first = a, *second = b;
-    int order = scene_listing_order(first->name, second->name);
+    int order = scene_files_order(first->name, second->name);
     return order ? order : strcmp(first->files[0], second->files[0]);
-}
-
-static enum status_code add_surface(struct scene *scene, const char *file, struct status *status)
-{
-    struct scene_surface *surface = &scene->surfaces[scene->surface_count++];
-    *surface = (struct scene_surface){.name = scene_surfaces_name(file, false), .files = calloc(1, sizeof(char *))};
-    if (!surface->files)
-        return status_memory(status);
-    surface->file_count = 1;
-    surface->files[0] = strdup(file);
-    return surface->name && surface->files[0] ? STATUS_OK : status_memory(status);
 }
 
 /* Gives surfaces that share a name the ending of their file, until all differ (file names do). */
@@ -87,79 +42,29 @@ static enum status_code tell_apart(struct scene *scene, struct status *status)
     return STATUS_OK;
 }
 
-static bool is_same(int directory, const char *file, const struct stat *info)
+/* The file's identity, however its path is spelt; false where there is none. */
+static bool find_file(struct stat *info, const struct scene *scene, const char *file)
 {
-    struct stat other;
-    return fstatat(directory, file, &other, 0) == 0 && other.st_dev == info->st_dev && other.st_ino == info->st_ino;
+    char *path = scene_file_path(scene, file);
+    bool found = path && stat(path, info) == 0;
+    free(path);
+    return found;
 }
 
-/* Is the file spoken for, however its path is spelt: the counterface's scan, or measurements? */
-static bool is_taken(const struct scene *scene, int directory, const struct stat *info)
+static bool is_same(const struct scene *scene, const char *a, const char *b)
+{
+    struct stat first, second;
+    return find_file(&first, scene, a) && find_file(&second, scene, b) && first.st_dev == second.st_dev &&
+           first.st_ino == second.st_ino;
+}
+
+/* Is the file spoken for: the scene itself, the counterface's scan, or measurements? */
+static bool is_taken(const struct scene *scene, const char *file)
 {
     for (size_t i = 0; i < scene->counterface_surface.file_count; i++)
-        if (is_same(directory, scene->counterface_surface.files[i], info))
+        if (is_same(scene, scene->counterface_surface.files[i], file))
             return true;
-    return scene->measured.file && is_same(directory, scene->measured.file, info);
-}
-
-static bool is_candidate(const struct scene *scene, int directory, const char *file)
-{
-    struct stat info;
-    return file[0] != '.' && strcmp(file, "scene.yaml") != 0 && fstatat(directory, file, &info, 0) == 0 &&
-           S_ISREG(info.st_mode) && !is_taken(scene, directory, &info);
-}
-
-static int compare_files(const void *a, const void *b)
-{
-    return strcmp(((const struct scene_surface *)a)->files[0], ((const struct scene_surface *)b)->files[0]);
-}
-
-/* Is `file` the name of a sidecar of one of the first `count` surfaces, which are in order, or of a counterface's scan?
- */
-static bool has_scan(const struct scene *scene, size_t count, const char *file)
-{
-    size_t stem, low = 0, high = count;
-    if (!sidecar_ending(file, &stem))
-        return false;
-    while (low < high) { /* the first that begins with the stem */
-        size_t middle = low + (high - low) / 2;
-        if (strncmp(scene->surfaces[middle].files[0], file, stem) < 0)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    for (; low < count && strncmp(scene->surfaces[low].files[0], file, stem) == 0; low++)
-        if (sidecar_fits(file, scene->surfaces[low].files[0]))
-            return true;
-    for (size_t i = 0; i < scene->counterface_surface.file_count; i++)
-        if (sidecar_fits(file, basename(scene->counterface_surface.files[i])))
-            return true;
-    return false;
-}
-
-/* Takes out the files that only say units of scans beside them. */
-static void drop_sidecars(struct scene *scene)
-{
-    struct scene_surface *all = scene->surfaces;
-    size_t count = scene->surface_count, scans = 0, stem;
-    for (size_t i = 0; i < count; i++) { /* what may be a sidecar goes behind the scans */
-        struct scene_surface surface = all[i];
-        struct sidecar sidecar;
-        char *path = sidecar_ending(surface.files[0], &stem) ? scene_file_path(scene, surface.files[0]) : NULL;
-        if (!path || !sidecar_read(&sidecar, path)) {
-            all[i] = all[scans];
-            all[scans++] = surface;
-        }
-        free(path);
-    }
-    qsort(all, scans, sizeof *all, compare_files);
-    scene->surface_count = scans;
-    for (size_t i = scans; i < count; i++) {
-        if (has_scan(scene, scans, all[i].files[0]))
-            scene_surfaces_free(&all[i], NULL);
-        else
-            all[scene->surface_count++] = all[i];
-    }
+    return strcmp(file, "scene.yaml") == 0 || (scene->measured.file && is_same(scene, scene->measured.file, file));
 }
 
 /* A file that is no scan, and what it is. */
@@ -173,7 +78,7 @@ static int compare_others(const void *a, const void *b)
 {
     const struct other *first = a, *second = b;
     int order = strcmp(first->kind, second->kind);
-    return order ? order : scene_listing_order(first->file, second->file);
+    return order ? order : scene_files_order(first->file, second->file);
 }
 
 /* "passed over: 2 PNG pictures (a.png, b.png)", a line a kind. */
@@ -199,16 +104,17 @@ static enum status_code tell_others(struct scene *scene, struct other *others, s
     return STATUS_OK;
 }
 
-/* What the file at `path` is that is no scan; NULL: it may be one. Only its beginning is read where that tells. */
-static const char *kind_of_other(const char *path, struct status *status)
+/* What a file is that is no scan; NULL: it may be one. Only its beginning is read where that tells. */
+static const char *kind_of_other(const struct scene *scene, const char *name, struct status *status)
 {
     enum { BEGINNING = 65536 };
-    char *bytes = malloc(BEGINNING + 1);
-    int descriptor = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC); /* some files of a kernel wait for news */
+    char *bytes = malloc(BEGINNING + 1), *path = scene_file_path(scene, name);
+    int descriptor =
+        path ? open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC) : -1; /* a file of a kernel may wait for news */
     FILE *file = descriptor < 0 ? NULL : fdopen(descriptor, "rb");
     const char *kind = NULL;
     struct text all = {0};
-    if (!bytes)
+    if (!bytes || !path)
         status_memory(status);
     if (bytes && file) {
         size_t length = fread(bytes, 1, BEGINNING, file);
@@ -224,22 +130,12 @@ static const char *kind_of_other(const char *path, struct status *status)
     if (file)
         fclose(file);
     text_free(&all);
+    free(path);
     free(bytes);
     return kind;
 }
 
-/* The file's kind, if it is no scan; NULL: it may be one. */
-static const char *kind_of_file(const struct scene *scene, const char *file, struct status *status)
-{
-    char *path = scene_file_path(scene, file);
-    const char *kind = path ? kind_of_other(path, status) : NULL;
-    if (!path)
-        status_memory(status);
-    free(path);
-    return kind;
-}
-
-/* Takes out the files that are no scans: pictures, documents, programs, texts; and surfaces that then have none. */
+/* Takes out the files that are no scans, such as pictures and documents, and the surfaces that then have none. */
 static enum status_code drop_others(struct scene *scene, struct status *status)
 {
     size_t kept = 0, count = 0, files = 0;
@@ -252,7 +148,7 @@ static enum status_code drop_others(struct scene *scene, struct status *status)
         struct scene_surface surface = scene->surfaces[i];
         size_t left = 0;
         for (size_t f = 0; f < surface.file_count; f++) {
-            const char *kind = kind_of_file(scene, surface.files[f], status);
+            const char *kind = kind_of_other(scene, surface.files[f], status);
             if (kind)
                 others[count++] = (struct other){kind, surface.files[f]};
             else
@@ -273,73 +169,61 @@ static enum status_code drop_others(struct scene *scene, struct status *status)
     return status->code;
 }
 
-/* A sub-directory is a surface, its files the repeated scans. */
-static enum status_code add_directory(struct scene *scene, int directory, const char *name, struct status *status)
+/* Takes out the files that are spoken for. */
+static void drop_taken(struct scene_surface *surface, const struct scene *scene)
 {
-    struct scene_surface *surface = &scene->surfaces[scene->surface_count++];
-    char *pattern;
-    *surface = (struct scene_surface){.name = strdup(name)};
-    if (!surface->name || asprintf(&pattern, "%s/*", name) < 0)
-        return status_memory(status);
-    enum status_code code = scene_files_match(surface, scene, pattern, status);
     size_t kept = 0;
     for (size_t i = 0; i < surface->file_count; i++) {
-        struct stat info;
-        if (fstatat(directory, surface->files[i], &info, 0) == 0 && is_taken(scene, directory, &info))
+        if (is_taken(scene, surface->files[i]))
             free(surface->files[i]);
         else
             surface->files[kept++] = surface->files[i];
     }
     surface->file_count = kept;
+}
+
+/* A surface of one file, or of all that are in a folder, its repeated scans. */
+static enum status_code add_surface(struct scene *scene, const char *name, bool folder, struct status *status)
+{
+    struct scene_surface *surface = &scene->surfaces[scene->surface_count++];
+    *surface = (struct scene_surface){.name = folder ? strdup(name) : scene_surfaces_name(name, false)};
+    char *pattern = NULL;
+    if (!surface->name || (folder && asprintf(&pattern, "%s/*", name) < 0))
+        return status_memory(status);
+    enum status_code code =
+        folder ? scene_files_match(surface, scene, pattern, S_IFREG, status) : scene_files_add(surface, name, status);
     free(pattern);
-    if (kept == 0 && code == STATUS_OK) {
-        scene_surfaces_free(surface, NULL);
-        scene->surface_count--;
-    }
+    drop_taken(surface, scene);
     return code;
 }
 
-/* Those behind the files, so that these alone may be sidecars. */
-static enum status_code add_directories(struct scene *scene, int directory, struct dirent *const *entries, int count,
-                                        struct status *status)
+/* Is the folder open, and no report of this program? */
+static bool may_hold_scans(const struct scene *scene, const char *folder)
 {
-    enum status_code code = STATUS_OK;
-    for (int i = 0; i < count && code == STATUS_OK; i++) {
-        const char *name = entries[i]->d_name;
-        struct stat info;
-        if (name[0] != '.' && fstatat(directory, name, &info, 0) == 0 && S_ISDIR(info.st_mode) &&
-            scene_files_holds_scans(directory, name))
-            code = add_directory(scene, directory, name, status);
-    }
-    return code;
+    char *path = scene_file_path(scene, folder), *results = NULL;
+    bool may = path && asprintf(&results, "%s/results.json", path) >= 0 && access(path, R_OK | X_OK) == 0 &&
+               access(results, F_OK) != 0;
+    free(results);
+    free(path);
+    return may;
 }
 
 enum status_code scene_listing_read(struct scene *scene, struct status *status)
 {
-    struct dirent **entries = NULL;
-    int directory = open(scene->directory, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    int count = directory < 0 ? -1 : scandirat(directory, ".", &entries, NULL, NULL);
-    enum status_code code = STATUS_OK;
-    if (count < 0)
-        code = status_fail(status, STATUS_IO, "cannot list '%s': %s", scene->directory, strerror(errno));
-    else if ((size_t)count > limit_most(LIMIT_FILES))
-        code = status_fail(status, STATUS_SCENE, "%d files in '%s'%s", count, scene->directory,
-                           limit_words(LIMIT_FILES).text);
-    else if (!(scene->surfaces = calloc((size_t)count + 1, sizeof *scene->surfaces)))
-        code = status_memory(status);
-    for (int i = 0; i < count && code == STATUS_OK; i++)
-        if (is_candidate(scene, directory, entries[i]->d_name))
-            code = add_surface(scene, entries[i]->d_name, status);
-    if (code == STATUS_OK) {
-        drop_sidecars(scene);
-        code = add_directories(scene, directory, entries, count, status);
+    struct scene_surface files = {0}, folders = {0};
+    if (scene_files_match(&files, scene, "*", S_IFREG, status) == STATUS_OK &&
+        scene_files_match(&folders, scene, "*", S_IFDIR, status) == STATUS_OK) {
+        scene->surfaces = calloc(files.file_count + folders.file_count + 1, sizeof *scene->surfaces);
+        if (!scene->surfaces)
+            (void)status_memory(status);
     }
-    for (int i = 0; i < count; i++)
-        free(entries[i]);
-    free(entries);
-    if (directory >= 0)
-        close(directory);
-    if (code == STATUS_OK)
-        code = drop_others(scene, status);
-    return code == STATUS_OK ? tell_apart(scene, status) : code;
+    for (size_t i = 0; i < files.file_count && status->code == STATUS_OK; i++)
+        (void)add_surface(scene, files.files[i], false, status);
+    for (size_t i = 0; i < folders.file_count && status->code == STATUS_OK; i++)
+        if (may_hold_scans(scene, folders.files[i]))
+            (void)add_surface(scene, folders.files[i], true, status);
+    scene_surfaces_free(&files, NULL);
+    scene_surfaces_free(&folders, NULL);
+    return status->code == STATUS_OK && drop_others(scene, status) == STATUS_OK ? tell_apart(scene, status)
+                                                                                : status->code;
 }

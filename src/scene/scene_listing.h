@@ -11,7 +11,4 @@
  * STATUS_IO, STATUS_MEMORY. */
 MUST_CHECK enum status_code scene_listing_read(struct scene *scene, struct status *status);
 
-/** Compares names in natural order: runs of digits by value, the rest by bytes; 2 before 10. */
-int scene_listing_order(const char *a, const char *b);
-
 #endif

@@ -1,12 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scene/scene_quantity.h"
 
-#include "base/text.h"
 #include "scan/number.h"
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 /* The lowest bit: what a number without a unit is. */
 static enum unit_quantity first_of(unsigned quantities)
@@ -39,11 +37,7 @@ bool scene_quantity_read(struct scene_quantity *out, struct string_view text, un
     double whole = round(1 / out->unit.factor);
     bool divides = out->unit.factor < 1 && 1 / whole == out->unit.factor;
     out->value = (divides ? number / whole : number * out->unit.factor) + out->unit.offset;
-    memcpy(out->text, unit.start, length); /* unit_read() takes none longer */
-    size_t shown = 0;
-    for (size_t bytes; (bytes = text_character(out->text + shown)) > 0;)
-        shown += bytes;
-    return kind != 0 && (shown == length || unit_spell(out->text, unit.start, length)); /* latin-1: in ASCII */
+    return kind != 0 && unit_shown(out->text, unit.start, length);
 }
 
 struct scene_quantity_help scene_quantity_help(unsigned quantities)

@@ -44,7 +44,7 @@ static bool parser_error(struct scene_source *source, const yaml_parser_t *parse
 }
 
 struct shape {
-    int depth, anchors;
+    int depth, anchors, documents;
 };
 
 static bool check_event(struct scene_source *source, const yaml_event_t *event, struct shape *shape)
@@ -53,10 +53,13 @@ static bool check_event(struct scene_source *source, const yaml_event_t *event, 
     bool start = event->type == YAML_SEQUENCE_START_EVENT || event->type == YAML_MAPPING_START_EVENT;
     shape->depth += start;
     shape->depth -= event->type == YAML_SEQUENCE_END_EVENT || event->type == YAML_MAPPING_END_EVENT;
+    shape->documents += event->type == YAML_DOCUMENT_START_EVENT;
     shape->anchors += event->type == YAML_ALIAS_EVENT ||
                       (event->type == YAML_SCALAR_EVENT && event->data.scalar.anchor) ||
                       (event->type == YAML_SEQUENCE_START_EVENT && event->data.sequence_start.anchor) ||
                       (event->type == YAML_MAPPING_START_EVENT && event->data.mapping_start.anchor);
+    if (shape->documents > 1)
+        return scene_source_fail(source, line, "a second document starts here; a scene is one, remove the '---'");
     if (shape->depth > DEEPEST_NESTING)
         return scene_source_fail(source, line, "nested too deep; a scene needs at most 4 levels");
     if (shape->anchors > MOST_ANCHORS)
@@ -64,54 +67,33 @@ static bool check_event(struct scene_source *source, const yaml_event_t *event, 
     return true;
 }
 
-/* Takes the next token's type and line. */
-static bool next_token(yaml_token_type_t *type, size_t *line, struct scene_source *source, yaml_parser_t *parser,
-                       const char *bytes)
+/* libyaml's time grows with the square of the number of directives, so there may be none. */
+static bool check_directives(struct scene_source *source, const char *bytes, size_t length)
 {
-    yaml_token_t token;
-    if (!yaml_parser_scan(parser, &token))
-        return parser_error(source, parser, bytes);
-    *type = token.type;
-    *line = token.start_mark.line + 1;
-    yaml_token_delete(&token);
+    size_t line = 1;
+    for (size_t i = 0; i < length; i++) {
+        if (bytes[i] == '%' && (i == 0 || bytes[i - 1] == '\n' || bytes[i - 1] == '\r'))
+            return scene_source_fail(source, line, "a directive of YAML (%%); a scene needs none, remove it");
+        line += bytes[i] == '\n';
+    }
     return true;
 }
 
-/* A directive is refused by its token: of those of a document, before it begins, libyaml compares each with all. */
-static bool check_start(struct scene_source *source, yaml_parser_t *parser, const char *bytes)
-{
-    yaml_token_type_t type = YAML_NO_TOKEN;
-    size_t line = 0;
-    for (int i = 0; i < 2; i++) /* behind the stream's start */
-        if (!next_token(&type, &line, source, parser, bytes))
-            return false;
-    return (type != YAML_VERSION_DIRECTIVE_TOKEN && type != YAML_TAG_DIRECTIVE_TOKEN) ||
-           scene_source_fail(source, line, "a directive of YAML (%%); a scene needs none, remove it");
-}
-
-/* A pass over the events, so that nothing hostile reaches the tree builder, and no second document the parser. */
+/* A pass over the events, so that nothing hostile reaches the tree builder. */
 static bool check_shape(struct scene_source *source, yaml_parser_t *parser, const char *bytes)
 {
     struct shape shape = {0};
-    yaml_event_t event;
-    yaml_token_type_t type = YAML_DOCUMENT_END_TOKEN;
-    size_t line = 0;
     for (bool end = false; !end;) {
+        yaml_event_t event;
         if (!yaml_parser_parse(parser, &event))
             return parser_error(source, parser, bytes);
-        end = event.type == YAML_DOCUMENT_END_EVENT || event.type == YAML_STREAM_END_EVENT;
-        if (event.type == YAML_STREAM_END_EVENT)
-            type = YAML_STREAM_END_TOKEN;
+        end = event.type == YAML_STREAM_END_EVENT;
         bool good = check_event(source, &event, &shape);
         yaml_event_delete(&event);
         if (!good)
             return false;
     }
-    while (type == YAML_DOCUMENT_END_TOKEN)
-        if (!next_token(&type, &line, source, parser, bytes))
-            return false;
-    return type == YAML_STREAM_END_TOKEN ||
-           scene_source_fail(source, line, "a second document starts here; a scene is one, remove the '---'");
+    return true;
 }
 
 static bool load_tree(struct scene_source *source, yaml_parser_t *parser, const char *bytes)
@@ -150,7 +132,7 @@ static bool is_null(const yaml_node_t *node)
 bool scene_source_read(struct scene_source *source, const char *bytes, size_t length,
                        bool (*read)(struct scene_source *source, const yaml_node_t *root))
 {
-    if (!parse(source, bytes, length, check_start) || !parse(source, bytes, length, check_shape) ||
+    if (!check_directives(source, bytes, length) || !parse(source, bytes, length, check_shape) ||
         !parse(source, bytes, length, load_tree))
         return false;
     const yaml_node_t *root = yaml_document_get_root_node(&source->document);
@@ -278,14 +260,19 @@ bool scene_source_has(struct scene_source *source, const yaml_node_t *node, cons
     return false;
 }
 
+/* The scalar's characters; nothing of a list or a mapping. */
+static struct string_view scalar_of(const yaml_node_t *node)
+{
+    const char *text = (const char *)node->data.scalar.value;
+    return node->type == YAML_SCALAR_NODE ? (struct string_view){text, text + node->data.scalar.length}
+                                          : (struct string_view){0};
+}
+
 /* A decimal number and nothing else: no inf, nan, hexadecimal or 1_000, nor Fortran's exponent. */
 static bool read_number(struct scene_source *source, const struct scene_key *key, const yaml_node_t *node,
                         const char *expected, double *number)
 {
-    struct string_view text = {0};
-    if (node->type == YAML_SCALAR_NODE)
-        text = (struct string_view){(const char *)node->data.scalar.value,
-                                    (const char *)node->data.scalar.value + node->data.scalar.length};
+    struct string_view text = scalar_of(node);
     if (!text.start || number_scan(text, NUMBER_POINT, NULL, number) != text.end || strpbrk(text.start, "dD"))
         return scene_source_wrong_type(source, node, key->name, expected);
     if (!(*number >= key->least && *number <= key->most))
@@ -303,10 +290,7 @@ bool scene_source_number(struct scene_source *source, const struct scene_key *ke
 bool scene_source_quantity_of(struct scene_quantity *out, struct scene_source *source, const struct scene_key *key,
                               const yaml_node_t *value)
 {
-    struct string_view text = {0};
-    if (value->type == YAML_SCALAR_NODE)
-        text = (struct string_view){(const char *)value->data.scalar.value,
-                                    (const char *)value->data.scalar.value + value->data.scalar.length};
+    struct string_view text = scalar_of(value);
     if (!text.start || !scene_quantity_read(out, text, key->quantities))
         return scene_source_wrong_type(source, value, key->name, scene_quantity_help(key->quantities).text);
     const char *si = unit_si(out->kind);

@@ -37,7 +37,6 @@ struct scene_key {
     const char *alias;   /* an older name, or NULL: not shown in messages where the other will do */
     const char *given;   /* the name by which it does; set with `line` */
     size_t line;         /* where the scene gives it, 0: it does not; set by scene_source_mapping() */
-    const char *about;   /* of the outermost: what it says, and its default, as the manual has it */
 };
 
 /** Parses `bytes` and calls `read` with the outermost node, unless the text says nothing. Errors: not YAML, nested too

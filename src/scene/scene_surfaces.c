@@ -10,7 +10,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 size_t scene_surfaces_materials(const char *names[SCENE_SURFACES_MATERIALS], const char *const *words,
                                 size_t word_count)
@@ -70,45 +69,43 @@ bool scene_surfaces_material(struct scene_source *source, const struct scene_key
     return true;
 }
 
-static bool check_file(struct scene_source *source, const yaml_node_t *node, const char *file)
+/* Counts files of the scene, which aliases of long lists multiply. */
+static bool count_files(struct scene_source *source, size_t more, size_t line)
 {
-    char *path = scene_file_path(source->scene, file);
-    if (!path)
-        return scene_source_memory(source);
-    struct stat info;
-    int failed = stat(path, &info), reason = errno;
-    free(path);
-    struct scene_words_shown shown = scene_words_show(file, strlen(file));
-    if (failed)
-        return scene_source_fail(source, scene_source_line(node),
-                                 "cannot find surface file '%s': %s; paths start at the scene's directory", shown.text,
-                                 strerror(reason));
-    return S_ISREG(info.st_mode) || scene_source_fail(source, scene_source_line(node),
-                                                      "surface file '%s' is no regular file; name a scan", shown.text);
+    source->file_count += more;
+    return source->file_count <= limit_most(LIMIT_SCENE_FILES) ||
+           scene_source_fail(source, line, "more than %zu files in one scene; split it", limit_most(LIMIT_SCENE_FILES));
 }
 
-/* Adds what a path names: one file, or those that its pattern matches. */
+/* Adds what a path names: one file, or those that its pattern matches where no file has that name. */
 static bool add_files(struct scene_source *source, struct scene_surface *surface, const yaml_node_t *node,
                       const char *file)
 {
     size_t before = surface->file_count, line = scene_source_line(node);
     struct scene_words_shown shown = scene_words_show(file, strlen(file));
+    struct stat info;
     char *path = scene_file_path(source->scene, file);
     if (!path)
         return scene_source_memory(source);
-    bool pattern = scene_files_is_pattern(file) && access(path, F_OK) != 0; /* a file may have such a name */
+    int failed = stat(path, &info), reason = errno;
     free(path);
-    if (!pattern)
-        return scene_files_add(surface, file, source->status) == STATUS_OK && check_file(source, node, file);
+    if (!failed || !scene_files_is_pattern(file)) {
+        if (scene_files_add(surface, file, source->status) != STATUS_OK)
+            return false;
+        if (failed)
+            return scene_source_fail(source, line,
+                                     "cannot find surface file '%s': %s; paths start at the scene's directory",
+                                     shown.text, strerror(reason));
+        return S_ISREG(info.st_mode) ||
+               scene_source_fail(source, line, "surface file '%s' is no regular file; name a scan", shown.text);
+    }
     struct status problem = {0};
-    if (scene_files_match(surface, source->scene, file, &problem) == STATUS_MEMORY)
+    if (scene_files_match(surface, source->scene, file, S_IFREG, &problem) == STATUS_MEMORY)
         return scene_source_memory(source);
     if (problem.code != STATUS_OK)
         return scene_source_fail(source, line, "%s", problem.message);
-    source->file_count += surface->file_count - before;
-    if (source->file_count > limit_most(LIMIT_SCENE_FILES)) /* aliases of long lists multiply */
-        return scene_source_fail(source, line, "more than %zu files in one scene; split it",
-                                 limit_most(LIMIT_SCENE_FILES));
+    if (!count_files(source, surface->file_count - before, line))
+        return false;
     return surface->file_count > before ||
            scene_source_fail(source, line, "'%s' matches no file; paths start at the scene's directory", shown.text);
 }
@@ -117,12 +114,10 @@ bool scene_surfaces_files(struct scene_source *source, const struct scene_key *k
 {
     struct scene_surface *surface = key->field;
     size_t count = scene_source_item_count(value), line = scene_source_line(value);
-    source->file_count += count;
     if (count == 0)
         return scene_source_fail(source, line, "'%s' lists none; name one or more scans", key->name);
-    if (source->file_count > limit_most(LIMIT_SCENE_FILES)) /* aliases of long lists multiply */
-        return scene_source_fail(source, line, "more than %zu files in one scene; split it",
-                                 limit_most(LIMIT_SCENE_FILES));
+    if (!count_files(source, count, line))
+        return false;
     for (size_t i = 0; i < count; i++) {
         char *file = NULL;
         const yaml_node_t *item = scene_source_item(source, value, i);
@@ -293,6 +288,20 @@ bool scene_surfaces_read(struct scene_source *source, const struct scene_key *ke
         if (!read_surface(source, scene_source_item(source, value, i), &scene->surfaces[i]))
             return false;
     return check_names(source, value);
+}
+
+const struct material_property *scene_surfaces_lack(const char **body, const struct scene_bodies *bodies,
+                                                    const struct effect_row *effect)
+{
+    for (const char *const *key = effect->properties; *key; key++) {
+        const struct material_property *property = material_property_find(*key);
+        *body = isnan(material_value(&bodies->material, property)) ? "material" : "counterface";
+        if (isnan(material_value(&bodies->material, property)) ||
+            (bodies->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC &&
+             isnan(material_value(&bodies->counterface, property))))
+            return property;
+    }
+    return NULL;
 }
 
 char *scene_surfaces_name(const char *file, bool ending)

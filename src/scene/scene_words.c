@@ -2,6 +2,7 @@
 #include "scene/scene_words.h"
 
 #include <ctype.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/param.h>
@@ -47,7 +48,7 @@ static size_t edit_distance(const char *a, const char *b)
 struct scene_words_hint scene_words_hint(const char *word, const char *const *names, size_t count, size_t all)
 {
     struct scene_words_hint hint = {""};
-    size_t nearest = 0, best = LONGEST_WORD + 1;
+    size_t nearest = 0, best = SIZE_MAX;
     for (size_t i = 0; i < all && strlen(word) <= LONGEST_WORD; i++) {
         size_t distance = edit_distance(word, names[i]);
         if (distance < best) {

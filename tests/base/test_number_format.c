@@ -4,68 +4,57 @@
 
 #include <float.h>
 
-static void assert_number(double value, int digits, const char *expected)
+static void assert_text(struct text *text, const char *expected)
 {
-    struct text text = {0};
-    number_format(&text, value, digits);
-    assert_string_equal(text_string(&text), expected);
-    text_free(&text);
+    assert_string_equal(text_string(text), expected);
+    text_free(text);
 }
 
-static void test_plain_numbers(void **state)
+/* Plain numbers; powers of ten; what rounds up to one is shown as that; signs and zero; what is no number. */
+static void test_numbers(void **state)
 {
     (void)state;
-    assert_number(1, 3, "1.00");
-    assert_number(0.24, 2, "0.24");
-    assert_number(0.001, 1, "0.001");
-    assert_number(0.0012345, 3, "0.00123");
-    assert_number(12.345, 3, "12.3");
-    assert_number(1234.5, 5, "1234.5");
-    assert_number(1234.5, 2, "1234"); /* digits before the point are never dropped */
-    assert_number(9999, 4, "9999");
-    assert_number(12345, 3, "12345");
-}
-
-static void test_powers_of_ten(void **state)
-{
-    (void)state;
-    assert_number(1.2e-5, 2, "1.2·10⁻⁵");
-    assert_number(100000, 3, "1.00·10⁵");
-    assert_number(6.02214076e23, 4, "6.022·10²³");
-    assert_number(1e100, 1, "1·10¹⁰⁰");
-    assert_number(DBL_MAX, 3, "1.80·10³⁰⁸");
-    assert_number(DBL_TRUE_MIN, 2, "4.9·10⁻³²⁴");
-    assert_number(1234567890e60, 10, "1.234567890·10⁶⁹");
-}
-
-/* The form follows the rounded number: what rounds up to a power of ten is shown as that. */
-static void test_rounding_over_a_border(void **state)
-{
-    (void)state;
-    assert_number(0.00099999, 2, "0.0010");
-    assert_number(9999.9, 3, "10000");
-    assert_number(99999, 3, "1.00·10⁵");
-    assert_number(9.996, 3, "10.0");
-    assert_number(0.00099994, 4, "9.999·10⁻⁴");
-    assert_number(999.96, 4, "1000");
-}
-
-static void test_signs_and_zero(void **state)
-{
-    (void)state;
-    assert_number(0, 3, "0");
-    assert_number(-0.0, 3, "0");
-    assert_number(-2.5, 2, "−2.5");
-    assert_number(-1.5e-7, 2, "−1.5·10⁻⁷");
-    assert_number(-123456, 3, "−1.23·10⁵");
-}
-
-static void test_what_is_no_number(void **state)
-{
-    (void)state;
-    assert_number(NAN, 3, "–");
-    assert_number(INFINITY, 3, "–");
-    assert_number(-INFINITY, 3, "–");
+    static const struct {
+        double value;
+        int digits;
+        const char *expected;
+    } cases[] = {
+        {1, 3, "1.00"},
+        {0.24, 2, "0.24"},
+        {0.001, 1, "0.001"},
+        {0.0012345, 3, "0.00123"},
+        {12.345, 3, "12.3"},
+        {1234.5, 5, "1234.5"},
+        {1234.5, 2, "1234"}, /* digits before the point are never dropped */
+        {9999, 4, "9999"},
+        {12345, 3, "12345"},
+        {1.2e-5, 2, "1.2·10⁻⁵"},
+        {100000, 3, "1.00·10⁵"},
+        {6.02214076e23, 4, "6.022·10²³"},
+        {1e100, 1, "1·10¹⁰⁰"},
+        {DBL_MAX, 3, "1.80·10³⁰⁸"},
+        {DBL_TRUE_MIN, 2, "4.9·10⁻³²⁴"},
+        {1234567890e60, 10, "1.234567890·10⁶⁹"},
+        {0.00099999, 2, "0.0010"},
+        {9999.9, 3, "10000"},
+        {99999, 3, "1.00·10⁵"},
+        {9.996, 3, "10.0"},
+        {0.00099994, 4, "9.999·10⁻⁴"},
+        {999.96, 4, "1000"},
+        {0, 3, "0"},
+        {-0.0, 3, "0"},
+        {-2.5, 2, "−2.5"},
+        {-1.5e-7, 2, "−1.5·10⁻⁷"},
+        {-123456, 3, "−1.23·10⁵"},
+        {NAN, 3, "–"},
+        {INFINITY, 3, "–"},
+        {-INFINITY, 3, "–"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct text text = {0};
+        number_format(&text, cases[i].value, cases[i].digits);
+        assert_text(&text, cases[i].expected);
+    }
 }
 
 /* Read back, a number is itself within half a unit of its last digit. */
@@ -101,27 +90,22 @@ static void test_every_magnitude_reads_back(void **state)
         }
 }
 
-static void assert_range(double least, double most, int digits, const char *expected)
-{
-    struct text text = {0};
-    number_format_range(&text, least, most, digits);
-    assert_string_equal(text_string(&text), expected);
-    text_free(&text);
-}
-
 static void test_ranges(void **state)
 {
     (void)state;
-    assert_range(1, 2, 2, "1.0 to 2.0");
-    assert_range(1.001, 1.002, 2, "1.0");
-    assert_range(1.001, 1.002, 4, "1.001 to 1.002");
-    assert_range(-1e-6, 0, 1, "−1·10⁻⁶ to 0");
-}
-
-static void assert_text(struct text *text, const char *expected)
-{
-    assert_string_equal(text_string(text), expected);
-    text_free(text);
+    static const struct {
+        double least, most;
+        int digits;
+        const char *expected;
+    } cases[] = {{1, 2, 2, "1.0 to 2.0"},
+                 {1.001, 1.002, 2, "1.0"},
+                 {1.001, 1.002, 4, "1.001 to 1.002"},
+                 {-1e-6, 0, 1, "−1·10⁻⁶ to 0"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct text text = {0};
+        number_format_range(&text, cases[i].least, cases[i].most, cases[i].digits);
+        assert_text(&text, cases[i].expected);
+    }
 }
 
 /* Nothing stands for an interval that is not known, or narrower than its digits. */
@@ -140,8 +124,7 @@ static void test_intervals(void **state)
     for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
         struct text text = {0};
         number_format_interval(&text, " (", cases[c].low, cases[c].high, 3, ")");
-        assert_string_equal(text_string(&text), cases[c].expected);
-        text_free(&text);
+        assert_text(&text, cases[c].expected);
     }
 }
 
@@ -158,17 +141,13 @@ static void test_loads_are_powers_of_ten(void **state)
 static void test_given_numbers_keep_no_zeros(void **state)
 {
     (void)state;
+    static const double values[] = {0.36, 41.369e9, 7310, 1e-6, (double)NAN};
     struct text text = {0};
-    number_format_given(&text, 0.36);
-    text_add(&text, " ");
-    number_format_given(&text, 41.369e9);
-    text_add(&text, " ");
-    number_format_given(&text, 7310);
-    text_add(&text, " ");
-    number_format_given(&text, 1e-6);
-    text_add(&text, " ");
-    number_format_given(&text, NAN);
-    assert_text(&text, "0.36 4.1369·10¹⁰ 7310 1·10⁻⁶ –");
+    for (size_t i = 0; i < sizeof values / sizeof *values; i++) {
+        number_format_given(&text, values[i]);
+        text_add(&text, " ");
+    }
+    assert_text(&text, "0.36 4.1369·10¹⁰ 7310 1·10⁻⁶ – ");
 }
 
 static void test_value_and_error_have_the_same_decimals(void **state)
@@ -200,11 +179,7 @@ static void test_value_and_error_have_the_same_decimals(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_plain_numbers),
-        cmocka_unit_test(test_powers_of_ten),
-        cmocka_unit_test(test_rounding_over_a_border),
-        cmocka_unit_test(test_signs_and_zero),
-        cmocka_unit_test(test_what_is_no_number),
+        cmocka_unit_test(test_numbers),
         cmocka_unit_test(test_every_magnitude_reads_back),
         cmocka_unit_test(test_ranges),
         cmocka_unit_test(test_intervals),

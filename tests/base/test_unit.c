@@ -197,12 +197,25 @@ static void known_units_are_read(void **state)
     }
 }
 
+/* What is shown of a unit is UTF-8, and a degree Fahrenheit is less than a kelvin. */
+static void test_shown_and_fahrenheit(void **state)
+{
+    (void)state;
+    char shown[UNIT_LENGTH];
+    struct unit unit;
+    assert_true(unit_shown(shown, "\xc2\xb5m", 3));
+    assert_string_equal(shown, "\xc2\xb5m");
+    assert_true(unit_shown(shown, "\xb5m", 2));
+    assert_string_equal(shown, "um");
+    assert_true(unit_read(&unit, "degF", 4));
+    assert_near(212 * unit.factor + unit.offset, 373.15, 1e-15);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(units_have_their_factor),
-        cmocka_unit_test(quotients_divide),
-        cmocka_unit_test(what_is_no_unit_is_not_read),
+        cmocka_unit_test(test_shown_and_fahrenheit), cmocka_unit_test(units_have_their_factor),
+        cmocka_unit_test(quotients_divide),          cmocka_unit_test(what_is_no_unit_is_not_read),
         cmocka_unit_test(known_units_are_read),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

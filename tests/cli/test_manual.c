@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The manual page and the completion: made of the tables, named nowhere else, and of use to man and bash. */
+/* The manual page and the completion of bash say what the tables of the program do, and are of use to man and bash. */
+#include "base/version.h"
 #include "cli/command.h"
 #include "cli/process.h"
 #include "contact/effect.h"
@@ -9,107 +10,24 @@
 #include <stdio.h>
 #include <unistd.h>
 
-/** Fails unless a committed file is what `help` prints with the option. */
-static void expect_made(const char *place, const char *option, const char *path)
+/** The manual page without its roff: what a reader sees of each line. */
+static char *manual_read(void)
 {
-    struct process process = expect_exit(place, 0, "help", option);
-    char *file = workspace_read(PROJECT_SOURCE, path);
-    if (strcmp(file, process.out) != 0)
-        fail_msg("%s is not what the program says: build/bin/roughcontact help %s > %s", path, option, path);
-    free(file);
-    process_free(&process);
-}
-
-static void committed_files_are_made(void **state)
-{
-    expect_made(*state, "--man", "docs/roughcontact.1");
-    expect_made(*state, "--completion", "docs/roughcontact.bash");
-}
-
-/** As the manual writes it. */
-static void expect_in_manual(const char *manual, const char *before, const char *name)
-{
-    char roff[256];
-    size_t used = (size_t)snprintf(roff, sizeof roff, "%s", before);
-    for (; *name && used + 3 < sizeof roff; name++) {
-        if (*name == '-')
-            roff[used++] = '\\';
-        roff[used++] = *name;
+    static const char *const marks[][2] = {{"\\fB", ""},   {"\\fI", ""},  {"\\fR", ""},   {"\\&", ""},
+                                           {"\\-", "-"},   {"\\e", "\\"}, {"\\(aq", "'"}, {"\\(ga", "`"},
+                                           {"\\(ha", "^"}, {"\\(ti", "~"}};
+    char *page = workspace_read(PROJECT_SOURCE, "docs/roughcontact.1");
+    struct text plain = {0};
+    for (const char *at = page; *at;) {
+        size_t m = 0, marks_count = sizeof marks / sizeof *marks;
+        assert_true(*at == '\n' || (*at >= ' ' && *at < 127));
+        while (m < marks_count && strncmp(at, marks[m][0], strlen(marks[m][0])) != 0)
+            m++;
+        text_add_bytes(&plain, m < marks_count ? marks[m][1] : at, m < marks_count ? strlen(marks[m][1]) : 1);
+        at += m < marks_count ? strlen(marks[m][0]) : 1;
     }
-    roff[used] = '\0';
-    expect_part(manual, roff);
-}
-
-/** Options of a parser and of those below it; counts them, and looks that the completion knows their values. */
-static size_t check_options(const char *manual, const char *completion, const struct argp *argp)
-{
-    size_t options = 0;
-    for (const struct argp_option *option = argp->options; option && option->name; option++, options++) {
-        char completed[96];
-        expect_in_manual(manual, "\\fB\\-\\-", option->name);
-        snprintf(completed, sizeof completed, "--%s%s", option->name, option->arg ? "=" : "");
-        expect_part(completion, completed);
-        if (option->arg && !command_completes(option->arg))
-            fail_msg("--%s takes %s, which src/cli/completion.c does not know", option->name, option->arg);
-    }
-    for (const struct argp_child *child = argp->children; child && child->argp; child++)
-        options += check_options(manual, completion, child->argp);
-    return options;
-}
-
-static void check_key(const char *name, const char *value, const char *about, void *context)
-{
-    char *const *manual = context;
-    char term[96];
-    assert_true(about && strlen(about) > 5 && value);
-    snprintf(term, sizeof term, ".TP\n\\fB%s\\fR", name);
-    expect_part(*manual, term);
-}
-
-static void manual_has_everything(void **state)
-{
-    (void)state;
-    char *manual = workspace_read(PROJECT_SOURCE, "docs/roughcontact.1");
-    char *completion = workspace_read(PROJECT_SOURCE, "docs/roughcontact.bash");
-    size_t options = 0;
-    for (size_t c = 0; c < command_count; c++) {
-        expect_in_manual(manual, ".SS ", command_rows[c].name);
-        options += check_options(manual, completion, command_rows[c].argp);
-    }
-    assert_true(options > 40);
-    scene_each_key(check_key, &manual);
-    char *commands = workspace_read(PROJECT_SOURCE, "docs/commands.md");
-    for (size_t i = 0; i < command_status_count; i++) {
-        char status[96];
-        snprintf(status, sizeof status, ".TP\n\\fB%zu\\fR\n", i);
-        expect_part(manual, status);
-        snprintf(status, sizeof status, "\n| %zu | %s |\n", i, command_statuses[i]);
-        expect_part(commands, status);
-    }
-    free(commands);
-    static const char *const chapters[] = {"NAME",        "SYNOPSIS", "DESCRIPTION", "COMMANDS", "SCENE",
-                                           "EXIT STATUS", "FILES",    "ENVIRONMENT", "EXAMPLES", "SEE ALSO"};
-    for (size_t i = 0; i < sizeof chapters / sizeof *chapters; i++)
-        expect_in_manual(manual, ".SH ", chapters[i]);
-    for (const char *c = manual; *c; c++)
-        assert_true(*c == '\n' || (*c >= ' ' && *c < 127));
-    free(manual);
-    free(completion);
-}
-
-/** groff has no warning for it, neither has man; skipped where there is none. */
-static void groff_reads_the_manual(void **state)
-{
-    const char *place = *state;
-    if (access("/usr/bin/groff", X_OK) != 0) {
-        print_message("no groff\n");
-        skip();
-    }
-    const char *const groff[] = {"groff", "-man", "-ww", "-Tutf8", PROJECT_SOURCE "/docs/roughcontact.1", NULL};
-    struct process process = process_expect(process_end(process_start_list(place, groff, NULL)), 0, __FILE__, __LINE__);
-    assert_string_equal(process.err, "");
-    expect_part(process.out, "scene.yaml");
-    process_free(&process);
+    free(page);
+    return plain.data;
 }
 
 /** Replies of the completion to a command line, one a line; its last word may be begun. */
@@ -131,6 +49,125 @@ static char *complete(const char *place, const char *line)
     char *replies = strdup(process.out);
     process_free(&process);
     return replies;
+}
+
+/** Options of a parser and of those below it stand in the page with what --help says of them, and in the replies of
+ * the completion; counts them. */
+static size_t check_options(const char *manual, const char *replies, const struct argp *argp)
+{
+    size_t options = 0;
+    for (const struct argp_option *option = argp->options; option && option->name; option++, options++) {
+        char term[1024], completed[96], letter[8] = "";
+        if (option->key > ' ' && option->key < 127)
+            snprintf(letter, sizeof letter, "-%c, ", option->key);
+        snprintf(term, sizeof term, "\n.TP\n%s--%s%s%s\n%s\n", letter, option->name, option->arg ? "=" : "",
+                 option->arg ? option->arg : "", option->doc);
+        expect_part(manual, term);
+        snprintf(completed, sizeof completed, "--%s%s\n", option->name, option->arg ? "=" : "");
+        expect_part(replies, completed);
+    }
+    for (const struct argp_child *child = argp->children; child && child->argp; child++)
+        options += check_options(manual, replies, child->argp);
+    return options;
+}
+
+static void manual_and_completion_have_every_option(void **state)
+{
+    const char *place = *state;
+    char *manual = manual_read(), part[1024];
+    size_t options = 0;
+    for (size_t c = 0; c < command_count; c++) {
+        const struct command_row *row = &command_rows[c];
+        snprintf(part, sizeof part, "\nroughcontact %s %s%s[OPTION...]\n", row->name, row->arguments,
+                 *row->arguments ? " " : "");
+        expect_part(manual, part);
+        snprintf(part, sizeof part, "\n.SS %s\n%s\n", row->name, row->argp->doc);
+        expect_part(manual, part);
+        char *section = strdup(strstr(manual, part)), *end = strstr(section + 1, "\n.S");
+        end[1] = '\0';
+        snprintf(part, sizeof part, "roughcontact %s --", row->name);
+        char *replies = complete(place, part);
+        options += check_options(section, replies, row->argp) + check_options(manual, replies, &command_common_argp);
+        free(replies);
+        free(section);
+    }
+    assert_true(options > 40);
+    free(manual);
+}
+
+/** The keys of a scene are those that the program names when it knows one not, in the same order. */
+static void manual_has_every_key(void **state)
+{
+    static const struct {
+        const char *key, *const *choices;
+        size_t count;
+    } choices[] = {{"level", level_names, LEVEL_COUNT},
+                   {"window", spectrum_window_names, SPECTRUM_WINDOW_COUNT},
+                   {"fit", power_law_method_names, POWER_LAW_METHOD_COUNT},
+                   {"moments", roughness_moments_names, ROUGHNESS_MOMENTS_COUNT},
+                   {"data", scene_data_names, SCENE_DATA_COUNT}};
+    const char *place = *state;
+    char *manual = manual_read(), *scene = strstr(manual, "\n.SH SCENE\n"), *end = strstr(scene, "\n.SH EXIT STATUS\n");
+    struct text expected = {0}, terms = {0};
+    workspace_write(place, "d/scene.yaml", "foo: 1\n");
+    struct process process = expect_exit(place, 3, "plan", "d");
+    text_add(&expected, "%s", strstr(process.err, "allowed: ") + strlen("allowed: "));
+    for (const char *term = scene; (term = strstr(term, "\n.TP\n")) && term < end;) {
+        term += strlen("\n.TP\n");
+        text_add(&terms, "%s%.*s", terms.length > 0 ? ", " : "", (int)strcspn(term, ":\n"), term);
+    }
+    text_add(&terms, "\n");
+    assert_string_equal(text_string(&terms), text_string(&expected));
+    for (size_t k = 0; k < sizeof choices / sizeof *choices; k++) {
+        struct text line = {0};
+        text_add(&line, "\n%s: ", choices[k].key);
+        for (size_t i = 0; i < choices[k].count; i++)
+            text_add(&line, "%s%s", i > 0 ? " | " : "", choices[k].choices[i]);
+        text_add(&line, "\n");
+        expect_part(scene, text_string(&line));
+        text_free(&line);
+    }
+    text_free(&terms);
+    text_free(&expected);
+    process_free(&process);
+    free(manual);
+}
+
+static void manual_has_chapters_and_statuses(void **state)
+{
+    (void)state;
+    static const char *const chapters[] = {"NAME",        "SYNOPSIS", "DESCRIPTION", "COMMANDS", "SCENE",
+                                           "EXIT STATUS", "FILES",    "ENVIRONMENT", "EXAMPLES", "SEE ALSO"};
+    char *manual = manual_read(), *commands = workspace_read(PROJECT_SOURCE, "docs/commands.md"), part[256];
+    for (size_t i = 0; i < command_status_count; i++) {
+        snprintf(part, sizeof part, "\n.TP\n%zu\n%s\n", i, command_statuses[i]);
+        expect_part(manual, part);
+        snprintf(part, sizeof part, "\n| %zu | %s |\n", i, command_statuses[i]);
+        expect_part(commands, part);
+    }
+    for (size_t i = 0; i < sizeof chapters / sizeof *chapters; i++) {
+        snprintf(part, sizeof part, "\n.SH %s\n", chapters[i]);
+        expect_part(manual, part);
+    }
+    snprintf(part, sizeof part, "\"roughcontact %s\"", version_string());
+    expect_part(manual, part);
+    free(commands);
+    free(manual);
+}
+
+/** groff has no warning for it, neither has man; skipped where there is none. */
+static void groff_reads_the_manual(void **state)
+{
+    const char *place = *state;
+    if (access("/usr/bin/groff", X_OK) != 0) {
+        print_message("no groff\n");
+        skip();
+    }
+    const char *const groff[] = {"groff", "-man", "-ww", "-Tutf8", PROJECT_SOURCE "/docs/roughcontact.1", NULL};
+    struct process process = process_expect(process_end(process_start_list(place, groff, NULL)), 0, __FILE__, __LINE__);
+    assert_string_equal(process.err, "");
+    expect_part(process.out, "scene.yaml");
+    process_free(&process);
 }
 
 static void bash_completes(void **state)
@@ -157,6 +194,9 @@ static void bash_completes(void **state)
         {"roughcontact models --j", "--json \n"},
         {"roughcontact self-test --ver", "--verbose \n"},
         {"roughcontact report -j ", "\n"},
+        {"roughcontact synth -s in", "\n"},
+        {"roughcontact synth --seed = in", "\n"},
+        {"roughcontact report -s in", "inner\n"},
     };
     const char *place = *state;
     if (access("/bin/bash", X_OK) != 0) {
@@ -175,6 +215,11 @@ static void bash_completes(void **state)
     expect_part(files, "in.csv\n");
     expect_part(files, "inner\n");
     free(files);
+    char *units = complete(place, "roughcontact report --x-unit = "), list[512] = "";
+    for (char *unit = strtok(units, "\n"); unit; unit = strtok(NULL, "\n"))
+        snprintf(list + strlen(list), sizeof list - strlen(list), "%s%s", *list ? ", " : "", unit);
+    assert_string_equal(list, unit_known(UNIT_DISTANCE).text);
+    free(units);
     char *materials = complete(place, "roughcontact report --material = ");
     for (size_t i = 0; i < material_table_count; i++)
         if (!isnan(material_table[i].youngs_modulus_Pa))
@@ -189,8 +234,9 @@ static void bash_completes(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        workspace_test(committed_files_are_made),
-        workspace_test(manual_has_everything),
+        workspace_test(manual_and_completion_have_every_option),
+        workspace_test(manual_has_every_key),
+        workspace_test(manual_has_chapters_and_statuses),
         workspace_test(groff_reads_the_manual),
         workspace_test(bash_completes),
     };

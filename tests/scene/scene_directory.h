@@ -40,6 +40,11 @@ static inline void scene_directory_add(const struct scene_directory *directory, 
     scene_directory_write(directory, file, "0 1\n", 4);
 }
 
+static inline void scene_directory_says(const struct scene_directory *directory, const char *scene)
+{
+    scene_directory_write(directory, "scene.yaml", scene, strlen(scene));
+}
+
 static inline int scene_directory_unlink(const char *path, const struct stat *info, int kind, struct FTW *walk)
 {
     (void)info, (void)kind, (void)walk;
@@ -59,6 +64,32 @@ static inline struct scene scene_directory_read(const char *path, const struct s
     if (scene_read(&scene, path, overrides, &status) != STATUS_OK)
         fail_msg("%s", status.message);
     return scene;
+}
+
+/* The scene that the text is in a directory of two scans, which has gone. */
+static inline struct scene scene_of(const char *text)
+{
+    struct scene_directory directory = scene_directory_make();
+    scene_directory_add(&directory, "a.csv");
+    scene_directory_add(&directory, "b.csv");
+    scene_directory_says(&directory, text);
+    struct scene scene = scene_directory_read(directory.path, NULL);
+    scene_directory_remove(&directory);
+    return scene;
+}
+
+/* Its loads on bodies of that E', malloc'ed, which rise. */
+static inline double *scene_loads_of(const struct scene *scene, double modulus_Pa, size_t *count)
+{
+    const struct material_pair pair = {.effective_modulus_Pa = modulus_Pa};
+    struct status status = {0};
+    size_t operating;
+    double *loads;
+    assert_int_equal(scene_loads(&loads, count, &operating, scene, &pair, &status), STATUS_OK);
+    assert_true(*count > 0 && loads[0] > 0 && isfinite(loads[*count - 1]));
+    for (size_t i = 1; i < *count; i++)
+        assert_true(loads[i] > loads[i - 1]);
+    return loads;
 }
 
 #endif

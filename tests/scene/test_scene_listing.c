@@ -152,7 +152,7 @@ static void test_sidecars_in_a_folder(void **state)
         struct scene_surface surface = {.name = NULL};
         struct scene scene = {.directory = directory.path};
         struct status status = {0};
-        assert_int_equal(scene_files_match(&surface, &scene, "s/*", &status), STATUS_OK);
+        assert_int_equal(scene_files_match(&surface, &scene, "s/*", S_IFREG, &status), STATUS_OK);
         if (surface.file_count != expected)
             fail_msg("%zu files with %s, not %zu", surface.file_count, scans[lone], expected);
         for (size_t i = 0; i < surface.file_count; i++)
@@ -205,11 +205,7 @@ static void test_columns_and_quantity(void **state)
                                "surfaces:\n  - {name: p, file: a.csv}\n"
                                "  - {name: q, file: a.csv, quantity: slope, column: 3}\n"
                                "  - {name: r, file: a.csv, quantity: height, column: [1, 4]}\n";
-    struct scene_directory directory = scene_directory_make();
-    scene_directory_add(&directory, "a.csv");
-    scene_directory_add(&directory, "b.csv");
-    scene_directory_write(&directory, "scene.yaml", text, strlen(text));
-    struct scene scene = scene_directory_read(directory.path, NULL);
+    struct scene scene = scene_of(text);
     const struct scene_surface *surface[] = {&scene.surfaces[0], &scene.surfaces[1], &scene.surfaces[2],
                                              &scene.counterface_surface};
     static const struct {
@@ -223,7 +219,6 @@ static void test_columns_and_quantity(void **state)
         assert_string_equal(surface[i]->z_column ? surface[i]->z_column : "-", expected[i].z ? expected[i].z : "-");
     }
     scene_free(&scene);
-    scene_directory_remove(&directory);
 }
 
 static void test_many_files(void **state)
@@ -275,7 +270,7 @@ static void test_sub_directories(void **state)
     for (size_t i = 0; i < COUNT(files); i++)
         scene_directory_add(&directory, files[i]);
     static const char text[] = "counterface: {surface: only/ref.csv}\n", sidecar[] = "x unit: mm\nz unit: um\n";
-    scene_directory_write(&directory, "scene.yaml", text, strlen(text));
+    scene_directory_says(&directory, text);
     scene_directory_write(&directory, "b/run-2.txt", sidecar, strlen(sidecar));
     struct scene scene = scene_directory_read(directory.path, NULL);
     assert_int_equal(scene.surface_count, 3);
@@ -298,7 +293,7 @@ static void test_patterns(void **state)
         scene_directory_add(&directory, files[i]);
     static const char good[] = "surfaces:\n  - {name: a, file: \"run-*.csv\"}\n  - {name: b, file: [\"[1].csv\", "
                                "\"r/*-?.c[st]v\"]}\n";
-    scene_directory_write(&directory, "scene.yaml", good, strlen(good));
+    scene_directory_says(&directory, good);
     struct scene scene = scene_directory_read(directory.path, NULL);
     assert_files(&scene.surfaces[0], "a", runs, 2);
     assert_files(&scene.surfaces[1], "b", both, 2);
@@ -311,7 +306,7 @@ static void test_patterns(void **state)
         {"surfaces:\n  - {file: \"r*/run-1.csv\"}\n", "scene.yaml:2: cannot list '"}};
     for (size_t i = 0; i < COUNT(bad); i++) {
         struct status status = {0};
-        scene_directory_write(&directory, "scene.yaml", bad[i][0], strlen(bad[i][0]));
+        scene_directory_says(&directory, bad[i][0]);
         assert_int_equal(scene_read(&scene, directory.path, NULL, &status), STATUS_SCENE);
         assert_non_null(strstr(status.message, bad[i][1]));
         scene_free(&scene);
