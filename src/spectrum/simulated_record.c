@@ -5,10 +5,11 @@
 #include "spectrum/log_bin.h"
 #include "spectrum/multitaper.h"
 #include <assert.h>
+#include <gsl/gsl_fit.h>
 #include <gsl/gsl_randist.h>
 #include <gsl/gsl_rng.h>
+#include <gsl/gsl_statistics_double.h>
 #include <math.h>
-#include <pthread.h>
 #include <stdlib.h>
 
 static const double least_slope = 0, most_slope = 2;
@@ -23,25 +24,20 @@ static enum status_code continue_line(struct continuation *out, const double *sq
                                       struct status *status)
 {
     struct log_bin bin[LOG_BIN_MOST];
+    double x[SLOPE_BINS], y[SLOPE_BINS], middle, slope, covariance[3], residual;
     size_t held = count < SLOPE_HARMONICS ? count : SLOPE_HARMONICS;
     size_t bins = log_bin_fill(bin, square_m2, held, 1, 1, NULL), used = 0;
-    double x = 0, y = 0, xx = 0, xy = 0;
     for (size_t j = 0; j < bins && j < SLOPE_BINS; j++)
         if (isfinite(bin[j].y)) {
-            bin[used++] = bin[j];
-            x += bin[j].x;
-            y += bin[j].y;
+            x[used] = bin[j].x;
+            y[used++] = bin[j].y;
         }
     if (used < 2)
         return status_fail(status, STATUS_SCAN,
                            "the record has too few harmonics of any power to simulate others of it");
-    x /= (double)used;
-    y /= (double)used;
-    for (size_t j = 0; j < used; j++) {
-        xx += (bin[j].x - x) * (bin[j].x - x);
-        xy += (bin[j].x - x) * (bin[j].y - y);
-    }
-    *out = (struct continuation){x, y, fmin(fmax(xy / xx, least_slope), most_slope)};
+    gsl_fit_linear(x, 1, y, 1, used, &middle, &slope, &covariance[0], &covariance[1], &covariance[2], &residual);
+    *out = (struct continuation){gsl_stats_mean(x, 1, used), gsl_stats_mean(y, 1, used),
+                                 fmin(fmax(slope, least_slope), most_slope)};
     return STATUS_OK;
 }
 
@@ -104,72 +100,11 @@ enum status_code simulated_record_prepare(struct simulated_record *out, const do
     return STATUS_OK;
 }
 
-enum { STREAMS = 512, STREAM_LEAST = 256, KEPT_MOST = 1 << 20 /* numbers: 8 MB */ };
-
-/** Standard normal numbers of a seed, from its first on. Every surface's records take the same seeds, and drawing
- * costs more than all else that is done with a short record. */
-static struct stream {
-    double *deviate;
-    size_t count;
-} streams[STREAMS];
-static size_t kept_count;                                    /* of all of them */
-static pthread_rwlock_t keeper = PTHREAD_RWLOCK_INITIALIZER; /* many draw, one lengthens */
-
-/** Makes a stream at least `count` long, if it is not and there is room. */
-static void lengthen(struct stream *stream, unsigned long seed, size_t count)
+enum status_code simulated_record_draw(double *height_m, const struct simulated_record *spectrum, unsigned long seed,
+                                       struct status *status)
 {
-    size_t size = STREAM_LEAST;
-    if (stream->count >= count)
-        return;
-    while (size < count)
-        size *= 2;
-    if (kept_count - stream->count + size > KEPT_MOST)
-        return;
-    double *deviate = malloc(size * sizeof *deviate);
-    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
-    if (deviate && random) {
-        gsl_rng_set(random, seed);
-        for (size_t i = 0; i < size; i++)
-            deviate[i] = gsl_ran_gaussian_ziggurat(random, 1);
-        kept_count += size - stream->count;
-        free(stream->deviate);
-        *stream = (struct stream){deviate, size};
-    } else {
-        free(deviate);
-    }
-    gsl_rng_free(random);
-}
-
-/** Sizes of the waves by the stream; false: it is too short. */
-static bool draw_from(const struct stream *stream, fftw_complex *wave, const struct simulated_record *spectrum,
-                      size_t waves)
-{
-    pthread_rwlock_rdlock(&keeper);
-    bool kept = stream->count >= 2 * waves;
-    for (size_t k = 1; k <= waves && kept; k++)
-        for (size_t part = 0; part < 2; part++)
-            wave[k][part] = spectrum->deviation_m[k] * stream->deviate[2 * (k - 1) + part] / 2;
-    pthread_rwlock_unlock(&keeper);
-    return kept;
-}
-
-/** Sizes of the waves by a stream that is kept; false: it is not. */
-static bool draw_kept(fftw_complex *wave, const struct simulated_record *spectrum, size_t waves, unsigned long seed)
-{
-    if (seed >= STREAMS || waves > KEPT_MOST / 2)
-        return false;
-    if (draw_from(&streams[seed], wave, spectrum, waves))
-        return true;
-    pthread_rwlock_wrlock(&keeper);
-    lengthen(&streams[seed], seed, 2 * waves);
-    pthread_rwlock_unlock(&keeper);
-    return draw_from(&streams[seed], wave, spectrum, waves);
-}
-
-/** The same of any other. Error: STATUS_MEMORY. */
-static enum status_code draw_anew(fftw_complex *wave, const struct simulated_record *spectrum, size_t waves,
-                                  unsigned long seed, struct status *status)
-{
+    size_t longer = spectrum->points * SIMULATED_RECORD_LONGER, waves = longer / 2;
+    fftw_complex *wave = spectrum->wave;
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
     if (!random)
         return status_memory(status);
@@ -178,16 +113,6 @@ static enum status_code draw_anew(fftw_complex *wave, const struct simulated_rec
         for (int part = 0; part < 2; part++)
             wave[k][part] = gsl_ran_gaussian_ziggurat(random, spectrum->deviation_m[k]) / 2;
     gsl_rng_free(random);
-    return STATUS_OK;
-}
-
-enum status_code simulated_record_draw(double *height_m, const struct simulated_record *spectrum, unsigned long seed,
-                                       struct status *status)
-{
-    size_t longer = spectrum->points * SIMULATED_RECORD_LONGER, waves = longer / 2;
-    fftw_complex *wave = spectrum->wave;
-    if (!draw_kept(wave, spectrum, waves, seed) && draw_anew(wave, spectrum, waves, seed, status) != STATUS_OK)
-        return status->code;
     wave[0][0] = wave[0][1] = 0;
     wave[waves][0] *= M_SQRT2; /* the Nyquist wave has half a band, no sine and no mirror image */
     wave[waves][1] = 0;

@@ -128,22 +128,10 @@ static void remove_group(struct ranking_groups *groups, size_t group)
     groups->groups--;
 }
 
-/** Does group a come before b? The one with the first surface that only one of them has. */
-static bool comes_before(const bool *a, const bool *b, size_t surfaces)
+/** The group with the first surface that only one of them has comes first. */
+static int first_surface_first(const void *a, const void *b, void *surfaces)
 {
-    return memcmp(a, b, surfaces * sizeof *a) > 0;
-}
-
-static void sort_groups(struct ranking_groups *groups)
-{
-    size_t row = groups->surfaces;
-    for (size_t g = 1; g < groups->groups; g++)
-        for (size_t h = g; h > 0 && comes_before(groups->member + h * row, groups->member + (h - 1) * row, row); h--)
-            for (size_t i = 0; i < row; i++) {
-                bool swap = groups->member[h * row + i];
-                groups->member[h * row + i] = groups->member[(h - 1) * row + i];
-                groups->member[(h - 1) * row + i] = swap;
-            }
+    return memcmp(b, a, *(const size_t *)surfaces * sizeof(bool));
 }
 
 enum status_code ranking_groups_make(struct ranking_groups *out, const bool *apart, size_t surfaces,
@@ -164,7 +152,8 @@ enum status_code ranking_groups_make(struct ranking_groups *out, const bool *apa
     for (size_t g = out->groups; g-- > 0;)
         if (!needed(out, g))
             remove_group(out, g);
-    sort_groups(out);
+    if (out->groups > 1)
+        qsort_r(out->member, out->groups, surfaces * sizeof(bool), first_surface_first, &out->surfaces);
     return STATUS_OK;
 }
 
