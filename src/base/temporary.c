@@ -16,7 +16,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { TRIES = 100, NAME = 192, PAUSE_US = 200 };
+enum { TRIES = 100, NAME = 192, LETTERS = 6, PAUSE_US = 200 };
 static const double end_seconds = 0.3; /* for what is held, and for the removal; the rest is left to the next run */
 
 /* Of the process, as its end is. */
@@ -30,14 +30,16 @@ static int open_directory(int parent, const char *name)
     return openat(parent, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
 }
 
-/** The name of this very directory: on this machine only, as others do not see its locks everywhere. */
-static void name_of(char out[static NAME], const char *prefix, int directory)
+/** The name of this very directory, which ends as its name so far: on this machine only, as others do not see its locks
+ * everywhere. */
+static void name_of(char out[static NAME], const char *prefix, int directory, const char *so_far)
 {
     struct stat info = {0};
     char host[HOST_NAME_MAX + 1] = "";
     (void)!fstat(directory, &info);
     (void)!gethostname(host, sizeof host - 1);
-    snprintf(out, NAME, "%s%jx-%jx-%s", prefix, (uintmax_t)info.st_ino, (uintmax_t)info.st_dev, host);
+    snprintf(out, NAME, "%s%jx-%jx-%s-%s", prefix, (uintmax_t)info.st_ino, (uintmax_t)info.st_dev, host,
+             so_far + strlen(so_far) - LETTERS);
 }
 
 static void empty(int directory)
@@ -70,7 +72,7 @@ static void clear_stale(int parent, const char *name, const char *prefix, void (
     char own[NAME];
     int directory = open_directory(parent, name);
     if (directory >= 0 && fstat(directory, &info) == 0 && info.st_uid == geteuid() && (info.st_mode & 0777) == 0700) {
-        name_of(own, prefix, directory);
+        name_of(own, prefix, directory, name);
         if (strcmp(name, own) != 0) {
             unlinkat(parent, name, AT_REMOVEDIR); /* killed before it had its name */
         } else if (flock(directory, LOCK_EX | LOCK_NB) == 0 && fstat(directory, &info) == 0 && info.st_nlink > 0) {
@@ -91,7 +93,7 @@ static bool make(struct temporary *out, const char *parent, const char *prefix)
     if (!mkdtemp(out->path))
         return false;
     out->directory = open_directory(AT_FDCWD, out->path);
-    name_of(name, prefix, out->directory);
+    name_of(name, prefix, out->directory, out->path);
     snprintf(named, sizeof named, "%s/%s", parent, name);
     if (out->directory < 0)
         return false;

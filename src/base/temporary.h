@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Directories of the program's own, which go when it is made to end, and those of a killed one with the next. Its name,
- * `roughcontact-INODE-DEVICE-HOST`, says where it was made, so that no archive and no copy is taken for one; it is
- * locked for as long as its process lives. */
+ * `roughcontact-INODE-DEVICE-HOST-XXXXXX`, says where it was made, so that no archive and no copy is taken for one; it
+ * is locked for as long as its process lives. */
 #ifndef BASE_TEMPORARY_H
 #define BASE_TEMPORARY_H
 

@@ -96,20 +96,17 @@ static bool list_entry(void *stream, int folder, const char *name)
     return fprintf(stream, "%s%s\n", prefixes[folder], name) >= 0;
 }
 
-static bool begin_to_write(void *report, int folder, const char *name)
-{
-    int file = openat(((const struct report *)report)->folder[folder], name, O_RDONLY | O_CLOEXEC);
-    if (file >= 0) {
-        sync_file_range(file, 0, 0, SYNC_FILE_RANGE_WRITE);
-        close(file);
-    }
-    return file >= 0;
-}
+struct saving {
+    struct report report;
+    bool wait;
+};
 
-static bool wait_until_written(void *report, int folder, const char *name)
+/** Begins to write a file to the disk, or waits until it is there. */
+static bool save_entry(void *context, int folder, const char *name)
 {
-    int file = openat(((const struct report *)report)->folder[folder], name, O_RDONLY | O_CLOEXEC);
-    bool ok = file >= 0 && fsync(file) == 0;
+    const struct saving *s = context;
+    int file = openat(s->report.folder[folder], name, O_RDONLY | O_CLOEXEC);
+    bool ok = file >= 0 && (s->wait ? fsync(file) : (sync_file_range(file, 0, 0, SYNC_FILE_RANGE_WRITE), 0)) == 0;
     if (file >= 0)
         close(file);
     return ok;
@@ -118,20 +115,21 @@ static bool wait_until_written(void *report, int folder, const char *name)
 /** Writes the manifest of all that lies in the report, itself included, and waits until the disk has it all. */
 static bool finish_report(const char *path)
 {
-    struct report report;
+    struct saving s = {.wait = false};
     int made = -1;
-    if (open_report(&report, AT_FDCWD, path))
-        made = openat(report.folder[0], OUTPUT_MANIFEST, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (open_report(&s.report, AT_FDCWD, path))
+        made = openat(s.report.folder[0], OUTPUT_MANIFEST, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     FILE *stream = made >= 0 ? fdopen(made, "w") : NULL;
-    bool ok = stream && fputs(OUTPUT_MANIFEST_HEADER, stream) >= 0 && visit_all(&report, list_entry, stream) &&
-              fflush(stream) == 0 && visit_all(&report, begin_to_write, &report) &&
-              visit_all(&report, wait_until_written, &report);
+    bool ok = stream && fputs(OUTPUT_MANIFEST_HEADER, stream) >= 0 && visit_all(&s.report, list_entry, stream) &&
+              fflush(stream) == 0 && visit_all(&s.report, save_entry, &s);
+    s.wait = true; /* once all are on their way */
+    ok = ok && visit_all(&s.report, save_entry, &s);
     for (int i = 0; i < FOLDERS && ok; i++)
-        (void)!fsync(report.folder[i]); /* which not every file system can */
+        (void)!fsync(s.report.folder[i]); /* which not every file system can */
     int reason = errno;
     if (stream)
         fclose(stream);
-    close_report(&report);
+    close_report(&s.report);
     errno = reason;
     return ok;
 }
@@ -403,7 +401,7 @@ static enum status_code exchange(const struct output *out, const char *kept, str
 enum status_code output_commit(struct output *out, struct status *status)
 {
     char kept[PATH_MAX], done[PATH_MAX];
-    snprintf(kept, sizeof kept, "%.*s.kept-%ld", PATH_MAX - 32, out->target, (long)getpid());
+    snprintf(kept, sizeof kept, "%.*s.kept%s", PATH_MAX - 16, out->target, strrchr(out->hidden.path, '-'));
     snprintf(done, sizeof done, "%.*s/done", PATH_MAX - 16, out->hidden.path);
     if (!finish_report(out->staging) || rename(out->staging, done) != 0)
         return status_fail(status, STATUS_IO, "cannot put the report at '%s': %s", out->target, status_reason(errno));

@@ -30,7 +30,7 @@ MUST_CHECK enum status_code output_begin(struct output *out, const char *target,
  * modes and extended attributes, puts it in place in one step and removes of the one before what its manifest names.
  * The user's files are in both meanwhile, as hard links, so that none is lost at any instant. Error: STATUS_IO; then
  * the earlier report still stands. The one exception: what came to OUT in the instant of the exchange is left in
- * OUT.kept-PROCESS; the message names it. */
+ * OUT.kept-XXXXXX; the message names it. */
 MUST_CHECK enum status_code output_commit(struct output *out, struct status *status);
 
 /** For temporary_make(): takes out what a killed run has left in its hidden directory, of which nothing comes to OUT.

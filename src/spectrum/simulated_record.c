@@ -56,15 +56,11 @@ static double square_at(double n, const double *square_m2, size_t count, const s
     return low * pow(high / low, log(n / (double)before) / log1p(1 / (double)before));
 }
 
-/** What is not as it has to be to draw from. */
-static enum status_code check(struct continuation *below, const double *square_m2, size_t count, struct status *status)
+/** Checks the squares, and finds how they go on below the first harmonics. */
+static enum status_code begin(struct continuation *below, const double *square_m2, size_t count, struct status *status)
 {
-    for (size_t i = 0; i < count; i++)
-        if (!(square_m2[i] >= 0) || !isfinite(square_m2[i]))
-            return status_fail(status, STATUS_SCAN,
-                               "the squared amplitude of harmonic %zu is %g; it must be finite and "
-                               "not negative",
-                               i + 1, square_m2[i]);
+    if (log_bin_check(square_m2, count, status) != STATUS_OK)
+        return status->code;
     return continue_line(below, square_m2, count, status);
 }
 
@@ -73,7 +69,7 @@ bool simulated_record_possible(const double *square_m2, size_t points)
     struct continuation below;
     struct status none = {0};
     return points >= SIMULATED_RECORD_LEAST_POINTS &&
-           check(&below, square_m2, multitaper_count(points), &none) == STATUS_OK;
+           begin(&below, square_m2, multitaper_count(points), &none) == STATUS_OK;
 }
 
 enum status_code simulated_record_prepare(struct simulated_record *out, const double *square_m2, size_t points,
@@ -83,7 +79,7 @@ enum status_code simulated_record_prepare(struct simulated_record *out, const do
     size_t count = multitaper_count(points), waves = points * SIMULATED_RECORD_LONGER / 2;
     struct continuation below;
     *out = (struct simulated_record){.points = points};
-    if (check(&below, square_m2, count, status) != STATUS_OK)
+    if (begin(&below, square_m2, count, status) != STATUS_OK)
         return status->code;
     out->deviation_m = calloc(waves + 1, sizeof *out->deviation_m);
     out->record = fftw_alloc_real(2 * waves);
