@@ -134,22 +134,16 @@ enum status_code temporary_make(struct temporary *out, const char *parent, void 
     return status_fail(status, STATUS_IO, "cannot make a directory in '%s': %s", parent, strerror(errno));
 }
 
-void temporary_forget(struct temporary *temporary)
-{
-    temporary_hold();
-    for (struct temporary **one = &all; *one; one = *one ? &(*one)->next : one)
-        if (*one == temporary)
-            *one = temporary->next;
-    temporary_release();
-}
-
 void temporary_close(struct temporary *temporary)
 {
     temporary_hold();
     rmdir(temporary->path);
     if (temporary->directory >= 0)
         close(temporary->directory); /* last: while it is locked nobody else removes it */
-    temporary_forget(temporary);
+    struct temporary **one = &all;
+    while (*one != temporary)
+        one = &(*one)->next;
+    *one = temporary->next;
     *temporary = (struct temporary){.directory = -1};
     temporary_release();
 }

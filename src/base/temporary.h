@@ -19,9 +19,7 @@ struct temporary {
  * then go if they are empty, else lose the dot that hides them. Error: STATUS_IO. */
 MUST_CHECK enum status_code temporary_make(struct temporary *out, const char *parent, void (*clear)(int directory),
                                            struct status *status);
-/** From here on it stays when the program is made to end. */
-void temporary_forget(struct temporary *temporary);
-/** Removes it if nothing is in it. */
+/** Removes it if nothing is in it; else it stays, also when the program is made to end. */
 void temporary_close(struct temporary *temporary);
 /** Removes it with all in it. */
 void temporary_remove(struct temporary *temporary);

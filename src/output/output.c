@@ -411,7 +411,6 @@ enum status_code output_commit(struct output *out, struct status *status)
     temporary_hold(); /* a signal comes before it or after */
     if (exchange(out, kept, status) == STATUS_OK) {
         note("the report is in ", out, "");
-        temporary_forget(&out->hidden); /* what may be left there is the user's */
         out->staging[0] = '\0';
         if (!clear_before(out->hidden.directory))
             (void)status_fail(status, STATUS_IO,

@@ -70,11 +70,9 @@ struct roughness roughness_of_points(const double *x_m, const double *height_m, 
 
 void roughness_from_spectrum(struct roughness *roughness, const struct spectrum *spectrum)
 {
-    double moments[SPECTRUM_MOMENTS];
-    spectrum_moments(moments, spectrum);
-    roughness->m0_m2 = moments[0];
-    roughness->m2 = moments[1];
-    roughness->m4_per_m2 = moments[2];
+    roughness->m0_m2 = spectrum_moment(spectrum, 0);
+    roughness->m2 = spectrum_moment(spectrum, 1);
+    roughness->m4_per_m2 = spectrum_moment(spectrum, 2);
 }
 
 void roughness_average(struct roughness *mean, const struct roughness *other, size_t so_far)

@@ -119,22 +119,14 @@ double spectrum_power(const struct spectrum *spectrum, size_t i)
     return spectrum->has_nyquist && i + 1 == spectrum->count ? square : square / 2;
 }
 
-void spectrum_moments(double moment[SPECTRUM_MOMENTS], const struct spectrum *spectrum)
-{
-    moment[0] = moment[1] = moment[2] = 0;
-    for (size_t i = 0; i < spectrum->count; i++) {
-        double wave_number = 2 * M_PI * spectrum_frequency(spectrum, i), square = wave_number * wave_number;
-        double power_m2 = spectrum_power(spectrum, i);
-        moment[0] += power_m2;
-        moment[1] += square * power_m2;
-        moment[2] += square * square * power_m2;
-    }
-}
-
 double spectrum_moment(const struct spectrum *spectrum, int k)
 {
-    double moment[SPECTRUM_MOMENTS];
-    assert(k >= 0 && k < SPECTRUM_MOMENTS);
-    spectrum_moments(moment, spectrum);
-    return moment[k];
+    double moment = 0;
+    for (size_t i = 0; i < spectrum->count; i++) {
+        double wave_number = 2 * M_PI * spectrum_frequency(spectrum, i), weight = 1;
+        for (int j = 0; j < k; j++)
+            weight *= wave_number * wave_number;
+        moment += weight * spectrum_power(spectrum, i);
+    }
+    return moment;
 }

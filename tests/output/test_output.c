@@ -29,6 +29,24 @@ static int place_teardown(void **state)
     return 0;
 }
 
+static pid_t divide(void)
+{
+    pid_t child = fork();
+    assert_true(child >= 0);
+    return child;
+}
+
+/* Waits for a process that exits with 0, or 77 for what is not possible here. */
+static void expect_done(pid_t child)
+{
+    int how;
+    assert_int_equal(waitpid(child, &how, 0), child);
+    assert_true(WIFEXITED(how));
+    if (WEXITSTATUS(how) == 77)
+        skip();
+    assert_int_equal(WEXITSTATUS(how), 0);
+}
+
 static void begin(struct output *output, const struct directory *place, const char *target)
 {
     struct status status = {0};
@@ -448,8 +466,7 @@ static bool commit_stepwise(struct output *output, unsigned without, size_t step
                             int *code)
 {
     int state;
-    pid_t child = fork();
-    assert_true(child >= 0);
+    pid_t child = divide();
     if (child == 0) {
         struct status status = {0};
         if (ptrace(PTRACE_TRACEME, 0, NULL, NULL) != 0)
@@ -499,8 +516,7 @@ static void assert_whole_report(const struct directory *place)
 /* As if this process had been killed, which holds its locks too. */
 static void leave(struct output *output)
 {
-    temporary_forget(&output->hidden);
-    close(output->hidden.directory);
+    temporary_close(&output->hidden); /* as it is not empty it stays */
 }
 
 /* The one entry whose name begins so; false: there is none. */
@@ -671,8 +687,7 @@ static void test_what_comes_at_any_instant_is_not_lost(void **state)
 static int publish_without(const struct directory *place, unsigned call, unsigned reason)
 {
     int state;
-    pid_t child = fork();
-    assert_true(child >= 0);
+    pid_t child = divide();
     if (child == 0) {
         struct output output;
         struct status status = {0};
@@ -789,8 +804,7 @@ static void test_a_commit_that_fails_keeps_what_stands_there(void **state)
 /* Runs act() in a process of its own and kills it there. */
 static void kill_after(void (*act)(const struct directory *place), const struct directory *place)
 {
-    pid_t child = fork();
-    assert_true(child >= 0);
+    pid_t child = divide();
     if (child == 0) {
         act(place);
         raise(SIGKILL);
@@ -848,15 +862,12 @@ static void test_what_a_living_run_makes_stays(void **state)
     fill(&output, "two");
     publish(place, "out", "one"); /* in the same process: each run locks its own */
     publish(place, "other", "one");
-    int code;
-    pid_t child = fork();
-    assert_true(child >= 0);
+    pid_t child = divide();
     if (child == 0) {
         publish(place, "third", "one");
         _exit(0);
     }
-    assert_int_equal(waitpid(child, &code, 0), child);
-    assert_int_equal(code, 0);
+    expect_done(child);
     assert_int_equal(directory_entries(place, ""), 4);
     commit(&output);
     assert_report(place, "out", "two");
@@ -953,8 +964,7 @@ static void test_runs_side_by_side_do_not_disturb_each_other(void **state)
     const struct directory *place = *state;
     pid_t children[RUNS];
     for (int k = 0; k < RUNS; k++) {
-        children[k] = fork();
-        assert_true(children[k] >= 0);
+        children[k] = divide();
         if (children[k] == 0) {
             char name[2] = {(char)('a' + k)};
             for (int i = 0; i < TIMES; i++) {
@@ -972,9 +982,7 @@ static void test_runs_side_by_side_do_not_disturb_each_other(void **state)
         }
     }
     for (int k = 0; k < RUNS; k++) {
-        int code;
-        assert_int_equal(waitpid(children[k], &code, 0), children[k]);
-        assert_int_equal(code, 0);
+        expect_done(children[k]);
     }
     assert_int_equal(directory_entries(place, ""), RUNS);
     for (int k = 0; k < RUNS; k++) {
@@ -1009,9 +1017,7 @@ static void test_a_directory_mounted_elsewhere_is_refused(void **state)
     publish(place, "out", "one");
     publish(place, "other", "one");
     for (size_t i = 0; i < sizeof mounts / sizeof *mounts; i++) {
-        int how;
-        pid_t child = fork();
-        assert_true(child >= 0);
+        pid_t child = divide();
         if (child == 0) { /* which sees the mount alone */
             if (unshare(CLONE_NEWNS) != 0 || mount("none", "/", NULL, MS_REC | MS_PRIVATE, NULL) != 0 ||
                 mount(directory_path(place, i == 0 ? "other" : "other/data"), directory_path(place, mounts[i]), NULL,
@@ -1020,11 +1026,7 @@ static void test_a_directory_mounted_elsewhere_is_refused(void **state)
             assert_refused(place, "out", "is a mount point, which a report cannot take the place of");
             _exit(0);
         }
-        assert_int_equal(waitpid(child, &how, 0), child);
-        assert_true(WIFEXITED(how));
-        if (WEXITSTATUS(how) == 77)
-            skip();
-        assert_int_equal(WEXITSTATUS(how), 0);
+        expect_done(child);
     }
 }
 
@@ -1082,9 +1084,7 @@ static void test_a_full_disk_leaves_the_report_before(void **state)
 {
     enum { MOST = 60 };
     const struct directory *place = *state;
-    int how;
-    pid_t child = fork();
-    assert_true(child >= 0);
+    pid_t child = divide();
     if (child == 0) { /* which sees the disk alone */
         size_t refused = 0, written = 0;
         if (unshare(CLONE_NEWNS) != 0 || mount("none", "/", NULL, MS_REC | MS_PRIVATE, NULL) != 0)
@@ -1127,11 +1127,7 @@ static void test_a_full_disk_leaves_the_report_before(void **state)
         }
         _exit(refused > 8 && written > 8 ? 0 : 79);
     }
-    assert_int_equal(waitpid(child, &how, 0), child);
-    assert_true(WIFEXITED(how));
-    if (WEXITSTATUS(how) == 77)
-        skip(); /* nothing may be mounted here */
-    assert_int_equal(WEXITSTATUS(how), 0);
+    expect_done(child);
 }
 
 /* Calls that fail from the beginning, with the report before in place. */
@@ -1164,7 +1160,6 @@ static void test_what_others_own_is_refused(void **state)
 {
     enum { NOBODY = 65534 };
     const struct directory *place = *state;
-    int how;
     if (geteuid() != 0)
         skip();
     publish(place, "sticky/out", "one");
@@ -1179,8 +1174,7 @@ static void test_what_others_own_is_refused(void **state)
     assert_int_equal(chmod(directory_path(place, "open"), 0777), 0);
     assert_int_equal(chmod(place->path, 0755), 0);
     kill_after(only_begin_sticky, place); /* is root's: stays */
-    pid_t child = fork();
-    assert_true(child >= 0);
+    pid_t child = divide();
     if (child == 0) {
         if (setgid(NOBODY) != 0 || setuid(NOBODY) != 0)
             _exit(77);
@@ -1191,11 +1185,7 @@ static void test_what_others_own_is_refused(void **state)
         publish(place, "sticky/new", "one");
         _exit(directory_entries(place, "sticky") == 3 ? 0 : 78);
     }
-    assert_int_equal(waitpid(child, &how, 0), child);
-    assert_true(WIFEXITED(how));
-    if (WEXITSTATUS(how) == 77)
-        skip();
-    assert_int_equal(WEXITSTATUS(how), 0);
+    expect_done(child);
     publish(place, "sticky/new", "two"); /* what root left, root removes */
     assert_int_equal(directory_entries(place, "sticky"), 2);
 }
@@ -1227,8 +1217,7 @@ static void test_runs_into_one_out(void **state)
     publish(place, "out", "one");
     write_users_files(place, "out", FEW);
     for (int k = 0; k < RUNS; k++) {
-        children[k] = fork();
-        assert_true(children[k] >= 0);
+        children[k] = divide();
         if (children[k] == 0) {
             for (int i = 0; i < TIMES; i++) {
                 struct output output;
@@ -1243,9 +1232,7 @@ static void test_runs_into_one_out(void **state)
         }
     }
     for (int k = 0; k < RUNS; k++) {
-        int code;
-        assert_int_equal(waitpid(children[k], &code, 0), children[k]);
-        assert_int_equal(code, 0);
+        expect_done(children[k]);
     }
     assert_whole_report(place);
     for (size_t k = 0; k < FEW; k++)
@@ -1263,19 +1250,16 @@ static void test_what_is_committed_is_forgotten(void **state)
     struct output output;
     begin(&output, place, "out");
     char path[PATH_MAX];
-    int how;
     fill(&output, "one");
     strcpy(path, output.hidden.path);
     commit(&output);
     assert_int_equal(mkdir(path, 0700), 0);
-    pid_t child = fork();
-    assert_true(child >= 0);
+    pid_t child = divide();
     if (child == 0) {
         const char *said = temporary_end();
         _exit(strstr(said, "the report is in '") && strstr(said, "/out'") ? 0 : 1);
     }
-    assert_int_equal(waitpid(child, &how, 0), child);
-    assert_int_equal(how, 0);
+    expect_done(child);
     assert_int_equal(access(path, F_OK), 0);
     assert_int_equal(rmdir(path), 0);
 
@@ -1287,8 +1271,7 @@ static void test_what_is_committed_is_forgotten(void **state)
         const char *said = temporary_end();
         _exit(strstr(said, "/out' is as it was before") ? 0 : 1);
     }
-    assert_int_equal(waitpid(child, &how, 0), child);
-    assert_int_equal(how, 0);
+    expect_done(child);
     assert_int_equal(access(output.hidden.path, F_OK), -1);
     output_abandon(&output);
     assert_report(place, "out", "one");
