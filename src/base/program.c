@@ -4,7 +4,6 @@
 
 #include <errno.h>
 #include <poll.h>
-#include <pthread.h>
 #include <signal.h>
 #include <stdatomic.h>
 #include <stdio.h>
@@ -17,12 +16,9 @@
 
 extern char **environ;
 
-enum { MOST = 256, PAUSE_MS = 2 };
-static const double last_seconds = 0.2; /* for a killed program to be gone */
+enum { PAUSE_MS = 2 };
 
 static atomic_bool stop;
-static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER; /* guards: */
-static pid_t running[MOST];                              /* those not yet waited for, whose ids are thus theirs */
 
 bool program_find(char *out, size_t size, const char *name)
 {
@@ -89,22 +85,17 @@ static char **environment_of(const struct program_task *task)
 int program_start(pid_t *process, const struct program_task *task)
 {
     volatile int error = 0;
-    char **environment = environment_of(task);
     sigset_t all, before;
-    size_t place = 0;
+    char **environment = environment_of(task);
     if (!environment)
         return ENOMEM;
     *process = -1;
     sigfillset(&all);
     pthread_sigmask(SIG_SETMASK, &all, &before); /* no handler of ours may run in the child */
-    pthread_mutex_lock(&lock);
-    while (place < MOST && running[place])
-        place++;
-    if (stop || place == MOST)
-        error = stop ? ECANCELED : EAGAIN;
-    else if ((*process = divide(task, environment, &error)) > 0)
-        running[place] = *process;
-    pthread_mutex_unlock(&lock);
+    if (stop)
+        error = ECANCELED;
+    else
+        *process = divide(task, environment, &error);
     pthread_sigmask(SIG_SETMASK, &before, NULL);
     free(environment);
     if (error && *process > 0)
@@ -134,39 +125,12 @@ enum program_state program_wait(pid_t process, double until, int descriptor)
     }
 }
 
-/** It, and all that it may have left running. */
-static void kill_all_of(pid_t process)
-{
-    kill(-process, SIGKILL);
-    kill(process, SIGKILL);
-}
-
 int program_end(pid_t process)
 {
-    siginfo_t info;
     int how = 0;
-    kill_all_of(process);
-    while (waitid(P_PID, (id_t)process, &info, WEXITED | WNOWAIT) != 0 && errno == EINTR)
-        ;
-    pthread_mutex_lock(&lock); /* from here on its id may be another's */
-    for (size_t i = 0; i < MOST; i++)
-        if (running[i] == process)
-            running[i] = 0;
+    kill(-process, SIGKILL); /* all that it may have left running */
+    kill(process, SIGKILL);
     while (waitpid(process, &how, 0) < 0 && errno == EINTR)
         ;
-    pthread_mutex_unlock(&lock);
     return how;
-}
-
-void program_kill(void)
-{
-    double until = clock_seconds() + last_seconds;
-    pthread_mutex_lock(&lock);
-    for (size_t i = 0; i < MOST; i++)
-        if (running[i])
-            kill_all_of(running[i]);
-    for (size_t i = 0; i < MOST; i++)
-        while (running[i] && !has_ended(running[i]) && clock_seconds() < until)
-            poll(NULL, 0, PAUSE_MS);
-    pthread_mutex_unlock(&lock);
 }

@@ -37,7 +37,5 @@ int program_end(pid_t process);
 
 /** Asks every program that runs to stop, and those to come. */
 void program_stop(void);
-/** Kills every program that runs, at once, and waits a moment for them to be gone. After program_stop(). */
-void program_kill(void);
 
 #endif

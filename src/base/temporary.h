@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Directories of the program's own, which go when it is made to end, and those of a killed one with the next. One is
- * known by the file `lock-INODE-DEVICE-` in it, locked for as long as its process lives: as it names the directory
- * itself, no archive and no copy can bring one along. */
+/* Directories of the program's own, which go when it is made to end, and those of a killed one with the next. Its name,
+ * `roughcontact-INODE-DEVICE-HOST-XXXXXX`, says where it was made, so that no archive and no copy is taken for one; it
+ * is locked for as long as its process lives. */
 #ifndef BASE_TEMPORARY_H
 #define BASE_TEMPORARY_H
 
@@ -10,18 +10,16 @@
 
 struct temporary {
     char path[PATH_MAX];    /* "": none */
-    int directory, lock;    /* descriptors */
+    int directory;          /* its descriptor, which holds the lock */
     struct temporary *next; /* of those that go when the program is made to end */
 };
 
-/** Makes one of mode 0700, `roughcontact-XXXXXX` in TMPDIR or the hidden `.roughcontact-XXXXXX` in `parent`; it is not
- * to be moved in memory. Before, clear() takes out what processes of this user that are no more have left in theirs
- * (NULL: all goes), which then go if they are empty, else lose the dot that hides them. Error: STATUS_IO. */
+/** Makes one of mode 0700 in TMPDIR or, with a dot before its name, in `parent`; it is not to be moved in memory.
+ * Before, clear() takes out what processes of this user that are no more have left in theirs (NULL: all goes), which
+ * then go if they are empty, else lose the dot that hides them. Error: STATUS_IO. */
 MUST_CHECK enum status_code temporary_make(struct temporary *out, const char *parent, void (*clear)(int directory),
                                            struct status *status);
-/** From here on it stays when the program is made to end. */
-void temporary_forget(struct temporary *temporary);
-/** Removes its lock and, if nothing else is in it, the directory: what stays is no longer the program's. */
+/** Removes it if nothing is in it; else it stays, also when the program is made to end. */
 void temporary_close(struct temporary *temporary);
 /** Removes it with all in it. */
 void temporary_remove(struct temporary *temporary);

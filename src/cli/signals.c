@@ -13,7 +13,6 @@
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <sys/resource.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -59,7 +58,6 @@ _Noreturn static void end_by_signal(void)
     sigset_t signals;
     pthread_mutex_lock(&ending);
     signal(SIGPIPE, SIG_IGN);
-    program_kill();
     tell(temporary_end());
     signal(taken, SIG_DFL);
     sigemptyset(&signals);
@@ -105,26 +103,12 @@ static void open_standard_streams(void)
             (void)!open("/dev/null", fd == STDOUT_FILENO ? O_RDONLY : O_WRONLY); /* the wrong way: use is an error */
 }
 
-/** `ulimit -s 64` is enough for this program, perhaps not for those that it starts, which inherit it from here. */
-static void give_stack(void)
-{
-    enum { USUAL_BYTES = 8 << 20 };
-    struct rlimit limit;
-    if (getrlimit(RLIMIT_STACK, &limit) != 0 || limit.rlim_cur >= USUAL_BYTES)
-        return;
-    struct rlimit usual = {USUAL_BYTES, limit.rlim_max > USUAL_BYTES ? limit.rlim_max : USUAL_BYTES};
-    limit.rlim_cur = limit.rlim_max;
-    if (setrlimit(RLIMIT_STACK, &usual) != 0)
-        (void)setrlimit(RLIMIT_STACK, &limit);
-}
-
 int signals_run(int (*body)(int argc, char **argv), int argc, char **argv)
 {
     struct program program = {body, argc, argv};
     pthread_t thread;
     sigset_t signals = ending_signals();
     open_standard_streams();
-    give_stack();
     signal(SIGXFSZ, SIG_IGN); /* write() then says EFBIG */
     signal(SIGCHLD, SIG_DFL); /* ignored, it would take away how programs end, and their ids while they are in use */
     pthread_sigmask(SIG_BLOCK, &signals, NULL);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output/output.h"
 
-#include "output/manifest.h"
+#include <assert.h>
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -13,99 +13,219 @@
 #include <sys/xattr.h>
 #include <unistd.h>
 
-/* The report before, and what of it is not the program's, once the new one is in its place. */
-struct clearing {
-    int hidden;              /* the directory around it */
-    struct folders old, new; /* the report before; the new one, of which a later run knows nothing */
-    struct names listed;     /* what the manifest of the former names */
+enum { FOLDERS = 3, LARGEST_MANIFEST = 1 << 20 }; /* bytes; a larger one is none of ours */
+static const char *const folder_names[FOLDERS] = {".", "data", "figures"};
+static const char *const prefixes[FOLDERS] = {"", "data/", "figures/"};
+
+/** A report's directories, open: itself, data and figures; -1: none. What fails below leaves errno. */
+struct report {
+    int folder[FOLDERS];
 };
 
-/** Removes an entry of the report before when it is the program's or in the new report too; else it came there during
- * the exchange, and is moved to the new one, in the place of nothing. False: it stays. Files that are not listed are
- * looked at as `aside`, where nobody replaces them meanwhile. */
-static bool clear_entry(const struct clearing *c, const char *name)
+static int open_directory(int parent, const char *name)
 {
-    static const char aside[] = "aside";
-    struct stat before, after;
-    const char *base;
-    int to = folders_in(&c->new, name, &base), from = folders_in(&c->old, name, &base);
-    bool listed = names_have(&c->listed, name);
-    if (fstatat(from, base, &before, AT_SYMLINK_NOFOLLOW) != 0)
-        return true;
-    if (listed && S_ISREG(before.st_mode))
-        return unlinkat(from, base, 0) == 0;
-    if (c->new.at[0] < 0) /* the other name of a file of the user's */
-        return !S_ISDIR(before.st_mode) && before.st_nlink > 1 && unlinkat(from, base, 0) == 0;
-    if (S_ISDIR(before.st_mode))
-        return renameat(from, base, to, base) == 0;
-    if (renameat(from, base, c->hidden, aside) != 0 || fstatat(c->hidden, aside, &before, AT_SYMLINK_NOFOLLOW) != 0)
-        return errno == ENOENT;
-    bool both = fstatat(to, base, &after, AT_SYMLINK_NOFOLLOW) == 0 && before.st_dev == after.st_dev &&
-                before.st_ino == after.st_ino;
-    if (both || linkat(c->hidden, aside, to, base, 0) == 0)
-        return unlinkat(c->hidden, aside, 0) == 0;
-    (void)!renameat2(c->hidden, aside, from, base, RENAME_NOREPLACE);
-    return false;
+    return openat(parent, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
 }
 
-/** Removes the report before, `done` in the hidden directory, its manifest last: killed halfway, the next run still has
- * it. False when something has to stay. Without a `target`: what a killed run has left, none of which comes to OUT. */
-static bool clear_before(int hidden, const char *target)
+/** Opens the report `path` in the open directory `parent`, through no link. To be closed whatever comes back. */
+static bool open_report(struct report *out, int parent, const char *path)
 {
-    enum { PASSES = 3 }; /* a file may come between the list and the end of its directory */
-    struct clearing c = {.hidden = hidden, .new = {{-1, -1, -1}}};
-    bool gone = false, ok;
-    if (!folders_open(&c.old, hidden, "done"))
-        return errno == ENOENT;
-    ok = (!target || folders_open(&c.new, AT_FDCWD, target)) && names_read(&c.listed, &c.old);
-    for (int pass = 0; pass < PASSES && ok && !gone; pass++) {
-        struct names names = {0};
-        ok = names_list(&names, &c.old);
-        for (size_t i = 0; i < names.count && ok; i++)
-            ok = strcmp(names.at[i], MANIFEST_NAME) == 0 || clear_entry(&c, names.at[i]);
-        for (int i = 1; i < FOLDERS && ok; i++)
-            unlinkat(c.old.at[0], folder_names[i], AT_REMOVEDIR);
-        gone = ok && clear_entry(&c, MANIFEST_NAME) && unlinkat(hidden, "done", AT_REMOVEDIR) == 0;
-        names_free(&names);
+    *out = (struct report){{open_directory(parent, path), -1, -1}};
+    for (int i = 1; i < FOLDERS && out->folder[0] >= 0; i++)
+        out->folder[i] = open_directory(out->folder[0], folder_names[i]);
+    return out->folder[0] >= 0;
+}
+
+static void close_report(const struct report *report)
+{
+    for (int i = 0; i < FOLDERS; i++)
+        if (report->folder[i] >= 0)
+            close(report->folder[i]);
+}
+
+/** Visits all that lies in the folders, but themselves, in order of names, until one visit fails. */
+static bool visit_all(const struct report *report, bool (*visit)(void *context, int folder, const char *name),
+                      void *context)
+{
+    bool ok = true;
+    for (int i = 0; i < FOLDERS; i++) {
+        struct dirent **entry = NULL;
+        int count = ok && report->folder[i] >= 0 ? scandirat(report->folder[i], ".", &entry, NULL, versionsort) : 0;
+        ok = ok && count >= 0;
+        for (int k = 0; k < count; k++) {
+            const char *name = entry[k]->d_name;
+            bool passed = strcmp(name, ".") == 0 || strcmp(name, "..") == 0;
+            for (int f = 1; f < FOLDERS && i == 0; f++)
+                passed |= report->folder[f] >= 0 && strcmp(name, folder_names[f]) == 0;
+            ok = ok && (passed || visit(context, i, name));
+            free(entry[k]);
+        }
+        free(entry);
     }
-    names_free(&c.listed);
-    folders_close(&c.old);
-    folders_close(&c.new);
-    return gone;
+    return ok;
+}
+
+/** The manifest in a report, "" where it has none or one that is not the program's. NULL: cannot be read. */
+static char *read_manifest(const struct report *report)
+{
+    struct stat info;
+    int file = openat(report->folder[0], OUTPUT_MANIFEST, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    bool ours = file >= 0 && fstat(file, &info) == 0 && S_ISREG(info.st_mode) && info.st_size <= LARGEST_MANIFEST;
+    char *text = calloc(1, ours ? (size_t)info.st_size + 1 : 1);
+    if (text && ours && read(file, text, (size_t)info.st_size) != info.st_size) {
+        free(text);
+        text = NULL;
+    }
+    if (text && strncmp(text, OUTPUT_MANIFEST_HEADER, strlen(OUTPUT_MANIFEST_HEADER)) != 0)
+        *text = '\0';
+    if (file >= 0)
+        close(file);
+    return text;
+}
+
+static bool is_listed(const char *manifest, int folder, const char *name)
+{
+    char line[NAME_MAX + 16];
+    snprintf(line, sizeof line, "\n%s%s\n", prefixes[folder], name);
+    return !strchr(name, '\n') && strstr(manifest, line);
+}
+
+static bool list_entry(void *stream, int folder, const char *name)
+{
+    assert(!strchr(name, '\n'));
+    return fprintf(stream, "%s%s\n", prefixes[folder], name) >= 0;
+}
+
+struct saving {
+    struct report report;
+    bool wait;
+};
+
+/** Begins to write a file to the disk, or waits until it is there. */
+static bool save_entry(void *context, int folder, const char *name)
+{
+    const struct saving *s = context;
+    int file = openat(s->report.folder[folder], name, O_RDONLY | O_CLOEXEC);
+    bool ok = file >= 0 && (s->wait ? fsync(file) : (sync_file_range(file, 0, 0, SYNC_FILE_RANGE_WRITE), 0)) == 0;
+    if (file >= 0)
+        close(file);
+    return ok;
+}
+
+/** Writes the manifest of all that lies in the report, itself included, and waits until the disk has it all. */
+static bool finish_report(const char *path)
+{
+    struct saving s = {.wait = false};
+    int made = -1;
+    if (open_report(&s.report, AT_FDCWD, path))
+        made = openat(s.report.folder[0], OUTPUT_MANIFEST, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    FILE *stream = made >= 0 ? fdopen(made, "w") : NULL;
+    bool ok = stream && fputs(OUTPUT_MANIFEST_HEADER, stream) >= 0 && visit_all(&s.report, list_entry, stream) &&
+              fflush(stream) == 0 && visit_all(&s.report, save_entry, &s);
+    s.wait = true; /* once all are on their way */
+    ok = ok && visit_all(&s.report, save_entry, &s);
+    for (int i = 0; i < FOLDERS && ok; i++)
+        (void)!fsync(s.report.folder[i]); /* which not every file system can */
+    int reason = errno;
+    if (stream)
+        fclose(stream);
+    close_report(&s.report);
+    errno = reason;
+    return ok;
+}
+
+/** The report before, out of its place, in the hidden directory. */
+struct clearing {
+    int hidden;
+    struct report old;
+    char *listed; /* its manifest */
+};
+
+/** Removes a file of which there is another hard link. */
+static bool remove_link(int directory, const char *name)
+{
+    struct stat info;
+    return fstatat(directory, name, &info, AT_SYMLINK_NOFOLLOW) == 0 && !S_ISDIR(info.st_mode) && info.st_nlink > 1 &&
+           unlinkat(directory, name, 0) == 0;
+}
+
+/** Removes an entry of the report before that is the program's, or is in the new report too, and leaves what came there
+ * during the exchange. It is looked at as `aside`, where nobody replaces it meanwhile. False: it cannot be put back. */
+static bool clear_entry(void *context, int folder, const char *name)
+{
+    static const char aside[] = "aside";
+    const struct clearing *c = context;
+    struct stat info;
+    int from = c->old.folder[folder];
+    bool manifest = folder == 0 && strcmp(name, OUTPUT_MANIFEST) == 0; /* goes last */
+    if (manifest || fstatat(from, name, &info, AT_SYMLINK_NOFOLLOW) != 0 || S_ISDIR(info.st_mode))
+        return true;
+    if (S_ISREG(info.st_mode) && is_listed(c->listed, folder, name))
+        return unlinkat(from, name, 0) == 0;
+    return renameat(from, name, c->hidden, aside) != 0 || remove_link(c->hidden, aside) ||
+           renameat2(c->hidden, aside, from, name, RENAME_NOREPLACE) == 0;
+}
+
+/** Removes the report before, `done` in the hidden directory. False: something has to stay. Killed halfway, the next
+ * run goes on with it, as the manifest goes last. */
+static bool clear_before(int hidden)
+{
+    struct clearing c = {.hidden = hidden};
+    if (!open_report(&c.old, hidden, "done"))
+        return errno == ENOENT;
+    c.listed = read_manifest(&c.old);
+    bool ok = c.listed && visit_all(&c.old, clear_entry, &c);
+    for (int i = 1; i < FOLDERS && ok; i++)
+        unlinkat(c.old.folder[0], folder_names[i], AT_REMOVEDIR);
+    if (ok && is_listed(c.listed, 0, OUTPUT_MANIFEST))
+        unlinkat(c.old.folder[0], OUTPUT_MANIFEST, 0);
+    free(c.listed);
+    close_report(&c.old);
+    return ok && unlinkat(hidden, "done", AT_REMOVEDIR) == 0;
 }
 
 void output_clear(int hidden)
 {
-    const struct clearing rest = {.hidden = hidden, .old = {{hidden, -1, -1}}, .new = {{-1, -1, -1}}};
-    (void)clear_before(hidden, NULL);
-    (void)clear_entry(&rest, "aside");
+    if (remove_link(hidden, "aside") || faccessat(hidden, "aside", F_OK, AT_SYMLINK_NOFOLLOW) != 0)
+        (void)clear_before(hidden);
     temporary_remove_entry(hidden, "report");
 }
 
+/** The user's files on their way into the new report. */
+struct keeping {
+    struct report old, new;
+    char *listed; /* the manifest of the former */
+    bool trial;
+    char name[NAME_MAX + 16]; /* of the entry that was looked at last */
+    const char *lost;         /* what it is that could be lost; "": errno says why it cannot be linked */
+};
+
 /** Links an entry of OUT into the report in the making when it is a file of the user's: both directories then hold it,
- * whichever a kill leaves at OUT. `trial` takes the link away again. Returns NULL or what it is that could be lost;
- * "": errno says why it cannot be linked. */
-static const char *keep_entry(const struct clearing *c, const char *name, bool trial)
+ * whichever a kill leaves at OUT. `trial` takes the link away again. */
+static bool keep_entry(void *context, int folder, const char *name)
 {
+    struct keeping *k = context;
     struct stat info;
-    const char *base;
-    int old = folders_in(&c->old, name, &base), new = folders_in(&c->new, name, &base);
-    if (fstatat(old, base, &info, AT_SYMLINK_NOFOLLOW) != 0)
-        return NULL; /* gone meanwhile */
-    if (names_have(&c->listed, name))
-        return S_ISREG(info.st_mode) ? NULL : "which is in the place of a file of the report but is none";
-    if (c->listed.count == 0 && *name != '.')
-        return "and no " MANIFEST_NAME
-               " names it as part of a report (a report of an earlier version: remove it first)";
-    if (S_ISDIR(info.st_mode))
-        return "a directory, which is not part of a report";
-    if (linkat(old, base, new, base, 0) != 0)
-        return errno == ENOENT   ? NULL
-               : errno == EEXIST ? "which is not of the report before, and the new one needs its name"
-                                 : "";
-    if (trial)
-        unlinkat(new, base, 0);
-    return NULL;
+    int old = k->old.folder[folder], new = k->new.folder[folder];
+    snprintf(k->name, sizeof k->name, "%s%s", prefixes[folder], name);
+    if (fstatat(old, name, &info, AT_SYMLINK_NOFOLLOW) != 0)
+        return true; /* gone meanwhile */
+    if (is_listed(k->listed, folder, name) && S_ISREG(info.st_mode))
+        return true;
+    if (is_listed(k->listed, folder, name))
+        k->lost = "which is in the place of a file of the report but is none";
+    else if (!*k->listed && *k->name != '.')
+        k->lost =
+            "and no " OUTPUT_MANIFEST " names it as part of a report (a report of an earlier version: remove it first)";
+    else if (S_ISDIR(info.st_mode))
+        k->lost = "a directory, which is not part of a report";
+    temporary_hold(); /* the end comes between two */
+    if (!k->lost && linkat(old, name, new, name, 0) != 0 && errno != ENOENT)
+        k->lost = errno == EEXIST ? "which is not of the report before, and the new one needs its name" : "";
+    else if (!k->lost && k->trial)
+        unlinkat(new, name, 0);
+    temporary_release();
+    return !k->lost;
 }
 
 /** Gives a directory the mode, the group and the extended attributes of another. */
@@ -131,32 +251,26 @@ static bool take_attributes(int from, int to)
 /** Goes over all that lies in OUT (there may be no such directory) by keep_entry(). */
 static enum status_code keep_others(const struct output *out, bool trial, struct status *status)
 {
-    struct clearing c = {.new = {{-1, -1, -1}}};
-    struct names entries = {0};
-    const char *name = "", *lost = NULL;
-    if (!folders_open(&c.old, AT_FDCWD, out->target) && errno == ENOENT)
+    struct keeping k = {.new = {{-1, -1, -1}}, .trial = trial};
+    if (!open_report(&k.old, AT_FDCWD, out->target) && errno == ENOENT)
         return STATUS_OK;
-    bool ok = c.old.at[0] >= 0 && folders_open(&c.new, AT_FDCWD, out->staging) && names_read(&c.listed, &c.old) &&
-              names_list(&entries, &c.old);
-    for (int i = 0; i < FOLDERS && ok; i++)
-        ok = faccessat(c.old.at[0], name = folder_names[i], W_OK | X_OK, 0) == 0 || errno == ENOENT;
-    for (size_t i = 0; i < entries.count && ok; i++) {
-        temporary_hold(); /* the end comes between two */
-        ok = !(lost = keep_entry(&c, name = entries.at[i], trial));
-        temporary_release();
+    bool ok = k.old.folder[0] >= 0 && open_report(&k.new, AT_FDCWD, out->staging) && (k.listed = read_manifest(&k.old));
+    for (int i = 0; i < FOLDERS && ok; i++) {
+        strcpy(k.name, folder_names[i]);
+        ok = faccessat(k.old.folder[0], k.name, W_OK | X_OK, 0) == 0 || errno == ENOENT;
     }
+    ok = ok && visit_all(&k.old, keep_entry, &k);
     for (int i = 0; i < FOLDERS && ok && !trial; i++)
-        ok = c.old.at[i] < 0 || take_attributes(c.old.at[i], c.new.at[i]);
-    if (lost && *lost)
+        ok = k.old.folder[i] < 0 || take_attributes(k.old.folder[i], k.new.folder[i]);
+    if (k.lost && *k.lost)
         (void)status_fail(status, STATUS_IO, "'%s' holds '%s', %s; move it away or choose another directory with -o",
-                          out->target, name, lost);
+                          out->target, k.name, k.lost);
     else if (!ok)
-        (void)status_fail(status, STATUS_IO, "cannot write the report to '%s%s%s': %s", out->target, *name ? "/" : "",
-                          name, strerror(errno));
-    names_free(&entries);
-    names_free(&c.listed);
-    folders_close(&c.old);
-    folders_close(&c.new);
+        (void)status_fail(status, STATUS_IO, "cannot write the report to '%s%s%s': %s", out->target, *k.name ? "/" : "",
+                          k.name, strerror(errno));
+    free(k.listed);
+    close_report(&k.old);
+    close_report(&k.new);
     return status->code;
 }
 
@@ -287,12 +401,9 @@ static enum status_code exchange(const struct output *out, const char *kept, str
 enum status_code output_commit(struct output *out, struct status *status)
 {
     char kept[PATH_MAX], done[PATH_MAX];
-    struct folders folders;
     snprintf(kept, sizeof kept, "%.*s.kept%s", PATH_MAX - 16, out->target, strrchr(out->hidden.path, '-'));
     snprintf(done, sizeof done, "%.*s/done", PATH_MAX - 16, out->hidden.path);
-    bool written = folders_open(&folders, AT_FDCWD, out->staging) && manifest_write(&folders);
-    folders_close(&folders);
-    if (!written || rename(out->staging, done) != 0)
+    if (!finish_report(out->staging) || rename(out->staging, done) != 0)
         return status_fail(status, STATUS_IO, "cannot put the report at '%s': %s", out->target, status_reason(errno));
     strcpy(out->staging, done);
     if (keep_others(out, false, status) != STATUS_OK)
@@ -300,15 +411,11 @@ enum status_code output_commit(struct output *out, struct status *status)
     temporary_hold(); /* a signal comes before it or after */
     if (exchange(out, kept, status) == STATUS_OK) {
         note("the report is in ", out, "");
-        temporary_forget(&out->hidden); /* what may be left there is the user's */
         out->staging[0] = '\0';
-        if (!clear_before(out->hidden.directory, out->target)) {
-            const char *where = rename(out->hidden.path, kept) == 0 ? strcpy(out->hidden.path, kept) : out->hidden.path;
+        if (!clear_before(out->hidden.directory))
             (void)status_fail(status, STATUS_IO,
-                              "the report is in '%s', but what was put there meanwhile could not be moved into it; it "
-                              "is in '%s'",
-                              out->target, where);
-        }
+                              "the report is in '%s'; what was put there while it took its place is in '%s'",
+                              out->target, rename(out->hidden.path, kept) == 0 ? kept : out->hidden.path);
         temporary_close(&out->hidden);
     }
     temporary_release();

@@ -6,6 +6,11 @@
 #include "base/temporary.h"
 #include <stddef.h>
 
+/** Names the files of the report, one a line; only these are ever replaced or removed. */
+#define OUTPUT_MANIFEST "manifest.txt"
+/** Its first line, by which it is told from a file of the user's. */
+#define OUTPUT_MANIFEST_HEADER "# the files of this report by roughcontact, which its next run replaces; no others\n"
+
 struct output {
     char target[PATH_MAX];   /* OUT */
     char staging[PATH_MAX];  /* where it is being made; "" when none */
@@ -24,8 +29,8 @@ MUST_CHECK enum status_code output_begin(struct output *out, const char *target,
 /** Writes the manifest, has the disk take the report, looks at OUT again as output_begin() did, gives the report OUT's
  * modes and extended attributes, puts it in place in one step and removes of the one before what its manifest names.
  * The user's files are in both meanwhile, as hard links, so that none is lost at any instant. Error: STATUS_IO; then
- * the earlier report still stands. The one exception: what came to OUT in the instant of the exchange and could not
- * follow is left in OUT.kept-XXXXXX; the message names it. */
+ * the earlier report still stands. The one exception: what came to OUT in the instant of the exchange is left in
+ * OUT.kept-XXXXXX; the message names it. */
 MUST_CHECK enum status_code output_commit(struct output *out, struct status *status);
 
 /** For temporary_make(): takes out what a killed run has left in its hidden directory, of which nothing comes to OUT.

@@ -42,55 +42,23 @@ static enum status_code fit_plane(struct plane *out, const struct scan *scan, st
 }
 
 /** Error: STATUS_SCAN: a flat map, but for what taking the plane out rounds. */
-static enum status_code measure_heights(struct areal *out, const struct scan *scan, const struct plane *plane,
+static enum status_code measure_heights(struct areal *out, const struct scan *scan, const double *flat_m,
                                         struct status *status)
 {
-    double n = 0, square = 0, absolute = 0, highest = -INFINITY, lowest = INFINITY, most = -INFINITY, least = INFINITY;
+    const struct roughness over_plane = roughness_of_heights_alone(flat_m, scan->nx * scan->ny);
+    double most = -INFINITY, least = INFINITY;
     for (size_t i = 0; i < scan->nx * scan->ny; i++) {
         most = fmax(most, scan->z_m[i]);
         least = fmin(least, scan->z_m[i]);
-        double x = (double)(i % scan->nx) - plane->x, y = (double)(i / scan->nx) - plane->y;
-        double z = scan->z_m[i] - plane->z - plane->p * x - plane->q * y;
-        if (isnan(z))
-            continue;
-        n++, square += z * z, absolute += fabs(z);
-        highest = fmax(highest, z);
-        lowest = fmin(lowest, z);
     }
-    out->sq_m = sqrt(square / n);
-    out->sa_m = absolute / n;
-    out->sz_m = highest - lowest;
+    out->sq_m = over_plane.rq_m;
+    out->sa_m = over_plane.ra_m;
+    out->sz_m = over_plane.pv_m;
     if (most == least)
         return status_fail(status, STATUS_SCAN, "the map is flat: every height is %.9g m; check the column", most);
     if (out->sz_m <= 32 * DBL_EPSILON * (fabs(most) + most - least))
         return status_fail(status, STATUS_SCAN, "the map is flat: no roughness is left over its plane");
     return STATUS_OK;
-}
-
-/** Mean square of the slope where both neighbours are there; NaN: nowhere. */
-static double mean_slope_square(const double *z_m, size_t points, double spacing_m)
-{
-    double sum = 0;
-    size_t count = 0;
-    for (size_t i = 1; i + 1 < points; i++) {
-        double slope = (z_m[i + 1] - z_m[i - 1]) / (2 * spacing_m);
-        if (!isnan(slope))
-            sum += slope * slope, count++;
-    }
-    return count > 0 ? sum / (double)count : NAN;
-}
-
-/** Mean square of the curvature where the point and both neighbours are there; NaN: nowhere. */
-static double mean_curvature_square(const double *z_m, size_t points, double spacing_m)
-{
-    double sum = 0;
-    size_t count = 0;
-    for (size_t i = 1; i + 1 < points; i++) {
-        double curvature = (z_m[i + 1] - 2 * z_m[i] + z_m[i - 1]) / spacing_m / spacing_m;
-        if (!isnan(curvature))
-            sum += curvature * curvature, count++;
-    }
-    return count > 0 ? sum / (double)count : NAN;
 }
 
 /** Mean over rows of something that not every row has. */
@@ -116,7 +84,7 @@ struct rows {
 static enum status_code add_row(struct rows *rows, const struct scan *scan, size_t y, struct status *status)
 {
     const double *row_m = scan->z_m + y * scan->nx;
-    double *x_m = rows->x_m, *z_m = rows->z_m, square = 0, absolute = 0, highest = -INFINITY, lowest = INFINITY;
+    double *x_m = rows->x_m, *z_m = rows->z_m;
     size_t count = 0;
     struct levelling line;
     for (size_t i = 0; i < scan->nx; i++)
@@ -128,19 +96,14 @@ static enum status_code add_row(struct rows *rows, const struct scan *scan, size
         return STATUS_OK;
     if (level_remove(&line, z_m, x_m, count, scan->dx_m, LEVEL_LINE, status) != STATUS_OK)
         return status->code;
-    for (size_t i = 0; i < count; i++) {
-        square += z_m[i] * z_m[i];
-        absolute += fabs(z_m[i]);
-        highest = fmax(highest, z_m[i]);
-        lowest = fmin(lowest, z_m[i]);
-    }
-    join(&rows->m0, square / (double)count);
-    join(&rows->ra, absolute / (double)count);
-    rows->pv_m = fmax(rows->pv_m, highest - lowest);
     for (size_t i = scan->nx; i-- > 0;) /* back to their places, from the last */
         z_m[i] = isnan(row_m[i]) ? NAN : z_m[--count];
-    join(&rows->m2, mean_slope_square(z_m, scan->nx, scan->dx_m));
-    join(&rows->m4, mean_curvature_square(z_m, scan->nx, scan->dx_m));
+    const struct roughness row = roughness_of_heights(z_m, scan->nx, scan->dx_m);
+    join(&rows->m0, row.m0_m2);
+    join(&rows->ra, row.ra_m);
+    join(&rows->m2, row.m2);
+    join(&rows->m4, row.m4_per_m2);
+    rows->pv_m = fmax(rows->pv_m, row.pv_m);
     return STATUS_OK;
 }
 
@@ -171,11 +134,14 @@ static enum status_code add_spectrum(struct areal *out, const struct scan *scan,
 
 enum status_code areal_compute(struct areal *out, const struct scan *scan, struct status *status)
 {
-    struct plane plane;
     *out = (struct areal){0};
-    if (fit_plane(&plane, scan, status) != STATUS_OK)
-        return status->code;
-    if (measure_heights(out, scan, &plane, status) != STATUS_OK)
+    double *flat_m = malloc(scan->nx * scan->ny * sizeof *flat_m);
+    if (!flat_m)
+        return status_memory(status);
+    if (areal_flatten(flat_m, scan, status) == STATUS_OK)
+        (void)measure_heights(out, scan, flat_m, status);
+    free(flat_m);
+    if (status->code != STATUS_OK)
         return status->code;
     struct rows rows = {.x_m = malloc(2 * scan->nx * sizeof *rows.x_m)};
     if (!rows.x_m)

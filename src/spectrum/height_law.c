@@ -43,91 +43,10 @@ static size_t harmonics_held(const struct spectrum *spectrum)
     return n;
 }
 
-/** What levels by least squares take out of a record: forms orthonormal over its points, three a point. */
-enum { FORMS = 3 };
-static const enum level levels_of_forms[FORMS + 1] = {LEVEL_NONE, LEVEL_MEAN, LEVEL_LINE, LEVEL_PARABOLA};
-
-/** Powers of the place, each without what the level below takes out; 0 beyond `count` of them. */
-static enum status_code lay_forms(double (*form)[FORMS], size_t points, int count, struct status *status)
-{
-    double *power = malloc(points * sizeof *power);
-    enum status_code rc = power ? STATUS_OK : status_memory(status);
-    for (size_t i = 0; i < points; i++)
-        for (int k = 0; k < FORMS; k++)
-            form[i][k] = 0;
-    for (int k = 0; k < count && rc == STATUS_OK; k++) {
-        struct levelling levelling;
-        double square = 0;
-        for (size_t i = 0; i < points; i++)
-            power[i] = pow(2 * (double)i / (double)(points - 1) - 1, k);
-        rc = level_remove(&levelling, power, NULL, points, 1, levels_of_forms[k], status);
-        for (size_t i = 0; i < points; i++)
-            square += power[i] * power[i];
-        for (size_t i = 0; i < points; i++)
-            form[i][k] = power[i] / sqrt(square);
-    }
-    free(power);
-    return rc;
-}
-
-enum { ABREAST = 4 }; /* records whose sums are added at the same time: one alone waits for each addition */
-static_assert(SCANS % ABREAST == 0, "the last records are measured too");
-
-/** Moments of records side by side, what their forms share taken out. Each as roughness_of_heights_alone(). */
-static void level_and_measure(struct roughness out[ABREAST], double (*height_m)[ABREAST], double (*form)[FORMS],
-                              size_t points)
-{
-    double share[FORMS][ABREAST] = {0}, square[ABREAST] = {0}, cube[ABREAST] = {0}, fourth[ABREAST] = {0};
-    for (size_t i = 0; i < points; i++)
-        for (int k = 0; k < FORMS; k++)
-            for (int j = 0; j < ABREAST; j++)
-                share[k][j] += height_m[i][j] * form[i][k];
-    for (size_t i = 0; i < points; i++)
-        for (int j = 0; j < ABREAST; j++) {
-            double z = height_m[i][j];
-            for (int k = 0; k < FORMS; k++)
-                z -= share[k][j] * form[i][k];
-            double z2 = z * z;
-            square[j] += z2;
-            cube[j] += z2 * z;
-            fourth[j] += z2 * z2;
-        }
-    for (int j = 0; j < ABREAST; j++)
-        out[j] = (struct roughness){.m0_m2 = square[j] / (double)points,
-                                    .cube_m3 = cube[j] / (double)points,
-                                    .fourth_m4 = fourth[j] / (double)points};
-}
-
-/** Moments of simulated scans, each levelled by forms laid once. */
-static enum status_code simulate_by_forms(struct roughness one[SCANS], const struct simulated_record *record, int forms,
-                                          struct status *status)
-{
-    size_t points = record->points;
-    double(*height_m)[ABREAST] = malloc(points * sizeof *height_m), (*form)[FORMS] = malloc(points * sizeof *form),
-    *drawn_m = malloc(points * sizeof *drawn_m);
-    enum status_code rc = height_m && form && drawn_m ? STATUS_OK : status_memory(status);
-    if (rc == STATUS_OK)
-        rc = lay_forms(form, points, forms, status);
-    for (size_t k = 0; k < SCANS && rc == STATUS_OK; k++) {
-        rc = simulated_record_draw(drawn_m, record, FIRST_SEED + k, status);
-        for (size_t i = 0; i < points && rc == STATUS_OK; i++)
-            height_m[i][k % ABREAST] = drawn_m[i];
-        if (rc == STATUS_OK && (k + 1) % ABREAST == 0)
-            level_and_measure(&one[k + 1 - ABREAST], height_m, form, points);
-    }
-    free(drawn_m);
-    free(form);
-    free(height_m);
-    return rc;
-}
-
-/** Moments of simulated scans, each levelled: what no forms take out, as a robust line, by itself. */
+/** Moments of simulated scans, each levelled. */
 static enum status_code simulate(struct roughness one[SCANS], const struct simulated_record *record, enum level level,
                                  struct status *status)
 {
-    for (int forms = 0; forms <= FORMS; forms++)
-        if (levels_of_forms[forms] == level)
-            return simulate_by_forms(one, record, forms, status);
     size_t points = record->points;
     double *height_m = malloc(points * sizeof *height_m);
     enum status_code rc = height_m ? STATUS_OK : status_memory(status);

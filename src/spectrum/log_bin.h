@@ -4,6 +4,7 @@
 #ifndef SPECTRUM_LOG_BIN_H
 #define SPECTRUM_LOG_BIN_H
 
+#include "base/status.h"
 #include <stddef.h>
 
 enum {
@@ -27,6 +28,9 @@ struct log_bin {
  * (NULL: no such band). Returns how many bins. Abramowitz & Stegun 6.3 (psi), 6.4 (its derivative). */
 size_t log_bin_fill(struct log_bin bin[LOG_BIN_MOST], const double *square_m2, size_t count, double length_m,
                     double scans, const size_t split[2]);
+
+/** Error: STATUS_SCAN for a square that is negative or not finite. */
+MUST_CHECK enum status_code log_bin_check(const double *square_m2, size_t count, struct status *status);
 
 /** b(M) in decades, the mean of log10 of the root of a mean of M exponential variables of mean 1; M need not be whole.
  */

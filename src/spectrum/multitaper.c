@@ -5,6 +5,7 @@
 #include <assert.h>
 #include <math.h>
 #include <stdbool.h>
+#include <stdlib.h>
 
 size_t multitaper_count(size_t points)
 {
@@ -22,13 +23,17 @@ static void whiten(double *out, const double *height_m, size_t points)
         out[t] = 0;
 }
 
-/** Y[m] of a real record's transform of 2N values, of which Y[0] ... Y[N] are held; any m, as Y has the period 2N. */
+/** Y[m] of a real record's transform of 2N values, of which Y[0] ... Y[N] are held, for -2N < m < 4N: Y[-m] is the
+ * conjugate of Y[m], and Y has the period 2N. */
 static void transform_at(double out[2], const fftw_complex *transform, size_t points, long m)
 {
-    long period = 2 * (long)points;
-    m = (m % period + period) % period;
-    bool conjugate = m > (long)points;
-    m = conjugate ? period - m : m;
+    bool conjugate = m < 0;
+    m = labs(m);
+    if (m > (long)points) {
+        m = 2 * (long)points - m;
+        conjugate = (m < 0) == conjugate;
+        m = labs(m);
+    }
     out[0] = transform[m][0];
     out[1] = conjugate ? -transform[m][1] : transform[m][1];
 }
@@ -37,14 +42,6 @@ static void transform_at(double out[2], const fftw_complex *transform, size_t po
 static double tapers_mean(const fftw_complex *transform, size_t points, size_t n)
 {
     double sum = 0, below[2], above[2];
-    if (2 * n >= MULTITAPER_TAPERS && 2 * n + MULTITAPER_TAPERS <= points) { /* as nearly all: no copies */
-        const fftw_complex *middle = transform + 2 * n;
-        for (long k = 1; k <= MULTITAPER_TAPERS; k++) {
-            double real = middle[-k][0] - middle[k][0], imaginary = middle[-k][1] - middle[k][1];
-            sum += real * real + imaginary * imaginary;
-        }
-        return sum / MULTITAPER_TAPERS / (2 * (double)points);
-    }
     for (long k = 1; k <= MULTITAPER_TAPERS; k++) {
         transform_at(below, transform, points, 2 * (long)n - k);
         transform_at(above, transform, points, 2 * (long)n + k);

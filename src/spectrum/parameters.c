@@ -177,20 +177,19 @@ static struct parameters_core core_of(const struct parameters_part *part)
 
 static double core_height(const struct parameters_part *part)
 {
-    const struct parameters_core core = *part->core;
-    return core.upper_m - core.lower_m;
+    return part->core->upper_m - part->core->lower_m;
 }
 
 static double reduced_peak(const struct parameters_part *part)
 {
-    const struct parameters_core core = *part->core;
-    return core.upper_ratio > 0 ? 2 * core.peak_area_m / core.upper_ratio : 0;
+    const struct parameters_core *core = part->core;
+    return core->upper_ratio > 0 ? 2 * core->peak_area_m / core->upper_ratio : 0;
 }
 
 static double reduced_valley(const struct parameters_part *part)
 {
-    const struct parameters_core core = *part->core;
-    return core.lower_ratio < 1 ? 2 * core.valley_area_m / (1 - core.lower_ratio) : 0;
+    const struct parameters_core *core = part->core;
+    return core->lower_ratio < 1 ? 2 * core->valley_area_m / (1 - core->lower_ratio) : 0;
 }
 
 static double peak_ratio(const struct parameters_part *part)

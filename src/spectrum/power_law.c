@@ -83,16 +83,12 @@ static double log_amplitude(const struct spectrum *spectrum, size_t i)
 
 /** Looks for the wavelength at which two straight lines beat one by the Bayesian information criterion with a margin of
  * 10 ("very strong"), each over at least 8 harmonics and a factor of 2 in wavelength, with slopes 0.3 apart. */
-static void find_knee(struct power_law *law, const struct spectrum *spectrum, const struct sums *all, double residual)
+static void find_knee(struct power_law *law, const struct spectrum *spectrum, size_t first, size_t last,
+                      const struct sums *all, double residual)
 {
     struct sums longer = {0};
-    double best = residual, first_x = NAN, last_x = NAN;
-    for (size_t i = 0; i < spectrum->count; i++)
-        if (in_band(spectrum, i, law->band_m)) {
-            first_x = isnan(first_x) ? log_wavelength(i) : first_x;
-            last_x = log_wavelength(i);
-        }
-    for (size_t i = 0; i < spectrum->count; i++) {
+    double best = residual, first_x = log_wavelength(first), last_x = log_wavelength(last);
+    for (size_t i = first; i <= last; i++) {
         if (!in_band(spectrum, i, law->band_m))
             continue;
         double x = log_wavelength(i);
@@ -151,7 +147,7 @@ struct power_law power_law_fit(const struct spectrum *spectrum, const double ban
     double lever = log10(law.wavelength_m) - log_length - line.x_mean;
     law.amplitude_error_decades = sqrt(variance * (1 / sums.n + lever * lever / line.x_spread));
     law.psd_m3 = law.amplitude_m * law.amplitude_m * spectrum->length_m / 2;
-    find_knee(&law, spectrum, &sums, line.residual);
+    find_knee(&law, spectrum, first, last, &sums, line.residual);
     return law;
 }
 

@@ -3,6 +3,8 @@
 
 #include "spectrum/multitaper.h"
 #include <assert.h>
+#include <gsl/gsl_sort_double.h>
+#include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
@@ -143,17 +145,6 @@ static double log10_law(const struct power_law_band_fit *fit, double log10_wavel
     return fit->log10_amplitude + fit->gamma * (log10_wavelength - log10(fit->wavelength_m));
 }
 
-static double median(double *value, size_t count)
-{
-    for (size_t i = 1; i < count; i++)
-        for (size_t j = i; j > 0 && value[j] < value[j - 1]; j--) {
-            double swap = value[j];
-            value[j] = value[j - 1];
-            value[j - 1] = swap;
-        }
-    return count % 2 ? value[count / 2] : (value[count / 2 - 1] + value[count / 2]) / 2;
-}
-
 /** Does bin j stand out of its neighbours' middle? */
 static bool stands_out(const struct power_law_band *band, size_t j)
 {
@@ -164,8 +155,9 @@ static bool stands_out(const struct power_law_band *band, size_t j)
             between[count++] = (band->bin[j - m].y + band->bin[j + m].y) / 2;
     if (count < 2 || !isfinite(band->bin[j].y))
         return false;
+    gsl_sort(between, 1, count);
     double threshold = fmax(line_decades, line_errors * sqrt(band->bin[j].variance));
-    return band->bin[j].y - median(between, count) > threshold;
+    return band->bin[j].y - gsl_stats_median_from_sorted_data(between, 1, count) > threshold;
 }
 
 /** A longer run of bins that stand out is a knee, no line. */
@@ -200,12 +192,8 @@ static enum status_code gather(struct power_law_band *band, struct selection *se
                                     .alpha = NAN,
                                     .log10_alpha_s = NAN,
                                     .slope_share = NAN};
-    for (size_t i = 0; i < spectrum->count; i++)
-        if (!(spectrum->square_m2[i] >= 0) || !isfinite(spectrum->square_m2[i]))
-            return status_fail(status, STATUS_SCAN,
-                               "the squared amplitude of harmonic %zu is %g; it must be finite and "
-                               "not negative",
-                               i + 1, spectrum->square_m2[i]);
+    if (log_bin_check(spectrum->square_m2, spectrum->count, status) != STATUS_OK)
+        return status->code;
     band->bins =
         log_bin_fill(band->bin, spectrum->square_m2, spectrum->count, spectrum->length_m, spectrum->scans, split);
     for (size_t j = 0; j < band->bins; j++) {
@@ -458,11 +446,6 @@ size_t power_law_band_lines(double wavelength_m[LOG_BIN_MOST], const struct powe
         wavelength_m[count++] = pow(10, band->bin[highest].x);
     }
     return count;
-}
-
-double power_law_band_amplitude(const struct power_law_band *band, double wavelength_m)
-{
-    return pow(10, log10_law(&band->fit, log10(wavelength_m)));
 }
 
 double power_law_band_digitising_limit(const struct power_law_band_spectrum *spectrum, double step_m)

@@ -14,9 +14,10 @@ static const double most_nayak = 1e24; /* slopes beyond are what rounding leaves
 
 struct roughness roughness_of_heights_alone(const double *height_m, size_t points)
 {
-    double square = 0, cube = 0, fourth = 0, absolute = 0, lowest = height_m[0], highest = height_m[0],
-           count = (double)points;
+    double square = 0, cube = 0, fourth = 0, absolute = 0, lowest = INFINITY, highest = -INFINITY, count = 0;
     for (size_t i = 0; i < points; i++) {
+        if (isnan(height_m[i]))
+            continue;
         double z2 = height_m[i] * height_m[i];
         square += z2;
         cube += z2 * height_m[i];
@@ -24,6 +25,7 @@ struct roughness roughness_of_heights_alone(const double *height_m, size_t point
         absolute += fabs(height_m[i]);
         lowest = extremes_smaller(lowest, height_m[i]);
         highest = extremes_larger(highest, height_m[i]);
+        count++;
     }
     return (struct roughness){.rq_m = sqrt(square / count),
                               .ra_m = absolute / count,
@@ -36,15 +38,17 @@ struct roughness roughness_of_heights_alone(const double *height_m, size_t point
 struct roughness roughness_of_heights(const double *height_m, size_t points, double spacing_m)
 {
     struct roughness roughness = roughness_of_heights_alone(height_m, points);
-    double slope_square = 0, curve_square = 0;
+    double slope_square = 0, curve_square = 0, slopes = 0, curves = 0;
     for (size_t i = 1; i + 1 < points; i++) {
         double slope = (height_m[i + 1] - height_m[i - 1]) / (2 * spacing_m);
         double curvature = (height_m[i + 1] - 2 * height_m[i] + height_m[i - 1]) / spacing_m / spacing_m;
-        slope_square += slope * slope;
-        curve_square += curvature * curvature;
+        slope_square += isnan(slope) ? 0 : slope * slope;
+        curve_square += isnan(curvature) ? 0 : curvature * curvature;
+        slopes += !isnan(slope);
+        curves += !isnan(curvature);
     }
-    roughness.m2 = slope_square / (double)(points - 2);
-    roughness.m4_per_m2 = curve_square / (double)(points - 2);
+    roughness.m2 = slope_square / slopes;
+    roughness.m4_per_m2 = curve_square / curves;
     return roughness;
 }
 
@@ -66,11 +70,9 @@ struct roughness roughness_of_points(const double *x_m, const double *height_m, 
 
 void roughness_from_spectrum(struct roughness *roughness, const struct spectrum *spectrum)
 {
-    double moments[SPECTRUM_MOMENTS];
-    spectrum_moments(moments, spectrum);
-    roughness->m0_m2 = moments[0];
-    roughness->m2 = moments[1];
-    roughness->m4_per_m2 = moments[2];
+    roughness->m0_m2 = spectrum_moment(spectrum, 0);
+    roughness->m2 = spectrum_moment(spectrum, 1);
+    roughness->m4_per_m2 = spectrum_moment(spectrum, 2);
 }
 
 void roughness_average(struct roughness *mean, const struct roughness *other, size_t so_far)

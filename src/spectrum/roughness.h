@@ -22,7 +22,8 @@ struct roughness {
 };
 
 /** Heights (`points` >= 3, levelled, spacing h): m2 by central differences, m4 by the 3-point second difference, over
- * the inner points (4.19, 4.20). */
+ * the inner points (4.19, 4.20). Points that are missing (NaN) are left out; a slope or curvature counts where all its
+ * points are there, and m2 or m4 is NaN where none does. */
 struct roughness roughness_of_heights(const double *height_m, size_t points, double spacing_m);
 
 /** The same but for m2 and m4, which are left 0: positions do not matter. */

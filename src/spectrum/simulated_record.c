@@ -5,8 +5,10 @@
 #include "spectrum/log_bin.h"
 #include "spectrum/multitaper.h"
 #include <assert.h>
+#include <gsl/gsl_fit.h>
 #include <gsl/gsl_randist.h>
 #include <gsl/gsl_rng.h>
+#include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -22,25 +24,20 @@ static enum status_code continue_line(struct continuation *out, const double *sq
                                       struct status *status)
 {
     struct log_bin bin[LOG_BIN_MOST];
+    double x[SLOPE_BINS], y[SLOPE_BINS], middle, slope, covariance[3], residual;
     size_t held = count < SLOPE_HARMONICS ? count : SLOPE_HARMONICS;
     size_t bins = log_bin_fill(bin, square_m2, held, 1, 1, NULL), used = 0;
-    double x = 0, y = 0, xx = 0, xy = 0;
     for (size_t j = 0; j < bins && j < SLOPE_BINS; j++)
         if (isfinite(bin[j].y)) {
-            bin[used++] = bin[j];
-            x += bin[j].x;
-            y += bin[j].y;
+            x[used] = bin[j].x;
+            y[used++] = bin[j].y;
         }
     if (used < 2)
         return status_fail(status, STATUS_SCAN,
                            "the record has too few harmonics of any power to simulate others of it");
-    x /= (double)used;
-    y /= (double)used;
-    for (size_t j = 0; j < used; j++) {
-        xx += (bin[j].x - x) * (bin[j].x - x);
-        xy += (bin[j].x - x) * (bin[j].y - y);
-    }
-    *out = (struct continuation){x, y, fmin(fmax(xy / xx, least_slope), most_slope)};
+    gsl_fit_linear(x, 1, y, 1, used, &middle, &slope, &covariance[0], &covariance[1], &covariance[2], &residual);
+    *out = (struct continuation){gsl_stats_mean(x, 1, used), gsl_stats_mean(y, 1, used),
+                                 fmin(fmax(slope, least_slope), most_slope)};
     return STATUS_OK;
 }
 
@@ -59,15 +56,11 @@ static double square_at(double n, const double *square_m2, size_t count, const s
     return low * pow(high / low, log(n / (double)before) / log1p(1 / (double)before));
 }
 
-/** What is not as it has to be to draw from. */
-static enum status_code check(struct continuation *below, const double *square_m2, size_t count, struct status *status)
+/** Checks the squares, and finds how they go on below the first harmonics. */
+static enum status_code begin(struct continuation *below, const double *square_m2, size_t count, struct status *status)
 {
-    for (size_t i = 0; i < count; i++)
-        if (!(square_m2[i] >= 0) || !isfinite(square_m2[i]))
-            return status_fail(status, STATUS_SCAN,
-                               "the squared amplitude of harmonic %zu is %g; it must be finite and "
-                               "not negative",
-                               i + 1, square_m2[i]);
+    if (log_bin_check(square_m2, count, status) != STATUS_OK)
+        return status->code;
     return continue_line(below, square_m2, count, status);
 }
 
@@ -76,7 +69,7 @@ bool simulated_record_possible(const double *square_m2, size_t points)
     struct continuation below;
     struct status none = {0};
     return points >= SIMULATED_RECORD_LEAST_POINTS &&
-           check(&below, square_m2, multitaper_count(points), &none) == STATUS_OK;
+           begin(&below, square_m2, multitaper_count(points), &none) == STATUS_OK;
 }
 
 enum status_code simulated_record_prepare(struct simulated_record *out, const double *square_m2, size_t points,
@@ -86,7 +79,7 @@ enum status_code simulated_record_prepare(struct simulated_record *out, const do
     size_t count = multitaper_count(points), waves = points * SIMULATED_RECORD_LONGER / 2;
     struct continuation below;
     *out = (struct simulated_record){.points = points};
-    if (check(&below, square_m2, count, status) != STATUS_OK)
+    if (begin(&below, square_m2, count, status) != STATUS_OK)
         return status->code;
     out->deviation_m = calloc(waves + 1, sizeof *out->deviation_m);
     out->record = fftw_alloc_real(2 * waves);

@@ -16,24 +16,6 @@ enum spectrum_window spectrum_window_for(enum spectrum_window asked, bool period
     return periodic ? SPECTRUM_WINDOW_NONE : SPECTRUM_WINDOW_HANN;
 }
 
-static double mean_of(const double *values, size_t count)
-{
-    double sum = 0;
-    for (size_t i = 0; i < count; i++)
-        sum += values[i];
-    return sum / (double)count;
-}
-
-/** Takes the mean out and puts the heights under the window. */
-static void take_window(double *record, size_t points, enum spectrum_window window)
-{
-    double mean = mean_of(record, points);
-    for (size_t i = 0; i < points; i++)
-        record[i] -= mean;
-    if (window == SPECTRUM_WINDOW_HANN)
-        record_window_hann(record, points);
-}
-
 enum status_code spectrum_of_record(struct spectrum *out, struct fft_room *room, size_t points, double spacing_m,
                                     enum spectrum_window window, struct status *status)
 {
@@ -43,7 +25,13 @@ enum status_code spectrum_of_record(struct spectrum *out, struct fft_room *room,
     out->amplitude_m = reallocarray(NULL, count, sizeof *out->amplitude_m);
     if (!out->amplitude_m)
         return status_memory(status);
-    take_window(room->record, points, window);
+    double sum = 0;
+    for (size_t i = 0; i < points; i++)
+        sum += room->record[i];
+    for (size_t i = 0; i < points; i++)
+        room->record[i] -= sum / (double)points;
+    if (window == SPECTRUM_WINDOW_HANN)
+        record_window_hann(room->record, points);
     fft_forward(room->transform, room->record, points);
     for (size_t n = 1; n <= count; n++)
         out->amplitude_m[n - 1] = 2 * hypot(room->transform[n][0], room->transform[n][1]) / (double)points;
@@ -130,22 +118,14 @@ double spectrum_power(const struct spectrum *spectrum, size_t i)
     return spectrum->has_nyquist && i + 1 == spectrum->count ? square : square / 2;
 }
 
-void spectrum_moments(double moment[SPECTRUM_MOMENTS], const struct spectrum *spectrum)
-{
-    moment[0] = moment[1] = moment[2] = 0;
-    for (size_t i = 0; i < spectrum->count; i++) {
-        double wave_number = 2 * M_PI * spectrum_frequency(spectrum, i), square = wave_number * wave_number;
-        double power_m2 = spectrum_power(spectrum, i);
-        moment[0] += power_m2;
-        moment[1] += square * power_m2;
-        moment[2] += square * square * power_m2;
-    }
-}
-
 double spectrum_moment(const struct spectrum *spectrum, int k)
 {
-    double moment[SPECTRUM_MOMENTS];
-    assert(k >= 0 && k < SPECTRUM_MOMENTS);
-    spectrum_moments(moment, spectrum);
-    return moment[k];
+    double moment = 0;
+    for (size_t i = 0; i < spectrum->count; i++) {
+        double wave_number = 2 * M_PI * spectrum_frequency(spectrum, i), weight = 1;
+        for (int j = 0; j < k; j++)
+            weight *= wave_number * wave_number;
+        moment += weight * spectrum_power(spectrum, i);
+    }
+    return moment;
 }

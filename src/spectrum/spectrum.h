@@ -66,8 +66,5 @@ double spectrum_frequency(const struct spectrum *spectrum, size_t i);
 double spectrum_power(const struct spectrum *spectrum, size_t i);
 /** Spectral moment m_{2k} = sum (2 pi f)^{2k} power [m^(2-2k)], k = 0, 1, 2. */
 double spectrum_moment(const struct spectrum *spectrum, int k);
-enum { SPECTRUM_MOMENTS = 3 };
-/** All of them, [k]. */
-void spectrum_moments(double moment[SPECTRUM_MOMENTS], const struct spectrum *spectrum);
 
 #endif

@@ -3,6 +3,8 @@
 
 #include <assert.h>
 #include <gsl/gsl_cdf.h>
+#include <gsl/gsl_sort_double.h>
+#include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -80,10 +82,7 @@ enum status_code interval_rows(struct interval *out, const double *value, size_t
 {
     if (check(value, NULL, count, status) != STATUS_OK)
         return status->code;
-    double rows = (double)count, mean = 0, squares = 0, products = 0;
-    for (size_t i = 0; i < count; i++)
-        mean += value[i] - value[0];
-    mean = value[0] + mean / rows;
+    double rows = (double)count, mean = gsl_stats_mean(value, 1, count), squares = 0, products = 0;
     for (size_t i = 0; i < count; i++) {
         squares += (value[i] - mean) * (value[i] - mean);
         products += i > 0 ? (value[i] - mean) * (value[i - 1] - mean) : 0;
@@ -119,16 +118,9 @@ size_t interval_piece_first(size_t points, size_t shortest, size_t piece)
     return pieces > 1 ? (piece * room + (pieces - 1) / 2) / (pieces - 1) : 0;
 }
 
-static int shorter_first(const void *a, const void *b)
-{
-    const double *first = a, *second = b;
-    return (*first > *second) - (*first < *second);
-}
-
 bool interval_shortest_is_odd(double *length, size_t count)
 {
     assert(count > 0);
-    qsort(length, count, sizeof *length, shorter_first);
-    double median = (length[(count - 1) / 2] + length[count / 2]) / 2;
-    return length[0] < median / 2;
+    gsl_sort(length, 1, count);
+    return length[0] < gsl_stats_median_from_sorted_data(length, 1, count) / 2;
 }

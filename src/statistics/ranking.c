@@ -4,6 +4,7 @@
 #include <assert.h>
 #include <float.h>
 #include <gsl/gsl_cdf.h>
+#include <gsl/gsl_sort_double.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -44,33 +45,19 @@ enum ranking_verdict ranking_place(double difference, double half_width, bool he
     return difference < 0 ? RANKING_FIRST_LOWER : RANKING_FIRST_HIGHER;
 }
 
-struct ranked {
-    double p;
-    size_t index;
-};
-
-static int smaller_first(const void *a, const void *b)
-{
-    const struct ranked *first = a, *second = b;
-    int order = (first->p > second->p) - (first->p < second->p);
-    return order ? order : (first->index > second->index) - (first->index < second->index);
-}
-
 enum status_code ranking_holm(double *adjusted, const double *p, size_t count, struct status *status)
 {
     for (size_t i = 0; i < count; i++)
         if (!(p[i] >= 0 && p[i] <= 1))
             return status_fail(status, STATUS_SCAN, "p value %zu of %zu is %g; it must be 0 to 1", i + 1, count, p[i]);
-    struct ranked *order = calloc(count + 1, sizeof *order);
+    size_t *order = calloc(count + 1, sizeof *order);
     if (!order)
         return status_memory(status);
-    for (size_t i = 0; i < count; i++)
-        order[i] = (struct ranked){p[i], i};
-    qsort(order, count, sizeof *order, smaller_first);
+    gsl_sort_index(order, p, 1, count);
     double largest = 0;
     for (size_t r = 0; r < count; r++) {
-        largest = fmax(largest, fmin(1, (double)(count - r) * order[r].p));
-        adjusted[order[r].index] = largest;
+        largest = fmax(largest, fmin(1, (double)(count - r) * p[order[r]]));
+        adjusted[order[r]] = largest;
     }
     free(order);
     return STATUS_OK;
@@ -128,22 +115,10 @@ static void remove_group(struct ranking_groups *groups, size_t group)
     groups->groups--;
 }
 
-/** Does group a come before b? The one with the first surface that only one of them has. */
-static bool comes_before(const bool *a, const bool *b, size_t surfaces)
+/** The group with the first surface that only one of them has comes first. */
+static int first_surface_first(const void *a, const void *b, void *surfaces)
 {
-    return memcmp(a, b, surfaces * sizeof *a) > 0;
-}
-
-static void sort_groups(struct ranking_groups *groups)
-{
-    size_t row = groups->surfaces;
-    for (size_t g = 1; g < groups->groups; g++)
-        for (size_t h = g; h > 0 && comes_before(groups->member + h * row, groups->member + (h - 1) * row, row); h--)
-            for (size_t i = 0; i < row; i++) {
-                bool swap = groups->member[h * row + i];
-                groups->member[h * row + i] = groups->member[(h - 1) * row + i];
-                groups->member[(h - 1) * row + i] = swap;
-            }
+    return memcmp(b, a, *(const size_t *)surfaces * sizeof(bool));
 }
 
 enum status_code ranking_groups_make(struct ranking_groups *out, const bool *apart, size_t surfaces,
@@ -164,7 +139,8 @@ enum status_code ranking_groups_make(struct ranking_groups *out, const bool *apa
     for (size_t g = out->groups; g-- > 0;)
         if (!needed(out, g))
             remove_group(out, g);
-    sort_groups(out);
+    if (out->groups > 1)
+        qsort_r(out->member, out->groups, surfaces * sizeof(bool), first_surface_first, &out->surfaces);
     return STATUS_OK;
 }
 

@@ -2,21 +2,11 @@
 #include "statistics/single_scan.h"
 
 #include <assert.h>
+#include <gsl/gsl_statistics_double.h>
 #include <math.h>
 
 static const double errors_95 = 2.3;
 static const double quarters_95 = 3.18; /* Student's t, 3 degrees of freedom */
-
-static double deviation(const double *value, size_t count)
-{
-    double mean = 0, squares = 0;
-    for (size_t i = 0; i < count; i++)
-        mean += value[i] - value[0];
-    mean = value[0] + mean / (double)count;
-    for (size_t i = 0; i < count; i++)
-        squares += (value[i] - mean) * (value[i] - mean);
-    return sqrt(squares / (double)(count - 1));
-}
 
 static enum status_code check(const double *value, size_t count, const char *what, struct status *status)
 {
@@ -34,17 +24,17 @@ enum status_code single_scan_uncertainty(struct single_scan *out, const double *
     assert(records >= 2);
     if (check(simulated, records, "simulated record", status) != STATUS_OK)
         return status->code;
-    *out = (struct single_scan){.s = deviation(simulated, records)};
+    *out = (struct single_scan){.s = gsl_stats_sd(simulated, 1, records)};
     out->half_width = single_scan_half_width(out->s);
     if (!quarter)
         return STATUS_OK;
     if (check(quarter, SINGLE_SCAN_QUARTERS, "quarter", status) != STATUS_OK ||
         check(simulated_quarter, records * SINGLE_SCAN_QUARTERS, "simulated quarter", status) != STATUS_OK)
         return status->code;
-    out->quarters_sd = deviation(quarter, SINGLE_SCAN_QUARTERS);
+    out->quarters_sd = gsl_stats_sd(quarter, 1, SINGLE_SCAN_QUARTERS);
     for (size_t b = 0; b < records; b++)
-        out->simulated_sd =
-            fmax(out->simulated_sd, deviation(simulated_quarter + b * SINGLE_SCAN_QUARTERS, SINGLE_SCAN_QUARTERS));
+        out->simulated_sd = fmax(out->simulated_sd,
+                                 gsl_stats_sd(simulated_quarter + b * SINGLE_SCAN_QUARTERS, 1, SINGLE_SCAN_QUARTERS));
     out->heterogeneous = out->quarters_sd > out->simulated_sd;
     if (out->heterogeneous)
         out->half_width = fmax(out->half_width, quarters_95 * out->quarters_sd);

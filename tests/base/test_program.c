@@ -150,7 +150,6 @@ static void test_stop(void **state)
     assert_int_equal(start(&process, slow, place.path), 0);
     program_stop();
     assert_int_equal(program_wait(process, clock_seconds() + 1000, -1), PROGRAM_STOPPED);
-    program_kill();
     assert_true(WIFSIGNALED(program_end(process)));
     assert_int_equal(start(&process, mark, place.path), ECANCELED);
     assert_false(directory_has(&place, "begun")); /* it is not even begun */

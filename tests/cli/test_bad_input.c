@@ -2,7 +2,7 @@
 /* What is wrong with the input is said in a line that names file, line and remedy, and nothing is half written. */
 #include "cli/process.h"
 
-#include "output/manifest.h"
+#include "output/output.h"
 #include <stdio.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -19,7 +19,7 @@ static void leave_report(const char *place)
     workspace_write(place, "out/d/data/surfaces.csv", "surface\n");
     workspace_write(place, "out/d/figures/6-05.svg", "<svg/>\n");
     workspace_write(place, "out/d/manifest.txt",
-                    MANIFEST_HEADER
+                    OUTPUT_MANIFEST_HEADER
                     "data/surfaces.csv\nfigures/6-05.svg\nmanifest.txt\nreport.html\nreport.md\nresults.json\n");
 }
 
@@ -145,7 +145,7 @@ static void test_foreign_files(void **state)
     expect_failure(place, 4, 1, "'notes' holds 'todo.txt', and no manifest.txt names it as part of a report (",
                    "report", "d", "-o", "notes");
     expect_failure(place, 4, 1, "'project' holds 'data/mine.csv', and no manifest.txt", "report", "d", "-o", "project");
-    expect_failure(place, 4, 1, "'plots' holds 'figures/plot1.svg', and no manifest.txt", "report", "d", "-o", "plots");
+    expect_failure(place, 4, 1, "'plots' holds 'report.md', and no manifest.txt", "report", "d", "-o", "plots");
     expect_failure(place, 4, 1, "'out/d' holds 'figures/src.csv', a directory, which is not part", "report", "d");
     expect_failure(place, 4, 1, "'d' holds 'a.csv'", "report", "d", "-o", "d");
     char *after = workspace_digest(place, ".");

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/manifest.h"
+#include "output/output.h"
 #include "pipeline.h"
 
 static int place_setup(void **state)
@@ -124,7 +124,7 @@ static void test_a_run_that_fails_leaves_the_report_before(void **state)
     mkdir(directory_path(place, "out"), 0777);
     directory_write(place, "out/report.md", "before");
     directory_write(place, "out/results.json", "{}");
-    directory_write(place, "out/manifest.txt", MANIFEST_HEADER "manifest.txt\nreport.md\nresults.json\n");
+    directory_write(place, "out/manifest.txt", OUTPUT_MANIFEST_HEADER "manifest.txt\nreport.md\nresults.json\n");
     options.stop = &stop;
     assert_untouched(place, options, STATUS_INTERRUPTED, "stopped");
     options = options_to(NULL);
@@ -163,7 +163,7 @@ static void test_a_signal_halfway_stops_the_run(void **state)
     mkdir(directory_path(place, "out"), 0777);
     directory_write(place, "out/report.md", "before");
     directory_write(place, "out/results.json", "{}");
-    directory_write(place, "out/manifest.txt", MANIFEST_HEADER "manifest.txt\nreport.md\nresults.json\n");
+    directory_write(place, "out/manifest.txt", OUTPUT_MANIFEST_HEADER "manifest.txt\nreport.md\nresults.json\n");
     options.stop = &stop_soon;
     options.progress = ask_to_stop;
     assert_untouched(place, options, STATUS_INTERRUPTED, "stopped");
