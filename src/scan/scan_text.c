@@ -2,6 +2,7 @@
 /* Text scans: x and z, perhaps with an index or other columns beside them; heights below a line that names the spacing;
  * and maps: x y z lists on a grid, and matrices of heights with their pixel size. */
 #include "base/limits.h"
+#include "scan/foreign.h"
 #include "scan/number.h"
 #include "scan/reader.h"
 #include "scan/sidecar.h"
@@ -11,7 +12,6 @@
 #include <string.h>
 
 enum {
-    TEXT_SNIFF = 4096,
     TEXT_POINTS = 3,
     TEXT_MOST_COLUMNS = 8 /* of numbers beside x; more are a map */
 };
@@ -52,15 +52,7 @@ static const char *name_of(const struct scan_bytes *file, const char *other)
 
 bool scan_text_sniff(const struct scan_bytes *file)
 {
-    if (name_of(file, NULL))
-        return true;
-    size_t length = file->length < TEXT_SNIFF ? file->length : TEXT_SNIFF;
-    for (size_t i = 0; i < length; i++) {
-        unsigned char c = (unsigned char)file->bytes[i];
-        if (c == '\0' || (c < 0x20 && !strchr("\t\n\v\f\r\x1a", c)))
-            return false;
-    }
-    return true;
+    return name_of(file, NULL) || !foreign_is_binary(file);
 }
 
 /* One row while it is read. */

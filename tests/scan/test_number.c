@@ -97,6 +97,9 @@ static void test_halfway(void **state)
     assert_scans(text, NUMBER_POINT, 1.0, "");
     text[length + 999] = '1';
     assert_scans(text, NUMBER_POINT, 1.0 + 0x1p-52, "");
+    char longer[2100]; /* no instrument writes that */
+    memset(longer, '7', sizeof longer);
+    assert_null(number_scan((struct string_view){longer, longer + sizeof longer}, NUMBER_POINT, NULL, &(double){0}));
 }
 
 static void test_locale(void **state)
