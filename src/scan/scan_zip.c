@@ -130,7 +130,7 @@ static enum status_code look(struct survey *out, const struct archive *archive, 
             (void)status_memory(status);
         if (entry.kind == ENTRY_OTHER && !entry.empty) {
             note_other(out, name);
-            if (out->first_text == SIZE_MAX && scan_text_sniff(&entry.file))
+            if (out->first_text == SIZE_MAX && scan_text_sniff(&entry.file) && !foreign_find(&entry.file))
                 out->first_text = i;
         }
         out->kinds[i] = entry.kind;
