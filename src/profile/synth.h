@@ -25,9 +25,9 @@ struct synth_def synth_def_default(void);
 
 /** Fills height_m (`points` values). In the band lambda_s ... L, and in no other, the least-squares line of log10 Delta
  * gives alpha, gamma and the scatter back exactly: xi is made orthogonal to the fit. Rq is met by turning xi within
- * that space, or by scaling alpha. The phase of one long wave is chosen so that the least-squares line of the profile is level: levelling
- * leaves it as it is. Errors: STATUS_USAGE when points < 8, a number is out of range, or no scatter of that size gives
- * rq_m; STATUS_MEMORY.
+ * that space, or by scaling alpha. The phase of one long wave is chosen so that the least-squares line of the profile
+ * is level: levelling leaves it as it is. Errors: STATUS_USAGE when points < 8, a number is out of range, or no scatter
+ * of that size gives rq_m; STATUS_MEMORY.
  */
 MUST_CHECK enum status_code synth_profile(double *height_m, const struct synth_def *def, struct status *status);
 

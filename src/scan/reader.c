@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scan/reader.h"
-#include "base/large.h"
 #include "base/limits.h"
 #include "scan/number.h"
 #include "scan/sidecar.h"
@@ -174,7 +173,7 @@ enum status_code scan_reserve(struct scan *out, size_t nx, size_t ny, size_t roo
                          nx, ny, room);
     if (scan_check_points(nx, ny, file, status) != STATUS_OK)
         return status->code;
-    out->z_m = large_alloc(nx * ny, sizeof *out->z_m);
+    out->z_m = malloc(nx * ny * sizeof *out->z_m);
     if (!out->z_m)
         return status_memory(status);
     out->nx = nx;
