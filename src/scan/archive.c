@@ -8,6 +8,11 @@
 
 enum { ARCHIVE_SLACK = 64 /* bytes: an empty entry takes a few, too */ };
 
+bool archive_sniff(const struct scan_bytes *file)
+{
+    return file->length > 4 && memcmp(file->bytes, "PK\3\4", 4) == 0;
+}
+
 static enum status_code fail_open(const struct scan_bytes *file, zip_error_t *error, struct status *status)
 {
     return zip_error_code_zip(error) == ZIP_ER_MEMORY
@@ -77,16 +82,6 @@ size_t archive_find(const struct archive *archive, const char *name, bool anywhe
             break;
     }
     return i;
-}
-
-bool archive_has(const struct scan_bytes *file, const char *name, bool anywhere, bool damaged)
-{
-    struct archive archive;
-    struct status ignored = {0};
-    bool opened = archive_open(&archive, file, &ignored) == STATUS_OK;
-    bool found = opened ? archive_find(&archive, name, anywhere) < archive.count : damaged;
-    archive_close(&archive);
-    return found;
 }
 
 enum status_code archive_read(struct text *text, const struct archive *archive, size_t index, size_t most,

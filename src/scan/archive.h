@@ -17,6 +17,9 @@ struct archive {
     size_t count;
 };
 
+/** Does the file begin as an archive does? */
+bool archive_sniff(const struct scan_bytes *file);
+
 /** Opens `file`, which has to outlive the archive; archive_close() ends it whatever comes back. Error: STATUS_SCAN,
  * also where entries share bytes or more is claimed than LIMIT_MEMBERS, LIMIT_UNPACKED_BYTES and LIMIT_UNPACKED_RATIO
  * allow. */
@@ -25,8 +28,6 @@ void archive_close(struct archive *archive);
 
 /** Index of the entry `name` (case ignored; anywhere: in any folder), archive->count when there is none. */
 size_t archive_find(const struct archive *archive, const char *name, bool anywhere);
-/** Has the archive in `file` such an entry, as archive_find() seeks it? `damaged` where it cannot be opened. */
-bool archive_has(const struct scan_bytes *file, const char *name, bool anywhere, bool damaged);
 /** Unpacks an entry into `text`, which is empty, and compares its checksum; or only its first `most` bytes, where there
  * are more, and no checksum. */
 MUST_CHECK enum status_code archive_read(struct text *text, const struct archive *archive, size_t index, size_t most,

@@ -130,11 +130,6 @@ bool foreign_has_ending(const char *path, const char *endings)
     return dot && string_view_is_one_of(string_view_of(dot), endings);
 }
 
-const char *foreign_remedy(const struct foreign *foreign)
-{
-    return foreign->remedy ? foreign->remedy : foreign_usual_remedy;
-}
-
 static unsigned get_u16(const unsigned char *bytes, bool big)
 {
     return big ? (unsigned)bytes[0] << 8 | bytes[1] : (unsigned)bytes[1] << 8 | bytes[0];
@@ -159,12 +154,13 @@ static bool is_park(const struct scan_bytes *file)
     return false;
 }
 
-const struct foreign *foreign_find(const struct scan_bytes *file)
+/* The first row that fits; `archive` is open, or has no entries. */
+static const struct foreign *find_row(const struct scan_bytes *file, const struct archive *archive)
 {
-    bool binary = foreign_is_binary(file), zip = file->length > 4 && memcmp(file->bytes, "PK\3\4", 4) == 0;
+    bool binary = foreign_is_binary(file);
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         const struct foreign *row = &rows[i];
-        if (row->entry && !(zip && archive_has(file, row->entry, false, false)))
+        if (row->entry && archive_find(archive, row->entry, false) == archive->count)
             continue;
         if (row->endings && !foreign_has_ending(file->path, row->endings))
             continue;
@@ -177,4 +173,14 @@ const struct foreign *foreign_find(const struct scan_bytes *file)
     if (file->length > 4 && (memcmp(file->bytes, "II*\0", 4) == 0 || memcmp(file->bytes, "MM\0*", 4) == 0))
         return is_park(file) ? &tiff_park : &tiff_picture;
     return NULL;
+}
+
+const struct foreign *foreign_find(const struct scan_bytes *file)
+{
+    struct archive archive = {.file = file};
+    struct status ignored = {0};
+    bool opened = archive_sniff(file) && archive_open(&archive, file, &ignored) == STATUS_OK;
+    const struct foreign *row = find_row(file, opened ? &archive : &(struct archive){0});
+    archive_close(&archive);
+    return row;
 }

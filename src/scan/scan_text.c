@@ -5,7 +5,7 @@
 #include "scan/foreign.h"
 #include "scan/number.h"
 #include "scan/reader.h"
-#include "scan/sidecar.h"
+#include "scan/text_header.h"
 
 #include <math.h>
 #include <stdlib.h>

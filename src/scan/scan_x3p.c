@@ -44,10 +44,17 @@ struct x3p {
     char folder[256]; /* of main.xml, with its last '/' */
 };
 
+/* An archive with main.xml in it; of a damaged one just the name in its bytes tells. */
 bool scan_x3p_sniff(const struct scan_bytes *file)
 {
-    return scan_zip_sniff(file) && archive_has(file, "main.xml", true, true) && /* and not an archive of such files */
-           memmem(file->bytes, file->length, "main.xml", 8) != NULL; /* of a damaged one nothing else tells */
+    struct archive archive;
+    struct status ignored = {0};
+    if (!archive_sniff(file) || !memmem(file->bytes, file->length, "main.xml", 8))
+        return false;
+    bool found =
+        archive_open(&archive, file, &ignored) != STATUS_OK || archive_find(&archive, "main.xml", true) < archive.count;
+    archive_close(&archive);
+    return found;
 }
 
 enum { X3P_PATH = 256, X3P_TEXT = 256 };
