@@ -124,17 +124,12 @@ static enum status_code check(struct scan *scan, const struct scan_bytes *file, 
     return check_lengths(scan, file, status);
 }
 
-static double unit_si(const char *name, bool slope)
-{
-    return slope ? scan_unit_slope(name, strlen(name)) : scan_unit_m(name, strlen(name));
-}
-
 static void warn_unit(struct scan *scan, char axis, const char *named, const struct scan_options *options)
 {
-    bool slope = axis == 'z' && scan->quantity == SCAN_SLOPE;
-    double used = unit_si(named, slope);
+    enum scan_quantity quantity = axis == 'z' ? scan->quantity : SCAN_HEIGHT;
+    double used = scan_unit_find(string_view_of(named), quantity).si;
     const char *scene = axis == 'x' ? options->x_unit : options->z_unit;
-    if (scene && *scene && used > 0 && unit_si(scene, slope) != used)
+    if (scene && *scene && used > 0 && scan_unit_find(string_view_of(scene), quantity).si != used)
         scan_warn(scan, "the file%s names its %c unit, %s: the scene's %c_unit is not used",
                   scan->units_beside ? " or its sidecar" : "", axis, named, axis);
 }
@@ -211,30 +206,26 @@ enum status_code scan_read_beside(struct scan *out, const struct scan_bytes *fil
 {
     struct status problem = {0};
     enum status_code code = scan_read_bytes(out, file, options, &problem);
+    if (code == STATUS_SCAN && !options->no_programs && is_foreign_scan(file) && gwyddion_exists())
+        return read_converted(out, file, path, options, &problem, status);
     struct sidecar sidecar;
     char *found = NULL;
     bool refused_text = code == STATUS_SCAN && out->z_column == 0 && !foreign_is_binary(file);
     if (code != STATUS_MEMORY && (out->units_lacking || refused_text) &&
         sidecar_find(&sidecar, &found, path, status) != STATUS_OK)
         return status->code;
-    if (found && !out->units_lacking && sidecar.header.lines == 0) { /* it has nothing to say of what went wrong */
-        free(found);
-        found = NULL;
+    if (found && (out->units_lacking || sidecar.header.lines > 0)) { /* else it says nothing of what went wrong */
+        struct scan_options with = *options;
+        with.sidecar = &sidecar;
+        scan_free(out);
+        problem = (struct status){0};
+        code = scan_read_bytes(out, file, &with, &problem);
+        if (out->units_beside)
+            out->sidecar = found;
     }
-    if (code == STATUS_SCAN && !options->no_programs && is_foreign_scan(file) && gwyddion_exists())
-        return read_converted(out, file, path, options, &problem, status);
-    if (!found) {
-        *status = code == STATUS_OK ? *status : problem;
-        return code;
-    }
-    struct scan_options with = *options;
-    with.sidecar = &sidecar;
-    scan_free(out);
-    code = scan_read_bytes(out, file, &with, status);
-    if (out->units_beside)
-        out->sidecar = found;
-    else
+    if (!out->sidecar)
         free(found);
+    *status = problem;
     return code;
 }
 

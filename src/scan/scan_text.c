@@ -24,8 +24,6 @@ struct table {
     size_t rows, columns;
     double *cell;                 /* rows x columns */
     size_t first_line, last_line; /* where the rows are, counted from 1 */
-    struct string_view missing;   /* the first cell that says NaN or BAD, which `cell` has as NaN */
-    size_t missing_line;          /* and its line, 0 when there is none */
     size_t announced;             /* how many rows the line right above them says follow */
     size_t announced_line;        /* and its line, 0 when there is none */
     struct text_header header;    /* of the preamble */
@@ -59,19 +57,17 @@ bool scan_text_sniff(const struct scan_bytes *file)
 struct row {
     double *cell; /* room for `room` numbers, or NULL just to count */
     size_t room;
-    size_t count;               /* cells met, trailing empty ones aside */
-    unsigned decimal;           /* decimal signs met */
-    struct string_view bad;     /* the first cell that is no finite number */
-    struct string_view missing; /* the first cell that says that nothing was measured, or is empty */
-    size_t numbers;             /* cells that are numbers */
+    size_t count;           /* cells met, trailing empty ones aside */
+    unsigned decimal;       /* decimal signs met */
+    struct string_view bad; /* the first cell that is no finite number */
+    size_t numbers;         /* cells that are numbers */
 };
 
-/* Has `row`, as wide as the table, room for the empty cell `cell`: a point that was not measured? */
-static bool take_blank(struct row *row, struct string_view cell)
+/* Has `row`, as wide as the table, room for an empty cell: a point that was not measured? */
+static bool take_blank(struct row *row)
 {
     if (row->count >= row->room)
         return false;
-    row->missing = row->missing.start ? row->missing : cell;
     row->cell[row->count++] = NAN;
     return true;
 }
@@ -93,11 +89,10 @@ static bool read_row(struct row *row, struct string_view line, char delimiter)
         row->numbers += good ? 1 : 0;
         /* a line of stars above the numbers is none of them */
         if (!good && scan_is_missing(cell) && (*cell.start != '*' || row->room > 0 || row->numbers > 0)) {
-            row->missing = row->missing.start ? row->missing : cell;
             value = NAN;
             good = true;
         }
-        while (good && row->count < cells && take_blank(row, (struct string_view){cell.start, cell.start}))
+        while (good && row->count < cells && take_blank(row))
             ;
         if (!good || cells != row->count) {
             row->bad = cell;
@@ -107,8 +102,7 @@ static bool read_row(struct row *row, struct string_view line, char delimiter)
             row->cell[row->count] = value;
         row->count++;
     }
-    while (row->numbers > 0 && row->count < cells + (open ? 1 : 0) &&
-           take_blank(row, (struct string_view){line.end, line.end}))
+    while (row->numbers > 0 && row->count < cells + (open ? 1 : 0) && take_blank(row))
         ;
     return row->count > 0;
 }
@@ -165,17 +159,11 @@ static bool reserve(struct table *table, size_t *capacity, size_t most, size_t l
     return true;
 }
 
-static enum status_code fail_cell(const struct table *table, struct string_view cell, size_t line,
-                                  struct status *status)
-{
-    return scan_fail(status, table->file, line, "'%s' in a column of numbers; correct or remove this line",
-                     scan_quote(cell).text);
-}
-
 static enum status_code fail_row(const struct table *table, const struct row *row, size_t line, struct status *status)
 {
     if (row->bad.start)
-        return fail_cell(table, row->bad, line, status);
+        return scan_fail(status, table->file, line, "'%s' in a column of numbers; correct or remove this line",
+                         scan_quote(row->bad).text);
     return scan_fail(status, table->file, line, "%zu columns where line %zu has %zu; correct or remove this line",
                      row->count, table->first_line, table->columns);
 }
@@ -236,10 +224,6 @@ static enum status_code read_rows(struct table *table, struct lines lines, struc
         if (decimal == (NUMBER_POINT | NUMBER_COMMA))
             return scan_fail(status, table->file, lines.number,
                              "both '.' and ',' as decimal signs; use one of them, and no thousands separator");
-        if (row.missing.start && table->missing_line == 0) {
-            table->missing = row.missing;
-            table->missing_line = lines.number;
-        }
         table->last_line = lines.number;
         table->rows++;
     }
@@ -393,8 +377,7 @@ static bool is_mark(double height, double mark)
 
 static void mark_sentinels(struct scan *out)
 {
-    double z_m = out->quantity == SCAN_SLOPE ? scan_unit_slope(out->z_unit, strlen(out->z_unit))
-                                             : scan_unit_m(out->z_unit, strlen(out->z_unit));
+    double z_m = scan_unit_find(string_view_of(out->z_unit), out->quantity).si;
     for (size_t k = 0; k < sizeof sentinels / sizeof *sentinels; k++) {
         double mark = sentinels[k] * z_m;
         size_t found = 0, near = 0, points = out->nx * out->ny;
