@@ -86,7 +86,6 @@ static enum status_code take_level(struct profile *profile, const struct profile
                            level_names[options->level]);
     profile->tilt = levelling.tilt;
     profile->radius_m = levelling.radius_m;
-    profile->outliers = levelling.outliers;
     if (options->level == LEVEL_CIRCLE && isinf(levelling.radius_m))
         profile_note(profile, "a line was taken out: the best arc is straight");
     else if (options->level == LEVEL_CIRCLE)

@@ -57,15 +57,14 @@ bool scan_x3p_sniff(const struct scan_bytes *file)
     return found;
 }
 
-enum { X3P_PATH = 256, X3P_TEXT = 256 };
+enum { X3P_DEPTH = 64, X3P_NAME = 32, X3P_TEXT = 256 }; /* that depth is what LIMIT_XML_DEPTH allows */
 
 struct parse {
     struct main_xml *out;
     XML_Parser parser;
-    char path[X3P_PATH];    /* names of the open elements, each after a '/' */
-    size_t hidden;          /* open elements deeper than `path` has room for */
-    size_t depth, elements; /* open ones; all, with attributes */
-    char text[X3P_TEXT];    /* of the innermost element */
+    char name[X3P_DEPTH + 1][X3P_NAME]; /* of the open elements, from 1; none that is sought is longer */
+    size_t depth, elements;             /* open ones; all, with attributes */
+    char text[X3P_TEXT];                /* of the innermost element */
     size_t length;
     const struct scan_bytes *file;
     struct status *status;
@@ -85,7 +84,7 @@ static void XMLCALL on_start(void *user, const XML_Char *name, const XML_Char **
     (void)attributes;
     struct parse *parse = user;
     parse->elements += 1 + (size_t)XML_GetSpecifiedAttributeCount(parse->parser) / 2;
-    if (++parse->depth > limit_most(LIMIT_XML_DEPTH)) {
+    if (parse->depth == X3P_DEPTH || parse->depth == limit_most(LIMIT_XML_DEPTH)) {
         stop(parse, "elements within elements", limit_words(LIMIT_XML_DEPTH).text);
         return;
     }
@@ -94,13 +93,8 @@ static void XMLCALL on_start(void *user, const XML_Char *name, const XML_Char **
         return;
     }
     const char *colon = strrchr(name, ':'); /* the prefix of the name space is the writer's choice */
-    size_t used = strlen(parse->path);
-    name = colon ? colon + 1 : name;
+    snprintf(parse->name[++parse->depth], X3P_NAME, "%s", colon ? colon + 1 : name);
     parse->length = 0;
-    if (parse->hidden > 0 || used + strlen(name) + 2 > sizeof parse->path)
-        parse->hidden++;
-    else
-        snprintf(parse->path + used, sizeof parse->path - used, "/%s", name);
 }
 
 static void XMLCALL on_text(void *user, const XML_Char *text, int length)
@@ -126,42 +120,40 @@ static void add_datum(struct parse *parse, struct string_view text)
     text_add_bytes(&parse->out->datum, (const char *)&datum, sizeof datum);
 }
 
-/* Takes the text of a leaf over where its path ends as one of these; numbers that are missing or empty keep what they
- * were set to before. */
-static void take_leaf(struct parse *parse, struct string_view text)
+/* Takes over the text of a leaf, by its name and that of the element around it; numbers that are missing or empty keep
+ * what they were set to before. */
+static void take_leaf(struct parse *parse, const char *parent, const char *name, struct string_view text)
 {
     struct main_xml *out = parse->out;
     struct {
-        const char *end;
+        const char *parent, *name;
         char *string;
         size_t size;
         double *number;
     } leaves[] = {
-        {"/FeatureType", out->feature, sizeof out->feature, NULL},
-        {"/CX/AxisType", &out->axis[0].kind, 1, NULL},
-        {"/CY/AxisType", &out->axis[1].kind, 1, NULL},
-        {"/CZ/AxisType", &out->axis[2].kind, 1, NULL},
-        {"/CX/DataType", &out->axis[0].type, 1, NULL},
-        {"/CY/DataType", &out->axis[1].type, 1, NULL},
-        {"/CZ/DataType", &out->axis[2].type, 1, NULL},
-        {"/CX/Increment", NULL, 0, &out->axis[0].increment},
-        {"/CY/Increment", NULL, 0, &out->axis[1].increment},
-        {"/CZ/Increment", NULL, 0, &out->axis[2].increment},
-        {"/CX/Offset", NULL, 0, &out->axis[0].offset},
-        {"/CY/Offset", NULL, 0, &out->axis[1].offset},
-        {"/CZ/Offset", NULL, 0, &out->axis[2].offset},
-        {"/MatrixDimension/SizeX", NULL, 0, &out->size[0]},
-        {"/MatrixDimension/SizeY", NULL, 0, &out->size[1]},
-        {"/MatrixDimension/SizeZ", NULL, 0, &out->size[2]},
-        {"/Record3/ListDimension", NULL, 0, &out->list},
-        {"/DataLink/PointDataLink", out->data_link, sizeof out->data_link, NULL},
-        {"/DataLink/ValidPointsLink", out->valid_link, sizeof out->valid_link, NULL},
-        {"/DataLink/MD5ChecksumPointData", out->data_md5, sizeof out->data_md5, NULL},
+        {"Record1", "FeatureType", out->feature, sizeof out->feature, NULL},
+        {"CX", "AxisType", &out->axis[0].kind, 1, NULL},
+        {"CY", "AxisType", &out->axis[1].kind, 1, NULL},
+        {"CZ", "AxisType", &out->axis[2].kind, 1, NULL},
+        {"CX", "DataType", &out->axis[0].type, 1, NULL},
+        {"CY", "DataType", &out->axis[1].type, 1, NULL},
+        {"CZ", "DataType", &out->axis[2].type, 1, NULL},
+        {"CX", "Increment", NULL, 0, &out->axis[0].increment},
+        {"CY", "Increment", NULL, 0, &out->axis[1].increment},
+        {"CZ", "Increment", NULL, 0, &out->axis[2].increment},
+        {"CX", "Offset", NULL, 0, &out->axis[0].offset},
+        {"CY", "Offset", NULL, 0, &out->axis[1].offset},
+        {"CZ", "Offset", NULL, 0, &out->axis[2].offset},
+        {"MatrixDimension", "SizeX", NULL, 0, &out->size[0]},
+        {"MatrixDimension", "SizeY", NULL, 0, &out->size[1]},
+        {"MatrixDimension", "SizeZ", NULL, 0, &out->size[2]},
+        {"Record3", "ListDimension", NULL, 0, &out->list},
+        {"DataLink", "PointDataLink", out->data_link, sizeof out->data_link, NULL},
+        {"DataLink", "ValidPointsLink", out->valid_link, sizeof out->valid_link, NULL},
+        {"DataLink", "MD5ChecksumPointData", out->data_md5, sizeof out->data_md5, NULL},
     };
-    size_t used = strlen(parse->path);
     for (size_t i = 0; i < sizeof leaves / sizeof *leaves; i++) {
-        size_t length = strlen(leaves[i].end);
-        if (used < length || strcmp(parse->path + used - length, leaves[i].end) != 0 || text.start == text.end)
+        if (strcmp(leaves[i].name, name) != 0 || strcmp(leaves[i].parent, parent) != 0 || text.start == text.end)
             continue;
         if (leaves[i].size == 1)
             *leaves[i].string = *text.start;
@@ -176,23 +168,20 @@ static void XMLCALL on_end(void *user, const XML_Char *name)
 {
     (void)name;
     struct parse *parse = user;
+    if (parse->status->code != STATUS_OK) /* stopped at this element's start */
+        return;
     struct string_view text = {parse->text, parse->text + parse->length};
     while (text.start < text.end && isspace((unsigned char)*text.start))
         text.start++;
     while (text.start < text.end && isspace((unsigned char)text.end[-1]))
         text.end--;
+    const char *own = parse->name[parse->depth], *parent = parse->name[parse->depth - 1];
     parse->length = 0;
     parse->depth--;
-    if (parse->hidden > 0) {
-        parse->hidden--;
-        return;
-    }
-    char *last = strrchr(parse->path, '/');
-    if (strcmp(last, "/Datum") == 0)
+    if (strcmp(own, "Datum") == 0)
         add_datum(parse, text);
     else
-        take_leaf(parse, text);
-    *last = '\0';
+        take_leaf(parse, parent, own, text);
 }
 
 /* X3P has none, and what stands in one takes a parser's time: entities of entities, attributes for every element. */
