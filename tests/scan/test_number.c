@@ -60,8 +60,11 @@ static void test_against_strtod(void **state)
                 continue;
             snprintf(text, sizeof text, "%.*g", digits > 20 ? 17 : digits, value);
         } else { /* what scans hold */
-            snprintf(text, sizeof text, "%s%d.%0*llu", seed & 1 ? "-" : "", (int)(seed >> 50),
-                     digits > 18 ? 18 : digits, (unsigned long long)(bits % 1000000000000000000u));
+            uint64_t fraction = bits;
+            for (int digit = 19; digit > digits % 19; digit--)
+                fraction /= 10; /* up to 18 digits, so that 16 to 19 in all are frequent */
+            snprintf(text, sizeof text, "%s%d.%0*llu", seed & 1 ? "-" : "", (int)(seed >> 54), digits % 19,
+                     (unsigned long long)fraction);
         }
         assert_scans(text, NUMBER_POINT, strtod(text, NULL), "");
     }
