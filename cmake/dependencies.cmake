@@ -10,13 +10,14 @@ pkg_check_modules(md REQUIRED IMPORTED_TARGET libmd)
 pkg_check_modules(md4c REQUIRED IMPORTED_TARGET md4c)
 pkg_check_modules(expat REQUIRED IMPORTED_TARGET expat)
 pkg_check_modules(zlib REQUIRED IMPORTED_TARGET zlib)
+pkg_check_modules(zip REQUIRED IMPORTED_TARGET libzip)
 
 find_library(fftw_threads fftw3_threads REQUIRED) # Debian has no .pc file for it
 
 set(numerical ${fftw_threads} PkgConfig::fftw PkgConfig::gsl PkgConfig::jansson)
 
 # Their archives, one that needs another before it, for targets of the property TAKES_ARCHIVES: the program, which starts
-# in half the time. Not those of expat, libyaml and zlib, which Debian wants shared (lintian's embedded-library), nor
+# in half the time. Not those of expat, libyaml, zlib and libzip, which Debian wants shared (lintian's embedded-library), nor
 # libmd's, of which only the file tells the version.
 option(ROUGHCONTACT_ARCHIVES "link the program with the archives of FFTW, GSL and jansson, where there are any" ON)
 foreach(name IN ITEMS fftw3_threads fftw3 gsl gslcblas jansson)
@@ -32,4 +33,4 @@ set(takes_archives $<BOOL:$<TARGET_PROPERTY:TAKES_ARCHIVES>>)
 add_library(roughcontact_dependencies INTERFACE)
 target_link_libraries(roughcontact_dependencies INTERFACE "$<${takes_archives}:${archives}>"
                       "$<$<NOT:${takes_archives}>:${numerical}>" PkgConfig::yaml PkgConfig::md PkgConfig::md4c
-                      PkgConfig::expat PkgConfig::zlib Threads::Threads m)
+                      PkgConfig::expat PkgConfig::zlib PkgConfig::zip Threads::Threads m)

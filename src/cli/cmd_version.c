@@ -14,6 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <yaml.h>
+#include <zip.h>
 #include <zlib.h>
 
 /** Of one that does not: the file that `symbol` is in, by its own name behind its links: libmd4c.so.0.4.8. */
@@ -50,6 +51,7 @@ void command_version(struct text *out)
     add_number(out, "jansson", jansson_version_str());
     add_number(out, "expat", XML_ExpatVersion());
     add_number(out, "zlib", zlibVersion());
+    add_number(out, "libzip", zip_libzip_version());
     add_file(out, "md4c", "md_parse");
     add_file(out, "libmd", "SHA256Init");
     add_number(out, "glibc", gnu_get_libc_version());

@@ -9,43 +9,11 @@
 static const double filter_alpha = 0.46971863934982566; /* sqrt(ln 2/pi), ISO 16610-21 */
 static const double filter_smallest = 1e-9;             /* weight at which the tail is cut, of the largest */
 
-enum { SHORT_REACH = 16 }; /* up to it a sum over the neighbours is quicker than three transforms, and rounds less */
-
-/** A length the transform is quick at: 2^a, 3 2^a or 5 2^a. */
-static size_t quick_length(size_t least)
-{
-    size_t best = 0;
-    for (size_t odd = 1; odd <= 5; odd += 2) {
-        size_t length = odd;
-        while (length < least)
-            length *= 2;
-        best = best == 0 || length < best ? length : best;
-    }
-    return best;
-}
-
 /** How many neighbours on either side have a weight; never more than there are. */
 static size_t reach_of(size_t points, double spacing_m, double cutoff_m)
 {
     double reach = filter_alpha * cutoff_m * sqrt(-log(filter_smallest) / M_PI) / spacing_m;
     return reach < (double)(points - 1) ? (size_t)reach : points - 1;
-}
-
-/** Sum of the weighted heights within the record around each point; of a periodic one, around its ends too. */
-static void sum_neighbours(double *smooth, const double *height_m, const double *kernel, size_t points, size_t reach,
-                           bool periodic)
-{
-    for (size_t i = 0; i < points; i++) {
-        double sum = kernel[0] * height_m[i];
-        if (i >= reach && i + reach < points)
-            for (size_t k = 1; k <= reach; k++)
-                sum += kernel[k] * (height_m[i - k] + height_m[i + k]);
-        else
-            for (size_t k = 1; k <= reach; k++)
-                sum += kernel[k] * ((i >= k || periodic ? height_m[i >= k ? i - k : i + points - k] : 0) +
-                                    (i + k < points || periodic ? height_m[(i + k) % points] : 0));
-        smooth[i] = sum;
-    }
 }
 
 /** Divides by the sum of the weights that lie within the record. `kernel` holds weight k at [k]. */
@@ -70,7 +38,10 @@ static void renormalise(double *smooth, const double *kernel, size_t points, siz
 static enum status_code convolve(double *smooth, const double *height_m, const double *kernel, size_t points,
                                  size_t reach, bool periodic, struct status *status)
 {
-    size_t length = periodic ? points : quick_length(points + reach);
+    size_t length = 1;
+    while (length < points + reach)
+        length *= 2;
+    length = periodic ? points : length;
     double *record = fftw_alloc_real(length);
     fftw_complex *weights = fftw_alloc_complex(length / 2 + 1), *heights = fftw_alloc_complex(length / 2 + 1);
     enum status_code code = STATUS_OK;
@@ -111,11 +82,7 @@ enum status_code filter_gaussian(double *smooth_m, const double *height_m, size_
         double x = (double)k * spacing_m / (filter_alpha * cutoff_m);
         kernel[k] = exp(-M_PI * x * x);
     }
-    enum status_code code = STATUS_OK;
-    if (reach <= SHORT_REACH)
-        sum_neighbours(smooth_m, height_m, kernel, points, reach, periodic);
-    else
-        code = convolve(smooth_m, height_m, kernel, points, reach, periodic, status);
+    enum status_code code = convolve(smooth_m, height_m, kernel, points, reach, periodic, status);
     if (code == STATUS_OK)
         renormalise(smooth_m, kernel, points, reach, periodic);
     free(kernel);

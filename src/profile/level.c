@@ -2,6 +2,8 @@
 #include "profile/level.h"
 
 #include <float.h>
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_linalg.h>
 #include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <stdlib.h>
@@ -186,31 +188,6 @@ static void arc_gradient(double gradient[3], const struct arc *arc, double u)
         gradient[2] = (u * tan(b) - (arc_at(arc, u) - arc->height)) / arc->bend;
 }
 
-/** Solves the 3 x 3 normal equations by Cholesky; false where they are singular. */
-static bool solve(double m[3][3], double v[3])
-{
-    for (int j = 0; j < 3; j++)
-        for (int i = j; i < 3; i++) {
-            double sum = m[i][j];
-            for (int k = 0; k < j; k++)
-                sum -= m[i][k] * m[j][k];
-            if (i == j && !(sum > 0))
-                return false;
-            m[i][j] = i == j ? sqrt(sum) : sum / m[j][j];
-        }
-    for (int i = 0; i < 3; i++) {
-        for (int k = 0; k < i; k++)
-            v[i] -= m[i][k] * v[k];
-        v[i] /= m[i][i];
-    }
-    for (int i = 2; i >= 0; i--) {
-        for (int k = i + 1; k < 3; k++)
-            v[i] -= m[k][i] * v[k];
-        v[i] /= m[i][i];
-    }
-    return true;
-}
-
 /** One step of Gauss and Newton, halved until the misfit falls. Returns whether it moved. */
 static bool improve(const struct record *record, const double *z, struct arc *arc, double *misfit)
 {
@@ -224,7 +201,10 @@ static bool improve(const struct record *record, const double *z, struct arc *ar
                 m[a][b] += g[a] * g[b];
         }
     }
-    if (!solve(m, v))
+    gsl_matrix_view normal = gsl_matrix_view_array(m[0], 3, 3);
+    gsl_vector_view change = gsl_vector_view_array(v, 3);
+    if (gsl_linalg_cholesky_decomp1(&normal.matrix) != GSL_SUCCESS ||
+        gsl_linalg_cholesky_svx(&normal.matrix, &change.vector) != GSL_SUCCESS)
         return false;
     for (int half = 0; half < ARC_HALVINGS; half++) {
         struct arc next = {arc->height + v[0], arc->sine + v[1], arc->bend + v[2]};

@@ -86,7 +86,6 @@ static enum status_code take_level(struct profile *profile, const struct profile
                            level_names[options->level]);
     profile->tilt = levelling.tilt;
     profile->radius_m = levelling.radius_m;
-    profile->outliers = levelling.outliers;
     if (options->level == LEVEL_CIRCLE && isinf(levelling.radius_m))
         profile_note(profile, "a line was taken out: the best arc is straight");
     else if (options->level == LEVEL_CIRCLE)
@@ -98,74 +97,50 @@ static enum status_code take_level(struct profile *profile, const struct profile
     return STATUS_OK;
 }
 
-/** The heights smoothed, malloc'ed; NULL: out of memory. */
-static double *smoothed(const struct profile *profile, double cutoff_m, struct status *status)
+/** Takes the Gaussian low-pass or, where `high`, what it leaves, of the heights. */
+static enum status_code pass(struct profile *profile, double cutoff_m, bool high, struct status *status)
 {
-    double *smooth_m = reallocarray(NULL, profile->points, sizeof *smooth_m);
-    if (!smooth_m) {
-        (void)status_memory(status);
-        return NULL;
-    }
-    if (filter_gaussian(smooth_m, profile->height_m, profile->points, profile->spacing_m, cutoff_m, profile->periodic,
-                        status) == STATUS_OK)
-        return smooth_m;
-    free(smooth_m);
-    return NULL;
-}
-
-static const char *at_ends(const struct profile *profile)
-{
-    return profile->periodic ? "its end goes on at its beginning" : "weights renormalised at the ends";
-}
-
-static enum status_code low_pass(struct profile *profile, double cutoff_m, struct status *status)
-{
-    if (cutoff_m < 2 * profile->spacing_m)
-        profile_note(profile, "lambda_s %.4g um is below twice the spacing: the filter takes little away",
-                     cutoff_m * 1e6);
-    profile_note(profile, "gaussian low-pass lambda_s = %.6g um (ISO 16610-21; %s)", cutoff_m * 1e6, at_ends(profile));
-    double *smooth_m = smoothed(profile, cutoff_m, status);
+    double *smooth_m = malloc(profile->points * sizeof *smooth_m);
     if (!smooth_m)
+        return status_memory(status);
+    if (filter_gaussian(smooth_m, profile->height_m, profile->points, profile->spacing_m, cutoff_m, profile->periodic,
+                        status) != STATUS_OK) {
+        free(smooth_m);
         return status->code;
-    free(profile->height_m);
-    profile->height_m = smooth_m;
-    return STATUS_OK;
-}
-
-static enum status_code high_pass(struct profile *profile, double cutoff_m, struct status *status)
-{
-    size_t points = profile->points;
-    double length_m = (double)points * profile->spacing_m;
-    if (cutoff_m > length_m)
-        return status_fail(status, STATUS_SCAN,
-                           "lambda_c is %.6g m, longer than the scan of %.6g m; give a shorter one", cutoff_m,
-                           length_m);
-    double *waviness_m = smoothed(profile, cutoff_m, status);
-    if (!waviness_m)
-        return status->code;
-    for (size_t i = 0; i < points; i++)
-        profile->height_m[i] -= waviness_m[i];
-    free(waviness_m);
-    profile_note(profile, "gaussian high-pass lambda_c = %.6g um (ISO 16610-21; %s)", cutoff_m * 1e6, at_ends(profile));
+    }
+    for (size_t i = 0; i < profile->points; i++)
+        profile->height_m[i] = high ? profile->height_m[i] - smooth_m[i] : smooth_m[i];
+    free(smooth_m);
+    profile_note(profile, "gaussian %s = %.6g um (ISO 16610-21; %s)", high ? "high-pass lambda_c" : "low-pass lambda_s",
+                 cutoff_m * 1e6,
+                 profile->periodic ? "its end goes on at its beginning" : "weights renormalised at the ends");
     return STATUS_OK;
 }
 
 static enum status_code take_filters(struct profile *profile, const struct profile_options *options,
                                      struct status *status)
 {
-    double rounding_m = rounding(profile);
-    if (options->lambda_s_m > 0 && low_pass(profile, options->lambda_s_m, status) != STATUS_OK)
+    double rounding_m = rounding(profile), length_m = (double)profile->points * profile->spacing_m;
+    double lambda_s_m = options->lambda_s_m, lambda_c_m = options->lambda_c_m;
+    if (!(lambda_s_m > 0 || lambda_c_m > 0))
+        return STATUS_OK;
+    if (lambda_s_m > 0 && lambda_s_m < 2 * profile->spacing_m)
+        profile_note(profile, "lambda_s %.4g um is below twice the spacing: the filter takes little away",
+                     lambda_s_m * 1e6);
+    if (lambda_s_m > 0 && pass(profile, lambda_s_m, false, status) != STATUS_OK)
         return status->code;
-    if (options->lambda_c_m > 0 && high_pass(profile, options->lambda_c_m, status) != STATUS_OK)
+    if (lambda_c_m > length_m)
+        return status_fail(status, STATUS_SCAN,
+                           "lambda_c is %.6g m, longer than the scan of %.6g m; give a shorter one", lambda_c_m,
+                           length_m);
+    if (lambda_c_m > 0 && pass(profile, lambda_c_m, true, status) != STATUS_OK)
         return status->code;
-    if (options->lambda_s_m > 0 || options->lambda_c_m > 0) { /* the measured points did not go through them */
-        free(profile->measured_x_m);
-        free(profile->measured_z_m);
-        profile->measured_x_m = profile->measured_z_m = NULL;
-        if (peak_to_valley(profile) <= rounding_m)
-            return status_fail(status, STATUS_SCAN, "no roughness is left between lambda_s and lambda_c");
-    }
-    return STATUS_OK;
+    free(profile->measured_x_m); /* these points did not go through the filters */
+    free(profile->measured_z_m);
+    profile->measured_x_m = profile->measured_z_m = NULL;
+    return peak_to_valley(profile) > rounding_m
+               ? STATUS_OK
+               : status_fail(status, STATUS_SCAN, "no roughness is left between lambda_s and lambda_c");
 }
 
 /** From the raw heights in out->height_m, nx of them, to the profile. */
@@ -207,7 +182,7 @@ static enum status_code make_ready(struct profile *out, const struct scan *scan,
 enum status_code profile_make(struct profile *out, const struct scan *scan, size_t row,
                               const struct profile_options *options, struct status *status)
 {
-    *out = (struct profile){.height_m = reallocarray(NULL, scan->nx, sizeof *out->height_m)};
+    *out = (struct profile){.height_m = malloc(scan->nx * sizeof *out->height_m)};
     if (!out->height_m)
         return status_memory(status);
     memcpy(out->height_m, scan->z_m + row * scan->nx, scan->nx * sizeof *out->height_m);

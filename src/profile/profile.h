@@ -31,7 +31,6 @@ struct profile {
     size_t bridged, trimmed;             /* missing points: between others, and at the ends */
     double tilt;                         /* slope the levelling took out (line, parabola, circle, robust), else 0 */
     double radius_m;                     /* of the arc the levelling took out, else infinite */
-    size_t outliers;                     /* of the robust line */
     double end_jump_m;                   /* last minus first height: the record is not periodic */
     char notes[PROFILE_NOTES][PROFILE_NOTE_LENGTH]; /* each one line, lower case: steps taken and warnings */
     size_t note_count;

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "profile/synth.h"
 
+#include "base/fft.h"
 #include "scan/scan.h"
-#include <fftw3.h>
 #include <gsl/gsl_randist.h>
 #include <gsl/gsl_rng.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 struct synth_def synth_def_default(void)
 {
@@ -175,17 +176,14 @@ static enum status_code transform(double *height_m, const struct synth *synth, s
         fftw_free(record);
         return status_memory(status);
     }
-    fftw_plan plan = fftw_plan_dft_c2r_1d((int)points, bins, record, FFTW_ESTIMATE);
     for (size_t n = 0; n <= points / 2; n++) {
         bool has = n > 0 && n <= synth->count;
         double size = has ? synth->amplitude[n - 1] / (is_nyquist(synth, n - 1) ? 1 : 2) : 0;
         bins[n][0] = has ? size * cos(synth->phase[n - 1]) : 0;
         bins[n][1] = has ? size * sin(synth->phase[n - 1]) : 0;
     }
-    fftw_execute(plan);
-    for (size_t i = 0; i < points; i++)
-        height_m[i] = record[i];
-    fftw_destroy_plan(plan);
+    fft_backward(record, bins, points);
+    memcpy(height_m, record, points * sizeof *height_m);
     fftw_free(bins);
     fftw_free(record);
     return STATUS_OK;

@@ -28,9 +28,7 @@ const struct foreign *foreign_find(const struct scan_bytes *file);
 /** Are there NUL bytes, or control characters that no text has, in the first bytes? */
 bool foreign_is_binary(const struct scan_bytes *file);
 
-/** How to get a scan out of it. */
-const char *foreign_remedy(const struct foreign *foreign);
-/** For a binary file that nothing is known of. */
+/** How to get a scan out of a file of which no row says it. */
 extern const char foreign_usual_remedy[];
 
 /** Does the name end in one of `endings` (".a .b", ASCII case ignored)? */

@@ -2,7 +2,7 @@
 #include "scan/reader.h"
 #include "base/limits.h"
 #include "scan/number.h"
-#include "scan/sidecar.h"
+#include "scan/text_header.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -48,6 +48,22 @@ void scan_copy(char *to, size_t size, struct string_view view)
     size_t length = string_view_length(view) < size ? string_view_length(view) : size - 1;
     memcpy(to, view.start, length);
     to[length] = '\0';
+}
+
+void scan_warn(struct scan *scan, const char *format, ...)
+{
+    char *last = scan->warnings[SCAN_WARNINGS - 1];
+    if (scan->warning_count == SCAN_WARNINGS) {
+        size_t more = 1;
+        (void)sscanf(last, "and %zu more", &more);
+        snprintf(last, SCAN_WARNING_LENGTH, "and %zu more warnings", more + 1);
+        return;
+    }
+    va_list args;
+    va_start(args, format);
+    vsnprintf(scan->warnings[scan->warning_count], SCAN_WARNING_LENGTH, format, args);
+    va_end(args);
+    scan_printable(scan->warnings[scan->warning_count++]);
 }
 
 /* NULL where nothing is said. */
@@ -173,7 +189,7 @@ enum status_code scan_reserve(struct scan *out, size_t nx, size_t ny, size_t roo
                          nx, ny, room);
     if (scan_check_points(nx, ny, file, status) != STATUS_OK)
         return status->code;
-    out->z_m = reallocarray(NULL, nx * ny, sizeof *out->z_m);
+    out->z_m = malloc(nx * ny * sizeof *out->z_m);
     if (!out->z_m)
         return status_memory(status);
     out->nx = nx;

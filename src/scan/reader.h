@@ -92,12 +92,10 @@ static inline struct string_view scan_view(const struct scan_bytes *file)
  * does. A non-finite position breaks it. */
 size_t scan_disorder(const double *x, size_t n);
 
-/* One line a format: the prefix of its functions, its name. The order matters where one looks like another: the first
- * match wins, and text takes what no other reader knows. */
+/* One line a format (packed files apart): the prefix of its functions, its name. The order matters where one looks like
+ * another: the first match wins, and text takes what no other reader knows. */
 #define SCAN_FORMATS(X)                                                                                                \
     X(x3p, "x3p")                                                                                                      \
-    X(zip, "zip") /* with scans of any other format in it */                                                           \
-    X(gz, "gz")   /* one scan of any other format */                                                                   \
     X(mahr_prf, "mahr-prf")                                                                                            \
     X(sur, "sur")                                                                                                      \
     X(al3d, "al3d")                                                                                                    \
@@ -125,19 +123,6 @@ struct scan_reader {
     enum status_code (*read)(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
                              struct status *status);
 };
-/** The reader of these bytes; NULL where no format fits. */
-const struct scan_reader *scan_reader_find(const struct scan_bytes *file);
-
-/** Is it a reader of packed files? */
-bool scan_reader_unpacks(const struct scan_reader *reader);
-
-/** Reads bytes that were packed in a file: any format that is none of packed files itself. */
-MUST_CHECK enum status_code scan_read_inner(struct scan *out, const struct scan_bytes *inner,
-                                            const struct scan_options *options, struct status *status);
-
-struct foreign;
-/** STATUS_SCAN: what the file is, and how to get a scan out of it. */
-enum status_code scan_fail_foreign(const struct scan_bytes *file, const struct foreign *foreign, struct status *status);
 
 /** Is there a row of numbers in this text? */
 bool scan_text_has_numbers(const struct scan_bytes *file);

@@ -1,47 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scan/scan.h"
 #include "base/extremes.h"
-#include "base/limits.h"
 #include "base/text.h"
-#include "scan/foreign.h"
+#include "scan/format.h"
 #include "scan/gwyddion.h"
-#include "scan/reader.h"
 #include "scan/sidecar.h"
 
-#include <errno.h>
-#include <iconv.h>
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-static const struct scan_reader readers[] = {
-#define SCAN_ROW(prefix, name) {name, scan_##prefix##_sniff, scan_##prefix##_read},
-    SCAN_FORMATS(SCAN_ROW)
-#undef SCAN_ROW
-};
-
+const char *const scan_direction_names[SCAN_DIRECTION_COUNT] = {"x", "y"};
 const char *const scan_quantity_names[SCAN_QUANTITY_COUNT] = {"height", "slope"};
 const double scan_least_m = 1e-30, scan_most_m = 1e30;
 
 enum { SCAN_POINTS = 3 };
-
-void scan_warn(struct scan *scan, const char *format, ...)
-{
-    char *last = scan->warnings[SCAN_WARNINGS - 1];
-    if (scan->warning_count == SCAN_WARNINGS) {
-        size_t more = 1;
-        (void)sscanf(last, "and %zu more", &more);
-        snprintf(last, SCAN_WARNING_LENGTH, "and %zu more warnings", more + 1);
-        return;
-    }
-    va_list args;
-    va_start(args, format);
-    vsnprintf(scan->warnings[scan->warning_count], SCAN_WARNING_LENGTH, format, args);
-    va_end(args);
-    scan_printable(scan->warnings[scan->warning_count++]);
-}
 
 static void reverse(double *values, size_t n)
 {
@@ -150,17 +124,12 @@ static enum status_code check(struct scan *scan, const struct scan_bytes *file, 
     return check_lengths(scan, file, status);
 }
 
-static double unit_si(const char *name, bool slope)
-{
-    return slope ? scan_unit_slope(name, strlen(name)) : scan_unit_m(name, strlen(name));
-}
-
 static void warn_unit(struct scan *scan, char axis, const char *named, const struct scan_options *options)
 {
-    bool slope = axis == 'z' && scan->quantity == SCAN_SLOPE;
-    double used = unit_si(named, slope);
+    enum scan_quantity quantity = axis == 'z' ? scan->quantity : SCAN_HEIGHT;
+    double used = scan_unit_find(string_view_of(named), quantity).si;
     const char *scene = axis == 'x' ? options->x_unit : options->z_unit;
-    if (scene && *scene && used > 0 && unit_si(scene, slope) != used)
+    if (scene && *scene && used > 0 && scan_unit_find(string_view_of(scene), quantity).si != used)
         scan_warn(scan, "the file%s names its %c unit, %s: the scene's %c_unit is not used",
                   scan->units_beside ? " or its sidecar" : "", axis, named, axis);
 }
@@ -179,163 +148,27 @@ static enum status_code check_asked(const struct scan *scan, const struct scan_b
     return STATUS_OK;
 }
 
-/* Does the file begin with a UTF-16 byte order mark, and have an even number of bytes? */
-static bool is_utf16(const struct scan_bytes *file)
-{
-    return file->length >= 4 && file->length % 2 == 0 &&
-           (memcmp(file->bytes, "\xFF\xFE", 2) == 0 || memcmp(file->bytes, "\xFE\xFF", 2) == 0);
-}
-
 static enum status_code read_any(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
-                                 bool inner, struct status *status);
-
-/* The same file, which some Windows program wrote in UTF-16, in UTF-8. */
-static enum status_code read_utf16(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
-                                   struct status *status)
-{
-    iconv_t convert = iconv_open("UTF-8", "UTF-16");
-    if (convert == (iconv_t)-1)
-        return scan_fail(status, file, 0, "cannot convert from UTF-16 (%s); save it as UTF-8", strerror(errno));
-    struct text text = {0};
-    char *from = (char *)file->bytes; /* iconv takes the mark off */
-    for (size_t left = file->length; left > 0;) {
-        char piece[4096], *to = piece;
-        size_t room = sizeof piece;
-        bool stopped = iconv(convert, &from, &left, &to, &room) == (size_t)-1 && errno != E2BIG;
-        text_add_bytes(&text, piece, sizeof piece - room);
-        if (stopped) { /* at half a surrogate pair */
-            text_add_bytes(&text, "?", 1);
-            from += 2;
-            left -= 2;
-        }
-    }
-    iconv_close(convert);
-    struct scan_bytes utf8 = {text_string(&text), text.length, file->path};
-    enum status_code code = text.failed ? status_memory(status) : read_any(out, &utf8, options, true, status);
-    text_free(&text);
-    return code;
-}
-
-const struct scan_reader *scan_reader_find(const struct scan_bytes *file)
-{
-    for (size_t i = 0; i < sizeof readers / sizeof *readers; i++)
-        if (readers[i].sniff(file))
-            return &readers[i];
-    return NULL;
-}
-
-bool scan_reader_unpacks(const struct scan_reader *reader)
-{
-    return reader->read == scan_zip_read || reader->read == scan_gz_read;
-}
-
-enum status_code scan_fail_foreign(const struct scan_bytes *file, const struct foreign *foreign, struct status *status)
-{
-    if (foreign->kind == FOREIGN_DOCUMENT && !foreign->remedy)
-        return scan_fail(status, file, 0, "it is no scan: %s", foreign->name);
-    return scan_fail(status, file, 0, "the format is not read here: %s; %s", foreign->name, foreign_remedy(foreign));
-}
-
-static enum status_code fail_binary(const struct scan_bytes *file, struct status *status)
-{
-    return scan_fail(status, file, 0, "is a binary file of no known format; %s", foreign_usual_remedy);
-}
-
-/* What the file is that only looks like one of the formats here: text whose head is followed by binary data, or a zip
- * archive of something else. */
-static const struct foreign *find_foreign(const struct scan_bytes *file, const struct scan_reader *reader)
-{
-    bool vague = !reader || reader->read == scan_zip_read || reader->read == scan_text_read;
-    return vague ? foreign_find(file) : NULL;
-}
-
-/* Is there a NUL among the bytes? Those at the end do not count: some programs end a text so. */
-static bool has_nul(const struct scan_bytes *file)
-{
-    size_t length = file->length;
-    while (length > 0 && (file->bytes[length - 1] == '\0' || file->bytes[length - 1] == 0x1a))
-        length--;
-    return memchr(file->bytes, '\0', length) != NULL;
-}
-
-static enum status_code read_any(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
-                                 bool inner, struct status *status)
-{
-    if (file->length == 0)
-        return scan_fail(status, file, 0, "the file is empty");
-    if (is_utf16(file))
-        return read_utf16(out, file, options, status);
-    const struct scan_reader *reader = scan_reader_find(file);
-    const struct foreign *foreign = find_foreign(file, reader);
-    if (foreign)
-        return scan_fail_foreign(file, foreign, status);
-    if (!reader)
-        return fail_binary(file, status);
-    if (inner && scan_reader_unpacks(reader))
-        return scan_fail(status, file, 0, "a packed file within a packed file%s", limit_words(LIMIT_PACKED_DEPTH).text);
-    out->format = reader->name;
-    if (reader->read(out, file, options, status) == STATUS_OK || status->code != STATUS_SCAN)
-        return status->code;
-    if (reader->read != scan_text_read || !has_nul(file))
-        return status->code;
-    *status = (struct status){0};
-    return fail_binary(file, status);
-}
-
-enum status_code scan_read_inner(struct scan *out, const struct scan_bytes *inner, const struct scan_options *options,
                                  struct status *status)
 {
-    return read_any(out, inner, options, true, status);
+    struct format format = format_of(file, false);
+    if (format.kind != FORMAT_PACKED)
+        return format_read(out, file, options, status);
+    out->format = format.name;
+    return strcmp(format.name, "gz") == 0 ? scan_gz_read(out, file, options, status)
+                                          : scan_zip_read(out, file, options, status);
 }
 
 enum status_code scan_read_bytes(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
                                  struct status *status)
 {
     *out = (struct scan){.ny = 1};
-    if (read_any(out, file, options, false, status) != STATUS_OK ||
-        check_asked(out, file, options, status) != STATUS_OK || check(out, file, status) != STATUS_OK)
+    if (read_any(out, file, options, status) != STATUS_OK || check_asked(out, file, options, status) != STATUS_OK ||
+        check(out, file, status) != STATUS_OK)
         return status->code;
     warn_unit(out, 'x', out->x_unit, options);
     warn_unit(out, 'z', out->z_unit, options);
     return STATUS_OK;
-}
-
-/* Texts of these names are no scans, whatever numbers are in them. */
-static const char other_endings[] = ".md .rst .tex .html .htm .css .js .py .ipynb .m .r .rmd .jl .c .h .cpp .hpp .sh "
-                                    ".bat .ps1 .cmake .gp .toml .ini .cfg "
-                                    ".yaml .yml .svg .url .bib .log";
-static const char *const other_names[] = {"readme",    "license", "licence", "copying",
-                                          "changelog", "authors", "makefile"};
-/* And these are scans, or damaged ones, even without numbers. */
-static const char table_endings[] = ".csv .tsv .dat .asc .xyz .prf .prn .pro .sdf .smd .gsf .grd .sur .al3d";
-
-const char *scan_is_other(const struct scan_bytes *file, bool whole)
-{
-    const char *slash = strrchr(file->path, '/'), *name = slash ? slash + 1 : file->path;
-    if (file->length == 0 || is_utf16(file))
-        return NULL;
-    const struct scan_reader *reader = scan_reader_find(file);
-    const struct foreign *foreign = find_foreign(file, reader);
-    if (foreign)
-        return foreign->kind == FOREIGN_DOCUMENT ? foreign->name : NULL;
-    if (!reader || reader->read != scan_text_read)
-        return NULL;
-    for (size_t i = 0; i < sizeof other_names / sizeof *other_names; i++) {
-        size_t length = strlen(other_names[i]);
-        if (strncasecmp(name, other_names[i], length) == 0 && strchr(".-_", name[length]))
-            return "text";
-    }
-    if (foreign_has_ending(name, other_endings))
-        return "text";
-    if (!whole || !strrchr(name, '.') || foreign_has_ending(name, table_endings) || scan_text_has_numbers(file))
-        return NULL;
-    return "text without a row of numbers";
-}
-
-bool scan_tells_at_end(const struct scan_bytes *file)
-{
-    return scan_zip_sniff(file) ||
-           (file->length > 4 && (memcmp(file->bytes, "II*\0", 4) == 0 || memcmp(file->bytes, "MM\0*", 4) == 0));
 }
 
 /* Reads what Gwyddion makes of a binary file that no reader knows. `problem` says why none does. */
@@ -364,9 +197,8 @@ static enum status_code read_converted(struct scan *out, const struct scan_bytes
 /* Is it a measurement, as far as one can tell, in a binary format that no reader knows? */
 static bool is_foreign_scan(const struct scan_bytes *file)
 {
-    const struct scan_reader *reader = file->length > 0 && !is_utf16(file) ? scan_reader_find(file) : NULL;
-    const struct foreign *foreign = file->length > 0 ? find_foreign(file, reader) : NULL;
-    return foreign ? foreign->kind == FOREIGN_SCAN : !reader && foreign_is_binary(file);
+    enum format_kind kind = format_of(file, false).kind;
+    return kind == FORMAT_FOREIGN || (kind == FORMAT_UNKNOWN && foreign_is_binary(file));
 }
 
 enum status_code scan_read_beside(struct scan *out, const struct scan_bytes *file, const char *path,
@@ -374,30 +206,26 @@ enum status_code scan_read_beside(struct scan *out, const struct scan_bytes *fil
 {
     struct status problem = {0};
     enum status_code code = scan_read_bytes(out, file, options, &problem);
+    if (code == STATUS_SCAN && !options->no_programs && is_foreign_scan(file) && gwyddion_exists())
+        return read_converted(out, file, path, options, &problem, status);
     struct sidecar sidecar;
     char *found = NULL;
     bool refused_text = code == STATUS_SCAN && out->z_column == 0 && !foreign_is_binary(file);
     if (code != STATUS_MEMORY && (out->units_lacking || refused_text) &&
         sidecar_find(&sidecar, &found, path, status) != STATUS_OK)
         return status->code;
-    if (found && !out->units_lacking && sidecar.header.lines == 0) { /* it has nothing to say of what went wrong */
-        free(found);
-        found = NULL;
+    if (found && (out->units_lacking || sidecar.header.lines > 0)) { /* else it says nothing of what went wrong */
+        struct scan_options with = *options;
+        with.sidecar = &sidecar;
+        scan_free(out);
+        problem = (struct status){0};
+        code = scan_read_bytes(out, file, &with, &problem);
+        if (out->units_beside)
+            out->sidecar = found;
     }
-    if (code == STATUS_SCAN && !options->no_programs && is_foreign_scan(file) && gwyddion_exists())
-        return read_converted(out, file, path, options, &problem, status);
-    if (!found) {
-        *status = code == STATUS_OK ? *status : problem;
-        return code;
-    }
-    struct scan_options with = *options;
-    with.sidecar = &sidecar;
-    scan_free(out);
-    code = scan_read_bytes(out, file, &with, status);
-    if (out->units_beside)
-        out->sidecar = found;
-    else
+    if (!out->sidecar)
         free(found);
+    *status = problem;
     return code;
 }
 
@@ -413,6 +241,27 @@ enum status_code scan_read(struct scan *out, const char *path, const struct scan
     }
     text_free(&text);
     return code;
+}
+
+enum status_code scan_transpose(struct scan *scan, struct status *status)
+{
+    double *z_m = malloc(scan->nx * scan->ny * sizeof *z_m);
+    if (!z_m)
+        return status_memory(status);
+    for (size_t row = 0; row < scan->ny; row++)
+        for (size_t i = 0; i < scan->nx; i++)
+            z_m[i * scan->ny + row] = scan->z_m[row * scan->nx + i];
+    free(scan->z_m);
+    free(scan->x_m);
+    double dx_m = scan->dx_m;
+    size_t nx = scan->nx;
+    scan->z_m = z_m;
+    scan->x_m = NULL;
+    scan->nx = scan->ny;
+    scan->ny = nx;
+    scan->dx_m = scan->dy_m;
+    scan->dy_m = dx_m;
+    return STATUS_OK;
 }
 
 void scan_free(struct scan *scan)

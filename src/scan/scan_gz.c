@@ -2,16 +2,10 @@
 /* Any other format, packed by gzip (RFC 1952). */
 #include "base/limits.h"
 #include "base/text.h"
-#include "scan/reader.h"
+#include "scan/format.h"
 
 #include <stdlib.h>
-#include <string.h>
 #include <zlib.h>
-
-bool scan_gz_sniff(const struct scan_bytes *file)
-{
-    return file->length > 18 && memcmp(file->bytes, "\x1f\x8b\x08", 3) == 0;
-}
 
 /* Unpacks every member of the file, which are one after another, into `text`. */
 static enum status_code unpack(struct text *text, const struct scan_bytes *file, struct status *status)
@@ -58,7 +52,7 @@ enum status_code scan_gz_read(struct scan *out, const struct scan_bytes *file, c
     enum status_code code = unpack(&text, file, status);
     struct scan_bytes inner = {text_string(&text), text.length, file->path};
     if (code == STATUS_OK)
-        code = scan_read_inner(out, &inner, options, status);
+        code = format_read(out, &inner, options, status);
     text_free(&text);
     return code;
 }

@@ -2,16 +2,16 @@
 /* Text scans: x and z, perhaps with an index or other columns beside them; heights below a line that names the spacing;
  * and maps: x y z lists on a grid, and matrices of heights with their pixel size. */
 #include "base/limits.h"
+#include "scan/foreign.h"
 #include "scan/number.h"
 #include "scan/reader.h"
-#include "scan/sidecar.h"
+#include "scan/text_header.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum {
-    TEXT_SNIFF = 4096,
     TEXT_POINTS = 3,
     TEXT_MOST_COLUMNS = 8 /* of numbers beside x; more are a map */
 };
@@ -24,8 +24,6 @@ struct table {
     size_t rows, columns;
     double *cell;                 /* rows x columns */
     size_t first_line, last_line; /* where the rows are, counted from 1 */
-    struct string_view missing;   /* the first cell that says NaN or BAD, which `cell` has as NaN */
-    size_t missing_line;          /* and its line, 0 when there is none */
     size_t announced;             /* how many rows the line right above them says follow */
     size_t announced_line;        /* and its line, 0 when there is none */
     struct text_header header;    /* of the preamble */
@@ -52,34 +50,24 @@ static const char *name_of(const struct scan_bytes *file, const char *other)
 
 bool scan_text_sniff(const struct scan_bytes *file)
 {
-    if (name_of(file, NULL))
-        return true;
-    size_t length = file->length < TEXT_SNIFF ? file->length : TEXT_SNIFF;
-    for (size_t i = 0; i < length; i++) {
-        unsigned char c = (unsigned char)file->bytes[i];
-        if (c == '\0' || (c < 0x20 && !strchr("\t\n\v\f\r\x1a", c)))
-            return false;
-    }
-    return true;
+    return name_of(file, NULL) || !foreign_is_binary(file);
 }
 
 /* One row while it is read. */
 struct row {
     double *cell; /* room for `room` numbers, or NULL just to count */
     size_t room;
-    size_t count;               /* cells met, trailing empty ones aside */
-    unsigned decimal;           /* decimal signs met */
-    struct string_view bad;     /* the first cell that is no finite number */
-    struct string_view missing; /* the first cell that says that nothing was measured, or is empty */
-    size_t numbers;             /* cells that are numbers */
+    size_t count;           /* cells met, trailing empty ones aside */
+    unsigned decimal;       /* decimal signs met */
+    struct string_view bad; /* the first cell that is no finite number */
+    size_t numbers;         /* cells that are numbers */
 };
 
-/* Has `row`, as wide as the table, room for the empty cell `cell`: a point that was not measured? */
-static bool take_blank(struct row *row, struct string_view cell)
+/* Has `row`, as wide as the table, room for an empty cell: a point that was not measured? */
+static bool take_blank(struct row *row)
 {
     if (row->count >= row->room)
         return false;
-    row->missing = row->missing.start ? row->missing : cell;
     row->cell[row->count++] = NAN;
     return true;
 }
@@ -101,11 +89,10 @@ static bool read_row(struct row *row, struct string_view line, char delimiter)
         row->numbers += good ? 1 : 0;
         /* a line of stars above the numbers is none of them */
         if (!good && scan_is_missing(cell) && (*cell.start != '*' || row->room > 0 || row->numbers > 0)) {
-            row->missing = row->missing.start ? row->missing : cell;
             value = NAN;
             good = true;
         }
-        while (good && row->count < cells && take_blank(row, (struct string_view){cell.start, cell.start}))
+        while (good && row->count < cells && take_blank(row))
             ;
         if (!good || cells != row->count) {
             row->bad = cell;
@@ -115,8 +102,7 @@ static bool read_row(struct row *row, struct string_view line, char delimiter)
             row->cell[row->count] = value;
         row->count++;
     }
-    while (row->numbers > 0 && row->count < cells + (open ? 1 : 0) &&
-           take_blank(row, (struct string_view){line.end, line.end}))
+    while (row->numbers > 0 && row->count < cells + (open ? 1 : 0) && take_blank(row))
         ;
     return row->count > 0;
 }
@@ -173,17 +159,11 @@ static bool reserve(struct table *table, size_t *capacity, size_t most, size_t l
     return true;
 }
 
-static enum status_code fail_cell(const struct table *table, struct string_view cell, size_t line,
-                                  struct status *status)
-{
-    return scan_fail(status, table->file, line, "'%s' in a column of numbers; correct or remove this line",
-                     scan_quote(cell).text);
-}
-
 static enum status_code fail_row(const struct table *table, const struct row *row, size_t line, struct status *status)
 {
     if (row->bad.start)
-        return fail_cell(table, row->bad, line, status);
+        return scan_fail(status, table->file, line, "'%s' in a column of numbers; correct or remove this line",
+                         scan_quote(row->bad).text);
     return scan_fail(status, table->file, line, "%zu columns where line %zu has %zu; correct or remove this line",
                      row->count, table->first_line, table->columns);
 }
@@ -244,10 +224,6 @@ static enum status_code read_rows(struct table *table, struct lines lines, struc
         if (decimal == (NUMBER_POINT | NUMBER_COMMA))
             return scan_fail(status, table->file, lines.number,
                              "both '.' and ',' as decimal signs; use one of them, and no thousands separator");
-        if (row.missing.start && table->missing_line == 0) {
-            table->missing = row.missing;
-            table->missing_line = lines.number;
-        }
         table->last_line = lines.number;
         table->rows++;
     }
@@ -401,8 +377,7 @@ static bool is_mark(double height, double mark)
 
 static void mark_sentinels(struct scan *out)
 {
-    double z_m = out->quantity == SCAN_SLOPE ? scan_unit_slope(out->z_unit, strlen(out->z_unit))
-                                             : scan_unit_m(out->z_unit, strlen(out->z_unit));
+    double z_m = scan_unit_find(string_view_of(out->z_unit), out->quantity).si;
     for (size_t k = 0; k < sizeof sentinels / sizeof *sentinels; k++) {
         double mark = sentinels[k] * z_m;
         size_t found = 0, near = 0, points = out->nx * out->ny;

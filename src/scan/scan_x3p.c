@@ -6,6 +6,7 @@
 #include "scan/bytes.h"
 #include "scan/number.h"
 
+#include <ctype.h>
 #include <expat.h>
 #include <math.h>
 #include <md5.h>
@@ -29,8 +30,11 @@ struct main_xml {
     double list;    /* points of a list; 0 where there is none */
     char data_link[256], valid_link[256];
     char data_md5[40];
-    double *datum; /* datum_count x {x, z} of <DataList>, x 0 where it is not stored; NaN: missing */
-    size_t datum_count, datum_capacity;
+    struct text datum; /* of <DataList>, a struct datum each */
+};
+
+struct datum {
+    double x, z; /* x 0 where it is not stored, z NaN where it was not measured */
 };
 
 struct x3p {
@@ -40,59 +44,57 @@ struct x3p {
     char folder[256]; /* of main.xml, with its last '/' */
 };
 
+/* An archive with main.xml in it; of a damaged one just the name in its bytes tells. */
 bool scan_x3p_sniff(const struct scan_bytes *file)
 {
-    return scan_zip_sniff(file) && archive_has(file, "main.xml", true, true) && /* and not an archive of such files */
-           memmem(file->bytes, file->length, "main.xml", 8) != NULL; /* of a damaged one nothing else tells */
+    struct archive archive;
+    struct status ignored = {0};
+    if (!archive_sniff(file) || !memmem(file->bytes, file->length, "main.xml", 8))
+        return false;
+    bool found =
+        archive_open(&archive, file, &ignored) != STATUS_OK || archive_find(&archive, "main.xml", true) < archive.count;
+    archive_close(&archive);
+    return found;
 }
 
-enum { X3P_PATH = 256, X3P_TEXT = 256 };
+enum { X3P_DEPTH = 64, X3P_NAME = 32, X3P_TEXT = 256 }; /* that depth is what LIMIT_XML_DEPTH allows */
 
 struct parse {
     struct main_xml *out;
     XML_Parser parser;
-    char path[X3P_PATH];    /* names of the open elements, each after a '/' */
-    size_t hidden;          /* open elements deeper than `path` has room for */
-    size_t depth, elements; /* open ones; all, with attributes */
-    char text[X3P_TEXT];    /* of the innermost element */
+    char name[X3P_DEPTH + 1][X3P_NAME]; /* of the open elements, from 1; none that is sought is longer */
+    size_t depth, elements;             /* open ones; all, with attributes */
+    char text[X3P_TEXT];                /* of the innermost element */
     size_t length;
-    char problem[200]; /* why parsing was stopped; "": it was not */
-    bool memory;       /* an allocation failed */
+    const struct scan_bytes *file;
+    struct status *status;
 };
 
-static void stop(struct parse *parse, const char *problem)
+static void stop(struct parse *parse, const char *problem, const char *remedy)
 {
-    snprintf(parse->problem, sizeof parse->problem, "%s", problem);
+    scan_fail(parse->status, parse->file, 0, "main.xml, line %lu: %s%s",
+              (unsigned long)XML_GetCurrentLineNumber(parse->parser), problem, remedy);
     XML_StopParser(parse->parser, XML_FALSE);
 }
 
-static void stop_at(struct parse *parse, const char *what, enum limit limit)
-{
-    snprintf(parse->problem, sizeof parse->problem, "%s%s", what, limit_words(limit).text);
-    XML_StopParser(parse->parser, XML_FALSE);
-}
+static const char export_again[] = "; export the scan again";
 
 static void XMLCALL on_start(void *user, const XML_Char *name, const XML_Char **attributes)
 {
     (void)attributes;
     struct parse *parse = user;
     parse->elements += 1 + (size_t)XML_GetSpecifiedAttributeCount(parse->parser) / 2;
-    if (++parse->depth > limit_most(LIMIT_XML_DEPTH)) {
-        stop_at(parse, "elements within elements", LIMIT_XML_DEPTH);
+    if (parse->depth == X3P_DEPTH || parse->depth == limit_most(LIMIT_XML_DEPTH)) {
+        stop(parse, "elements within elements", limit_words(LIMIT_XML_DEPTH).text);
         return;
     }
     if (parse->elements > limit_most(LIMIT_XML_ELEMENTS)) {
-        stop_at(parse, "too many elements", LIMIT_XML_ELEMENTS);
+        stop(parse, "too many elements", limit_words(LIMIT_XML_ELEMENTS).text);
         return;
     }
     const char *colon = strrchr(name, ':'); /* the prefix of the name space is the writer's choice */
-    size_t used = strlen(parse->path);
-    name = colon ? colon + 1 : name;
+    snprintf(parse->name[++parse->depth], X3P_NAME, "%s", colon ? colon + 1 : name);
     parse->length = 0;
-    if (parse->hidden > 0 || used + strlen(name) + 2 > sizeof parse->path)
-        parse->hidden++;
-    else
-        snprintf(parse->path + used, sizeof parse->path - used, "/%s", name);
 }
 
 static void XMLCALL on_text(void *user, const XML_Char *text, int length)
@@ -106,74 +108,59 @@ static void XMLCALL on_text(void *user, const XML_Char *text, int length)
 /* `value` or `value;value`: a stored x, if any, comes first and z last. An empty datum is a missing point. */
 static void add_datum(struct parse *parse, struct string_view text)
 {
-    struct main_xml *out = parse->out;
-    double point[2] = {0.0, NAN};
-    size_t count = 0;
-    for (struct string_view cell; cell_next(&text, ';', &cell); count++) {
-        if (!number_read(cell, &point[1])) {
-            stop(parse, "a <Datum> that is no number");
+    struct datum datum = {0.0, NAN};
+    bool first = true;
+    for (struct string_view cell; cell_next(&text, ';', &cell); first = false) {
+        if (!number_read(cell, &datum.z)) {
+            stop(parse, "a <Datum> that is no number", export_again);
             return;
         }
-        if (count == 0)
-            point[0] = point[1];
+        datum.x = first ? datum.z : datum.x;
     }
-    if (out->datum_count == out->datum_capacity) {
-        size_t capacity = out->datum_capacity ? 2 * out->datum_capacity : 256;
-        double *datum = reallocarray(out->datum, capacity, sizeof point);
-        if (!datum) {
-            parse->memory = true;
-            stop(parse, "out of memory");
-            return;
-        }
-        out->datum = datum;
-        out->datum_capacity = capacity;
-    }
-    memcpy(out->datum + 2 * out->datum_count++, point, sizeof point);
+    text_add_bytes(&parse->out->datum, (const char *)&datum, sizeof datum);
 }
 
-/* Takes the text of a leaf over where its path ends as one of these; numbers that are missing or empty keep what they
- * were set to before. */
-static void take_leaf(struct parse *parse, struct string_view text)
+/* Takes over the text of a leaf, by its name and that of the element around it; numbers that are missing or empty keep
+ * what they were set to before. */
+static void take_leaf(struct parse *parse, const char *parent, const char *name, struct string_view text)
 {
     struct main_xml *out = parse->out;
     struct {
-        const char *end;
+        const char *parent, *name;
         char *string;
         size_t size;
         double *number;
     } leaves[] = {
-        {"/FeatureType", out->feature, sizeof out->feature, NULL},
-        {"/CX/AxisType", &out->axis[0].kind, 1, NULL},
-        {"/CY/AxisType", &out->axis[1].kind, 1, NULL},
-        {"/CZ/AxisType", &out->axis[2].kind, 1, NULL},
-        {"/CX/DataType", &out->axis[0].type, 1, NULL},
-        {"/CY/DataType", &out->axis[1].type, 1, NULL},
-        {"/CZ/DataType", &out->axis[2].type, 1, NULL},
-        {"/CX/Increment", NULL, 0, &out->axis[0].increment},
-        {"/CY/Increment", NULL, 0, &out->axis[1].increment},
-        {"/CZ/Increment", NULL, 0, &out->axis[2].increment},
-        {"/CX/Offset", NULL, 0, &out->axis[0].offset},
-        {"/CY/Offset", NULL, 0, &out->axis[1].offset},
-        {"/CZ/Offset", NULL, 0, &out->axis[2].offset},
-        {"/MatrixDimension/SizeX", NULL, 0, &out->size[0]},
-        {"/MatrixDimension/SizeY", NULL, 0, &out->size[1]},
-        {"/MatrixDimension/SizeZ", NULL, 0, &out->size[2]},
-        {"/Record3/ListDimension", NULL, 0, &out->list},
-        {"/DataLink/PointDataLink", out->data_link, sizeof out->data_link, NULL},
-        {"/DataLink/ValidPointsLink", out->valid_link, sizeof out->valid_link, NULL},
-        {"/DataLink/MD5ChecksumPointData", out->data_md5, sizeof out->data_md5, NULL},
+        {"Record1", "FeatureType", out->feature, sizeof out->feature, NULL},
+        {"CX", "AxisType", &out->axis[0].kind, 1, NULL},
+        {"CY", "AxisType", &out->axis[1].kind, 1, NULL},
+        {"CZ", "AxisType", &out->axis[2].kind, 1, NULL},
+        {"CX", "DataType", &out->axis[0].type, 1, NULL},
+        {"CY", "DataType", &out->axis[1].type, 1, NULL},
+        {"CZ", "DataType", &out->axis[2].type, 1, NULL},
+        {"CX", "Increment", NULL, 0, &out->axis[0].increment},
+        {"CY", "Increment", NULL, 0, &out->axis[1].increment},
+        {"CZ", "Increment", NULL, 0, &out->axis[2].increment},
+        {"CX", "Offset", NULL, 0, &out->axis[0].offset},
+        {"CY", "Offset", NULL, 0, &out->axis[1].offset},
+        {"CZ", "Offset", NULL, 0, &out->axis[2].offset},
+        {"MatrixDimension", "SizeX", NULL, 0, &out->size[0]},
+        {"MatrixDimension", "SizeY", NULL, 0, &out->size[1]},
+        {"MatrixDimension", "SizeZ", NULL, 0, &out->size[2]},
+        {"Record3", "ListDimension", NULL, 0, &out->list},
+        {"DataLink", "PointDataLink", out->data_link, sizeof out->data_link, NULL},
+        {"DataLink", "ValidPointsLink", out->valid_link, sizeof out->valid_link, NULL},
+        {"DataLink", "MD5ChecksumPointData", out->data_md5, sizeof out->data_md5, NULL},
     };
-    size_t used = strlen(parse->path);
     for (size_t i = 0; i < sizeof leaves / sizeof *leaves; i++) {
-        size_t length = strlen(leaves[i].end);
-        if (used < length || strcmp(parse->path + used - length, leaves[i].end) != 0 || text.start == text.end)
+        if (strcmp(leaves[i].name, name) != 0 || strcmp(leaves[i].parent, parent) != 0 || text.start == text.end)
             continue;
         if (leaves[i].size == 1)
             *leaves[i].string = *text.start;
         else if (leaves[i].string)
             scan_copy(leaves[i].string, leaves[i].size, text);
         else if (!number_read(text, leaves[i].number))
-            stop(parse, "text where a number should be");
+            stop(parse, "text where a number should be", export_again);
     }
 }
 
@@ -181,23 +168,20 @@ static void XMLCALL on_end(void *user, const XML_Char *name)
 {
     (void)name;
     struct parse *parse = user;
-    struct string_view text = string_view_trim((struct string_view){parse->text, parse->text + parse->length});
-    while (text.start < text.end && *text.start == '\n')
-        text = string_view_trim((struct string_view){text.start + 1, text.end});
-    while (text.end > text.start && text.end[-1] == '\n')
-        text = string_view_trim((struct string_view){text.start, text.end - 1});
+    if (parse->status->code != STATUS_OK) /* stopped at this element's start */
+        return;
+    struct string_view text = {parse->text, parse->text + parse->length};
+    while (text.start < text.end && isspace((unsigned char)*text.start))
+        text.start++;
+    while (text.start < text.end && isspace((unsigned char)text.end[-1]))
+        text.end--;
+    const char *own = parse->name[parse->depth], *parent = parse->name[parse->depth - 1];
     parse->length = 0;
     parse->depth--;
-    if (parse->hidden > 0) {
-        parse->hidden--;
-        return;
-    }
-    char *last = strrchr(parse->path, '/');
-    if (strcmp(last, "/Datum") == 0)
+    if (strcmp(own, "Datum") == 0)
         add_datum(parse, text);
     else
-        take_leaf(parse, text);
-    *last = '\0';
+        take_leaf(parse, parent, own, text);
 }
 
 /* X3P has none, and what stands in one takes a parser's time: entities of entities, attributes for every element. */
@@ -205,7 +189,7 @@ static void XMLCALL on_doctype(void *user, const XML_Char *name, const XML_Char 
                                int has_declarations)
 {
     (void)name, (void)system, (void)public, (void)has_declarations;
-    stop(user, "a DOCTYPE");
+    stop(user, "a DOCTYPE", export_again);
 }
 
 /* main.xml; `out->datum` is to be freed whatever comes back. */
@@ -215,7 +199,7 @@ static enum status_code read_xml(struct main_xml *out, const struct text *xml, c
     *out = (struct main_xml){0};
     for (size_t i = 0; i < 3; i++)
         out->axis[i] = (struct x3p_axis){'A', 'D', 1.0, 0.0};
-    struct parse parse = {.out = out, .parser = XML_ParserCreate(NULL)};
+    struct parse parse = {.out = out, .parser = XML_ParserCreate(NULL), .file = file, .status = status};
     if (!parse.parser)
         return status_memory(status);
     XML_SetUserData(parse.parser, &parse);
@@ -230,16 +214,14 @@ static enum status_code read_xml(struct main_xml *out, const struct text *xml, c
         good = XML_Parse(parse.parser, text_string(xml) + at, (int)piece, piece == left);
         if (good == XML_STATUS_OK &&
             at > (size_t)XML_GetCurrentByteIndex(parse.parser) + limit_most(LIMIT_XML_TAG_BYTES)) {
-            stop_at(&parse, "too long a tag", LIMIT_XML_TAG_BYTES);
+            stop(&parse, "too long a tag", limit_words(LIMIT_XML_TAG_BYTES).text);
             good = XML_STATUS_ERROR;
         }
     }
-    if (parse.memory)
-        status_memory(status);
-    else if (good != XML_STATUS_OK)
-        scan_fail(status, file, 0, "main.xml, line %lu: %s%s", (unsigned long)XML_GetCurrentLineNumber(parse.parser),
-                  *parse.problem ? parse.problem : XML_ErrorString(XML_GetErrorCode(parse.parser)),
-                  strstr(parse.problem, "; ") ? "" : "; export the scan again");
+    if (out->datum.failed)
+        (void)status_memory(status);
+    else if (good != XML_STATUS_OK && status->code == STATUS_OK)
+        stop(&parse, XML_ErrorString(XML_GetErrorCode(parse.parser)), export_again);
     XML_ParserFree(parse.parser);
     return status->code;
 }
@@ -363,7 +345,8 @@ static enum status_code read_values(struct scan *out, struct x3p *x3p, size_t nx
     if (whole)
         compare_md5(out, &x3p->points, xml->data_md5, xml->data_link);
     struct bytes bytes = {text_string(&x3p->points), text_string(&x3p->points) + x3p->points.length, false};
-    size_t room = listed ? xml->datum_count : bytes_left(&bytes) / size;
+    const struct datum *datum = (const struct datum *)(const void *)xml->datum.data;
+    size_t room = listed ? xml->datum.length / sizeof *datum : bytes_left(&bytes) / size;
     if ((stored(&axis[0]) ? scan_reserve_x(out, nx, room, file, status)
                           : scan_reserve(out, nx, ny, room, file, status)) != STATUS_OK)
         return status->code;
@@ -371,7 +354,7 @@ static enum status_code read_values(struct scan *out, struct x3p *x3p, size_t nx
         double value[3] = {0};
         for (size_t k = 0; k < 3; k++)
             if (stored(&axis[k]))
-                value[k] = listed ? xml->datum[2 * i + (k == 2)] : bytes_number(&bytes, type[k]);
+                value[k] = !listed ? bytes_number(&bytes, type[k]) : k == 2 ? datum[i].z : datum[i].x;
         out->z_m[i] = scaled(&axis[2], value[2]);
         if (out->x_m)
             out->x_m[i] = scaled(&axis[0], value[0]);
@@ -421,7 +404,7 @@ enum status_code scan_x3p_read(struct scan *out, const struct scan_bytes *file, 
     text_free(&x3p.main);
     text_free(&x3p.points);
     text_free(&x3p.valid);
-    free(x3p.xml.datum);
+    text_free(&x3p.xml.datum);
     archive_close(&x3p.archive);
     return code;
 }

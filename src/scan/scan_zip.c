@@ -5,7 +5,7 @@
  * refused where it comes, and the search goes on behind it. */
 #include "base/limits.h"
 #include "scan/archive.h"
-#include "scan/foreign.h"
+#include "scan/format.h"
 
 #include <stdint.h>
 #include <stdio.h>
@@ -14,25 +14,19 @@
 
 enum { ZIP_NAMED = 5, ZIP_BEGINNING = 65536 };
 
-enum entry_kind { ENTRY_OTHER, ENTRY_TEXT, ENTRY_SCAN, ENTRY_UNREADABLE };
-
 /* An entry, unpacked or its first bytes. Owned: entry_free(). */
 struct entry {
     struct text text;
     char path[512]; /* for messages: archive(entry) */
     struct scan_bytes file;
-    enum entry_kind kind;
-    bool empty; /* a folder, or nothing in it */
+    enum format_kind kind; /* FORMAT_FOREIGN where it cannot be read */
+    bool empty;            /* a folder, or nothing in it */
+    bool words;            /* a text without numbers */
 };
 
 static void entry_free(struct entry *entry)
 {
     text_free(&entry->text);
-}
-
-bool scan_zip_sniff(const struct scan_bytes *file)
-{
-    return file->length > 4 && memcmp(file->bytes, "PK\3\4", 4) == 0;
 }
 
 /* What an operating system leaves in archives. */
@@ -42,23 +36,13 @@ static bool is_hidden(const char *name)
     return (slash ? slash[1] : *name) == '.' || strncmp(name, "__MACOSX/", 9) == 0;
 }
 
-static enum entry_kind kind_of(const struct scan_bytes *file, bool whole)
-{
-    const struct scan_reader *reader = scan_reader_find(file);
-    if (!reader || scan_reader_unpacks(reader)) /* no archives within archives */
-        return ENTRY_OTHER;
-    if (reader->read != scan_text_read)
-        return ENTRY_SCAN;
-    return scan_is_other(file, whole) ? ENTRY_OTHER : ENTRY_TEXT;
-}
-
 /* Unpacks entry `index`, up to `most` bytes. */
 static enum status_code unpack(struct entry *out, const struct archive *archive, size_t index, size_t most,
                                struct status *status)
 {
     const char *name = archive->entries[index].name;
     bool empty = archive->entries[index].size == 0 || *name == '\0' || name[strlen(name) - 1] == '/' || is_hidden(name);
-    *out = (struct entry){.empty = empty, .kind = empty ? ENTRY_OTHER : ENTRY_UNREADABLE};
+    *out = (struct entry){.empty = empty, .kind = empty ? FORMAT_OTHER : FORMAT_FOREIGN};
     snprintf(out->path, sizeof out->path, "%.300s(%.200s)", archive->file->path, name);
     if (!out->empty && archive_read(&out->text, archive, index, most, status) != STATUS_OK)
         return status->code;
@@ -72,7 +56,7 @@ static bool is_doubtful(const struct scan_bytes *file)
     return scan_tells_at_end(file) || (scan_text_sniff(file) && !scan_text_has_numbers(file));
 }
 
-/* Tells the kind of entry `index`, as a rule by its beginning. Error: it is ENTRY_UNREADABLE, damaged or a measurement
+/* Tells the kind of entry `index`, as a rule by its beginning. Error: it is FORMAT_FOREIGN, damaged or a measurement
  * in a format that is not read; or STATUS_MEMORY. */
 static enum status_code look_at(struct entry *out, const struct archive *archive, size_t index, struct status *status)
 {
@@ -87,10 +71,10 @@ static enum status_code look_at(struct entry *out, const struct archive *archive
     }
     struct scan_bytes named = out->file;
     named.path = archive->entries[index].name;
-    const struct foreign *foreign = foreign_find(&named);
-    bool unread = foreign && foreign->kind == FOREIGN_SCAN;
-    out->kind = unread ? ENTRY_UNREADABLE : foreign ? ENTRY_OTHER : kind_of(&named, whole);
-    return unread ? scan_fail_foreign(&out->file, foreign, status) : STATUS_OK;
+    struct format format = format_of(&named, whole);
+    out->kind = format.kind == FORMAT_UNKNOWN || format.kind == FORMAT_PACKED ? FORMAT_OTHER : format.kind;
+    out->words = out->kind == FORMAT_OTHER && format.reader;
+    return out->kind == FORMAT_FOREIGN ? format_fail_foreign(&out->file, format.foreign, status) : STATUS_OK;
 }
 
 static enum status_code fail_text(const struct archive *archive, size_t index, struct status *status)
@@ -103,7 +87,7 @@ static enum status_code fail_text(const struct archive *archive, size_t index, s
 
 /* What is in an archive, all in all. */
 struct survey {
-    enum entry_kind *kinds; /* of each entry; NULL: nobody looked yet */
+    enum format_kind *kinds; /* of each entry; NULL: nobody looked yet */
     size_t scans, texts, unreadable, others;
     char names[120];   /* of the first others */
     char text[64];     /* name of the first text */
@@ -128,15 +112,15 @@ static enum status_code look(struct survey *out, const struct archive *archive, 
         const char *name = archive->entries[i].name;
         if (look_at(&entry, archive, i, &problem) == STATUS_MEMORY)
             (void)status_memory(status);
-        if (entry.kind == ENTRY_OTHER && !entry.empty) {
+        if (entry.kind == FORMAT_OTHER && !entry.empty) {
             note_other(out, name);
-            if (out->first_text == SIZE_MAX && scan_text_sniff(&entry.file))
+            if (out->first_text == SIZE_MAX && entry.words)
                 out->first_text = i;
         }
         out->kinds[i] = entry.kind;
-        out->scans += entry.kind == ENTRY_SCAN ? 1 : 0;
-        out->unreadable += entry.kind == ENTRY_UNREADABLE ? 1 : 0;
-        if (entry.kind == ENTRY_TEXT && out->texts++ == 0)
+        out->scans += entry.kind == FORMAT_SCAN ? 1 : 0;
+        out->unreadable += entry.kind == FORMAT_FOREIGN ? 1 : 0;
+        if (entry.kind == FORMAT_TEXT && out->texts++ == 0)
             snprintf(out->text, sizeof out->text, "%.60s", name);
         entry_free(&entry);
     }
@@ -150,12 +134,12 @@ static bool seek(size_t *at, const struct archive *archive, const struct survey 
     size_t count = archive->count;
     bool texts = survey->kinds ? survey->scans == 0 : *at > count; /* these only where nothing else is there */
     for (*at += texts && *at < count ? count : 0; *at < (texts ? 2 * count : count); ++*at) {
-        struct entry entry = {.kind = survey->kinds ? survey->kinds[*at % count] : ENTRY_OTHER};
+        struct entry entry = {.kind = survey->kinds ? survey->kinds[*at % count] : FORMAT_OTHER};
         struct status problem = {0};
         if (!survey->kinds && look_at(&entry, archive, *at % count, &problem) == STATUS_MEMORY)
             (void)status_memory(status);
         entry_free(&entry);
-        if (entry.kind == ENTRY_UNREADABLE || entry.kind == (texts ? ENTRY_TEXT : ENTRY_SCAN))
+        if (entry.kind == FORMAT_FOREIGN || entry.kind == (texts ? FORMAT_TEXT : FORMAT_SCAN))
             return status->code == STATUS_OK;
     }
     return false;
@@ -175,7 +159,7 @@ static enum status_code read_scan(struct scan *out, const struct archive *archiv
     if (code == STATUS_OK) {
         code = unpack(&entry, archive, index, SIZE_MAX, status);
         if (code == STATUS_OK)
-            code = scan_read_inner(out, &entry.file, options, status);
+            code = format_read(out, &entry.file, options, status);
         entry_free(&entry);
     }
     snprintf(out->part, sizeof out->part, "%.100s", archive->entries[index].name);

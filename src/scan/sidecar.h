@@ -8,11 +8,6 @@
 #include "base/text.h"
 #include "scan/text_header.h"
 
-struct sidecar {
-    char name[256]; /* without its directory, to print */
-    struct text_header header;
-};
-
 /** Can a file named `beside` be the sidecar of one named `scan`? Both without a directory. */
 bool sidecar_fits(const char *beside, const char *scan);
 

@@ -31,6 +31,12 @@ struct text_header {
     double z_factor;                       /* `height conversion factor (-> m) = 1e-9`; 1 where not said */
 };
 
+/** What a file beside a scan says of it (sidecar.h). */
+struct sidecar {
+    char name[256]; /* without its directory, to print */
+    struct text_header header;
+};
+
 /** The unit of x in `column` (from 1; 0: no table) and of z, heights or slopes: the column's own, else the one that a
  * key names; NULL where none is said. A y beside no third column is z. */
 const char *text_header_x_unit(const struct text_header *header, size_t column);

@@ -185,10 +185,7 @@ static void test_claims(void **state)
         put_bytes(&text, 65535, 2);
         put_bytes(&text, 0, 8);
         put_bytes(&text, 0, 2);
-        char message[200];
-        snprintf(message, sizeof message, "%d files in the archive%s", zip64 ? 1000000 : 65535,
-                 limit_message(LIMIT_MEMBERS));
-        expect_refused(place, &text, message);
+        expect_refused(place, &text, "damaged zip archive");
     }
 }
 

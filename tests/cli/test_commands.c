@@ -66,8 +66,8 @@ static void test_help(void **state)
 static void test_version(void **state)
 {
     const char *place = *state;
-    static const char *const parts[] = {"FFTW", "GSL",  "libyaml", "jansson", "expat",
-                                        "zlib", "md4c", "libmd",   "glibc",   "gnuplot"};
+    static const char *const parts[] = {"FFTW",   "GSL",  "libyaml", "jansson", "expat",  "zlib",
+                                        "libzip", "md4c", "libmd",   "glibc",   "gnuplot"};
     struct process process = expect_exit(place, 0, "--version"), again = expect_exit(place, 0, "-V");
     char version[64];
     snprintf(version, sizeof version, "roughcontact %s\nbuilt by ", version_string());

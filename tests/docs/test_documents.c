@@ -337,6 +337,8 @@ static void tables_are_described(void **state)
         expect_named("docs/equations.md", laws, model_rows[m]->name);
 #define EXPECT_FORMAT(reader, name) expect_named("docs/formats.md", formats, name);
     SCAN_FORMATS(EXPECT_FORMAT)
+    EXPECT_FORMAT(zip, "zip")
+    EXPECT_FORMAT(gz, "gz")
 #undef EXPECT_FORMAT
     for (int q = 0; q < QUANTITY_COUNT; q++)
         expect_named("docs/report.md", report, q == QUANTITY_LOAD ? "load_over_AnEp" : quantity_rows[q].name);

@@ -2,7 +2,7 @@
 #include "fuzz/fuzz.h"
 
 #include "base/text.h"
-#include "scan/reader.h"
+#include "scan/format.h"
 #include <math.h>
 #include <zlib.h>
 
@@ -158,10 +158,10 @@ void fuzz_scan(const uint8_t *bytes, size_t length)
     const char *only = getenv("ROUGHCONTACT_FUZZ_FORMAT"); /* one reader alone */
     char *copy = file_of((const char *)bytes, &length);
     const struct scan_bytes file = {copy, length, "file.dat"};
-    const struct scan_reader *reader = scan_reader_find(&file);
+    const char *format = format_of(&file, true).name;
     bool any = false;
     size_t parts = 0;
-    if (only && (!reader || strcmp(reader->name, only) != 0)) {
+    if (only && (!format || strcmp(format, only) != 0)) {
         free(copy);
         return;
     }
@@ -182,6 +182,6 @@ void fuzz_scan(const uint8_t *bytes, size_t length)
         FUZZ_REQUIRE(options.entry == 0 || options.entry > entry); /* an archive has an end */
         scan_free(&scan);
     } while (options.entry > 0 && ++parts < MOST_PARTS);
-    count(reader ? reader->name : "none", any);
+    count(format ? format : "none", any);
     free(copy);
 }

@@ -146,18 +146,30 @@ static void test_refusals(void **state)
     text_free(&text);
 }
 
+static void assert_prefixes_refused(const struct text *text)
+{
+    for (size_t length = 0; length < text->length; length++) {
+        struct scan scan;
+        struct status status = {0};
+        assert_int_equal(read_bytes(&scan, text->data, length, &no_units, &status), STATUS_SCAN);
+        scan_free(&scan);
+    }
+}
+
+/* Frees it. */
+static void assert_text_refused(struct text text, const char *expected)
+{
+    assert_refused_bytes(text.data, text.length, &no_units, expected);
+    text_free(&text);
+}
+
 static void test_gzip(void **state)
 {
     (void)state;
     struct text text = gzip(csv, sizeof csv - 1);
     assert_sample(&text, "text", SCAN_PROFILE, SAMPLE_POINTS, &no_units);
     fuzz_sample(&text, 510);
-    for (size_t length = 0; length < text.length; length++) { /* every prefix */
-        struct scan scan;
-        struct status status = {0};
-        assert_int_equal(read_bytes(&scan, text.data, length, &no_units, &status), STATUS_SCAN);
-        scan_free(&scan);
-    }
+    assert_prefixes_refused(&text);
     assert_refused_bytes(text.data, text.length - 1, &no_units, "damaged or cut off within the gzip data");
     struct text twice = gzip(text.data, text.length);
     assert_refused_bytes(twice.data, twice.length, &no_units,
@@ -247,12 +259,7 @@ static void test_gwy(void **state)
     text_add_bytes(&inner, "a\0b", 4);
     struct text text = gwy(&inner);
     assert_sample(&text, "gwy", SCAN_AREAL, SAMPLE_POINTS, &no_units);
-    for (size_t length = 0; length < text.length; length++) { /* every prefix */
-        struct scan scan;
-        struct status status = {0};
-        assert_int_equal(read_bytes(&scan, text.data, length, &no_units, &status), STATUS_SCAN);
-        scan_free(&scan);
-    }
+    assert_prefixes_refused(&text);
     fuzz_sample(&text, 520);
     struct text packed = gzip(text.data, text.length);
     assert_sample(&packed, "gwy", SCAN_AREAL, SAMPLE_POINTS, &no_units);
@@ -282,26 +289,16 @@ static void test_gwy_refusals(void **state)
     (void)state;
     struct text inner = {0};
     put_field_object(&inner, "/0/data", 1e-6, "m", SAMPLE_POINTS + 1);
-    struct text text = gwy(&inner);
-    assert_refused_bytes(text.data, text.length, &no_units, "cut off or damaged");
-    text_free(&text);
+    assert_text_refused(gwy(&inner), "cut off or damaged");
     put_field_object(&inner, "/0/data", 1e-6, "m", SAMPLE_POINTS - 1);
-    text = gwy(&inner);
-    assert_refused_bytes(text.data, text.length, &no_units, "cut off or damaged");
-    text_free(&text);
+    assert_text_refused(gwy(&inner), "cut off or damaged");
     put_field_object(&inner, "/0/data", 1, "V", SAMPLE_POINTS);
-    text = gwy(&inner);
-    assert_refused_bytes(text.data, text.length, &no_units, "z is in 'V' by the file, which is no unit of length");
-    text_free(&text);
+    assert_text_refused(gwy(&inner), "z is in 'V' by the file, which is no unit of length");
     put_name(&inner, "/0/filename", 's');
     text_add_bytes(&inner, "a", 2);
-    text = gwy(&inner);
-    assert_refused_bytes(text.data, text.length, &no_units, "no map in it (/0/data)");
-    text_free(&text);
+    assert_text_refused(gwy(&inner), "no map in it (/0/data)");
     put_name(&inner, "/0/odd", '?');
-    text = gwy(&inner);
-    assert_refused_bytes(text.data, text.length, &no_units, "cut off or damaged");
-    text_free(&text);
+    assert_text_refused(gwy(&inner), "cut off or damaged");
 }
 
 int main(void)

@@ -1,0 +1,167 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "scan/format.h"
+#include "base/limits.h"
+#include "base/text.h"
+#include "scan/archive.h"
+#include "scan/foreign.h"
+
+#include <errno.h>
+#include <iconv.h>
+#include <string.h>
+#include <strings.h>
+
+static const struct scan_reader readers[] = {
+#define SCAN_ROW(prefix, name) {name, scan_##prefix##_sniff, scan_##prefix##_read},
+    SCAN_FORMATS(SCAN_ROW)
+#undef SCAN_ROW
+};
+
+static const struct scan_reader *find_reader(const struct scan_bytes *file)
+{
+    for (size_t i = 0; i < sizeof readers / sizeof *readers; i++)
+        if (readers[i].sniff(file))
+            return &readers[i];
+    return NULL;
+}
+
+/* Does the file begin with a UTF-16 byte order mark, and have an even number of bytes? */
+static bool is_utf16(const struct scan_bytes *file)
+{
+    return file->length >= 4 && file->length % 2 == 0 &&
+           (memcmp(file->bytes, "\xFF\xFE", 2) == 0 || memcmp(file->bytes, "\xFE\xFF", 2) == 0);
+}
+
+/* Texts of these names are no scans, whatever numbers are in them. */
+static const char other_endings[] = ".md .rst .tex .html .htm .css .js .py .ipynb .m .r .rmd .jl .c .h .cpp .hpp .sh "
+                                    ".bat .ps1 .cmake .gp .toml .ini .cfg "
+                                    ".yaml .yml .svg .url .bib .log";
+static const char *const other_names[] = {"readme",    "license", "licence", "copying",
+                                          "changelog", "authors", "makefile"};
+/* And these are scans, or damaged ones, even without numbers. */
+static const char table_endings[] = ".csv .tsv .dat .asc .xyz .prf .prn .pro .sdf .smd .gsf .grd .sur .al3d";
+
+/* What a text is that is certainly no scan; NULL: it may be one. */
+static const char *other_text(const struct scan_bytes *file, bool whole)
+{
+    const char *slash = strrchr(file->path, '/'), *name = slash ? slash + 1 : file->path;
+    for (size_t i = 0; i < sizeof other_names / sizeof *other_names; i++) {
+        size_t length = strlen(other_names[i]);
+        if (strncasecmp(name, other_names[i], length) == 0 && strchr(".-_", name[length]))
+            return "text";
+    }
+    if (foreign_has_ending(name, other_endings))
+        return "text";
+    if (!whole || !strrchr(name, '.') || foreign_has_ending(name, table_endings) || scan_text_has_numbers(file))
+        return NULL;
+    return "text without a row of numbers";
+}
+
+struct format format_of(const struct scan_bytes *file, bool whole)
+{
+    if (file->length == 0)
+        return (struct format){.kind = FORMAT_UNKNOWN};
+    if (is_utf16(file))
+        return (struct format){FORMAT_TEXT, "text", NULL, NULL};
+    if (file->length > 18 && memcmp(file->bytes, "\x1f\x8b\x08", 3) == 0)
+        return (struct format){FORMAT_PACKED, "gz", NULL, NULL};
+    const struct scan_reader *reader = find_reader(file);
+    bool text = reader && reader->read == scan_text_read;
+    const struct foreign *foreign = !reader || text ? foreign_find(file) : NULL;
+    const char *other = text ? other_text(file, whole) : NULL;
+    if (foreign)
+        return (struct format){foreign->kind == FOREIGN_SCAN ? FORMAT_FOREIGN : FORMAT_OTHER, foreign->name, NULL,
+                               foreign};
+    if (!reader && archive_sniff(file))
+        return (struct format){FORMAT_PACKED, "zip", NULL, NULL};
+    if (!reader)
+        return (struct format){.kind = FORMAT_UNKNOWN};
+    return (struct format){other  ? FORMAT_OTHER
+                           : text ? FORMAT_TEXT
+                                  : FORMAT_SCAN,
+                           other ? other : reader->name, reader, NULL};
+}
+
+const char *scan_is_other(const struct scan_bytes *file, bool whole)
+{
+    struct format format = format_of(file, whole);
+    return format.kind == FORMAT_OTHER ? format.name : NULL;
+}
+
+bool scan_tells_at_end(const struct scan_bytes *file)
+{
+    return archive_sniff(file) ||
+           (file->length > 4 && (memcmp(file->bytes, "II*\0", 4) == 0 || memcmp(file->bytes, "MM\0*", 4) == 0));
+}
+
+enum status_code format_fail_foreign(const struct scan_bytes *file, const struct foreign *foreign,
+                                     struct status *status)
+{
+    if (foreign->kind == FOREIGN_DOCUMENT && !foreign->remedy)
+        return scan_fail(status, file, 0, "it is no scan: %s", foreign->name);
+    return scan_fail(status, file, 0, "the format is not read here: %s; %s", foreign->name,
+                     foreign->remedy ? foreign->remedy : foreign_usual_remedy);
+}
+
+static enum status_code fail_binary(const struct scan_bytes *file, struct status *status)
+{
+    return scan_fail(status, file, 0, "is a binary file of no known format; %s", foreign_usual_remedy);
+}
+
+/* Is there a NUL among the bytes? Those at the end do not count: some programs end a text so. */
+static bool has_nul(const struct scan_bytes *file)
+{
+    size_t length = file->length;
+    while (length > 0 && (file->bytes[length - 1] == '\0' || file->bytes[length - 1] == 0x1a))
+        length--;
+    return memchr(file->bytes, '\0', length) != NULL;
+}
+
+/* The same file, which some Windows program wrote in UTF-16, in UTF-8. */
+static enum status_code read_utf16(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
+                                   struct status *status)
+{
+    iconv_t convert = iconv_open("UTF-8", "UTF-16");
+    if (convert == (iconv_t)-1)
+        return scan_fail(status, file, 0, "cannot convert from UTF-16 (%s); save it as UTF-8", strerror(errno));
+    struct text text = {0};
+    char *from = (char *)file->bytes; /* iconv takes the mark off */
+    for (size_t left = file->length; left > 0;) {
+        char piece[4096], *to = piece;
+        size_t room = sizeof piece;
+        bool stopped = iconv(convert, &from, &left, &to, &room) == (size_t)-1 && errno != E2BIG;
+        text_add_bytes(&text, piece, sizeof piece - room);
+        if (stopped) { /* at half a surrogate pair */
+            text_add_bytes(&text, "?", 1);
+            from += 2;
+            left -= 2;
+        }
+    }
+    iconv_close(convert);
+    struct scan_bytes utf8 = {text_string(&text), text.length, file->path};
+    enum status_code code = text.failed ? status_memory(status) : format_read(out, &utf8, options, status);
+    text_free(&text);
+    return code;
+}
+
+enum status_code format_read(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
+                             struct status *status)
+{
+    if (file->length == 0)
+        return scan_fail(status, file, 0, "the file is empty");
+    if (is_utf16(file))
+        return read_utf16(out, file, options, status);
+    struct format format = format_of(file, false);
+    if (format.kind == FORMAT_PACKED)
+        return scan_fail(status, file, 0, "a packed file within a packed file%s", limit_words(LIMIT_PACKED_DEPTH).text);
+    if (format.foreign)
+        return format_fail_foreign(file, format.foreign, status);
+    if (!format.reader)
+        return fail_binary(file, status);
+    out->format = format.reader->name;
+    bool text = format.reader->read == scan_text_read;
+    if (format.reader->read(out, file, options, status) == STATUS_SCAN && text && has_nul(file)) {
+        *status = (struct status){0};
+        return fail_binary(file, status);
+    }
+    return status->code;
+}
