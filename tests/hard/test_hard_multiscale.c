@@ -20,7 +20,9 @@ static struct multiscale make(const struct spectrum *spectrum, const struct mate
                               int closure)
 {
     struct multiscale stack;
-    multiscale_make(&stack, spectrum, pair, plastic, (enum sinusoid_fit_id)closure);
+    assert_int_equal(
+        multiscale_make(&stack, spectrum, pair, plastic, (enum sinusoid_fit_id)closure, &(struct status){0}),
+        STATUS_OK);
     assert_true(isfinite(stack.full_load) && stack.full_load >= 0 && stack.closed_load >= stack.full_load);
     return stack;
 }
@@ -221,7 +223,7 @@ static void limits_are_counted(void **state)
             double amplitude = ratio * sinusoid_critical_amplitude(1 / length_m, &pair);
             struct spectrum spectrum = {&amplitude, 1, length_m, false};
             struct multiscale stack = make(&spectrum, &pair, true, closure);
-            const struct sinusoid_scale first = multiscale_scale(&stack, 0);
+            const struct sinusoid_scale first = stack.scales[0];
             double modulus = pair.effective_modulus_Pa, critical_load = first.critical_pressure_Pa / modulus;
             const double loads[] = {stack.full_load * 0.9, (stack.full_load + stack.closed_load) / 2, stack.closed_load,
                                     1e6, isfinite(critical_load) ? critical_load * (1 + 1e-9) : 1};
