@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What lies in and around the spots: gas, films, platings, heat, electrons. */
 #include "joint/electron.h"
-#include "joint/film.h"
 #include "joint/gas.h"
 #include "joint/heating.h"
+#include "joint/joint.h"
 #include "joint/plating.h"
 #include "selftest/selftest.h"
 
@@ -40,7 +40,7 @@ static double value_of(const struct selftest_reference *r)
     if (strcmp(r->what, "spot") == 0)
         return electron_spot_resistance(at[0], at[1], at[2]);
     if (strcmp(r->what, "film") == 0)
-        return film_resistance(at[0], at[1], at[2]);
+        return joint_film(at[0], at[1], at[2]);
     return gas_jump_length(gas_find(r->what), 300, 101325, 0.87, 0.87);
 }
 
