@@ -203,7 +203,7 @@ static void passes_over_closed_scales(void **state)
 static void scales_that_just_yield(void **state)
 {
     (void)state;
-    enum { SCALES = 60, STACKS = 40, TRIED = 200 };
+    enum { SCALES = 300, STACKS = 40, TRIED = 200 };
     struct material_pair pair = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
     struct constriction spot = constriction_make(&pair);
     uint64_t random = 5;
