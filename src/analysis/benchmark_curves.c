@@ -52,6 +52,7 @@ struct cut_attempt {
     const struct benchmark_task *task;
     double *area;
     uint64_t evaluations;
+    bool failed;
 };
 
 static void solve_cut(void *context)
@@ -59,9 +60,12 @@ static void solve_cut(void *context)
     struct cut_attempt *attempt = context;
     struct constriction none = {0};
     struct multiscale stack;
+    struct status status = {0};
     attempt->evaluations = 0;
-    multiscale_make(&stack, &attempt->spectrum, &attempt->task->surface->summary.pair, attempt->row->plastic,
-                    attempt->task->scene->closure);
+    attempt->failed = multiscale_make(&stack, &attempt->spectrum, &attempt->task->surface->summary.pair,
+                                      attempt->row->plastic, attempt->task->scene->closure, &status) != STATUS_OK;
+    if (attempt->failed)
+        return;
     for (size_t i = 0; i < attempt->task->load_count; i++) {
         struct contact_point point;
         multiscale_solve(&point, &stack, &none, 0, attempt->task->loads[i], &attempt->evaluations);
@@ -84,6 +88,7 @@ static enum status_code cut_off(struct benchmark *cost, const struct benchmark_t
     size_t all = attempt.spectrum.count;
     if (rc == STATUS_OK) {
         solve_cut(&attempt);
+        rc = attempt.failed ? status_memory(status) : STATUS_OK;
         memcpy(full, attempt.area, loads * sizeof *full);
     }
     for (int step = STEPS; rc == STATUS_OK && step >= 1; step--) {
@@ -102,7 +107,7 @@ static enum status_code cut_off(struct benchmark *cost, const struct benchmark_t
             row.error = fmax(row.error, fabs(attempt.area[i] / full[i] - 1));
         if (row.error == 0)
             snprintf(row.note, sizeof row.note, "waves left out are flat at every load");
-        rc = benchmark_add(cost, &row, status);
+        rc = attempt.failed ? status_memory(status) : benchmark_add(cost, &row, status);
     }
     free(attempt.area);
     return rc;

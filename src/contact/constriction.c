@@ -17,26 +17,19 @@ struct constriction constriction_make(const struct material_pair *pair)
     };
 }
 
-/** Psi from 1 - A/A_n and sqrt(A/A_n): 1 - sqrt(A/A_n) without cancellation. */
-static double alleviation(double area_complement, double area_root)
-{
-    double open = area_complement / (1 + area_root);
-    return open * sqrt(open);
-}
-
 double constriction_alleviation(double area_ratio, double area_complement)
 {
-    return alleviation(area_complement, sqrt(area_ratio));
+    double open = area_complement / (1 + sqrt(area_ratio)); /* 1 - sqrt(A/A_n) without cancellation */
+    return open * sqrt(open);
 }
 
 void constriction_add_scale(struct constriction_sum *sum, double area_ratio, double area_complement,
                             double frequency_per_m, double area_above)
 {
     static const double sqrt_2pi = 2.5066282746310005; /* a_i = sqrt(A_i/A_{i-1})/(sqrt(2 pi) f) (4.40) */
-    double root = sqrt(area_ratio);
-    double per_radius = sqrt_2pi * frequency_per_m / root; /* 1/a_i */
+    double per_radius = sqrt_2pi * frequency_per_m / sqrt(area_ratio); /* 1/a_i */
     double spots = 2 * frequency_per_m * frequency_per_m * area_above;
-    double term = alleviation(area_complement, root) * per_radius / spots;
+    double term = constriction_alleviation(area_ratio, area_complement) * per_radius / spots;
     sum->by_radius += term;
     sum->by_radius_squared += term * per_radius;
 }

@@ -6,11 +6,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static struct multiscale stack_of(const struct model_row *row, const struct model_task *task)
+static enum status_code stack_of(struct multiscale *out, const struct model_row *row, const struct model_task *task,
+                                 struct status *status)
 {
-    struct multiscale stack;
-    multiscale_make(&stack, task->spectrum, task->pair, row->plastic, task->sinusoid_fit);
-    return stack;
+    return multiscale_make(out, task->spectrum, task->pair, row->plastic, task->sinusoid_fit, status);
 }
 
 /** The first drop of |d ln R/d ln P| behind point `from`, as two points it lies between; false: none. The other curves
@@ -55,9 +54,10 @@ static void keep_kinks(struct model_curve *curve, struct multiscale *stack, unsi
 static enum status_code run(struct model_curve *curve, const struct model_row *row, const struct model_task *task,
                             struct status *status)
 {
-    struct multiscale stack = stack_of(row, task);
+    struct multiscale stack;
     struct constriction constriction = constriction_make(task->pair);
-    (void)status;
+    if (stack_of(&stack, row, task, status) != STATUS_OK)
+        return status->code;
     for (size_t i = 0; i < task->load_count; i++)
         curve->clamped += multiscale_solve(&curve->points[i], &stack, &constriction, task->wanted, task->loads[i],
                                            &curve->evaluations);
@@ -149,12 +149,11 @@ static double bound_between(struct stack_study *study, size_t low, const struct 
 static enum status_code scale_dependence_bound(double *most, const struct model_row *row, const struct model_task *task,
                                                struct status *status)
 {
-    struct stack_study study = {.stack = stack_of(row, task),
-                                .constriction = constriction_make(task->pair),
-                                .loads = task->loads,
-                                .tolerance = task->tolerance};
-    (void)status;
+    struct stack_study study = {
+        .constriction = constriction_make(task->pair), .loads = task->loads, .tolerance = task->tolerance};
     struct contact_point first, last;
+    if (stack_of(&study.stack, row, task, status) != STATUS_OK)
+        return status->code;
     *most = raise_at(&first, &study, 0);
     if (*most <= study.tolerance && task->load_count > 1)
         *most = fmax(*most, raise_at(&last, &study, task->load_count - 1));

@@ -11,39 +11,35 @@
 #include "spectrum/spectrum.h"
 #include <stdint.h>
 
-enum { MULTISCALE_GROUP = 16, MULTISCALE_LEVELS = 17 /* 16 fill the range of size_t */ };
+enum { MULTISCALE_BLOCK = 128 };
 
 /** The stack of one surface in one material law. Owned: multiscale_free(). */
 struct multiscale {
-    struct sinusoid_scale *scales; /* longest wavelength first; NULL: of elastic stacks, made at every visit */
-    bool *made;                    /* which of them are made, with them; NULL: all */
+    struct sinusoid_scale *scales; /* longest wavelength first; made when first visited: most are closed by then */
     size_t count;
-    const struct spectrum *spectrum; /* that visited scales are made of: the caller's; NULL: all are made */
+    const struct spectrum *spectrum; /* that scales are made of: the caller's; NULL: they are all made */
     struct material_pair pair;
     bool plastic;
     const struct sinusoid_fit *closure;
     double effective_modulus_Pa;
-    double full_load;       /* P/(A_n E') from which A = A_n: the largest over the scales */
-    double closed_load;     /* the same for no separation left */
-    size_t critical_scales; /* scales with Delta > Delta_c: those that can yield */
-    /* By steepness Delta n of harmonic n, in proportion to p*, the walk passes over scales that are closed. */
+    double full_load;               /* P/(A_n E') from which A = A_n: the largest over the scales */
+    double closed_load;             /* the same for no separation left */
+    size_t critical_scales;         /* scales with Delta > Delta_c: those that can yield */
     double closed_steepness_per_Pa; /* times a mean pressure: scales that steep, or less, are closed under it */
-    double ordered_Pa;              /* under a greater pressure, where a scale is closed all less steep ones are too */
-    double *steepest[MULTISCALE_LEVELS]; /* of every 16 scales, of every 16 such groups and so on: one allocation */
-    size_t levels;
+    double *block_closed_Pa;        /* of every MULTISCALE_BLOCK scales: a mean pressure above which all are closed */
 };
 
 /** Prepares the stack of `spectrum`, which has to be there as long as the stack, for `pair`, elastic-plastic when
- * `plastic`. Scales are made as they are visited: most are closed whenever it is their turn. */
-void multiscale_make(struct multiscale *out, const struct spectrum *spectrum, const struct material_pair *pair,
-                     bool plastic, enum sinusoid_fit_id closure);
-/** Fills full_load, closed_load and critical_scales of a stack of few scales that are all made otherwise; all are
- * visited at every load. */
+ * `plastic`. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code multiscale_make(struct multiscale *out, const struct spectrum *spectrum,
+                                            const struct material_pair *pair, bool plastic,
+                                            enum sinusoid_fit_id closure, struct status *status);
+/** Fills full_load, closed_load and critical_scales of a stack of few scales that are all made otherwise. */
 void multiscale_complete(struct multiscale *stack);
 void multiscale_free(struct multiscale *stack);
 
 /** The scale of index i < count. */
-struct sinusoid_scale multiscale_scale(struct multiscale *stack, size_t i);
+const struct sinusoid_scale *multiscale_scale(struct multiscale *stack, size_t i);
 
 /** Contact at P/(A_n E') = load > 0: A_i = a_i A_{i-1} (4.1) under p_i = P/A_{i-1} (4.2); H = sum Delta_i G_i
  * (4.11*); the resistances of `spot`, only the quantities in `wanted` (others stay NaN). Passes over

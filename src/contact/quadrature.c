@@ -87,19 +87,6 @@ static size_t borders(double *border, const struct asperity *asperity, double si
     return count;
 }
 
-/** Lays the panels; returns how many there are. */
-static size_t lay_panels(double *border, const struct asperity *asperity, double sigma_s_m, double knudsen_length_m,
-                         double lowest_d, double log_cut)
-{
-    return borders(border, asperity, sigma_s_m, knudsen_length_m, fmin(lowest_d, 0), log_cut) - 1;
-}
-
-/** exp(-log_cut) is what a term may be left out for. */
-static double log_cut_for(double tolerance)
-{
-    return 8 - log(tolerance);
-}
-
 static enum status_code allocate(struct quadrature *panels, struct status *status)
 {
     double **arrays[] = {&panels->node, &panels->area, &panels->load, &panels->radius, &panels->radius_scale_dependent};
@@ -117,8 +104,8 @@ enum status_code quadrature_make(struct quadrature *out, const struct asperity *
 {
     double border[PANELS_MOST];
     size_t order = panel_order(tolerance);
-    *out = (struct quadrature){.log_cut = log_cut_for(tolerance)};
-    size_t panel_count = lay_panels(border, asperity, sigma_s_m, knudsen_length_m, lowest_d, out->log_cut);
+    *out = (struct quadrature){.log_cut = 8 - log(tolerance)};
+    size_t panel_count = borders(border, asperity, sigma_s_m, knudsen_length_m, fmin(lowest_d, 0), out->log_cut) - 1;
     if (panel_count + 1 == PANELS_MOST)
         return status_fail(status, STATUS_MODEL,
                            "separations down to %.4g sigma_s take more than %d panels; use models: [multiscale]",
@@ -214,18 +201,17 @@ void quadrature_sum(struct quadrature_sums *out, const struct quadrature *panels
 void quadrature_moments(double moment[4], double *log_factor, const struct quadrature *panels, const double *law,
                         double d)
 {
-    double sum[4] = {0, 0, 0, 0};
     size_t range[2];
+    for (int j = 0; j < 4; j++)
+        moment[j] = 0;
     find_range(range, panels, d);
     for (size_t k = range[0]; k < range[1]; k++) {
         double u = panels->node[k], term = weight_at(u, d) * law[k];
         for (int j = 0; j < 4; j++) {
-            sum[j] += term;
+            moment[j] += term;
             term *= u;
         }
     }
-    for (int j = 0; j < 4; j++)
-        moment[j] = sum[j];
     *log_factor = log_factor_at(d);
 }
 

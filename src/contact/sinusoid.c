@@ -140,20 +140,11 @@ double sinusoid_closed_pressure(const struct sinusoid_scale *scale)
     return fmax(scale->plastic_full_pressure_Pa, scale->critical_pressure_Pa);
 }
 
-double sinusoid_critical_full_pressure(const struct material_pair *pair)
-{
-    return sinusoid_full_pressure(sinusoid_critical_amplitude(1, pair), 1, pair->effective_modulus_Pa);
-}
-
 double sinusoid_ordered_pressure(const struct material_pair *pair)
 {
-    double flow_Pa = pair->yield_coefficient * pair->yield_strength_Pa;
-    return fmax(cbrt(M_PI / 24) * flow_Pa, sinusoid_critical_full_pressure(pair)); /* p_c = p* at the first */
-}
-
-bool sinusoid_steepest_fills_last(double full_pressure_Pa, const struct material_pair *pair)
-{
-    return full_pressure_Pa > 3 * pair->yield_strength_Pa && full_pressure_Pa < 1000 * pair->yield_strength_Pa;
+    double flow_Pa = pair->yield_coefficient * pair->yield_strength_Pa, modulus = pair->effective_modulus_Pa;
+    double critical_Pa = sinusoid_full_pressure(sinusoid_critical_amplitude(1, pair), 1, modulus);
+    return fmax(cbrt(M_PI / 24) * flow_Pa, critical_Pa); /* p_c = p* at the first */
 }
 
 /** Below p_p <= p*, so that the elastic area is short of 1 too. */

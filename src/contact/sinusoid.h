@@ -63,17 +63,10 @@ struct sinusoid_scale sinusoid_scale(double amplitude_m, double frequency_per_m,
 /** Lowest mean pressure [Pa] at which the scale is closed: area ratio 1 and gap 0 (p* or p_p). */
 double sinusoid_closed_pressure(const struct sinusoid_scale *scale);
 
-/** p* of a scale of critical amplitude: (2/3) S_y exp(2 nu/3) [Pa], the same at every frequency (4.7*, 4.18). */
-double sinusoid_critical_full_pressure(const struct material_pair *pair);
-
 /** A mean pressure [Pa] above which no elastic-plastic scale is open that is less steep than a closed one: p* and p_p
  * rise with the slope Delta f alone; p_c falls with it, but is below this pressure from where p_c = p* on, and so is
  * p* of scales that are elastic at any load. */
 double sinusoid_ordered_pressure(const struct material_pair *pair);
-
-/** Does an elastic-plastic scale of this p* fill and close later than all that are less steep? So it is between 3 and
- * 1000 S_y: below, p_c may fall short of p* of a scale just elastic; above, (4.17) is full ever sooner. */
-bool sinusoid_steepest_fills_last(double full_pressure_Pa, const struct material_pair *pair);
 
 /** Lowest mean pressure [Pa] at which the area ratio is 1. Elastic: p*. Plastic: the published area (4.17) may reach 1
  * before p_p, while a gap is left. */

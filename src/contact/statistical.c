@@ -99,17 +99,12 @@ static double hertz_full_d(const struct statistical *model)
     return solve(&elastic, true, 0, 0);
 }
 
-/** Do closed forms serve? They do for Hertz's law, but for the scale-dependent conductance. */
-static bool is_closed(enum asperity_model_id law, unsigned wanted)
+enum status_code statistical_make(struct statistical *out, const struct asperities *surface,
+                                  const struct material_pair *pair, enum asperity_model_id law, unsigned wanted,
+                                  double tolerance, double lowest_d, uint64_t *evaluations, struct status *status)
 {
-    return law == ASPERITY_HERTZ && !(wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT));
-}
-
-/** A model without its panels. */
-static struct statistical outline(const struct asperities *surface, const struct material_pair *pair,
-                                  enum asperity_model_id law, unsigned wanted, double tolerance)
-{
-    struct statistical model = {
+    bool scale_dependence = wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT);
+    *out = (struct statistical){
         .surface = *surface,
         .asperity = asperity_make(surface->radius_m, pair, law),
         .law = law,
@@ -117,23 +112,11 @@ static struct statistical outline(const struct asperities *surface, const struct
         .wanted = wanted,
         .tolerance = tolerance,
     };
-    model.full_d = hertz_full_d(&model);
-    return model;
-}
-
-static double knudsen_length(const struct statistical *model)
-{
-    return model->wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT) ? model->spot.knudsen_length_m : 0;
-}
-
-enum status_code statistical_make(struct statistical *out, const struct asperities *surface,
-                                  const struct material_pair *pair, enum asperity_model_id law, unsigned wanted,
-                                  double tolerance, double lowest_d, uint64_t *evaluations, struct status *status)
-{
-    *out = outline(surface, pair, law, wanted, tolerance);
-    if (!is_closed(law, wanted) &&
-        quadrature_make(&out->panels, &out->asperity, law, surface->sigma_s_m, knudsen_length(out),
-                        fmin(lowest_d, out->full_d), tolerance, evaluations, status) != STATUS_OK)
+    out->full_d = hertz_full_d(out);
+    if ((law != ASPERITY_HERTZ || scale_dependence) && /* else closed forms serve */
+        quadrature_make(&out->panels, &out->asperity, law, surface->sigma_s_m,
+                        scale_dependence ? out->spot.knudsen_length_m : 0, fmin(lowest_d, out->full_d), tolerance,
+                        evaluations, status) != STATUS_OK)
         return status->code;
     if (law != ASPERITY_HERTZ)
         out->full_d = solve(out, true, 0, out->full_d);
@@ -161,11 +144,7 @@ void statistical_at(struct contact_point *out, const struct statistical *model, 
     /* 1/R = (1/Psi) eta int g(a) phi: psi/(2 eta int a phi), per nominal area */
     double psi = area < 1 ? constriction_alleviation(area, 1 - area) : 0;
     unsigned wanted = model->wanted;
-    double spread = psi > 0 ? psi / (2 * scale * sums.radius) : 0, spread_sd = 0;
-    if (psi > 0 &&
-        (wanted &
-         QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT))) /* else GW has no panels to sum it from: it would be psi/0 */
-        spread_sd = psi / (2 * scale * sums.radius_scale_dependent);
+    double spread = psi > 0 ? psi / (2 * scale * sums.radius) : 0;
     *out = quantity_nothing();
     out->value[QUANTITY_LOAD] = scale * sums.load / model->asperity.effective_modulus_Pa;
     out->value[QUANTITY_AREA] = area;
@@ -176,7 +155,8 @@ void statistical_at(struct contact_point *out, const struct statistical *model, 
     if (wanted & QUANTITY_BIT(QUANTITY_TCR))
         out->value[QUANTITY_TCR] = spread / model->spot.conductivity_W_per_mK;
     if (wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT))
-        out->value[QUANTITY_TCR_SCALE_DEPENDENT] = spread_sd / model->spot.conductivity_W_per_mK;
+        out->value[QUANTITY_TCR_SCALE_DEPENDENT] =
+            psi > 0 ? psi / (2 * scale * sums.radius_scale_dependent) / model->spot.conductivity_W_per_mK : 0;
     out->beyond_fit = sums.load > 0 ? sums.load_beyond_fit / sums.load : 0;
     out->radius_clamped = sums.load > 0 ? sums.load_radius_clamped / sums.load : 0;
 }
@@ -211,11 +191,9 @@ void statistical_full(struct contact_point *out, const struct statistical *model
     out->value[QUANTITY_LOAD] = model->full_load;
     out->value[QUANTITY_AREA] = 1;
     out->value[QUANTITY_ADJUSTED] = 0;
-    double *resistances[] = {&out->value[QUANTITY_ECR], &out->value[QUANTITY_TCR],
-                             &out->value[QUANTITY_TCR_SCALE_DEPENDENT]};
-    for (int i = 0; i < 3; i++)
-        if (!isnan(*resistances[i]))
-            *resistances[i] = 0;
+    for (int q = 0; q < QUANTITY_COUNT; q++)
+        if ((QUANTITY_RESISTANCES & QUANTITY_BIT(q)) && !isnan(out->value[q]))
+            out->value[q] = 0;
 }
 
 double statistical_beta_multiscale(const double *separation_m, const double *multiscale_m, size_t count, double sigma_m)

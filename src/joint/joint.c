@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "joint/joint.h"
 
-#include "joint/film.h"
 #include "joint/heating.h"
 #include "joint/plating.h"
 
@@ -69,30 +68,32 @@ double joint_plating(const struct joint_task *task, double radius_m)
     return plated / (bare[0] + bare[1]);
 }
 
-/** Spots, plating and film of one point. */
-static void add_spots(struct contact_point *point, const struct contact_spots *own, const struct joint_task *task)
+double joint_film(double contact_ohm_m2, double film_ohm_m2, double area_ratio)
 {
-    const struct contact_spots spots =
-        own ? *own
-            : joint_equal_spots(point->value[QUANTITY_AREA], point->value[QUANTITY_ECR], task->pair->resistivity_ohm_m);
-    double ecr_ohm_m2 = point->value[QUANTITY_ECR];
-    point->value[QUANTITY_SPOT_DENSITY] = finite_or_nan(spots.density_per_m2);
-    point->value[QUANTITY_SPOT_RADIUS] = finite_or_nan(spots.radius_m);
+    return contact_ohm_m2 + film_ohm_m2 / area_ratio;
+}
+
+/** Spots, plating and film of one point. */
+static void add_spots(double *value, const struct contact_spots *own, const struct joint_task *task)
+{
+    double area = value[QUANTITY_AREA], ecr_ohm_m2 = value[QUANTITY_ECR];
+    const struct contact_spots spots = own ? *own : joint_equal_spots(area, ecr_ohm_m2, task->pair->resistivity_ohm_m);
+    value[QUANTITY_SPOT_DENSITY] = finite_or_nan(spots.density_per_m2);
+    value[QUANTITY_SPOT_RADIUS] = finite_or_nan(spots.radius_m);
     if (runs(task, EFFECT_PLATING)) {
-        bool independent = point->value[QUANTITY_AREA] < joint_independent_area && spots.radius_m > 0;
-        point->value[QUANTITY_PLATING_FACTOR] = independent ? joint_plating(task, spots.radius_m) : NAN;
+        bool independent = area < joint_independent_area && spots.radius_m > 0;
+        value[QUANTITY_PLATING_FACTOR] = independent ? joint_plating(task, spots.radius_m) : NAN;
         ecr_ohm_m2 *=
-            ecr_ohm_m2 > 0 ? point->value[QUANTITY_PLATING_FACTOR] : 1; /* of full contact nothing is left to change */
+            ecr_ohm_m2 > 0 ? value[QUANTITY_PLATING_FACTOR] : 1; /* of full contact nothing is left to change */
     }
     if (runs(task, EFFECT_FILM))
-        ecr_ohm_m2 = film_resistance(ecr_ohm_m2, task->joint->film_ohm_m2, point->value[QUANTITY_AREA]);
+        ecr_ohm_m2 = joint_film(ecr_ohm_m2, task->joint->film_ohm_m2, area);
     if (runs(task, EFFECT_PLATING) || runs(task, EFFECT_FILM))
-        point->value[QUANTITY_JOINT_ECR] = finite_or_nan(ecr_ohm_m2);
+        value[QUANTITY_JOINT_ECR] = finite_or_nan(ecr_ohm_m2);
     if (runs(task, EFFECT_HEATING)) {
         double ambient_K = task->joint->temperature_K;
-        point->value[QUANTITY_VOLTAGE] = finite_or_nan(task->joint->current_A * (ecr_ohm_m2 / task->nominal_area_m2));
-        point->value[QUANTITY_TEMPERATURE] =
-            finite_or_nan(ambient_K + heating_rise(point->value[QUANTITY_VOLTAGE], ambient_K));
+        value[QUANTITY_VOLTAGE] = finite_or_nan(task->joint->current_A * (ecr_ohm_m2 / task->nominal_area_m2));
+        value[QUANTITY_TEMPERATURE] = finite_or_nan(ambient_K + heating_rise(value[QUANTITY_VOLTAGE], ambient_K));
     }
 }
 
@@ -101,13 +102,13 @@ void joint_apply(struct contact_point *points, const struct contact_spots *spots
 {
     const unsigned on_spots = EFFECT_BIT(EFFECT_FILM) | EFFECT_BIT(EFFECT_PLATING) | EFFECT_BIT(EFFECT_HEATING);
     for (size_t i = 0; i < count; i++) {
-        struct contact_point *point = &points[i];
+        double *value = points[i].value;
         if (runs(task, EFFECT_GAP)) {
-            double gap = joint_gap_conductance(task, point->value[QUANTITY_SEPARATION], point->value[QUANTITY_AREA]);
-            point->value[QUANTITY_GAP] = finite_or_nan(gap);
-            point->value[QUANTITY_JOINT] = finite_or_nan(1 / point->value[QUANTITY_TCR] + gap);
+            double gap = joint_gap_conductance(task, value[QUANTITY_SEPARATION], value[QUANTITY_AREA]);
+            value[QUANTITY_GAP] = finite_or_nan(gap);
+            value[QUANTITY_JOINT] = finite_or_nan(1 / value[QUANTITY_TCR] + gap);
         }
         if (task->effects & on_spots)
-            add_spots(point, spots ? &spots[i] : NULL, task);
+            add_spots(value, spots ? &spots[i] : NULL, task);
     }
 }

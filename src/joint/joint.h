@@ -53,6 +53,11 @@ struct contact_spots joint_equal_spots(double area_ratio, double ecr_ohm_m2, dou
  * plating_factor() of the plated side; with both plated (rho_p F_1 + rho_p F_2)/(rho_1 + rho_2). */
 double joint_plating(const struct joint_task *task, double radius_m);
 
+/** R A_n [ohm m²] of spots with a film of resistance `film_ohm_m2` (s_f) in series: each spot has rho/(2a) + s_f/(pi
+ * a²), alike spots R_c A_n + s_f/(A/A_n) (Holm 1967, Electric Contacts, 4th edition). The film's resistance is never
+ * predicted: a tunnel resistance spans ten decades within 1.5 nm. */
+double joint_film(double contact_ohm_m2, double film_ohm_m2, double area_ratio);
+
 /** Fills what the effects call for: quantities that are made of the model's (quantity_row.from). `spots`: the model's,
  * one a point; NULL: it has none, so equal ones. What is not finite is NaN. */
 void joint_apply(struct contact_point *points, const struct contact_spots *spots, size_t count,

@@ -4,9 +4,9 @@
 #include "contact/gaussian.h"
 #include "contact/sinusoid.h"
 #include "joint/electron.h"
-#include "joint/film.h"
 #include "joint/gas.h"
 #include "joint/heating.h"
+#include "joint/joint.h"
 #include "joint/plating.h"
 #include "material/material.h"
 #include "selftest/selftest_compute.h"
@@ -105,7 +105,7 @@ enum status_code selftest_plain(double *value, const reference *r, const struct 
     else if (is(r, "spot", "resistance"))
         *value = electron_spot_resistance(at[0], at[1], at[2]);
     else if (is(r, "film", "resistance"))
-        *value = film_resistance(at[0], at[1], at[2]);
+        *value = joint_film(at[0], at[1], at[2]);
     else if (gas && strcmp(r->quantity, "jump length") == 0)
         *value = gas_jump_length(gas, 300, 101325, 0.87, 0.87);
     else

@@ -205,7 +205,8 @@ static void test_the_cut_off(void **state)
     uint64_t visits = 0;
     double error = 0;
     half.count /= 2;
-    multiscale_make(&stack, &half, &record->summary.pair, false, scene.closure);
+    assert_int_equal(multiscale_make(&stack, &half, &record->summary.pair, false, scene.closure, &(struct status){0}),
+                     STATUS_OK);
     for (int i = 0; i < LOADS; i++) {
         struct contact_point point;
         multiscale_solve(&point, &stack, &none, 0, loads[i], &visits);

@@ -84,7 +84,8 @@ static double stack_run(const struct spectrum *spectrum, const struct material_p
     struct multiscale stack;
     struct contact_point point;
     double started = cpu_seconds();
-    multiscale_make(&stack, spectrum, pair, plastic, SINUSOID_FIT_THESIS);
+    if (multiscale_make(&stack, spectrum, pair, plastic, SINUSOID_FIT_THESIS, &(struct status){0}) != STATUS_OK)
+        abort();
     for (int i = 0; i < LOADS; i++)
         multiscale_solve(&point, &stack, &spot, EVERYTHING, load_at(i), visits);
     multiscale_free(&stack);

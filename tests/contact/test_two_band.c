@@ -215,7 +215,8 @@ static void scan_length_does_not_matter(void **state)
         assert_near(point.value[QUANTITY_AREA], first.value[QUANTITY_AREA], 0.03);
         assert_near(point.value[QUANTITY_SEPARATION], first.value[QUANTITY_SEPARATION], 0.03);
         assert_near(point.value[QUANTITY_ECR], first.value[QUANTITY_ECR], 0.03);
-        multiscale_make(&all, &spectrum, &pair, false, SINUSOID_FIT_THESIS);
+        assert_int_equal(multiscale_make(&all, &spectrum, &pair, false, SINUSOID_FIT_THESIS, &(struct status){0}),
+                         STATUS_OK);
         multiscale_solve(&point, &all, &spot, EVERYTHING, 1e-5, &evaluations);
         multiscale_free(&all);
         if (waves == 4)

@@ -103,6 +103,14 @@ static void spots(void **state)
     assert_within(point.value[QUANTITY_SPOT_RADIUS] - 3e-6, 0, 0);
 }
 
+/** Alike spots: rho/(2a) + s/(pi a²) each, n in parallel, n pi a² = A/A_n. */
+static void film_sums_over_spots(void **state)
+{
+    (void)state;
+    double rho = 1.7e-8, film = 1e-12, n = 1e8, a = 3e-6, spot_m2 = M_PI * a * a;
+    assert_near(joint_film(rho / (2 * a) / n, film, n * spot_m2), (rho / (2 * a) + film / spot_m2) / n, 1e-14);
+}
+
 /** No film: no change; a film alone adds s_f A_n/A. */
 static void films(void **state)
 {
@@ -173,8 +181,10 @@ static void heat(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(off_is_empty), cmocka_unit_test(gaps),     cmocka_unit_test(spots),
-        cmocka_unit_test(films),        cmocka_unit_test(platings), cmocka_unit_test(heat),
+        cmocka_unit_test(off_is_empty), cmocka_unit_test(gaps),
+        cmocka_unit_test(spots),        cmocka_unit_test(film_sums_over_spots),
+        cmocka_unit_test(films),        cmocka_unit_test(platings),
+        cmocka_unit_test(heat),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

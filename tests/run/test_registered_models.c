@@ -17,8 +17,9 @@ static enum status_code stack_run(struct model_curve *curve, const struct model_
 {
     struct multiscale stack;
     struct constriction constriction = constriction_make(task->pair);
-    (void)row, (void)status;
-    multiscale_make(&stack, task->spectrum, task->pair, false, SINUSOID_FIT_NUMERIC);
+    (void)row;
+    if (multiscale_make(&stack, task->spectrum, task->pair, false, SINUSOID_FIT_NUMERIC, status) != STATUS_OK)
+        return status->code;
     for (size_t i = 0; i <= task->load_count; i++) {
         struct contact_point *point = i < task->load_count ? &curve->points[i] : &curve->full;
         multiscale_solve(point, &stack, &constriction, task->wanted,
