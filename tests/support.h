@@ -14,6 +14,25 @@
 
 #include <cmocka.h>
 
+/** Defines a cmocka test, `TEST_CASE(name) { ... }`, which main.c runs: in the order of the file, with *state from its
+ * fixture, if any. TEST_GROUP() is the fixture of all tests of the file together. */
+#define TEST_CASE(name) TEST_WITH(name, NULL, NULL)
+#define TEST_WITH(name, before, after)                                                                                 \
+    static void name(void **state);                                                                                    \
+    __attribute__((constructor)) static void name##_add(void)                                                          \
+    {                                                                                                                  \
+        test_add(#name, name, before, after);                                                                          \
+    }                                                                                                                  \
+    static void name(__attribute__((unused)) void **state)
+#define TEST_GROUP(before, after)                                                                                      \
+    __attribute__((constructor)) static void group_add(void)                                                           \
+    {                                                                                                                  \
+        test_group(before, after);                                                                                     \
+    }
+
+void test_add(const char *name, CMUnitTestFunction run, CMFixtureFunction before, CMFixtureFunction after);
+void test_group(CMFixtureFunction before, CMFixtureFunction after);
+
 /** Fails unless |actual - expected| <= rtol |expected| (both zero passes; non-finite never does). */
 #define assert_near(actual, expected, rtol) support_near((actual), (expected), (rtol), 0.0, #actual, __FILE__, __LINE__)
 /** Fails unless |actual - expected| <= atol. */

@@ -263,7 +263,9 @@ static struct text draw_sample(const struct place *place, const struct sample *s
     return read_file(place, name);
 }
 
-static void test_every_kind_draws_an_svg(void **state)
+#define PLACED(name) TEST_WITH(name, place_setup, place_teardown)
+
+PLACED(test_every_kind_draws_an_svg)
 {
     for (size_t i = 0; i < SAMPLES; i++) {
         struct text svg = draw_sample(*state, &samples[i], NULL);
@@ -277,7 +279,7 @@ static void test_every_kind_draws_an_svg(void **state)
     }
 }
 
-static void test_curves_are_drawn_as_text(void **state)
+PLACED(test_curves_are_drawn_as_text)
 {
     for (size_t i = 0; i < SAMPLES && samples[i].kind == DRAWING_CURVES; i++) {
         struct text chart = draw_sample(*state, &samples[i], "90,44");
@@ -293,7 +295,7 @@ static void test_curves_are_drawn_as_text(void **state)
     }
 }
 
-static void test_the_same_data_give_the_same_bytes(void **state)
+PLACED(test_the_same_data_give_the_same_bytes)
 {
     for (size_t i = 0; i < SAMPLES; i++) {
         struct text first = draw_sample(*state, &samples[i], NULL), second = draw_sample(*state, &samples[i], NULL);
@@ -343,7 +345,7 @@ static void add_eight(struct text *data, int points)
 }
 
 /* ... and of ten thousand points they are hardly larger. */
-static void test_eight_curves_stay_small(void **state)
+PLACED(test_eight_curves_stay_small)
 {
     size_t length[2];
     static const int points[] = {120, 10000};
@@ -359,7 +361,7 @@ static void test_eight_curves_stay_small(void **state)
     assert_true(length[1] <= length[0]);
 }
 
-static void test_empty_blocks_and_single_points_are_drawn_silently(void **state)
+PLACED(test_empty_blocks_and_single_points_are_drawn_silently)
 {
     static const char none[] = "\"a\"\n\n\n\"b\"\n1,0\n2,nan\n\n\n\"\"\n",
                       few[] = "\"a\"\n1e-4,0.5\n\n\n\"b\"\n\n\n\"c\"\n1e-4,1\n1e-3,0\n1e-2,2\n\n3e-2,3\n4e-2,4\n";
@@ -387,7 +389,7 @@ static void test_empty_blocks_and_single_points_are_drawn_silently(void **state)
 }
 
 /* With one load, models differ by their markers, on the chart and in its legend. */
-static void test_single_points_have_the_markers_of_their_models(void **state)
+PLACED(test_single_points_have_the_markers_of_their_models)
 {
     struct text svg = draw_curves(*state, "\"a\"\n1e-4,0.1\n\n\n\"b\"\n1e-4,0.2\n\n\n\"c\"\n1e-4,0.3\n", "xy",
                                   "me mp gw", (const double[]){1e-4, 1e-4, 0.1, 0.3}, 1 + 3 + 3);
@@ -402,7 +404,7 @@ static void test_single_points_have_the_markers_of_their_models(void **state)
 }
 
 /* At most two bands are filled. */
-static void test_two_bands_are_filled_others_are_bars(void **state)
+PLACED(test_two_bands_are_filled_others_are_bars)
 {
     struct text data = {0};
     char styles[100];
@@ -419,7 +421,7 @@ static void test_two_bands_are_filled_others_are_bars(void **state)
 }
 
 /* Curves are cut where the axes say; those that are not leave the axis alone. */
-static void test_an_axis_ends_where_curves_are_cut(void **state)
+PLACED(test_an_axis_ends_where_curves_are_cut)
 {
     static const char data[] = "\"a\"\n1,3\n2,1\n3,-4\n";
     struct text whole = draw_curves(*state, data, "", "s1", NULL, 1 + 1 + 1);
@@ -431,7 +433,7 @@ static void test_an_axis_ends_where_curves_are_cut(void **state)
 }
 
 /* A row of 0 on a logarithmic axis ends its curve at the lower edge, without making room for it. */
-static void test_a_zero_ends_at_the_lower_edge(void **state)
+PLACED(test_a_zero_ends_at_the_lower_edge)
 {
     double end[2];
     const char *const more[] = {"", "2e-2,0\n"};
@@ -452,7 +454,7 @@ static void test_a_zero_ends_at_the_lower_edge(void **state)
 }
 
 /* Sweeps are labelled at their curves' ends, apart from each other and in the order of these. */
-static void test_labels_at_ends_do_not_touch(void **state)
+PLACED(test_labels_at_ends_do_not_touch)
 {
     struct text svg = draw_curves(*state, "\"p\"\n1,0.5\n2,1\n\n\n\"q\"\n1,0.4\n2,1\n\n\n\"r\"\n1,0.3\n2,0.99\n", "xy",
                                   "r1 r2 r3", NULL, 1 + 3);
@@ -470,7 +472,7 @@ static void test_labels_at_ends_do_not_touch(void **state)
 }
 
 /* An error of 0 stands on the lower edge and makes no room for itself. */
-static void test_no_error_is_off_the_scale(void **state)
+PLACED(test_no_error_is_off_the_scale)
 {
     struct text some = draw_kind(*state, DRAWING_COST, "\"a\"\n1e-4,1e-2\n1e-3,1e-4\n", "c1"),
                 none = draw_kind(*state, DRAWING_COST, "\"a\"\n1e-4,1e-2\n1e-3,1e-4\n1e-2,0\n", "c1");
@@ -483,7 +485,7 @@ static void test_no_error_is_off_the_scale(void **state)
     text_free(&none);
 }
 
-static void test_the_smallest_and_largest_numbers_have_axes(void **state)
+PLACED(test_the_smallest_and_largest_numbers_have_axes)
 {
     static const char narrow[] = "\"a\"\n0.02,5\n0.020000001,5\n";
     struct text wide = draw_curves(*state, "\"a\"\n1e-30,1e-299\n1e6,1e299\n", "xy", "s1", NULL, 1 + 1 + 1);
@@ -515,9 +517,8 @@ static double wavy(double x)
 }
 
 /* What is left out is within the tolerance of what is left; ends, gaps and short lines stay. */
-static void test_thinning(void **state)
+TEST_CASE(test_thinning)
 {
-    (void)state;
     enum { POINTS = 20000, SHORT = 150 };
     struct drawing drawing = drawing_of(DRAWING_CURVES, "data", "");
     struct text script = {0};
@@ -561,7 +562,7 @@ static void test_thinning(void **state)
 static const char hostile[] =
     "'q' \"d\" \\ \\n \\101 {/*9 x}^_@&<>% `touch pwned1` $(touch pwned2) \n\x1b[31m\x7f\xc2\x9b \xff\xed\xa0\x80,# µ";
 
-static void test_hostile_names_are_only_text(void **state)
+PLACED(test_hostile_names_are_only_text)
 {
     static const struct {
         enum drawing_kind kind;
@@ -595,9 +596,8 @@ static void test_hostile_names_are_only_text(void **state)
     }
 }
 
-static void test_quoting(void **state)
+TEST_CASE(test_quoting)
 {
-    (void)state;
     char out[64], tight[8];
     gnuplot_field(out, sizeof out, "it's \"a\\b\" µ\n\xff");
     assert_string_equal(out, "\"it's 'a\\\\b' µ\\\\x0a\\\\xff\"");
@@ -616,9 +616,8 @@ static void test_quoting(void **state)
 }
 
 /* What a script quotes: marks of ASCII come as escapes, what is too long is cut at its end or in its middle. */
-static void test_script_strings(void **state)
+TEST_CASE(test_script_strings)
 {
-    (void)state;
     static const struct {
         const char *string, *quoted;
         size_t most;
@@ -639,7 +638,7 @@ static void test_script_strings(void **state)
     }
 }
 
-static void test_a_missing_gnuplot_names_the_package(void **state)
+PLACED(test_a_missing_gnuplot_names_the_package)
 {
     char *path = strdup(getenv("PATH"));
     const char *const without[] = {"", ":", ".:bin", "/nonexistent"};
@@ -660,9 +659,8 @@ static void test_a_missing_gnuplot_names_the_package(void **state)
     assert_int_equal(gnuplot_check(&status), STATUS_OK);
 }
 
-static void test_a_missing_directory_is_an_error(void **state)
+TEST_CASE(test_a_missing_directory_is_an_error)
 {
-    (void)state;
     struct gnuplot gnuplot;
     struct status status = {0};
     assert_int_equal(gnuplot_start(&gnuplot, "/nonexistent/charts", &status), STATUS_IO);
@@ -683,7 +681,7 @@ static const struct complaint {
     {"exit status 3", "status 3"},
 };
 
-static void test_any_complaint_is_a_failure(void **state)
+PLACED(test_any_complaint_is_a_failure)
 {
     write_file(*state, "bad.gp", "x = 1\nplot nothing_here\n");
     write_file(*state, "syntax.gp", "plot sin(x\n");
@@ -697,7 +695,7 @@ static void test_any_complaint_is_a_failure(void **state)
     }
 }
 
-static void test_a_process_that_ended_early_is_reported_not_deadly(void **state)
+PLACED(test_a_process_that_ended_early_is_reported_not_deadly)
 {
     struct sigaction before, after;
     assert_int_equal(sigaction(SIGPIPE, NULL, &before), 0);
@@ -716,57 +714,6 @@ static void test_a_process_that_ended_early_is_reported_not_deadly(void **state)
     assert_ptr_equal(before.sa_handler, after.sa_handler);
 }
 
-/* Starts a gnuplot of these lines. */
-static struct gnuplot start_other(const struct place *place, const char *lines)
-{
-    struct gnuplot gnuplot;
-    struct status status = {0};
-    char path[1024], *before = strdup(getenv("PATH"));
-    write_file(place, "gnuplot", lines);
-    snprintf(path, sizeof path, "%s/gnuplot", place->directory);
-    assert_int_equal(chmod(path, 0755), 0);
-    assert_int_equal(setenv("PATH", place->directory, 1), 0);
-    enum status_code started = gnuplot_start(&gnuplot, place->directory, &status);
-    assert_int_equal(setenv("PATH", before, 1), 0);
-    free(before);
-    assert_int_equal(started, STATUS_OK);
-    return gnuplot;
-}
-
-/* What it says is kept to some size, as it lies in memory. */
-static void test_endless_messages_are_cut(void **state)
-{
-    struct status status = {0};
-    struct stat info;
-    struct gnuplot gnuplot =
-        start_other(*state, "#!/bin/sh\necho 'line 7: wrong'\n/usr/bin/head -c 30000000 /dev/zero\n");
-    assert_int_equal(program_wait(gnuplot.process, INFINITY, -1), PROGRAM_ENDED);
-    assert_int_equal(fstat(fileno(gnuplot.complaints), &info), 0);
-    assert_true(info.st_size <= 1 << 20);
-    assert_int_equal(gnuplot_finish(&gnuplot, &status), STATUS_CHART);
-    assert_string_equal(status.message, "gnuplot: line 7: wrong");
-}
-
-/* One that neither reads nor ends: it is not waited for longer than its time, nor when asked to stop. */
-static void test_a_gnuplot_that_hangs_is_ended(void **state)
-{
-    for (int asked = 0; asked < 2; asked++) {
-        struct status status = {0};
-        struct gnuplot gnuplot = start_other(*state, "#!/bin/sh\ntrap '' INT TERM HUP\n/bin/sleep 1000\n");
-        assert_true(gnuplot.most_seconds >= 60); /* for the slowest of machines */
-        for (int i = 0; i < 100000; i++)         /* far more than a pipe holds */
-            gnuplot_send(&gnuplot, "x = %d", i);
-        if (asked) {
-            program_stop();
-            assert_int_equal(gnuplot_finish(&gnuplot, &status), STATUS_INTERRUPTED);
-        } else {
-            gnuplot.most_seconds = 0.2;
-            assert_int_equal(gnuplot_finish(&gnuplot, &status), STATUS_CHART);
-            assert_non_null(strstr(status.message, "gnuplot did not end within 0.2 s and was stopped"));
-        }
-    }
-}
-
 static size_t open_files(void)
 {
     size_t n = 0;
@@ -778,7 +725,7 @@ static size_t open_files(void)
     return n;
 }
 
-static void test_the_user_s_setup_has_no_say(void **state)
+PLACED(test_the_user_s_setup_has_no_say)
 {
     const struct place *place = *state;
     write_file(place, ".gnuplot", "print 'start-up file'\n");
@@ -799,7 +746,7 @@ static void test_the_user_s_setup_has_no_say(void **state)
         fail_msg("%s", status.message);
 }
 
-static void test_no_descriptor_is_left_open(void **state)
+PLACED(test_no_descriptor_is_left_open)
 {
     size_t before = open_files();
     run_well(*state, "x = 1");
@@ -818,35 +765,54 @@ static void test_no_descriptor_is_left_open(void **state)
     assert_int_equal(gnuplot_finish(&gnuplot, &status), STATUS_OK);
 }
 
-#define PLACED(test) cmocka_unit_test_setup_teardown(test, place_setup, place_teardown)
-
-int main(void)
+/* Starts a gnuplot of these lines. */
+static struct gnuplot start_other(const struct place *place, const char *lines)
 {
-    const struct CMUnitTest tests[] = {
-        PLACED(test_every_kind_draws_an_svg),
-        PLACED(test_curves_are_drawn_as_text),
-        PLACED(test_the_same_data_give_the_same_bytes),
-        PLACED(test_eight_curves_stay_small),
-        PLACED(test_empty_blocks_and_single_points_are_drawn_silently),
-        PLACED(test_single_points_have_the_markers_of_their_models),
-        PLACED(test_two_bands_are_filled_others_are_bars),
-        PLACED(test_an_axis_ends_where_curves_are_cut),
-        PLACED(test_a_zero_ends_at_the_lower_edge),
-        PLACED(test_labels_at_ends_do_not_touch),
-        PLACED(test_no_error_is_off_the_scale),
-        PLACED(test_the_smallest_and_largest_numbers_have_axes),
-        cmocka_unit_test(test_thinning),
-        PLACED(test_hostile_names_are_only_text),
-        cmocka_unit_test(test_quoting),
-        cmocka_unit_test(test_script_strings),
-        PLACED(test_a_missing_gnuplot_names_the_package),
-        cmocka_unit_test(test_a_missing_directory_is_an_error),
-        PLACED(test_any_complaint_is_a_failure),
-        PLACED(test_a_process_that_ended_early_is_reported_not_deadly),
-        PLACED(test_the_user_s_setup_has_no_say),
-        PLACED(test_no_descriptor_is_left_open),
-        PLACED(test_endless_messages_are_cut),
-        PLACED(test_a_gnuplot_that_hangs_is_ended), /* last: nothing starts after it */
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    struct gnuplot gnuplot;
+    struct status status = {0};
+    char path[1024], *before = strdup(getenv("PATH"));
+    write_file(place, "gnuplot", lines);
+    snprintf(path, sizeof path, "%s/gnuplot", place->directory);
+    assert_int_equal(chmod(path, 0755), 0);
+    assert_int_equal(setenv("PATH", place->directory, 1), 0);
+    enum status_code started = gnuplot_start(&gnuplot, place->directory, &status);
+    assert_int_equal(setenv("PATH", before, 1), 0);
+    free(before);
+    assert_int_equal(started, STATUS_OK);
+    return gnuplot;
+}
+
+/* What it says is kept to some size, as it lies in memory. */
+PLACED(test_endless_messages_are_cut)
+{
+    struct status status = {0};
+    struct stat info;
+    struct gnuplot gnuplot =
+        start_other(*state, "#!/bin/sh\necho 'line 7: wrong'\n/usr/bin/head -c 30000000 /dev/zero\n");
+    assert_int_equal(program_wait(gnuplot.process, INFINITY, -1), PROGRAM_ENDED);
+    assert_int_equal(fstat(fileno(gnuplot.complaints), &info), 0);
+    assert_true(info.st_size <= 1 << 20);
+    assert_int_equal(gnuplot_finish(&gnuplot, &status), STATUS_CHART);
+    assert_string_equal(status.message, "gnuplot: line 7: wrong");
+}
+
+/* One that neither reads nor ends: it is not waited for longer than its time, nor when asked to stop. The last test:
+ * nothing starts after it. */
+PLACED(test_a_gnuplot_that_hangs_is_ended)
+{
+    for (int asked = 0; asked < 2; asked++) {
+        struct status status = {0};
+        struct gnuplot gnuplot = start_other(*state, "#!/bin/sh\ntrap '' INT TERM HUP\n/bin/sleep 1000\n");
+        assert_true(gnuplot.most_seconds >= 60); /* for the slowest of machines */
+        for (int i = 0; i < 100000; i++)         /* far more than a pipe holds */
+            gnuplot_send(&gnuplot, "x = %d", i);
+        if (asked) {
+            program_stop();
+            assert_int_equal(gnuplot_finish(&gnuplot, &status), STATUS_INTERRUPTED);
+        } else {
+            gnuplot.most_seconds = 0.2;
+            assert_int_equal(gnuplot_finish(&gnuplot, &status), STATUS_CHART);
+            assert_non_null(strstr(status.message, "gnuplot did not end within 0.2 s and was stopped"));
+        }
+    }
 }

@@ -26,6 +26,7 @@ struct process_running {
 int workspace_make(void **state);
 int workspace_remove(void **state);
 /** A cmocka test with a workspace. */
+#define TEST_IN_WORKSPACE(name)  TEST_WITH(name, workspace_make, workspace_remove)
 #define workspace_test(function) cmocka_unit_test_setup_teardown(function, workspace_make, workspace_remove)
 
 /** Starts the program in the workspace. */

@@ -27,7 +27,7 @@ static struct process run_scene(const char *place, int status, const char *text,
                  : expect_exit(place, status, "report", "in", "-o", "out", "--no-cost");
 }
 
-static void no_key_no_trace(void **state)
+TEST_IN_WORKSPACE(no_key_no_trace)
 {
     const char *place = *state;
     scans(place);
@@ -43,7 +43,7 @@ static void no_key_no_trace(void **state)
     process_free(&run);
 }
 
-static void targets_are_answered(void **state)
+TEST_IN_WORKSPACE(targets_are_answered)
 {
     const char *place = *state;
     scans(place);
@@ -82,7 +82,7 @@ static void targets_are_answered(void **state)
     process_free(&run);
 }
 
-static void a_missed_limit_ends_with_5(void **state)
+TEST_IN_WORKSPACE(a_missed_limit_ends_with_5)
 {
     const char *place = *state;
     scans(place);
@@ -110,7 +110,7 @@ static void a_missed_limit_ends_with_5(void **state)
     process_free(&run);
 }
 
-static void a_check_of_nothing_is_refused(void **state)
+TEST_IN_WORKSPACE(a_check_of_nothing_is_refused)
 {
     const char *place = *state;
     scans(place);
@@ -154,7 +154,7 @@ static bool numbers_of(const char *cell, double number[3])
 }
 
 /** What the report's table of a target says is in answers.csv, rounded: load and interval, in the loads' unit. */
-static void the_table_is_of_the_data(void **state)
+TEST_IN_WORKSPACE(the_table_is_of_the_data)
 {
     const char *place = *state;
     scans(place);
@@ -213,7 +213,7 @@ static size_t check_load_keys(const json_t *json)
 }
 
 /** Whatever unit the scene has its loads in. */
-static void loads_say_what_they_are_in(void **state)
+TEST_IN_WORKSPACE(loads_say_what_they_are_in)
 {
     const char *place = *state;
     static const char *const loads[] = {"{from: 0.01 N, to: 100 N, points: 9}",
@@ -272,7 +272,7 @@ static double at_load(const char *place, const char *model, double load, const c
 
 /** With a film, a gas and a current, targets are of the whole joint: at the load of an answer a report has just that.
  */
-static void targets_of_a_joint(void **state)
+TEST_IN_WORKSPACE(targets_of_a_joint)
 {
     const char *place = *state;
     static const struct {
@@ -308,18 +308,4 @@ static void targets_of_a_joint(void **state)
             }
     assert_true(answered >= 8 && intervals[0] > 0 && intervals[1] > 0);
     table_free(&table);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        workspace_test(no_key_no_trace),
-        workspace_test(targets_are_answered),
-        workspace_test(the_table_is_of_the_data),
-        workspace_test(loads_say_what_they_are_in),
-        workspace_test(targets_of_a_joint),
-        workspace_test(a_missed_limit_ends_with_5),
-        workspace_test(a_check_of_nothing_is_refused),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -15,7 +15,7 @@ static const char *const commands[] = {"report", "direct",    "plan",      "insp
                                        "models", "materials", "self-test", "help"};
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
-static void test_help(void **state)
+TEST_IN_WORKSPACE(test_help)
 {
     const char *place = *state;
     static const char *const spellings[] = {"--help", "-h", "help"};
@@ -63,7 +63,7 @@ static void test_help(void **state)
 }
 
 /* The version alone in the first line; then what the program is made of, each with a number. */
-static void test_version(void **state)
+TEST_IN_WORKSPACE(test_version)
 {
     const char *place = *state;
     static const char *const parts[] = {"FFTW", "GSL",  "libyaml", "jansson", "expat",
@@ -88,7 +88,7 @@ static void test_version(void **state)
     process_free(&again);
 }
 
-static void test_usage(void **state)
+TEST_IN_WORKSPACE(test_usage)
 {
     const char *place = *state;
     expect_failure(place, 2, 1, "unknown command 'reprot'; did you mean 'report'?", "reprot", "d");
@@ -112,7 +112,7 @@ static void test_usage(void **state)
     process_free(&process);
 }
 
-static void test_tables(void **state)
+TEST_IN_WORKSPACE(test_tables)
 {
     const char *place = *state;
     struct process models = expect_exit(place, 0, "models"), materials = expect_exit(place, 0, "materials");
@@ -132,7 +132,7 @@ static void test_tables(void **state)
 }
 
 /* The first page alone, by both commands that report, and plan says so. */
-static void test_brief(void **state)
+TEST_IN_WORKSPACE(test_brief)
 {
     const char *place = *state;
     workspace_scan(place, "d/a.csv", 200, 1);
@@ -162,7 +162,7 @@ static void test_brief(void **state)
     assert_false(workspace_has(place, "direct/figures/direct-ecr.svg"));
 }
 
-static void test_plan(void **state)
+TEST_IN_WORKSPACE(test_plan)
 {
     const char *place = *state;
     workspace_scan(place, "d/a.csv", 200, 1);
@@ -212,7 +212,7 @@ static void test_plan(void **state)
     expect_failure(place, 3, 1, "d/scene.yaml:1: unknown key 'x'", "plan", "d");
 }
 
-static void test_inspect(void **state)
+TEST_IN_WORKSPACE(test_inspect)
 {
     const char *place = *state;
     workspace_scan(place, "a.csv", 300, 1);
@@ -254,7 +254,7 @@ static void test_inspect(void **state)
     assert_int_equal(unsetenv("COLUMNS"), 0);
 }
 
-static void test_inspect_json(void **state)
+TEST_IN_WORKSPACE(test_inspect_json)
 {
     static const char *const numbers[] = {"points", "spacing_m", "length_m",  "missing",  "rq_m", "ra_m",
                                           "pv_m",   "m2",        "m4_per_m2", "alpha_SI", "gamma"};
@@ -298,7 +298,7 @@ static void test_inspect_json(void **state)
     process_free(&process);
 }
 
-static void test_synth(void **state)
+TEST_IN_WORKSPACE(test_synth)
 {
     const char *place = *state;
     struct process process = expect_exit(place, 0, "synth", "--alpha", "0.1", "--gamma", "1.4", "--length", "0.5mm",
@@ -328,7 +328,7 @@ static void test_synth(void **state)
     process_free(&process);
 }
 
-static void test_synth_refuses(void **state)
+TEST_IN_WORKSPACE(test_synth_refuses)
 {
     static const struct {
         const char *option, *value, *message;
@@ -353,15 +353,4 @@ static void test_synth_refuses(void **state)
         expect_failure(place, 2, wrong[i].lines, wrong[i].message, "synth", wrong[i].option, wrong[i].value);
     expect_failure(place, 2, 3, "no argument is taken, but there is 'file.csv'", "synth", "file.csv");
     expect_failure(place, 4, 1, "cannot write 'nowhere/a.csv': No such file", "synth", "-o", "nowhere/a.csv");
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        workspace_test(test_help),          workspace_test(test_version),      workspace_test(test_usage),
-        workspace_test(test_tables),        workspace_test(test_plan),         workspace_test(test_brief),
-        workspace_test(test_inspect),       workspace_test(test_inspect_json), workspace_test(test_synth),
-        workspace_test(test_synth_refuses),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

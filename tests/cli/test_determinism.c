@@ -31,7 +31,7 @@ static void write_scans(const char *place)
     workspace_scan(place, "d/d.csv", 600, 4);
 }
 
-static void test_same_bytes(void **state)
+TEST_IN_WORKSPACE(test_same_bytes)
 {
     const char *place = *state;
     write_scans(place);
@@ -94,7 +94,7 @@ static void expect_hash(const char *place, const char *path, const char *file)
 }
 
 /* One scan so large that what is made of it is shared out among threads; of some models and of all. */
-static void test_one_large_scan(void **state)
+TEST_IN_WORKSPACE(test_one_large_scan)
 {
     const char *place = *state;
     static const char *const scenes[] = {"material: tin\nmodels: [multiscale, contacting-slopes]\n", "material: tin\n"};
@@ -113,7 +113,7 @@ static void test_one_large_scan(void **state)
     }
 }
 
-static void test_other_directories(void **state)
+TEST_IN_WORKSPACE(test_other_directories)
 {
     const char *place = *state;
     write_scans(place);
@@ -145,14 +145,4 @@ static void test_other_directories(void **state)
     free(below);
     free(absolute);
     free(reference);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        workspace_test(test_same_bytes),
-        workspace_test(test_one_large_scan),
-        workspace_test(test_other_directories),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

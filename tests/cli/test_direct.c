@@ -63,7 +63,7 @@ static double gradient_of(const json_t *direct)
     return sqrt(2 * m2);
 }
 
-static void test_files(void **state)
+TEST_IN_WORKSPACE(test_files)
 {
     const char *place = *state;
     write_profile(place, EFFECTS SMALL);
@@ -93,7 +93,7 @@ static void test_files(void **state)
 }
 
 /* What the numbers are: area as literature has it, resistance as the gap's slope says, the cap's area. */
-static void test_numbers(void **state)
+TEST_IN_WORKSPACE(test_numbers)
 {
     const char *place = *state;
     write_profile(place,
@@ -135,7 +135,7 @@ static void test_numbers(void **state)
     table_free(&r);
 }
 
-static void test_same_bytes(void **state)
+TEST_IN_WORKSPACE(test_same_bytes)
 {
     const char *place = *state;
     write_profile(place, EFFECTS SMALL);
@@ -147,7 +147,7 @@ static void test_same_bytes(void **state)
     free(two);
 }
 
-static void test_off(void **state)
+TEST_IN_WORKSPACE(test_off)
 {
     const char *place = *state;
     static const char *const scenes[] = {EFFECTS, EFFECTS "direct: off\n", "effects: auto\n"};
@@ -171,7 +171,7 @@ static void test_off(void **state)
 }
 
 /* What the command line says stands over the scene. */
-static void test_called_for(void **state)
+TEST_IN_WORKSPACE(test_called_for)
 {
     const char *place = *state;
     write_profile(place, "effects: [separation]\ndirect: {grid: 32, seeds: 1, loads: [2e-2]}\n");
@@ -216,7 +216,7 @@ static double number_before(const char *line, const char *unit)
 }
 
 /* A budget is kept by counts alone: the same twice, more solved for more, never above it where anything fits. */
-static void test_budget(void **state)
+TEST_IN_WORKSPACE(test_budget)
 {
     const char *place = *state;
     static const char *const budgets[] = {"0.2", "1 s", "3", "10 s", "100"};
@@ -243,7 +243,7 @@ static void test_budget(void **state)
 }
 
 /* A map is its own surface: one solution, no law, no other heights. */
-static void test_map(void **state)
+TEST_IN_WORKSPACE(test_map)
 {
     const char *place = *state;
     char text[20000];
@@ -290,7 +290,7 @@ static void test_map(void **state)
 }
 
 /* Four spacings for want of a lambda_s: the plan and the report say that the solution is true at this resolution. */
-static void test_resolution(void **state)
+TEST_IN_WORKSPACE(test_resolution)
 {
     const char *place = *state;
     workspace_scan(place, "d/a.csv", 64, 3);
@@ -319,7 +319,7 @@ static void test_resolution(void **state)
 }
 
 /* Two surfaces beside six: an error no less than the scatter of the six says; of the capped area none is borrowed. */
-static void test_few_surfaces(void **state)
+TEST_IN_WORKSPACE(test_few_surfaces)
 {
     const char *place = *state;
     write_profile(place, EFFECTS "direct: {grid: 64, seeds: 5, loads: [1e-3, 2e-3, 4e-3], hardness: 400 MPa}\n");
@@ -352,7 +352,7 @@ static void test_few_surfaces(void **state)
 }
 
 /* A model has its own colour and marker where its error stands over its time, as it has in every other chart. */
-static void test_cost_colours(void **state)
+TEST_IN_WORKSPACE(test_cost_colours)
 {
     const char *place = *state;
     write_profile(place, EFFECTS SMALL);
@@ -371,7 +371,7 @@ static void test_cost_colours(void **state)
 
 /* An error against the direct solution is the largest, over as many loads as have one, both as in direct_ratio.csv; an
  * elastic-plastic area that is P/H in both says so, and what was not run does. */
-static void test_cost_errors(void **state)
+TEST_IN_WORKSPACE(test_cost_errors)
 {
     const char *place = *state;
     write_profile(place, EFFECTS "direct: {grid: 64, seeds: 3, loads: [1e-4, 3e-4, 1e-3, 1e-2]}\n");
@@ -414,7 +414,7 @@ static void test_cost_errors(void **state)
 
 /* A map with a plateau: beside every model that takes heights as Gaussian stands a mark, and in the captions; none
  * where the models are held against Gaussian surfaces. */
-static void test_marks(void **state)
+TEST_IN_WORKSPACE(test_marks)
 {
     const char *place = *state;
     enum { SIDE = 48 };
@@ -479,7 +479,7 @@ static void test_marks(void **state)
     free(page);
 }
 
-static void test_impossible(void **state)
+TEST_IN_WORKSPACE(test_impossible)
 {
     const char *place = *state;
     write_profile(place, EFFECTS "load: {values: [1e-9]}\ndirect: {grid: 64, seeds: 1}\n");
@@ -490,7 +490,7 @@ static void test_impossible(void **state)
     free(page);
 }
 
-static void test_key(void **state)
+TEST_IN_WORKSPACE(test_key)
 {
     const char *place = *state;
     static const struct {
@@ -514,7 +514,7 @@ static void test_key(void **state)
 }
 
 /* Ctrl-C in the midst of it: OUT is as it was. */
-static void test_stopped(void **state)
+TEST_IN_WORKSPACE(test_stopped)
 {
     const char *place = *state;
     write_profile(place, EFFECTS "direct: {grid: 1024, seeds: 100}\n");
@@ -526,16 +526,4 @@ static void test_stopped(void **state)
     expect_part(run.err, "stopped by a signal; 'out' is as it was before");
     assert_false(workspace_has(place, "out"));
     process_free(&run);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        workspace_test(test_files),        workspace_test(test_marks),       workspace_test(test_numbers),
-        workspace_test(test_same_bytes),   workspace_test(test_off),         workspace_test(test_budget),
-        workspace_test(test_called_for),   workspace_test(test_map),         workspace_test(test_key),
-        workspace_test(test_impossible),   workspace_test(test_resolution),  workspace_test(test_few_surfaces),
-        workspace_test(test_cost_colours), workspace_test(test_cost_errors), workspace_test(test_stopped),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -136,7 +136,7 @@ static void expect_nulls(const char *place)
 }
 
 /* Fewer than 100 points in contact: no number in tables, ratios, charts, JSON or text, and no picture. */
-static void test_below_resolution(void **state)
+TEST_IN_WORKSPACE(test_below_resolution)
 {
     const char *place = *state;
     write_surface(place, "d/a.csv", rough);
@@ -167,7 +167,7 @@ static void test_below_resolution(void **state)
 }
 
 /* Where some loads are resolved, those have numbers and one of them the picture. */
-static void test_partly_below_resolution(void **state)
+TEST_IN_WORKSPACE(test_partly_below_resolution)
 {
     const char *place = *state;
     write_surface(place, "d/a.csv", rough);
@@ -192,7 +192,7 @@ static void test_partly_below_resolution(void **state)
 }
 
 /* From the load on that is the hardness there is no capped solution; with all loads beyond, none at all. */
-static void test_loads_at_the_hardness(void **state)
+TEST_IN_WORKSPACE(test_loads_at_the_hardness)
 {
     const char *place = *state;
     const double modulus = 41.4e9 / (1 - 0.36 * 0.36);
@@ -224,7 +224,7 @@ static void test_loads_at_the_hardness(void **state)
 }
 
 /* Complete contact: all of the area, no gap, no resistance, and no ratio to nothing. */
-static void test_complete_contact(void **state)
+TEST_IN_WORKSPACE(test_complete_contact)
 {
     const char *place = *state;
     write_surface(place, "d/a.csv", rough);
@@ -245,7 +245,7 @@ static void test_complete_contact(void **state)
 
 /* Exponents at both ends, a spike, and the coarsest grid: numbers where enough points touch, and only numbers. A flat
  * surface is refused and leaves no row. */
-static void test_strange_surfaces(void **state)
+TEST_IN_WORKSPACE(test_strange_surfaces)
 {
     const char *place = *state;
     write_surface(place, "d/rough.csv", rough_law);
@@ -276,7 +276,7 @@ static void test_strange_surfaces(void **state)
 }
 
 /* A map below its resolution, as a profile: no number, no picture. */
-static void test_map_below_resolution(void **state)
+TEST_IN_WORKSPACE(test_map_below_resolution)
 {
     const char *place = *state;
     enum { N = 32 };
@@ -303,14 +303,4 @@ static void test_map_below_resolution(void **state)
     }
     assert_true(with >= 1 && with < t.rows);
     table_free(&t);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        workspace_test(test_below_resolution),      workspace_test(test_partly_below_resolution),
-        workspace_test(test_loads_at_the_hardness), workspace_test(test_complete_contact),
-        workspace_test(test_strange_surfaces),      workspace_test(test_map_below_resolution),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

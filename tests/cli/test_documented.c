@@ -128,7 +128,7 @@ static size_t check_sections(const char *document, const char *place)
     return sections;
 }
 
-static void report_is_described(void **state)
+TEST_IN_WORKSPACE(report_is_described)
 {
     const char *place = *state;
     static const char *const tables[] = {"surfaces.csv",     "spectrum.csv",    "contact.csv", "convergence.csv",
@@ -176,7 +176,7 @@ static void report_is_described(void **state)
 }
 
 /** What docs/tutorial.md quotes, a line behind "> ", stands in the report that it speaks of. */
-static void tutorial_quotes_the_report(void **state)
+TEST_IN_WORKSPACE(tutorial_quotes_the_report)
 {
     const char *place = *state;
     char *document = workspace_read(PROJECT_SOURCE, "docs/tutorial.md");
@@ -195,10 +195,4 @@ static void tutorial_quotes_the_report(void **state)
     assert_true(quotes >= 5);
     free(document);
     free(report);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {workspace_test(report_is_described), workspace_test(tutorial_quotes_the_report)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

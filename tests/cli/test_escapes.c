@@ -205,7 +205,7 @@ static void assert_process(struct process process, const char *what)
     process_free(&process);
 }
 
-static void test_report(void **state)
+TEST_IN_WORKSPACE(test_report)
 {
     const char *place = *state;
     write_scans(place);
@@ -252,7 +252,7 @@ static void test_report(void **state)
     free(html);
 }
 
-static void test_commands(void **state)
+TEST_IN_WORKSPACE(test_commands)
 {
     const char *place = *state;
     write_scans(place);
@@ -282,7 +282,7 @@ static void test_commands(void **state)
 }
 
 /* Of two surfaces every legend names both; gnuplot writes what it is given. */
-static void test_legends(void **state)
+TEST_IN_WORKSPACE(test_legends)
 {
     const char *place = *state;
     workspace_scan(place, "d/]]>.csv", 100, 1);
@@ -296,7 +296,7 @@ static void test_legends(void **state)
 }
 
 /* A surface whose material says too little is named where an effect is left out. */
-static void test_reasons(void **state)
+TEST_IN_WORKSPACE(test_reasons)
 {
     const char *place = *state;
     workspace_scan(place, "d/a.csv", 100, 1);
@@ -316,11 +316,4 @@ static void test_reasons(void **state)
     expect_part(json, "of surface 'lack|<b>\\\\u202e' has no");
     free(markdown);
     free(json);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {workspace_test(test_report), workspace_test(test_commands),
-                                       workspace_test(test_legends), workspace_test(test_reasons)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

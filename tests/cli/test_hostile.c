@@ -180,7 +180,7 @@ static void check_report(const char *place, const char *report)
     }
 }
 
-static void test_file_names(void **state)
+TEST_IN_WORKSPACE(test_file_names)
 {
     const char *place = *state;
     write_hostile_scene(place, NULL);
@@ -216,7 +216,7 @@ static void test_file_names(void **state)
     free(text);
 }
 
-static void test_drawings(void **state)
+TEST_IN_WORKSPACE(test_drawings)
 {
     const char *place = *state;
     write_hostile_scene(place, "baseline: \"</title></svg><:table>\"\n");
@@ -236,7 +236,7 @@ static void test_drawings(void **state)
     }
 }
 
-static void test_title_and_names_of_the_scene(void **state)
+TEST_IN_WORKSPACE(test_title_and_names_of_the_scene)
 {
     const char *place = *state;
     workspace_scan(place, "d/a.csv", 100, 1);
@@ -265,7 +265,7 @@ static void test_title_and_names_of_the_scene(void **state)
 }
 
 /** Refusals quote hostile names and contents; the terminal gets none of their control characters. */
-static void test_refusals(void **state)
+TEST_IN_WORKSPACE(test_refusals)
 {
     const char *place = *state;
     workspace_scan(place, "d/good.csv", 100, 1);
@@ -290,15 +290,4 @@ static void test_refusals(void **state)
     assert_non_null(json);
     json_decref(json);
     process_free(&process);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        workspace_test(test_file_names),
-        workspace_test(test_drawings),
-        workspace_test(test_title_and_names_of_the_scene),
-        workspace_test(test_refusals),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -34,7 +34,7 @@ static void run_installed(const char *place, const char *program, const char *ou
     process_free(&process);
 }
 
-static void test_install(void **state)
+TEST_IN_WORKSPACE(test_install)
 {
     const char *place = *state;
     char *prefix = install(place, "first"), *moved, *program, *links;
@@ -102,7 +102,7 @@ static void expect_table(const char *place, const char *printed)
 }
 
 /** Both examples, built through pkg-config and run in an installed tree that was moved. */
-static void test_examples(void **state)
+TEST_IN_WORKSPACE(test_examples)
 {
     const char *place = *state;
     char *prefix = install(place, "first"), *moved, *text;
@@ -164,7 +164,7 @@ static struct process uninstall(const char *place)
 }
 
 /** What an installation put goes, and the folders it made; what was there before, or came later, stays. */
-static void test_uninstall(void **state)
+TEST_IN_WORKSPACE(test_uninstall)
 {
     const char *place = *state;
     workspace_folder(place, "new");
@@ -196,11 +196,4 @@ static void test_uninstall(void **state)
     free(again);
     free(left);
     free(digest);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {workspace_test(test_install), workspace_test(test_examples),
-                                       workspace_test(test_uninstall)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -40,7 +40,7 @@ static const char others[] = "passed over, no scan: 1 x JPEG picture (photo.jpg)
                              "passed over, no scan: 1 x text without a row of numbers (notes.txt)\n";
 
 /* Found in a directory they are passed over and told; named in a scene they are refused. */
-static void test_passed_over(void **state)
+TEST_IN_WORKSPACE(test_passed_over)
 {
     const char *place = *state;
     workspace_scan(place, "d/1.csv", 200, 1);
@@ -84,7 +84,7 @@ static void test_passed_over(void **state)
 }
 
 /* What every scan of a surface says in the same words is said once. */
-static void test_counted_notes(void **state)
+TEST_IN_WORKSPACE(test_counted_notes)
 {
     const char *place = *state;
     struct text scene = {0};
@@ -115,7 +115,7 @@ static void test_counted_notes(void **state)
     process_free(&process);
 }
 
-static void test_packed(void **state)
+TEST_IN_WORKSPACE(test_packed)
 {
     const char *place = *state;
     workspace_scan(place, "1.csv", 200, 1);
@@ -182,7 +182,7 @@ static struct process inspect_input(const char *place, const char *input, const 
         NULL));
 }
 
-static void test_standard_input(void **state)
+TEST_IN_WORKSPACE(test_standard_input)
 {
     const char *place = *state;
     workspace_write(place, "a.csv", ROUGH);
@@ -232,7 +232,7 @@ static bool is_running(const char *pid)
 }
 
 /* Where Gwyddion is installed it is asked for what nothing here reads; nothing it leaves stays. */
-static void test_gwyddion(void **state)
+TEST_IN_WORKSPACE(test_gwyddion)
 {
     const char *place = *state;
     char *temporary = NULL, *kept = getenv("TMPDIR") ? strdup(getenv("TMPDIR")) : NULL;
@@ -300,13 +300,4 @@ static void test_gwyddion(void **state)
         unsetenv("TMPDIR");
     free(kept);
     free(temporary);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        workspace_test(test_passed_over),    workspace_test(test_counted_notes), workspace_test(test_packed),
-        workspace_test(test_standard_input), workspace_test(test_gwyddion),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -13,7 +13,7 @@ static bool is_there(const char *place, const char *program)
     return workspace_can_run(place, line);
 }
 
-static void test_package(void **state)
+TEST_IN_WORKSPACE(test_package)
 {
     static const char *const needed[] = {CPACK_PROGRAM, "dpkg-deb", "dpkg-shlibdeps", "file", "readelf", "strip"};
     const char *place = *state;
@@ -81,10 +81,4 @@ static void test_package(void **state)
     text = workspace_shell(place, "lintian --fail-on none packages/*.deb");
     expect_no_part(text, "E: ");
     free(text);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {workspace_test(test_package)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

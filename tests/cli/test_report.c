@@ -34,7 +34,7 @@ static double csv_number(const char *csv, const char *surface, const char *colum
     return strtod(row, NULL);
 }
 
-static void test_real_scans(void **state)
+TEST_IN_WORKSPACE(test_real_scans)
 {
     static const struct {
         const char *file, *surface;
@@ -71,7 +71,7 @@ static void test_real_scans(void **state)
     free(csv);
 }
 
-static void test_overrides(void **state)
+TEST_IN_WORKSPACE(test_overrides)
 {
     const char *place = *state;
     workspace_scan(place, "d/a.csv", 200, 1);
@@ -104,7 +104,7 @@ static void test_overrides(void **state)
     free(markdown);
 }
 
-static void test_units(void **state)
+TEST_IN_WORKSPACE(test_units)
 {
     const char *place = *state;
     workspace_write(place, "d/a.csv", "0,1\n1,3\n2,2\n3,5\n4,1\n5,4\n6,2\n7,6\n8,3\n9,1\n10,2\n11,5\n");
@@ -118,7 +118,7 @@ static void test_units(void **state)
     free(csv);
 }
 
-static void test_wrong_options(void **state)
+TEST_IN_WORKSPACE(test_wrong_options)
 {
     static const struct {
         const char *option, *value, *message;
@@ -157,7 +157,7 @@ static void synthesise(const char *place, const char *alpha, const char *gamma, 
     process_free(&process);
 }
 
-static void test_terminal(void **state)
+TEST_IN_WORKSPACE(test_terminal)
 {
     const char *place = *state;
     workspace_scan(place, "d/a.csv", 300, 1);
@@ -199,7 +199,7 @@ static void test_terminal(void **state)
 }
 
 /** Nothing has a column for a model that did not run. */
-static void test_table(void **state)
+TEST_IN_WORKSPACE(test_table)
 {
     const char *place = *state;
     workspace_scan(place, "d/a.csv", 300, 1);
@@ -214,7 +214,7 @@ static void test_table(void **state)
 
 /* Surfaces' laws stand on the terminal by their amplitudes at one wavelength, the middle of what the bands share: bands
  * 0.5 ... 300 and 1 ... 600 um, so at sqrt(1 x 300) um. alpha, their value at 1 m, is no number to compare. */
-static void test_laws_at_one_wavelength(void **state)
+TEST_IN_WORKSPACE(test_laws_at_one_wavelength)
 {
     const char *place = *state;
     workspace_write(place, "d/scene.yaml", "models: [multiscale]\nfit: thesis\n");
@@ -267,7 +267,7 @@ static bool has_there_and_back(const char *svg, size_t count, size_t turn)
 
 /** Measurements that are GW's curve, doubled, up and down in load: found in their units, in their order, and nearest to
  * GW by that factor. */
-static void test_measured(void **state)
+TEST_IN_WORKSPACE(test_measured)
 {
     static const char scene[] = "material: tin\nnominal_area_m2: 1e-6\neffects: [plasticity, electrical]\n%s";
     static const size_t order[] = {20, 50, 80, 65, 35, 5};
@@ -336,19 +336,4 @@ static void test_measured(void **state)
     expect_failure(place, 3, 1, "ecr.csv:1: the unit is 'mN' here, but the scene's load_unit says 'N'", "report", "d");
     workspace_write(place, "d/ecr.csv", "load,ecr\n1,4.8\n");
     expect_failure(place, 3, 1, "add 'resistance_unit' to 'measured' in the scene", "report", "d");
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        workspace_test(test_real_scans),
-        workspace_test(test_overrides),
-        workspace_test(test_units),
-        workspace_test(test_wrong_options),
-        workspace_test(test_terminal),
-        workspace_test(test_table),
-        workspace_test(test_laws_at_one_wavelength),
-        workspace_test(test_measured),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

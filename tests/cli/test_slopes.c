@@ -44,7 +44,7 @@ static double inspected(const char *out, const char *key)
     return value;
 }
 
-static void test_inspect(void **state)
+TEST_IN_WORKSPACE(test_inspect)
 {
     const char *place = *state;
     write_scan(place, "a.dat");
@@ -94,7 +94,7 @@ static char *hash_of(const char *place)
     return at;
 }
 
-static void test_report(void **state)
+TEST_IN_WORKSPACE(test_report)
 {
     const char *place = *state;
     double rq_m[2];
@@ -128,7 +128,7 @@ static void test_report(void **state)
 }
 
 /* A scan and its sidecar are one surface, not a surface and a refusal. */
-static void test_directory(void **state)
+TEST_IN_WORKSPACE(test_directory)
 {
     const char *place = *state;
     workspace_scan(place, "d/a.dat", 128, 1);
@@ -143,7 +143,7 @@ static void test_directory(void **state)
 }
 
 /* What is done to the scan of a counterface is said as for any other. */
-static void test_counterface(void **state)
+TEST_IN_WORKSPACE(test_counterface)
 {
     const char *place = *state;
     workspace_scan(place, "d/s.csv", 256, 1);
@@ -160,11 +160,4 @@ static void test_counterface(void **state)
     char *report = workspace_read(place, "out/d/report.md");
     expect_part(report, "counterface a.dat: slopes in urad, integrated to heights");
     free(report);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {workspace_test(test_inspect), workspace_test(test_report),
-                                       workspace_test(test_directory), workspace_test(test_counterface)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -30,8 +30,24 @@ static void write_scans(const struct directory *place, const char *in)
 
 #define LOADS "nominal_area: 1 mm2\nload: {from: 0.1 N, to: 100 N, points: 7}\noperating_load: 12 N\n"
 
+static int set_up(void **state)
+{
+    static struct directory place;
+    place = directory_make();
+    *state = &place;
+    return 0;
+}
+
+static int tear_down(void **state)
+{
+    directory_remove(*state);
+    return 0;
+}
+
+#define PLACED(name) TEST_WITH(name, set_up, tear_down)
+
 /* Surfaces of three pairs of bodies under the same forces are what each is in a report of its own, digit by digit. */
-static void each_surface_has_its_own_bodies(void **state)
+PLACED(each_surface_has_its_own_bodies)
 {
     const struct directory *place = *state;
     static const char *const own[] = {"material: tin\n", "material: copper\ncounterface: same\n",
@@ -67,7 +83,7 @@ static void each_surface_has_its_own_bodies(void **state)
 }
 
 /* What a surface does not say itself is the scene's. */
-static void bodies_are_completed(void **state)
+PLACED(bodies_are_completed)
 {
     const struct directory *place = *state;
     const struct material *tin = material_find("tin"), *copper = material_find("copper");
@@ -98,7 +114,7 @@ static void bodies_are_completed(void **state)
 }
 
 /* The summary stands at the operating load, where every surface has 12 MPa on 1 mm²; charts are over newtons. */
-static void loads_are_shown_as_given(void **state)
+PLACED(loads_are_shown_as_given)
 {
     const struct directory *place = *state;
     mkdir(directory_path(place, "in"), 0777);
@@ -141,7 +157,7 @@ static void loads_are_shown_as_given(void **state)
 }
 
 /* What needs no material is what it is with any: loads are P/(A_n E'). */
-static void without_a_material(void **state)
+PLACED(without_a_material)
 {
     const struct directory *place = *state;
     static const char loads[] = "load: {from: 1e-5, to: 1e-2, points: 5}\n";
@@ -181,7 +197,7 @@ static void without_a_material(void **state)
 }
 
 /* The thesis's length is one of phonons, and the report says so; the electrons' is far shorter in tin. */
-static void whose_mean_free_path(void **state)
+PLACED(whose_mean_free_path)
 {
     const struct directory *place = *state;
     static const char *const kinds[] = {"thesis", "electron", "20 nm"};
@@ -203,30 +219,4 @@ static void whose_mean_free_path(void **state)
         assert_int_equal(strstr(text_string(&report), "`mean_free_path: electron`") != NULL, k == 0);
         text_free(&report);
     }
-}
-
-static int set_up(void **state)
-{
-    static struct directory place;
-    place = directory_make();
-    *state = &place;
-    return 0;
-}
-
-static int tear_down(void **state)
-{
-    directory_remove(*state);
-    return 0;
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(each_surface_has_its_own_bodies, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(bodies_are_completed, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(loads_are_shown_as_given, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(without_a_material, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(whose_mean_free_path, set_up, tear_down),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -90,7 +90,7 @@ static size_t times(const struct text *text, const char *part)
 }
 
 /** Unasked: on the plateau alone, which has the mark and a row of its own; the others have neither. */
-static void unasked_only_where_heights_are_not_gaussian(void **state)
+TEST_CASE(unasked_only_where_heights_are_not_gaussian)
 {
     const struct directory *place = *state;
     write_scene(place, "in", "");
@@ -126,7 +126,7 @@ static void unasked_only_where_heights_are_not_gaussian(void **state)
 }
 
 /** Beside a plastic model that leads, what contacting slopes says stands only below the hardness. */
-static void nothing_elastic_above_the_hardness(void **state)
+TEST_CASE(nothing_elastic_above_the_hardness)
 {
     const struct directory *place = *state;
     for (int soft = 0; soft < 2; soft++) {
@@ -231,7 +231,7 @@ static const char *const surface_sections[] = {"", "\n## All surfaces, model by 
 static const char legend[] = "‡ heights not Gaussian, as the model takes them";
 
 /** The mark stands beside every model that takes heights as Gaussian and by no other, on that surface alone. */
-static void marks_in_every_table(void **state)
+TEST_CASE(marks_in_every_table)
 {
     const struct directory *place = *state;
     size_t rows[2];
@@ -273,7 +273,7 @@ static void marks_in_every_table(void **state)
 }
 
 /** The sections that are called for by effects alone: intervals, and what lies below the sampling limit. */
-static void marks_where_effects_call_for_tables(void **state)
+TEST_CASE(marks_where_effects_call_for_tables)
 {
     const struct directory *place = *state;
     static const char *const sections[] = {"\n## How sure the numbers are", "\n## Does the area converge"};
@@ -296,7 +296,7 @@ static void marks_where_effects_call_for_tables(void **state)
 }
 
 /** Captions of charts with such curves name the surface; others do not. */
-static void marks_in_captions(void **state)
+TEST_CASE(marks_in_captions)
 {
     const struct directory *place = *state;
     static const struct {
@@ -328,7 +328,7 @@ static void marks_in_captions(void **state)
 }
 
 /** The first lines name the surface, and what a direct solution of it would take, as planned. */
-static void the_first_lines(void **state)
+TEST_CASE(the_first_lines)
 {
     const struct directory *place = *state;
     write_scene(place, "in", "baseline: plateau\n");
@@ -353,7 +353,7 @@ static void the_first_lines(void **state)
 }
 
 /** Few long waves: the other mark, everywhere; in results.json and on a terminal too. */
-static void the_weaker_mark(void **state)
+TEST_CASE(the_weaker_mark)
 {
     const struct directory *place = *state;
     double height_m[POINTS];
@@ -418,7 +418,7 @@ static void the_weaker_mark(void **state)
 }
 
 /** Without a surface that is not Gaussian nothing of it is said; asked for, it runs on all. */
-static void asked_for_it_runs_everywhere(void **state)
+TEST_CASE(asked_for_it_runs_everywhere)
 {
     const struct directory *place = *state;
     write_scene(place, "in", "surfaces: [{name: even, file: even.csv}, {name: fair, file: fair.csv}]\n");
@@ -441,7 +441,7 @@ static void asked_for_it_runs_everywhere(void **state)
 }
 
 /** Too few points: no curve, and no harm. Two rough bodies: none either. */
-static void none_where_there_cannot_be_one(void **state)
+TEST_CASE(none_where_there_cannot_be_one)
 {
     const struct directory *place = *state;
     write_scene(place, "short", "models: [multiscale, contacting-slopes]\n");
@@ -469,7 +469,7 @@ static int compare_falling(const void *a, const void *b)
 
 /** The chart's heights are those of the scan at their normal scores, and the line is the least-squares one through the
  * highest 2AM of them. */
-static void the_probability_plot(void **state)
+TEST_CASE(the_probability_plot)
 {
     const struct directory *place = *state;
     write_scene(place, "in", "models: [contacting-slopes]\nsurfaces: [{name: plateau, file: plateau.csv}]\n");
@@ -526,19 +526,4 @@ static void the_probability_plot(void **state)
     text_free(&svg);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(unasked_only_where_heights_are_not_gaussian),
-        cmocka_unit_test(nothing_elastic_above_the_hardness),
-        cmocka_unit_test(marks_in_every_table),
-        cmocka_unit_test(marks_where_effects_call_for_tables),
-        cmocka_unit_test(marks_in_captions),
-        cmocka_unit_test(the_first_lines),
-        cmocka_unit_test(the_weaker_mark),
-        cmocka_unit_test(asked_for_it_runs_everywhere),
-        cmocka_unit_test(none_where_there_cannot_be_one),
-        cmocka_unit_test(the_probability_plot),
-    };
-    return cmocka_run_group_tests(tests, place_setup, place_teardown);
-}
+TEST_GROUP(place_setup, place_teardown)

@@ -67,7 +67,7 @@ static bool has_own_spots(const char *model)
     return model_rows[m]->spots;
 }
 
-static void columns_follow_from_the_others(void **state)
+TEST_CASE(columns_follow_from_the_others)
 {
     const struct directory *place = *state;
     struct text report = report_of(place, JOINT);
@@ -130,7 +130,7 @@ static void columns_follow_from_the_others(void **state)
 }
 
 /** The table's cells against the row of contact.csv they come from, at the operating load. */
-static void the_table_is_of_the_data(void **state)
+TEST_CASE(the_table_is_of_the_data)
 {
     const struct directory *place = *state;
     struct text report = report_of(place, JOINT "operating_load: 1e-6\nbaseline: a\n");
@@ -177,7 +177,7 @@ static void the_table_is_of_the_data(void **state)
 }
 
 /** Off: no column, chart, section, word; a key alone brings its own. */
-static void nothing_that_is_not_called_for(void **state)
+TEST_CASE(nothing_that_is_not_called_for)
 {
     const struct directory *place = *state;
     struct text report = report_of(place, "");
@@ -225,7 +225,7 @@ static void nothing_that_is_not_called_for(void **state)
 }
 
 /** Vacuum carries nothing, no film adds nothing; tin says when it softens and melts. */
-static void sentences(void **state)
+TEST_CASE(sentences)
 {
     const struct directory *place = *state;
     struct text report = report_of(place, "gap: {gas: vacuum}\nfilm: 0\n");
@@ -270,13 +270,4 @@ static void sentences(void **state)
     text_free(&report);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(columns_follow_from_the_others),
-        cmocka_unit_test(the_table_is_of_the_data),
-        cmocka_unit_test(nothing_that_is_not_called_for),
-        cmocka_unit_test(sentences),
-    };
-    return cmocka_run_group_tests(tests, place_setup, place_teardown);
-}
+TEST_GROUP(place_setup, place_teardown)

@@ -53,8 +53,10 @@ static void assert_same_tree(const struct directory *place, const char *a, const
     closedir(open);
 }
 
+#define PLACED(name) TEST_WITH(name, place_setup, place_teardown)
+
 /* Same input, same bytes; also with more threads, and with a report to replace. */
-static void test_runs_repeat_to_the_byte(void **state)
+PLACED(test_runs_repeat_to_the_byte)
 {
     size_t files = 0;
     directory_write(*state, "in/scene.yaml",
@@ -69,7 +71,7 @@ static void test_runs_repeat_to_the_byte(void **state)
 }
 
 /* One scan that is none: named, with why; the others are reported as if it were not there. */
-static void test_a_refused_scan_does_not_stop_the_others(void **state)
+PLACED(test_a_refused_scan_does_not_stop_the_others)
 {
     struct run_outcome outcome;
     struct status status = {0};
@@ -116,7 +118,7 @@ static void assert_untouched(const struct directory *place, struct run_options o
     assert_int_equal(directory_entries(place, "out"), 3);
 }
 
-static void test_a_run_that_fails_leaves_the_report_before(void **state)
+PLACED(test_a_run_that_fails_leaves_the_report_before)
 {
     const struct directory *place = *state;
     const atomic_bool stop = true;
@@ -156,7 +158,7 @@ static void ask_to_stop(size_t done, size_t total, const char *name)
     stop_soon = true;
 }
 
-static void test_a_signal_halfway_stops_the_run(void **state)
+PLACED(test_a_signal_halfway_stops_the_run)
 {
     const struct directory *place = *state;
     struct run_options options = options_to(NULL);
@@ -170,7 +172,7 @@ static void test_a_signal_halfway_stops_the_run(void **state)
     assert_int_equal(evaluated, 1); /* no other surface was begun */
 }
 
-static void test_the_baseline_and_the_order_do_not_depend_on_file_names(void **state)
+PLACED(test_the_baseline_and_the_order_do_not_depend_on_file_names)
 {
     struct run_outcome outcome;
     struct status status = {0};
@@ -197,7 +199,7 @@ static enum status_code fail_to_converge(const struct direct_team *team, size_t 
 }
 
 /* A direct solution that does not converge gives no number and takes none of the report away. */
-static void test_no_convergence_leaves_the_report(void **state)
+PLACED(test_no_convergence_leaves_the_report)
 {
     struct run_outcome outcome;
     struct status status = {0};
@@ -219,18 +221,4 @@ static void test_no_convergence_leaves_the_report(void **state)
     char path[4096];
     snprintf(path, sizeof path, "%s", directory_path(*state, "out/data/direct.csv"));
     assert_int_equal(access(path, F_OK), -1);
-}
-
-int main(void)
-{
-#define TEST(function) cmocka_unit_test_setup_teardown(function, place_setup, place_teardown)
-    const struct CMUnitTest tests[] = {
-        TEST(test_runs_repeat_to_the_byte),
-        TEST(test_a_refused_scan_does_not_stop_the_others),
-        TEST(test_a_run_that_fails_leaves_the_report_before),
-        TEST(test_a_signal_halfway_stops_the_run),
-        TEST(test_no_convergence_leaves_the_report),
-        TEST(test_the_baseline_and_the_order_do_not_depend_on_file_names),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -39,9 +39,23 @@ static void expect_same_file(const struct directory *place, const char *a, const
     text_free(&second);
 }
 
+static int set_up(void **state)
+{
+    static struct directory place;
+    place = directory_make();
+    *state = &place;
+    return 0;
+}
+
+static int tear_down(void **state)
+{
+    directory_remove(*state);
+    return 0;
+}
+
 /** Columns of a turned map are the rows of the map; rows that are all alike give the profile's own curves, without a
  * spread to speak of. */
-static void a_map_is_its_rows(void **state)
+TEST_WITH(a_map_is_its_rows, set_up, tear_down)
 {
     enum { NX = 64, NY = 12 };
     const struct directory *place = *state;
@@ -72,7 +86,7 @@ static void a_map_is_its_rows(void **state)
 }
 
 /** One file twice is that file; a surface of one scan has no spread. */
-static void averaging_a_scan_with_itself_changes_nothing(void **state)
+TEST_WITH(averaging_a_scan_with_itself_changes_nothing, set_up, tear_down)
 {
     const struct directory *place = *state;
     mkdir(directory_path(place, "in"), 0777);
@@ -99,7 +113,7 @@ static void averaging_a_scan_with_itself_changes_nothing(void **state)
 
 /** Pressed against its own copy: amplitudes times sqrt 2, and half the modulus; the counterface is no surface itself.
  */
-static void two_rough_bodies_add_their_squares(void **state)
+TEST_WITH(two_rough_bodies_add_their_squares, set_up, tear_down)
 {
     const struct directory *place = *state;
     mkdir(directory_path(place, "in"), 0777);
@@ -131,29 +145,4 @@ static void two_rough_bodies_add_their_squares(void **state)
     assert_non_null(strstr(status.message, "the counterface cannot be read: other.csv"));
     run_outcome_free(&outcome);
     assert_false(directory_has(place, "none"));
-}
-
-static int set_up(void **state)
-{
-    static struct directory place;
-    place = directory_make();
-    *state = &place;
-    return 0;
-}
-
-static int tear_down(void **state)
-{
-    directory_remove(*state);
-    return 0;
-}
-
-int main(void)
-{
-#define TEST(function) cmocka_unit_test_setup_teardown(function, set_up, tear_down)
-    const struct CMUnitTest tests[] = {
-        TEST(a_map_is_its_rows),
-        TEST(averaging_a_scan_with_itself_changes_nothing),
-        TEST(two_rough_bodies_add_their_squares),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

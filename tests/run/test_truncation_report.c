@@ -82,7 +82,7 @@ static bool has_mark(const struct text *report, const char *start)
 }
 
 /** sigma = a/√2, m = √(2 m2/π) with m2 = (2 pi f a)²/2, P = load E'. */
-static void the_table_is_what_the_formulas_give(void **state)
+TEST_CASE(the_table_is_what_the_formulas_give)
 {
     const struct directory *place = *state;
     struct text report =
@@ -138,7 +138,7 @@ static void the_table_is_what_the_formulas_give(void **state)
 }
 
 /** One resistance asked for, its columns alone; none, no table; nor without these models. */
-static void nothing_that_is_not_called_for(void **state)
+TEST_CASE(nothing_that_is_not_called_for)
 {
     const struct directory *place = *state;
     struct text report = report_of(place, "models: [cmy]\neffects: [plasticity, electrical]\n");
@@ -166,11 +166,4 @@ static void nothing_that_is_not_called_for(void **state)
     text_free(&report);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_table_is_what_the_formulas_give),
-        cmocka_unit_test(nothing_that_is_not_called_for),
-    };
-    return cmocka_run_group_tests(tests, place_setup, place_teardown);
-}
+TEST_GROUP(place_setup, place_teardown)
