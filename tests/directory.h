@@ -36,6 +36,21 @@ static inline void directory_remove(const struct directory *directory)
     assert_int_equal(nftw(directory->path, directory_unlink, 16, FTW_DEPTH | FTW_PHYS), 0);
 }
 
+/* A fixture: *state is an empty directory, removed with all that came into it. */
+static inline int directory_setup(void **state)
+{
+    static struct directory directory;
+    directory = directory_make();
+    *state = &directory;
+    return 0;
+}
+
+static inline int directory_teardown(void **state)
+{
+    directory_remove(*state);
+    return 0;
+}
+
 /* Path of `name` below it; good until the next 8 calls. */
 static inline const char *directory_path(const struct directory *directory, const char *name)
 {
@@ -61,6 +76,22 @@ static inline struct text directory_read(const struct directory *directory, cons
         fail_msg("%s", status.message);
     return text;
 }
+
+/* Fails unless the file holds every one of these parts, or none of them. */
+static inline void directory_expect(const struct directory *directory, const char *name, const char *const *parts,
+                                    bool there)
+{
+    struct text text = directory_read(directory, name);
+    for (; *parts; parts++)
+        if ((strstr(text_string(&text), *parts) != NULL) != there)
+            fail_msg("%s %s '%s'", name, there ? "lacks" : "has", *parts);
+    text_free(&text);
+}
+
+#define expect_in_file(place, name, ...)                                                                               \
+    directory_expect((place), (name), (const char *const[]){__VA_ARGS__, NULL}, true)
+#define expect_not_in_file(place, name, ...)                                                                           \
+    directory_expect((place), (name), (const char *const[]){__VA_ARGS__, NULL}, false)
 
 static inline bool directory_has(const struct directory *directory, const char *name)
 {

@@ -37,12 +37,6 @@ static int place_setup(void **state)
     return 0;
 }
 
-static int place_teardown(void **state)
-{
-    directory_remove(*state);
-    return 0;
-}
-
 /* A figure's data as gnuplot sees it, with the style words its script gives to the blocks. */
 struct drawn {
     size_t blocks, rows[BLOCKS_MOST];
@@ -693,4 +687,4 @@ TEST_CASE(test_hidden_stretches)
     text_free(&near);
 }
 
-TEST_GROUP(place_setup, place_teardown)
+TEST_GROUP(place_setup, directory_teardown)

@@ -4,78 +4,23 @@
 #include "chart/drawing_parts.h"
 #include "chart/gnuplot.h"
 #include "contact/model.h"
-#include "support.h"
+#include "directory.h"
 
-#include <dirent.h>
 #include <fcntl.h>
 #include <signal.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
-/* Every test draws in its own directory. */
-struct place {
-    char directory[512];
-};
-
-static int place_setup(void **state)
-{
-    static struct place place;
-    const char *temporary = getenv("TMPDIR");
-    snprintf(place.directory, sizeof place.directory, "%s/test_gnuplot.XXXXXX", temporary ? temporary : "/tmp");
-    assert_non_null(mkdtemp(place.directory));
-    *state = &place;
-    return 0;
-}
-
-static int place_teardown(void **state)
-{
-    const struct place *place = *state;
-    DIR *directory = opendir(place->directory);
-    assert_non_null(directory);
-    for (const struct dirent *entry; (entry = readdir(directory));)
-        if (entry->d_name[0] != '.' || strcmp(entry->d_name, ".gnuplot") == 0)
-            assert_int_equal(unlinkat(dirfd(directory), entry->d_name, 0), 0);
-    closedir(directory);
-    return rmdir(place->directory);
-}
-
-static void write_file(const struct place *place, const char *name, const char *content)
-{
-    struct status status = {0};
-    char path[1024];
-    snprintf(path, sizeof path, "%s/%s", place->directory, name);
-    assert_int_equal(text_write_file(path, content, strlen(content), &status), STATUS_OK);
-}
-
-static struct text read_file(const struct place *place, const char *name)
-{
-    struct status status = {0};
-    struct text text = {0};
-    char path[1024];
-    snprintf(path, sizeof path, "%s/%s", place->directory, name);
-    assert_int_equal(text_read_file(&text, path, &status), STATUS_OK);
-    return text;
-}
-
-static bool exists(const struct place *place, const char *name)
-{
-    char path[1024];
-    snprintf(path, sizeof path, "%s/%s", place->directory, name);
-    return access(path, F_OK) == 0;
-}
 
 /* Sends `commands` to one gnuplot and returns how it ended. */
-static enum status_code run(const struct place *place, const char *commands, struct status *status)
+static enum status_code run(const struct directory *place, const char *commands, struct status *status)
 {
     struct gnuplot gnuplot;
-    enum status_code code = gnuplot_start(&gnuplot, place->directory, status);
+    enum status_code code = gnuplot_start(&gnuplot, place->path, status);
     if (code)
         return code;
     gnuplot_send(&gnuplot, "%s", commands);
     return gnuplot_finish(&gnuplot, status);
 }
 
-static void run_well(const struct place *place, const char *commands)
+static void run_well(const struct directory *place, const char *commands)
 {
     struct status status = {0};
     if (run(place, commands, &status) != STATUS_OK)
@@ -197,7 +142,7 @@ static struct drawing drawing_of(enum drawing_kind kind, const char *name, const
 }
 
 /* Writes script and data as a report does, and draws. */
-static void draw(const struct place *place, struct drawing *drawing, const char *terminal_size)
+static void draw(const struct directory *place, struct drawing *drawing, const char *terminal_size)
 {
     struct text script = {0}, data = {0};
     struct status status = {0};
@@ -206,7 +151,7 @@ static void draw(const struct place *place, struct drawing *drawing, const char 
     drawing_thin(drawing);
     drawing_data(&data, drawing);
     snprintf(name, sizeof name, "%s.csv", drawing->name);
-    write_file(place, name, text_string(&data));
+    directory_write(place, name, text_string(&data));
     run_well(place, text_string(&script));
     text_free(&script);
     text_free(&data);
@@ -254,16 +199,16 @@ static struct drawing read_sample(const struct sample *sample)
     return drawing;
 }
 
-static struct text draw_sample(const struct place *place, const struct sample *sample, const char *terminal_size)
+static struct text draw_sample(const struct directory *place, const struct sample *sample, const char *terminal_size)
 {
     struct drawing drawing = read_sample(sample);
     char name[80];
     draw(place, &drawing, terminal_size);
     snprintf(name, sizeof name, "%s.%s", sample->name, terminal_size ? "txt" : "svg");
-    return read_file(place, name);
+    return directory_read(place, name);
 }
 
-#define PLACED(name) TEST_WITH(name, place_setup, place_teardown)
+#define PLACED(name) TEST_WITH(name, directory_setup, directory_teardown)
 
 PLACED(test_every_kind_draws_an_svg)
 {
@@ -306,8 +251,8 @@ PLACED(test_the_same_data_give_the_same_bytes)
 }
 
 /* Draws curves: their data and style words; what axes hold is in `axes` unless it is NULL. */
-static struct text draw_curves(const struct place *place, const char *data, const char *logarithmic, const char *styles,
-                               const double *axes, size_t pieces)
+static struct text draw_curves(const struct directory *place, const char *data, const char *logarithmic,
+                               const char *styles, const double *axes, size_t pieces)
 {
     struct drawing drawing = drawing_of(DRAWING_CURVES, "data", logarithmic);
     add_blocks(&drawing, data, styles);
@@ -318,19 +263,20 @@ static struct text draw_curves(const struct place *place, const char *data, cons
         drawing.y = (struct figure_extent){axes[2], axes[3]};
     }
     draw(place, &drawing, NULL);
-    struct text svg = read_file(place, "data.svg");
+    struct text svg = directory_read(place, "data.svg");
     if (pieces_of(text_string(&svg)) != pieces)
         fail_msg("%s: %zu pieces, expected %zu", styles, pieces_of(svg.data), pieces);
     return svg;
 }
 
 /* Draws another kind than curves. */
-static struct text draw_kind(const struct place *place, enum drawing_kind kind, const char *data, const char *styles)
+static struct text draw_kind(const struct directory *place, enum drawing_kind kind, const char *data,
+                             const char *styles)
 {
     struct drawing drawing = drawing_of(kind, "data", "");
     add_blocks(&drawing, data, styles);
     draw(place, &drawing, NULL);
-    return read_file(place, "data.svg");
+    return directory_read(place, "data.svg");
 }
 
 static void add_eight(struct text *data, int points)
@@ -380,7 +326,7 @@ PLACED(test_empty_blocks_and_single_points_are_drawn_silently)
         drawing.log_x = drawing.log_y = cases[i].kind != DRAWING_PROFILES && cases[i].kind != DRAWING_PROBABILITY;
         add_blocks(&drawing, cases[i].data, cases[i].styles);
         draw(*state, &drawing, cases[i].terminal_size);
-        struct text chart = read_file(*state, cases[i].terminal_size ? "data.txt" : "data.svg");
+        struct text chart = directory_read(*state, cases[i].terminal_size ? "data.txt" : "data.svg");
         assert_int_equal(count(text_string(&chart), "no data in range"), i < 4);
         if (i == 6)
             assert_int_equal(pieces_of(chart.data), 1 + 1 + 1 + 2);
@@ -582,8 +528,8 @@ PLACED(test_hostile_names_are_only_text)
             drawing_add(&drawing, (const double[]){2, 2 + b}, 2);
         }
         draw(*state, &drawing, cases[i].terminal_size);
-        assert_false(exists(*state, "pwned1") || exists(*state, "pwned2"));
-        struct text chart = read_file(*state, cases[i].terminal_size ? "data.txt" : "data.svg");
+        assert_false(directory_has(*state, "pwned1") || directory_has(*state, "pwned2"));
+        struct text chart = directory_read(*state, cases[i].terminal_size ? "data.txt" : "data.svg");
         if (cases[i].terminal_size) {
             assert_null(strpbrk(text_string(&chart), "\033\x7f"));
         } else { /* as title and as legend; nothing enhanced, nothing unescaped */
@@ -647,7 +593,7 @@ PLACED(test_a_missing_gnuplot_names_the_package)
         struct gnuplot gnuplot;
         assert_int_equal(setenv("PATH", without[i], 1), 0);
         enum status_code check = gnuplot_check(&checked);
-        enum status_code start = gnuplot_start(&gnuplot, ((struct place *)*state)->directory, &started);
+        enum status_code start = gnuplot_start(&gnuplot, ((struct directory *)*state)->path, &started);
         assert_int_equal(setenv("PATH", path, 1), 0);
         assert_int_equal(check, STATUS_CHART);
         assert_int_equal(start, STATUS_CHART);
@@ -683,9 +629,9 @@ static const struct complaint {
 
 PLACED(test_any_complaint_is_a_failure)
 {
-    write_file(*state, "bad.gp", "x = 1\nplot nothing_here\n");
-    write_file(*state, "syntax.gp", "plot sin(x\n");
-    write_file(*state, "none.csv", "# nothing\n");
+    directory_write(*state, "bad.gp", "x = 1\nplot nothing_here\n");
+    directory_write(*state, "syntax.gp", "plot sin(x\n");
+    directory_write(*state, "none.csv", "# nothing\n");
     for (size_t i = 0; i < sizeof complaints / sizeof *complaints; i++) {
         struct status status = {0};
         assert_int_equal(run(*state, complaints[i].commands, &status), STATUS_CHART);
@@ -701,7 +647,7 @@ PLACED(test_a_process_that_ended_early_is_reported_not_deadly)
     assert_int_equal(sigaction(SIGPIPE, NULL, &before), 0);
     struct gnuplot gnuplot;
     struct status status = {0};
-    assert_int_equal(gnuplot_start(&gnuplot, ((struct place *)*state)->directory, &status), STATUS_OK);
+    assert_int_equal(gnuplot_start(&gnuplot, ((struct directory *)*state)->path, &status), STATUS_OK);
     gnuplot_send(&gnuplot, "exit");
     for (int i = 0; i < 100000; i++) /* far more than a pipe holds */
         gnuplot_send(&gnuplot, "x = %d", i);
@@ -727,13 +673,13 @@ static size_t open_files(void)
 
 PLACED(test_the_user_s_setup_has_no_say)
 {
-    const struct place *place = *state;
-    write_file(place, ".gnuplot", "print 'start-up file'\n");
+    const struct directory *place = *state;
+    directory_write(place, ".gnuplot", "print 'start-up file'\n");
     const char *home = getenv("HOME");
     char *kept = home ? strdup(home) : NULL;
-    setenv("HOME", place->directory, 1);
+    setenv("HOME", place->path, 1);
     setenv("GNUTERM", "nonsense", 1);
-    setenv("GNUPLOT_LIB", place->directory, 1);
+    setenv("GNUPLOT_LIB", place->path, 1);
     struct status status = {0};
     enum status_code code =
         run(place, "if (strlen(system('echo $GNUTERM$GNUPLOT_LIB'))) { exit error 'set' }", &status);
@@ -766,16 +712,16 @@ PLACED(test_no_descriptor_is_left_open)
 }
 
 /* Starts a gnuplot of these lines. */
-static struct gnuplot start_other(const struct place *place, const char *lines)
+static struct gnuplot start_other(const struct directory *place, const char *lines)
 {
     struct gnuplot gnuplot;
     struct status status = {0};
     char path[1024], *before = strdup(getenv("PATH"));
-    write_file(place, "gnuplot", lines);
-    snprintf(path, sizeof path, "%s/gnuplot", place->directory);
+    directory_write(place, "gnuplot", lines);
+    snprintf(path, sizeof path, "%s/gnuplot", place->path);
     assert_int_equal(chmod(path, 0755), 0);
-    assert_int_equal(setenv("PATH", place->directory, 1), 0);
-    enum status_code started = gnuplot_start(&gnuplot, place->directory, &status);
+    assert_int_equal(setenv("PATH", place->path, 1), 0);
+    enum status_code started = gnuplot_start(&gnuplot, place->path, &status);
     assert_int_equal(setenv("PATH", before, 1), 0);
     free(before);
     assert_int_equal(started, STATUS_OK);

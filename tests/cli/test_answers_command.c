@@ -32,14 +32,10 @@ TEST_IN_WORKSPACE(no_key_no_trace)
     const char *place = *state;
     scans(place);
     struct process run = run_scene(place, 0, SCENE, NULL);
-    char *report = workspace_read(place, "out/report.md"), *results = workspace_read(place, "out/results.json");
     assert_false(workspace_has(place, "out/data/answers.csv"));
-    expect_no_part(report, "## Answers");
-    expect_no_part(results, "\"answers\"");
-    expect_no_part(results, "\"limits\"");
+    expect_not_in_file(place, "out/report.md", "## Answers");
+    expect_not_in_file(place, "out/results.json", "\"answers\"", "\"limits\"");
     expect_no_part(run.out, "takes");
-    free(report);
-    free(results);
     process_free(&run);
 }
 
@@ -52,7 +48,8 @@ TEST_IN_WORKSPACE(targets_are_answered)
     expect_part(run.out, "\nA/Aₙ ≥ 5 % takes ");
     expect_part(run.out, " on surface 'a', the ");
     process_free(&run);
-    char *report = workspace_read(place, "out/report.md"), *results = workspace_read(place, "out/results.json");
+    char *report = workspace_read(place, "out/report.md");
+    char *results = workspace_read(place, "out/results.json");
     expect_part(report, "\n\n- **ECR ≤ 0\\.1 mohm** takes "); /* the first thing said */
     expect_part(report, "\n## Answers\n\n|");
     expect_part(report, "\n| A/Aₙ ≥ 5 % | ");
@@ -94,11 +91,7 @@ TEST_IN_WORKSPACE(a_missed_limit_ends_with_5)
     expect_no_part(run.err, "A/Aₙ");
     expect_part(run.out, "limit A/Aₙ ≥ 1e-09: 2 of 2 surfaces meet it, 0 miss it.\n");
     process_free(&run);
-    char *report = workspace_read(place, "out/report.md");
-    expect_part(report, "| ✗ **misses**: ");
-    expect_part(report, "| ✓ meets: ");
-    expect_part(report, "Limits at the operating load (");
-    free(report);
+    expect_in_file(place, "out/report.md", "| ✗ **misses**: ", "| ✓ meets: ", "Limits at the operating load (");
     run = run_scene(place, 0, missed, NULL); /* nobody asked for the check */
     expect_no_part(run.err, "misses");
     process_free(&run);
@@ -258,8 +251,7 @@ static double at_load(const char *place, const char *model, double load, const c
     char scene[700], path[4096];
     snprintf(scene, sizeof scene, JOINT "load: {values: [%.17g]}\n", load);
     workspace_write(place, "in/scene.yaml", scene);
-    struct process run = expect_exit(place, 0, "report", "in", "-o", "one", "--no-cost");
-    process_free(&run);
+    run_to_exit(place, 0, "report", "in", "-o", "one", "--no-cost");
     snprintf(path, sizeof path, "%s/one/data/contact.csv", place);
     struct table table = table_read_path(path);
     double value = NAN;

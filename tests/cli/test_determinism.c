@@ -19,8 +19,7 @@ static void expect_same(const char *place, const char *reference, const char *re
 
 static void run(const char *place, const char *output, const char *extra)
 {
-    struct process process = expect_exit(place, 0, "report", "d", "--no-cost", "-o", output, extra);
-    process_free(&process);
+    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", output, extra);
 }
 
 static void write_scans(const char *place)
@@ -132,14 +131,11 @@ TEST_IN_WORKSPACE(test_other_directories)
     assert_true(asprintf(&absolute, "%s/d", place) > 0);
     assert_true(asprintf(&elsewhere, "%s/elsewhere", place) > 0);
     workspace_folder(place, "e/f");
-    process = expect_exit(below, 0, "report", "--no-cost", "../../d");
-    process_free(&process);
+    run_to_exit(below, 0, "report", "--no-cost", "../../d");
     expect_same(place, reference, "e/f/out/d");
-    process = expect_exit("/", 0, "report", "--no-cost", absolute, "-o", elsewhere);
-    process_free(&process);
+    run_to_exit("/", 0, "report", "--no-cost", absolute, "-o", elsewhere);
     expect_same(place, reference, "elsewhere");
-    process = expect_exit(absolute, 0, "report", "--no-cost", ".", "-o", elsewhere);
-    process_free(&process);
+    run_to_exit(absolute, 0, "report", "--no-cost", ".", "-o", elsewhere);
     expect_same(place, reference, "elsewhere");
     free(elsewhere);
     free(below);

@@ -28,8 +28,7 @@ static void write_profile(const char *place, const char *scene)
 /** Runs `report --no-cost` into OUT and checks that the work was as planned. */
 static void report(const char *place, const char *out, const char *jobs)
 {
-    struct process run = expect_exit(place, 0, "report", "d", "-o", out, "--no-cost", "-j", jobs);
-    process_free(&run);
+    run_to_exit(place, 0, "report", "d", "-o", out, "--no-cost", "-j", jobs);
 }
 
 static struct table data(const char *place, const char *path)
@@ -68,8 +67,8 @@ TEST_IN_WORKSPACE(test_files)
     const char *place = *state;
     write_profile(place, EFFECTS SMALL);
     report(place, "out", "2");
-    char *csv = workspace_read(place, "out/data/direct.csv"),
-         *ratios = workspace_read(place, "out/data/direct_ratio.csv");
+    char *csv = workspace_read(place, "out/data/direct.csv");
+    char *ratios = workspace_read(place, "out/data/direct_ratio.csv");
     csv[strcspn(csv, "\n")] = ratios[strcspn(ratios, "\n")] = '\0';
     assert_string_equal(csv,
                         "surface,source,load_over_AnEp,area_ratio,area_stderr,gap_m,gap_stderr,ecr_ohm_m2,ecr_stderr,"
@@ -84,11 +83,10 @@ TEST_IN_WORKSPACE(test_files)
         assert_true(workspace_has(place, path));
     }
     assert_true(workspace_has(place, "out/figures/direct-patches.png"));
-    char *html = workspace_read(place, "out/report.html"), *page = workspace_read(place, "out/report.md");
-    expect_part(html, "src=\"data:image/png;base64,iVBORw0KGgo"); /* a PNG's first bytes */
+    char *page = workspace_read(place, "out/report.md");
+    expect_in_file(place, "out/report.html", "src=\"data:image/png;base64,iVBORw0KGgo"); /* a PNG's first bytes */
     expect_part(page, "## Against a direct solution");
     expect_part(page, "Of the elastic models the nearest for area is **");
-    free(html);
     free(page);
 }
 
@@ -156,10 +154,9 @@ TEST_IN_WORKSPACE(test_off)
         report(place, "out", "1");
         assert_int_equal(workspace_count(place, "direct"), 0);
         assert_int_equal(workspace_count(place, "patches"), 0);
-        char *page = workspace_read(place, "out/report.md");
-        expect_no_part(page, "## Against a direct solution");
-        expect_part(page, "| direct | skipped | not called for; it would say how far each model is off: ");
-        free(page);
+        expect_not_in_file(place, "out/report.md", "## Against a direct solution");
+        expect_in_file(place, "out/report.md",
+                       "| direct | skipped | not called for; it would say how far each model is off: ");
         json_t *all = results(place);
         assert_null(json_object_get(all, "direct"));
         json_decref(all);
@@ -356,8 +353,7 @@ TEST_IN_WORKSPACE(test_cost_colours)
 {
     const char *place = *state;
     write_profile(place, EFFECTS SMALL);
-    struct process run = expect_exit(place, 0, "report", "d", "-o", "out", "-j", "2");
-    process_free(&run);
+    run_to_exit(place, 0, "report", "d", "-o", "out", "-j", "2");
     char *script = workspace_read(place, "out/figures/cost-direct-area.gp");
     const char *styles = strstr(script, "# curves: me ");
     assert_non_null(styles);
@@ -433,7 +429,8 @@ TEST_IN_WORKSPACE(test_marks)
                     "material: tin\neffects: [separation, electrical, direct]\nload: {from: 1e-4, to: 1, points: 41}\n"
                     "surfaces: [{name: m, file: map.grd, x_unit: m, z_unit: m}]\ndirect: {loads: 5}\n");
     report(place, "out", "2");
-    char *page = workspace_read(place, "out/report.md"), *section = strstr(page, "\n## Against a direct solution");
+    char *page = workspace_read(place, "out/report.md");
+    char *section = strstr(page, "\n## Against a direct solution");
     assert_non_null(section);
     strstr(section, "\n## Where the models may")[0] = '\0';
     expect_part(section, "| multiscale elastic\u00a0‡ over it |");

@@ -288,8 +288,7 @@ TEST_IN_WORKSPACE(test_map_below_resolution)
     workspace_write(place, "d/m.grd", text);
     workspace_write(place, "d/scene.yaml",
                     SCENE "surfaces: [{name: m, file: m.grd, x_unit: m, z_unit: m}]\ndirect: {loads: [1e-9, 0.05]}\n");
-    struct process run = expect_exit(place, 0, "report", "d", "-o", "out", "--no-cost");
-    process_free(&run);
+    run_to_exit(place, 0, "report", "d", "-o", "out", "--no-cost");
     assert_true(workspace_expect_numbers(place, "out") > 20);
     struct table t = data(place, "data/direct.csv");
     size_t with = 0;

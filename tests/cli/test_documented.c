@@ -151,8 +151,7 @@ TEST_IN_WORKSPACE(report_is_described)
         "targets: [{ecr: 1 mohm}]\nlimits: {ecr: {most: 1 mohm}}\n"
         "surfaces:\n  - {name: one, file: [a.csv, b.csv]}\n  - {name: two, file: c.csv}\n"
         "  - {name: three, file: broken.csv}\n");
-    struct process process = expect_exit(place, 1, "report", "in", "-o", "out");
-    process_free(&process);
+    run_to_exit(place, 1, "report", "in", "-o", "out");
     size_t columns = 0;
     for (size_t i = 0; i < sizeof tables / sizeof *tables; i++)
         columns += check_columns(document, place, tables[i]);
@@ -165,8 +164,7 @@ TEST_IN_WORKSPACE(report_is_described)
     free(text);
     size_t sections = check_sections(document, place);
     workspace_write(place, "in/scene.yaml", "surfaces: [{name: two, file: c.csv}]\n"); /* a smooth counterface */
-    process = expect_exit(place, 0, "report", "in", "-o", "out");
-    process_free(&process);
+    run_to_exit(place, 0, "report", "in", "-o", "out");
     char *report = workspace_read(place, "out/report.md");
     assert_non_null(strstr(report, "\n## What the answers hang on: cut-off, scan length, hardness\n"));
     free(report);
@@ -180,9 +178,7 @@ TEST_IN_WORKSPACE(tutorial_quotes_the_report)
 {
     const char *place = *state;
     char *document = workspace_read(PROJECT_SOURCE, "docs/tutorial.md");
-    struct process process =
-        expect_exit(place, 0, "report", PROJECT_SOURCE "/surfaces/connector", "-o", "out", "--no-cost", "--check");
-    process_free(&process);
+    run_to_exit(place, 0, "report", PROJECT_SOURCE "/surfaces/connector", "-o", "out", "--no-cost", "--check");
     char *report = workspace_read(place, "out/report.md");
     size_t quotes = 0;
     for (char *at = strtok(document, "\n"); at; at = strtok(NULL, "\n")) {

@@ -85,8 +85,7 @@ TEST_IN_WORKSPACE(test_install)
 /** The numbers of the examples' table are the program's. */
 static void expect_table(const char *place, const char *printed)
 {
-    struct process process = expect_exit(place, 0, "report", "d", "-o", "out", "--no-cost", "--brief");
-    process_free(&process);
+    run_to_exit(place, 0, "report", "d", "-o", "out", "--no-cost", "--brief");
     char path[512], line[128];
     snprintf(path, sizeof path, "%s/out/data/contact.csv", place);
     struct table table = table_read_path(path);

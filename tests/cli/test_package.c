@@ -63,8 +63,7 @@ TEST_IN_WORKSPACE(test_package)
     char *program;
     assert_true(asprintf(&program, "%s/root/usr/bin/roughcontact", place) > 0);
     workspace_scan(place, "d/a.csv", 300, 1);
-    process = expect_exit(place, 0, "report", "d", "-o", "built", "--no-cost");
-    process_free(&process);
+    run_to_exit(place, 0, "report", "d", "-o", "built", "--no-cost");
     const char *const report[] = {program, "report", "d", "-o", "unpacked", "--no-cost", NULL};
     process = process_expect(process_end(process_start_list(place, report, NULL)), 0, __FILE__, __LINE__);
     process_free(&process);

@@ -62,9 +62,7 @@ TEST_IN_WORKSPACE(test_real_scans)
                     "  - {file: dektakxt_opdx-3.txt, x_unit: m, z_unit: m}\n"
                     "  - {name: WAAM, file: WAAM Profile.txt, x_unit: um, z_unit: um}\n"
                     "  - {name: stylus, file: stylus_nounits_xy-4.txt, x_unit: mm, z_unit: mm}\n");
-    struct process process =
-        expect_exit(place, 0, "report", "d", "--material", "copper", "--effects", "electrical", "--tolerance", "1e-3");
-    process_free(&process);
+    run_to_exit(place, 0, "report", "d", "--material", "copper", "--effects", "electrical", "--tolerance", "1e-3");
     char *csv = workspace_read(place, "out/d/data/surfaces.csv");
     for (size_t i = 0; i < sizeof scans / sizeof *scans; i++)
         assert_near(csv_number(csv, scans[i].surface, "rq_m"), scans[i].rq_m, 1e-5);
@@ -76,31 +74,24 @@ TEST_IN_WORKSPACE(test_overrides)
     const char *place = *state;
     workspace_scan(place, "d/a.csv", 200, 1);
     workspace_write(place, "d/scene.yaml", "material: tin\neffects: [thermal]\ntolerance: 1e-8\n");
-    struct process process = expect_exit(place, 0, "report", "d");
-    process_free(&process);
+    run_to_exit(place, 0, "report", "d");
     char *contact = workspace_read(place, "out/d/data/contact.csv");
     expect_part(contact, "tcr_K_m2_per_W");
     expect_no_part(contact, "ecr_ohm_m2");
     free(contact);
 
-    process =
-        expect_exit(place, 0, "report", "d", "--material=copper", "--effects", "electrical", "--tolerance", "1e-3");
-    process_free(&process);
-    contact = workspace_read(place, "out/d/data/contact.csv");
-    char *json = workspace_read(place, "out/d/results.json"), *markdown = workspace_read(place, "out/d/report.md");
-    expect_part(contact, "ecr_ohm_m2");
-    expect_no_part(contact, "tcr_K_m2_per_W");
-    expect_no_part(contact, "-plastic"); /* electrical alone asks for no yield */
-    expect_part(json, "\"name\": \"copper\"");
-    expect_part(json, "\"tolerance\": 0.001");
+    run_to_exit(place, 0, "report", "d", "--material=copper", "--effects", "electrical", "--tolerance", "1e-3");
+    char *markdown = workspace_read(place, "out/d/report.md");
+    expect_in_file(place, "out/d/data/contact.csv", "ecr_ohm_m2");
+    expect_not_in_file(place, "out/d/data/contact.csv", "tcr_K_m2_per_W");
+    expect_not_in_file(place, "out/d/data/contact.csv", "-plastic"); /* electrical alone asks for no yield */
+    expect_in_file(place, "out/d/results.json", "\"name\": \"copper\"", "\"tolerance\": 0.001");
     expect_part(markdown, "copper");
     expect_no_part(markdown, "](figures/6-09.svg)");
     expect_part(markdown, "](figures/6-08.svg)");
     assert_true(workspace_has(place, "out/d/figures/6-08.svg"));
     assert_false(workspace_has(place, "out/d/figures/6-09.svg"));
     assert_false(workspace_has(place, "out/d/data/convergence.csv"));
-    free(contact);
-    free(json);
     free(markdown);
 }
 
@@ -109,9 +100,7 @@ TEST_IN_WORKSPACE(test_units)
     const char *place = *state;
     workspace_write(place, "d/a.csv", "0,1\n1,3\n2,2\n3,5\n4,1\n5,4\n6,2\n7,6\n8,3\n9,1\n10,2\n11,5\n");
     expect_failure(place, 4, 2, "give --x-unit mm --z-unit um", "report", "d");
-    struct process process =
-        expect_exit(place, 0, "report", "d", "--x-unit", "um", "--z-unit", "nm", "-m", "tin", "-e", "plasticity");
-    process_free(&process);
+    run_to_exit(place, 0, "report", "d", "--x-unit", "um", "--z-unit", "nm", "-m", "tin", "-e", "plasticity");
     char *csv = workspace_read(place, "out/d/data/surfaces.csv");
     assert_near(csv_number(csv, "a", "spacing_m"), 1e-6, 1e-12);
     assert_true(csv_number(csv, "a", "rq_m") < 5e-9);
@@ -277,8 +266,7 @@ TEST_IN_WORKSPACE(test_measured)
     workspace_scan(place, "d/a.csv", 300, 1);
     snprintf(text, sizeof text, scene, "");
     workspace_write(place, "d/scene.yaml", text);
-    struct process process = expect_exit(place, 0, "report", "d", "--no-cost");
-    process_free(&process);
+    run_to_exit(place, 0, "report", "d", "--no-cost");
     char *markdown = workspace_read(place, "out/d/report.md");
     expect_no_part(markdown, "Measured");
     free(markdown);
@@ -303,17 +291,13 @@ TEST_IN_WORKSPACE(test_measured)
 
     snprintf(text, sizeof text, scene, "measured: {file: ecr.csv}\n");
     workspace_write(place, "d/scene.yaml", text);
-    process = expect_exit(place, 0, "report", "d", "--no-cost");
-    process_free(&process);
-    markdown = workspace_read(place, "out/d/report.md");
-    expect_part(markdown,
-                "- **Measured ECR** (6 points): on surface a, GW is nearest, off by a factor of 2.00 (root mean "
-                "square over 6 of 6 points) and 0.500 times the measured on average; ");
-    expect_part(markdown, " is farthest, off by a factor of ");
-    expect_part(markdown, "Measured loads were given in mN, resistances in m\xCE\xA9;");
-    free(markdown);
-    char *data = workspace_read(place, "out/d/figures/6-08.csv"),
-         *svg = workspace_read(place, "out/d/figures/6-08.svg");
+    run_to_exit(place, 0, "report", "d", "--no-cost");
+    expect_in_file(place, "out/d/report.md",
+                   "- **Measured ECR** (6 points): on surface a, GW is nearest, off by a factor of 2.00 (root mean "
+                   "square over 6 of 6 points) and 0.500 times the measured on average; ",
+                   " is farthest, off by a factor of ", "Measured loads were given in mN, resistances in m\xCE\xA9;");
+    char *data = workspace_read(place, "out/d/figures/6-08.csv");
+    char *svg = workspace_read(place, "out/d/figures/6-08.svg");
     char *rest = strstr(data, "\"measured\"\n");
     assert_non_null(rest);
     rest += strlen("\"measured\"\n");

@@ -19,12 +19,6 @@ static int place_setup(void **state)
     return 0;
 }
 
-static int place_teardown(void **state)
-{
-    directory_remove(*state);
-    return 0;
-}
-
 /* The report of a scene. */
 static struct text report_of(const struct directory *place, const char *scene)
 {
@@ -335,4 +329,4 @@ TEST_CASE(test_a_cut_is_told_with_what_is_cut)
     text_free(&report);
 }
 
-TEST_GROUP(place_setup, place_teardown)
+TEST_GROUP(place_setup, directory_teardown)

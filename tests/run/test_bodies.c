@@ -30,21 +30,7 @@ static void write_scans(const struct directory *place, const char *in)
 
 #define LOADS "nominal_area: 1 mm2\nload: {from: 0.1 N, to: 100 N, points: 7}\noperating_load: 12 N\n"
 
-static int set_up(void **state)
-{
-    static struct directory place;
-    place = directory_make();
-    *state = &place;
-    return 0;
-}
-
-static int tear_down(void **state)
-{
-    directory_remove(*state);
-    return 0;
-}
-
-#define PLACED(name) TEST_WITH(name, set_up, tear_down)
+#define PLACED(name) TEST_WITH(name, directory_setup, directory_teardown)
 
 /* Surfaces of three pairs of bodies under the same forces are what each is in a report of its own, digit by digit. */
 PLACED(each_surface_has_its_own_bodies)
@@ -138,13 +124,8 @@ PLACED(loads_are_shown_as_given)
     assert_non_null(end); /* compared there, not at the baseline's P/(A_n E') */
     assert_null(memmem(row, (size_t)(end - row), "| – | – ", strlen("| – | – ")));
     text_free(&report);
-    struct text json = directory_read(place, "out/results.json");
-    assert_non_null(strstr(text_string(&json), "\"load_unit\": \"N\""));
-    text_free(&json);
-    struct text chart = directory_read(place, "out/figures/6-05.gp");
-    assert_non_null(strstr(text_string(&chart), "set xlabel 'load (N)'"));
-    assert_non_null(strstr(text_string(&chart), "# axes: 1.000000e-01 1.000000e+02 "));
-    text_free(&chart);
+    expect_in_file(place, "out/results.json", "\"load_unit\": \"N\"");
+    expect_in_file(place, "out/figures/6-05.gp", "set xlabel 'load (N)'", "# axes: 1.000000e-01 1.000000e+02 ");
     struct text data = directory_read(place, "out/figures/6-11.csv");
     const char *second = text_string(&data); /* each surface's curve starts at 0.1 N, whatever its E' */
     for (int k = 0; k < 2; k++) {

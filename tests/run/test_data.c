@@ -43,23 +43,8 @@ static bool says(const struct directory *place, const char *file, const char *wo
     return found;
 }
 
-static int make(void **state)
-{
-    struct directory *place = malloc(sizeof *place);
-    *place = directory_make();
-    *state = place;
-    return 0;
-}
-
-static int clean(void **state)
-{
-    directory_remove(*state);
-    free(*state);
-    return 0;
-}
-
 /* Bins keep each surface's mean square height, and there is one a tenth of a decade. */
-TEST_WITH(of_many_surfaces_bins, make, clean)
+TEST_WITH(of_many_surfaces_bins, directory_setup, directory_teardown)
 {
     const struct directory *place = *state;
     make_surfaces(place, MANY);
@@ -123,7 +108,7 @@ static size_t lines_of_surfaces(const struct directory *place, bool *more)
     return lines;
 }
 
-TEST_WITH(the_terminal_shows_a_hundred, make, clean)
+TEST_WITH(the_terminal_shows_a_hundred, directory_setup, directory_teardown)
 {
     const struct directory *place = *state;
     bool more;
@@ -137,7 +122,7 @@ TEST_WITH(the_terminal_shows_a_hundred, make, clean)
 }
 
 /* The JSON of many surfaces by several threads, and up to a hundred of them every harmonic. */
-TEST_WITH(of_a_hundred_every_harmonic, make, clean)
+TEST_WITH(of_a_hundred_every_harmonic, directory_setup, directory_teardown)
 {
     const struct directory *place = *state;
     make_surfaces(place, MANY - 1);

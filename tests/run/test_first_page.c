@@ -18,12 +18,6 @@ static int place_setup(void **state)
     return 0;
 }
 
-static int place_teardown(void **state)
-{
-    directory_remove(*state);
-    return 0;
-}
-
 static const char leading[] = "two-band-plastic";
 
 /** The number of the factor in the row of what limits the answer; fails where there is none. */
@@ -220,4 +214,4 @@ TEST_CASE(test_brief)
     text_free(&page);
 }
 
-TEST_GROUP(place_setup, place_teardown)
+TEST_GROUP(place_setup, directory_teardown)

@@ -63,20 +63,6 @@ static const char *law_class(const json_t *surface)
     return json_string_value(json_object_get(json_object_get(surface, "fit"), "class"));
 }
 
-static int place_setup(void **state)
-{
-    static struct directory place;
-    place = directory_make();
-    *state = &place;
-    return 0;
-}
-
-static int place_teardown(void **state)
-{
-    directory_remove(*state);
-    return 0;
-}
-
 /* Both a periodic record and one cut out of a longer surface, tilted, give back what they were made with, within the
  * errors stated; the line through every harmonic of the unwindowed cut record does not. */
 TEST_CASE(test_the_law_made_is_found)
@@ -362,4 +348,4 @@ TEST_CASE(test_the_counterface_is_in_the_law)
     json_decref(root);
 }
 
-TEST_GROUP(place_setup, place_teardown)
+TEST_GROUP(directory_setup, directory_teardown)

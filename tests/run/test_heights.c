@@ -53,12 +53,6 @@ static int place_setup(void **state)
     return 0;
 }
 
-static int place_teardown(void **state)
-{
-    directory_remove(*state);
-    return 0;
-}
-
 /** Rows of a surface in a model of OUT/data/contact.csv. */
 static size_t rows_of(const struct directory *place, const char *out, const char *surface, const char *model)
 {
@@ -518,12 +512,10 @@ TEST_CASE(the_probability_plot)
     }
     assert_true(rows[0] > 100 && rows[0] <= 301 && last == M - 1 && rows[1] == 2 && rows[2] == 2);
     text_free(&data);
-    struct text script = directory_read(place, "out/figures/normal-probability.gp");
-    assert_non_null(strstr(script.data, "# curves: s1 fit fitx\n"));
-    text_free(&script);
+    expect_in_file(place, "out/figures/normal-probability.gp", "# curves: s1 fit fitx\n");
     struct text svg = directory_read(place, "out/figures/normal-probability.svg");
     assert_non_null(strstr(svg.data, "plateau, Rq"));
     text_free(&svg);
 }
 
-TEST_GROUP(place_setup, place_teardown)
+TEST_GROUP(place_setup, directory_teardown)

@@ -27,12 +27,6 @@ static int place_setup(void **state)
     return 0;
 }
 
-static int place_teardown(void **state)
-{
-    directory_remove(*state);
-    return 0;
-}
-
 /** The report of such a scene. */
 static struct text report_of(const struct directory *place, const char *more)
 {
@@ -270,4 +264,4 @@ TEST_CASE(sentences)
     text_free(&report);
 }
 
-TEST_GROUP(place_setup, place_teardown)
+TEST_GROUP(place_setup, directory_teardown)

@@ -45,12 +45,6 @@ static int place_setup(void **state)
     return 0;
 }
 
-static int place_teardown(void **state)
-{
-    directory_remove(*state);
-    return 0;
-}
-
 static void level(double *height_m, size_t points)
 {
     struct levelling levelling;
@@ -334,4 +328,4 @@ TEST_CASE(the_chart_ends_at_the_whole_spectrum)
     }
 }
 
-TEST_GROUP(place_setup, place_teardown)
+TEST_GROUP(place_setup, directory_teardown)

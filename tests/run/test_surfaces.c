@@ -39,23 +39,9 @@ static void expect_same_file(const struct directory *place, const char *a, const
     text_free(&second);
 }
 
-static int set_up(void **state)
-{
-    static struct directory place;
-    place = directory_make();
-    *state = &place;
-    return 0;
-}
-
-static int tear_down(void **state)
-{
-    directory_remove(*state);
-    return 0;
-}
-
 /** Columns of a turned map are the rows of the map; rows that are all alike give the profile's own curves, without a
  * spread to speak of. */
-TEST_WITH(a_map_is_its_rows, set_up, tear_down)
+TEST_WITH(a_map_is_its_rows, directory_setup, directory_teardown)
 {
     enum { NX = 64, NY = 12 };
     const struct directory *place = *state;
@@ -86,7 +72,7 @@ TEST_WITH(a_map_is_its_rows, set_up, tear_down)
 }
 
 /** One file twice is that file; a surface of one scan has no spread. */
-TEST_WITH(averaging_a_scan_with_itself_changes_nothing, set_up, tear_down)
+TEST_WITH(averaging_a_scan_with_itself_changes_nothing, directory_setup, directory_teardown)
 {
     const struct directory *place = *state;
     mkdir(directory_path(place, "in"), 0777);
@@ -113,7 +99,7 @@ TEST_WITH(averaging_a_scan_with_itself_changes_nothing, set_up, tear_down)
 
 /** Pressed against its own copy: amplitudes times sqrt 2, and half the modulus; the counterface is no surface itself.
  */
-TEST_WITH(two_rough_bodies_add_their_squares, set_up, tear_down)
+TEST_WITH(two_rough_bodies_add_their_squares, directory_setup, directory_teardown)
 {
     const struct directory *place = *state;
     mkdir(directory_path(place, "in"), 0777);
@@ -131,9 +117,7 @@ TEST_WITH(two_rough_bodies_add_their_squares, set_up, tear_down)
         assert_near(table_number(&rough, i, "amplitude_m"), M_SQRT2 * table_number(&smooth, i, "amplitude_m"), 1e-9);
     table_free(&smooth);
     table_free(&rough);
-    struct text report = directory_read(place, "rough/report.md");
-    assert_non_null(strstr(text_string(&report), "rough counterface"));
-    text_free(&report);
+    expect_in_file(place, "rough/report.md", "rough counterface");
     struct run_outcome outcome;
     struct status status = {0};
     char target[4096];

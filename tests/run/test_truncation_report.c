@@ -21,12 +21,6 @@ static int place_setup(void **state)
     return 0;
 }
 
-static int place_teardown(void **state)
-{
-    directory_remove(*state);
-    return 0;
-}
-
 /** The report of the wave, E' 50 GPa, under loads whose quarters are 1e-6, 1e-5 and 3e-3: P/H 0.001, 0.01 and 3. */
 static struct text report_of(const struct directory *place, const char *more)
 {
@@ -166,4 +160,4 @@ TEST_CASE(nothing_that_is_not_called_for)
     text_free(&report);
 }
 
-TEST_GROUP(place_setup, place_teardown)
+TEST_GROUP(place_setup, directory_teardown)
