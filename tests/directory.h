@@ -77,21 +77,19 @@ static inline struct text directory_read(const struct directory *directory, cons
     return text;
 }
 
-/* Fails unless the file holds every one of these parts, or none of them. */
+/* expect_parts() and expect_no_parts() of a file. */
 static inline void directory_expect(const struct directory *directory, const char *name, const char *const *parts,
-                                    bool there)
+                                    bool there, const char *file, int line)
 {
     struct text text = directory_read(directory, name);
-    for (; *parts; parts++)
-        if ((strstr(text_string(&text), *parts) != NULL) != there)
-            fail_msg("%s %s '%s'", name, there ? "lacks" : "has", *parts);
+    support_parts(text_string(&text), parts, there, file, line);
     text_free(&text);
 }
 
 #define expect_in_file(place, name, ...)                                                                               \
-    directory_expect((place), (name), (const char *const[]){__VA_ARGS__, NULL}, true)
+    directory_expect((place), (name), (const char *const[]){__VA_ARGS__, NULL}, true, __FILE__, __LINE__)
 #define expect_not_in_file(place, name, ...)                                                                           \
-    directory_expect((place), (name), (const char *const[]){__VA_ARGS__, NULL}, false)
+    directory_expect((place), (name), (const char *const[]){__VA_ARGS__, NULL}, false, __FILE__, __LINE__)
 
 static inline bool directory_has(const struct directory *directory, const char *name)
 {

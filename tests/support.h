@@ -7,6 +7,7 @@
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -41,6 +42,14 @@ void test_group(CMFixtureFunction before, CMFixtureFunction after);
 
 void support_near(double actual, double expected, double rtol, double atol, const char *what, const char *file,
                   int line);
+
+/** Fails unless the text holds every one of these parts, or none of them. */
+#define expect_parts(text, ...)                                                                                        \
+    support_parts((text), (const char *const[]){__VA_ARGS__, NULL}, true, __FILE__, __LINE__)
+#define expect_no_parts(text, ...)                                                                                     \
+    support_parts((text), (const char *const[]){__VA_ARGS__, NULL}, false, __FILE__, __LINE__)
+
+void support_parts(const char *text, const char *const *parts, bool there, const char *file, int line);
 
 /** Index in the table of models of the one of that name, such as "gw"; fails the test when there is none. */
 size_t model_named(const char *name);

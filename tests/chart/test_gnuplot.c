@@ -425,8 +425,7 @@ PLACED(test_no_error_is_off_the_scale)
     assert_null(strstr(text_string(&some), "lower edge"));
     assert_non_null(strstr(text_string(&none), "lower edge"));
     assert_int_equal(count(none.data, "transform='tr"), count(some.data, "transform='tr") + 2); /* it, and its note */
-    assert_null(strstr(none.data, "−5"));
-    assert_null(strstr(none.data, "−16<"));
+    expect_no_parts(none.data, "−5", "−16<");
     text_free(&some);
     text_free(&none);
 }

@@ -161,20 +161,11 @@ void process_expect_failure(struct process process, int status, size_t lines, co
     process_free(&process);
 }
 
-void process_expect_part(const char *text, const char *part, bool there, const char *file, int line)
-{
-    if ((strstr(text, part) != NULL) == there)
-        return;
-    print_error("%s: %s\nin:\n%.4000s\n", there ? "missing" : "should not be there", part, text);
-    _fail(file, line);
-}
-
 void process_expect_in_file(const char *place, const char *path, const char *const *parts, bool there, const char *file,
                             int line)
 {
     char *text = workspace_read(place, path);
-    for (; *parts; parts++)
-        process_expect_part(text, *parts, there, file, line);
+    support_parts(text, parts, there, file, line);
     free(text);
 }
 

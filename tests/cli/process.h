@@ -51,11 +51,9 @@ void process_expect_only(struct process process, int status, const char *file, i
 void process_expect_failure(struct process process, int status, size_t lines, const char *message, const char *file,
                             int line);
 
-/** Fails the test unless `text` holds `part`, and shows both. */
-#define expect_part(text, part)    process_expect_part((text), (part), true, __FILE__, __LINE__)
-#define expect_no_part(text, part) process_expect_part((text), (part), false, __FILE__, __LINE__)
-void process_expect_part(const char *text, const char *part, bool there, const char *file, int line);
-/** The same of several parts of a file below the workspace. */
+#define expect_part(text, part)    expect_parts((text), (part))
+#define expect_no_part(text, part) expect_no_parts((text), (part))
+/** expect_parts() and expect_no_parts() of a file below the workspace. */
 #define expect_in_file(place, path, ...)                                                                               \
     process_expect_in_file((place), (path), (const char *const[]){__VA_ARGS__, NULL}, true, __FILE__, __LINE__)
 #define expect_not_in_file(place, path, ...)                                                                           \

@@ -44,15 +44,12 @@ TEST_IN_WORKSPACE(targets_are_answered)
     const char *place = *state;
     scans(place);
     struct process run = run_scene(place, 0, SCENE "targets: [{ecr: 0.1 mohm}, {area: 5 %}]\n", NULL);
-    expect_part(run.out, "\nECR ≤ 0.1 mohm takes ");
-    expect_part(run.out, "\nA/Aₙ ≥ 5 % takes ");
-    expect_part(run.out, " on surface 'a', the ");
+    expect_parts(run.out, "\nECR ≤ 0.1 mohm takes ", "\nA/Aₙ ≥ 5 % takes ", " on surface 'a', the ");
     process_free(&run);
     char *report = workspace_read(place, "out/report.md");
     char *results = workspace_read(place, "out/results.json");
     expect_part(report, "\n\n- **ECR ≤ 0\\.1 mohm** takes "); /* the first thing said */
-    expect_part(report, "\n## Answers\n\n|");
-    expect_part(report, "\n| A/Aₙ ≥ 5 % | ");
+    expect_parts(report, "\n## Answers\n\n|", "\n| A/Aₙ ≥ 5 % | ");
     expect_part(results, "\"answers\": [");
     expect_no_part(results, "\"limits\"");
     char path[4096];
@@ -86,8 +83,8 @@ TEST_IN_WORKSPACE(a_missed_limit_ends_with_5)
     static const char missed[] =
         SCENE "operating_load: 10 N\nlimits: {conductance: {least: 1e12 W/m2/K}, area: {least: 1e-9}}\n";
     struct process run = run_scene(place, 5, missed, "--check");
-    expect_part(run.err, "surface 'a' misses the limit h ≥ 1e+12 W/m2/K: ");
-    expect_part(run.err, "surface 'b' misses the limit h ≥ 1e+12 W/m2/K: ");
+    expect_parts(run.err,
+                 "surface 'a' misses the limit h ≥ 1e+12 W/m2/K: ", "surface 'b' misses the limit h ≥ 1e+12 W/m2/K: ");
     expect_no_part(run.err, "A/Aₙ");
     expect_part(run.out, "limit A/Aₙ ≥ 1e-09: 2 of 2 surfaces meet it, 0 miss it.\n");
     process_free(&run);
@@ -281,8 +278,7 @@ TEST_IN_WORKSPACE(targets_of_a_joint)
                   JOINT "load: {from: 1e-7, to: 1e-2, points: 31}\n"
                         "targets: [{ecr: 0.2 mohm}, {conductance: 1e5 W/m2/K}, {temperature: 30 degC}]\n",
                   NULL);
-    expect_part(run.out, "ECR with film and plating ≤ 0.2 mohm takes ");
-    expect_part(run.out, "T_max ≤ 30 degC takes ");
+    expect_parts(run.out, "ECR with film and plating ≤ 0.2 mohm takes ", "T_max ≤ 30 degC takes ");
     process_free(&run);
     snprintf(path, sizeof path, "%s/out/data/answers.csv", place);
     struct table table = table_read_path(path);

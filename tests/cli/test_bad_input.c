@@ -185,13 +185,11 @@ TEST_IN_WORKSPACE(test_one_bad_scan_stops_no_other)
     expect_part(process.out, "\nout/d/report.html\n");
     char *markdown = workspace_read(place, "out/d/report.md"), *html = workspace_read(place, "out/d/report.html");
     char *json = workspace_read(place, "out/d/results.json"), *csv = workspace_read(place, "out/d/data/surfaces.csv");
-    expect_part(markdown, "1 surface was refused");
-    expect_part(markdown, "'x' in a column of numbers");
+    expect_parts(markdown, "1 surface was refused", "'x' in a column of numbers");
     expect_part(html, "b.csv:4: 'x' in a column of numbers");
-    expect_part(json, "\"surface\": \"b\"");
-    expect_part(json, "\"error\": \"b.csv:4: 'x' in a column of numbers; correct or remove this line\"");
-    expect_part(csv, "\na,a.csv,200,");
-    expect_part(csv, "\nc,c.csv,200,");
+    expect_parts(json, "\"surface\": \"b\"",
+                 "\"error\": \"b.csv:4: 'x' in a column of numbers; correct or remove this line\"");
+    expect_parts(csv, "\na,a.csv,200,", "\nc,c.csv,200,");
     expect_no_part(csv, "b.csv");
     process_free(&process);
     free(markdown);
@@ -220,8 +218,7 @@ TEST_IN_WORKSPACE(test_one_bad_scan_of_a_surface)
     workspace_write(place, "d/s/a.csv", "x [um],z [um]\n0,1\n1,2\n2,y\n");
     workspace_write(place, "d/s/c.csv", "x [um],z [um]\n0,1\n1,2\n2,z\n");
     process = expect_exit(place, 4, "report", "d", "--no-cost");
-    expect_part(process.err, "surface 's' refused: s/a.csv:4: 'y'");
-    expect_part(process.err, "surface 's': s/b.csv:4: 'x'");
-    expect_part(process.err, "surface 's': s/c.csv:4: 'z'");
+    expect_parts(process.err, "surface 's' refused: s/a.csv:4: 'y'", "surface 's': s/b.csv:4: 'x'",
+                 "surface 's': s/c.csv:4: 'z'");
     process_free(&process);
 }

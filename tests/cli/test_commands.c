@@ -171,8 +171,7 @@ TEST_IN_WORKSPACE(test_plan)
     process_free(&none);
     workspace_write(place, "d/scene.yaml", "load: {from: 1e-4, to: 1e-2, points: 7}\n");
     none = expect_exit(place, 0, "plan", "d");
-    expect_part(none.out, "\nNo material is given, so area and separation");
-    expect_part(none.out, "no material is given, so no resistivity");
+    expect_parts(none.out, "\nNo material is given, so area and separation", "no material is given, so no resistivity");
     process_free(&none);
     none = expect_exit(place, 0, "report", "d", "--no-cost");
     expect_part(none.out, "No material is given, so area and separation");
@@ -190,14 +189,11 @@ TEST_IN_WORKSPACE(test_plan)
     expect_part(process.out, "\n1 surface, 7 loads, tolerance 1e-06, closure thesis: about 0.25 s\n");
     process_free(&process);
     process = expect_exit(place, 0, "plan", "d", "--effects", "thermal", "--tolerance", "1e-3", "--material", "gold");
-    expect_part(process.out, "\nelectrical       skipped ");
-    expect_part(process.out, "\nthermal          run     ");
-    expect_part(process.out, "tolerance 0.001");
+    expect_parts(process.out, "\nelectrical       skipped ", "\nthermal          run     ", "tolerance 0.001");
     process_free(&process);
     workspace_write(place, "d/scene.yaml", "effects: auto\nmaterial: {E_Pa: 1e11, nu: 0.3}\n");
     process = expect_exit(place, 0, "plan", "d");
-    expect_part(process.out, "\nplasticity       skipped  ");
-    expect_part(process.out, "no Sy");
+    expect_parts(process.out, "\nplasticity       skipped  ", "no Sy");
     process_free(&process);
     workspace_write(place, "d/scene.yaml",
                     "material: tin\neffects: [electrical]\nload: {from: 1e-4, to: 1e-2, points: 7}\n");
@@ -239,14 +235,12 @@ TEST_IN_WORKSPACE(test_inspect)
     process_free(&process);
 
     process = expect_exit(place, 1, "inspect", "--chart", "a.csv", "bad.csv", "b.csv");
-    expect_part(process.out, "a.csv\n");
-    expect_part(process.out, "b.csv\n");
+    expect_parts(process.out, "a.csv\n", "b.csv\n");
     assert_string_equal(process.err, "roughcontact: bad.csv: no line of numbers in it: not a scan\n");
     process_free(&process);
     expect_failure(place, 4, 2, "cannot open 'nowhere.csv'", "inspect", "nowhere.csv", "bad.csv");
     process = expect_exit(place, 1, "inspect", ".");
-    expect_part(process.out, "./a.csv\n");
-    expect_part(process.out, "./b.csv\n");
+    expect_parts(process.out, "./a.csv\n", "./b.csv\n");
     expect_part(process.err, "bad.csv: no line of numbers in it: not a scan\n");
     process_free(&process);
     assert_int_equal(unsetenv("COLUMNS"), 0);

@@ -85,8 +85,7 @@ TEST_IN_WORKSPACE(test_files)
     assert_true(workspace_has(place, "out/figures/direct-patches.png"));
     char *page = workspace_read(place, "out/report.md");
     expect_in_file(place, "out/report.html", "src=\"data:image/png;base64,iVBORw0KGgo"); /* a PNG's first bytes */
-    expect_part(page, "## Against a direct solution");
-    expect_part(page, "Of the elastic models the nearest for area is **");
+    expect_parts(page, "## Against a direct solution", "Of the elastic models the nearest for area is **");
     free(page);
 }
 
@@ -275,9 +274,9 @@ TEST_IN_WORKSPACE(test_map)
     assert_true(differs > 0);
     table_free(&t);
     char *page = workspace_read(place, "out/report.md");
-    expect_part(page, "the map itself: the first square of 20 points a side");
-    expect_part(page, "the direct solution is true at this resolution");
-    expect_part(page, "± is the difference that every second point of the map alone would make.");
+    expect_parts(page, "the map itself: the first square of 20 points a side",
+                 "the direct solution is true at this resolution",
+                 "± is the difference that every second point of the map alone would make.");
     char *ratio = workspace_read(place, "out/figures/direct-ratio-area.csv"); /* the band has rows: low < 1 < high */
     double load, low, high;
     assert_int_equal(sscanf(strchr(ratio, '\n') + 1, "%lf,%lf,%lf", &load, &low, &high), 3);
@@ -297,8 +296,8 @@ TEST_IN_WORKSPACE(test_resolution)
     process_free(&plan);
     report(place, "out", "2");
     char *page = workspace_read(place, "out/report.md");
-    expect_part(page, ", four spacings of the scan (twice its Nyquist wavelength), as neither the scene nor a band");
-    expect_part(page, "Below λs there is nothing: the direct solution is true at this resolution");
+    expect_parts(page, ", four spacings of the scan (twice its Nyquist wavelength), as neither the scene nor a band",
+                 "Below λs there is nothing: the direct solution is true at this resolution");
     json_t *all = results(place);
     double gamma = json_number_value(json_object_get(json_array_get(json_object_get(all, "direct"), 0), "gamma"));
     assert_true(gamma < 1.5);
@@ -309,9 +308,7 @@ TEST_IN_WORKSPACE(test_resolution)
     write_scene(place, EFFECTS "direct: {grid: 128, seeds: 2, loads: [2e-3, 1e-2]}\nlambda_s_m: 6e-6\n");
     report(place, "out", "2");
     page = workspace_read(place, "out/report.md");
-    expect_no_part(page, "four spacings of the scan");
-    expect_no_part(page, "slopes grow as λs falls");
-    expect_no_part(page, "a single surface was solved");
+    expect_no_parts(page, "four spacings of the scan", "slopes grow as λs falls", "a single surface was solved");
     free(page);
 }
 
@@ -358,9 +355,7 @@ TEST_IN_WORKSPACE(test_cost_colours)
     const char *styles = strstr(script, "# curves: me ");
     assert_non_null(styles);
     *strchr(styles, '\n') = '\0';
-    expect_part(styles, " mp ");
-    expect_part(styles, " gw ");
-    expect_part(styles, " dirl");
+    expect_parts(styles, " mp ", " gw ", " dirl");
     expect_no_part(styles, " c1");
     free(script);
 }
@@ -402,9 +397,7 @@ TEST_IN_WORKSPACE(test_cost_errors)
     table_free(&cost);
     table_free(&ratios);
     char *page = workspace_read(place, "out/report.md");
-    expect_part(page, " | 64^2 x 1 | ");
-    expect_part(page, " | not run: scaled from all 3 |\n");
-    expect_part(page, " | 0 | A/Aₙ = P/H in both |\n");
+    expect_parts(page, " | 64^2 x 1 | ", " | not run: scaled from all 3 |\n", " | 0 | A/Aₙ = P/H in both |\n");
     free(page);
 }
 
@@ -433,13 +426,11 @@ TEST_IN_WORKSPACE(test_marks)
     char *section = strstr(page, "\n## Against a direct solution");
     assert_non_null(section);
     strstr(section, "\n## Where the models may")[0] = '\0';
-    expect_part(section, "| multiscale elastic\u00a0‡ over it |");
-    expect_part(section, "| two-band elastic\u00a0‡ over it |");
-    expect_part(section, "- **two-band elastic**\u00a0‡: ");
-    expect_part(section, "| contacting slopes over it |");
-    expect_part(section, "\n‡ heights not Gaussian, as the model takes them");
-    expect_part(section, " Heights not Gaussian: surface m (‡).](figures/direct-area.svg)");
-    expect_part(section, " Heights not Gaussian: surface m (‡).](figures/direct-ratio-area.svg)");
+    expect_parts(section, "| multiscale elastic\u00a0‡ over it |", "| two-band elastic\u00a0‡ over it |",
+                 "- **two-band elastic**\u00a0‡: ", "| contacting slopes over it |",
+                 "\n‡ heights not Gaussian, as the model takes them",
+                 " Heights not Gaussian: surface m (‡).](figures/direct-area.svg)",
+                 " Heights not Gaussian: surface m (‡).](figures/direct-ratio-area.svg)");
     expect_no_part(section, "‡).](figures/direct-patches.png)");
     expect_part(page, " What the direct solution says of it is below.\n");
     free(page);

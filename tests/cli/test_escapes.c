@@ -248,8 +248,7 @@ TEST_IN_WORKSPACE(test_report)
     free(csv);
 
     char *html = workspace_read(place, "out/d/report.html");
-    expect_part(html, "red\\x1b[31m");
-    expect_part(html, "gnp.\\u202efdp");
+    expect_parts(html, "red\\x1b[31m", "gnp.\\u202efdp");
     free(html);
 }
 
@@ -291,8 +290,7 @@ TEST_IN_WORKSPACE(test_legends)
     assert_process(expect_exit(place, 0, "report", "d", "--no-cost", "-m", "tin", "-e", "plasticity"), "report");
     assert_true(assert_files(place, "out/d") > 5);
     char *svg = workspace_read(place, "out/d/figures/power-law.svg");
-    expect_part(svg, "]]\u203A");
-    expect_part(svg, "\\x1b\\u202e&amp;&lt;");
+    expect_parts(svg, "]]\u203A", "\\x1b\\u202e&amp;&lt;");
     free(svg);
 }
 

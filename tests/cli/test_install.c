@@ -129,8 +129,7 @@ TEST_IN_WORKSPACE(test_examples)
     char *of_c = workspace_shell(place, "./contact d/a.csv");
     expect_table(place, of_c);
     text = workspace_shell(place, "! ./contact bare.csv 2>&1");
-    expect_part(text, "bare.csv: ");
-    expect_part(text, "unit");
+    expect_parts(text, "bare.csv: ", "unit");
     free(text);
     if (*SANITIZE_OPTIONS || !workspace_can_run(place, "python3 -c 'import ctypes'")) {
         print_message("no Python here that could load the library\n");

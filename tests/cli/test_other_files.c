@@ -57,8 +57,7 @@ TEST_IN_WORKSPACE(test_passed_over)
     expect_in_file(place, "out/d/results.json", "passed over, no scans: 2 x PNG picture (a.png, b.png)");
     process = expect_exit(place, 0, "inspect", "d");
     expect_part(process.err, others);
-    expect_part(process.out, "d/1.csv\n  format ");
-    expect_part(process.out, "d/2.csv\n  format ");
+    expect_parts(process.out, "d/1.csv\n  format ", "d/2.csv\n  format ");
     process_free(&process);
 
     /* an instrument's file that is not read is no such thing */
@@ -127,9 +126,7 @@ TEST_IN_WORKSPACE(test_packed)
     assert_int_equal(process.status, 0);
     process_free(&process);
     process = expect_exit(place, 0, "inspect", "three.zip");
-    expect_part(process.out, "three.zip(1.csv)\n");
-    expect_part(process.out, "three.zip(2.csv)\n");
-    expect_part(process.out, "three.zip(3.csv)\n");
+    expect_parts(process.out, "three.zip(1.csv)\n", "three.zip(2.csv)\n", "three.zip(3.csv)\n");
     process_free(&process);
     process = expect_exit(place, 0, "inspect", "1.csv.gz");
     expect_part(process.out, "points      200");
@@ -148,8 +145,7 @@ TEST_IN_WORKSPACE(test_packed)
     second[100] ^= 1;
     write_bytes(place, "damaged.zip", bytes.data, bytes.length);
     process = expect_exit(place, 1, "inspect", "damaged.zip");
-    expect_part(process.out, "damaged.zip(1.csv)\n");
-    expect_part(process.out, "damaged.zip(3.csv)\n");
+    expect_parts(process.out, "damaged.zip(1.csv)\n", "damaged.zip(3.csv)\n");
     expect_part(process.err, "'2.csv' in the archive is damaged; copy the file again\n");
     process_free(&process);
     text_free(&bytes);

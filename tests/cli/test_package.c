@@ -33,8 +33,7 @@ TEST_IN_WORKSPACE(test_package)
 
     /* what each depends on, and holds */
     char *text = workspace_shell(place, "dpkg-deb -f packages/roughcontact_*.deb");
-    expect_part(text, "Package: roughcontact\n");
-    expect_part(text, "gnuplot-nox | gnuplot");
+    expect_parts(text, "Package: roughcontact\n", "gnuplot-nox | gnuplot");
     expect_part(text, "libmd4c0"); /* GSL and others are inside it */
     expect_no_part(text, "libgsl");
     free(text);
@@ -48,15 +47,11 @@ TEST_IN_WORKSPACE(test_package)
     free(text);
     text = workspace_shell(place,
                            "for p in packages/*.deb; do dpkg-deb -x $p root; done; cd root && find usr -type f | sort");
-    expect_part(text, "usr/bin/roughcontact\n");
-    expect_part(text, "usr/include/roughcontact.h\n");
-    expect_part(text, "/pkgconfig/roughcontact.pc\n");
-    expect_part(text, "/libroughcontact.so.0.");
-    expect_part(text, "usr/share/doc/roughcontact/copyright\n");
-    expect_part(text, "usr/share/doc/roughcontact/changelog.gz\n");
-    expect_part(text, "usr/share/doc/libroughcontact0/changelog.gz\n");
-    expect_part(text, "usr/share/roughcontact/templates/page.html\n");
-    expect_part(text, "usr/share/roughcontact/surfaces/chapter6/scene.yaml\n");
+    expect_parts(text, "usr/bin/roughcontact\n", "usr/include/roughcontact.h\n", "/pkgconfig/roughcontact.pc\n",
+                 "/libroughcontact.so.0.", "usr/share/doc/roughcontact/copyright\n",
+                 "usr/share/doc/roughcontact/changelog.gz\n", "usr/share/doc/libroughcontact0/changelog.gz\n",
+                 "usr/share/roughcontact/templates/page.html\n",
+                 "usr/share/roughcontact/surfaces/chapter6/scene.yaml\n");
     free(text);
 
     /* the main job, from there, is what it is from the build */

@@ -62,8 +62,8 @@ TEST_IN_WORKSPACE(test_inspect)
                    heights = expect_exit(place, 0, "inspect", "--json", "--column", "1,3", "a.dat");
     assert_near(inspected(slopes.out, "rq_m"), inspected(heights.out, "rq_m"), 1e-12);
     assert_near(inspected(slopes.out, "m2"), inspected(heights.out, "m2"), 1e-12);
-    expect_part(slopes.out, "the sidecar 'a.txt' gave the units: x in um, z in urad");
-    expect_part(slopes.out, "slopes in urad, integrated to heights by the trapezoidal rule");
+    expect_parts(slopes.out, "the sidecar 'a.txt' gave the units: x in um, z in urad",
+                 "slopes in urad, integrated to heights by the trapezoidal rule");
     process_free(&slopes);
     process_free(&heights);
 }
@@ -152,8 +152,8 @@ TEST_IN_WORKSPACE(test_counterface)
                     "effects: []\nmodels: [multiscale]\ncounterface: {surface: a.dat, quantity: slope}\n"
                     "surfaces: [{name: s, file: s.csv}]\n");
     struct process process = expect_exit(place, 0, "report", "d", "--no-cost");
-    expect_part(process.err, "surface 's': counterface a.dat: slopes in urad, integrated to heights");
-    expect_part(process.err, "surface 's': counterface a.dat: the sidecar 'a.txt' gave the units: x in um, z in urad");
+    expect_parts(process.err, "surface 's': counterface a.dat: slopes in urad, integrated to heights",
+                 "surface 's': counterface a.dat: the sidecar 'a.txt' gave the units: x in um, z in urad");
     expect_no_part(process.err, "counterface gamma");
     process_free(&process);
     char *report = workspace_read(place, "out/d/report.md");

@@ -372,11 +372,8 @@ TEST_CASE(the_weaker_mark)
     struct run_options options = {.output = target, .templates = PROJECT_SOURCE "/templates", .no_cost = true};
     assert_int_equal(pipeline_try(&outcome, place, "long", options, &status), STATUS_OK);
     const char *terminal = text_string(&outcome.table);
-    assert_non_null(strstr(terminal, "\nfew ‡? "));
-    assert_non_null(strstr(terminal, "\nplateau ‡ "));
-    assert_non_null(strstr(terminal, "\neven  "));
-    assert_non_null(strstr(terminal, "\n‡ heights not Gaussian"));
-    assert_non_null(strstr(terminal, "\n‡? heights outside the Gaussian range"));
+    expect_parts(terminal, "\nfew ‡? ", "\nplateau ‡ ", "\neven  ", "\n‡ heights not Gaussian",
+                 "\n‡? heights outside the Gaussian range");
     run_outcome_free(&outcome);
     struct text report = report_of(place, "out");
     char *section = section_of(&report, "\n## Surface few in every model");
