@@ -36,6 +36,21 @@ static inline void directory_remove(const struct directory *directory)
     assert_int_equal(nftw(directory->path, directory_unlink, 16, FTW_DEPTH | FTW_PHYS), 0);
 }
 
+/* A fixture: *state is an empty directory, removed with all that came into it. */
+static inline int directory_setup(void **state)
+{
+    static struct directory directory;
+    directory = directory_make();
+    *state = &directory;
+    return 0;
+}
+
+static inline int directory_teardown(void **state)
+{
+    directory_remove(*state);
+    return 0;
+}
+
 /* Path of `name` below it; good until the next 8 calls. */
 static inline const char *directory_path(const struct directory *directory, const char *name)
 {
@@ -61,6 +76,20 @@ static inline struct text directory_read(const struct directory *directory, cons
         fail_msg("%s", status.message);
     return text;
 }
+
+/* expect_parts() and expect_no_parts() of a file. */
+static inline void directory_expect(const struct directory *directory, const char *name, const char *const *parts,
+                                    bool there, const char *file, int line)
+{
+    struct text text = directory_read(directory, name);
+    support_parts(text_string(&text), parts, there, file, line);
+    text_free(&text);
+}
+
+#define expect_in_file(place, name, ...)                                                                               \
+    directory_expect((place), (name), (const char *const[]){__VA_ARGS__, NULL}, true, __FILE__, __LINE__)
+#define expect_not_in_file(place, name, ...)                                                                           \
+    directory_expect((place), (name), (const char *const[]){__VA_ARGS__, NULL}, false, __FILE__, __LINE__)
 
 static inline bool directory_has(const struct directory *directory, const char *name)
 {

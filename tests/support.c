@@ -15,6 +15,15 @@ void support_near(double actual, double expected, double rtol, double atol, cons
     _fail(file, line);
 }
 
+void support_parts(const char *text, const char *const *parts, bool there, const char *file, int line)
+{
+    for (; *parts; parts++)
+        if ((strstr(text, *parts) != NULL) != there) {
+            print_error("%s: %s\nin:\n%.4000s\n", there ? "missing" : "should not be there", *parts, text);
+            _fail(file, line);
+        }
+}
+
 size_t model_named(const char *name)
 {
     for (size_t m = 0; m < model_count; m++)

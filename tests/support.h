@@ -7,12 +7,32 @@
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include <cmocka.h>
+
+/** Defines a cmocka test, `TEST_CASE(name) { ... }`, which main.c runs: in the order of the file, with *state from its
+ * fixture, if any. TEST_GROUP() is the fixture of all tests of the file together. */
+#define TEST_CASE(name) TEST_WITH(name, NULL, NULL)
+#define TEST_WITH(name, before, after)                                                                                 \
+    static void name(void **state);                                                                                    \
+    __attribute__((constructor)) static void name##_add(void)                                                          \
+    {                                                                                                                  \
+        test_add(#name, name, before, after);                                                                          \
+    }                                                                                                                  \
+    static void name(__attribute__((unused)) void **state)
+#define TEST_GROUP(before, after)                                                                                      \
+    __attribute__((constructor)) static void group_add(void)                                                           \
+    {                                                                                                                  \
+        test_group(before, after);                                                                                     \
+    }
+
+void test_add(const char *name, CMUnitTestFunction run, CMFixtureFunction before, CMFixtureFunction after);
+void test_group(CMFixtureFunction before, CMFixtureFunction after);
 
 /** Fails unless |actual - expected| <= rtol |expected| (both zero passes; non-finite never does). */
 #define assert_near(actual, expected, rtol) support_near((actual), (expected), (rtol), 0.0, #actual, __FILE__, __LINE__)
@@ -22,6 +42,14 @@
 
 void support_near(double actual, double expected, double rtol, double atol, const char *what, const char *file,
                   int line);
+
+/** Fails unless the text holds every one of these parts, or none of them. */
+#define expect_parts(text, ...)                                                                                        \
+    support_parts((text), (const char *const[]){__VA_ARGS__, NULL}, true, __FILE__, __LINE__)
+#define expect_no_parts(text, ...)                                                                                     \
+    support_parts((text), (const char *const[]){__VA_ARGS__, NULL}, false, __FILE__, __LINE__)
+
+void support_parts(const char *text, const char *const *parts, bool there, const char *file, int line);
 
 /** Index in the table of models of the one of that name, such as "gw"; fails the test when there is none. */
 size_t model_named(const char *name);

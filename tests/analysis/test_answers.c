@@ -121,9 +121,8 @@ static double bisect(const struct model_task *task, const char *model, enum quan
 }
 
 /* Force, spots and their size that bring tin's resistance, or its conductance, to a value. */
-static void the_reference_forces(void **state)
+TEST_CASE(the_reference_forces)
 {
-    (void)state;
     struct table table = table_read("golden/models/answers_tin_cmy.csv");
     struct fixture f;
     double wave_m = sqrt(2 * 4e-13);
@@ -158,9 +157,8 @@ static void the_reference_forces(void **state)
 }
 
 /* The quantity at the load found is the target, in every model. */
-static void the_target_is_met(void **state)
+TEST_CASE(the_target_is_met)
 {
-    (void)state;
     struct fixture f;
     size_t met = 0;
     for (size_t m = 0; m < model_count; m++) {
@@ -201,9 +199,8 @@ static void the_target_is_met(void **state)
 }
 
 /* What is met at the first load, what never is, and what a model does not have. */
-static void no_load_within_the_list(void **state)
+TEST_CASE(no_load_within_the_list)
 {
-    (void)state;
     struct fixture f;
     struct text note = {0};
     make(&f, 1);
@@ -235,9 +232,8 @@ static void no_load_within_the_list(void **state)
 
 /* Two bands have no resistance beyond A/A_n = 0.75: what they have there is met within a hundredth of it, and no more.
  */
-static void where_the_numbers_end(void **state)
+TEST_CASE(where_the_numbers_end)
 {
-    (void)state;
     struct fixture f;
     make(&f, 1);
     double low = log(1e-9), high = log(1);
@@ -262,9 +258,8 @@ static void where_the_numbers_end(void **state)
 }
 
 /* Beyond a model's range of validity the load has its mark: just above A/A_n = 0.1 of GW, not just below. */
-static void the_mark(void **state)
+TEST_CASE(the_mark)
 {
-    (void)state;
     struct fixture f;
     make(&f, 1);
     size_t below = ask(&f, "area", 0.0999), above = ask(&f, "area", 0.1001);
@@ -278,9 +273,8 @@ static void the_mark(void **state)
 }
 
 /* Every scan alone, by bisection here: the geometric mean, and t(2) = 4.302653 standard errors of ln P. */
-static void intervals_of_scans(void **state)
+TEST_CASE(intervals_of_scans)
 {
-    (void)state;
     static const char *const models[] = {"multiscale-elastic", "two-band-elastic", "two-band-plastic", "cmy", "gw"};
     struct fixture f;
     make(&f, SCANS);
@@ -311,9 +305,8 @@ static void intervals_of_scans(void **state)
 }
 
 /* A scan that does not get there within the loads leaves the load to the surface's curve, without interval. */
-static void a_scan_without_a_load(void **state)
+TEST_CASE(a_scan_without_a_load)
 {
-    (void)state;
     struct fixture f;
     struct text note = {0};
     make(&f, SCANS);
@@ -344,9 +337,8 @@ static void a_scan_without_a_load(void **state)
 
 /* Of two scans one is beyond GW's validity at its load, the other is not: that is half of them, and so the answer is.
  */
-static void half_of_the_scans_beyond_validity(void **state)
+TEST_CASE(half_of_the_scans_beyond_validity)
 {
-    (void)state;
     struct fixture f;
     double ecr[2];
     make(&f, 2);
@@ -397,9 +389,8 @@ static double spots_at(struct fixture *f, size_t scans, const char *model, doubl
 
 /* Whoever counts them: the spots at the answer's load, not at the one that the counting model takes, and too few or not
  * by the same rule. An elastic model does not count those of a plastic one. */
-static void spots_are_those_at_the_answers_load(void **state)
+TEST_CASE(spots_are_those_at_the_answers_load)
 {
-    (void)state;
     for (size_t scans = 1; scans <= SCANS; scans += SCANS - 1) {
         struct fixture f;
         struct text note = {0};
@@ -438,9 +429,8 @@ static const struct scene_asked_row joint_ecr = {.symbol = "ECR", .quantity = QU
 
 /* Nothing but the film resists where contact is full: two bands are at P = H, and have no number from A/A_n = 0.75 on,
  * with a plating from 0.1 on. */
-static void full_contact_meets_every_resistance_above_the_film(void **state)
+TEST_CASE(full_contact_meets_every_resistance_above_the_film)
 {
-    (void)state;
     struct fixture f;
     struct text note = {0};
     make(&f, 1);
@@ -487,9 +477,8 @@ static double widening(double load)
 }
 
 /* One scan: where the ends of its band pass the target. */
-static void intervals_of_a_band(void **state)
+TEST_CASE(intervals_of_a_band)
 {
-    (void)state;
     struct fixture f;
     make(&f, 1);
     size_t m = model_named("cmy");
@@ -526,9 +515,8 @@ static void intervals_of_a_band(void **state)
 }
 
 /* A limit that the interval straddles cannot be told; without one the value decides. */
-static void limits(void **state)
+TEST_CASE(limits)
 {
-    (void)state;
     static const struct {
         double value, low, high;
         bool is_upper;
@@ -557,9 +545,8 @@ static void limits(void **state)
 
 /* Where the leading model has no number at the operating load: what lighter loads have decided for good, and full
  * contact. */
-static void limits_without_a_number(void **state)
+TEST_CASE(limits_without_a_number)
 {
-    (void)state;
     static struct contact_point points[LOADS + 1];
     struct scene_asked limit[6] = {{.row = &joint_ecr}};
     struct fixture f;
@@ -608,24 +595,4 @@ static void limits_without_a_number(void **state)
     }
     curve->points = NULL;
     drop(&f);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_reference_forces),
-        cmocka_unit_test(the_target_is_met),
-        cmocka_unit_test(no_load_within_the_list),
-        cmocka_unit_test(where_the_numbers_end),
-        cmocka_unit_test(the_mark),
-        cmocka_unit_test(intervals_of_scans),
-        cmocka_unit_test(a_scan_without_a_load),
-        cmocka_unit_test(intervals_of_a_band),
-        cmocka_unit_test(limits),
-        cmocka_unit_test(half_of_the_scans_beyond_validity),
-        cmocka_unit_test(spots_are_those_at_the_answers_load),
-        cmocka_unit_test(full_contact_meets_every_resistance_above_the_film),
-        cmocka_unit_test(limits_without_a_number),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -74,9 +74,8 @@ static const struct benchmark_row *find(const char *study, const char *method, c
 
 /* Each method comes to the same integrals, from its own formula of the law: one that did not would be off by as much
  * as its integrand, its closed form, or the one it is held against. */
-static void test_the_integrals_agree(void **state)
+TEST_CASE(test_the_integrals_agree)
 {
-    (void)state;
     static const struct {
         const char *study, *method, *setting;
         double most;
@@ -95,9 +94,8 @@ static void test_the_integrals_agree(void **state)
 }
 
 /* More effort, less error; evaluations as the rule has them. */
-static void test_effort_and_error(void **state)
+TEST_CASE(test_effort_and_error)
 {
-    (void)state;
     static const char *const studies[] = {"gw-integrals", "jg-integrals"};
     static const char *const intervals[] = {"10", "100", "1000", "10000"};
     for (int s = 0; s < 2; s++) {
@@ -131,9 +129,8 @@ static double simpson(int quantity, double d, double k, size_t intervals, bool s
 }
 
 /* The error of GW by the thesis's rule, from integrals of its own at the same three separations. */
-static void test_the_error_itself(void **state)
+TEST_CASE(test_the_error_itself)
 {
-    (void)state;
     static const size_t intervals[] = {10, 30, 100, 1000};
     const struct asperities *surface = &record->summary.asperities;
     struct status status = {0};
@@ -163,9 +160,8 @@ static void test_the_error_itself(void **state)
 }
 
 /* What the report uses: the closed forms and the panels at the scene's tolerance, one closure. */
-static void test_what_is_chosen(void **state)
+TEST_CASE(test_what_is_chosen)
 {
-    (void)state;
     size_t chosen = 0;
     assert_string_equal(find("jg-integrals", "Gauss-Legendre", NULL)->setting, "1e-07");
     assert_string_equal(find("gw-integrals", "Gauss-Legendre", NULL)->setting, "1e-07"); /* of scale dependence */
@@ -180,9 +176,8 @@ static void test_what_is_chosen(void **state)
 }
 
 /* Without scale dependence GW needs closed forms alone. */
-static void test_closed_forms_alone(void **state)
+TEST_CASE(test_closed_forms_alone)
 {
-    (void)state;
     struct status status = {0};
     struct plan plain = plan;
     struct benchmark rows = {0};
@@ -196,9 +191,8 @@ static void test_closed_forms_alone(void **state)
 }
 
 /* Leaving out the shorter half of the scales: the stack of the longer ones alone, worked out here. */
-static void test_the_cut_off(void **state)
+TEST_CASE(test_the_cut_off)
 {
-    (void)state;
     struct spectrum half = record->spectrum;
     struct constriction none = {0};
     struct multiscale stack;
@@ -230,9 +224,8 @@ static void test_the_cut_off(void **state)
 
 /* Loads left out: the interpolation falls short between loads at which the area follows no power; with more of them
  * less. Settings are the loads kept. */
-static void test_the_number_of_loads(void **state)
+TEST_CASE(test_the_number_of_loads)
 {
-    (void)state;
     static const char *const settings[] = {"5", "9", "17", "33", "65", "129"};
     for (size_t m = 0; m < model_count; m++) {
         if (!record->curves[m].exists)
@@ -265,9 +258,8 @@ static void test_the_number_of_loads(void **state)
     assert_near(find("loads", "gw", "9")->error, error, 1e-6);
 }
 
-static void test_the_closures(void **state)
+TEST_CASE(test_the_closures)
 {
-    (void)state;
     for (int c = 0; c < SINUSOID_FIT_COUNT; c++)
         for (int gap = 0; gap < 2; gap++)
             assert_near(find(gap ? "closure-gap" : "closure-area", sinusoid_fits[c].name, "")->error,
@@ -289,9 +281,8 @@ enum status_code __wrap_persson_make(struct persson *out, const struct spectrum 
 }
 
 /* The waves that every number of loads is summed over, of a scan so long that fewer show it too. */
-static void test_a_long_scan(void **state)
+TEST_CASE(test_a_long_scan)
 {
-    (void)state;
     enum { WAVES = 150000 };
     size_t waves[2], persson = 0;
     while (strcmp(model_rows[persson]->name, "persson") != 0)
@@ -328,9 +319,8 @@ static void count_runs(void *context)
     ++*(int *)context;
 }
 
-static void test_the_clock(void **state)
+TEST_CASE(test_the_clock)
 {
-    (void)state;
     int runs = 0;
     double seconds = benchmark_time(count_runs, &runs);
     assert_true(runs >= 2 && runs <= 12);
@@ -338,14 +328,4 @@ static void test_the_clock(void **state)
     assert_true(cost.seconds > 0);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_the_integrals_agree), cmocka_unit_test(test_effort_and_error),
-        cmocka_unit_test(test_what_is_chosen),      cmocka_unit_test(test_closed_forms_alone),
-        cmocka_unit_test(test_the_cut_off),         cmocka_unit_test(test_the_number_of_loads),
-        cmocka_unit_test(test_the_closures),        cmocka_unit_test(test_the_clock),
-        cmocka_unit_test(test_the_error_itself),    cmocka_unit_test(test_a_long_scan),
-    };
-    return cmocka_run_group_tests(tests, make, end);
-}
+TEST_GROUP(make, end)

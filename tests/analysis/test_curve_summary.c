@@ -39,9 +39,8 @@ static struct curve_summary summary_of(void)
     return summary;
 }
 
-static void test_the_slope_of_the_area(void **state)
+TEST_CASE(test_the_slope_of_the_area)
 {
-    (void)state;
     make(1);
     struct curve_summary s = summary_of();
     assert_near(s.area_slope, 0.9, 1e-9);
@@ -62,9 +61,8 @@ static void test_the_slope_of_the_area(void **state)
 }
 
 /* The elbow is where |d ln ECR/d ln P| first exceeds 2, or ECR goes to 0. */
-static void test_the_elbow(void **state)
+TEST_CASE(test_the_elbow)
 {
-    (void)state;
     make(1.99);
     assert_true(isnan(summary_of().elbow_load));
     make(2.01);
@@ -89,9 +87,8 @@ static void assert_validity(const struct model_row *row, size_t first, size_t en
     assert_int_equal(valid.end, end);
 }
 
-static void test_where_it_is_not_valid(void **state)
+TEST_CASE(test_where_it_is_not_valid)
 {
-    (void)state;
     make(1);
     for (int i = 0; i < LOADS; i++) {
         points[i].value[QUANTITY_AREA] = i < 15 ? 0.1 : 0.1001;
@@ -116,9 +113,8 @@ static void test_where_it_is_not_valid(void **state)
 }
 
 /* Loads too light for the law's fitted range are outside too, and are not where the curve leaves it. */
-static void test_light_loads_that_are_not_valid(void **state)
+TEST_CASE(test_light_loads_that_are_not_valid)
 {
-    (void)state;
     make(1);
     for (int i = 0; i < LOADS; i++)
         points[i].value[QUANTITY_AREA] = 0.01;
@@ -139,9 +135,8 @@ static void test_light_loads_that_are_not_valid(void **state)
     assert_near(s.invalid_fit_load, points[0].value[QUANTITY_LOAD], 1e-12);
 }
 
-static void test_the_rest(void **state)
+TEST_CASE(test_the_rest)
 {
-    (void)state;
     make(1);
     points[40].value[QUANTITY_TCR] = 0; /* full contact */
     struct curve_summary s = summary_of();
@@ -160,16 +155,4 @@ static void test_the_rest(void **state)
     stacked.quantities &= ~QUANTITY_BIT(QUANTITY_ADJUSTED);
     curve_summary_make(&s, &curve, &stacked, 1e-7, NAN);
     assert_near(s.gap_at_full, 0.3, 1e-12);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_the_slope_of_the_area),
-        cmocka_unit_test(test_the_elbow),
-        cmocka_unit_test(test_where_it_is_not_valid),
-        cmocka_unit_test(test_light_loads_that_are_not_valid),
-        cmocka_unit_test(test_the_rest),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

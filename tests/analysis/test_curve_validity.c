@@ -25,9 +25,8 @@ static void check(const double beyond_fit[LOADS], const double area[LOADS], size
         assert_true(isnan(summary.invalid_fit_load));
 }
 
-static void inside_and_outside(void **state)
+TEST_CASE(inside_and_outside)
 {
-    (void)state;
     static const double none[LOADS] = {0}, light[LOADS] = {1, 1, 0}, heavy[LOADS] = {0, 0, 0, 0, 0, 0.1, 0.11, 0.2},
                         both[LOADS] = {1, 0, 0, 0, 0, 0, 0, 1}, all[LOADS] = {1, 1, 1, 1, 1, 1, 1, 1};
     static const double small[LOADS] = {0.01, 0.01, 0.02, 0.02, 0.03, 0.03, 0.04, 0.05},
@@ -39,10 +38,4 @@ static void inside_and_outside(void **state)
     check(all, small, 0, 0, 0);
     check(none, grows, 0, 4, LOADS);
     check(light, grows, 2, 4, LOADS);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(inside_and_outside)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -42,8 +42,6 @@ static int end(void **state)
     return 0;
 }
 
-#define describe_test(test) cmocka_unit_test_setup_teardown(test, make, end)
-
 /** Writes a scan: heights [m] at a spacing of `spacing_um`. */
 static void write_scan(const char *name, const double *height_m, size_t points, double spacing_um)
 {
@@ -123,10 +121,11 @@ static bool has_note(const char *words)
 
 /* ---------------------------------------------------------------- averages */
 
+#define PLACED(name) TEST_WITH(name, make, end)
+
 /* Powers and moments are averaged, a jump as its root mean square; the first scan stands for the rest. */
-static void test_the_mean_of_scans(void **state)
+PLACED(test_the_mean_of_scans)
 {
-    (void)state;
     add_scan(1e-6, 0, 1);
     double first_jump_m = record->summary.jump_m, m2 = record->summary.roughness.m2;
     add_scan(2e-6, 3e-7, 1);
@@ -151,9 +150,8 @@ static void test_the_mean_of_scans(void **state)
 /* ---------------------------------------------------------------- scans kept to run alone */
 
 /* Every one of the profiles, in their order and with its heights. */
-static void test_which_scans_are_kept(void **state)
+PLACED(test_which_scans_are_kept)
 {
-    (void)state;
     enum { MANY = 53 };
     const struct repeat_set *set = &record->repeats;
     for (size_t i = 0; i < MANY; i++)
@@ -197,9 +195,8 @@ static void add_map(size_t rows)
 }
 
 /* All rows of a map of up to 128; of more, 8 of each of 16 blocks of neighbours. */
-static void test_which_rows_are_kept(void **state)
+PLACED(test_which_rows_are_kept)
 {
-    (void)state;
     static const size_t rows[] = {128, 129, 200};
     for (int m = 0; m < 3; m++) {
         size_t of_block[ESTIMATE_BLOCKS] = {0}, last = 0;
@@ -227,9 +224,8 @@ static void test_which_rows_are_kept(void **state)
 
 /* It is the surface itself; its heights are kept where records like it are asked for and can be simulated: not of
  * 15 points. The same whether its multitaper spectrum is there, for the law, or not. */
-static void test_one_scan_is_no_repeat(void **state)
+PLACED(test_one_scan_is_no_repeat)
 {
-    (void)state;
     for (int tried = 0; tried < 8; tried++) {
         bool listed = tried & 1, brief = tried & 2, kept = listed && !brief;
         scene.effects = listed ? EFFECT_BIT(EFFECT_UNCERTAINTY) : 0;
@@ -248,9 +244,8 @@ static void test_one_scan_is_no_repeat(void **state)
 }
 
 /* The same scan again tells nothing more: also not of the law. */
-static void test_identical_scans_are_one(void **state)
+PLACED(test_identical_scans_are_one)
 {
-    (void)state;
     scene.fit = POWER_LAW_AUTO;
     for (int i = 0; i < 3; i++)
         add_scan(1e-6, 0, 1);
@@ -263,9 +258,8 @@ static void test_identical_scans_are_one(void **state)
     assert_true(has_note("its 3 scans are the same to the last digit: they count as one"));
 }
 
-static void test_scans_that_differ_are_not_one(void **state)
+PLACED(test_scans_that_differ_are_not_one)
 {
-    (void)state;
     scene.fit = POWER_LAW_AUTO;
     add_scan(1e-6, 0, 1);
     add_scan(1e-6, 0, 1);
@@ -276,9 +270,8 @@ static void test_scans_that_differ_are_not_one(void **state)
 }
 
 /* Scans of another length come to the grid of the mean: the shorter record, the lower Nyquist frequency. */
-static void test_scans_of_another_length(void **state)
+PLACED(test_scans_of_another_length)
 {
-    (void)state;
     add_scan(1e-6, 0, 1);
     add_scan(1e-6, 0, 1.25);
     conclude();
@@ -296,9 +289,8 @@ static void test_scans_of_another_length(void **state)
 
 /* Longer scans are cut to pieces of the shortest, spread from end to end; a scan weighs as many as it holds. Pieces of
  * a scan that closes do so where they hold whole waves, and are windowed where not. */
-static void test_scans_are_cut_to_the_shortest(void **state)
+PLACED(test_scans_are_cut_to_the_shortest)
 {
-    (void)state;
     static const size_t points[] = {2 * POINTS, POINTS, 2 * POINTS + POINTS / 2}, of[] = {0, 0, 1, 2, 2};
     static const size_t first[] = {0, POINTS, 0, 0, POINTS + POINTS / 2};
     const struct repeat_set *set = &record->repeats;
@@ -337,9 +329,8 @@ static void test_scans_are_cut_to_the_shortest(void **state)
     assert_false(has_note("less than half as long"));
 }
 
-static void test_a_short_scan_among_long_ones(void **state)
+PLACED(test_a_short_scan_among_long_ones)
 {
-    (void)state;
     add_long_scan(3 * POINTS, 1e-6, 0, 1);
     add_long_scan(POINTS, 2e-6, 0, 1);
     add_long_scan(3 * POINTS, 3e-6, 0, 1);
@@ -410,9 +401,8 @@ static const size_t one_length[LAWS] = {LAW_POINTS, LAW_POINTS, LAW_POINTS};
 static const int in_order[LAWS] = {0, 1, 2};
 
 /* By the thesis's method a record gives back its own law in full, C = Delta^2 L/2 in the middle of the band. */
-static void test_each_scans_law_of_the_thesis(void **state)
+PLACED(test_each_scans_law_of_the_thesis)
 {
-    (void)state;
     double log_psd[LAWS];
     describe_laws(one_length, in_order);
     const struct surface_summary *s = &record->summary;
@@ -451,9 +441,8 @@ static void find_laws(double gamma[LAWS], double log_psd[LAWS], const size_t poi
 }
 
 /* With fit: auto, the law of every scan in the band that their mean has. */
-static void test_each_scans_law_in_the_band_found(void **state)
+PLACED(test_each_scans_law_in_the_band_found)
 {
-    (void)state;
     double gamma[LAWS], log_psd[LAWS];
     scene.fit = POWER_LAW_AUTO;
     describe_laws(one_length, in_order);
@@ -465,9 +454,8 @@ static void test_each_scans_law_in_the_band_found(void **state)
 }
 
 /* A scan twice as long has one law, of the whole, and two pieces: it weighs twice. */
-static void test_the_law_of_a_longer_scan(void **state)
+PLACED(test_the_law_of_a_longer_scan)
 {
-    (void)state;
     static const size_t points[LAWS] = {LAW_POINTS, 2 * LAW_POINTS, LAW_POINTS};
     static const double weight[LAWS] = {1, 2, 1};
     double gamma[LAWS], log_psd[LAWS];
@@ -480,9 +468,8 @@ static void test_the_law_of_a_longer_scan(void **state)
 }
 
 /* What comes out does not depend on the order in which the files are listed, to the last bit. */
-static void test_the_order_of_the_files(void **state)
+PLACED(test_the_order_of_the_files)
 {
-    (void)state;
     static const size_t points[LAWS] = {LAW_POINTS, 2 * LAW_POINTS, LAW_POINTS};
     static const int other[LAWS] = {2, 0, 1};
     for (int fit = 0; fit < POWER_LAW_METHOD_COUNT; fit++) {
@@ -507,9 +494,8 @@ static void test_the_order_of_the_files(void **state)
 /* ---------------------------------------------------------------- counterface */
 
 /* Powers and moments of both bodies add, also of the scans run alone. */
-static void test_a_rough_counterface(void **state)
+PLACED(test_a_rough_counterface)
 {
-    (void)state;
     struct status status = {0};
     add_scan(3e-6, 0, 1);
     add_scan(3e-6, 0, 1);
@@ -567,9 +553,8 @@ static double jump_share(double exponent, double jump_m, enum spectrum_window wi
     return record->summary.jump_m / (M_PI * n) / (law->alpha * pow(shortest_m, law->gamma));
 }
 
-static void test_the_note_on_a_jump(void **state)
+PLACED(test_the_note_on_a_jump)
 {
-    (void)state;
     static const double exponents[] = {1.2, 2.5}; /* shares from 0.1 to 0.8, and from 3 to 0.9 */
     size_t below[2] = {0}, above[2] = {0}, closed = 0;
     char note[64];
@@ -590,26 +575,4 @@ static void test_the_note_on_a_jump(void **state)
     jump_share(1.2, 1e-5, SPECTRUM_WINDOW_HANN, note, sizeof note);
     assert_near(record->summary.jump_share, 0, 0);
     assert_string_equal(note, "");
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        describe_test(test_the_mean_of_scans),
-        describe_test(test_which_scans_are_kept),
-        describe_test(test_which_rows_are_kept),
-        describe_test(test_one_scan_is_no_repeat),
-        describe_test(test_identical_scans_are_one),
-        describe_test(test_scans_that_differ_are_not_one),
-        describe_test(test_scans_of_another_length),
-        describe_test(test_scans_are_cut_to_the_shortest),
-        describe_test(test_a_short_scan_among_long_ones),
-        describe_test(test_each_scans_law_of_the_thesis),
-        describe_test(test_each_scans_law_in_the_band_found),
-        describe_test(test_the_law_of_a_longer_scan),
-        describe_test(test_the_order_of_the_files),
-        describe_test(test_a_rough_counterface),
-        describe_test(test_the_note_on_a_jump),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -105,8 +105,6 @@ static int end(void **state)
     return 0;
 }
 
-#define bounds_test(test) cmocka_unit_test_setup_teardown(test, make, end)
-
 static const struct curve_bounds *bounds_of(size_t m)
 {
     struct status status = {0};
@@ -126,11 +124,12 @@ static void add_repeats(void)
     record.repeats = (struct repeat_set){.parts = parts, .count = 2, .scans = scans, .scan_count = 2};
 }
 
+#define PLACED(name) TEST_WITH(name, make, end)
+
 /* ---------------------------------------------------------------- bounds */
 
-static void test_yield_of_the_surface_its_scans_and_its_extension(void **state)
+PLACED(test_yield_of_the_surface_its_scans_and_its_extension)
 {
-    (void)state;
     assert_near(bounds_of(STACK)->yield, 1e-6, 1e-12);
     add_repeats();
     assert_near(bounds_of(STACK)->yield, 1e-6, 1e-12);
@@ -151,9 +150,8 @@ static void test_yield_of_the_surface_its_scans_and_its_extension(void **state)
 }
 
 /* Converged: gamma >= 1, and the nominal pressure at least p* = sqrt2 pi E' Delta f at the sampling limit. */
-static void test_converged(void **state)
+PLACED(test_converged)
 {
-    (void)state;
     double limit_m = 1e-3;
     for (int side = -1; side <= 1; side += 2) {
         double slope = 1e-3 / (sqrt(2) * M_PI) * (1 + 1e-6 * side); /* Delta f */
@@ -170,9 +168,8 @@ static void test_converged(void **state)
 }
 
 /* Scale dependence is bounded until an elastic model decides; a plastic one that cannot yield is not asked. */
-static void test_scale_dependence(void **state)
+PLACED(test_scale_dependence)
 {
-    (void)state;
     assert_near(bounds_of(ELASTIC)->scale_dependence, 2e-6, 1e-12);
     assert_near(bounds_of(STACK)->scale_dependence, 0, 0);
     assert_int_equal(asked, 1);
@@ -190,9 +187,8 @@ static void test_scale_dependence(void **state)
 }
 
 /* Of scans run alone: of each, until one exceeds the tolerance; their mean spectrum has no curve. */
-static void test_scale_dependence_of_scans_alone(void **state)
+PLACED(test_scale_dependence_of_scans_alone)
 {
-    (void)state;
     add_repeats();
     assert_near(bounds_of(ELASTIC)->scale_dependence, 1e-6, 1e-12);
     assert_int_equal(asked, 1);
@@ -221,9 +217,8 @@ static void decide(double yield, double raise)
     effects_decide(&plan, &scene, &record, 1);
 }
 
-static void test_decisions(void **state)
+PLACED(test_decisions)
 {
-    (void)state;
     record.summary.tail = tail(1, 0.9);
     decide(1.01e-8, 1.01e-8);
     assert_true(plan_runs(&plan, EFFECT_PLASTICITY) && plan_runs(&plan, EFFECT_SCALE_DEPENDENT));
@@ -238,9 +233,8 @@ static void test_decisions(void **state)
 }
 
 /* Too few harmonics tell nothing of the waves below the sampling limit. */
-static void test_no_tail_to_carry_on(void **state)
+PLACED(test_no_tail_to_carry_on)
 {
-    (void)state;
     record.summary.tail = tail(1, NAN);
     assert_near(bounds_of(STACK)->yield, 1e-6, 1e-12);
     decide(0, 0);
@@ -250,9 +244,8 @@ static void test_no_tail_to_carry_on(void **state)
 }
 
 /* A refused surface has no say; nor has a bound in a scene that lists its effects. */
-static void test_who_has_no_say(void **state)
+PLACED(test_who_has_no_say)
 {
-    (void)state;
     record.summary.usable = false;
     decide(1, 1);
     assert_false(plan_runs(&plan, EFFECT_PLASTICITY) || plan_runs(&plan, EFFECT_SCALE_DEPENDENT));
@@ -263,28 +256,12 @@ static void test_who_has_no_say(void **state)
     assert_true(plan_runs(&plan, EFFECT_PLASTICITY) && plan_runs(&plan, EFFECT_SCALE_DEPENDENT));
 }
 
-static void test_models_without_a_bound(void **state)
+PLACED(test_models_without_a_bound)
 {
-    (void)state;
     plan.models |= MODEL_BIT(UNBOUNDED);
     scene.tolerance = 1e-5; /* above the others' bounds */
     decide(0, 0);
     assert_true(plan_runs(&plan, EFFECT_PLASTICITY) && plan_runs(&plan, EFFECT_SCALE_DEPENDENT));
     assert_string_equal(plan.effects[EFFECT_PLASTICITY].reason, "Unbounded yields");
     assert_string_equal(plan.effects[EFFECT_SCALE_DEPENDENT].reason, "Unbounded has no bound on it");
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        bounds_test(test_yield_of_the_surface_its_scans_and_its_extension),
-        bounds_test(test_converged),
-        bounds_test(test_scale_dependence),
-        bounds_test(test_scale_dependence_of_scans_alone),
-        bounds_test(test_decisions),
-        bounds_test(test_no_tail_to_carry_on),
-        bounds_test(test_who_has_no_say),
-        bounds_test(test_models_without_a_bound),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

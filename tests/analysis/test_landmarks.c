@@ -81,9 +81,8 @@ static const char *const names[] = {"multiscale-elastic", "multiscale-plastic", 
 enum { NAMES = sizeof names / sizeof *names };
 
 /* Just below the load it is not so yet, just above it is. */
-static void landmarks_are_where_it_changes(void **state)
+TEST_CASE(landmarks_are_where_it_changes)
 {
-    (void)state;
     struct fixture f;
     size_t areas = 0, fits = 0, elbows = 0;
     make(&f);
@@ -110,9 +109,8 @@ static void landmarks_are_where_it_changes(void **state)
 }
 
 /* The same from 9 loads as from 150. */
-static void the_list_of_loads_does_not_matter(void **state)
+TEST_CASE(the_list_of_loads_does_not_matter)
 {
-    (void)state;
     struct fixture f;
     make(&f);
     for (int n = 0; n < NAMES; n++) {
@@ -128,9 +126,8 @@ static void the_list_of_loads_does_not_matter(void **state)
 }
 
 /* What holds at the first load is that load; what never does stays unknown. */
-static void the_first_load_and_none(void **state)
+TEST_CASE(the_first_load_and_none)
 {
-    (void)state;
     struct fixture f;
     make(&f);
     struct curve_summary before = summarise(&f, "gw", 1e-9, 80);
@@ -145,9 +142,8 @@ static void the_first_load_and_none(void **state)
 
 /* Against the mean at many loads: nearly the tolerance for the smooth curves, near it for the steps of the plastic one.
  */
-static void the_nearest_beta(void **state)
+TEST_CASE(the_nearest_beta)
 {
-    (void)state;
     static const struct {
         const char *statistical, *multiscale;
         double tolerance;
@@ -180,15 +176,4 @@ static void the_nearest_beta(void **state)
         free(low);
         free(high);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(landmarks_are_where_it_changes),
-        cmocka_unit_test(the_list_of_loads_does_not_matter),
-        cmocka_unit_test(the_first_load_and_none),
-        cmocka_unit_test(the_nearest_beta),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -27,9 +27,8 @@ static enum status_code read_csv(struct measured *out, const char *csv, const st
     return measured_read(out, &scene, &plan, &pair, status);
 }
 
-static void units_are_the_models(void **state)
+TEST_CASE(units_are_the_models)
 {
-    (void)state;
     static const struct {
         struct said said;
         double load, resistance;
@@ -65,9 +64,8 @@ static void units_are_the_models(void **state)
 }
 
 /* 10 and 4.8 in the units that the file names: the scene says nothing, or the same. */
-static void headings_say_the_units(void **state)
+TEST_CASE(headings_say_the_units)
 {
-    (void)state;
     static const double area_m2 = 1e-6;
     static const struct {
         const char *csv;
@@ -144,9 +142,8 @@ static void headings_say_the_units(void **state)
 }
 
 /* A second block has its columns as its own heading says. */
-static void blocks_may_differ_in_order(void **state)
+TEST_CASE(blocks_may_differ_in_order)
 {
-    (void)state;
     static const unsigned quantities[MEASURED_COLUMNS] = {UNIT_LOADS, UNIT_RESISTANCE, UNIT_RESISTANCE};
     static const char csv[] = "F (N),R (mOhm)\n10,4\nR (mOhm),F (N)\n5,9\nunloading\n6,8\nF (N),R (mOhm)\n7,7.5\n";
     static const double load[] = {10, 9, 8, 7}, resistance[] = {4, 5, 6, 7.5};
@@ -162,9 +159,8 @@ static void blocks_may_differ_in_order(void **state)
     measured_file_free(&file);
 }
 
-static void what_is_wrong_is_named(void **state)
+TEST_CASE(what_is_wrong_is_named)
 {
-    (void)state;
     static const struct said plain = {SCENE_MEASURED_ECR, "Pa", "ohm m2", NAN};
     static const struct said silent = {SCENE_MEASURED_ECR, "", "", 1e-6};
     static const struct said newton = {SCENE_MEASURED_ECR, "N", "mohm", 1e-6};
@@ -252,9 +248,8 @@ static void what_is_wrong_is_named(void **state)
 }
 
 /* Whatever bytes stand in a file of no more bytes than those, it is read to finite numbers or refused. */
-static void any_bytes_are_read_or_refused(void **state)
+TEST_CASE(any_bytes_are_read_or_refused)
 {
-    (void)state;
     static const char sample[] =
         "\xEF\xBB\xBFLoad (N), \"R [m\xCE\xA9]\";u/%\n# K m2/W (a\n10 kN,4.8 \xB5Ohm ,5e-1\r\n\"9\"\t1";
     static const char marks[] = "\"\n\r,;\t ()[]/_#%^*-+.09eNm\xCE\xA9\xC2\xB5";
@@ -290,9 +285,8 @@ static void any_bytes_are_read_or_refused(void **state)
     assert_true(taken > 500); /* not only refused */
 }
 
-static void only_an_effect_that_runs_is_compared(void **state)
+TEST_CASE(only_an_effect_that_runs_is_compared)
 {
-    (void)state;
     static char name[] = "ecr.csv";
     struct measured measured;
     struct plan plan = {.running = EFFECT_BIT(EFFECT_ELECTRICAL)};
@@ -318,9 +312,8 @@ static struct measured_answers no_answers(const struct measured *measured)
 
 /** Measurements that are a model's answers times a factor: the distance is its logarithm; what it does not answer is
  * not compared. */
-static void distance_is_in_decades(void **state)
+TEST_CASE(distance_is_in_decades)
 {
-    (void)state;
     double loads[] = {1, 3e-5, 4e-4, 1e-7, 2e-6, 5e-5}, resistances[6]; /* in the order of a measurement */
     struct measured measured = {.count = 6, .load = loads, .resistance = resistances};
     struct measured_answers answers = no_answers(&measured);
@@ -341,9 +334,8 @@ static void distance_is_in_decades(void **state)
 }
 
 /** The nearest of the models that answer enough of the points: not the one that happens to meet a single one. */
-static void models_are_ranked(void **state)
+TEST_CASE(models_are_ranked)
 {
-    (void)state;
     enum { MODELS = 4, POINTS = 5 }; /* that have a curve: the first in the table */
     static const double above[MODELS] = {3, 0.5, 7, 1};
     assert_true(model_count >= MODELS);
@@ -375,9 +367,8 @@ static void models_are_ranked(void **state)
 
 /** Each model at the measured loads itself, between two loads of the run as far apart as its ends: what one alone says
  * there, once a load; nothing beyond, and not a resistance of 0. */
-static void models_answer_at_the_measured_loads(void **state)
+TEST_CASE(models_answer_at_the_measured_loads)
 {
-    (void)state;
     enum { HARMONICS = 40, POINTS = 6 };
     static const double ends[] = {1e-6, 1e-1};
     static const struct repeat_set one_scan;
@@ -442,18 +433,4 @@ static int tear_down(void **state)
     return 0;
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(units_are_the_models),
-        cmocka_unit_test(headings_say_the_units),
-        cmocka_unit_test(blocks_may_differ_in_order),
-        cmocka_unit_test(what_is_wrong_is_named),
-        cmocka_unit_test(any_bytes_are_read_or_refused),
-        cmocka_unit_test(only_an_effect_that_runs_is_compared),
-        cmocka_unit_test(distance_is_in_decades),
-        cmocka_unit_test(models_are_ranked),
-        cmocka_unit_test(models_answer_at_the_measured_loads),
-    };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
-}
+TEST_GROUP(set_up, tear_down)

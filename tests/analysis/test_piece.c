@@ -31,9 +31,8 @@ static void assert_window(bool windowed)
         assert_within(spectrum.amplitude_m[2 + side], windowed ? share / 2 * amplitude_m : 0, 1e-9 * amplitude_m);
 }
 
-static void the_window_of_a_piece(void **state)
+TEST_CASE(the_window_of_a_piece)
 {
-    (void)state;
     static const struct {
         enum spectrum_window window;
         bool periodic, windowed; /* the scan that it is of */
@@ -52,9 +51,8 @@ static void the_window_of_a_piece(void **state)
 
 /* A piece of a periodic scan that does not close is windowed and levelled as the scene has it; moments of the spectrum
  * are those of the windowed one. */
-static void a_piece_that_does_not_close(void **state)
+TEST_CASE(a_piece_that_does_not_close)
 {
-    (void)state;
     struct piece_how how = {LEVEL_LINE, true, true, SPECTRUM_WINDOW_AUTO, ROUGHNESS_MOMENTS_SPECTRAL};
     struct levelling levelling;
     struct spectrum expected;
@@ -71,9 +69,8 @@ static void a_piece_that_does_not_close(void **state)
 
 /* A line through a piece that closes would make a step: the mean is taken out, unless the scene states its levelling.
  */
-static void levelling_of_a_piece_that_closes(void **state)
+TEST_CASE(levelling_of_a_piece_that_closes)
 {
-    (void)state;
     struct scene scene = {.level = LEVEL_LINE, .window = SPECTRUM_WINDOW_AUTO};
     struct piece_how how = piece_how_of(&scene, true);
     describe(3, &how);
@@ -95,12 +92,4 @@ static int end(void **state)
     return 0;
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_window_of_a_piece),
-        cmocka_unit_test(a_piece_that_does_not_close),
-        cmocka_unit_test(levelling_of_a_piece_that_closes),
-    };
-    return cmocka_run_group_tests(tests, NULL, end);
-}
+TEST_GROUP(NULL, end)

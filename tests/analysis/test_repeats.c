@@ -16,9 +16,8 @@ static struct repeat_set set_of(struct repeat *parts, const size_t *scan, size_t
 }
 
 /** Three scans: geometric mean, and t(2) = 4.302653 standard errors; another scan, sqrt(1 + 1/3) deviations. */
-static void three_scans(void **state)
+TEST_CASE(three_scans)
 {
-    (void)state;
     static const size_t scan[] = {0, 1, 2};
     static const double value[] = {1, 4, 16};
     struct repeat parts[3];
@@ -41,9 +40,8 @@ static void three_scans(void **state)
 }
 
 /** Pieces of a scan count together, as much as they are many: ln 2 and the mean of ln 8, ln 32, weights 1 and 2. */
-static void pieces(void **state)
+TEST_CASE(pieces)
 {
-    (void)state;
     static const size_t scan[] = {0, 1, 1};
     static const double value[] = {2, 8, 32};
     struct repeat parts[3];
@@ -59,9 +57,8 @@ static void pieces(void **state)
 }
 
 /** Rows of a map: 16 blocks of 4; blocks that alternate are independent, blocks that rise are worth the least. */
-static void rows(void **state)
+TEST_CASE(rows)
 {
-    (void)state;
     size_t scan[MOST] = {0};
     double value[MOST];
     struct repeat parts[MOST];
@@ -85,9 +82,8 @@ static void rows(void **state)
 
 /** A value that is missing, or not positive where logarithms count, leaves nothing known; equal ones have no interval,
  * rather than one of no width. */
-static void nothing_known(void **state)
+TEST_CASE(nothing_known)
 {
-    (void)state;
     static const size_t scan[] = {0, 1};
     static const double missing[] = {1, NAN}, closed[] = {1, 0}, same[] = {0.3, 0.3};
     struct repeat parts[2];
@@ -115,9 +111,8 @@ static void nothing_known(void **state)
 
 /** The curve of a surface is the mean of its scans' own, not that of their mean spectrum: a scan in two pieces counts
  * twice, by the logarithms of area and of separation/sigma, each part's over its own. */
-static void the_mean_of_curves(void **state)
+TEST_CASE(the_mean_of_curves)
 {
-    (void)state;
     static const size_t scan[] = {0, 1, 1};
     static const double loads[LOADS] = {1e-6, 1e-5, 1e-4, 1e-3, 7e-2};
     double amplitude_m[3][3] = {{1e-6, 2e-7, 5e-8}, {2e-6, 3e-7, 2e-8}, {1.5e-6, 1e-7, 8e-8}};
@@ -195,9 +190,8 @@ static void the_mean_of_curves(void **state)
 }
 
 /** The same part again and again has its own curve, and no intervals. */
-static void the_mean_of_one_curve(void **state)
+TEST_CASE(the_mean_of_one_curve)
 {
-    (void)state;
     static const size_t scan[] = {0, 1, 2};
     static const double loads[LOADS] = {1e-6, 1e-5, 1e-4, 1e-3, 1e-2};
     double amplitude_m[2] = {1e-6, 2e-7};
@@ -239,9 +233,8 @@ static void the_mean_of_one_curve(void **state)
 
 /** Loads that one part does not reach are left out: it is in full contact; the last point is then the full contact of
  * all. */
-static void the_end_of_curves(void **state)
+TEST_CASE(the_end_of_curves)
 {
-    (void)state;
     enum { FINE = 60 };
     static const size_t scan[] = {0, 1};
     const struct model_row *model = model_rows[model_named("gw")];
@@ -309,9 +302,8 @@ static size_t assert_about(const double end[2], double value, double most)
 }
 
 /** Random surfaces of 2 to 5 scans, or of a map's rows, as unlike each other as scans never are, up to full contact. */
-static void intervals_of_random_records(void **state)
+TEST_CASE(intervals_of_random_records)
 {
-    (void)state;
     enum { PARTS = 5, HARMONICS = 6, SETS = 60, MODELS = 5 };
     static const char *const names[MODELS] = {"multiscale-elastic", "multiscale-plastic", "two-band-plastic", "gw",
                                               "cmy"};
@@ -374,19 +366,4 @@ static void intervals_of_random_records(void **state)
     }
     assert_true(known[QUANTITY_AREA] > 200 && known[QUANTITY_SEPARATION] > 200 && known[QUANTITY_ECR] > 200);
     assert_true(unknown > 100);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(three_scans),
-        cmocka_unit_test(pieces),
-        cmocka_unit_test(rows),
-        cmocka_unit_test(nothing_known),
-        cmocka_unit_test(the_mean_of_curves),
-        cmocka_unit_test(the_mean_of_one_curve),
-        cmocka_unit_test(the_end_of_curves),
-        cmocka_unit_test(intervals_of_random_records),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -37,12 +37,6 @@ static int place_setup(void **state)
     return 0;
 }
 
-static int place_teardown(void **state)
-{
-    directory_remove(*state);
-    return 0;
-}
-
 /* A figure's data as gnuplot sees it, with the style words its script gives to the blocks. */
 struct drawn {
     size_t blocks, rows[BLOCKS_MOST];
@@ -143,9 +137,8 @@ static size_t times_listed(const struct figure_list *list, const char *number)
     return times;
 }
 
-static void test_every_number_exists_once(void **state)
+TEST_CASE(test_every_number_exists_once)
 {
-    (void)state;
     struct benchmark_row rows[] = {{.chart = BENCHMARK_CURVES}, {.chart = BENCHMARK_INTEGRALS}};
     const struct benchmark cost = {.rows = rows, .count = 2};
     struct figure_list list = list_of(ALL_EFFECTS, ALL_MODELS, &cost);
@@ -170,9 +163,8 @@ static void test_every_number_exists_once(void **state)
 }
 
 /* The figures of all surfaces and the sweeps are of one model each: which, by the contract. */
-static void test_which_model_a_figure_shows(void **state)
+TEST_CASE(test_which_model_a_figure_shows)
 {
-    (void)state;
     struct figure_list list = list_of(ALL_EFFECTS, ALL_MODELS, NULL);
     for (size_t n = 11; n <= 30; n++)
         assert_int_equal(list.figures[n - 1].model, model_named(thesis_models[(n - 11) % 4]));
@@ -197,9 +189,8 @@ static bool is_called_for(int n, unsigned effects, unsigned which)
     return needed[(n - 11) / 4] && (running & 1u << (n - 11) % 4);
 }
 
-static void test_effects_and_models_that_are_off_remove_their_figures(void **state)
+TEST_CASE(test_effects_and_models_that_are_off_remove_their_figures)
 {
-    (void)state;
     struct benchmark_row row = {.chart = BENCHMARK_CURVES};
     const struct benchmark cost = {.rows = &row, .count = 1};
     for (unsigned effects = 0; effects <= ALL_EFFECTS; effects++)
@@ -222,7 +213,7 @@ static void test_effects_and_models_that_are_off_remove_their_figures(void **sta
 }
 
 /* A figure that is not called for leaves no file. */
-static void test_the_files_are_those_of_the_figures(void **state)
+TEST_CASE(test_the_files_are_those_of_the_figures)
 {
     const struct directory *place = *state;
     mkdir(directory_path(place, "electrical"), 0777);
@@ -272,7 +263,7 @@ static void test_the_files_are_those_of_the_figures(void **state)
 }
 
 /* Every block has a style word, and rows that its axes can show. */
-static void test_every_data_file_fits_its_script(void **state)
+TEST_CASE(test_every_data_file_fits_its_script)
 {
     struct figure_list list = list_of(ALL_EFFECTS, ALL_MODELS, NULL); /* timings are not made here */
     for (size_t i = 0; i < list.count; i++) {
@@ -300,7 +291,7 @@ static void test_every_data_file_fits_its_script(void **state)
     figure_list_free(&list);
 }
 
-static void test_a_hostile_name_is_only_a_legend(void **state)
+TEST_CASE(test_a_hostile_name_is_only_a_legend)
 {
     const struct directory *place = *state;
     struct figure_list list = list_of(ALL_EFFECTS, ALL_MODELS, NULL);
@@ -363,7 +354,7 @@ static void assert_solid_then_dashed(const struct drawn *drawing, size_t block, 
         assert_true(area[solid] > touching);
 }
 
-static void test_dashed_curves_begin_at_the_last_valid_point(void **state)
+TEST_CASE(test_dashed_curves_begin_at_the_last_valid_point)
 {
     struct drawn *gw = read_drawing(*state, "6-14"), *jg = read_drawing(*state, "6-13"),
                  *elastic = read_drawing(*state, "6-12");
@@ -381,7 +372,7 @@ static void test_dashed_curves_begin_at_the_last_valid_point(void **state)
 }
 
 /* The chart of the baseline names its curves by model; adjusted and scale-dependent ones stand beside the plain. */
-static void test_the_models_of_the_baseline(void **state)
+TEST_CASE(test_the_models_of_the_baseline)
 {
     static const struct {
         const char *number, *styles;
@@ -404,7 +395,7 @@ static void test_the_models_of_the_baseline(void **state)
 }
 
 /* Each model is drawn in the colour of its row. */
-static void test_models_have_their_colours(void **state)
+TEST_CASE(test_models_have_their_colours)
 {
     struct text svg = directory_read(*state, "out/figures/6-05.svg");
     for (int k = 0; k < 4; k++) {
@@ -420,7 +411,7 @@ static void test_models_have_their_colours(void **state)
 }
 
 /* A profile is thinned for its chart, but no peak is lost. */
-static void test_a_thinned_profile_keeps_its_spike(void **state)
+TEST_CASE(test_a_thinned_profile_keeps_its_spike)
 {
     struct drawn *drawing = read_drawing(*state, "6-10");
     size_t block = 2, highest = 0;
@@ -489,7 +480,7 @@ static size_t read_axes(double *axes, const struct directory *place, const char 
 }
 
 /* The charts of all surfaces have one y range a quantity and one x range. */
-static void test_charts_of_all_surfaces_share_their_axes(void **state)
+TEST_CASE(test_charts_of_all_surfaces_share_their_axes)
 {
     double first[6], axes[6];
     static const struct {
@@ -518,7 +509,7 @@ static void test_charts_of_all_surfaces_share_their_axes(void **state)
 }
 
 /* A chart that shows separations adjusted as well is cut at -0.5 sigma, others are not. */
-static void test_separations_are_cut(void **state)
+TEST_CASE(test_separations_are_cut)
 {
     double axes[6], least = INFINITY;
     struct drawn *drawing = read_drawing(*state, "6-07");
@@ -534,7 +525,7 @@ static void test_separations_are_cut(void **state)
 }
 
 /* Every curve of a resistance ends with a row of 0 at its full contact, between the last load before and the next. */
-static void test_resistances_end_at_full_contact(void **state)
+TEST_CASE(test_resistances_end_at_full_contact)
 {
     struct drawn *drawing = read_drawing(*state, "6-23"); /* multiscale-plastic */
     size_t block = block_of(drawing, "s1"), last = drawing->rows[block] - 1;
@@ -553,7 +544,7 @@ static void test_resistances_end_at_full_contact(void **state)
 }
 
 /* The mean of scans is not known between the first that is in full contact and the last: its curve ends before. */
-static void test_means_of_scans_end_where_they_are_known(void **state)
+TEST_CASE(test_means_of_scans_end_where_they_are_known)
 {
     const struct directory *place = *state;
     mkdir(directory_path(place, "scans"), 0777);
@@ -573,7 +564,7 @@ static void test_means_of_scans_end_where_they_are_known(void **state)
 }
 
 /* The panel below holds scale-dependent over plain, and is not there without the effect. */
-static void test_the_panel_below_holds_ratios(void **state)
+TEST_CASE(test_the_panel_below_holds_ratios)
 {
     const struct directory *place = *state;
     struct drawn *drawing = read_drawing(place, "6-28"); /* multiscale-elastic */
@@ -601,7 +592,7 @@ static void test_the_panel_below_holds_ratios(void **state)
 }
 
 /* A rough counterface has its profile beside those of the surfaces. */
-static void test_the_counterface_is_drawn(void **state)
+TEST_CASE(test_the_counterface_is_drawn)
 {
     const struct directory *place = *state;
     mkdir(directory_path(place, "pair"), 0777);
@@ -676,9 +667,8 @@ static size_t lines_in(const struct text *text)
     return lines;
 }
 
-static void test_hidden_stretches(void **state)
+TEST_CASE(test_hidden_stretches)
 {
-    (void)state;
     char styles[100];
     struct text joined = hidden_of(joining, 2, styles, sizeof styles);
     assert_string_equal(styles, "s1h12");
@@ -697,26 +687,4 @@ static void test_hidden_stretches(void **state)
     text_free(&near);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_number_exists_once),
-        cmocka_unit_test(test_which_model_a_figure_shows),
-        cmocka_unit_test(test_effects_and_models_that_are_off_remove_their_figures),
-        cmocka_unit_test(test_the_files_are_those_of_the_figures),
-        cmocka_unit_test(test_every_data_file_fits_its_script),
-        cmocka_unit_test(test_a_hostile_name_is_only_a_legend),
-        cmocka_unit_test(test_dashed_curves_begin_at_the_last_valid_point),
-        cmocka_unit_test(test_the_models_of_the_baseline),
-        cmocka_unit_test(test_models_have_their_colours),
-        cmocka_unit_test(test_a_thinned_profile_keeps_its_spike),
-        cmocka_unit_test(test_charts_of_all_surfaces_share_their_axes),
-        cmocka_unit_test(test_separations_are_cut),
-        cmocka_unit_test(test_resistances_end_at_full_contact),
-        cmocka_unit_test(test_means_of_scans_end_where_they_are_known),
-        cmocka_unit_test(test_the_panel_below_holds_ratios),
-        cmocka_unit_test(test_the_counterface_is_drawn),
-        cmocka_unit_test(test_hidden_stretches),
-    };
-    return cmocka_run_group_tests(tests, place_setup, place_teardown);
-}
+TEST_GROUP(place_setup, directory_teardown)

@@ -136,6 +136,12 @@ struct process process_expect(struct process process, int status, const char *fi
     return process;
 }
 
+void process_expect_only(struct process process, int status, const char *file, int line)
+{
+    process_expect(process, status, file, line);
+    process_free(&process);
+}
+
 void process_expect_failure(struct process process, int status, size_t lines, const char *message, const char *file,
                             int line)
 {
@@ -155,12 +161,12 @@ void process_expect_failure(struct process process, int status, size_t lines, co
     process_free(&process);
 }
 
-void process_expect_part(const char *text, const char *part, bool there, const char *file, int line)
+void process_expect_in_file(const char *place, const char *path, const char *const *parts, bool there, const char *file,
+                            int line)
 {
-    if ((strstr(text, part) != NULL) == there)
-        return;
-    print_error("%s: %s\nin:\n%.4000s\n", there ? "missing" : "should not be there", part, text);
-    _fail(file, line);
+    char *text = workspace_read(place, path);
+    support_parts(text, parts, there, file, line);
+    free(text);
 }
 
 static char *path_of(const char *place, const char *path)

@@ -26,6 +26,7 @@ struct process_running {
 int workspace_make(void **state);
 int workspace_remove(void **state);
 /** A cmocka test with a workspace. */
+#define TEST_IN_WORKSPACE(name)  TEST_WITH(name, workspace_make, workspace_remove)
 #define workspace_test(function) cmocka_unit_test_setup_teardown(function, workspace_make, workspace_remove)
 
 /** Starts the program in the workspace. */
@@ -40,6 +41,9 @@ void process_free(struct process *process);
 /** Runs the program and fails the test unless it exits with `status`; its result is to be freed. */
 #define expect_exit(place, status, ...) process_expect(process_run(place, __VA_ARGS__), status, __FILE__, __LINE__)
 struct process process_expect(struct process process, int status, const char *file, int line);
+/** The same where its output does not matter. */
+#define run_to_exit(place, status, ...) process_expect_only(process_run(place, __VA_ARGS__), status, __FILE__, __LINE__)
+void process_expect_only(struct process process, int status, const char *file, int line);
 /** Runs the program and fails the test unless it exits with `status`, with nothing on stdout and `lines` lines on
  * stderr that hold `message`. */
 #define expect_failure(place, status, lines, message, ...)                                                             \
@@ -47,10 +51,15 @@ struct process process_expect(struct process process, int status, const char *fi
 void process_expect_failure(struct process process, int status, size_t lines, const char *message, const char *file,
                             int line);
 
-/** Fails the test unless `text` holds `part`, and shows both. */
-#define expect_part(text, part)    process_expect_part((text), (part), true, __FILE__, __LINE__)
-#define expect_no_part(text, part) process_expect_part((text), (part), false, __FILE__, __LINE__)
-void process_expect_part(const char *text, const char *part, bool there, const char *file, int line);
+#define expect_part(text, part)    expect_parts((text), (part))
+#define expect_no_part(text, part) expect_no_parts((text), (part))
+/** expect_parts() and expect_no_parts() of a file below the workspace. */
+#define expect_in_file(place, path, ...)                                                                               \
+    process_expect_in_file((place), (path), (const char *const[]){__VA_ARGS__, NULL}, true, __FILE__, __LINE__)
+#define expect_not_in_file(place, path, ...)                                                                           \
+    process_expect_in_file((place), (path), (const char *const[]){__VA_ARGS__, NULL}, false, __FILE__, __LINE__)
+void process_expect_in_file(const char *place, const char *path, const char *const *parts, bool there, const char *file,
+                            int line);
 
 /** Fails the test when `text`, read from `where`, holds nan or inf as a word of its own, with a sign or without. */
 void process_expect_numbers(const char *text, const char *where);

@@ -27,35 +27,29 @@ static struct process run_scene(const char *place, int status, const char *text,
                  : expect_exit(place, status, "report", "in", "-o", "out", "--no-cost");
 }
 
-static void no_key_no_trace(void **state)
+TEST_IN_WORKSPACE(no_key_no_trace)
 {
     const char *place = *state;
     scans(place);
     struct process run = run_scene(place, 0, SCENE, NULL);
-    char *report = workspace_read(place, "out/report.md"), *results = workspace_read(place, "out/results.json");
     assert_false(workspace_has(place, "out/data/answers.csv"));
-    expect_no_part(report, "## Answers");
-    expect_no_part(results, "\"answers\"");
-    expect_no_part(results, "\"limits\"");
+    expect_not_in_file(place, "out/report.md", "## Answers");
+    expect_not_in_file(place, "out/results.json", "\"answers\"", "\"limits\"");
     expect_no_part(run.out, "takes");
-    free(report);
-    free(results);
     process_free(&run);
 }
 
-static void targets_are_answered(void **state)
+TEST_IN_WORKSPACE(targets_are_answered)
 {
     const char *place = *state;
     scans(place);
     struct process run = run_scene(place, 0, SCENE "targets: [{ecr: 0.1 mohm}, {area: 5 %}]\n", NULL);
-    expect_part(run.out, "\nECR ≤ 0.1 mohm takes ");
-    expect_part(run.out, "\nA/Aₙ ≥ 5 % takes ");
-    expect_part(run.out, " on surface 'a', the ");
+    expect_parts(run.out, "\nECR ≤ 0.1 mohm takes ", "\nA/Aₙ ≥ 5 % takes ", " on surface 'a', the ");
     process_free(&run);
-    char *report = workspace_read(place, "out/report.md"), *results = workspace_read(place, "out/results.json");
+    char *report = workspace_read(place, "out/report.md");
+    char *results = workspace_read(place, "out/results.json");
     expect_part(report, "\n\n- **ECR ≤ 0\\.1 mohm** takes "); /* the first thing said */
-    expect_part(report, "\n## Answers\n\n|");
-    expect_part(report, "\n| A/Aₙ ≥ 5 % | ");
+    expect_parts(report, "\n## Answers\n\n|", "\n| A/Aₙ ≥ 5 % | ");
     expect_part(results, "\"answers\": [");
     expect_no_part(results, "\"limits\"");
     char path[4096];
@@ -82,23 +76,19 @@ static void targets_are_answered(void **state)
     process_free(&run);
 }
 
-static void a_missed_limit_ends_with_5(void **state)
+TEST_IN_WORKSPACE(a_missed_limit_ends_with_5)
 {
     const char *place = *state;
     scans(place);
     static const char missed[] =
         SCENE "operating_load: 10 N\nlimits: {conductance: {least: 1e12 W/m2/K}, area: {least: 1e-9}}\n";
     struct process run = run_scene(place, 5, missed, "--check");
-    expect_part(run.err, "surface 'a' misses the limit h ≥ 1e+12 W/m2/K: ");
-    expect_part(run.err, "surface 'b' misses the limit h ≥ 1e+12 W/m2/K: ");
+    expect_parts(run.err,
+                 "surface 'a' misses the limit h ≥ 1e+12 W/m2/K: ", "surface 'b' misses the limit h ≥ 1e+12 W/m2/K: ");
     expect_no_part(run.err, "A/Aₙ");
     expect_part(run.out, "limit A/Aₙ ≥ 1e-09: 2 of 2 surfaces meet it, 0 miss it.\n");
     process_free(&run);
-    char *report = workspace_read(place, "out/report.md");
-    expect_part(report, "| ✗ **misses**: ");
-    expect_part(report, "| ✓ meets: ");
-    expect_part(report, "Limits at the operating load (");
-    free(report);
+    expect_in_file(place, "out/report.md", "| ✗ **misses**: ", "| ✓ meets: ", "Limits at the operating load (");
     run = run_scene(place, 0, missed, NULL); /* nobody asked for the check */
     expect_no_part(run.err, "misses");
     process_free(&run);
@@ -110,7 +100,7 @@ static void a_missed_limit_ends_with_5(void **state)
     process_free(&run);
 }
 
-static void a_check_of_nothing_is_refused(void **state)
+TEST_IN_WORKSPACE(a_check_of_nothing_is_refused)
 {
     const char *place = *state;
     scans(place);
@@ -154,7 +144,7 @@ static bool numbers_of(const char *cell, double number[3])
 }
 
 /** What the report's table of a target says is in answers.csv, rounded: load and interval, in the loads' unit. */
-static void the_table_is_of_the_data(void **state)
+TEST_IN_WORKSPACE(the_table_is_of_the_data)
 {
     const char *place = *state;
     scans(place);
@@ -213,7 +203,7 @@ static size_t check_load_keys(const json_t *json)
 }
 
 /** Whatever unit the scene has its loads in. */
-static void loads_say_what_they_are_in(void **state)
+TEST_IN_WORKSPACE(loads_say_what_they_are_in)
 {
     const char *place = *state;
     static const char *const loads[] = {"{from: 0.01 N, to: 100 N, points: 9}",
@@ -258,8 +248,7 @@ static double at_load(const char *place, const char *model, double load, const c
     char scene[700], path[4096];
     snprintf(scene, sizeof scene, JOINT "load: {values: [%.17g]}\n", load);
     workspace_write(place, "in/scene.yaml", scene);
-    struct process run = expect_exit(place, 0, "report", "in", "-o", "one", "--no-cost");
-    process_free(&run);
+    run_to_exit(place, 0, "report", "in", "-o", "one", "--no-cost");
     snprintf(path, sizeof path, "%s/one/data/contact.csv", place);
     struct table table = table_read_path(path);
     double value = NAN;
@@ -272,7 +261,7 @@ static double at_load(const char *place, const char *model, double load, const c
 
 /** With a film, a gas and a current, targets are of the whole joint: at the load of an answer a report has just that.
  */
-static void targets_of_a_joint(void **state)
+TEST_IN_WORKSPACE(targets_of_a_joint)
 {
     const char *place = *state;
     static const struct {
@@ -289,8 +278,7 @@ static void targets_of_a_joint(void **state)
                   JOINT "load: {from: 1e-7, to: 1e-2, points: 31}\n"
                         "targets: [{ecr: 0.2 mohm}, {conductance: 1e5 W/m2/K}, {temperature: 30 degC}]\n",
                   NULL);
-    expect_part(run.out, "ECR with film and plating ≤ 0.2 mohm takes ");
-    expect_part(run.out, "T_max ≤ 30 degC takes ");
+    expect_parts(run.out, "ECR with film and plating ≤ 0.2 mohm takes ", "T_max ≤ 30 degC takes ");
     process_free(&run);
     snprintf(path, sizeof path, "%s/out/data/answers.csv", place);
     struct table table = table_read_path(path);
@@ -308,18 +296,4 @@ static void targets_of_a_joint(void **state)
             }
     assert_true(answered >= 8 && intervals[0] > 0 && intervals[1] > 0);
     table_free(&table);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        workspace_test(no_key_no_trace),
-        workspace_test(targets_are_answered),
-        workspace_test(the_table_is_of_the_data),
-        workspace_test(loads_say_what_they_are_in),
-        workspace_test(targets_of_a_joint),
-        workspace_test(a_missed_limit_ends_with_5),
-        workspace_test(a_check_of_nothing_is_refused),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -57,7 +57,7 @@ static const struct bad_input bad_inputs[] = {
     {"baseline: b\n", ROUGH, 3, 1, "d/scene.yaml:1: 'baseline' is 'b', no surface's name; the first is 'a'"},
 };
 
-static void test_bad_inputs(void **state)
+TEST_IN_WORKSPACE(test_bad_inputs)
 {
     for (size_t i = 0; i < sizeof bad_inputs / sizeof *bad_inputs; i++) {
         const struct bad_input *bad = &bad_inputs[i];
@@ -89,7 +89,7 @@ static void test_bad_inputs(void **state)
     }
 }
 
-static void test_directories(void **state)
+TEST_IN_WORKSPACE(test_directories)
 {
     const char *place = *state;
     workspace_write(place, "file", "x\n");
@@ -102,7 +102,7 @@ static void test_directories(void **state)
     assert_false(workspace_has(place, "out"));
 }
 
-static void test_where_it_cannot_write(void **state)
+TEST_IN_WORKSPACE(test_where_it_cannot_write)
 {
     const char *place = *state;
     workspace_scan(place, "d/a.csv", 200, 1);
@@ -130,7 +130,7 @@ static void test_where_it_cannot_write(void **state)
 }
 
 /** Files of the user's are never taken for a report of before. */
-static void test_foreign_files(void **state)
+TEST_IN_WORKSPACE(test_foreign_files)
 {
     const char *place = *state;
     workspace_scan(place, "d/a.csv", 200, 1);
@@ -154,7 +154,7 @@ static void test_foreign_files(void **state)
     free(after);
 }
 
-static void test_without_gnuplot(void **state)
+TEST_IN_WORKSPACE(test_without_gnuplot)
 {
     const char *place = *state;
     workspace_scan(place, "d/a.csv", 200, 1);
@@ -174,7 +174,7 @@ static void test_without_gnuplot(void **state)
     free(path);
 }
 
-static void test_one_bad_scan_stops_no_other(void **state)
+TEST_IN_WORKSPACE(test_one_bad_scan_stops_no_other)
 {
     const char *place = *state;
     workspace_scan(place, "d/a.csv", 200, 1);
@@ -185,13 +185,11 @@ static void test_one_bad_scan_stops_no_other(void **state)
     expect_part(process.out, "\nout/d/report.html\n");
     char *markdown = workspace_read(place, "out/d/report.md"), *html = workspace_read(place, "out/d/report.html");
     char *json = workspace_read(place, "out/d/results.json"), *csv = workspace_read(place, "out/d/data/surfaces.csv");
-    expect_part(markdown, "1 surface was refused");
-    expect_part(markdown, "'x' in a column of numbers");
+    expect_parts(markdown, "1 surface was refused", "'x' in a column of numbers");
     expect_part(html, "b.csv:4: 'x' in a column of numbers");
-    expect_part(json, "\"surface\": \"b\"");
-    expect_part(json, "\"error\": \"b.csv:4: 'x' in a column of numbers; correct or remove this line\"");
-    expect_part(csv, "\na,a.csv,200,");
-    expect_part(csv, "\nc,c.csv,200,");
+    expect_parts(json, "\"surface\": \"b\"",
+                 "\"error\": \"b.csv:4: 'x' in a column of numbers; correct or remove this line\"");
+    expect_parts(csv, "\na,a.csv,200,", "\nc,c.csv,200,");
     expect_no_part(csv, "b.csv");
     process_free(&process);
     free(markdown);
@@ -201,7 +199,7 @@ static void test_one_bad_scan_stops_no_other(void **state)
 }
 
 /* Nor does one of several scans of a surface; the exit status says that not all is there, of `plan` too. */
-static void test_one_bad_scan_of_a_surface(void **state)
+TEST_IN_WORKSPACE(test_one_bad_scan_of_a_surface)
 {
     const char *place = *state;
     workspace_scan(place, "d/s/a.csv", 200, 1);
@@ -220,22 +218,7 @@ static void test_one_bad_scan_of_a_surface(void **state)
     workspace_write(place, "d/s/a.csv", "x [um],z [um]\n0,1\n1,2\n2,y\n");
     workspace_write(place, "d/s/c.csv", "x [um],z [um]\n0,1\n1,2\n2,z\n");
     process = expect_exit(place, 4, "report", "d", "--no-cost");
-    expect_part(process.err, "surface 's' refused: s/a.csv:4: 'y'");
-    expect_part(process.err, "surface 's': s/b.csv:4: 'x'");
-    expect_part(process.err, "surface 's': s/c.csv:4: 'z'");
+    expect_parts(process.err, "surface 's' refused: s/a.csv:4: 'y'", "surface 's': s/b.csv:4: 'x'",
+                 "surface 's': s/c.csv:4: 'z'");
     process_free(&process);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        workspace_test(test_bad_inputs),
-        workspace_test(test_directories),
-        workspace_test(test_where_it_cannot_write),
-        workspace_test(test_foreign_files),
-        workspace_test(test_without_gnuplot),
-        workspace_test(test_one_bad_scan_stops_no_other),
-        workspace_test(test_one_bad_scan_of_a_surface),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

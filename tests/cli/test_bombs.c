@@ -76,7 +76,7 @@ static struct text zip_with_main(const char *bytes, size_t length)
 
 /* Nested elements (1 and 20 KB), elements side by side, one of 200 000 attributes, attributes by the thousand, and
  * blanks. */
-static void test_xml(void **state)
+TEST_IN_WORKSPACE(test_xml)
 {
     const char *place = *state;
     for (size_t millions = 1; millions < 20; millions += 18) {
@@ -118,7 +118,7 @@ static void test_xml(void **state)
 }
 
 /* 64 entries of one stream of 16 MiB; and the same where each stream begins within the one before. */
-static void test_shared_streams(void **state)
+TEST_IN_WORKSPACE(test_shared_streams)
 {
     const char *place = *state;
     enum { ENTRIES = 64, SIZE = 16 << 20 };
@@ -148,7 +148,7 @@ static void test_shared_streams(void **state)
 }
 
 /* What archives claim is looked at before anything is unpacked. */
-static void test_claims(void **state)
+TEST_IN_WORKSPACE(test_claims)
 {
     const char *place = *state;
     char *junk = calloc(1, 2200000);
@@ -211,7 +211,7 @@ static void put_sur_header(struct text *text, uint32_t nx, uint32_t ny)
 }
 
 /* A megabyte of compressed heights: more points than may be, and a gigabyte behind a header of six. */
-static void test_expanding(void **state)
+TEST_IN_WORKSPACE(test_expanding)
 {
     const char *place = *state;
     char *zeros = calloc(1, 1 << 20);
@@ -266,7 +266,7 @@ static struct text deflated_with_zeros(const struct text *heights, size_t zeros)
 }
 
 /* Of a file of points no more is unpacked than main.xml says there are, though it holds 600 MB. */
-static void test_points_as_announced(void **state)
+TEST_IN_WORKSPACE(test_points_as_announced)
 {
     const char *place = *state;
     enum { POINTS = 4096, ZEROS = 600 << 20 };
@@ -296,7 +296,7 @@ static void test_points_as_announced(void **state)
 
 /* More than the limit on what a file unpacks to, of 2 MB: with that much memory the limit is named, with less its lack.
  */
-static void test_endless_gzip(void **state)
+TEST_IN_WORKSPACE(test_endless_gzip)
 {
     const char *place = *state;
     enum { SIZE = 16 << 20 };
@@ -317,7 +317,7 @@ static void test_endless_gzip(void **state)
 }
 
 /* Headers that say more than any file holds. */
-static void test_lying_headers(void **state)
+TEST_IN_WORKSPACE(test_lying_headers)
 {
     const char *place = *state;
     static const char *const texts[] = {
@@ -377,7 +377,7 @@ static void test_lying_headers(void **state)
     expect_refused(place, &text, "no map in it");
 }
 
-static void test_texts(void **state)
+TEST_IN_WORKSPACE(test_texts)
 {
     const char *place = *state;
     struct text text = {0};
@@ -396,7 +396,7 @@ static void test_texts(void **state)
 }
 
 /* A file larger than may be, of which nothing is read; and standard input that never ends. */
-static void test_endless_input(void **state)
+TEST_IN_WORKSPACE(test_endless_input)
 {
     const char *place = *state;
     workspace_write(place, "large.csv", "1 2\n");
@@ -444,7 +444,7 @@ static void make_link(const char *place, const char *name, const char *to)
 }
 
 /* Pipes, sockets, devices and links in circles lie in a directory; folders in folders lead nowhere. */
-static void test_no_files(void **state)
+TEST_IN_WORKSPACE(test_no_files)
 {
     const char *place = *state;
     char path[4096];
@@ -471,10 +471,8 @@ static void test_no_files(void **state)
     }
     alarm(250); /* a pipe that is opened would keep everybody waiting */
     struct process process = process_expect(RUN(place, "inspect", "--no-chart", "d"), 0, __FILE__, __LINE__);
-    expect_part(process.out, "d/a.csv");
-    expect_part(process.out, "b.csv");
-    expect_no_part(process.out, "pipe");
-    expect_no_part(process.out, "zero");
+    expect_parts(process.out, "d/a.csv", "b.csv");
+    expect_no_parts(process.out, "pipe", "zero");
     process_free(&process);
     process = process_expect(RUN(place, "plan", "d"), 0, __FILE__, __LINE__);
     process_free(&process);
@@ -490,7 +488,7 @@ static void test_no_files(void **state)
 }
 
 /* A file that is replaced by a pipe after the scene was read is not waited for either: all reading goes this way. */
-static void test_reading_a_pipe(void **state)
+TEST_IN_WORKSPACE(test_reading_a_pipe)
 {
     const char *place = *state;
     char path[4096];
@@ -506,7 +504,7 @@ static void test_reading_a_pipe(void **state)
 }
 
 /* `inspect --limits` prints the table, row by row, and reads no file. */
-static void test_limits_are_printed(void **state)
+TEST_IN_WORKSPACE(test_limits_are_printed)
 {
     const char *place = *state;
     struct process process = expect_exit(place, 0, "inspect", "--limits");
@@ -524,23 +522,4 @@ static void test_limits_are_printed(void **state)
     process = expect_exit(place, 0, "inspect", "--limits", "--json");
     expect_part(process.out, "\"name\": \"points\",\n  \"most\": 100000000,");
     process_free(&process);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        workspace_test(test_xml),
-        workspace_test(test_shared_streams),
-        workspace_test(test_claims),
-        workspace_test(test_expanding),
-        workspace_test(test_points_as_announced),
-        workspace_test(test_endless_gzip),
-        workspace_test(test_lying_headers),
-        workspace_test(test_texts),
-        workspace_test(test_endless_input),
-        workspace_test(test_no_files),
-        workspace_test(test_reading_a_pipe),
-        workspace_test(test_limits_are_printed),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -97,7 +97,7 @@ static void expect_described(json_t *json)
     free(document);
 }
 
-static void test_models(void **state)
+TEST_IN_WORKSPACE(test_models)
 {
     const char *place = *state;
     json_t *json = run_json(place, 0, "models", NULL);
@@ -121,7 +121,7 @@ static void test_models(void **state)
     process_free(&text);
 }
 
-static void test_materials(void **state)
+TEST_IN_WORKSPACE(test_materials)
 {
     const char *place = *state;
     json_t *json = run_json(place, 0, "materials", NULL);
@@ -168,7 +168,7 @@ static void make_scans(const char *place, bool broken)
     workspace_write(place, "d/scene.yaml", scene);
 }
 
-static void test_plan(void **state)
+TEST_IN_WORKSPACE(test_plan)
 {
     const char *place = *state;
     make_scans(place, true);
@@ -232,7 +232,7 @@ static void check_text(const char *text, const char *surface, double rq_m)
     assert_near(rq_m * 1e6, strtod(line + strcspn(line, "0123456789"), NULL), 6e-3);
 }
 
-static void test_report(void **state)
+TEST_IN_WORKSPACE(test_report)
 {
     const char *place = *state;
     make_scans(place, true);
@@ -298,7 +298,7 @@ static void test_report(void **state)
     process_free(&text);
 }
 
-static void test_direct(void **state)
+TEST_IN_WORKSPACE(test_direct)
 {
     const char *place = *state;
     workspace_scan(place, "d/a.csv", 200, 1);
@@ -313,7 +313,7 @@ static void test_direct(void **state)
 }
 
 /** A command that fails says so in JSON too, and on standard error as ever. */
-static void test_failures(void **state)
+TEST_IN_WORKSPACE(test_failures)
 {
     const char *place = *state;
     static const char *const commands[] = {"report", "direct", "plan"};
@@ -351,7 +351,7 @@ static void test_failures(void **state)
 }
 
 /** A name that no terminal and no JSON may have. */
-static void test_hostile_name(void **state)
+TEST_IN_WORKSPACE(test_hostile_name)
 {
     const char *place = *state;
     workspace_scan(place, "d/a\x1b[31m\xff\".csv", 200, 1);
@@ -364,7 +364,7 @@ static void test_hostile_name(void **state)
 }
 
 /** From anywhere, of the program alone, writing nothing; in text and in JSON the same. */
-static void test_self_test(void **state)
+TEST_IN_WORKSPACE(test_self_test)
 {
     const char *place = *state;
     char *before = workspace_digest(place, ".");
@@ -399,14 +399,4 @@ static void test_self_test(void **state)
     free(after);
     process_free(&text);
     process_free(&verbose);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        workspace_test(test_models),       workspace_test(test_materials), workspace_test(test_plan),
-        workspace_test(test_report),       workspace_test(test_direct),    workspace_test(test_failures),
-        workspace_test(test_hostile_name), workspace_test(test_self_test),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

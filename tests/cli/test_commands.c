@@ -15,7 +15,7 @@ static const char *const commands[] = {"report", "direct",    "plan",      "insp
                                        "models", "materials", "self-test", "help"};
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
-static void test_help(void **state)
+TEST_IN_WORKSPACE(test_help)
 {
     const char *place = *state;
     static const char *const spellings[] = {"--help", "-h", "help"};
@@ -63,7 +63,7 @@ static void test_help(void **state)
 }
 
 /* The version alone in the first line; then what the program is made of, each with a number. */
-static void test_version(void **state)
+TEST_IN_WORKSPACE(test_version)
 {
     const char *place = *state;
     static const char *const parts[] = {"FFTW",   "GSL",  "libyaml", "jansson", "expat",  "zlib",
@@ -88,7 +88,7 @@ static void test_version(void **state)
     process_free(&again);
 }
 
-static void test_usage(void **state)
+TEST_IN_WORKSPACE(test_usage)
 {
     const char *place = *state;
     expect_failure(place, 2, 1, "unknown command 'reprot'; did you mean 'report'?", "reprot", "d");
@@ -112,7 +112,7 @@ static void test_usage(void **state)
     process_free(&process);
 }
 
-static void test_tables(void **state)
+TEST_IN_WORKSPACE(test_tables)
 {
     const char *place = *state;
     struct process models = expect_exit(place, 0, "models"), materials = expect_exit(place, 0, "materials");
@@ -132,7 +132,7 @@ static void test_tables(void **state)
 }
 
 /* The first page alone, by both commands that report, and plan says so. */
-static void test_brief(void **state)
+TEST_IN_WORKSPACE(test_brief)
 {
     const char *place = *state;
     workspace_scan(place, "d/a.csv", 200, 1);
@@ -152,17 +152,15 @@ static void test_brief(void **state)
         process_free(&process);
         char path[64];
         snprintf(path, sizeof path, "%s/report.md", reporting[c]);
-        char *page = workspace_read(place, path);
-        expect_part(page, "**What limits this answer**");
-        expect_no_part(page, "\n## ");
-        free(page);
+        expect_in_file(place, path, "**What limits this answer**");
+        expect_not_in_file(place, path, "\n## ");
     }
     assert_true(workspace_has(place, "direct/data/direct.csv"));
     assert_true(workspace_has(place, "direct/figures/direct-ratio-ecr.svg"));
     assert_false(workspace_has(place, "direct/figures/direct-ecr.svg"));
 }
 
-static void test_plan(void **state)
+TEST_IN_WORKSPACE(test_plan)
 {
     const char *place = *state;
     workspace_scan(place, "d/a.csv", 200, 1);
@@ -173,8 +171,7 @@ static void test_plan(void **state)
     process_free(&none);
     workspace_write(place, "d/scene.yaml", "load: {from: 1e-4, to: 1e-2, points: 7}\n");
     none = expect_exit(place, 0, "plan", "d");
-    expect_part(none.out, "\nNo material is given, so area and separation");
-    expect_part(none.out, "no material is given, so no resistivity");
+    expect_parts(none.out, "\nNo material is given, so area and separation", "no material is given, so no resistivity");
     process_free(&none);
     none = expect_exit(place, 0, "report", "d", "--no-cost");
     expect_part(none.out, "No material is given, so area and separation");
@@ -192,14 +189,11 @@ static void test_plan(void **state)
     expect_part(process.out, "\n1 surface, 7 loads, tolerance 1e-06, closure thesis: about 0.25 s\n");
     process_free(&process);
     process = expect_exit(place, 0, "plan", "d", "--effects", "thermal", "--tolerance", "1e-3", "--material", "gold");
-    expect_part(process.out, "\nelectrical       skipped ");
-    expect_part(process.out, "\nthermal          run     ");
-    expect_part(process.out, "tolerance 0.001");
+    expect_parts(process.out, "\nelectrical       skipped ", "\nthermal          run     ", "tolerance 0.001");
     process_free(&process);
     workspace_write(place, "d/scene.yaml", "effects: auto\nmaterial: {E_Pa: 1e11, nu: 0.3}\n");
     process = expect_exit(place, 0, "plan", "d");
-    expect_part(process.out, "\nplasticity       skipped  ");
-    expect_part(process.out, "no Sy");
+    expect_parts(process.out, "\nplasticity       skipped  ", "no Sy");
     process_free(&process);
     workspace_write(place, "d/scene.yaml",
                     "material: tin\neffects: [electrical]\nload: {from: 1e-4, to: 1e-2, points: 7}\n");
@@ -212,7 +206,7 @@ static void test_plan(void **state)
     expect_failure(place, 3, 1, "d/scene.yaml:1: unknown key 'x'", "plan", "d");
 }
 
-static void test_inspect(void **state)
+TEST_IN_WORKSPACE(test_inspect)
 {
     const char *place = *state;
     workspace_scan(place, "a.csv", 300, 1);
@@ -241,20 +235,18 @@ static void test_inspect(void **state)
     process_free(&process);
 
     process = expect_exit(place, 1, "inspect", "--chart", "a.csv", "bad.csv", "b.csv");
-    expect_part(process.out, "a.csv\n");
-    expect_part(process.out, "b.csv\n");
+    expect_parts(process.out, "a.csv\n", "b.csv\n");
     assert_string_equal(process.err, "roughcontact: bad.csv: no line of numbers in it: not a scan\n");
     process_free(&process);
     expect_failure(place, 4, 2, "cannot open 'nowhere.csv'", "inspect", "nowhere.csv", "bad.csv");
     process = expect_exit(place, 1, "inspect", ".");
-    expect_part(process.out, "./a.csv\n");
-    expect_part(process.out, "./b.csv\n");
+    expect_parts(process.out, "./a.csv\n", "./b.csv\n");
     expect_part(process.err, "bad.csv: no line of numbers in it: not a scan\n");
     process_free(&process);
     assert_int_equal(unsetenv("COLUMNS"), 0);
 }
 
-static void test_inspect_json(void **state)
+TEST_IN_WORKSPACE(test_inspect_json)
 {
     static const char *const numbers[] = {"points", "spacing_m", "length_m",  "missing",  "rq_m", "ra_m",
                                           "pv_m",   "m2",        "m4_per_m2", "alpha_SI", "gamma"};
@@ -298,7 +290,7 @@ static void test_inspect_json(void **state)
     process_free(&process);
 }
 
-static void test_synth(void **state)
+TEST_IN_WORKSPACE(test_synth)
 {
     const char *place = *state;
     struct process process = expect_exit(place, 0, "synth", "--alpha", "0.1", "--gamma", "1.4", "--length", "0.5mm",
@@ -319,8 +311,7 @@ static void test_synth(void **state)
     assert_near(json_number_value(json_object_get(found, "alpha_SI")), 0.1, 1e-3);
     json_decref(json);
     process_free(&process);
-    process = expect_exit(place, 0, "synth", "--rq", "5um", "--points", "500", "-o", "b.csv");
-    process_free(&process);
+    run_to_exit(place, 0, "synth", "--rq", "5um", "--points", "500", "-o", "b.csv");
     process = expect_exit(place, 0, "inspect", "--json", "b.csv");
     json = json_loads(process.out, 0, NULL);
     assert_near(json_number_value(json_object_get(json_array_get(json, 0), "rq_m")), 5e-6, 1e-5);
@@ -328,7 +319,7 @@ static void test_synth(void **state)
     process_free(&process);
 }
 
-static void test_synth_refuses(void **state)
+TEST_IN_WORKSPACE(test_synth_refuses)
 {
     static const struct {
         const char *option, *value, *message;
@@ -353,15 +344,4 @@ static void test_synth_refuses(void **state)
         expect_failure(place, 2, wrong[i].lines, wrong[i].message, "synth", wrong[i].option, wrong[i].value);
     expect_failure(place, 2, 3, "no argument is taken, but there is 'file.csv'", "synth", "file.csv");
     expect_failure(place, 4, 1, "cannot write 'nowhere/a.csv': No such file", "synth", "-o", "nowhere/a.csv");
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        workspace_test(test_help),          workspace_test(test_version),      workspace_test(test_usage),
-        workspace_test(test_tables),        workspace_test(test_plan),         workspace_test(test_brief),
-        workspace_test(test_inspect),       workspace_test(test_inspect_json), workspace_test(test_synth),
-        workspace_test(test_synth_refuses),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -19,8 +19,7 @@ static void expect_same(const char *place, const char *reference, const char *re
 
 static void run(const char *place, const char *output, const char *extra)
 {
-    struct process process = expect_exit(place, 0, "report", "d", "--no-cost", "-o", output, extra);
-    process_free(&process);
+    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", output, extra);
 }
 
 static void write_scans(const char *place)
@@ -31,7 +30,7 @@ static void write_scans(const char *place)
     workspace_scan(place, "d/d.csv", 600, 4);
 }
 
-static void test_same_bytes(void **state)
+TEST_IN_WORKSPACE(test_same_bytes)
 {
     const char *place = *state;
     write_scans(place);
@@ -94,7 +93,7 @@ static void expect_hash(const char *place, const char *path, const char *file)
 }
 
 /* One scan so large that what is made of it is shared out among threads; of some models and of all. */
-static void test_one_large_scan(void **state)
+TEST_IN_WORKSPACE(test_one_large_scan)
 {
     const char *place = *state;
     static const char *const scenes[] = {"material: tin\nmodels: [multiscale, contacting-slopes]\n", "material: tin\n"};
@@ -113,7 +112,7 @@ static void test_one_large_scan(void **state)
     }
 }
 
-static void test_other_directories(void **state)
+TEST_IN_WORKSPACE(test_other_directories)
 {
     const char *place = *state;
     write_scans(place);
@@ -132,27 +131,14 @@ static void test_other_directories(void **state)
     assert_true(asprintf(&absolute, "%s/d", place) > 0);
     assert_true(asprintf(&elsewhere, "%s/elsewhere", place) > 0);
     workspace_folder(place, "e/f");
-    process = expect_exit(below, 0, "report", "--no-cost", "../../d");
-    process_free(&process);
+    run_to_exit(below, 0, "report", "--no-cost", "../../d");
     expect_same(place, reference, "e/f/out/d");
-    process = expect_exit("/", 0, "report", "--no-cost", absolute, "-o", elsewhere);
-    process_free(&process);
+    run_to_exit("/", 0, "report", "--no-cost", absolute, "-o", elsewhere);
     expect_same(place, reference, "elsewhere");
-    process = expect_exit(absolute, 0, "report", "--no-cost", ".", "-o", elsewhere);
-    process_free(&process);
+    run_to_exit(absolute, 0, "report", "--no-cost", ".", "-o", elsewhere);
     expect_same(place, reference, "elsewhere");
     free(elsewhere);
     free(below);
     free(absolute);
     free(reference);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        workspace_test(test_same_bytes),
-        workspace_test(test_one_large_scan),
-        workspace_test(test_other_directories),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

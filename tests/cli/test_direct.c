@@ -28,8 +28,7 @@ static void write_profile(const char *place, const char *scene)
 /** Runs `report --no-cost` into OUT and checks that the work was as planned. */
 static void report(const char *place, const char *out, const char *jobs)
 {
-    struct process run = expect_exit(place, 0, "report", "d", "-o", out, "--no-cost", "-j", jobs);
-    process_free(&run);
+    run_to_exit(place, 0, "report", "d", "-o", out, "--no-cost", "-j", jobs);
 }
 
 static struct table data(const char *place, const char *path)
@@ -63,13 +62,13 @@ static double gradient_of(const json_t *direct)
     return sqrt(2 * m2);
 }
 
-static void test_files(void **state)
+TEST_IN_WORKSPACE(test_files)
 {
     const char *place = *state;
     write_profile(place, EFFECTS SMALL);
     report(place, "out", "2");
-    char *csv = workspace_read(place, "out/data/direct.csv"),
-         *ratios = workspace_read(place, "out/data/direct_ratio.csv");
+    char *csv = workspace_read(place, "out/data/direct.csv");
+    char *ratios = workspace_read(place, "out/data/direct_ratio.csv");
     csv[strcspn(csv, "\n")] = ratios[strcspn(ratios, "\n")] = '\0';
     assert_string_equal(csv,
                         "surface,source,load_over_AnEp,area_ratio,area_stderr,gap_m,gap_stderr,ecr_ohm_m2,ecr_stderr,"
@@ -84,16 +83,14 @@ static void test_files(void **state)
         assert_true(workspace_has(place, path));
     }
     assert_true(workspace_has(place, "out/figures/direct-patches.png"));
-    char *html = workspace_read(place, "out/report.html"), *page = workspace_read(place, "out/report.md");
-    expect_part(html, "src=\"data:image/png;base64,iVBORw0KGgo"); /* a PNG's first bytes */
-    expect_part(page, "## Against a direct solution");
-    expect_part(page, "Of the elastic models the nearest for area is **");
-    free(html);
+    char *page = workspace_read(place, "out/report.md");
+    expect_in_file(place, "out/report.html", "src=\"data:image/png;base64,iVBORw0KGgo"); /* a PNG's first bytes */
+    expect_parts(page, "## Against a direct solution", "Of the elastic models the nearest for area is **");
     free(page);
 }
 
 /* What the numbers are: area as literature has it, resistance as the gap's slope says, the cap's area. */
-static void test_numbers(void **state)
+TEST_IN_WORKSPACE(test_numbers)
 {
     const char *place = *state;
     write_profile(place,
@@ -135,7 +132,7 @@ static void test_numbers(void **state)
     table_free(&r);
 }
 
-static void test_same_bytes(void **state)
+TEST_IN_WORKSPACE(test_same_bytes)
 {
     const char *place = *state;
     write_profile(place, EFFECTS SMALL);
@@ -147,7 +144,7 @@ static void test_same_bytes(void **state)
     free(two);
 }
 
-static void test_off(void **state)
+TEST_IN_WORKSPACE(test_off)
 {
     const char *place = *state;
     static const char *const scenes[] = {EFFECTS, EFFECTS "direct: off\n", "effects: auto\n"};
@@ -156,10 +153,9 @@ static void test_off(void **state)
         report(place, "out", "1");
         assert_int_equal(workspace_count(place, "direct"), 0);
         assert_int_equal(workspace_count(place, "patches"), 0);
-        char *page = workspace_read(place, "out/report.md");
-        expect_no_part(page, "## Against a direct solution");
-        expect_part(page, "| direct | skipped | not called for; it would say how far each model is off: ");
-        free(page);
+        expect_not_in_file(place, "out/report.md", "## Against a direct solution");
+        expect_in_file(place, "out/report.md",
+                       "| direct | skipped | not called for; it would say how far each model is off: ");
         json_t *all = results(place);
         assert_null(json_object_get(all, "direct"));
         json_decref(all);
@@ -171,7 +167,7 @@ static void test_off(void **state)
 }
 
 /* What the command line says stands over the scene. */
-static void test_called_for(void **state)
+TEST_IN_WORKSPACE(test_called_for)
 {
     const char *place = *state;
     write_profile(place, "effects: [separation]\ndirect: {grid: 32, seeds: 1, loads: [2e-2]}\n");
@@ -216,7 +212,7 @@ static double number_before(const char *line, const char *unit)
 }
 
 /* A budget is kept by counts alone: the same twice, more solved for more, never above it where anything fits. */
-static void test_budget(void **state)
+TEST_IN_WORKSPACE(test_budget)
 {
     const char *place = *state;
     static const char *const budgets[] = {"0.2", "1 s", "3", "10 s", "100"};
@@ -243,7 +239,7 @@ static void test_budget(void **state)
 }
 
 /* A map is its own surface: one solution, no law, no other heights. */
-static void test_map(void **state)
+TEST_IN_WORKSPACE(test_map)
 {
     const char *place = *state;
     char text[20000];
@@ -278,9 +274,9 @@ static void test_map(void **state)
     assert_true(differs > 0);
     table_free(&t);
     char *page = workspace_read(place, "out/report.md");
-    expect_part(page, "the map itself: the first square of 20 points a side");
-    expect_part(page, "the direct solution is true at this resolution");
-    expect_part(page, "± is the difference that every second point of the map alone would make.");
+    expect_parts(page, "the map itself: the first square of 20 points a side",
+                 "the direct solution is true at this resolution",
+                 "± is the difference that every second point of the map alone would make.");
     char *ratio = workspace_read(place, "out/figures/direct-ratio-area.csv"); /* the band has rows: low < 1 < high */
     double load, low, high;
     assert_int_equal(sscanf(strchr(ratio, '\n') + 1, "%lf,%lf,%lf", &load, &low, &high), 3);
@@ -290,7 +286,7 @@ static void test_map(void **state)
 }
 
 /* Four spacings for want of a lambda_s: the plan and the report say that the solution is true at this resolution. */
-static void test_resolution(void **state)
+TEST_IN_WORKSPACE(test_resolution)
 {
     const char *place = *state;
     workspace_scan(place, "d/a.csv", 64, 3);
@@ -300,8 +296,8 @@ static void test_resolution(void **state)
     process_free(&plan);
     report(place, "out", "2");
     char *page = workspace_read(place, "out/report.md");
-    expect_part(page, ", four spacings of the scan (twice its Nyquist wavelength), as neither the scene nor a band");
-    expect_part(page, "Below λs there is nothing: the direct solution is true at this resolution");
+    expect_parts(page, ", four spacings of the scan (twice its Nyquist wavelength), as neither the scene nor a band",
+                 "Below λs there is nothing: the direct solution is true at this resolution");
     json_t *all = results(place);
     double gamma = json_number_value(json_object_get(json_array_get(json_object_get(all, "direct"), 0), "gamma"));
     assert_true(gamma < 1.5);
@@ -312,14 +308,12 @@ static void test_resolution(void **state)
     write_scene(place, EFFECTS "direct: {grid: 128, seeds: 2, loads: [2e-3, 1e-2]}\nlambda_s_m: 6e-6\n");
     report(place, "out", "2");
     page = workspace_read(place, "out/report.md");
-    expect_no_part(page, "four spacings of the scan");
-    expect_no_part(page, "slopes grow as λs falls");
-    expect_no_part(page, "a single surface was solved");
+    expect_no_parts(page, "four spacings of the scan", "slopes grow as λs falls", "a single surface was solved");
     free(page);
 }
 
 /* Two surfaces beside six: an error no less than the scatter of the six says; of the capped area none is borrowed. */
-static void test_few_surfaces(void **state)
+TEST_IN_WORKSPACE(test_few_surfaces)
 {
     const char *place = *state;
     write_profile(place, EFFECTS "direct: {grid: 64, seeds: 5, loads: [1e-3, 2e-3, 4e-3], hardness: 400 MPa}\n");
@@ -352,26 +346,23 @@ static void test_few_surfaces(void **state)
 }
 
 /* A model has its own colour and marker where its error stands over its time, as it has in every other chart. */
-static void test_cost_colours(void **state)
+TEST_IN_WORKSPACE(test_cost_colours)
 {
     const char *place = *state;
     write_profile(place, EFFECTS SMALL);
-    struct process run = expect_exit(place, 0, "report", "d", "-o", "out", "-j", "2");
-    process_free(&run);
+    run_to_exit(place, 0, "report", "d", "-o", "out", "-j", "2");
     char *script = workspace_read(place, "out/figures/cost-direct-area.gp");
     const char *styles = strstr(script, "# curves: me ");
     assert_non_null(styles);
     *strchr(styles, '\n') = '\0';
-    expect_part(styles, " mp ");
-    expect_part(styles, " gw ");
-    expect_part(styles, " dirl");
+    expect_parts(styles, " mp ", " gw ", " dirl");
     expect_no_part(styles, " c1");
     free(script);
 }
 
 /* An error against the direct solution is the largest, over as many loads as have one, both as in direct_ratio.csv; an
  * elastic-plastic area that is P/H in both says so, and what was not run does. */
-static void test_cost_errors(void **state)
+TEST_IN_WORKSPACE(test_cost_errors)
 {
     const char *place = *state;
     write_profile(place, EFFECTS "direct: {grid: 64, seeds: 3, loads: [1e-4, 3e-4, 1e-3, 1e-2]}\n");
@@ -406,15 +397,13 @@ static void test_cost_errors(void **state)
     table_free(&cost);
     table_free(&ratios);
     char *page = workspace_read(place, "out/report.md");
-    expect_part(page, " | 64^2 x 1 | ");
-    expect_part(page, " | not run: scaled from all 3 |\n");
-    expect_part(page, " | 0 | A/Aₙ = P/H in both |\n");
+    expect_parts(page, " | 64^2 x 1 | ", " | not run: scaled from all 3 |\n", " | 0 | A/Aₙ = P/H in both |\n");
     free(page);
 }
 
 /* A map with a plateau: beside every model that takes heights as Gaussian stands a mark, and in the captions; none
  * where the models are held against Gaussian surfaces. */
-static void test_marks(void **state)
+TEST_IN_WORKSPACE(test_marks)
 {
     const char *place = *state;
     enum { SIDE = 48 };
@@ -433,16 +422,15 @@ static void test_marks(void **state)
                     "material: tin\neffects: [separation, electrical, direct]\nload: {from: 1e-4, to: 1, points: 41}\n"
                     "surfaces: [{name: m, file: map.grd, x_unit: m, z_unit: m}]\ndirect: {loads: 5}\n");
     report(place, "out", "2");
-    char *page = workspace_read(place, "out/report.md"), *section = strstr(page, "\n## Against a direct solution");
+    char *page = workspace_read(place, "out/report.md");
+    char *section = strstr(page, "\n## Against a direct solution");
     assert_non_null(section);
     strstr(section, "\n## Where the models may")[0] = '\0';
-    expect_part(section, "| multiscale elastic\u00a0‡ over it |");
-    expect_part(section, "| two-band elastic\u00a0‡ over it |");
-    expect_part(section, "- **two-band elastic**\u00a0‡: ");
-    expect_part(section, "| contacting slopes over it |");
-    expect_part(section, "\n‡ heights not Gaussian, as the model takes them");
-    expect_part(section, " Heights not Gaussian: surface m (‡).](figures/direct-area.svg)");
-    expect_part(section, " Heights not Gaussian: surface m (‡).](figures/direct-ratio-area.svg)");
+    expect_parts(section, "| multiscale elastic\u00a0‡ over it |", "| two-band elastic\u00a0‡ over it |",
+                 "- **two-band elastic**\u00a0‡: ", "| contacting slopes over it |",
+                 "\n‡ heights not Gaussian, as the model takes them",
+                 " Heights not Gaussian: surface m (‡).](figures/direct-area.svg)",
+                 " Heights not Gaussian: surface m (‡).](figures/direct-ratio-area.svg)");
     expect_no_part(section, "‡).](figures/direct-patches.png)");
     expect_part(page, " What the direct solution says of it is below.\n");
     free(page);
@@ -479,7 +467,7 @@ static void test_marks(void **state)
     free(page);
 }
 
-static void test_impossible(void **state)
+TEST_IN_WORKSPACE(test_impossible)
 {
     const char *place = *state;
     write_profile(place, EFFECTS "load: {values: [1e-9]}\ndirect: {grid: 64, seeds: 1}\n");
@@ -490,7 +478,7 @@ static void test_impossible(void **state)
     free(page);
 }
 
-static void test_key(void **state)
+TEST_IN_WORKSPACE(test_key)
 {
     const char *place = *state;
     static const struct {
@@ -514,7 +502,7 @@ static void test_key(void **state)
 }
 
 /* Ctrl-C in the midst of it: OUT is as it was. */
-static void test_stopped(void **state)
+TEST_IN_WORKSPACE(test_stopped)
 {
     const char *place = *state;
     write_profile(place, EFFECTS "direct: {grid: 1024, seeds: 100}\n");
@@ -526,16 +514,4 @@ static void test_stopped(void **state)
     expect_part(run.err, "stopped by a signal; 'out' is as it was before");
     assert_false(workspace_has(place, "out"));
     process_free(&run);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        workspace_test(test_files),        workspace_test(test_marks),       workspace_test(test_numbers),
-        workspace_test(test_same_bytes),   workspace_test(test_off),         workspace_test(test_budget),
-        workspace_test(test_called_for),   workspace_test(test_map),         workspace_test(test_key),
-        workspace_test(test_impossible),   workspace_test(test_resolution),  workspace_test(test_few_surfaces),
-        workspace_test(test_cost_colours), workspace_test(test_cost_errors), workspace_test(test_stopped),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

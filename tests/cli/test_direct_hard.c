@@ -136,7 +136,7 @@ static void expect_nulls(const char *place)
 }
 
 /* Fewer than 100 points in contact: no number in tables, ratios, charts, JSON or text, and no picture. */
-static void test_below_resolution(void **state)
+TEST_IN_WORKSPACE(test_below_resolution)
 {
     const char *place = *state;
     write_surface(place, "d/a.csv", rough);
@@ -158,16 +158,14 @@ static void test_below_resolution(void **state)
     assert_int_equal(points_drawn(place), 0);
     expect_nulls(place);
     char *page = workspace_read(place, "out/report.md");
-    expect_part(page, "fewer than 100 points of this grid touch: no number.");
-    expect_part(page, "| **direct, elastic** | – | – | – | | |");
-    expect_no_part(page, "the direct solution has");
-    expect_no_part(page, "the first surface touches");
-    expect_no_part(page, "Of the elastic models the nearest");
+    expect_parts(page, "fewer than 100 points of this grid touch: no number.",
+                 "| **direct, elastic** | – | – | – | | |");
+    expect_no_parts(page, "the direct solution has", "the first surface touches", "Of the elastic models the nearest");
     free(page);
 }
 
 /* Where some loads are resolved, those have numbers and one of them the picture. */
-static void test_partly_below_resolution(void **state)
+TEST_IN_WORKSPACE(test_partly_below_resolution)
 {
     const char *place = *state;
     write_surface(place, "d/a.csv", rough);
@@ -192,7 +190,7 @@ static void test_partly_below_resolution(void **state)
 }
 
 /* From the load on that is the hardness there is no capped solution; with all loads beyond, none at all. */
-static void test_loads_at_the_hardness(void **state)
+TEST_IN_WORKSPACE(test_loads_at_the_hardness)
 {
     const char *place = *state;
     const double modulus = 41.4e9 / (1 - 0.36 * 0.36);
@@ -224,7 +222,7 @@ static void test_loads_at_the_hardness(void **state)
 }
 
 /* Complete contact: all of the area, no gap, no resistance, and no ratio to nothing. */
-static void test_complete_contact(void **state)
+TEST_IN_WORKSPACE(test_complete_contact)
 {
     const char *place = *state;
     write_surface(place, "d/a.csv", rough);
@@ -245,7 +243,7 @@ static void test_complete_contact(void **state)
 
 /* Exponents at both ends, a spike, and the coarsest grid: numbers where enough points touch, and only numbers. A flat
  * surface is refused and leaves no row. */
-static void test_strange_surfaces(void **state)
+TEST_IN_WORKSPACE(test_strange_surfaces)
 {
     const char *place = *state;
     write_surface(place, "d/rough.csv", rough_law);
@@ -276,7 +274,7 @@ static void test_strange_surfaces(void **state)
 }
 
 /* A map below its resolution, as a profile: no number, no picture. */
-static void test_map_below_resolution(void **state)
+TEST_IN_WORKSPACE(test_map_below_resolution)
 {
     const char *place = *state;
     enum { N = 32 };
@@ -288,8 +286,7 @@ static void test_map_below_resolution(void **state)
     workspace_write(place, "d/m.grd", text);
     workspace_write(place, "d/scene.yaml",
                     SCENE "surfaces: [{name: m, file: m.grd, x_unit: m, z_unit: m}]\ndirect: {loads: [1e-9, 0.05]}\n");
-    struct process run = expect_exit(place, 0, "report", "d", "-o", "out", "--no-cost");
-    process_free(&run);
+    run_to_exit(place, 0, "report", "d", "-o", "out", "--no-cost");
     assert_true(workspace_expect_numbers(place, "out") > 20);
     struct table t = data(place, "data/direct.csv");
     size_t with = 0;
@@ -303,14 +300,4 @@ static void test_map_below_resolution(void **state)
     }
     assert_true(with >= 1 && with < t.rows);
     table_free(&t);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        workspace_test(test_below_resolution),      workspace_test(test_partly_below_resolution),
-        workspace_test(test_loads_at_the_hardness), workspace_test(test_complete_contact),
-        workspace_test(test_strange_surfaces),      workspace_test(test_map_below_resolution),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

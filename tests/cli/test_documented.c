@@ -128,7 +128,7 @@ static size_t check_sections(const char *document, const char *place)
     return sections;
 }
 
-static void report_is_described(void **state)
+TEST_IN_WORKSPACE(report_is_described)
 {
     const char *place = *state;
     static const char *const tables[] = {"surfaces.csv",     "spectrum.csv",    "contact.csv", "convergence.csv",
@@ -151,8 +151,7 @@ static void report_is_described(void **state)
         "targets: [{ecr: 1 mohm}]\nlimits: {ecr: {most: 1 mohm}}\n"
         "surfaces:\n  - {name: one, file: [a.csv, b.csv]}\n  - {name: two, file: c.csv}\n"
         "  - {name: three, file: broken.csv}\n");
-    struct process process = expect_exit(place, 1, "report", "in", "-o", "out");
-    process_free(&process);
+    run_to_exit(place, 1, "report", "in", "-o", "out");
     size_t columns = 0;
     for (size_t i = 0; i < sizeof tables / sizeof *tables; i++)
         columns += check_columns(document, place, tables[i]);
@@ -165,8 +164,7 @@ static void report_is_described(void **state)
     free(text);
     size_t sections = check_sections(document, place);
     workspace_write(place, "in/scene.yaml", "surfaces: [{name: two, file: c.csv}]\n"); /* a smooth counterface */
-    process = expect_exit(place, 0, "report", "in", "-o", "out");
-    process_free(&process);
+    run_to_exit(place, 0, "report", "in", "-o", "out");
     char *report = workspace_read(place, "out/report.md");
     assert_non_null(strstr(report, "\n## What the answers hang on: cut-off, scan length, hardness\n"));
     free(report);
@@ -176,13 +174,11 @@ static void report_is_described(void **state)
 }
 
 /** What docs/tutorial.md quotes, a line behind "> ", stands in the report that it speaks of. */
-static void tutorial_quotes_the_report(void **state)
+TEST_IN_WORKSPACE(tutorial_quotes_the_report)
 {
     const char *place = *state;
     char *document = workspace_read(PROJECT_SOURCE, "docs/tutorial.md");
-    struct process process =
-        expect_exit(place, 0, "report", PROJECT_SOURCE "/surfaces/connector", "-o", "out", "--no-cost", "--check");
-    process_free(&process);
+    run_to_exit(place, 0, "report", PROJECT_SOURCE "/surfaces/connector", "-o", "out", "--no-cost", "--check");
     char *report = workspace_read(place, "out/report.md");
     size_t quotes = 0;
     for (char *at = strtok(document, "\n"); at; at = strtok(NULL, "\n")) {
@@ -195,10 +191,4 @@ static void tutorial_quotes_the_report(void **state)
     assert_true(quotes >= 5);
     free(document);
     free(report);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {workspace_test(report_is_described), workspace_test(tutorial_quotes_the_report)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -205,7 +205,7 @@ static void assert_process(struct process process, const char *what)
     process_free(&process);
 }
 
-static void test_report(void **state)
+TEST_IN_WORKSPACE(test_report)
 {
     const char *place = *state;
     write_scans(place);
@@ -217,7 +217,8 @@ static void test_report(void **state)
     assert_true(assert_files(place, "out/d") > 5);
 
     /* every name once in the tables, as written above, and the same in results.json */
-    char *csv = workspace_read(place, "out/d/data/surfaces.csv"), *text = workspace_read(place, "out/d/results.json");
+    char *csv = workspace_read(place, "out/d/data/surfaces.csv");
+    char *text = workspace_read(place, "out/d/results.json");
     json_t *json = json_loads(text, 0, NULL), *surfaces = json_object_get(json, "surfaces");
     assert_int_equal(json_array_size(surfaces), NAMES);
     size_t found[NAMES] = {0}, in_json[NAMES] = {0}, rows = 0;
@@ -247,12 +248,11 @@ static void test_report(void **state)
     free(csv);
 
     char *html = workspace_read(place, "out/d/report.html");
-    expect_part(html, "red\\x1b[31m");
-    expect_part(html, "gnp.\\u202efdp");
+    expect_parts(html, "red\\x1b[31m", "gnp.\\u202efdp");
     free(html);
 }
 
-static void test_commands(void **state)
+TEST_IN_WORKSPACE(test_commands)
 {
     const char *place = *state;
     write_scans(place);
@@ -282,7 +282,7 @@ static void test_commands(void **state)
 }
 
 /* Of two surfaces every legend names both; gnuplot writes what it is given. */
-static void test_legends(void **state)
+TEST_IN_WORKSPACE(test_legends)
 {
     const char *place = *state;
     workspace_scan(place, "d/]]>.csv", 100, 1);
@@ -290,13 +290,12 @@ static void test_legends(void **state)
     assert_process(expect_exit(place, 0, "report", "d", "--no-cost", "-m", "tin", "-e", "plasticity"), "report");
     assert_true(assert_files(place, "out/d") > 5);
     char *svg = workspace_read(place, "out/d/figures/power-law.svg");
-    expect_part(svg, "]]\u203A");
-    expect_part(svg, "\\x1b\\u202e&amp;&lt;");
+    expect_parts(svg, "]]\u203A", "\\x1b\\u202e&amp;&lt;");
     free(svg);
 }
 
 /* A surface whose material says too little is named where an effect is left out. */
-static void test_reasons(void **state)
+TEST_IN_WORKSPACE(test_reasons)
 {
     const char *place = *state;
     workspace_scan(place, "d/a.csv", 100, 1);
@@ -311,16 +310,8 @@ static void test_reasons(void **state)
     assert_process(process, "plan");
     assert_process(expect_exit(place, 0, "report", "d", "--no-cost"), "report");
     (void)assert_files(place, "out/d");
-    char *markdown = workspace_read(place, "out/d/report.md"), *json = workspace_read(place, "out/d/results.json");
-    expect_part(markdown, "of surface 'lack\\|&#60;b&#62;\\\\u202e' has no");
+    char *json = workspace_read(place, "out/d/results.json");
+    expect_in_file(place, "out/d/report.md", "of surface 'lack\\|&#60;b&#62;\\\\u202e' has no");
     expect_part(json, "of surface 'lack|<b>\\\\u202e' has no");
-    free(markdown);
     free(json);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {workspace_test(test_report), workspace_test(test_commands),
-                                       workspace_test(test_legends), workspace_test(test_reasons)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -180,7 +180,7 @@ static void check_report(const char *place, const char *report)
     }
 }
 
-static void test_file_names(void **state)
+TEST_IN_WORKSPACE(test_file_names)
 {
     const char *place = *state;
     write_hostile_scene(place, NULL);
@@ -193,19 +193,10 @@ static void test_file_names(void **state)
     assert_false(workspace_has(place, "d/PWNED"));
     assert_int_equal(workspace_count(place, "PWNED"), 0);
 
-    char *html = workspace_read(place, "out/d/report.html"), *csv = workspace_read(place, "out/d/data/surfaces.csv");
-    expect_part(html, "&lt;script&gt;alert(1)&lt;!--");
-    expect_part(html, "new\\x0aline");
-    expect_part(html, "no \\xff\\xfe UTF-8 \\xc3");
-    expect_part(html, "grün µ€ 粗さ");
-    expect_part(html, "{{body}} {{title}}");
-    expect_part(html, "&amp;amp;&amp;lt;b&amp;gt;");
-    expect_part(csv, "\n\"double\"\"quote\",\"double\"\"quote.csv\",100,");
-    expect_part(csv, "\nnew\\x0aline,new\\x0aline.csv,100,");
-    expect_part(csv, "\n\"'=cmd,x;y\\x09tab\",");
-    expect_part(csv, "\na|b,a|b.csv,100,");
-    free(html);
-    free(csv);
+    expect_in_file(place, "out/d/report.html", "&lt;script&gt;alert(1)&lt;!--", "new\\x0aline",
+                   "no \\xff\\xfe UTF-8 \\xc3", "grün µ€ 粗さ", "{{body}} {{title}}", "&amp;amp;&amp;lt;b&amp;gt;");
+    expect_in_file(place, "out/d/data/surfaces.csv", "\n\"double\"\"quote\",\"double\"\"quote.csv\",100,",
+                   "\nnew\\x0aline,new\\x0aline.csv,100,", "\n\"'=cmd,x;y\\x09tab\",", "\na|b,a|b.csv,100,");
 
     json_error_t error;
     char *text = workspace_read(place, "out/d/results.json");
@@ -216,27 +207,25 @@ static void test_file_names(void **state)
     free(text);
 }
 
-static void test_drawings(void **state)
+TEST_IN_WORKSPACE(test_drawings)
 {
     const char *place = *state;
     write_hostile_scene(place, "baseline: \"</title></svg><:table>\"\n");
     expect_failure(place, 3, 1, "'baseline' is '</title></svg><:table>', no surface's name", "report", "d");
     workspace_write(place, "d/scene.yaml", "material: tin\nbaseline: \"a|b\"\neffects: [plasticity]\n");
-    struct process process = expect_exit(place, 0, "report", "d");
-    process_free(&process);
+    run_to_exit(place, 0, "report", "d");
     static const char *const figures[] = {"6-05", "6-10", "6-11", "power-law"};
     for (size_t i = 0; i < sizeof figures / sizeof *figures; i++) {
         char path[64];
         snprintf(path, sizeof path, "out/d/figures/%s.svg", figures[i]);
         char *svg = workspace_read(place, path);
         assert_clean_text(svg, path);
-        expect_no_part(svg, "<script");
-        expect_no_part(svg, "</title></svg><");
+        expect_no_parts(svg, "<script", "</title></svg><");
         free(svg);
     }
 }
 
-static void test_title_and_names_of_the_scene(void **state)
+TEST_IN_WORKSPACE(test_title_and_names_of_the_scene)
 {
     const char *place = *state;
     workspace_scan(place, "d/a.csv", 100, 1);
@@ -248,12 +237,10 @@ static void test_title_and_names_of_the_scene(void **state)
         "surfaces:\n"
         "  - {name: \"<img src=x onerror=alert(1)> | ' \\\" \\\\\", file: a.csv}\n"
         "  - {name: \"{{title}} %n `x` $(id)\", file: a.csv}\n");
-    struct process process = expect_exit(place, 0, "report", "d", "--show");
-    process_free(&process);
+    run_to_exit(place, 0, "report", "d", "--show");
     char *html = workspace_read(place, "out/d/report.html");
     scan_tags(html);
-    expect_part(html, "<title>&lt;/title&gt;&lt;script&gt;alert('t')");
-    expect_part(html, "&lt;img src=x onerror=alert(1)&gt;");
+    expect_parts(html, "<title>&lt;/title&gt;&lt;script&gt;alert('t')", "&lt;img src=x onerror=alert(1)&gt;");
     expect_no_part(html, "href=\"javascript");
     free(html);
     assert_int_equal(workspace_count(place, "PWNED"), 0);
@@ -265,7 +252,7 @@ static void test_title_and_names_of_the_scene(void **state)
 }
 
 /** Refusals quote hostile names and contents; the terminal gets none of their control characters. */
-static void test_refusals(void **state)
+TEST_IN_WORKSPACE(test_refusals)
 {
     const char *place = *state;
     workspace_scan(place, "d/good.csv", 100, 1);
@@ -274,7 +261,8 @@ static void test_refusals(void **state)
     assert_clean_text(process.err, "stderr");
     expect_part(process.err, "surface 'bad \\x1b[31m\\x0a<b>|\\xff' refused: ");
     process_free(&process);
-    char *html = workspace_read(place, "out/d/report.html"), *markdown = workspace_read(place, "out/d/report.md");
+    char *html = workspace_read(place, "out/d/report.html");
+    char *markdown = workspace_read(place, "out/d/report.md");
     scan_tags(html);
     assert_clean_text(html, "report.html");
     assert_clean_text(markdown, "report.md");
@@ -290,15 +278,4 @@ static void test_refusals(void **state)
     assert_non_null(json);
     json_decref(json);
     process_free(&process);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        workspace_test(test_file_names),
-        workspace_test(test_drawings),
-        workspace_test(test_title_and_names_of_the_scene),
-        workspace_test(test_refusals),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

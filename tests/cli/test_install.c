@@ -34,7 +34,7 @@ static void run_installed(const char *place, const char *program, const char *ou
     process_free(&process);
 }
 
-static void test_install(void **state)
+TEST_IN_WORKSPACE(test_install)
 {
     const char *place = *state;
     char *prefix = install(place, "first"), *moved, *program, *links;
@@ -99,8 +99,7 @@ static void test_install(void **state)
 /** The numbers of the examples' table are the program's. */
 static void expect_table(const char *place, const char *printed)
 {
-    struct process process = expect_exit(place, 0, "report", "d", "-o", "out", "--no-cost", "--brief");
-    process_free(&process);
+    run_to_exit(place, 0, "report", "d", "-o", "out", "--no-cost", "--brief");
     char path[512], line[128];
     snprintf(path, sizeof path, "%s/out/data/contact.csv", place);
     struct table table = table_read_path(path);
@@ -116,7 +115,7 @@ static void expect_table(const char *place, const char *printed)
 }
 
 /** Both examples, built through pkg-config and run in an installed tree that was moved. */
-static void test_examples(void **state)
+TEST_IN_WORKSPACE(test_examples)
 {
     const char *place = *state;
     char *prefix = install(place, "first"), *moved, *text;
@@ -144,8 +143,7 @@ static void test_examples(void **state)
     char *of_c = workspace_shell(place, "./contact d/a.csv");
     expect_table(place, of_c);
     text = workspace_shell(place, "! ./contact bare.csv 2>&1");
-    expect_part(text, "bare.csv: ");
-    expect_part(text, "unit");
+    expect_parts(text, "bare.csv: ", "unit");
     free(text);
     if (*SANITIZE_OPTIONS || !workspace_can_run(place, "python3 -c 'import ctypes'")) {
         print_message("no Python here that could load the library\n");
@@ -178,7 +176,7 @@ static struct process uninstall(const char *place)
 }
 
 /** What an installation put goes, and the folders it made; what was there before, or came later, stays. */
-static void test_uninstall(void **state)
+TEST_IN_WORKSPACE(test_uninstall)
 {
     const char *place = *state;
     workspace_folder(place, "new");
@@ -210,11 +208,4 @@ static void test_uninstall(void **state)
     free(again);
     free(left);
     free(digest);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {workspace_test(test_install), workspace_test(test_examples),
-                                       workspace_test(test_uninstall)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -48,7 +48,7 @@ static const char others[] = "passed over, no scan: 1 x JPEG picture (photo.jpg)
                              "passed over, no scan: 1 x text without a row of numbers (notes.txt)\n";
 
 /* Found in a directory they are passed over and told; named in a scene they are refused. */
-static void test_passed_over(void **state)
+TEST_IN_WORKSPACE(test_passed_over)
 {
     const char *place = *state;
     workspace_scan(place, "d/1.csv", 200, 1);
@@ -60,18 +60,12 @@ static void test_passed_over(void **state)
     process = expect_exit(place, 0, "report", "--no-cost", "d");
     expect_part(process.err, others);
     process_free(&process);
-    char *report = workspace_read(place, "out/d/report.md");
-    expect_part(report, "**Passed over.**");
-    expect_part(report, "2 x PNG picture (a.png, b.png)");
-    expect_no_part(report, "**Refused.**");
-    free(report);
-    char *json = workspace_read(place, "out/d/results.json");
-    expect_part(json, "passed over, no scans: 2 x PNG picture (a.png, b.png)");
-    free(json);
+    expect_in_file(place, "out/d/report.md", "**Passed over.**", "2 x PNG picture (a.png, b.png)");
+    expect_not_in_file(place, "out/d/report.md", "**Refused.**");
+    expect_in_file(place, "out/d/results.json", "passed over, no scans: 2 x PNG picture (a.png, b.png)");
     process = expect_exit(place, 0, "inspect", "d");
     expect_part(process.err, others);
-    expect_part(process.out, "d/1.csv\n  format ");
-    expect_part(process.out, "d/2.csv\n  format ");
+    expect_parts(process.out, "d/1.csv\n  format ", "d/2.csv\n  format ");
     process_free(&process);
 
     /* an instrument's file that is not read is no such thing */
@@ -92,7 +86,7 @@ static void test_passed_over(void **state)
 }
 
 /* What every scan of a surface says in the same words is said once. */
-static void test_counted_notes(void **state)
+TEST_IN_WORKSPACE(test_counted_notes)
 {
     const char *place = *state;
     struct text scene = {0};
@@ -123,7 +117,7 @@ static void test_counted_notes(void **state)
     process_free(&process);
 }
 
-static void test_packed(void **state)
+TEST_IN_WORKSPACE(test_packed)
 {
     const char *place = *state;
     workspace_scan(place, "1.csv", 200, 1);
@@ -140,9 +134,7 @@ static void test_packed(void **state)
     assert_int_equal(process.status, 0);
     process_free(&process);
     process = expect_exit(place, 0, "inspect", "three.zip");
-    expect_part(process.out, "three.zip(1.csv)\n");
-    expect_part(process.out, "three.zip(2.csv)\n");
-    expect_part(process.out, "three.zip(3.csv)\n");
+    expect_parts(process.out, "three.zip(1.csv)\n", "three.zip(2.csv)\n", "three.zip(3.csv)\n");
     process_free(&process);
     process = expect_exit(place, 0, "inspect", "1.csv.gz");
     expect_part(process.out, "points      200");
@@ -161,8 +153,7 @@ static void test_packed(void **state)
     second[100] ^= 1;
     write_bytes(place, "damaged.zip", bytes.data, bytes.length);
     process = expect_exit(place, 1, "inspect", "damaged.zip");
-    expect_part(process.out, "damaged.zip(1.csv)\n");
-    expect_part(process.out, "damaged.zip(3.csv)\n");
+    expect_parts(process.out, "damaged.zip(1.csv)\n", "damaged.zip(3.csv)\n");
     expect_part(process.err, "'2.csv' in the archive is damaged; copy the file again\n");
     process_free(&process);
     write_bytes(place, "dz/s.zip", bytes.data, bytes.length);
@@ -173,8 +164,7 @@ static void test_packed(void **state)
     workspace_scan(place, "df/1.csv", 200, 1);
     workspace_scan(place, "df/3.csv", 200, 3);
     workspace_write(place, "df/scene.yaml", "surfaces: [{name: s, file: [1.csv, 3.csv]}]\n");
-    process = expect_exit(place, 0, "report", "--no-cost", "df");
-    process_free(&process);
+    run_to_exit(place, 0, "report", "--no-cost", "df");
     expect_same_files(place, "out/dz/data/contact.csv", "out/df/data/contact.csv");
     text_free(&bytes);
     free(name);
@@ -182,10 +172,8 @@ static void test_packed(void **state)
     workspace_scan(place, "f/2.csv", 200, 2);
     workspace_scan(place, "f/3.csv", 200, 3);
     workspace_write(place, "f/scene.yaml", "surfaces: [{name: s, file: [1.csv, 2.csv, 3.csv]}]\n");
-    process = expect_exit(place, 0, "report", "--no-cost", "z");
-    process_free(&process);
-    process = expect_exit(place, 0, "report", "--no-cost", "f");
-    process_free(&process);
+    run_to_exit(place, 0, "report", "--no-cost", "z");
+    run_to_exit(place, 0, "report", "--no-cost", "f");
     expect_same_files(place, "out/z/data/contact.csv", "out/f/data/contact.csv");
 }
 
@@ -197,7 +185,7 @@ static struct process inspect_input(const char *place, const char *input, const 
         NULL));
 }
 
-static void test_standard_input(void **state)
+TEST_IN_WORKSPACE(test_standard_input)
 {
     const char *place = *state;
     workspace_write(place, "a.csv", ROUGH);
@@ -247,7 +235,7 @@ static bool is_running(const char *pid)
 }
 
 /* Where Gwyddion is installed it is asked for what nothing here reads; nothing it leaves stays. */
-static void test_gwyddion(void **state)
+TEST_IN_WORKSPACE(test_gwyddion)
 {
     const char *place = *state;
     char *temporary = NULL, *kept = getenv("TMPDIR") ? strdup(getenv("TMPDIR")) : NULL;
@@ -315,13 +303,4 @@ static void test_gwyddion(void **state)
         unsetenv("TMPDIR");
     free(kept);
     free(temporary);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        workspace_test(test_passed_over),    workspace_test(test_counted_notes), workspace_test(test_packed),
-        workspace_test(test_standard_input), workspace_test(test_gwyddion),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

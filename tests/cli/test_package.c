@@ -13,7 +13,7 @@ static bool is_there(const char *place, const char *program)
     return workspace_can_run(place, line);
 }
 
-static void test_package(void **state)
+TEST_IN_WORKSPACE(test_package)
 {
     static const char *const needed[] = {CPACK_PROGRAM, "dpkg-deb", "dpkg-shlibdeps", "file", "readelf", "strip"};
     const char *place = *state;
@@ -33,8 +33,7 @@ static void test_package(void **state)
 
     /* what each depends on, and holds */
     char *text = workspace_shell(place, "dpkg-deb -f packages/roughcontact_*.deb");
-    expect_part(text, "Package: roughcontact\n");
-    expect_part(text, "gnuplot-nox | gnuplot");
+    expect_parts(text, "Package: roughcontact\n", "gnuplot-nox | gnuplot");
     expect_part(text, "libmd4c0"); /* GSL and others are inside it */
     expect_no_part(text, "libgsl");
     free(text);
@@ -48,24 +47,18 @@ static void test_package(void **state)
     free(text);
     text = workspace_shell(place,
                            "for p in packages/*.deb; do dpkg-deb -x $p root; done; cd root && find usr -type f | sort");
-    expect_part(text, "usr/bin/roughcontact\n");
-    expect_part(text, "usr/include/roughcontact.h\n");
-    expect_part(text, "/pkgconfig/roughcontact.pc\n");
-    expect_part(text, "/libroughcontact.so.1.");
-    expect_part(text, "usr/share/doc/roughcontact/copyright\n");
-    expect_part(text, "usr/share/doc/roughcontact/changelog.gz\n");
-    expect_part(text, "usr/share/doc/libroughcontact1/changelog.gz\n");
-    expect_part(text, "usr/share/roughcontact/templates/page.html\n");
-    expect_part(text, "usr/share/roughcontact/selftest.csv\n");
-    expect_part(text, "usr/share/roughcontact/surfaces/chapter6/scene.yaml\n");
+    expect_parts(text, "usr/bin/roughcontact\n", "usr/include/roughcontact.h\n", "/pkgconfig/roughcontact.pc\n",
+                 "/libroughcontact.so.1.", "usr/share/doc/roughcontact/copyright\n",
+                 "usr/share/doc/roughcontact/changelog.gz\n", "usr/share/doc/libroughcontact1/changelog.gz\n",
+                 "usr/share/roughcontact/templates/page.html\n", "usr/share/roughcontact/selftest.csv\n",
+                 "usr/share/roughcontact/surfaces/chapter6/scene.yaml\n");
     free(text);
 
     /* the main job, from there, is what it is from the build */
     char *program;
     assert_true(asprintf(&program, "%s/root/usr/bin/roughcontact", place) > 0);
     workspace_scan(place, "d/a.csv", 300, 1);
-    process = expect_exit(place, 0, "report", "d", "-o", "built", "--no-cost");
-    process_free(&process);
+    run_to_exit(place, 0, "report", "d", "-o", "built", "--no-cost");
     const char *const report[] = {program, "report", "d", "-o", "unpacked", "--no-cost", NULL};
     process = process_expect(process_end(process_start_list(place, report, NULL)), 0, __FILE__, __LINE__);
     process_free(&process);
@@ -82,10 +75,4 @@ static void test_package(void **state)
     text = workspace_shell(place, "lintian --fail-on none packages/*.deb");
     expect_no_part(text, "E: ");
     free(text);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {workspace_test(test_package)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -44,7 +44,7 @@ static double inspected(const char *out, const char *key)
     return value;
 }
 
-static void test_inspect(void **state)
+TEST_IN_WORKSPACE(test_inspect)
 {
     const char *place = *state;
     write_scan(place, "a.dat");
@@ -62,8 +62,8 @@ static void test_inspect(void **state)
                    heights = expect_exit(place, 0, "inspect", "--json", "--column", "1,3", "a.dat");
     assert_near(inspected(slopes.out, "rq_m"), inspected(heights.out, "rq_m"), 1e-12);
     assert_near(inspected(slopes.out, "m2"), inspected(heights.out, "m2"), 1e-12);
-    expect_part(slopes.out, "the sidecar 'a.txt' gave the units: x in um, z in urad");
-    expect_part(slopes.out, "slopes in urad, integrated to heights by the trapezoidal rule");
+    expect_parts(slopes.out, "the sidecar 'a.txt' gave the units: x in um, z in urad",
+                 "slopes in urad, integrated to heights by the trapezoidal rule");
     process_free(&slopes);
     process_free(&heights);
 }
@@ -71,7 +71,8 @@ static void test_inspect(void **state)
 /* The first cell of `column` in every row of data/surfaces.csv, which has no quoted cells. */
 static void surfaces_of(const char *place, const char *column, double values[2])
 {
-    char *csv = workspace_read(place, "out/d/data/surfaces.csv"), *line = csv;
+    char *csv = workspace_read(place, "out/d/data/surfaces.csv");
+    char *line = csv;
     size_t at = 0;
     for (const char *cell = csv; strncmp(cell, column, strlen(column)) != 0; at++)
         cell = strchr(cell, ',') + 1;
@@ -87,14 +88,15 @@ static void surfaces_of(const char *place, const char *column, double values[2])
 
 static char *hash_of(const char *place)
 {
-    char *json = workspace_read(place, "out/d/results.json"), *at = strstr(json, "\"sha256\"");
+    char *json = workspace_read(place, "out/d/results.json");
+    char *at = strstr(json, "\"sha256\"");
     assert_non_null(at);
     at = strndup(at, strcspn(at, ","));
     free(json);
     return at;
 }
 
-static void test_report(void **state)
+TEST_IN_WORKSPACE(test_report)
 {
     const char *place = *state;
     double rq_m[2];
@@ -106,19 +108,16 @@ static void test_report(void **state)
                     "effects: []\nmodels: [multiscale]\nsurfaces:\n"
                     "  - {name: slopes, file: a.dat, quantity: slope}\n"
                     "  - {name: heights, file: a.dat, column: 3}\n");
-    struct process process = expect_exit(place, 0, "report", "d", "--no-cost");
-    process_free(&process);
+    run_to_exit(place, 0, "report", "d", "--no-cost");
     surfaces_of(place, "rq_m", rq_m);
     assert_true(rq_m[0] > 0);
     assert_near(rq_m[0], rq_m[1], 1e-12);
-    char *report = workspace_read(place, "out/d/report.md"), *hash = hash_of(place);
-    expect_part(report, "integrated to heights by the trapezoidal rule");
-    expect_part(report, "gave the units: x in um, z in urad");
-    free(report);
+    char *hash = hash_of(place);
+    expect_in_file(place, "out/d/report.md", "integrated to heights by the trapezoidal rule",
+                   "gave the units: x in um, z in urad");
     /* what the sidecar says is input as the scan is */
     write_sidecar(place, "d/a.txt", "1e-3");
-    process = expect_exit(place, 0, "report", "d", "--no-cost");
-    process_free(&process);
+    run_to_exit(place, 0, "report", "d", "--no-cost");
     char *other = hash_of(place);
     assert_string_not_equal(hash, other);
     free(hash);
@@ -128,7 +127,7 @@ static void test_report(void **state)
 }
 
 /* A scan and its sidecar are one surface, not a surface and a refusal. */
-static void test_directory(void **state)
+TEST_IN_WORKSPACE(test_directory)
 {
     const char *place = *state;
     workspace_scan(place, "d/a.dat", 128, 1);
@@ -143,7 +142,7 @@ static void test_directory(void **state)
 }
 
 /* What is done to the scan of a counterface is said as for any other. */
-static void test_counterface(void **state)
+TEST_IN_WORKSPACE(test_counterface)
 {
     const char *place = *state;
     workspace_scan(place, "d/s.csv", 256, 1);
@@ -153,18 +152,11 @@ static void test_counterface(void **state)
                     "effects: []\nmodels: [multiscale]\ncounterface: {surface: a.dat, quantity: slope}\n"
                     "surfaces: [{name: s, file: s.csv}]\n");
     struct process process = expect_exit(place, 0, "report", "d", "--no-cost");
-    expect_part(process.err, "surface 's': counterface a.dat: slopes in urad, integrated to heights");
-    expect_part(process.err, "surface 's': counterface a.dat: the sidecar 'a.txt' gave the units: x in um, z in urad");
+    expect_parts(process.err, "surface 's': counterface a.dat: slopes in urad, integrated to heights",
+                 "surface 's': counterface a.dat: the sidecar 'a.txt' gave the units: x in um, z in urad");
     expect_no_part(process.err, "counterface gamma");
     process_free(&process);
     char *report = workspace_read(place, "out/d/report.md");
     expect_part(report, "counterface a.dat: slopes in urad, integrated to heights");
     free(report);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {workspace_test(test_inspect), workspace_test(test_report),
-                                       workspace_test(test_directory), workspace_test(test_counterface)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

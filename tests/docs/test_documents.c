@@ -176,9 +176,8 @@ static void check_place(const char *name, const char *path, const char *at)
     free(source);
 }
 
-static void places_exist(void **state)
+TEST_CASE(places_exist)
 {
-    (void)state;
     size_t places = 0;
     for (size_t d = 0; d < sizeof documents / sizeof *documents; d++) {
         char *text = read_document(documents[d]);
@@ -226,9 +225,8 @@ static void check_number(const char *name, const char *path, const char *at)
     free(header);
 }
 
-static void functions_carry_their_numbers(void **state)
+TEST_CASE(functions_carry_their_numbers)
 {
-    (void)state;
     char *text = read_document("docs/equations.md");
     equations = text;
     lacking = 0;
@@ -238,9 +236,8 @@ static void functions_carry_their_numbers(void **state)
 }
 
 /** Every equation of the thesis has its row, and those with a star, and no others, an erratum. */
-static void equations_are_complete(void **state)
+TEST_CASE(equations_are_complete)
 {
-    (void)state;
     char *text = read_document("docs/equations.md"), *errata = strstr(text, "\n## Errata");
     bool placed[EQUATIONS + 1] = {false}, corrected[EQUATIONS + 1] = {false}, listed[EQUATIONS + 1] = {false};
     assert_non_null(errata);
@@ -265,9 +262,8 @@ static void equations_are_complete(void **state)
 }
 
 /** Files and folders that the documents name. */
-static void paths_exist(void **state)
+TEST_CASE(paths_exist)
 {
-    (void)state;
     static const char *const folders[] = {"src/", "tests/", "templates/", "docs/", "surfaces/"};
     size_t paths = 0;
     for (size_t d = 0; d < sizeof documents / sizeof *documents; d++) {
@@ -293,9 +289,8 @@ static void paths_exist(void **state)
 }
 
 /** Links from one file of the project to another. */
-static void links_lead_somewhere(void **state)
+TEST_CASE(links_lead_somewhere)
 {
-    (void)state;
     size_t links = 0;
     for (size_t d = 0; d < sizeof documents / sizeof *documents; d++) {
         char *text = read_document(documents[d]), folder[NAME] = "";
@@ -326,9 +321,8 @@ static void expect_named(const char *document, const char *text, const char *nam
         fail_msg("%s does not name %s", document, name);
 }
 
-static void tables_are_described(void **state)
+TEST_CASE(tables_are_described)
 {
-    (void)state;
     char *laws = read_document("docs/equations.md"), *formats = read_document("docs/formats.md");
     char *report = read_document("docs/report.md"), *commands = read_document("docs/commands.md");
     for (int v = 0; v < HEIGHT_VERDICTS; v++)
@@ -351,9 +345,8 @@ static void tables_are_described(void **state)
 }
 
 /** docs/limits.md has the rows of the table, all of them, in order, and no others. */
-static void limits_are_stated(void **state)
+TEST_CASE(limits_are_stated)
 {
-    (void)state;
     char *text = read_document("docs/limits.md"), *line = strstr(text, "|---|");
     assert_non_null(line);
     line = strchr(line, '\n') + 1;
@@ -414,9 +407,8 @@ static bool takes_comments(const char *name)
 }
 
 /** Every file says under which licence it is, at its beginning. What tests read is data, as outside files are. */
-static void licences_are_named(void **state)
+TEST_CASE(licences_are_named)
 {
-    (void)state;
     static char places[][sizeof PROJECT_SOURCE + 32] = {
         PROJECT_SOURCE "/README.md", PROJECT_SOURCE "/CMakeLists.txt", PROJECT_SOURCE "/cmake",
         PROJECT_SOURCE "/docs",      PROJECT_SOURCE "/examples",       PROJECT_SOURCE "/src",
@@ -456,9 +448,8 @@ static void check_includes(const struct rooms *rooms, size_t room, const char *p
     free(text);
 }
 
-static void rooms_use_only_those_before(void **state)
+TEST_CASE(rooms_use_only_those_before)
 {
-    (void)state;
     struct rooms rooms = read_rooms("docs/CONTRIBUTING.md"), again = read_rooms("README.md");
     size_t files = 0;
     assert_int_equal(rooms.count, again.count);
@@ -490,20 +481,4 @@ static void rooms_use_only_those_before(void **state)
             room_index(&rooms, entry->d_name, strlen(entry->d_name)) == rooms.count)
             fail_msg("the room src/%s stands in no order", entry->d_name);
     closedir(directory);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(places_exist),
-        cmocka_unit_test(functions_carry_their_numbers),
-        cmocka_unit_test(equations_are_complete),
-        cmocka_unit_test(paths_exist),
-        cmocka_unit_test(links_lead_somewhere),
-        cmocka_unit_test(tables_are_described),
-        cmocka_unit_test(limits_are_stated),
-        cmocka_unit_test(licences_are_named),
-        cmocka_unit_test(rooms_use_only_those_before),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

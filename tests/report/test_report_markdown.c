@@ -19,12 +19,6 @@ static int place_setup(void **state)
     return 0;
 }
 
-static int place_teardown(void **state)
-{
-    directory_remove(*state);
-    return 0;
-}
-
 /* The report of a scene. */
 static struct text report_of(const struct directory *place, const char *scene)
 {
@@ -196,7 +190,7 @@ static void assert_captions_name_what_is_drawn(const struct text *report)
     }
 }
 
-static void test_everything(void **state)
+TEST_CASE(test_everything)
 {
     struct text report = report_of(*state, LOADS ALL_EFFECTS);
     assert_every_figure_once(*state, &report);
@@ -217,7 +211,7 @@ static void test_everything(void **state)
 }
 
 /* One effect and one family: nothing of the others. */
-static void test_what_did_not_run_is_not_spoken_of(void **state)
+TEST_CASE(test_what_did_not_run_is_not_spoken_of)
 {
     struct text report =
         report_of(*state, LOADS "effects: [electrical]\nmodels: [statistical]\nsurfaces: [{name: x, file: a.csv}]\n");
@@ -238,7 +232,7 @@ static void test_what_did_not_run_is_not_spoken_of(void **state)
 }
 
 /* Every effect alone, in either family. */
-static void test_each_effect_alone_leaves_no_gap(void **state)
+TEST_CASE(test_each_effect_alone_leaves_no_gap)
 {
     static const char *const families[] = {"multiscale", "statistical"};
     static const char *const effects[] = {"", "plasticity", "separation", "electrical", "thermal", "convergence"};
@@ -253,7 +247,7 @@ static void test_each_effect_alone_leaves_no_gap(void **state)
 }
 
 /* Repeated scans and a measured resistance have sections of their own. */
-static void test_repeats_and_measurements(void **state)
+TEST_CASE(test_repeats_and_measurements)
 {
     directory_write(*state, "ecr.txt", "1e-5, 1e-9\n1e-4, 1e-10\n");
     struct text report =
@@ -275,7 +269,7 @@ static void test_repeats_and_measurements(void **state)
 
 /* A long wave that closes at sqrt(2) pi D/l (4.4, 4.6), far below the short one on it: there the curve has its kink,
  * and its caption says so. One wave alone has none. */
-static void test_kinks_are_where_scales_close(void **state)
+TEST_CASE(test_kinks_are_where_scales_close)
 {
     static const double amplitude_m = 1e-7, wavelength_m = 1e-4, short_m[] = {1e-7, 0};
     const double load = sqrt(2) * M_PI * amplitude_m / wavelength_m;
@@ -309,7 +303,7 @@ static void test_kinks_are_where_scales_close(void **state)
 }
 
 /* Where a chart cuts the statistical models' own separation, its caption says how far they go down. */
-static void test_a_cut_is_told_with_what_is_cut(void **state)
+TEST_CASE(test_a_cut_is_told_with_what_is_cut)
 {
     struct text report =
         report_of(*state, "material: tin\nload: {from: 1e-6, to: 1, points: 60}\nmodels: [gw, two-band-elastic]\n"
@@ -335,15 +329,4 @@ static void test_a_cut_is_told_with_what_is_cut(void **state)
     text_free(&report);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_everything),
-        cmocka_unit_test(test_what_did_not_run_is_not_spoken_of),
-        cmocka_unit_test(test_each_effect_alone_leaves_no_gap),
-        cmocka_unit_test(test_repeats_and_measurements),
-        cmocka_unit_test(test_kinks_are_where_scales_close),
-        cmocka_unit_test(test_a_cut_is_told_with_what_is_cut),
-    };
-    return cmocka_run_group_tests(tests, place_setup, place_teardown);
-}
+TEST_GROUP(place_setup, directory_teardown)

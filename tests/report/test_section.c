@@ -3,9 +3,8 @@
 #include "report/section.h"
 #include "support.h"
 
-static void test_surface_names_are_harmless(void **state)
+TEST_CASE(test_surface_names_are_harmless)
 {
-    (void)state;
     static char name[] = "| <script>*x*\n";
     struct scene_surface surface = {.name = name};
     struct surface_record record = {.summary.scene = &surface};
@@ -17,9 +16,8 @@ static void test_surface_names_are_harmless(void **state)
 }
 
 /* A name that begins with the word goes without it. */
-static void test_surfaces_are_named_once(void **state)
+TEST_CASE(test_surfaces_are_named_once)
 {
-    (void)state;
     static char names[2][16] = {"2", "Surface-2"};
     struct scene_surface surfaces[2] = {{.name = names[0]}, {.name = names[1]}};
     struct surface_record records[2] = {{.summary.scene = &surfaces[0]}, {.summary.scene = &surfaces[1]}};
@@ -31,13 +29,4 @@ static void test_surfaces_are_named_once(void **state)
     section_named(&text, "surface ", &results, 1);
     assert_string_equal(text_string(&text), "surface 2, surface 2 and Surface-2");
     text_free(&text);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_surface_names_are_harmless),
-        cmocka_unit_test(test_surfaces_are_named_once),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

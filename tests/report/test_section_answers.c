@@ -106,9 +106,8 @@ static void expect(const struct text *text, const char *part)
         fail_msg("'%s' is not in\n%s", part, text_string(text));
 }
 
-static void the_section(void **state)
+TEST_CASE(the_section)
 {
-    (void)state;
     struct text text = made_up_section(&made, &section_answers), lead = {0};
     section_answers_lead(&lead, &made.context);
     expect(&text, "## Answers\n");
@@ -129,9 +128,8 @@ static void the_section(void **state)
 }
 
 /* Full contact, at which it is met at the latest; and a limit that was met below the load, where numbers end. */
-static void what_is_known_without_a_number(void **state)
+TEST_CASE(what_is_known_without_a_number)
 {
-    (void)state;
     struct answer *leading = &made_up_surface(&made, 2)->answers[made_up_model("multiscale-plastic")], kept = *leading;
     struct limit_check *of_beta = &made_up_surface(&made, 0)->limits[1], limit = *of_beta;
     leading->full = true;
@@ -147,9 +145,8 @@ static void what_is_known_without_a_number(void **state)
     text_free(&text);
 }
 
-static void the_lines_of_a_check(void **state)
+TEST_CASE(the_lines_of_a_check)
 {
-    (void)state;
     struct text text = {0};
     assert_int_equal(report_missed_limits(&text, &made.results), 2);
     assert_string_equal(
@@ -160,9 +157,4 @@ static void the_lines_of_a_check(void **state)
     text_free(&text);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(the_section), cmocka_unit_test(what_is_known_without_a_number),
-                                       cmocka_unit_test(the_lines_of_a_check)};
-    return cmocka_run_group_tests(tests, setup, teardown);
-}
+TEST_GROUP(setup, teardown)

@@ -58,9 +58,8 @@ static void assert_verdict(const struct fake *fake, const char *claim, const cha
         fail_msg("'%s' is not %s with '%s'", row, verdict, evidence);
 }
 
-static void test_every_finding_holds_for_numbers_made_for_it(void **state)
+TEST_CASE(test_every_finding_holds_for_numbers_made_for_it)
 {
-    (void)state;
     struct fake fake;
     make_fake(&fake);
     struct text text = section_of(&fake);
@@ -82,9 +81,8 @@ static void set_model(struct fake *fake, size_t offset, double value, bool every
 }
 
 /* Findings that count curves: one curve against them makes "in part", all make "fails", none there "not tested". */
-static void test_findings_that_count_curves(void **state)
+TEST_CASE(test_findings_that_count_curves)
 {
-    (void)state;
     static const struct {
         const char *claim;
         size_t offset;
@@ -113,9 +111,8 @@ static void test_findings_that_count_curves(void **state)
 }
 
 /* Only the multiscale models are asked: the others are 0 at full contact by the choice of beta. */
-static void test_separation_at_full_contact(void **state)
+TEST_CASE(test_separation_at_full_contact)
 {
-    (void)state;
     struct fake fake;
     make_fake(&fake);
     set_model(&fake, offsetof(struct curve_summary, gap_at_full), 0.3, false); /* GW's */
@@ -129,9 +126,8 @@ static void test_separation_at_full_contact(void **state)
 }
 
 /* A curve that gets to full contact without an elbow counts against it. */
-static void test_a_curve_without_an_elbow(void **state)
+TEST_CASE(test_a_curve_without_an_elbow)
 {
-    (void)state;
     struct fake fake;
     make_fake(&fake);
     fake_curve(&fake, 0, "jg")->elbow_load = NAN;
@@ -148,9 +144,8 @@ static void test_a_curve_without_an_elbow(void **state)
     assert_verdict(&fake, "the elbow", "not tested", "none begins to within the loads");
 }
 
-static void test_convergence(void **state)
+TEST_CASE(test_convergence)
 {
-    (void)state;
     struct fake fake;
     make_fake(&fake);
     assert_verdict(&fake, "not on α", "holds", "elastic-plastic: settled for 7 of 7 α, 5 of 5 γ ≥ 1 and 0 of 4 γ < 1");
@@ -165,9 +160,8 @@ static void test_convergence(void **state)
 }
 
 /* Models that do not exist for a surface count neither way. */
-static void test_models_that_do_not_exist_are_left_out(void **state)
+TEST_CASE(test_models_that_do_not_exist_are_left_out)
 {
-    (void)state;
     struct fake fake;
     make_fake(&fake);
     set_model(&fake, offsetof(struct curve_summary, area_slope), 0.5, false);
@@ -175,9 +169,8 @@ static void test_models_that_do_not_exist_are_left_out(void **state)
     assert_verdict(&fake, "linear in the load", "holds", "11 of 11 curves");
 }
 
-static void test_scale_dependence(void **state)
+TEST_CASE(test_scale_dependence)
 {
-    (void)state;
     struct fake fake;
     make_fake(&fake);
     assert_verdict(&fake, "Scale dependence", "holds", "GW 0.10 to 1.0 %");
@@ -188,9 +181,8 @@ static void test_scale_dependence(void **state)
     assert_verdict(&fake, "Scale dependence", "not tested", "");
 }
 
-static void test_gamma(void **state)
+TEST_CASE(test_gamma)
 {
-    (void)state;
     struct fake fake;
     make_fake(&fake);
     static const char claim[] = "so the area converges";
@@ -224,9 +216,8 @@ static void test_gamma(void **state)
 }
 
 /* Ranks: comparison_rank.ranked of the quantity against its pairs. */
-static void test_ranks(void **state)
+TEST_CASE(test_ranks)
 {
-    (void)state;
     static const struct {
         const char *claim;
         enum quantity quantity;
@@ -269,9 +260,8 @@ static void set_spread(struct fake *fake, const char *model, enum comparison_spr
         fake_compared(fake, model)->extents[load][of] = (struct comparison_extent){1, spread, count};
 }
 
-static void test_plastic_against_elastic(void **state)
+TEST_CASE(test_plastic_against_elastic)
 {
-    (void)state;
     struct fake fake;
     make_fake(&fake);
     static const struct {
@@ -317,9 +307,8 @@ static void test_plastic_against_elastic(void **state)
 }
 
 /* Surfaces held against each other: orders of magnitude, distances, sensitivity. */
-static void test_surfaces_against_each_other(void **state)
+TEST_CASE(test_surfaces_against_each_other)
 {
-    (void)state;
     struct fake fake;
     make_fake(&fake);
     assert_verdict(&fake, "same order of magnitude", "holds", "GW 5.00; JG 4.00");
@@ -347,9 +336,8 @@ static void test_surfaces_against_each_other(void **state)
 }
 
 /* Neighbours that differ by less than their standard errors together count neither way. */
-static void test_numbers_against_roughness(void **state)
+TEST_CASE(test_numbers_against_roughness)
 {
-    (void)state;
     struct fake fake;
     make_fake(&fake); /* gamma 1.6, 1.4, 1.2 */
     fake.surfaces[0].summary.power_law.gamma_error = 0.15;
@@ -392,9 +380,8 @@ static void test_numbers_against_roughness(void **state)
 }
 
 /* The findings are of the thesis's four models: what others say moves no verdict. */
-static void test_other_models_do_not_speak(void **state)
+TEST_CASE(test_other_models_do_not_speak)
 {
-    (void)state;
     struct fake fake;
     make_fake(&fake);
     struct text before = section_of(&fake);
@@ -429,9 +416,8 @@ static void test_other_models_do_not_speak(void **state)
     text_free(&after);
 }
 
-static void test_the_families_and_proportions(void **state)
+TEST_CASE(test_the_families_and_proportions)
 {
-    (void)state;
     struct fake fake;
     make_fake(&fake);
     assert_verdict(&fake, "agree better in ECR", "holds", "so on 6 of 6 surfaces and laws");
@@ -494,9 +480,8 @@ static const struct {
 };
 
 /* Only what can be checked with what ran is in the table. */
-static void test_the_table_leaves_out_what_did_not_run(void **state)
+TEST_CASE(test_the_table_leaves_out_what_did_not_run)
 {
-    (void)state;
     static const char *const families[] = {"multiscale", "statistical", NULL};
     struct fake fake;
     make_fake(&fake);
@@ -525,9 +510,8 @@ static void test_the_table_leaves_out_what_did_not_run(void **state)
 }
 
 /* The table of a comparison of curves, not of made-up figures. */
-static void test_findings_on_curves(void **state)
+TEST_CASE(test_findings_on_curves)
 {
-    (void)state;
     static const double ordered[SURFACES][FAKE_MODELS] = {
         {0.04, 0.08, 0.01, 0.02}, {0.02, 0.06, 0.005, 0.015}, {0.01, 0.04, 0.0025, 0.01}};
     static const double turned[SURFACES][FAKE_MODELS] = {
@@ -547,27 +531,4 @@ static void test_findings_on_curves(void **state)
     make_comparison(&fake, full);
     assert_verdict(&fake, "narrows the spread", "holds", "statistical elastic 4.00, plastic 1.00");
     comparison_free(&fake.comparison);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_finding_holds_for_numbers_made_for_it),
-        cmocka_unit_test(test_findings_that_count_curves),
-        cmocka_unit_test(test_separation_at_full_contact),
-        cmocka_unit_test(test_a_curve_without_an_elbow),
-        cmocka_unit_test(test_convergence),
-        cmocka_unit_test(test_models_that_do_not_exist_are_left_out),
-        cmocka_unit_test(test_scale_dependence),
-        cmocka_unit_test(test_gamma),
-        cmocka_unit_test(test_ranks),
-        cmocka_unit_test(test_plastic_against_elastic),
-        cmocka_unit_test(test_surfaces_against_each_other),
-        cmocka_unit_test(test_numbers_against_roughness),
-        cmocka_unit_test(test_other_models_do_not_speak),
-        cmocka_unit_test(test_the_families_and_proportions),
-        cmocka_unit_test(test_the_table_leaves_out_what_did_not_run),
-        cmocka_unit_test(test_findings_on_curves),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

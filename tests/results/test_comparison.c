@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fake_results.h"
 
-static void test_ordered_surfaces(void **state)
+TEST_CASE(test_ordered_surfaces)
 {
-    (void)state;
     static const double areas[SURFACES][FAKE_MODELS] = {
         {0.04, 0.08, 0.01, 0.02}, {0.02, 0.06, 0.005, 0.015}, {0.01, 0.04, 0.0025, 0.01}};
     struct fake fake;
@@ -51,9 +50,8 @@ static void test_ordered_surfaces(void **state)
     comparison_free(&fake.comparison);
 }
 
-static void test_turned_surfaces(void **state)
+TEST_CASE(test_turned_surfaces)
 {
-    (void)state;
     static const double areas[SURFACES][FAKE_MODELS] = {
         {0.01, 0.005, 0.01, 0.005}, {0.02, 0.01, 0.02, 0.01}, {0.04, 0.03, 0.04, 0.03}};
     struct fake fake;
@@ -70,9 +68,8 @@ static void test_turned_surfaces(void **state)
 }
 
 /* Plastic areas that are alike, or all full, have a spread of 1: as narrow as can be. */
-static void test_equal_areas_have_a_spread_of_one(void **state)
+TEST_CASE(test_equal_areas_have_a_spread_of_one)
 {
-    (void)state;
     static const double areas[SURFACES][FAKE_MODELS] = {{0.04, 1, 0.01, 1}, {0.02, 1, 0.005, 1}, {0.01, 1, 0.0025, 1}};
     struct fake fake;
     make_comparison(&fake, areas);
@@ -82,9 +79,8 @@ static void test_equal_areas_have_a_spread_of_one(void **state)
 }
 
 /* Equal curves, or ones that differ by less than the tolerance, speak for neither side. */
-static void test_ties_are_counted_apart(void **state)
+TEST_CASE(test_ties_are_counted_apart)
 {
-    (void)state;
     static const double areas[SURFACES][FAKE_MODELS] = {
         {0.02, 0.02, 0.02, 0.02 * (1 + 1e-9)}, {0.02 * (1 + 1e-9), 0.02, 0.02, 0.02}, {0.02, 0.02, 0.02, 0.02}};
     struct fake fake;
@@ -106,9 +102,8 @@ static void test_ties_are_counted_apart(void **state)
 }
 
 /* The spread counts loads at which every surface is in partial contact: the fourth load is full on the first. */
-static void test_spreads(void **state)
+TEST_CASE(test_spreads)
 {
-    (void)state;
     static const double areas[SURFACES][FAKE_MODELS] = {
         {0.1, 0.4, 0.02, 0.02}, {0.2, 0.5, 0.04, 0.04}, {0.4, 0.8, 0.02, 0.02}};
     static const double full[SURFACES][FAKE_MODELS] = {
@@ -134,16 +129,4 @@ static void test_spreads(void **state)
         assert_true(isnan(model->steps[0]));
     }
     comparison_free(&fake.comparison);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_ordered_surfaces),
-        cmocka_unit_test(test_turned_surfaces),
-        cmocka_unit_test(test_ties_are_counted_apart),
-        cmocka_unit_test(test_spreads),
-        cmocka_unit_test(test_equal_areas_have_a_spread_of_one),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -12,8 +12,6 @@ static int end(void **state)
     return 0;
 }
 
-#define comparison_test(test) cmocka_unit_test_setup_teardown(test, NULL, end)
-
 static const struct comparison_model *of(const char *name)
 {
     return &made.comparison.models[made_up_model(name)];
@@ -25,10 +23,11 @@ static struct contact_point *point_of(struct surface_record *record, const char 
     return &record->curves[made_up_model(model)].points[load];
 }
 
+#define PLACED(name) TEST_WITH(name, NULL, end)
+
 /* Powers of the load: see made_up_results.h. Loads 1e-6 ... 1e-2, so that i = 4 is the middle. */
-static void test_power_laws(void **state)
+PLACED(test_power_laws)
 {
-    (void)state;
     made_up_make(&made, NULL);
     const struct comparison *c = &made.comparison;
     assert_near(c->middle_load, 1e-4, 1e-12);
@@ -94,9 +93,8 @@ static void turn_one(struct surface_record *record, size_t index)
     point_of(record, "gw", 4)->value[QUANTITY_SEPARATION] = 0;
 }
 
-static void test_neighbours_out_of_order(void **state)
+PLACED(test_neighbours_out_of_order)
 {
-    (void)state;
     made_up_make(&made, turn_one);
     const struct comparison_tally *rank = of("gw")->rank;
     assert_int_equal(rank[QUANTITY_AREA].opposed, 1);
@@ -121,9 +119,8 @@ static void make_equal(struct surface_record *record, size_t index)
     record->curves[made_up_model("jg")].full_load = record->curves[made_up_model("gw")].full_load;
 }
 
-static void test_equal_neighbours_and_laws(void **state)
+PLACED(test_equal_neighbours_and_laws)
 {
-    (void)state;
     made_up_make(&made, make_equal);
     const struct comparison_tally *rank = of("gw")->rank;
     static const enum quantity alike[] = {QUANTITY_AREA, QUANTITY_SEPARATION, QUANTITY_ECR};
@@ -153,9 +150,8 @@ static void cut_short(struct surface_record *record, size_t index)
             (struct model_curve){.points = record->curves[made_up_model("gw")].points};
 }
 
-static void test_short_curves(void **state)
+PLACED(test_short_curves)
 {
-    (void)state;
     made_up_make(&made, cut_short);
     assert_int_equal(of("jg")->rank[QUANTITY_AREA].agreeing, 2 * 4); /* ending alike, they have even that in common */
     assert_int_equal(of("jg")->plastic.changes[QUANTITY_AREA].agreeing, 2 * 3);
@@ -173,9 +169,8 @@ static void disturb_one(struct surface_record *record, size_t index)
         point_of(record, "jg", 2)->value[QUANTITY_TCR] *= 1 - 1e-3;
 }
 
-static void test_proportion(void **state)
+PLACED(test_proportion)
 {
-    (void)state;
     made_up_make(&made, disturb_one);
     assert_near(made.comparison.proportional_error, 1e-3, 1e-9);
     made_up_free(&made);
@@ -184,9 +179,8 @@ static void test_proportion(void **state)
 }
 
 /* The last halving of the wavelength: from the scale in the middle to the last. */
-static void test_a_settled_sweep(void **state)
+PLACED(test_a_settled_sweep)
 {
-    (void)state;
     made_up_make(&made, NULL);
     size_t model = made_up_model("multiscale-plastic");
     made_up_sweep(&made, CONVERGENCE_GAMMA, "multiscale-plastic", 3, 0.5 * 0.99901);
@@ -196,14 +190,4 @@ static void test_a_settled_sweep(void **state)
     made.scene.convergence.scales = 1;
     assert_true(comparison_converges(&made.results, CONVERGENCE_ALPHA, model, 0));
     made.scene.convergence.scales = MADE_UP_SCALES;
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        comparison_test(test_power_laws),   comparison_test(test_neighbours_out_of_order),
-        comparison_test(test_short_curves), comparison_test(test_equal_neighbours_and_laws),
-        comparison_test(test_proportion),   comparison_test(test_a_settled_sweep),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

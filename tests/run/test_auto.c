@@ -116,9 +116,8 @@ static void write_surface(const char *name, double gamma, double size, unsigned 
 
 /** Loads far below yield, from soft metals to what yields nowhere: the elastic models' full contact stands only where
  * the elastic-plastic ones would give the same. */
-static void full_contact_is_never_extrapolated_elastically(void **state)
+TEST_CASE(full_contact_is_never_extrapolated_elastically)
 {
-    (void)state;
     static const double yield_Pa[] = {1e9, 1e10, 3e10, 1e11, 1.4e11, 2e11, 5e11, 9e11};
     static const double sizes[] = {3e-8, 3e-7, 3e-6};
     size_t skipped = 0, runs = 0;
@@ -142,9 +141,8 @@ static void full_contact_is_never_extrapolated_elastically(void **state)
 }
 
 /** The same of the fitted law below the sampling limit: where gamma < 1 its slopes go on rising. */
-static void law_below_the_sampling_limit_counts(void **state)
+TEST_CASE(law_below_the_sampling_limit_counts)
 {
-    (void)state;
     char text[800];
     const char *loads = "from: 1e-9, to: 1e-7, points: 5";
     write_surface("a.csv", 0.6, 5e-8, 11);
@@ -172,9 +170,8 @@ static void law_below_the_sampling_limit_counts(void **state)
 
 /** Mean free paths that put the change below, at and above the tolerance: never skipped above, never run below (GW,
  * whose bound is not exact: below 0.9 of it), at the cost of a few loads. */
-static void scale_dependence_runs_just_where_it_matters(void **state)
+TEST_CASE(scale_dependence_runs_just_where_it_matters)
 {
-    (void)state;
     static const char *const families[] = {"multiscale", "statistical"};
     static const double sizes[] = {3e-8, 3e-7, 3e-7}, tolerances[] = {1e-5, 1e-3, 0.05};
     size_t skipped = 0, runs = 0; /* the last surface: yield closes long scales, so that the small ones count */
@@ -225,12 +222,4 @@ static int tear_down(void **state)
     return 0;
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(full_contact_is_never_extrapolated_elastically),
-        cmocka_unit_test(law_below_the_sampling_limit_counts),
-        cmocka_unit_test(scale_dependence_runs_just_where_it_matters),
-    };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
-}
+TEST_GROUP(set_up, tear_down)

@@ -44,7 +44,7 @@ static bool says(const struct directory *place, const char *file, const char *wo
 }
 
 /* Bins keep each surface's mean square height, and there is one a tenth of a decade. */
-static void of_many_surfaces_bins(void **state)
+TEST_WITH(of_many_surfaces_bins, directory_setup, directory_teardown)
 {
     const struct directory *place = *state;
     make_surfaces(place, MANY);
@@ -108,7 +108,7 @@ static size_t lines_of_surfaces(const struct directory *place, bool *more)
     return lines;
 }
 
-static void the_terminal_shows_a_hundred(void **state)
+TEST_WITH(the_terminal_shows_a_hundred, directory_setup, directory_teardown)
 {
     const struct directory *place = *state;
     bool more;
@@ -122,7 +122,7 @@ static void the_terminal_shows_a_hundred(void **state)
 }
 
 /* The JSON of many surfaces by several threads, and up to a hundred of them every harmonic. */
-static void of_a_hundred_every_harmonic(void **state)
+TEST_WITH(of_a_hundred_every_harmonic, directory_setup, directory_teardown)
 {
     const struct directory *place = *state;
     make_surfaces(place, MANY - 1);
@@ -135,29 +135,4 @@ static void of_a_hundred_every_harmonic(void **state)
     static const char *const files[] = {"results.json", "report.md", "data/spectrum.csv", "data/contact.csv"};
     for (size_t i = 0; i < sizeof files / sizeof *files; i++)
         expect_same(place, files[i], true);
-}
-
-static int make(void **state)
-{
-    struct directory *place = malloc(sizeof *place);
-    *place = directory_make();
-    *state = place;
-    return 0;
-}
-
-static int clean(void **state)
-{
-    directory_remove(*state);
-    free(*state);
-    return 0;
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(of_many_surfaces_bins, make, clean),
-        cmocka_unit_test_setup_teardown(the_terminal_shows_a_hundred, make, clean),
-        cmocka_unit_test_setup_teardown(of_a_hundred_every_harmonic, make, clean),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -18,12 +18,6 @@ static int place_setup(void **state)
     return 0;
 }
 
-static int place_teardown(void **state)
-{
-    directory_remove(*state);
-    return 0;
-}
-
 static const char leading[] = "two-band-plastic";
 
 /** The number of the factor in the row of what limits the answer; fails where there is none. */
@@ -78,7 +72,7 @@ static double resistance(const struct directory *place, const char *surface, con
     return value;
 }
 
-static void test_factors_are_those_of_the_data(void **state)
+TEST_CASE(test_factors_are_those_of_the_data)
 {
     const struct directory *place = *state;
     assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
@@ -109,7 +103,7 @@ static void test_factors_are_those_of_the_data(void **state)
 }
 
 /* A chart's points say the numbers of contact.csv, and the picture to take away has none of gnuplot's calls. */
-static void test_points_say_their_numbers(void **state)
+TEST_CASE(test_points_say_their_numbers)
 {
     const struct directory *place = *state;
     assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
@@ -139,7 +133,7 @@ static void test_points_say_their_numbers(void **state)
 }
 
 /* Where the surface was solved directly, the model's distance from that counts, and its chart stands on the page. */
-static void test_against_the_direct_solution(void **state)
+TEST_CASE(test_against_the_direct_solution)
 {
     const struct directory *place = *state;
     mkdir(directory_path(place, "one"), 0777);
@@ -181,7 +175,7 @@ static size_t count_figures(const struct directory *place, const char *folder)
 }
 
 /* Brief: the page up to the rule, byte by byte, its figure alone, and the same data. */
-static void test_brief(void **state)
+TEST_CASE(test_brief)
 {
     const struct directory *place = *state;
     struct run_outcome outcome;
@@ -220,13 +214,4 @@ static void test_brief(void **state)
     text_free(&page);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_factors_are_those_of_the_data),
-        cmocka_unit_test(test_brief),
-        cmocka_unit_test(test_against_the_direct_solution),
-        cmocka_unit_test(test_points_say_their_numbers),
-    };
-    return cmocka_run_group_tests(tests, place_setup, place_teardown);
-}
+TEST_GROUP(place_setup, directory_teardown)

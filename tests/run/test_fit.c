@@ -63,23 +63,9 @@ static const char *law_class(const json_t *surface)
     return json_string_value(json_object_get(json_object_get(surface, "fit"), "class"));
 }
 
-static int place_setup(void **state)
-{
-    static struct directory place;
-    place = directory_make();
-    *state = &place;
-    return 0;
-}
-
-static int place_teardown(void **state)
-{
-    directory_remove(*state);
-    return 0;
-}
-
 /* Both a periodic record and one cut out of a longer surface, tilted, give back what they were made with, within the
  * errors stated; the line through every harmonic of the unwindowed cut record does not. */
-static void test_the_law_made_is_found(void **state)
+TEST_CASE(test_the_law_made_is_found)
 {
     const struct directory *place = *state;
     mkdir(directory_path(place, "law"), 0777);
@@ -120,7 +106,7 @@ static void test_the_law_made_is_found(void **state)
 
 /* A periodic record loses its mean alone, so that its amplitudes stay those it was made with; asked for by name, a line
  * is taken out. */
-static void test_levelling_of_a_periodic_record(void **state)
+TEST_CASE(test_levelling_of_a_periodic_record)
 {
     const struct directory *place = *state;
     double height_m[POINTS];
@@ -153,7 +139,7 @@ static void expect_in(const struct directory *place, const char *file, const cha
 }
 
 /* The report says what each scan got. */
-static void test_the_report_names_windows(void **state)
+TEST_CASE(test_the_report_names_windows)
 {
     const struct directory *place = *state;
     mkdir(directory_path(place, "three"), 0777);
@@ -174,7 +160,7 @@ static void test_the_report_names_windows(void **state)
 }
 
 /* A constant window: the windowed spectrum's power is the mean of many records', not forced to be this one's. */
-static void test_a_window_by_name(void **state)
+TEST_CASE(test_a_window_by_name)
 {
     const struct directory *place = *state;
     mkdir(directory_path(place, "hann"), 0777);
@@ -191,7 +177,7 @@ static void test_a_window_by_name(void **state)
 }
 
 /* What is no law is none, and neither stops a run nor goes into the convergence study. */
-static void test_no_law(void **state)
+TEST_CASE(test_no_law)
 {
     const struct directory *place = *state;
     mkdir(directory_path(place, "none"), 0777);
@@ -234,7 +220,7 @@ static void test_no_law(void **state)
 }
 
 /* A band of under a decade is printed and marked, and carried on nowhere. */
-static void test_a_narrow_law(void **state)
+TEST_CASE(test_a_narrow_law)
 {
     const struct directory *place = *state;
     mkdir(directory_path(place, "narrow"), 0777);
@@ -254,7 +240,7 @@ static void test_a_narrow_law(void **state)
 
 /* Heights to the picometre of a law that an instrument has cut at 8 um: what is left below is the file's last digit.
  * The spectrum is carried on from 8 um where the scene says so; where it does not, the filter's flank tells nothing. */
-static void test_what_lies_below_a_cut_off(void **state)
+TEST_CASE(test_what_lies_below_a_cut_off)
 {
     static const char scene[] = "material: tin\nmodels: [multiscale]\neffects: [convergence]\nfit: thesis\n"
                                 "convergence: {scales: 64, load: 1e-6}\n";
@@ -308,7 +294,7 @@ static void test_what_lies_below_a_cut_off(void **state)
 }
 
 /* Rows of a map: copies of one row say nothing more than it does; the errors must not shrink with their number. */
-static void test_rows_of_a_map(void **state)
+TEST_CASE(test_rows_of_a_map)
 {
     const struct directory *place = *state;
     enum { ROWS = 40, ROW = 256 };
@@ -342,7 +328,7 @@ static void test_rows_of_a_map(void **state)
 }
 
 /* Against a rough counterface the law is that of both together. */
-static void test_the_counterface_is_in_the_law(void **state)
+TEST_CASE(test_the_counterface_is_in_the_law)
 {
     const struct directory *place = *state;
     double height_m[POINTS];
@@ -362,18 +348,4 @@ static void test_the_counterface_is_in_the_law(void **state)
     json_decref(root);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_the_law_made_is_found),
-        cmocka_unit_test(test_levelling_of_a_periodic_record),
-        cmocka_unit_test(test_the_report_names_windows),
-        cmocka_unit_test(test_a_window_by_name),
-        cmocka_unit_test(test_no_law),
-        cmocka_unit_test(test_a_narrow_law),
-        cmocka_unit_test(test_what_lies_below_a_cut_off),
-        cmocka_unit_test(test_rows_of_a_map),
-        cmocka_unit_test(test_the_counterface_is_in_the_law),
-    };
-    return cmocka_run_group_tests(tests, place_setup, place_teardown);
-}
+TEST_GROUP(directory_setup, directory_teardown)

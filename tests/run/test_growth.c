@@ -61,23 +61,12 @@ static void assert_growth(double n, double four_n)
         fail_msg("%.0f evaluations, of four times as much %.0f", n, four_n);
 }
 
-static void test_points(void **state)
+TEST_CASE(test_points)
 {
-    (void)state;
     assert_growth(presses_of(4000, 121), presses_of(16000, 121));
 }
 
-static void test_loads(void **state)
+TEST_CASE(test_loads)
 {
-    (void)state;
     assert_growth(presses_of(4000, 121), presses_of(4000, 484));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_points),
-        cmocka_unit_test(test_loads),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

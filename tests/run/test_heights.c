@@ -53,12 +53,6 @@ static int place_setup(void **state)
     return 0;
 }
 
-static int place_teardown(void **state)
-{
-    directory_remove(*state);
-    return 0;
-}
-
 /** Rows of a surface in a model of OUT/data/contact.csv. */
 static size_t rows_of(const struct directory *place, const char *out, const char *surface, const char *model)
 {
@@ -90,7 +84,7 @@ static size_t times(const struct text *text, const char *part)
 }
 
 /** Unasked: on the plateau alone, which has the mark and a row of its own; the others have neither. */
-static void unasked_only_where_heights_are_not_gaussian(void **state)
+TEST_CASE(unasked_only_where_heights_are_not_gaussian)
 {
     const struct directory *place = *state;
     write_scene(place, "in", "");
@@ -126,7 +120,7 @@ static void unasked_only_where_heights_are_not_gaussian(void **state)
 }
 
 /** Beside a plastic model that leads, what contacting slopes says stands only below the hardness. */
-static void nothing_elastic_above_the_hardness(void **state)
+TEST_CASE(nothing_elastic_above_the_hardness)
 {
     const struct directory *place = *state;
     for (int soft = 0; soft < 2; soft++) {
@@ -231,7 +225,7 @@ static const char *const surface_sections[] = {"", "\n## All surfaces, model by 
 static const char legend[] = "‡ heights not Gaussian, as the model takes them";
 
 /** The mark stands beside every model that takes heights as Gaussian and by no other, on that surface alone. */
-static void marks_in_every_table(void **state)
+TEST_CASE(marks_in_every_table)
 {
     const struct directory *place = *state;
     size_t rows[2];
@@ -273,7 +267,7 @@ static void marks_in_every_table(void **state)
 }
 
 /** The sections that are called for by effects alone: intervals, and what lies below the sampling limit. */
-static void marks_where_effects_call_for_tables(void **state)
+TEST_CASE(marks_where_effects_call_for_tables)
 {
     const struct directory *place = *state;
     static const char *const sections[] = {"\n## How sure the numbers are", "\n## Does the area converge"};
@@ -296,7 +290,7 @@ static void marks_where_effects_call_for_tables(void **state)
 }
 
 /** Captions of charts with such curves name the surface; others do not. */
-static void marks_in_captions(void **state)
+TEST_CASE(marks_in_captions)
 {
     const struct directory *place = *state;
     static const struct {
@@ -328,7 +322,7 @@ static void marks_in_captions(void **state)
 }
 
 /** The first lines name the surface, and what a direct solution of it would take, as planned. */
-static void the_first_lines(void **state)
+TEST_CASE(the_first_lines)
 {
     const struct directory *place = *state;
     write_scene(place, "in", "baseline: plateau\n");
@@ -353,7 +347,7 @@ static void the_first_lines(void **state)
 }
 
 /** Few long waves: the other mark, everywhere; in results.json and on a terminal too. */
-static void the_weaker_mark(void **state)
+TEST_CASE(the_weaker_mark)
 {
     const struct directory *place = *state;
     double height_m[POINTS];
@@ -378,11 +372,8 @@ static void the_weaker_mark(void **state)
     struct run_options options = {.output = target, .templates = PROJECT_SOURCE "/templates", .no_cost = true};
     assert_int_equal(pipeline_try(&outcome, place, "long", options, &status), STATUS_OK);
     const char *terminal = text_string(&outcome.table);
-    assert_non_null(strstr(terminal, "\nfew ‡? "));
-    assert_non_null(strstr(terminal, "\nplateau ‡ "));
-    assert_non_null(strstr(terminal, "\neven  "));
-    assert_non_null(strstr(terminal, "\n‡ heights not Gaussian"));
-    assert_non_null(strstr(terminal, "\n‡? heights outside the Gaussian range"));
+    expect_parts(terminal, "\nfew ‡? ", "\nplateau ‡ ", "\neven  ", "\n‡ heights not Gaussian",
+                 "\n‡? heights outside the Gaussian range");
     run_outcome_free(&outcome);
     struct text report = report_of(place, "out");
     char *section = section_of(&report, "\n## Surface few in every model");
@@ -418,7 +409,7 @@ static void the_weaker_mark(void **state)
 }
 
 /** Without a surface that is not Gaussian nothing of it is said; asked for, it runs on all. */
-static void asked_for_it_runs_everywhere(void **state)
+TEST_CASE(asked_for_it_runs_everywhere)
 {
     const struct directory *place = *state;
     write_scene(place, "in", "surfaces: [{name: even, file: even.csv}, {name: fair, file: fair.csv}]\n");
@@ -441,7 +432,7 @@ static void asked_for_it_runs_everywhere(void **state)
 }
 
 /** Too few points: no curve, and no harm. Two rough bodies: none either. */
-static void none_where_there_cannot_be_one(void **state)
+TEST_CASE(none_where_there_cannot_be_one)
 {
     const struct directory *place = *state;
     write_scene(place, "short", "models: [multiscale, contacting-slopes]\n");
@@ -469,7 +460,7 @@ static int compare_falling(const void *a, const void *b)
 
 /** The chart's heights are those of the scan at their normal scores, and the line is the least-squares one through the
  * highest 2AM of them. */
-static void the_probability_plot(void **state)
+TEST_CASE(the_probability_plot)
 {
     const struct directory *place = *state;
     write_scene(place, "in", "models: [contacting-slopes]\nsurfaces: [{name: plateau, file: plateau.csv}]\n");
@@ -518,27 +509,10 @@ static void the_probability_plot(void **state)
     }
     assert_true(rows[0] > 100 && rows[0] <= 301 && last == M - 1 && rows[1] == 2 && rows[2] == 2);
     text_free(&data);
-    struct text script = directory_read(place, "out/figures/normal-probability.gp");
-    assert_non_null(strstr(script.data, "# curves: s1 fit fitx\n"));
-    text_free(&script);
+    expect_in_file(place, "out/figures/normal-probability.gp", "# curves: s1 fit fitx\n");
     struct text svg = directory_read(place, "out/figures/normal-probability.svg");
     assert_non_null(strstr(svg.data, "plateau, Rq"));
     text_free(&svg);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(unasked_only_where_heights_are_not_gaussian),
-        cmocka_unit_test(nothing_elastic_above_the_hardness),
-        cmocka_unit_test(marks_in_every_table),
-        cmocka_unit_test(marks_where_effects_call_for_tables),
-        cmocka_unit_test(marks_in_captions),
-        cmocka_unit_test(the_first_lines),
-        cmocka_unit_test(the_weaker_mark),
-        cmocka_unit_test(asked_for_it_runs_everywhere),
-        cmocka_unit_test(none_where_there_cannot_be_one),
-        cmocka_unit_test(the_probability_plot),
-    };
-    return cmocka_run_group_tests(tests, place_setup, place_teardown);
-}
+TEST_GROUP(place_setup, directory_teardown)

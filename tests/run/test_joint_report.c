@@ -27,12 +27,6 @@ static int place_setup(void **state)
     return 0;
 }
 
-static int place_teardown(void **state)
-{
-    directory_remove(*state);
-    return 0;
-}
-
 /** The report of such a scene. */
 static struct text report_of(const struct directory *place, const char *more)
 {
@@ -67,7 +61,7 @@ static bool has_own_spots(const char *model)
     return model_rows[m]->spots;
 }
 
-static void columns_follow_from_the_others(void **state)
+TEST_CASE(columns_follow_from_the_others)
 {
     const struct directory *place = *state;
     struct text report = report_of(place, JOINT);
@@ -109,11 +103,8 @@ static void columns_follow_from_the_others(void **state)
     }
     assert_true(gaps > 100 && equal > 50 && own > 30 && plated > 80 && hot > 10);
     table_free(&contact);
-    assert_non_null(strstr(text_string(&report), "## The joint"));
-    assert_non_null(strstr(text_string(&report), "helium at 50.6625 kPa and 320 K, accommodation 0.5"));
-    assert_non_null(strstr(text_string(&report), "A film of 3·10⁻¹³ Ω·m²"));
-    assert_non_null(strstr(text_string(&report), "The surface's side is plated, 0.8 µm of 2.2·10⁻⁸ Ω·m"));
-    assert_non_null(strstr(text_string(&report), "not of this metal"));
+    expect_parts(text_string(&report), "## The joint", "helium at 50.6625 kPa and 320 K, accommodation 0.5",
+                 "A film of 3·10⁻¹³ Ω·m²", "The surface's side is plated, 0.8 µm of 2.2·10⁻⁸ Ω·m", "not of this metal");
     static const char *const figures[] = {"joint-conductance", "joint-gap", "joint-ecr", "joint-temperature"};
     for (size_t f = 0; f < sizeof figures / sizeof *figures; f++)
         assert_non_null(strstr(text_string(&report), figures[f]));
@@ -130,7 +121,7 @@ static void columns_follow_from_the_others(void **state)
 }
 
 /** The table's cells against the row of contact.csv they come from, at the operating load. */
-static void the_table_is_of_the_data(void **state)
+TEST_CASE(the_table_is_of_the_data)
 {
     const struct directory *place = *state;
     struct text report = report_of(place, JOINT "operating_load: 1e-6\nbaseline: a\n");
@@ -177,15 +168,13 @@ static void the_table_is_of_the_data(void **state)
 }
 
 /** Off: no column, chart, section, word; a key alone brings its own. */
-static void nothing_that_is_not_called_for(void **state)
+TEST_CASE(nothing_that_is_not_called_for)
 {
     const struct directory *place = *state;
     struct text report = report_of(place, "");
     struct text plain = directory_read(place, "out/data/contact.csv");
-    assert_null(strstr(text_string(&report), "## The joint"));
-    assert_null(strstr(text_string(&report), "joint-"));
-    assert_null(strstr(text_string(&plain), "spot"));
-    assert_null(strstr(text_string(&plain), "joint"));
+    expect_no_parts(text_string(&report), "## The joint", "joint-");
+    expect_no_parts(text_string(&plain), "spot", "joint");
     text_free(&report);
     static const struct {
         const char *scene, *columns;
@@ -225,7 +214,7 @@ static void nothing_that_is_not_called_for(void **state)
 }
 
 /** Vacuum carries nothing, no film adds nothing; tin says when it softens and melts. */
-static void sentences(void **state)
+TEST_CASE(sentences)
 {
     const struct directory *place = *state;
     struct text report = report_of(place, "gap: {gas: vacuum}\nfilm: 0\n");
@@ -270,13 +259,4 @@ static void sentences(void **state)
     text_free(&report);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(columns_follow_from_the_others),
-        cmocka_unit_test(the_table_is_of_the_data),
-        cmocka_unit_test(nothing_that_is_not_called_for),
-        cmocka_unit_test(sentences),
-    };
-    return cmocka_run_group_tests(tests, place_setup, place_teardown);
-}
+TEST_GROUP(place_setup, directory_teardown)

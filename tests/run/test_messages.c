@@ -46,9 +46,8 @@ static size_t lines_with(const struct text *text, const char *part)
     return count;
 }
 
-static void all_are_said_without_a_report(void **state)
+TEST_CASE(all_are_said_without_a_report)
 {
-    (void)state;
     struct scene scene = {.passed_over = NULL};
     struct results results = make(&scene);
     struct text text = {0};
@@ -60,9 +59,8 @@ static void all_are_said_without_a_report(void **state)
     text_free(&text);
 }
 
-static void the_first_of_each_kind_are_said_beside_a_report(void **state)
+TEST_CASE(the_first_of_each_kind_are_said_beside_a_report)
 {
-    (void)state;
     struct scene scene = {.passed_over = NULL};
     struct results results = make(&scene);
     struct text text = {0};
@@ -79,9 +77,8 @@ static void the_first_of_each_kind_are_said_beside_a_report(void **state)
 }
 
 /* More kinds than are told apart: nothing is held back. */
-static void what_is_of_no_kind_is_said(void **state)
+TEST_CASE(what_is_of_no_kind_is_said)
 {
-    (void)state;
     enum { MANY = 300 };
     struct scene scene = {.passed_over = NULL};
     struct scene_surface *all = calloc(MANY, sizeof *all);
@@ -107,9 +104,8 @@ static void what_is_of_no_kind_is_said(void **state)
 }
 
 /* A refused surface's notes are in no report: none is left out. */
-static void notes_of_the_refused_are_said(void **state)
+TEST_CASE(notes_of_the_refused_are_said)
 {
-    (void)state;
     struct scene scene = {.passed_over = NULL};
     struct results results = make(&scene);
     for (size_t i = 0; i < SURFACES; i++) {
@@ -132,13 +128,4 @@ static int let_go(void **state)
     return 0;
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(all_are_said_without_a_report),
-        cmocka_unit_test(the_first_of_each_kind_are_said_beside_a_report),
-        cmocka_unit_test(what_is_of_no_kind_is_said),
-        cmocka_unit_test(notes_of_the_refused_are_said),
-    };
-    return cmocka_run_group_tests(tests, NULL, let_go);
-}
+TEST_GROUP(NULL, let_go)

@@ -212,9 +212,8 @@ static void assert_row(const char *markdown, const char *start, size_t cells)
 
 /* ---------------------------------------------------------------- data and results */
 
-static void test_the_data(void **state)
+TEST_CASE(test_the_data)
 {
-    (void)state;
     struct table contact = table_read_path(directory_path(&whole, "out/data/contact.csv"));
     size_t rows[2] = {0}, emptied = 0;
     for (size_t r = 0; r < contact.rows; r++) {
@@ -255,9 +254,8 @@ static void test_the_data(void **state)
 }
 
 /* What the area alone never set is null, quantity by quantity. */
-static void test_the_json(void **state)
+TEST_CASE(test_the_json)
 {
-    (void)state;
     json_t *results = json_load_file(directory_path(&whole, "out/results.json"), 0, NULL);
     size_t nulls = 0, s;
     json_t *surface;
@@ -277,9 +275,8 @@ static void test_the_json(void **state)
     json_decref(results);
 }
 
-static void test_the_other_tables(void **state)
+TEST_CASE(test_the_other_tables)
 {
-    (void)state;
     static const struct {
         const char *file, *has[3], *lacks;
     } files[] = {
@@ -303,9 +300,8 @@ static void test_the_other_tables(void **state)
 
 /* ---------------------------------------------------------------- charts */
 
-static void test_the_charts(void **state)
+TEST_CASE(test_the_charts)
 {
-    (void)state;
     /* of all surfaces only the thesis's models and the leading one have charts; sweeps all that stack scales */
     static const char *const stack_figures[] = {
         "area-load", "separation-load", "separation-area", "ecr-load", "tcr-load", "alpha", "gamma"};
@@ -348,9 +344,8 @@ static void test_the_charts(void **state)
 
 /* ---------------------------------------------------------------- report, terminal, plan */
 
-static void test_the_report(void **state)
+TEST_CASE(test_the_report)
 {
-    (void)state;
     struct text text = directory_read(&whole, "out/report.md");
     const char *md = text_string(&text);
     assert_has(section(md, "## Does the area converge"), "- numeric stack: for ");
@@ -399,9 +394,8 @@ static void test_the_report(void **state)
     text_free(&text);
 }
 
-static void test_the_terminal(void **state)
+TEST_CASE(test_the_terminal)
 {
-    (void)state;
     const char *table = text_string(&whole_outcome.table);
     assert_has(table, "β num.");
     assert_lacks(table, "β alone");
@@ -414,9 +408,8 @@ static void test_the_terminal(void **state)
 /* ---------------------------------------------------------------- alone, and in the plan */
 
 /* Nothing but an area: what other models would add has no place in the report. */
-static void test_the_area_alone(void **state)
+TEST_CASE(test_the_area_alone)
 {
-    (void)state;
     struct directory place = directory_make();
     struct run_outcome outcome = report_of(&place,
                                            "material: tin\n" LOADS SURFACES "models: [area-alone]\n"
@@ -459,9 +452,8 @@ static struct text plan_of(const struct directory *place)
 }
 
 /* What a model does not bound may change anything: the effect runs, and the reason says whose doing that is. */
-static void test_the_plan(void **state)
+TEST_CASE(test_the_plan)
 {
-    (void)state;
     struct text table = plan_of(&whole);
     assert_has(text_string(&table), "numeric stack: sum by the numerical closure");
     assert_has(text_string(&table), "area alone: one division a load");
@@ -479,13 +471,4 @@ static void test_the_plan(void **state)
     directory_remove(&place);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_the_data),       cmocka_unit_test(test_the_other_tables),
-        cmocka_unit_test(test_the_charts),     cmocka_unit_test(test_the_report),
-        cmocka_unit_test(test_the_terminal),   cmocka_unit_test(test_the_plan),
-        cmocka_unit_test(test_the_area_alone), cmocka_unit_test(test_the_json),
-    };
-    return cmocka_run_group_tests(tests, make_whole, remove_whole);
-}
+TEST_GROUP(make_whole, remove_whole)

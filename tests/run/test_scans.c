@@ -66,10 +66,12 @@ static bool report_says(const struct directory *place, const char *report, const
     return says;
 }
 
+#define PLACED(name) TEST_WITH(name, directory_setup, directory_teardown)
+
 /** The surface's curve is the geometric mean of those of its scans, each reported by itself: of
  * separation/sigma, not of metres; of what may be negative the arithmetic one. The scans' order in the scene does not
  * matter. */
-static void the_mean_of_five_reports(void **state)
+PLACED(the_mean_of_five_reports)
 {
     static const char *const columns[] = {"area_ratio", "ecr_ohm_m2", "separation_over_sigma",
                                           "adjusted_separation_over_sigma"};
@@ -120,7 +122,7 @@ static void the_mean_of_five_reports(void **state)
 
 /** The interval of the mean is Student's over ln answer: t = 12.7062 for two scans, whose s is |a - b|/2. The mean lies
  * in it, and it in that of another scan. */
-static void the_interval_of_two(void **state)
+PLACED(the_interval_of_two)
 {
     const struct directory *place = *state;
     double ln[2], ln_gap[2];
@@ -159,7 +161,7 @@ static double cell(const struct table *table, size_t row, const char *column)
 
 /** Intervals of one scan and of two that are quite unlike, up to full contact: each about its value and with a width,
  * above 0, of an area up to 1; none where a number is that of the load alone. */
-static void intervals_in_the_data(void **state)
+PLACED(intervals_in_the_data)
 {
     static const char *const names[] = {"area_ratio", "separation_over_sigma", "ecr_ohm_m2"};
     const struct directory *place = *state;
@@ -209,7 +211,7 @@ static void intervals_in_the_data(void **state)
 }
 
 /** A scan of twice the length is cut in two: it then says what its halves, reported as scans of one surface, say. */
-static void unlike_lengths(void **state)
+PLACED(unlike_lengths)
 {
     const struct directory *place = *state;
     double *height_m = malloc(2 * POINTS * sizeof *height_m);
@@ -244,7 +246,7 @@ static void unlike_lengths(void **state)
 }
 
 /** Scans that are all the same count as one: the numbers, and the interval, of that one. */
-static void identical_scans(void **state)
+PLACED(identical_scans)
 {
     const struct directory *place = *state;
     mkdir(directory_path(place, "in"), 0777);
@@ -269,7 +271,7 @@ static void identical_scans(void **state)
 }
 
 /** What is off is not computed: no band, no section, no letters, and nobody is called best. */
-static void one_scan_each(void **state)
+PLACED(one_scan_each)
 {
     const struct directory *place = *state;
     mkdir(directory_path(place, "in"), 0777);
@@ -290,7 +292,7 @@ static void one_scan_each(void **state)
 
 /** Two surfaces of the same kind are not told apart; one a hundred times as rough is, by Welch's test with the count of
  * scans. */
-static void ranked_in_words(void **state)
+PLACED(ranked_in_words)
 {
     const struct directory *place = *state;
     char name[64];
@@ -328,7 +330,7 @@ static double first_p(const struct directory *place, const char *report)
 }
 
 /** Holm's adjustment: the same two surfaces, best and next, beside a third far from both have a larger p. */
-static void more_pairs_ask_for_more(void **state)
+PLACED(more_pairs_ask_for_more)
 {
     const struct directory *place = *state;
     char name[64];
@@ -348,7 +350,7 @@ static void more_pairs_ask_for_more(void **state)
 }
 
 /** A map of more rows than are run: 8 of each of 16 blocks, which it says; rows that are all alike have no spread. */
-static void a_map_by_blocks(void **state)
+PLACED(a_map_by_blocks)
 {
     enum { NX = 64, NY = 300 };
     const struct directory *place = *state;
@@ -386,7 +388,7 @@ static size_t left_out(const struct directory *place, const char *in, const char
 
 /* Scans that cannot be used, one of which is refused after another of its surface was added, leave no trace in numbers:
  * the surface is that of the others, and says so. */
-static void bad_scans_of_several(void **state)
+PLACED(bad_scans_of_several)
 {
     const struct directory *place = *state;
     static const char *const folders[] = {"good", "bad"};
@@ -412,19 +414,16 @@ static void bad_scans_of_several(void **state)
         "are used\n",
         "surface 's': d.csv: 3 points carry no spectrum; at least 11 are needed: take a longer scan, or leave it out - "
         "refused; 3 of its 5 scans are used\n"};
-    struct text report = directory_read(place, "out-bad/report.md");
     for (int k = 0; k < 2; k++)
         if (!strstr(text_string(&bad.messages), said[k]))
             fail_msg("%s", text_string(&bad.messages));
-    assert_non_null(strstr(text_string(&report), "2 scans were refused"));
-    assert_non_null(strstr(text_string(&report), "at least 11 are needed"));
-    text_free(&report);
+    expect_in_file(place, "out-bad/report.md", "2 scans were refused", "at least 11 are needed");
     run_outcome_free(&good);
     run_outcome_free(&bad);
 }
 
 /* A surface of too short a scan is none, and leads nothing; the shortest that is taken has 11 points. */
-static void too_short_to_lead(void **state)
+PLACED(too_short_to_lead)
 {
     const struct directory *place = *state;
     struct run_outcome outcome;
@@ -444,7 +443,7 @@ static void too_short_to_lead(void **state)
 
 /* Scans of one surface that have nothing in common, as um read as mm or a factor too many: a number that cannot be had
  * is empty, with its reason, and the report is made. */
-static void scans_that_have_nothing_in_common(void **state)
+PLACED(scans_that_have_nothing_in_common)
 {
     const struct directory *place = *state;
     struct run_outcome outcome;
@@ -470,38 +469,4 @@ static void scans_that_have_nothing_in_common(void **state)
     assert_string_equal(table_text(&surfaces, 0, "fit_high_m"), "");
     table_free(&surfaces);
     run_outcome_free(&outcome);
-}
-
-static int make(void **state)
-{
-    struct directory *place = malloc(sizeof *place);
-    *place = directory_make();
-    *state = place;
-    return 0;
-}
-
-static int clean(void **state)
-{
-    directory_remove(*state);
-    free(*state);
-    return 0;
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(the_mean_of_five_reports, make, clean),
-        cmocka_unit_test_setup_teardown(the_interval_of_two, make, clean),
-        cmocka_unit_test_setup_teardown(intervals_in_the_data, make, clean),
-        cmocka_unit_test_setup_teardown(unlike_lengths, make, clean),
-        cmocka_unit_test_setup_teardown(identical_scans, make, clean),
-        cmocka_unit_test_setup_teardown(one_scan_each, make, clean),
-        cmocka_unit_test_setup_teardown(ranked_in_words, make, clean),
-        cmocka_unit_test_setup_teardown(more_pairs_ask_for_more, make, clean),
-        cmocka_unit_test_setup_teardown(a_map_by_blocks, make, clean),
-        cmocka_unit_test_setup_teardown(bad_scans_of_several, make, clean),
-        cmocka_unit_test_setup_teardown(too_short_to_lead, make, clean),
-        cmocka_unit_test_setup_teardown(scans_that_have_nothing_in_common, make, clean),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -45,12 +45,6 @@ static int place_setup(void **state)
     return 0;
 }
 
-static int place_teardown(void **state)
-{
-    directory_remove(*state);
-    return 0;
-}
-
 static void level(double *height_m, size_t points)
 {
     struct levelling levelling;
@@ -94,7 +88,7 @@ static bool is_plastic(const char *model)
 }
 
 /** Every model and change against reports of the low-passed scan, of its halves and of a harder metal. */
-static void factors_are_those_of_separate_reports(void **state)
+TEST_CASE(factors_are_those_of_separate_reports)
 {
     const struct directory *place = *state;
     struct synth_def def = synth_def_default();
@@ -172,7 +166,7 @@ static void make_report(const struct directory *place, const char *in, const cha
 /** A scan that closes on itself keeps its window and levelling when its cut-off is doubled, and is smoothed around its
  * ends: here by a sum over the circle. Its halves do not close: they are held against the whole windowed as they are.
  */
-static void a_scan_that_closes_stays_closed(void **state)
+TEST_CASE(a_scan_that_closes_stays_closed)
 {
     const struct directory *place = *state;
     struct synth_def def = synth_def_default();
@@ -226,7 +220,7 @@ static void a_scan_that_closes_stays_closed(void **state)
 
 /** Waves far longer than the cut-off: doubling it changes nothing. Two equal halves: nor does halving, where the answer
  * does not depend on length (Persson's area). */
-static void smooth_waves_do_not_change(void **state)
+TEST_CASE(smooth_waves_do_not_change)
 {
     const struct directory *place = *state;
     double z[POINTS];
@@ -254,7 +248,7 @@ static void smooth_waves_do_not_change(void **state)
 }
 
 /** Fewer than 16 points are not halved: cells without a number, and no section. */
-static void a_short_scan_says_nothing(void **state)
+TEST_CASE(a_short_scan_says_nothing)
 {
     const struct directory *place = *state;
     double z[15];
@@ -276,7 +270,7 @@ static void a_short_scan_says_nothing(void **state)
 /** The chart's areas and resistances at its shortest wavelength are those of the whole spectrum for models that know
  * nothing else (statistical ones by the moments of the spectrum); it ends at twice the spacing, and shades what a
  * stated cut-off or the tip leaves unsure. */
-static void the_chart_ends_at_the_whole_spectrum(void **state)
+TEST_CASE(the_chart_ends_at_the_whole_spectrum)
 {
     const struct directory *place = *state;
     static const struct {
@@ -334,14 +328,4 @@ static void the_chart_ends_at_the_whole_spectrum(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(factors_are_those_of_separate_reports),
-        cmocka_unit_test(a_scan_that_closes_stays_closed),
-        cmocka_unit_test(smooth_waves_do_not_change),
-        cmocka_unit_test(a_short_scan_says_nothing),
-        cmocka_unit_test(the_chart_ends_at_the_whole_spectrum),
-    };
-    return cmocka_run_group_tests(tests, place_setup, place_teardown);
-}
+TEST_GROUP(place_setup, directory_teardown)

@@ -41,7 +41,7 @@ static void expect_same_file(const struct directory *place, const char *a, const
 
 /** Columns of a turned map are the rows of the map; rows that are all alike give the profile's own curves, without a
  * spread to speak of. */
-static void a_map_is_its_rows(void **state)
+TEST_WITH(a_map_is_its_rows, directory_setup, directory_teardown)
 {
     enum { NX = 64, NY = 12 };
     const struct directory *place = *state;
@@ -66,13 +66,13 @@ static void a_map_is_its_rows(void **state)
     expect_same_file(place, "rows/data/spectrum.csv", "columns/data/spectrum.csv");
     assert_true(directory_has(place, "rows/data/spread.csv") && directory_has(place, "rows/data/bands.csv"));
     struct text report = directory_read(place, "rows/report.md");
-    assert_non_null(strstr(text_string(&report), "its 12 rows were averaged as profiles for spectrum and fit"));
-    assert_non_null(strstr(text_string(&report), "How sure the numbers are"));
+    expect_parts(text_string(&report), "its 12 rows were averaged as profiles for spectrum and fit",
+                 "How sure the numbers are");
     text_free(&report);
 }
 
 /** One file twice is that file; a surface of one scan has no spread. */
-static void averaging_a_scan_with_itself_changes_nothing(void **state)
+TEST_WITH(averaging_a_scan_with_itself_changes_nothing, directory_setup, directory_teardown)
 {
     const struct directory *place = *state;
     mkdir(directory_path(place, "in"), 0777);
@@ -99,7 +99,7 @@ static void averaging_a_scan_with_itself_changes_nothing(void **state)
 
 /** Pressed against its own copy: amplitudes times sqrt 2, and half the modulus; the counterface is no surface itself.
  */
-static void two_rough_bodies_add_their_squares(void **state)
+TEST_WITH(two_rough_bodies_add_their_squares, directory_setup, directory_teardown)
 {
     const struct directory *place = *state;
     mkdir(directory_path(place, "in"), 0777);
@@ -117,9 +117,7 @@ static void two_rough_bodies_add_their_squares(void **state)
         assert_near(table_number(&rough, i, "amplitude_m"), M_SQRT2 * table_number(&smooth, i, "amplitude_m"), 1e-9);
     table_free(&smooth);
     table_free(&rough);
-    struct text report = directory_read(place, "rough/report.md");
-    assert_non_null(strstr(text_string(&report), "rough counterface"));
-    text_free(&report);
+    expect_in_file(place, "rough/report.md", "rough counterface");
     struct run_outcome outcome;
     struct status status = {0};
     char target[4096];
@@ -131,29 +129,4 @@ static void two_rough_bodies_add_their_squares(void **state)
     assert_non_null(strstr(status.message, "the counterface cannot be read: other.csv"));
     run_outcome_free(&outcome);
     assert_false(directory_has(place, "none"));
-}
-
-static int set_up(void **state)
-{
-    static struct directory place;
-    place = directory_make();
-    *state = &place;
-    return 0;
-}
-
-static int tear_down(void **state)
-{
-    directory_remove(*state);
-    return 0;
-}
-
-int main(void)
-{
-#define TEST(function) cmocka_unit_test_setup_teardown(function, set_up, tear_down)
-    const struct CMUnitTest tests[] = {
-        TEST(a_map_is_its_rows),
-        TEST(averaging_a_scan_with_itself_changes_nothing),
-        TEST(two_rough_bodies_add_their_squares),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

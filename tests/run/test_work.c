@@ -46,9 +46,8 @@ static struct work work_of(const char *scene)
     "fit_band: [8 um, 2 mm]\nload: {from: 1e-6, to: 0.1, points: 31}\n"
 #define ALL "plasticity, separation, electrical, thermal, scale-dependent, convergence, uncertainty"
 
-static void each_effect_removes_its_own_work(void **state)
+TEST_CASE(each_effect_removes_its_own_work)
 {
-    (void)state;
     struct work all = work_of(FILES "effects: [" ALL "]\n"), less;
     assert_true(all.area > 0 && all.plasticity > 0 && all.convergence > 0 && all.uncertainty > 0);
     assert_int_equal(all.area + all.plasticity + all.convergence + all.uncertainty, all.all);
@@ -78,9 +77,8 @@ static void each_effect_removes_its_own_work(void **state)
 }
 
 /** What all families take is what each takes alone. */
-static void families_remove_their_own_work(void **state)
+TEST_CASE(families_remove_their_own_work)
 {
-    (void)state;
     static const char *const families[] = {"multiscale", "statistical",       "two-band",          "persson",
                                            "cmy",        "contacting-slopes", "sridhar-yovanovich"};
     struct text scene = {0};
@@ -105,9 +103,8 @@ static void families_remove_their_own_work(void **state)
 }
 
 /** A metal so hard that nothing yields: `auto` skips plasticity on both surfaces; a softer one runs it. */
-static void auto_skips_what_cannot_matter(void **state)
+TEST_CASE(auto_skips_what_cannot_matter)
 {
-    (void)state;
     struct work work =
         work_of("surfaces: [{name: a, file: a.csv}, {name: b, file: b.csv}]\n"
                 "material: {E: 1 GPa, nu: 0.3, Sy: 1000 GPa}\nload: {from: 1e-6, to: 1e-3, points: 31}\n");
@@ -120,9 +117,8 @@ static void auto_skips_what_cannot_matter(void **state)
 }
 
 /** Decided surface by surface: what is skipped on one has that one's elastic numbers, and the other its own. */
-static void effects_are_a_surfaces_own(void **state)
+TEST_CASE(effects_are_a_surfaces_own)
 {
-    (void)state;
     work_of("surfaces: [{name: hard, file: a.csv, material: {E: 1 GPa, nu: 0.3, Sy: 1000 GPa}}, {name: soft, file: "
             "a.csv}]\n"
             "material: {E: 1 GPa, nu: 0.3, Sy: 1 MPa}\nmodels: [multiscale]\n"
@@ -148,9 +144,8 @@ static void effects_are_a_surfaces_own(void **state)
 }
 
 /** A target is a search on every model's curve of each surface; no target is none. */
-static void targets_are_searches(void **state)
+TEST_CASE(targets_are_searches)
 {
-    (void)state;
     struct work none = work_of(FILES "models: [gw, jg, cmy]\neffects: [plasticity, electrical]\n");
     struct work two = work_of(FILES "models: [gw, jg, cmy]\neffects: [plasticity, electrical]\n"
                                     "targets: [{ecr: 1e-9 ohm m2}, {area: 1 %}]\n");
@@ -173,12 +168,4 @@ static int tear_down(void **state)
     return 0;
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(each_effect_removes_its_own_work), cmocka_unit_test(targets_are_searches),
-        cmocka_unit_test(families_remove_their_own_work),   cmocka_unit_test(auto_skips_what_cannot_matter),
-        cmocka_unit_test(effects_are_a_surfaces_own),
-    };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
-}
+TEST_GROUP(set_up, tear_down)

@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* main() of every test program whose tests are written with TEST_CASE(). */
+#include "support.h"
+
+#include <stdio.h>
+
+static struct CMUnitTest tests[64];
+static size_t count;
+static CMFixtureFunction before_all, after_all;
+
+void test_add(const char *name, CMUnitTestFunction run, CMFixtureFunction before, CMFixtureFunction after)
+{
+    if (count == sizeof tests / sizeof *tests) {
+        fprintf(stderr, "more than %zu tests in one program: make main.c's table larger\n", count);
+        abort();
+    }
+    tests[count++] = (struct CMUnitTest){name, run, before, after, NULL};
+}
+
+void test_group(CMFixtureFunction before, CMFixtureFunction after)
+{
+    before_all = before;
+    after_all = after;
+}
+
+int main(void)
+{
+    return count == 0 || _cmocka_run_group_tests("tests", tests, count, before_all, after_all);
+}
